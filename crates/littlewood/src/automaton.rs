@@ -1,0 +1,172 @@
+//! The automaton of the paper as a table of edges: from which mode, on which event, to which mode.
+//!
+//! [`crate::Hoop::simulate`] takes no other edge; the tests hold every simulated transition against this table, and
+//! the table against the motions, so that no edge is there for show.
+
+use core::fmt;
+
+use crate::state::Mode;
+
+/// What ends a phase of motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Cause {
+    /// Rolling: static friction gives way, |F| = μs N (2.13, 3.9).
+    Slip,
+    /// Rolling of a massless hoop: N = 0 before static friction gives way (3.8).
+    NormalForceZero,
+    /// Sliding or gliding: η′ = 0, and static friction holds.
+    Stick,
+    /// Sliding or gliding: η′ = 0, and the slip goes on in the other direction.
+    Reversal,
+    /// Sliding or gliding: η′ = 0 is touched, and the slip goes on in the same direction.
+    Graze,
+    /// Sliding: N = 0 with the mass centre rising (§2d).
+    LiftOff,
+    /// Flight: the rim touches the plane; the instant before the impact (§2e).
+    Landing,
+    /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
+    ParticleAtPlane,
+    /// Gliding: a particle inside the rim reaches its lowest place, θ = ±π.
+    ParticleAtBottom,
+    /// Gliding: the particle reaches θ = 0 with velocity to spare.
+    ParticleAtTop,
+    /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
+    Singularity,
+}
+
+impl Cause {
+    /// Lower-case name, as files and the command line write it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Slip => "slip",
+            Self::NormalForceZero => "normal_force_zero",
+            Self::Stick => "stick",
+            Self::Reversal => "reversal",
+            Self::Graze => "graze",
+            Self::LiftOff => "lift_off",
+            Self::Landing => "landing",
+            Self::ParticleAtPlane => "particle_at_plane",
+            Self::ParticleAtBottom => "particle_at_bottom",
+            Self::ParticleAtTop => "particle_at_top",
+            Self::Singularity => "singularity",
+        }
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A class of bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyClass {
+    /// Î > 0.
+    Heavy,
+    /// Î = 0.
+    Massless,
+}
+
+/// An edge of the automaton.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// Bodies that have it.
+    pub body: BodyClass,
+    /// Mode that ends.
+    pub from: Mode,
+    /// Event.
+    pub cause: Cause,
+    /// Condition, in the symbols of the paper.
+    pub guard: &'static str,
+    /// What is set at the transition; everything else is continuous.
+    pub reset: &'static str,
+    /// Mode that begins; none where the simulation ends.
+    pub to: Option<Mode>,
+    /// Where the paper has it.
+    pub source: &'static str,
+}
+
+const fn edge(
+    body: BodyClass,
+    (from, to): (Mode, Option<Mode>),
+    cause: Cause,
+    (guard, reset, source): (&'static str, &'static str, &'static str),
+) -> Edge {
+    Edge { body, from, cause, guard, reset, to, source }
+}
+
+/// All edges.
+pub const EDGES: &[Edge] = {
+    use BodyClass::{Heavy, Massless};
+    use Mode::{Flight, Gliding, Rolling, Sliding};
+    &[
+        edge(
+            Heavy,
+            (Rolling, Some(Sliding)),
+            Cause::Slip,
+            ("|F| = mu_s N and |F| - mu_s N grows", "sigma = -sign F", "(2.13), 2(c)"),
+        ),
+        edge(
+            Heavy,
+            (Sliding, Some(Rolling)),
+            Cause::Stick,
+            ("eta' = 0 and |F_roll| <= mu_s N_roll", "eta' = 0", "2(c)"),
+        ),
+        edge(
+            Heavy,
+            (Sliding, Some(Sliding)),
+            Cause::Reversal,
+            ("eta' = 0 and |F_roll| > mu_s N_roll", "sigma = -sigma", "2(c)"),
+        ),
+        edge(
+            Heavy,
+            (Sliding, Some(Flight)),
+            Cause::LiftOff,
+            ("h cos(theta) theta'^2 = 1 and sin(theta) theta' < 0", "none", "(2.18), 2(d)"),
+        ),
+        edge(Heavy, (Flight, None), Cause::Landing, ("gap = 0, falling", "none", "2(e)")),
+        edge(
+            Massless,
+            (Rolling, Some(Gliding)),
+            Cause::Slip,
+            ("|tan(theta/2)| = mu_s, leaving", "N = F = 0", "(3.9), 3(d)"),
+        ),
+        edge(
+            Massless,
+            (Rolling, Some(Gliding)),
+            Cause::NormalForceZero,
+            ("theta'^2 = 1, growing", "N = F = 0", "(3.8), 3(d)"),
+        ),
+        edge(
+            Massless,
+            (Gliding, Some(Rolling)),
+            Cause::Stick,
+            ("eta' = 0 inside R", "eta' = 0", "(3.10), 3(e)"),
+        ),
+        edge(
+            Massless,
+            (Gliding, Some(Gliding)),
+            Cause::Reversal,
+            ("eta' = 0 outside R", "sigma = -sigma", "3(e)"),
+        ),
+        edge(Massless, (Gliding, None), Cause::ParticleAtPlane, ("theta = +-pi, l = 1", "none", "(3.20)")),
+        edge(Massless, (Gliding, None), Cause::ParticleAtBottom, ("theta = +-pi, l < 1", "none", "(3.20)")),
+        edge(
+            Massless,
+            (Gliding, None),
+            Cause::ParticleAtTop,
+            ("theta = 0 with l sin(theta) theta' not 0", "none", "(3.18)"),
+        ),
+    ]
+};
+
+/// The edge that a transition takes, if the table has it.
+#[must_use]
+pub fn find_edge(body: BodyClass, from: Mode, cause: Cause, to: Option<Mode>) -> Option<&'static Edge> {
+    EDGES
+        .iter()
+        .find(|edge| edge.body == body && edge.from == from && edge.cause == cause && edge.to == to)
+}

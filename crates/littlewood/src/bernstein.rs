@@ -1,0 +1,247 @@
+//! Isolation of the first sign change of a polynomial, by variation diminishing instead of sampling.
+//!
+//! In Bernstein form on [0, 1] a polynomial has at most as many roots in (0, 1) as its coefficients have sign
+//! changes, and the same parity. No change to a negative sign proves that it stays non-negative, one change
+//! proves that there is exactly one root; anything else is halved (de Casteljau) and looked at again, left part
+//! first. So a crossing is neither missed nor stepped over, however short the excursion. Only an excursion
+//! shorter than 2⁻⁵⁰ of the interval, which no double can tell from a touch, is decided by its end values.
+
+/// Largest degree in use: a Taylor step of a slide, with room to spare.
+pub(crate) const MAX_DEGREE: usize = 24;
+
+/// Halvings after which an undecided interval is narrower than the numbers resolve.
+const MAX_HALVINGS: u32 = 50;
+
+/// A polynomial of degree at most [`MAX_DEGREE`] on [0, 1] in Bernstein form.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bernstein {
+    coefficients: [f64; MAX_DEGREE + 1],
+    degree: usize,
+}
+
+/// An interval that holds the first crossing from non-negative to negative, and no other root.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bracket {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+}
+
+/// Binomial coefficients, `BINOMIAL[n][k]`.
+const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
+    let mut table = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
+    let mut n = 0;
+    while n <= MAX_DEGREE {
+        table[n][0] = 1.0;
+        let mut k = 1;
+        while k <= n {
+            table[n][k] = table[n - 1][k - 1] + if k < n { table[n - 1][k] } else { 0.0 };
+            k += 1;
+        }
+        n += 1;
+    }
+    table
+};
+
+impl Bernstein {
+    /// From Taylor coefficients about 0 on [0, width]: b_j = Σ_{i ≤ j} C(j, i)/C(n, i) a_i width^i.
+    pub(crate) fn from_taylor(taylor: &[f64], width: f64) -> Self {
+        let degree = taylor.len() - 1;
+        let mut scaled = [0.0; MAX_DEGREE + 1];
+        let mut power = 1.0;
+        for (i, a) in taylor.iter().enumerate() {
+            scaled[i] = a * power / BINOMIAL[degree][i];
+            power *= width;
+        }
+        let mut coefficients = [0.0; MAX_DEGREE + 1];
+        for j in 0..=degree {
+            let mut sum = 0.0;
+            for i in (0..=j).rev() {
+                sum += BINOMIAL[j][i] * scaled[i];
+            }
+            coefficients[j] = sum;
+        }
+        Self { coefficients, degree }
+    }
+
+    /// From the coefficients of a form Σ g_k a^{n−k} b^k in the barycentric coordinates of an arc.
+    pub(crate) fn from_form(form: &[f64]) -> Self {
+        let degree = form.len() - 1;
+        let mut coefficients = [0.0; MAX_DEGREE + 1];
+        for (k, g) in form.iter().enumerate() {
+            coefficients[k] = g / BINOMIAL[degree][k];
+        }
+        Self { coefficients, degree }
+    }
+
+    pub(crate) fn coefficients(&self) -> &[f64] {
+        &self.coefficients[..=self.degree]
+    }
+
+    /// The negative of the polynomial.
+    pub(crate) fn negated(mut self) -> Self {
+        for b in &mut self.coefficients[..=self.degree] {
+            *b = -*b;
+        }
+        self
+    }
+
+    /// Sign just right of 0, which is that of the first coefficient other than 0.
+    pub(crate) fn initial_sign(&self) -> f64 {
+        self.coefficients().iter().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
+    }
+
+    /// Value and derivative at x by de Casteljau's scheme, stable on [0, 1].
+    pub(crate) fn value_and_slope(&self, x: f64) -> (f64, f64) {
+        if self.degree == 0 {
+            return (self.coefficients[0], 0.0);
+        }
+        let mut work = self.coefficients;
+        for level in (1..self.degree).rev() {
+            for i in 0..=level {
+                work[i] = (1.0 - x) * work[i] + x * work[i + 1];
+            }
+        }
+        let degree = f64::from(u32::try_from(self.degree).unwrap_or(0));
+        ((1.0 - x) * work[0] + x * work[1], degree * (work[1] - work[0]))
+    }
+
+    /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right of 0 crosses
+    /// at 0; a root where it only touches zero is no crossing.
+    pub(crate) fn first_crossing(&self) -> Option<Bracket> {
+        self.search(0.0, 1.0, 0)
+    }
+
+    fn search(&self, low: f64, high: f64, halvings: u32) -> Option<Bracket> {
+        let coefficients = self.coefficients();
+        let mut changes = 0;
+        let mut last = 0.0_f64;
+        for &b in coefficients {
+            if b == 0.0 {
+                continue;
+            }
+            if last == 0.0 && b < 0.0 {
+                return Some(Bracket { low, high: low });
+            }
+            if last * b.signum() < 0.0 {
+                changes += 1;
+            }
+            last = b.signum();
+        }
+        match changes {
+            0 => None,
+            1 => Some(Bracket { low, high }),
+            _ if halvings == MAX_HALVINGS => (last < 0.0).then_some(Bracket { low, high }),
+            _ => {
+                let (left, right) = self.halves();
+                let middle = 0.5 * (low + high);
+                left.search(low, middle, halvings + 1).or_else(|| right.search(middle, high, halvings + 1))
+            }
+        }
+    }
+
+    fn halves(&self) -> (Self, Self) {
+        let mut left = *self;
+        let mut right = *self;
+        for level in 1..=self.degree {
+            for i in 0..=self.degree - level {
+                right.coefficients[i] = 0.5 * (right.coefficients[i] + right.coefficients[i + 1]);
+            }
+            left.coefficients[level] = right.coefficients[0];
+        }
+        (left, right)
+    }
+}
+
+impl Bracket {
+    /// The root of `function` inside, to the last digits: Newton's method in a bracket that only shrinks.
+    ///
+    /// `function` returns the value and the derivative; it is non-negative at `low` and not positive at `high`.
+    pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+        let (mut low, mut high) = (self.low, self.high);
+        if high <= low {
+            return low;
+        }
+        let mut x = 0.5 * (low + high);
+        let mut width = high - low;
+        loop {
+            let (value, slope) = function(x);
+            if value == 0.0 {
+                return x;
+            }
+            if value > 0.0 { low = x } else { high = x }
+            let newton = x - value / slope;
+            // Newton's step is taken when it stays inside and at least halves the last step.
+            let next = if newton > low && newton < high && (newton - x).abs() < 0.5 * width {
+                newton
+            } else {
+                low + 0.5 * (high - low)
+            };
+            width = (next - x).abs();
+            if next == x || next <= low || next >= high || width <= f64::EPSILON * 0.5 * x.abs() {
+                return next;
+            }
+            x = next;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Bernstein form of Π (x − r) times a sign, by multiplying linear factors.
+    fn planted(roots: &[f64], sign: f64) -> Bernstein {
+        let mut taylor = vec![sign];
+        for r in roots {
+            let mut next = vec![0.0; taylor.len() + 1];
+            for (i, a) in taylor.iter().enumerate() {
+                next[i] -= r * a;
+                next[i + 1] += a;
+            }
+            taylor = next;
+        }
+        Bernstein::from_taylor(&taylor, 1.0)
+    }
+
+    fn first_root(polynomial: &Bernstein) -> Option<f64> {
+        polynomial.first_crossing().map(|bracket| bracket.refine(|x| polynomial.value_and_slope(x)))
+    }
+
+    #[test]
+    fn a_double_root_is_a_touch_and_no_crossing() {
+        assert_eq!(planted(&[0.5, 0.5], 1.0).first_crossing(), None);
+        let found = first_root(&planted(&[0.5, 0.5, 0.75], -1.0)).expect("the simple root behind the touch");
+        assert!((found - 0.75).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_root_at_the_start_is_judged_by_what_follows() {
+        assert_eq!(planted(&[0.0], 1.0).first_crossing(), None);
+        assert_eq!(planted(&[0.0], -1.0).first_crossing(), Some(Bracket { low: 0.0, high: 0.0 }));
+        let found = first_root(&planted(&[0.0, 0.25], -1.0)).expect("the second root");
+        assert!((found - 0.25).abs() < 1e-15);
+    }
+
+    proptest! {
+        #[test]
+        fn planted_roots_are_found(
+            first in 0.01..0.9_f64, gap in 1e-6..0.1_f64, outside in prop::collection::vec(1.1..3.0_f64, 0..6),
+        ) {
+            // Two close roots: an excursion of width `gap` that sampling would step over.
+            let mut roots = vec![first, first + gap];
+            roots.extend(&outside);
+            let sign = if outside.len() % 2 == 0 { 1.0 } else { -1.0 };
+            let found = first_root(&planted(&roots, sign));
+            let found = found.expect("an excursion below zero");
+            // Rounding of the coefficients moves a root by about ε·(size of the coefficients)/slope.
+            prop_assert!((found - first).abs() < 1e-11 / gap, "{found} {first}");
+        }
+
+        #[test]
+        fn taylor_and_bernstein_forms_agree(a in prop::collection::vec(-1.0..1.0_f64, 1..20), x in 0.0..1.0_f64) {
+            let horner = a.iter().rev().fold(0.0, |sum, c| sum * (0.5 * x) + c);
+            prop_assert!((Bernstein::from_taylor(&a, 0.5).value_and_slope(x).0 - horner).abs() < 1e-13);
+        }
+    }
+}

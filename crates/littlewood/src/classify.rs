@@ -1,0 +1,159 @@
+//! Where a start lies in the plane of the paper, and what follows at once.
+
+use crate::closed_form::{RollingType, rolling_energy};
+use crate::contact::{Arrival, Findings, Next, next_motion};
+use crate::error::ParameterError;
+use crate::hoop::{Body, Hoop};
+use crate::rolling::{ContactForces, Limit, Recurrence, RollingEnd, RollingLaw, RollingOrbit};
+use crate::state::{Direction, Mode, Start, energy};
+
+/// The part of the state space that a start lies in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum StartRegion {
+    /// 𝓡 of (2.14), (3.10): rolls.
+    Rolling,
+    /// 𝓝 but not 𝓡: N > 0, static friction does not suffice.
+    BeyondFriction,
+    /// N ≤ 0 in rolling, yet 1 − h cos θ θ′² > 0: slides in contact. The paper calls it loss of contact.
+    SlidingBand,
+    /// 1 − h cos θ θ′² < 0, or zero and falling: leaves the plane.
+    LossOfContact,
+    /// η′ ≠ 0 and in contact.
+    Slipping,
+    /// Massless hoop outside 𝓡, or with η′ ≠ 0: glides.
+    Gliding,
+    /// No motion is consistent.
+    Inconsistent,
+    /// Several motions are consistent.
+    Ambiguous,
+}
+
+impl StartRegion {
+    /// Lower-case name, as files and the command line write it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rolling => "rolling_region",
+            Self::BeyondFriction => "beyond_friction",
+            Self::SlidingBand => "sliding_band",
+            Self::LossOfContact => "loss_of_contact",
+            Self::Slipping => "slipping",
+            Self::Gliding => "gliding",
+            Self::Inconsistent => "inconsistent",
+            Self::Ambiguous => "ambiguous",
+        }
+    }
+}
+
+/// What is known of a start without simulating it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Classification {
+    /// Region.
+    pub region: StartRegion,
+    /// Mode that begins, if exactly one is consistent.
+    pub mode: Option<Mode>,
+    /// Direction of slip that begins; none for rolling and flight, and for a glide from η′ = 0, where it follows from
+    /// the glide.
+    pub direction: Option<Direction>,
+    /// Energy E (2.8).
+    pub energy: f64,
+    /// N and F that rolling from here would need (2.12).
+    pub rolling_forces: ContactForces,
+    /// 1 − h cos θ θ′².
+    pub contact: f64,
+    /// For a start in 𝓡: where rolling ends; none if it does not start there, or rolls for ever.
+    pub rolling_end: Option<RollingEnd>,
+    /// For a start in 𝓡 that rolls for ever: how the motion comes back.
+    pub recurrence: Option<Recurrence>,
+    /// For Littlewood's hoop in 𝓡: Type I, II or III. None on the stable manifold.
+    pub rolling_type: Option<RollingType>,
+    /// What was examined, where no motion or several are consistent.
+    pub findings: Option<Findings>,
+}
+
+impl Hoop {
+    /// Says which region a start lies in, what begins there, and, for Littlewood's hoop, of which type it is.
+    ///
+    /// ```
+    /// use littlewood::{Hoop, RollingType, Start};
+    ///
+    /// let hoop = Hoop::littlewood(0.5, 0.4)?;
+    /// let start = hoop.classify(Start::at(0.0, 0.5))?;
+    /// assert_eq!(start.rolling_type, Some(RollingType::III));
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A start that is not finite.
+    pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
+        let state = start.checked()?;
+        let (theta, theta_rate) = (state.theta, state.theta_rate);
+        let forces = RollingLaw::new(self).forces(theta, theta_rate);
+        let contact = 1.0 - self.h() * (libm::cos(theta) * (theta_rate * theta_rate));
+        let mut found = Classification {
+            region: StartRegion::Slipping,
+            mode: None,
+            direction: None,
+            energy: energy(self, &state, 0.0, 0.0),
+            rolling_forces: forces,
+            contact,
+            rolling_end: None,
+            recurrence: None,
+            rolling_type: None,
+            findings: None,
+        };
+        match next_motion(self, &state, Arrival::Open) {
+            Next::Roll => {
+                let orbit = RollingOrbit::new(self, theta, theta_rate);
+                found.region = StartRegion::Rolling;
+                found.mode = Some(Mode::Rolling);
+                found.rolling_end = orbit.end();
+                found.recurrence = found.rolling_end.is_none().then(|| orbit.recurrence());
+                found.rolling_type = self.rolling_type(theta, theta_rate, found.rolling_end);
+            }
+            Next::Slide { direction, .. } => {
+                found.region = match (state.slip == 0.0, forces.normal > 0.0) {
+                    (false, _) => StartRegion::Slipping,
+                    (true, true) => StartRegion::BeyondFriction,
+                    (true, false) => StartRegion::SlidingBand,
+                };
+                found.mode = Some(Mode::Sliding);
+                found.direction = Some(direction);
+            }
+            Next::Glide { .. } => {
+                found.region = StartRegion::Gliding;
+                found.mode = Some(Mode::Gliding);
+                found.direction = Direction::of(state.slip);
+            }
+            Next::Fly { .. } => {
+                found.region = StartRegion::LossOfContact;
+                found.mode = Some(Mode::Flight);
+            }
+            Next::None(findings) => {
+                found.region = StartRegion::Inconsistent;
+                found.findings = Some(findings);
+            }
+            Next::Several(findings) => {
+                found.region = StartRegion::Ambiguous;
+                found.findings = Some(findings);
+            }
+        }
+        Ok(found)
+    }
+
+    fn rolling_type(&self, theta: f64, theta_rate: f64, end: Option<RollingEnd>) -> Option<RollingType> {
+        match self.body() {
+            Body::Massless(body) if body.offset == 1.0 => {
+                let by_energy = RollingType::of_energy(rolling_energy(theta, theta_rate), self.mu_s())?;
+                // Near e = 1 + 2 cos θ_s the energy may round to either side; the end of rolling decides.
+                match (end?.limit, by_energy) {
+                    (_, RollingType::II) => Some(RollingType::II),
+                    (Limit::NormalForce, _) => Some(RollingType::I),
+                    (Limit::Friction(_), _) => Some(RollingType::III),
+                }
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! Which motion follows: the candidates that the accelerations admit, all together.
+//!
+//! At η′ = 0 three motions compete: rolling (|F| ≤ μs N, N > 0), sliding to either side (N > 0 and σ η″ > 0, or
+//! η″ = 0 and η‴ of that sign) and flight (1 − h cos θ θ′² < 0, or = 0 and falling). With the forces N and F of
+//! rolling, the slip acceleration of sliding is
+//!
+//! ```text
+//! η″ = −D (F + μk σ N)/(m P),
+//! ```
+//!
+//! so that for P > 0 only σ = −sign F can slide, and only if |F| > μk N. While μk N < |F| ≤ μs N both rolling and
+//! sliding would agree with their accelerations; it is the meaning of static friction that a body at rest against
+//! the plane then stays at rest. A slide from rest is therefore a candidate only where rolling is not.
+//!
+//! One candidate is taken. None or several (Painlevé: P ≤ 0) is an answer of its own.
+
+use crate::hoop::{Body, Heavy, Hoop, Massless};
+use crate::rolling::{ContactForces, Hold, Limit, RollingLaw, RollingOrbit};
+use crate::sliding::SlidingLaw;
+use crate::state::{Direction, Mode, State};
+
+/// What was found where the motion that follows is not unique.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Findings {
+    /// Rolling is consistent.
+    pub rolling: bool,
+    /// Sliding with σ = −1 is consistent.
+    pub sliding_negative: bool,
+    /// Sliding with σ = +1 is consistent.
+    pub sliding_positive: bool,
+    /// Flight is consistent.
+    pub flight: bool,
+    /// Gliding is consistent (massless hoop).
+    pub gliding: bool,
+    /// N and F that rolling would need (2.12).
+    pub rolling_forces: ContactForces,
+    /// 1 − h cos θ θ′²: negative where the body would leave the plane.
+    pub contact: f64,
+    /// P = Î + m h sin θ q for σ = −1 and σ = +1; sliding is not well posed where it is not positive (Painlevé).
+    pub solvability: [f64; 2],
+}
+
+impl Findings {
+    /// Number of motions that are consistent.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        [self.rolling, self.sliding_negative, self.sliding_positive, self.flight, self.gliding]
+            .into_iter()
+            .filter(|consistent| *consistent)
+            .count()
+    }
+
+    /// The consistent motions, with their direction of slip.
+    pub fn consistent(&self) -> impl Iterator<Item = (Mode, Option<Direction>)> {
+        [
+            (self.rolling, (Mode::Rolling, None)),
+            (self.sliding_negative, (Mode::Sliding, Some(Direction::Negative))),
+            (self.sliding_positive, (Mode::Sliding, Some(Direction::Positive))),
+            (self.gliding, (Mode::Gliding, None)),
+            (self.flight, (Mode::Flight, None)),
+        ]
+        .into_iter()
+        .filter_map(|(consistent, motion)| consistent.then_some(motion))
+    }
+}
+
+/// The motion that follows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Next {
+    Roll,
+    /// `slip_acceleration` where η′ = 0.
+    Slide { body: Heavy, direction: Direction, slip_acceleration: Option<f64> },
+    /// `from_extremum` where η″ = 0 at the start.
+    Glide { body: Massless, from_extremum: bool },
+    /// `grazing` where the normal force has just vanished.
+    Fly { body: Heavy, grazing: bool },
+    None(Findings),
+    Several(Findings),
+}
+
+/// What is known of the state beyond its numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Arrival {
+    /// Nothing: a start, or a slide or glide that came to rest.
+    Open,
+    /// Rolling has just reached this limit.
+    RollingLimit(Limit),
+}
+
+/// Decides which motion follows at `state`.
+pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next {
+    match hoop.body() {
+        Body::Heavy(body) => heavy(hoop, &body, state, arrival),
+        Body::Massless(body) => massless(hoop, &body, state, arrival),
+    }
+}
+
+fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
+    let (theta, theta_rate) = (state.theta, state.theta_rate);
+    let laws =
+        [Direction::Negative, Direction::Positive].map(|direction| SlidingLaw::new(hoop, body, direction));
+    let rolling = RollingLaw::new(hoop);
+    let contact = laws[0].contact(theta, theta_rate);
+    let mut findings = Findings {
+        rolling: false,
+        sliding_negative: false,
+        sliding_positive: false,
+        flight: leaves_plane(contact, theta, theta_rate),
+        gliding: false,
+        rolling_forces: rolling.forces(theta, theta_rate),
+        contact,
+        solvability: laws.map(|law| law.solvability(theta)),
+    };
+    // N = Î m w/P > 0; with w = 0 the normal force grows from zero if the body does not leave the plane.
+    let w = if contact == 0.0 && !findings.flight { 1.0 } else { contact };
+    let pressed_on = findings.solvability.map(|p| p != 0.0 && w / p > 0.0);
+    let pressed = |direction: Direction| pressed_on[usize::from(direction == Direction::Positive)];
+
+    let mut slip_acceleration = None;
+    if let Some(direction) = Direction::of(state.slip) {
+        *sliding_flag(&mut findings, direction) = pressed(direction);
+    } else {
+        let forces = findings.rolling_forces;
+        let slip = match arrival {
+            Arrival::RollingLimit(Limit::Friction(direction)) => Some((direction, 0.0)),
+            Arrival::RollingLimit(Limit::NormalForce) => opposing(&forces, hoop.mu_s()),
+            Arrival::Open => match RollingOrbit::new(hoop, theta, theta_rate).hold() {
+                Hold::Holds => {
+                    findings.rolling = true;
+                    None
+                }
+                Hold::Slips { direction, excess } => Some((direction, excess)),
+                Hold::NoNormalForce => opposing(&forces, hoop.mu_s()),
+            },
+        };
+        if let Some((against, excess)) = slip {
+            for direction in [against, against.reversed()] {
+                // −(σF + μk N): towards `against` it is |F| − μk N, from the excess over μs N that made the
+                // decision, so that its sign cannot differ.
+                let drive = if direction == against {
+                    excess + (hoop.mu_s() - hoop.mu_k()) * forces.normal
+                } else {
+                    -forces.friction.abs() - hoop.mu_k() * forces.normal
+                };
+                let p = findings.solvability[usize::from(direction == Direction::Positive)];
+                let acceleration = rolling.denominator(theta) * drive / (body.mass * p);
+                if pressed(direction) && acceleration >= 0.0 {
+                    *sliding_flag(&mut findings, direction) = true;
+                    slip_acceleration = Some(direction.sign() * acceleration);
+                }
+            }
+        }
+    }
+
+    match (findings.count(), findings.consistent().next()) {
+        (1, Some((Mode::Rolling, _))) => Next::Roll,
+        (1, Some((Mode::Sliding, Some(direction)))) => {
+            Next::Slide { body: *body, direction, slip_acceleration }
+        }
+        (1, Some((Mode::Flight, _))) => Next::Fly { body: *body, grazing: contact == 0.0 },
+        (0, _) => Next::None(findings),
+        _ => Next::Several(findings),
+    }
+}
+
+fn sliding_flag(findings: &mut Findings, direction: Direction) -> &mut bool {
+    match direction {
+        Direction::Negative => &mut findings.sliding_negative,
+        Direction::Positive => &mut findings.sliding_positive,
+    }
+}
+
+/// The direction against the friction force that rolling would need, and by how much it exceeds μs N.
+fn opposing(forces: &ContactForces, mu_s: f64) -> Option<(Direction, f64)> {
+    let direction = Direction::of(forces.friction)?.reversed();
+    Some((direction, forces.friction.abs() - mu_s * forces.normal))
+}
+
+/// Flight: 1 − h cos θ θ′² < 0, or = 0 and falling. At w = 0, w′ = h sin θ θ′³; where that vanishes too, at the top,
+/// w″ = h cos θ θ′⁴ > 0 and the body stays.
+fn leaves_plane(contact: f64, theta: f64, theta_rate: f64) -> bool {
+    contact < 0.0 || (contact == 0.0 && libm::sin(theta) * theta_rate < 0.0)
+}
+
+fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Next {
+    let (theta, theta_rate) = (state.theta, state.theta_rate);
+    let sin = libm::sin(theta);
+    let forces = RollingLaw::new(hoop).forces(theta, theta_rate);
+    let at_rest = state.slip == 0.0;
+    let rolls = at_rest
+        && arrival == Arrival::Open
+        && RollingOrbit::new(hoop, theta, theta_rate).hold() == Hold::Holds;
+    if rolls {
+        return Next::Roll;
+    }
+    let contact = 1.0 - body.offset * (libm::cos(theta) * (theta_rate * theta_rate));
+    // At the top the particle must have just the acceleration of free fall: ℓ̂ θ′² = 1.
+    if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
+        let unloaded = arrival == Arrival::RollingLimit(Limit::NormalForce);
+        return Next::Glide { body: *body, from_extremum: at_rest && unloaded };
+    }
+    Next::None(Findings {
+        rolling: false,
+        sliding_negative: false,
+        sliding_positive: false,
+        flight: false,
+        gliding: false,
+        rolling_forces: forces,
+        contact,
+        solvability: [0.0; 2],
+    })
+}

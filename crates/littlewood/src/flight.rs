@@ -1,0 +1,271 @@
+//! Free flight (§2e): the mass centre on a parabola, the rotation at constant rate, until the rim touches down.
+//!
+//! In the angle φ = |θ′| Δτ since the start, seen in the direction of rotation, the gap under the rim is
+//!
+//! ```text
+//! gap = b φ²/2 − h [c0 C(φ) + s0 S(φ)],   C = cos φ − 1 + φ²/2,   S = φ − sin φ,   b = h c0 − 1/θ′² ≥ 0,
+//! ```
+//!
+//! with a double root at the start, triple where sliding lifts off (b = 0). Those roots are never searched for: the
+//! second derivative b + h (cos(θ0 + φ) − c0) has known zeros, so that gap″, then gap′, then gap are monotone between
+//! points that follow from each other, and the first sign change after the start is the landing.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::bernstein::Bracket;
+use crate::hoop::{Heavy, Hoop};
+use crate::state::{Mode, Sample, State, energy};
+
+/// A phase of flight.
+#[derive(Clone, Copy, Debug)]
+pub struct Flight {
+    h: f64,
+    start: State,
+    /// Velocity of the mass centre.
+    vx: f64,
+    vy: f64,
+    mass_centre_x: f64,
+    gap: Gap,
+    /// Angle φ of the landing.
+    landing: f64,
+    /// Angle φ at which the gap is largest.
+    apex: f64,
+}
+
+/// The gap as a function of φ.
+#[derive(Clone, Copy, Debug)]
+struct Gap {
+    h: f64,
+    sin: f64,
+    cos: f64,
+    /// b; exactly zero at a lift-off from sliding.
+    opening: f64,
+    /// θ0 in the direction of rotation.
+    theta: f64,
+}
+
+impl Gap {
+    fn value_and_slope(&self, phi: f64) -> (f64, f64) {
+        let (s, c) = ramps(phi);
+        let versine = 2.0 * libm::sin(0.5 * phi) * libm::sin(0.5 * phi);
+        (
+            0.5 * self.opening * phi * phi - self.h * (self.cos * c + self.sin * s),
+            self.opening * phi - self.h * (self.cos * s + self.sin * versine),
+        )
+    }
+
+    fn slope_and_curvature(&self, phi: f64) -> (f64, f64) {
+        let slope = self.value_and_slope(phi).1;
+        (slope, self.opening + self.h * (libm::cos(self.theta + phi) - self.cos))
+    }
+
+    /// The zeros of gap″ ahead of the start, at cos(θ0 + φ) = c0 − b/h, where it turns from + to − and back.
+    fn inflections(&self) -> Inflections {
+        let from_top = self.theta - TAU * (self.theta / TAU).round();
+        // A lift-off from sliding starts on the inflection −level itself.
+        let level = if self.opening == 0.0 {
+            -from_top
+        } else {
+            let half = libm::sin(0.5 * self.theta);
+            let versine = (2.0 * half * half + self.opening / self.h).min(2.0);
+            2.0 * libm::atan2(versine.sqrt(), (2.0 - versine).sqrt())
+        };
+        Inflections { first: level - from_top, fall: 2.0 * (PI - level), rise: 2.0 * level }
+    }
+
+    /// Where gap′ vanishes between two inflections, if it does.
+    fn turning(&self, from: f64, to: f64) -> Option<f64> {
+        let (start, end) = (self.value_and_slope(from).1, self.value_and_slope(to).1);
+        ((start > 0.0) != (end > 0.0)).then(|| {
+            let sign = if start > 0.0 { 1.0 } else { -1.0 };
+            Bracket { low: from, high: to }.refine(|phi| {
+                let (slope, curvature) = self.slope_and_curvature(phi);
+                (sign * slope, sign * curvature)
+            })
+        })
+    }
+
+    /// φ of the landing.
+    fn landing(&self) -> f64 {
+        let inflections = self.inflections();
+        let (opens, closes) = self.clear();
+        // Up to the first inflection gap′ and gap grow from zero.
+        let mut index = 0.0;
+        let mut from = inflections.at(index);
+        loop {
+            if from >= opens && from < closes {
+                // Many turns may pass before the parabola comes down; none of them needs a look.
+                let last = inflections.last_before(closes);
+                if last > index {
+                    index = last;
+                    from = inflections.at(index);
+                }
+            }
+            let to = inflections.at(index + 1.0);
+            for stop in self.turning(from, to).into_iter().chain([to]) {
+                if self.value_and_slope(stop).0 <= 0.0 {
+                    return Bracket { low: from, high: stop }.refine(|phi| self.value_and_slope(phi));
+                }
+                from = stop;
+            }
+            index += 1.0;
+        }
+    }
+
+    /// φ of the largest gap before the landing: within half a turn of the top of the parabola.
+    fn apex(&self, landing: f64) -> f64 {
+        let inflections = self.inflections();
+        let top = (-self.h * self.sin / self.weight()).max(0.0);
+        let mut index = inflections.last_before(top - TAU);
+        let mut best = (0.0, 0.0);
+        loop {
+            let from = inflections.at(index);
+            let to = inflections.at(index + 1.0);
+            if from >= landing || from > top + TAU {
+                return best.0;
+            }
+            if let Some(turning) = self.turning(from, to) {
+                let gap = self.value_and_slope(turning).0;
+                if gap > best.1 && turning < landing {
+                    best = (turning, gap);
+                }
+            }
+            index += 1.0;
+        }
+    }
+
+    /// 1/θ′² = h c0 − b, the weight in units of the centripetal force.
+    fn weight(&self) -> f64 {
+        self.h * self.cos - self.opening
+    }
+
+    /// Where the parabola alone proves that the gap is open: gap ≥ h (c0 − 1) − h s0 φ − φ²/(2θ′²).
+    fn clear(&self) -> (f64, f64) {
+        let slope = -self.h * self.sin;
+        let discriminant = slope * slope - 2.0 * self.weight() * self.h * (1.0 - self.cos);
+        if slope <= 0.0 || discriminant <= 0.0 {
+            return (f64::INFINITY, 0.0);
+        }
+        let root = discriminant.sqrt();
+        ((slope - root) / self.weight(), (slope + root) / self.weight())
+    }
+}
+
+/// A sequence of angles with two alternating distances.
+#[derive(Clone, Copy, Debug)]
+struct Inflections {
+    first: f64,
+    fall: f64,
+    rise: f64,
+}
+
+impl Inflections {
+    fn at(&self, index: f64) -> f64 {
+        let odd = index.rem_euclid(2.0);
+        self.first + 0.5 * (index - odd) * (self.fall + self.rise) + odd * self.fall
+    }
+
+    /// Index of the last inflection from + to − at or before an angle, at least the first.
+    fn last_before(&self, angle: f64) -> f64 {
+        (2.0 * ((angle - self.first) / TAU).floor()).max(0.0)
+    }
+}
+
+/// φ − sin φ and cos φ − 1 + φ²/2, without cancellation.
+fn ramps(phi: f64) -> (f64, f64) {
+    if phi.abs() > 1.0 {
+        let (sin, cos) = libm::sincos(phi);
+        return (phi - sin, cos - 1.0 + 0.5 * phi * phi);
+    }
+    let square = phi * phi;
+    // φ³/3! − φ⁵/5! + … and φ⁴/4! − φ⁶/6! + …; the terms left out are below 1/23!.
+    let (mut odd, mut even) = (1.0, 1.0);
+    let mut k = 20.0;
+    while k >= 4.0 {
+        odd = 1.0 - odd * square / (k * (k + 1.0));
+        even = 1.0 - even * square / ((k + 1.0) * (k + 2.0));
+        k -= 2.0;
+    }
+    (phi * square / 6.0 * odd, square * square / 24.0 * even)
+}
+
+impl Flight {
+    /// From a state in contact; `grazing` where the normal force has just vanished, so that 1 = h cos θ θ′².
+    pub(crate) fn new(hoop: &Hoop, body: &Heavy, start: State, grazing: bool) -> Self {
+        let h = hoop.h();
+        let (sin, cos) = libm::sincos(start.theta);
+        let rate = start.theta_rate;
+        let travel = if rate < 0.0 { -1.0 } else { 1.0 };
+        let opening = if grazing { 0.0 } else { h * cos - 1.0 / (rate * rate) };
+        let gap = Gap { h: body.h, sin: travel * sin, cos, opening, theta: travel * start.theta };
+        let landing = gap.landing();
+        let apex = gap.apex(landing);
+        Self {
+            h,
+            start,
+            vx: start.slip - (1.0 + h * cos) * rate,
+            vy: -h * sin * rate,
+            mass_centre_x: start.x - h * sin,
+            gap,
+            landing,
+            apex,
+        }
+    }
+
+    /// Time from the start of the flight to the landing.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.landing / self.start.theta_rate.abs()
+    }
+
+    /// Time since the start, and height, of the largest gap between the rim and the plane.
+    #[must_use]
+    pub fn apex(&self) -> (f64, f64) {
+        (self.apex / self.start.theta_rate.abs(), self.gap.value_and_slope(self.apex).0)
+    }
+
+    /// State after the time `elapsed`.
+    #[must_use]
+    pub fn state(&self, elapsed: f64) -> State {
+        let rate = self.start.theta_rate;
+        let theta = self.start.theta + rate * elapsed;
+        let (sin, cos) = libm::sincos(theta);
+        State {
+            time: self.start.time + elapsed,
+            theta,
+            theta_rate: rate,
+            slip: self.vx + (1.0 + self.h * cos) * rate,
+            x: self.mass_centre_x + self.vx * elapsed + self.h * sin,
+        }
+    }
+
+    /// Gap under the rim and its rate after the time `elapsed`.
+    #[must_use]
+    pub fn gap(&self, elapsed: f64) -> (f64, f64) {
+        let rate = self.start.theta_rate.abs();
+        let (gap, slope) = self.gap.value_and_slope(rate * elapsed);
+        (gap, rate * slope)
+    }
+
+    /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved.
+    #[must_use]
+    pub fn mass_centre_velocity(&self, elapsed: f64) -> (f64, f64) {
+        (self.vx, self.vy - elapsed)
+    }
+
+    pub(crate) fn sample(&self, hoop: &Hoop, state: State, gap: (f64, f64)) -> Sample {
+        let rate = state.theta_rate;
+        Sample {
+            state,
+            mode: Mode::Flight,
+            direction: None,
+            theta_acceleration: 0.0,
+            slip_acceleration: -self.h * libm::sin(state.theta) * rate * rate,
+            normal: 0.0,
+            friction: 0.0,
+            gap: gap.0,
+            gap_rate: gap.1,
+            energy: energy(hoop, &state, gap.0, gap.1),
+        }
+    }
+}

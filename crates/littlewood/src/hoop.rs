@@ -1,0 +1,172 @@
+//! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
+
+use crate::error::{Bound, ParameterError, Quantity, check, non_negative};
+
+/// The five numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
+///
+/// ```
+/// use littlewood::{Hoop, HoopParameters};
+///
+/// let hoop = Hoop::new(HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s: 0.5, mu_k: 0.4 })?;
+/// assert_eq!(hoop.offset(), 1.0);
+/// # Ok::<(), littlewood::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HoopParameters {
+    /// Mass of the disc over that of the particle, m̂1 = m1/m2 ≥ 0.
+    pub mass_ratio: f64,
+    /// Distance of the particle from the centre over the radius, 0 ≤ ℓ̂ = ℓ/R ≤ 1.
+    pub offset: f64,
+    /// Moment of inertia of the disc about its centre, Î_zz = I_zz/(m2 R²) ≥ 0.
+    pub inertia: f64,
+    /// Coefficient of static friction, μs ≥ μk.
+    pub mu_s: f64,
+    /// Coefficient of kinetic friction, μk ≥ 0.
+    pub mu_k: f64,
+}
+
+/// A hoop whose parameters have been checked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hoop {
+    parameters: HoopParameters,
+    body: Body,
+}
+
+/// The two bodies of the paper, which obey different equations: with inertia (§2) and without (§3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Body {
+    /// Î > 0: rolls, slides and flies.
+    Heavy(Heavy),
+    /// Î = 0 and m̂1 = 0: rolls and glides.
+    Massless(Massless),
+}
+
+/// A hoop with inertia.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heavy {
+    /// Total mass m = 1 + m̂1.
+    pub mass: f64,
+    /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).
+    pub h: f64,
+    /// Offset of the particle, ℓ̂ = m h.
+    pub offset: f64,
+    /// Moment of inertia about the mass centre, Î = Î_zz + m̂1 ℓ̂²/(1 + m̂1) (2.1).
+    pub inertia: f64,
+}
+
+/// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Massless {
+    /// Offset of the particle, ℓ̂ = h. Littlewood has ℓ̂ = 1; footnote 7 of the paper relaxes it.
+    pub offset: f64,
+}
+
+impl Hoop {
+    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, and a body that can move.
+    ///
+    /// # Errors
+    /// Names the first value that breaks a bound. ℓ̂ = 0 with Î = 0 is refused: see
+    /// [`ParameterError::NoMotion`].
+    pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k } = parameters;
+        non_negative(Quantity::MassRatio, mass_ratio)?;
+        non_negative(Quantity::Offset, offset)?;
+        check(offset <= 1.0, Quantity::Offset, offset, Bound::AtMostConstant(1.0))?;
+        non_negative(Quantity::Inertia, inertia)?;
+        non_negative(Quantity::MuS, mu_s)?;
+        non_negative(Quantity::MuK, mu_k)?;
+        check(mu_k <= mu_s, Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
+
+        let mass = 1.0 + mass_ratio;
+        let about_mass_centre = inertia + mass_ratio * offset * offset / mass;
+        let body = if about_mass_centre > 0.0 {
+            Body::Heavy(Heavy { mass, h: offset / mass, offset, inertia: about_mass_centre })
+        } else if offset > 0.0 && mass_ratio == 0.0 {
+            Body::Massless(Massless { offset })
+        } else {
+            return Err(ParameterError::NoMotion { mass_ratio });
+        };
+        Ok(Self { parameters, body })
+    }
+
+    /// Littlewood's own hoop (§3): massless, the particle on the rim.
+    ///
+    /// # Errors
+    /// As [`Hoop::new`].
+    pub fn littlewood(mu_s: f64, mu_k: f64) -> Result<Self, ParameterError> {
+        Self::new(HoopParameters { mass_ratio: 0.0, offset: 1.0, inertia: 0.0, mu_s, mu_k })
+    }
+
+    /// The thin hoop of Figures 2 and 3: m1 = m2, ℓ = R, I_zz = m1 R².
+    ///
+    /// # Errors
+    /// As [`Hoop::new`].
+    pub fn figure_2(mu_s: f64, mu_k: f64) -> Result<Self, ParameterError> {
+        Self::new(HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s, mu_k })
+    }
+
+    /// The parameters as they were given.
+    #[must_use]
+    pub const fn parameters(&self) -> HoopParameters {
+        self.parameters
+    }
+
+    /// Mass ratio m̂1 = m1/m2.
+    #[must_use]
+    pub const fn mass_ratio(&self) -> f64 {
+        self.parameters.mass_ratio
+    }
+
+    /// Offset ℓ̂ = ℓ/R.
+    #[must_use]
+    pub const fn offset(&self) -> f64 {
+        self.parameters.offset
+    }
+
+    /// Moment of inertia Î_zz of the disc about its centre.
+    #[must_use]
+    pub const fn inertia(&self) -> f64 {
+        self.parameters.inertia
+    }
+
+    /// Coefficient of static friction μs.
+    #[must_use]
+    pub const fn mu_s(&self) -> f64 {
+        self.parameters.mu_s
+    }
+
+    /// Coefficient of kinetic friction μk.
+    #[must_use]
+    pub const fn mu_k(&self) -> f64 {
+        self.parameters.mu_k
+    }
+
+    /// The body with or without inertia.
+    #[must_use]
+    pub const fn body(&self) -> Body {
+        self.body
+    }
+
+    /// Total mass m = 1 + m̂1.
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        1.0 + self.parameters.mass_ratio
+    }
+
+    /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).
+    #[must_use]
+    pub fn h(&self) -> f64 {
+        self.parameters.offset / self.mass()
+    }
+}
+
+impl Body {
+    /// Moment of inertia about the mass centre, Î of (2.9); zero for a massless hoop.
+    #[must_use]
+    pub const fn inertia_about_mass_centre(&self) -> f64 {
+        match self {
+            Self::Heavy(heavy) => heavy.inertia,
+            Self::Massless(_) => 0.0,
+        }
+    }
+}

@@ -1,0 +1,453 @@
+//! The orbit of a rolling body: time as an elliptic integral, the way back, and the end of rolling.
+//!
+//! Measured from the bottom, z = −cos(ϑ/2) = k sin ψ, where ϑ is the angle in the direction of motion and
+//! k² = (K − D(π))/(4ℓ̂) in libration, k = 1 in rotation. With β = 4ℓ̂k² and κ = K − D(0), the energy over the top,
+//!
+//! ```text
+//! dτ = 2 sqrt(D / (|κ| + β cos²ψ)) dψ,     D = D(π) + β sin²ψ,
+//! τ(ψ) = 2 sqrt(D(π)/γ) [s R_F(c², q², p) + β s³/(3 D(π)) R_J(c², q², p, 1)],
+//! ```
+//!
+//! with s = sin ψ, c = cos ψ, γ = |κ| + β, q² = (|κ| + βc²)/γ, p = 1 + βs²/D(π): an integral of the third kind in
+//! Carlson's symmetric form (DLMF 19.25.14) whose two terms have the same sign, so that nothing cancels. It holds
+//! for libration, rotation and the separatrix alike.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::bernstein::Bernstein;
+use crate::carlson::{rf, rj};
+use crate::hoop::Hoop;
+use crate::state::Direction;
+
+use super::boundary::{Boundary, HalfAngle, Limit};
+use super::rim::RimOrbit;
+use super::RollingLaw;
+
+/// How a motion that rolls for ever comes back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Recurrence {
+    /// At rest in an equilibrium (or a homogeneous disc at rest anywhere).
+    Rest,
+    /// Back and forth about the stable equilibrium.
+    Libration {
+        /// Time of one oscillation.
+        period: f64,
+        /// Smallest angle.
+        theta_min: f64,
+        /// Largest angle.
+        theta_max: f64,
+    },
+    /// Over the top, always in the same direction.
+    Rotation {
+        /// Time of one turn.
+        period: f64,
+    },
+    /// On the separatrix towards the unstable equilibrium, which is not reached in finite time.
+    Asymptotic {
+        /// Angle of that equilibrium.
+        theta: f64,
+    },
+}
+
+/// The end of rolling: where and when static friction or the normal force gives way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingEnd {
+    /// Time since the orbit was entered.
+    pub elapsed: f64,
+    /// Angle.
+    pub theta: f64,
+    /// Rate.
+    pub theta_rate: f64,
+    /// What gives way.
+    pub limit: Limit,
+}
+
+/// What static friction makes of a state with η′ = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Hold {
+    /// Rolling holds, now and for some time.
+    Holds,
+    /// The friction demand exceeds μs N by `excess` ≥ 0; zero on the boundary, when the orbit leaves 𝓡.
+    Slips { direction: Direction, excess: f64 },
+    /// N would have to be negative, or vanishes and would become so.
+    NoNormalForce,
+}
+
+/// The orbit of a rolling body through a state.
+#[derive(Clone, Copy, Debug)]
+pub struct RollingOrbit(Kind);
+
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Elliptic(Elliptic),
+    Rim(RimOrbit),
+}
+
+/// The orbit where D(π) > 0: every body but Littlewood's own.
+#[derive(Clone, Copy, Debug)]
+struct Elliptic {
+    law: RollingLaw,
+    boundary: Boundary,
+    /// Direction of motion at the start: ϑ = travel·θ grows.
+    travel: f64,
+    motion: Motion,
+    /// |κ|, with κ = K − D(0).
+    excess: f64,
+    /// β = 4ℓ̂k².
+    swing: f64,
+    /// Number of the turn of ϑ, and the start within it.
+    lap: f64,
+    z: f64,
+    y: f64,
+    /// Time from the bottom to the start, and to the top or the turning point.
+    entered: f64,
+    quarter: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Motion {
+    Rest,
+    Libration,
+    Rotation,
+}
+
+impl RollingOrbit {
+    /// The orbit of `hoop` through (θ, θ′).
+    #[must_use]
+    pub fn new(hoop: &Hoop, theta: f64, theta_rate: f64) -> Self {
+        let law = RollingLaw::new(hoop);
+        Self(if law.bottom > 0.0 {
+            Kind::Elliptic(Elliptic::new(hoop, law, theta, theta_rate))
+        } else {
+            Kind::Rim(RimOrbit::new(hoop.mu_s(), theta, theta_rate))
+        })
+    }
+
+    /// (θ, θ′) after the time `elapsed`.
+    #[must_use]
+    pub fn position(&self, elapsed: f64) -> (f64, f64) {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.position(elapsed),
+            Kind::Rim(orbit) => orbit.position(elapsed),
+        }
+    }
+
+    /// The first point ahead at which rolling gives way; none proves that the body rolls for ever.
+    #[must_use]
+    pub fn end(&self) -> Option<RollingEnd> {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.end(),
+            Kind::Rim(orbit) => orbit.end(),
+        }
+    }
+
+    /// How the orbit comes back if nothing gives way.
+    #[must_use]
+    pub fn recurrence(&self) -> Recurrence {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.recurrence(),
+            Kind::Rim(orbit) => orbit.recurrence(),
+        }
+    }
+
+    pub(crate) fn hold(&self) -> Hold {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.hold(),
+            Kind::Rim(orbit) => orbit.hold(),
+        }
+    }
+}
+
+impl Elliptic {
+    fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
+        // At a turning point gravity decides where the body goes.
+        let travel = match Direction::of(theta_rate).or_else(|| Direction::of(libm::sin(theta))) {
+            Some(direction) => direction.sign(),
+            None => 1.0,
+        };
+        let (lap, z, y) = reduce(travel * theta);
+        let four_l = 4.0 * law.offset;
+        let denominator = law.bottom + four_l * z * z;
+        let kinetic = denominator * theta_rate * theta_rate;
+        // Energy over the top and over the bottom, each from terms that do not cancel more than they must.
+        let over_top = kinetic - four_l * y * y;
+        let over_bottom = kinetic + four_l * z * z;
+        let rotates = over_top >= 0.0;
+        let motion = match (rotates, theta_rate == 0.0 && libm::sin(theta) * law.offset == 0.0) {
+            (_, true) => Motion::Rest,
+            (true, false) => Motion::Rotation,
+            (false, false) => Motion::Libration,
+        };
+        let mut orbit = Self {
+            law,
+            boundary: Boundary::new(hoop, &law, law.bottom + over_bottom),
+            travel,
+            motion,
+            excess: over_top.abs(),
+            swing: if rotates { four_l } else { over_bottom },
+            lap,
+            z,
+            y,
+            entered: 0.0,
+            quarter: f64::INFINITY,
+        };
+        if motion == Motion::Libration && orbit.amplitude() <= 0.5 * f64::EPSILON * theta.abs() {
+            // Both turning points round to the angle of the start: no double lies between them.
+            orbit.motion = Motion::Rest;
+        }
+        if orbit.motion != Motion::Rest {
+            orbit.entered = match orbit.motion {
+                Motion::Libration if kinetic == 0.0 => -orbit.time_from_bottom(1.0, 0.0),
+                Motion::Libration => {
+                    orbit.time_from_bottom(orbit.phase_sine(z), (kinetic / orbit.swing).sqrt())
+                }
+                _ => orbit.time_from_bottom(z, y),
+            };
+            if orbit.excess > 0.0 {
+                orbit.quarter = orbit.time_from_bottom(1.0, 0.0);
+            }
+        }
+        orbit
+    }
+
+    /// Half the width of the libration in θ.
+    fn amplitude(&self) -> f64 {
+        2.0 * libm::atan2(self.swing.sqrt(), self.excess.sqrt())
+    }
+
+    /// sin ψ = z/k.
+    fn phase_sine(&self, z: f64) -> f64 {
+        z * (4.0 * self.law.offset / self.swing).sqrt()
+    }
+
+    /// τ(ψ) − τ(0) for ψ in [−π/2, π/2], given by its sine and cosine.
+    fn time_from_bottom(&self, sine: f64, cosine: f64) -> f64 {
+        let bottom = self.law.bottom;
+        let gamma = self.excess + self.swing;
+        let c2 = cosine * cosine;
+        let q2 = (self.excess + self.swing * c2) / gamma;
+        let lift = self.swing * sine * sine / bottom;
+        let first = rf(c2, q2, 1.0 + lift);
+        let third = if lift == 0.0 { 0.0 } else { lift / 3.0 * rj(c2, q2, 1.0 + lift, 1.0) };
+        2.0 * (bottom / gamma).sqrt() * sine * (first + third)
+    }
+
+    /// Rate of ψ, from dτ/dψ.
+    fn phase_slowness(&self, sine: f64, cosine: f64) -> f64 {
+        let d = self.law.bottom + self.swing * sine * sine;
+        2.0 * (d / (self.excess + self.swing * cosine * cosine)).sqrt()
+    }
+
+    fn position(&self, elapsed: f64) -> (f64, f64) {
+        if self.motion == Motion::Rest {
+            return (self.travel * self.angle(self.lap, self.z, self.y), 0.0);
+        }
+        let total = self.entered + elapsed;
+        let half_period = 2.0 * self.quarter;
+        let (turns, local) = if half_period.is_finite() {
+            let turns = ((total + self.quarter) / half_period).floor();
+            (turns, total - half_period * turns)
+        } else {
+            (0.0, total)
+        };
+        let (sine, cosine) = self.phase_at(local);
+        let d = self.law.bottom + self.swing * sine * sine;
+        if self.motion == Motion::Rotation {
+            let theta = self.angle(self.lap + turns, sine, cosine);
+            let rate = ((self.excess + self.swing * cosine * cosine) / d).sqrt();
+            (self.travel * theta, self.travel * rate)
+        } else {
+            let back = if turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+            let four_l = 4.0 * self.law.offset;
+            let z = back * sine * (self.swing / four_l).sqrt();
+            let y = ((self.excess + self.swing * cosine * cosine) / four_l).sqrt();
+            let rate = back * cosine * (self.swing / d).sqrt();
+            (self.travel * self.angle(self.lap, z, y), self.travel * rate)
+        }
+    }
+
+    /// Inverts τ(ψ): Newton's method in a bracket. τ grows with ψ.
+    fn phase_at(&self, local: f64) -> (f64, f64) {
+        let (mut low, mut high) = (-FRAC_PI_2, FRAC_PI_2);
+        let mut psi = if self.quarter.is_finite() {
+            (local / self.quarter * FRAC_PI_2).clamp(low, high)
+        } else {
+            0.0
+        };
+        loop {
+            let (sine, cosine) = libm::sincos(psi);
+            let cosine = cosine.max(0.0);
+            let ahead = local - self.time_from_bottom(sine, cosine);
+            if ahead > 0.0 { low = psi } else { high = psi }
+            let newton = psi + ahead / self.phase_slowness(sine, cosine);
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let done = (next - psi).abs() <= f64::EPSILON * psi.abs().max(f64::EPSILON)
+                || next <= low
+                || next >= high;
+            psi = next;
+            if done {
+                let (sine, cosine) = libm::sincos(psi);
+                return (sine, cosine.max(0.0));
+            }
+        }
+    }
+
+    /// ϑ on a turn, from z = −cos(ϑ/2) and y = sin(ϑ/2).
+    fn angle(&self, lap: f64, z: f64, y: f64) -> f64 {
+        TAU * lap + 2.0 * libm::atan2(y, -z)
+    }
+
+    fn recurrence(&self) -> Recurrence {
+        match self.motion {
+            Motion::Rest => Recurrence::Rest,
+            Motion::Rotation if self.quarter.is_finite() => {
+                Recurrence::Rotation { period: 2.0 * self.quarter }
+            }
+            Motion::Rotation => {
+                Recurrence::Asymptotic { theta: self.travel * self.angle(self.lap, 1.0, 0.0) }
+            }
+            Motion::Libration => {
+                let bottom = self.travel * self.angle(self.lap, 0.0, 1.0);
+                let amplitude = self.amplitude();
+                Recurrence::Libration {
+                    period: 4.0 * self.quarter,
+                    theta_min: bottom - amplitude,
+                    theta_max: bottom + amplitude,
+                }
+            }
+        }
+    }
+
+    /// The arcs that lie ahead, until every point of the orbit has been passed.
+    fn arcs(&self) -> impl Iterator<Item = Arc> {
+        let here = [-self.z, self.y];
+        let bottom = [0.0, 1.0];
+        let past_bottom = self.z >= 0.0;
+        let first = |to: HalfAngle| {
+            let ahead = Arc { from: if past_bottom { here } else { bottom }, to, pass: Pass::First };
+            [(!past_bottom).then_some(Arc { from: here, to: bottom, pass: Pass::First }), Some(ahead)]
+        };
+        let arcs = match self.motion {
+            Motion::Rest => [None; 4],
+            Motion::Rotation => {
+                let [a, b] = first([-1.0, 0.0]);
+                let again = |from, to| Arc { from, to, pass: Pass::NextTurn };
+                let next = if self.quarter.is_finite() {
+                    let to_bottom = again([1.0, 0.0], if past_bottom { bottom } else { here });
+                    [Some(to_bottom), past_bottom.then_some(again(bottom, here))]
+                } else {
+                    [None; 2]
+                };
+                [a, b, next[0], next[1]]
+            }
+            Motion::Libration => {
+                let four_l = 4.0 * self.law.offset;
+                let (k, y) = ((self.swing / four_l).sqrt(), (self.excess / four_l).sqrt());
+                let [a, b] = first([-k, y]);
+                let back = |from, to| Some(Arc { from, to, pass: Pass::WayBack });
+                [a, b, back([-k, y], bottom), back(bottom, [k, y])]
+            }
+        };
+        arcs.into_iter().flatten().filter(|arc| arc.from != arc.to)
+    }
+
+    fn end(&self) -> Option<RollingEnd> {
+        self.arcs().find_map(|arc| {
+            let crossings = self.boundary.on_arc(arc.from, arc.to).filter_map(|(margin, limit)| {
+                let bracket = margin.first_crossing()?;
+                Some((bracket.refine(|x| margin.value_and_slope(x)), limit))
+            });
+            let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
+            Some(self.end_at(&arc, at, limit))
+        })
+    }
+
+    fn end_at(&self, arc: &Arc, at: f64, limit: Limit) -> RollingEnd {
+        let x = (1.0 - at) * arc.from[0] + at * arc.to[0];
+        let y = (1.0 - at) * arc.from[1] + at * arc.to[1];
+        let length = (x * x + y * y).sqrt();
+        let (z, y) = (-x / length, y / length);
+        let four_l = 4.0 * self.law.offset;
+        let d = self.law.bottom + four_l * z * z;
+        let (from_bottom, speed) = if self.motion == Motion::Rotation {
+            (self.time_from_bottom(z, y), ((self.excess + four_l * y * y) / d).sqrt())
+        } else {
+            let left = (self.swing - four_l * z * z).max(0.0);
+            let cosine = (left / self.swing).sqrt();
+            (self.time_from_bottom(self.phase_sine(z).clamp(-1.0, 1.0), cosine), (left / d).sqrt())
+        };
+        let half_period = 2.0 * self.quarter;
+        let (elapsed, lap, rate) = match arc.pass {
+            Pass::First => (from_bottom - self.entered, self.lap, speed),
+            Pass::NextTurn => (half_period + from_bottom - self.entered, self.lap + 1.0, speed),
+            Pass::WayBack => (half_period - from_bottom - self.entered, self.lap, -speed),
+        };
+        RollingEnd {
+            elapsed: elapsed.max(0.0),
+            theta: self.travel * self.angle(lap, z, y),
+            theta_rate: self.travel * rate,
+            limit: turned(limit, self.travel),
+        }
+    }
+
+    fn hold(&self) -> Hold {
+        let Some(arc) = self.arcs().next() else { return Hold::Holds };
+        let d = self.law.bottom + 4.0 * self.law.offset * self.z * self.z;
+        let mut hold = Hold::Holds;
+        for (margin, limit) in self.boundary.on_arc(arc.from, arc.to) {
+            if margin.initial_sign() >= 0.0 {
+                continue;
+            }
+            hold = match (hold, turned(limit, self.travel)) {
+                (_, Limit::NormalForce) | (Hold::NoNormalForce, _) => Hold::NoNormalForce,
+                // Both cones are left at once only where N < 0.
+                (Hold::Slips { .. }, _) => Hold::NoNormalForce,
+                (Hold::Holds, Limit::Friction(direction)) => {
+                    Hold::Slips { direction, excess: -start_value(&margin) / (d * d) }
+                }
+            };
+        }
+        hold
+    }
+}
+
+fn start_value(margin: &Bernstein) -> f64 {
+    margin.coefficients()[0]
+}
+
+/// A limit seen in the frame of the body instead of the direction of motion.
+pub(super) fn turned(limit: Limit, travel: f64) -> Limit {
+    match limit {
+        Limit::Friction(direction) if travel < 0.0 => Limit::Friction(direction.reversed()),
+        other => other,
+    }
+}
+
+/// Part of an orbit between two directions of the half angle.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    from: HalfAngle,
+    to: HalfAngle,
+    pass: Pass,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Pass {
+    First,
+    NextTurn,
+    WayBack,
+}
+
+/// Turn number and (−cos, sin) of half the angle within the turn, sin ≥ 0.
+fn reduce(angle: f64) -> (f64, f64, f64) {
+    let mut lap = (angle / TAU).floor();
+    let (sin, cos) = libm::sincos(0.5 * angle);
+    let flip = if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+    let (mut x, mut y) = (flip * cos, flip * sin);
+    if y < 0.0 {
+        // Rounding put the angle on the wrong side of a multiple of 2π.
+        lap += if x > 0.0 { -1.0 } else { 1.0 };
+        (x, y) = (-x, -y);
+    }
+    (lap, -x, y)
+}

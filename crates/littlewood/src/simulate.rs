@@ -1,0 +1,271 @@
+//! The simulation: one phase after the other, along the edges of the automaton.
+
+use crate::automaton::Cause;
+use crate::contact::{Arrival, Next, next_motion};
+use crate::error::{Bound, ParameterError, Quantity, check, finite};
+use crate::flight::Flight;
+use crate::gliding::{Gliding, GlidingEnd};
+use crate::hoop::{Heavy, Hoop, Massless};
+use crate::rolling::{Limit, Rolling};
+use crate::sliding::{Entry, Sliding, SlidingEnd, SlidingLaw};
+use crate::state::{Direction, Mode, Start, State};
+use crate::trajectory::{Motion, Outcome, Phase, Trajectory, Transition};
+
+/// When to stop a motion that has not come to its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Time τ at which to stop, if any. A motion that is proved to roll for ever is reported as such all the same.
+    pub until: Option<f64>,
+    /// Largest number of transitions. Only μs = μk needs it: there slips can shrink without end towards the orbit
+    /// that grazes the static limit.
+    pub transitions: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { until: None, transitions: 10_000 }
+    }
+}
+
+impl Limits {
+    /// Stops at the time τ.
+    #[must_use]
+    pub fn until(time: f64) -> Self {
+        Self { until: Some(time), ..Self::default() }
+    }
+}
+
+/// What a phase leads to.
+enum Follow {
+    /// An event, the state there and what is known of it.
+    Event(State, Cause, Arrival),
+    /// Lift-off: the only motion that follows is flight.
+    Lift(State, Heavy),
+    /// The end of the simulation, by an event or not.
+    End(Option<Cause>, Outcome),
+}
+
+impl Hoop {
+    /// Simulates the motion from `start` to its end, or to a limit.
+    ///
+    /// Every transition is located to the last digits; none is missed. The result is the same on every platform,
+    /// bit for bit.
+    ///
+    /// ```
+    /// use littlewood::{Hoop, Limits, Mode, Start};
+    ///
+    /// // Figure 3 of the paper: slides, rolls, slides, jumps.
+    /// let hoop = Hoop::figure_2(0.5, 0.4)?;
+    /// let start = Start::at(std::f64::consts::FRAC_PI_2, 2.0);
+    /// let motion = hoop.simulate(start, Limits::default())?;
+    /// let modes: Vec<Mode> = motion.phases().iter().map(|phase| phase.mode()).collect();
+    /// assert_eq!(modes, [Mode::Sliding, Mode::Rolling, Mode::Sliding, Mode::Flight]);
+    /// assert!((motion.phases()[3].start().time - 1.518_670_213_819_437).abs() < 1e-14);
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A start or a limit that is not finite, or a time limit before the start.
+    pub fn simulate(&self, start: Start, limits: Limits) -> Result<Trajectory, ParameterError> {
+        let start = start.checked()?;
+        if let Some(until) = limits.until {
+            finite(Quantity::Until, until)?;
+            check(until >= start.time, Quantity::Until, until, Bound::AtLeast(Quantity::Time, start.time))?;
+        }
+        let mut trajectory = Trajectory {
+            hoop: *self,
+            start,
+            phases: Vec::new(),
+            transitions: Vec::new(),
+            outcome: Outcome::TimeLimit { state: start },
+        };
+        trajectory.outcome = Run { hoop: *self, limits, trajectory: &mut trajectory }.run(start);
+        Ok(trajectory)
+    }
+}
+
+struct Run<'a> {
+    hoop: Hoop,
+    limits: Limits,
+    trajectory: &'a mut Trajectory,
+}
+
+impl Run<'_> {
+    fn run(&mut self, start: State) -> Outcome {
+        let mut state = start;
+        let mut next = next_motion(&self.hoop, &state, Arrival::Open);
+        loop {
+            let (motion, end, follow) = match next {
+                Next::None(findings) => return Outcome::Inconsistent { state, findings },
+                Next::Several(findings) => return Outcome::Ambiguous { state, findings },
+                Next::Roll => self.roll(state),
+                Next::Slide { body, direction, slip_acceleration } => {
+                    self.slide(&body, state, direction, slip_acceleration)
+                }
+                Next::Fly { body, grazing } => self.fly(&body, state, grazing),
+                Next::Glide { body, from_extremum } => self.glide(&body, state, from_extremum),
+            };
+            let phase = Phase { hoop: self.hoop, motion, start: state, end };
+            let (from, before) = (phase.mode(), phase.direction());
+            if let (Mode::Gliding, Some(transition)) = (from, self.trajectory.transitions.last_mut()) {
+                // The direction of a glide that begins at η′ = 0 follows from the glide.
+                transition.direction = before;
+            }
+            self.trajectory.phases.push(phase);
+            let (end, cause, arrival) = match follow {
+                Follow::Event(end, cause, arrival) => (end, cause, arrival),
+                Follow::Lift(end, body) => {
+                    next = Next::Fly { body, grazing: true };
+                    self.record(end, from, begins(&next), Cause::LiftOff);
+                    state = end;
+                    continue;
+                }
+                Follow::End(cause, outcome) => {
+                    if let Some(cause) = cause {
+                        self.record(outcome.state(), from, None, cause);
+                    }
+                    return outcome;
+                }
+            };
+            next = next_motion(&self.hoop, &end, arrival);
+            let begins = begins(&next);
+            // Only now is it known what coming to rest leads to.
+            let cause = match (cause, begins) {
+                (Cause::Stick, Some((mode, direction))) if mode != Mode::Rolling => {
+                    if direction.is_some() && direction == before { Cause::Graze } else { Cause::Reversal }
+                }
+                _ => cause,
+            };
+            self.record(end, from, begins, cause);
+            if self.trajectory.transitions.len() >= self.limits.transitions && begins.is_some() {
+                return Outcome::TransitionLimit { state: end, transitions: self.limits.transitions };
+            }
+            state = end;
+        }
+    }
+
+    fn record(
+        &mut self,
+        state: State,
+        from: Mode,
+        begins: Option<(Mode, Option<Direction>)>,
+        cause: Cause,
+    ) {
+        let (to, direction) = begins.map_or((None, None), |(mode, direction)| (Some(mode), direction));
+        self.trajectory.transitions.push(Transition { state, from, to, direction, cause });
+    }
+
+    /// Time left until the limit.
+    fn allowed(&self, state: &State) -> Option<f64> {
+        self.limits.until.map(|until| until - state.time)
+    }
+
+    /// A state at the time limit, with just the time that was asked for.
+    fn stopped(&self, state: State) -> State {
+        State { time: self.limits.until.unwrap_or(state.time), ..state }
+    }
+
+    fn roll(&self, state: State) -> (Motion, Option<State>, Follow) {
+        let rolling = Rolling::new(&self.hoop, state);
+        let allowed = self.allowed(&state);
+        let (end, follow) = match (rolling.orbit().end(), allowed) {
+            (Some(end), allowed) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => {
+                let cause = match end.limit {
+                    Limit::Friction(_) => Cause::Slip,
+                    Limit::NormalForce => Cause::NormalForceZero,
+                };
+                let state = rolling.state_at(end.theta, end.theta_rate, end.elapsed);
+                (Some(state), Follow::Event(state, cause, Arrival::RollingLimit(end.limit)))
+            }
+            (Some(_), allowed) => {
+                let end = self.stopped(rolling.state(allowed.unwrap_or(0.0)));
+                (Some(end), Follow::End(None, Outcome::TimeLimit { state: end }))
+            }
+            (None, allowed) => {
+                let recurrence = rolling.orbit().recurrence();
+                let end = allowed.map(|allowed| self.stopped(rolling.state(allowed)));
+                (end, Follow::End(None, Outcome::RollsForever { since: state, recurrence }))
+            }
+        };
+        (Motion::Rolling(rolling), end, follow)
+    }
+
+    fn slide(
+        &self,
+        body: &Heavy,
+        state: State,
+        direction: Direction,
+        slip_acceleration: Option<f64>,
+    ) -> (Motion, Option<State>, Follow) {
+        let entry = slip_acceleration.map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
+        let (slide, end) =
+            Sliding::run(&self.hoop, body, state, direction, entry, self.allowed(&state));
+        let (end, follow) = match end {
+            SlidingEnd::Rest(end) => (Some(end), Follow::Event(end, Cause::Stick, Arrival::Open)),
+            SlidingEnd::LiftOff(end) => (Some(end), Follow::Lift(end, *body)),
+            SlidingEnd::Singular(end) => {
+                let solvability = SlidingLaw::new(&self.hoop, body, direction).solvability(end.theta);
+                (Some(end), Follow::End(Some(Cause::Singularity), Outcome::Singular { state: end, solvability }))
+            }
+            SlidingEnd::TimeLimit(end) => {
+                let end = self.stopped(end);
+                (Some(end), Follow::End(None, Outcome::TimeLimit { state: end }))
+            }
+            SlidingEnd::Endless(recurrence) => {
+                let end = self.allowed(&state).map(|allowed| self.stopped(slide.state(allowed)));
+                (end, Follow::End(None, Outcome::SlidesForever { since: state, recurrence }))
+            }
+        };
+        (Motion::Sliding(Box::new(slide)), end, follow)
+    }
+
+    fn fly(&self, body: &Heavy, state: State, grazing: bool) -> (Motion, Option<State>, Follow) {
+        let flight = Flight::new(&self.hoop, body, state, grazing);
+        let duration = flight.duration();
+        let (end, follow) = match self.allowed(&state) {
+            Some(allowed) if allowed < duration => {
+                let end = self.stopped(flight.state(allowed));
+                (Some(end), Follow::End(None, Outcome::TimeLimit { state: end }))
+            }
+            _ => {
+                let end = flight.state(duration);
+                let gap_rate = flight.gap(duration).1;
+                (Some(end), Follow::End(Some(Cause::Landing), Outcome::Landing { state: end, gap_rate }))
+            }
+        };
+        (Motion::Flight(flight), end, follow)
+    }
+
+    fn glide(&self, body: &Massless, state: State, from_extremum: bool) -> (Motion, Option<State>, Follow) {
+        let (glide, end) =
+            Gliding::run(body, self.hoop.mu_k(), state, from_extremum, self.allowed(&state));
+        let (end, follow) = match end {
+            GlidingEnd::Rest(end) => (Some(end), Follow::Event(end, Cause::Stick, Arrival::Open)),
+            GlidingEnd::Bottom(end) if body.offset < 1.0 => {
+                (Some(end), Follow::End(Some(Cause::ParticleAtBottom), Outcome::ParticleAtBottom { state: end }))
+            }
+            GlidingEnd::Bottom(end) => {
+                (Some(end), Follow::End(Some(Cause::ParticleAtPlane), Outcome::ParticleAtPlane { state: end }))
+            }
+            GlidingEnd::Top(end) => {
+                (Some(end), Follow::End(Some(Cause::ParticleAtTop), Outcome::ParticleAtTop { state: end }))
+            }
+            GlidingEnd::TimeLimit(end) => {
+                let end = self.stopped(end);
+                (Some(end), Follow::End(None, Outcome::TimeLimit { state: end }))
+            }
+        };
+        (Motion::Gliding(glide), end, follow)
+    }
+}
+
+/// The mode that begins, with its direction of slip where that is known before it is followed.
+fn begins(next: &Next) -> Option<(Mode, Option<Direction>)> {
+    match next {
+        Next::Roll => Some((Mode::Rolling, None)),
+        Next::Slide { direction, .. } => Some((Mode::Sliding, Some(*direction))),
+        Next::Glide { .. } => Some((Mode::Gliding, None)),
+        Next::Fly { .. } => Some((Mode::Flight, None)),
+        Next::None(_) | Next::Several(_) => None,
+    }
+}

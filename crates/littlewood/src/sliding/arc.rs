@@ -1,0 +1,319 @@
+//! A phase of sliding: Taylor steps, each searched for the end of the phase before it is taken.
+
+use core::f64::consts::TAU;
+
+use crate::bernstein::{Bernstein, Bracket};
+use crate::hoop::{Heavy, Hoop};
+use crate::rolling::Recurrence;
+use crate::state::{Direction, Mode, Sample, State, energy};
+
+use super::SlidingLaw;
+use super::series::{DEGREE, Series, SlideSeries, value, value_and_slope};
+
+/// A step that moves the clock by less than this part of itself has run into a singularity of the equations.
+const STALL: f64 = f64::EPSILON / 64.0;
+
+/// How a slide begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Entry {
+    /// With η′ ≠ 0.
+    Moving,
+    /// With η′ = 0 and this acceleration η″, whose sign is the direction of slip or which is zero: on the static
+    /// limit with μs = μk, where η‴ decides. η′ = 0 is then no event at the start.
+    FromRest { slip_acceleration: f64 },
+}
+
+/// How a slide ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum SlidingEnd {
+    /// η′ = 0.
+    Rest(State),
+    /// w = 0: the normal force vanishes.
+    LiftOff(State),
+    /// P = 0 with N > 0, or steps that shrink to nothing in front of it: sliding has no solution beyond.
+    Singular(State),
+    /// The time limit.
+    TimeLimit(State),
+    /// Nothing will ever end it: without kinetic friction, energy and horizontal momentum are conserved, and a motion
+    /// that has passed a whole period without an event repeats itself.
+    Endless(Recurrence),
+}
+
+/// A phase of sliding, with the state at any time as a Taylor polynomial.
+#[derive(Clone, Debug)]
+pub struct Sliding {
+    law: SlidingLaw,
+    direction: Direction,
+    start: State,
+    /// x̄0, x̄′ + μk σ ȳ′ and cos θ0: the constants of the second integral.
+    mass_centre_x: f64,
+    drift: f64,
+    cos_start: f64,
+    steps: Vec<Step>,
+    cycle: Option<Cycle>,
+}
+
+/// The period of a slide that repeats itself.
+#[derive(Clone, Copy, Debug)]
+struct Cycle {
+    /// A time after which a whole period has been followed.
+    from: f64,
+    period: f64,
+    /// What θ gains in a period.
+    advance: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    /// Time since the start of the phase.
+    begin: f64,
+    theta: Series,
+    theta_rate: Series,
+    slip: Series,
+}
+
+/// Angles and velocities on the way.
+#[derive(Clone, Copy, Debug)]
+struct Here {
+    elapsed: f64,
+    theta: f64,
+    theta_rate: f64,
+    slip: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Event {
+    Rest,
+    LiftOff,
+    Singular,
+}
+
+impl Sliding {
+    /// Follows the slide to its end, or for the time `allowed`.
+    pub(crate) fn run(
+        hoop: &Hoop,
+        body: &Heavy,
+        start: State,
+        direction: Direction,
+        entry: Entry,
+        allowed: Option<f64>,
+    ) -> (Self, SlidingEnd) {
+        let law = SlidingLaw::new(hoop, body, direction);
+        let (sin, cos) = libm::sincos(start.theta);
+        let vx = start.slip - (1.0 + body.h * cos) * start.theta_rate;
+        let vy = -body.h * sin * start.theta_rate;
+        let mut slide = Self {
+            law,
+            direction,
+            start,
+            mass_centre_x: start.x - body.h * sin,
+            drift: vx + law.friction * vy,
+            cos_start: cos,
+            steps: Vec::new(),
+            cycle: None,
+        };
+        let end = slide.follow(entry, allowed);
+        (slide, end)
+    }
+
+    fn follow(&mut self, entry: Entry, allowed: Option<f64>) -> SlidingEnd {
+        let sign = self.direction.sign();
+        let start = self.start;
+        let integral = self.law.momentum_integral(0.0, start.theta, start.theta_rate, start.slip);
+        let mut here = Here {
+            elapsed: 0.0,
+            theta: start.theta,
+            theta_rate: start.theta_rate,
+            slip: start.slip,
+        };
+        let mut turnings = Vec::new();
+        loop {
+            let mut series =
+                SlideSeries::new(&self.law.body, self.law.friction, here.theta, here.theta_rate, here.slip);
+            let mut known_roots = 0;
+            if let (Entry::FromRest { slip_acceleration }, true) = (entry, self.steps.is_empty()) {
+                series.slip[0] = 0.0;
+                series.slip[1] = slip_acceleration;
+                known_roots = if slip_acceleration == 0.0 { 2 } else { 1 };
+            }
+            let reach = series.reach();
+            let last = allowed.is_some_and(|allowed| here.elapsed + reach >= allowed);
+            let width = match allowed {
+                Some(allowed) if last => allowed - here.elapsed,
+                _ => reach,
+            };
+            self.steps.push(Step {
+                begin: here.elapsed,
+                theta: series.theta,
+                theta_rate: series.theta_rate,
+                slip: series.slip,
+            });
+            if let Some((at, event)) = first_event(&series, sign, known_roots, width) {
+                let found = Here {
+                    elapsed: here.elapsed + at,
+                    theta: value(&series.theta, at),
+                    theta_rate: value(&series.theta_rate, at),
+                    slip: value(&series.slip, at),
+                };
+                return match event {
+                    Event::Rest => SlidingEnd::Rest(State { slip: 0.0, ..self.state_from(found) }),
+                    Event::LiftOff => SlidingEnd::LiftOff(self.state_from(found)),
+                    Event::Singular => SlidingEnd::Singular(self.state_from(found)),
+                };
+            }
+            let theta_rate = value(&series.theta_rate, width);
+            let theta = value(&series.theta, width);
+            let elapsed = here.elapsed + width;
+            let next = Here {
+                elapsed,
+                theta,
+                theta_rate,
+                slip: integral + theta_rate * self.law.lever(theta) - self.law.friction * elapsed,
+            };
+            if last {
+                return SlidingEnd::TimeLimit(self.state_from(next));
+            }
+            if width <= STALL * (start.time + elapsed).abs().max(1.0) {
+                return SlidingEnd::Singular(self.state_from(next));
+            }
+            if self.law.friction == 0.0 {
+                if next.theta_rate * here.theta_rate < 0.0 {
+                    let at = root(&series.theta_rate, 0.0, here.theta_rate.signum(), width);
+                    turnings.push((here.elapsed + at, value(&series.theta, at)));
+                }
+                if let Some(recurrence) = self.recurrence(&series, &here, &next, &turnings) {
+                    return SlidingEnd::Endless(recurrence);
+                }
+            }
+            here = next;
+        }
+    }
+
+    /// Whether a slide without friction has passed a whole period, and which.
+    fn recurrence(
+        &mut self,
+        series: &SlideSeries,
+        here: &Here,
+        next: &Here,
+        turnings: &[(f64, f64)],
+    ) -> Option<Recurrence> {
+        if series.theta_rate.iter().all(|c| *c == 0.0) {
+            return Some(Recurrence::Rest);
+        }
+        let gained = next.theta - self.start.theta;
+        if gained.abs() >= TAU {
+            let advance = TAU.copysign(gained);
+            let at = root(&series.theta, self.start.theta + advance, -gained.signum(), next.elapsed - here.elapsed);
+            let period = here.elapsed + at;
+            self.cycle = Some(Cycle { from: 0.0, period, advance });
+            return Some(Recurrence::Rotation { period });
+        }
+        // From the first to the third turning point is a period; the start lies before it, on the same orbit.
+        let &[(first, theta_first), (_, theta_second), (third, _)] = turnings else { return None };
+        self.cycle = Some(Cycle { from: first, period: third - first, advance: 0.0 });
+        Some(Recurrence::Libration {
+            period: third - first,
+            theta_min: theta_first.min(theta_second),
+            theta_max: theta_first.max(theta_second),
+        })
+    }
+
+    /// Direction of slip.
+    #[must_use]
+    pub const fn direction(&self) -> Direction {
+        self.direction
+    }
+
+    /// Number of Taylor steps of the phase.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// State after the time `elapsed` since the phase began.
+    #[must_use]
+    pub fn state(&self, elapsed: f64) -> State {
+        let (within, gained) = match self.cycle {
+            Some(Cycle { from, period, advance }) if elapsed > from => {
+                let periods = ((elapsed - from) / period).floor();
+                (elapsed - period * periods, advance * periods)
+            }
+            _ => (elapsed, 0.0),
+        };
+        let after = self.steps.partition_point(|step| step.begin <= within);
+        let Some(step) = self.steps.get(after.saturating_sub(1)) else { return self.start };
+        let at = within - step.begin;
+        self.state_from(Here {
+            elapsed,
+            theta: gained + value(&step.theta, at),
+            theta_rate: value(&step.theta_rate, at),
+            slip: value(&step.slip, at),
+        })
+    }
+
+    /// Adds the position, from the second integral.
+    fn state_from(&self, here: Here) -> State {
+        let (sin, cos) = libm::sincos(here.theta);
+        let h = self.law.body.h;
+        let fall = h * (cos - self.cos_start) + 0.5 * here.elapsed * here.elapsed;
+        let mass_centre = self.mass_centre_x + self.drift * here.elapsed - self.law.friction * fall;
+        State {
+            time: self.start.time + here.elapsed,
+            theta: here.theta,
+            theta_rate: here.theta_rate,
+            slip: here.slip,
+            x: mass_centre + h * sin,
+        }
+    }
+
+    pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
+        let forces = self.law.forces(state.theta, state.theta_rate);
+        let accelerations = self.law.accelerations(state.theta, state.theta_rate);
+        Sample {
+            state,
+            mode: Mode::Sliding,
+            direction: Some(self.direction),
+            theta_acceleration: accelerations.theta,
+            slip_acceleration: accelerations.slip,
+            normal: forces.normal,
+            friction: forces.friction,
+            gap: 0.0,
+            gap_rate: 0.0,
+            energy: energy(hoop, &state, 0.0, 0.0),
+        }
+    }
+}
+
+/// The first of the three events within a step, if any.
+fn first_event(series: &SlideSeries, sign: f64, known_roots: usize, width: f64) -> Option<(f64, Event)> {
+    let mut slip = [0.0; DEGREE + 1];
+    for (deflated, c) in slip.iter_mut().zip(&series.slip[known_roots..]) {
+        *deflated = sign * c;
+    }
+    let rest = crossing(&slip, width).map(|at| (at, Event::Rest));
+    let lift_off = crossing(&series.contact, width).map(|at| (at, Event::LiftOff));
+    let singular = crossing(&series.solvability, width).map(|at| (at, Event::Singular));
+    [rest, lift_off, singular].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// Where a series that is monotone on [0, width], of the given sign at 0, takes a level.
+fn root(series: &Series, level: f64, sign: f64, width: f64) -> f64 {
+    Bracket { low: 0.0, high: width }.refine(|at| {
+        let (value, slope) = value_and_slope(series, at);
+        (sign * (value - level), sign * slope)
+    })
+}
+
+/// First crossing of a series from non-negative to negative in [0, width].
+fn crossing(series: &Series, width: f64) -> Option<f64> {
+    let mut swing = 0.0;
+    for c in series[1..].iter().rev() {
+        swing = (swing + c.abs()) * width;
+    }
+    if series[0] > swing {
+        return None;
+    }
+    let Bracket { low, high } = Bernstein::from_taylor(series, width).first_crossing()?;
+    let bracket = Bracket { low: low * width, high: high * width };
+    Some(bracket.refine(|at| value_and_slope(series, at)))
+}

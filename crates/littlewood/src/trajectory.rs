@@ -1,0 +1,381 @@
+//! A motion as a whole: its phases, the transitions between them, how it ends, and the state at any time.
+
+use crate::automaton::Cause;
+use crate::contact::Findings;
+use crate::flight::Flight;
+use crate::gliding::Gliding;
+use crate::hoop::Hoop;
+use crate::rolling::{Recurrence, Rolling};
+use crate::sliding::Sliding;
+use crate::state::{Direction, Mode, Sample, State};
+
+/// A phase of motion in one mode.
+#[derive(Clone, Debug)]
+pub struct Phase {
+    pub(crate) hoop: Hoop,
+    pub(crate) motion: Motion,
+    pub(crate) start: State,
+    pub(crate) end: Option<State>,
+}
+
+/// The exact solution during a phase.
+#[derive(Clone, Debug)]
+pub enum Motion {
+    /// Rolling along an orbit.
+    Rolling(Rolling),
+    /// Sliding in one direction.
+    Sliding(Box<Sliding>),
+    /// Gliding of a massless hoop.
+    Gliding(Gliding),
+    /// Flight.
+    Flight(Flight),
+}
+
+impl Phase {
+    /// Mode of motion.
+    #[must_use]
+    pub const fn mode(&self) -> Mode {
+        match self.motion {
+            Motion::Rolling(_) => Mode::Rolling,
+            Motion::Sliding(_) => Mode::Sliding,
+            Motion::Gliding(_) => Mode::Gliding,
+            Motion::Flight(_) => Mode::Flight,
+        }
+    }
+
+    /// Direction of slip; none for rolling and flight.
+    #[must_use]
+    pub fn direction(&self) -> Option<Direction> {
+        match &self.motion {
+            Motion::Sliding(slide) => Some(slide.direction()),
+            Motion::Gliding(glide) => glide.direction(),
+            Motion::Rolling(_) | Motion::Flight(_) => None,
+        }
+    }
+
+    /// The solution itself.
+    #[must_use]
+    pub const fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// State at the start.
+    #[must_use]
+    pub const fn start(&self) -> State {
+        self.start
+    }
+
+    /// State at the end; none for a phase that lasts for ever. Its rate is infinite where a gliding particle reaches
+    /// θ = 0 or ±π.
+    #[must_use]
+    pub const fn end(&self) -> Option<State> {
+        self.end
+    }
+
+    /// Time at the end; infinite for a phase that lasts for ever.
+    #[must_use]
+    pub fn end_time(&self) -> f64 {
+        self.end.map_or(f64::INFINITY, |end| end.time)
+    }
+
+    /// Duration; infinite for a phase that lasts for ever.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.end_time() - self.start.time
+    }
+
+    /// Energy lost to friction during the phase.
+    #[must_use]
+    pub fn energy_lost(&self) -> f64 {
+        match (&self.motion, self.last()) {
+            (Motion::Sliding(_), Some(last)) => self.first().energy - last.energy,
+            _ => 0.0,
+        }
+    }
+
+    /// Gliding that is not the limit of the motions of a heavy hoop as its inertia vanishes; false for the other modes.
+    #[must_use]
+    pub const fn is_outside_small_inertia_limit(&self) -> bool {
+        match &self.motion {
+            Motion::Gliding(glide) => !glide.is_small_inertia_limit(),
+            Motion::Rolling(_) | Motion::Sliding(_) | Motion::Flight(_) => false,
+        }
+    }
+
+    /// The instant `elapsed` after the start of the phase, as this phase sees it.
+    #[must_use]
+    pub fn sample(&self, elapsed: f64) -> Sample {
+        let duration = self.duration();
+        let state = match (self.end, &self.motion) {
+            _ if elapsed <= 0.0 => self.start,
+            (Some(end), _) if elapsed >= duration => end,
+            (_, Motion::Rolling(rolling)) => rolling.state(elapsed),
+            (_, Motion::Sliding(slide)) => slide.state(elapsed),
+            (_, Motion::Gliding(glide)) => glide.state(elapsed),
+            (_, Motion::Flight(flight)) => flight.state(elapsed),
+        };
+        match &self.motion {
+            Motion::Rolling(rolling) => rolling.sample(&self.hoop, state),
+            Motion::Sliding(slide) => slide.sample(&self.hoop, state),
+            Motion::Gliding(glide) => glide.sample(&self.hoop, state),
+            Motion::Flight(flight) => {
+                flight.sample(&self.hoop, state, flight.gap(elapsed.clamp(0.0, duration)))
+            }
+        }
+    }
+
+    /// First instant.
+    #[must_use]
+    pub fn first(&self) -> Sample {
+        self.sample(0.0)
+    }
+
+    /// Last instant, before the transition that ends the phase; none for a phase that lasts for ever.
+    #[must_use]
+    pub fn last(&self) -> Option<Sample> {
+        self.end.map(|end| self.sample(end.time - self.start.time))
+    }
+}
+
+/// A change of the mode of motion, or the event that ends the simulation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transition {
+    /// State at the transition; continuous through it.
+    pub state: State,
+    /// Mode that ends.
+    pub from: Mode,
+    /// Mode that begins; none where the motion is not followed further.
+    pub to: Option<Mode>,
+    /// Direction of slip of the motion that begins.
+    pub direction: Option<Direction>,
+    /// Event.
+    pub cause: Cause,
+}
+
+/// How a simulation ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Outcome {
+    /// The body has come down from a flight; the state is that just before the impact.
+    Landing {
+        /// State.
+        state: State,
+        /// Rate at which the gap closes, negative.
+        gap_rate: f64,
+    },
+    /// Static friction holds on the whole orbit ahead.
+    RollsForever {
+        /// State at the start of the last phase.
+        since: State,
+        /// How the motion comes back.
+        recurrence: Recurrence,
+    },
+    /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period has passed without
+    /// an event.
+    SlidesForever {
+        /// State at the start of the last phase.
+        since: State,
+        /// How θ and θ′ come back.
+        recurrence: Recurrence,
+    },
+    /// The particle on the rim of a massless hoop has reached the plane, θ = ±π.
+    ParticleAtPlane {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The particle inside the rim of a massless hoop has reached its lowest place, θ = ±π.
+    ParticleAtBottom {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The particle of a massless hoop has reached its highest place with velocity to spare.
+    ParticleAtTop {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The time limit was reached.
+    TimeLimit {
+        /// State.
+        state: State,
+    },
+    /// The largest number of transitions was reached.
+    TransitionLimit {
+        /// State.
+        state: State,
+        /// The limit.
+        transitions: usize,
+    },
+    /// No motion is consistent with the laws of friction and contact.
+    Inconsistent {
+        /// State.
+        state: State,
+        /// What was examined.
+        findings: Findings,
+    },
+    /// Several motions are consistent.
+    Ambiguous {
+        /// State.
+        state: State,
+        /// What was examined.
+        findings: Findings,
+    },
+    /// A slide has run into P = 0 with N > 0, beyond which it has no solution (Painlevé).
+    Singular {
+        /// State.
+        state: State,
+        /// P there.
+        solvability: f64,
+    },
+}
+
+impl Outcome {
+    /// Lower-case name, as files and the command line write it.
+    #[must_use]
+    pub const fn kind(&self) -> &'static str {
+        match self {
+            Self::Landing { .. } => "landing",
+            Self::RollsForever { .. } => "rolls_forever",
+            Self::SlidesForever { .. } => "slides_forever",
+            Self::ParticleAtPlane { .. } => "particle_at_plane",
+            Self::ParticleAtBottom { .. } => "particle_at_bottom",
+            Self::ParticleAtTop { .. } => "particle_at_top",
+            Self::TimeLimit { .. } => "time_limit",
+            Self::TransitionLimit { .. } => "transition_limit",
+            Self::Inconsistent { .. } => "inconsistent",
+            Self::Ambiguous { .. } => "ambiguous",
+            Self::Singular { .. } => "singular",
+        }
+    }
+
+    /// The state that decides: at the end, or where the phase begins that lasts for ever.
+    #[must_use]
+    pub const fn state(&self) -> State {
+        match self {
+            Self::RollsForever { since, .. } | Self::SlidesForever { since, .. } => *since,
+            Self::Landing { state, .. }
+            | Self::ParticleAtPlane { state }
+            | Self::ParticleAtBottom { state }
+            | Self::ParticleAtTop { state }
+            | Self::TimeLimit { state }
+            | Self::TransitionLimit { state, .. }
+            | Self::Inconsistent { state, .. }
+            | Self::Ambiguous { state, .. }
+            | Self::Singular { state, .. } => *state,
+        }
+    }
+
+    /// Whether the motion has been followed to its end, not to a limit that the caller set.
+    #[must_use]
+    pub const fn is_final(&self) -> bool {
+        !matches!(self, Self::TimeLimit { .. } | Self::TransitionLimit { .. })
+    }
+}
+
+/// A simulated motion.
+#[derive(Clone, Debug)]
+pub struct Trajectory {
+    pub(crate) hoop: Hoop,
+    pub(crate) start: State,
+    pub(crate) phases: Vec<Phase>,
+    pub(crate) transitions: Vec<Transition>,
+    pub(crate) outcome: Outcome,
+}
+
+impl Trajectory {
+    /// The hoop.
+    #[must_use]
+    pub const fn hoop(&self) -> &Hoop {
+        &self.hoop
+    }
+
+    /// The start.
+    #[must_use]
+    pub const fn start(&self) -> State {
+        self.start
+    }
+
+    /// The phases in order. Empty where no motion, or more than one, is consistent at the start.
+    #[must_use]
+    pub fn phases(&self) -> &[Phase] {
+        &self.phases
+    }
+
+    /// The transitions in order: transition i ends phase i.
+    #[must_use]
+    pub fn transitions(&self) -> &[Transition] {
+        &self.transitions
+    }
+
+    /// How the motion ended.
+    #[must_use]
+    pub const fn outcome(&self) -> Outcome {
+        self.outcome
+    }
+
+    /// Time at which the motion ends; infinite if it lasts for ever and no time limit was set.
+    #[must_use]
+    pub fn end_time(&self) -> f64 {
+        self.phases.last().map_or(self.start.time, Phase::end_time)
+    }
+
+    /// Energy lost to friction.
+    #[must_use]
+    pub fn energy_lost(&self) -> f64 {
+        self.phases.iter().map(Phase::energy_lost).sum()
+    }
+
+    /// The instant `time`, found in O(log n) of the number of phases and steps; none outside the motion. At a
+    /// transition it is the first instant of the motion that begins.
+    #[must_use]
+    pub fn at(&self, time: f64) -> Option<Sample> {
+        if !(time.is_finite() && time >= self.start.time && time <= self.end_time()) {
+            return None;
+        }
+        let after = self.phases.partition_point(|phase| phase.start.time <= time);
+        let phase = self.phases.get(after.checked_sub(1)?)?;
+        Some(phase.sample(time - phase.start.time))
+    }
+
+    /// The instants `times`, each as [`Trajectory::at`] has it.
+    pub fn sample<'a, I>(&'a self, times: I) -> impl Iterator<Item = Option<Sample>> + use<'a, I>
+    where
+        I: IntoIterator<Item = f64>,
+        I::IntoIter: 'a,
+    {
+        times.into_iter().map(|time| self.at(time))
+    }
+
+    /// `count` instants evenly spaced from the start to `until` (or to the end, if that comes first), together with
+    /// every transition in between, which appears twice: as the last instant of the phase that ends and as the first
+    /// of the phase that begins, because the forces may jump there.
+    pub fn sample_evenly(&self, count: usize, until: f64) -> impl Iterator<Item = Sample> + '_ {
+        let begin = self.start.time;
+        let end = until.min(self.end_time());
+        let intervals = count.saturating_sub(1).max(1);
+        let grid = move |i: usize| {
+            if i == intervals { end } else { begin + (end - begin) * (i as f64 / intervals as f64) }
+        };
+        let mut next = 0;
+        let last = self.phases.len().saturating_sub(1);
+        self.phases.iter().enumerate().flat_map(move |(index, phase)| {
+            let mut samples = Vec::new();
+            if index > 0 && phase.start.time <= end {
+                samples.push(phase.first());
+                if next < count && grid(next) == phase.start.time {
+                    next += 1;
+                }
+            }
+            while next < count && (grid(next) < phase.end_time() || index == last) {
+                samples.push(phase.sample(grid(next) - phase.start.time));
+                next += 1;
+            }
+            if let Some(final_instant) = phase.last().filter(|_| index < last && phase.end_time() <= end) {
+                samples.push(final_instant);
+                if next < count && grid(next) == phase.end_time() {
+                    next += 1;
+                }
+            }
+            samples
+        })
+    }
+}
