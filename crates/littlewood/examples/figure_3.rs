@@ -7,7 +7,9 @@ fn main() -> Result<(), ParameterError> {
     for phase in motion.phases() {
         println!("{:<8} from {:.17} for {:.17}", phase.mode(), phase.start().time, phase.duration());
     }
-    for t in motion.transitions() { println!("{:?}", t); }
+    for t in motion.transitions() {
+        println!("{t:?}");
+    }
     println!("{:?}", motion.outcome());
     Ok(())
 }

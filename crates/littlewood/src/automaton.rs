@@ -166,7 +166,5 @@ pub const EDGES: &[Edge] = {
 /// The edge that a transition takes, if the table has it.
 #[must_use]
 pub fn find_edge(body: BodyClass, from: Mode, cause: Cause, to: Option<Mode>) -> Option<&'static Edge> {
-    EDGES
-        .iter()
-        .find(|edge| edge.body == body && edge.from == from && edge.cause == cause && edge.to == to)
+    EDGES.iter().find(|edge| edge.body == body && edge.from == from && edge.cause == cause && edge.to == to)
 }

@@ -168,7 +168,11 @@ impl Bracket {
             if value == 0.0 {
                 return x;
             }
-            if value > 0.0 { low = x } else { high = x }
+            if value > 0.0 {
+                low = x;
+            } else {
+                high = x;
+            }
             let newton = x - value / slope;
             // Newton's step is taken when it stays inside and at least halves the last step.
             let next = if newton > low && newton < high && (newton - x).abs() < 0.5 * width {

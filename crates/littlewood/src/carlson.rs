@@ -21,12 +21,13 @@ pub(crate) fn rf(x: f64, y: f64, z: f64) -> f64 {
         let (ex, ey) = (1.0 - x / mean, 1.0 - y / mean);
         let ez = -(ex + ey);
         let spread = ex.abs().max(ey.abs()).max(ez.abs());
-        // The first omitted term is of order spread^8 / 50.
-        let (s2, s4) = (spread * spread, spread * spread * spread * spread);
-        if s4 * s4 < 50.0 * TRUNCATION || s2 == 0.0 {
+        // The first omitted term is of order spread^8 / 50. NaN ends the loop, too.
+        let s4 = spread * spread * spread * spread;
+        if s4 * s4 < 50.0 * TRUNCATION || s4.is_nan() {
             let e2 = ex * ey - ez * ez;
             let e3 = ex * ey * ez;
-            let series = 1.0 + e2 * (-1.0 / 10.0 + e2 * (1.0 / 24.0 - e2 * 5.0 / 208.0) - e3 * 3.0 / 44.0)
+            let series = 1.0
+                + e2 * (-1.0 / 10.0 + e2 * (1.0 / 24.0 - e2 * 5.0 / 208.0) - e3 * 3.0 / 44.0)
                 + e3 * (1.0 / 14.0 + e3 * 3.0 / 104.0 + e2 * e2 / 16.0);
             return series / mean.sqrt();
         }
@@ -73,14 +74,15 @@ pub(crate) fn rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
         let ep = -(ex + ey + ez) / 2.0;
         let spread = ex.abs().max(ey.abs()).max(ez.abs()).max(ep.abs());
         let s4 = spread * spread * spread * spread;
-        if s4 * s4 < 5.0 * TRUNCATION {
+        if s4 * s4 < 5.0 * TRUNCATION || s4.is_nan() {
             let xyz = ex * ey * ez;
             let p2 = ep * ep;
             let e2 = ex * ey + ex * ez + ey * ez - 3.0 * p2;
             let e3 = xyz + 2.0 * ep * (e2 + 2.0 * p2);
             let e4 = (2.0 * xyz + ep * (e2 + 3.0 * p2)) * ep;
             let e5 = xyz * p2;
-            let series = 1.0 - 3.0 * e2 / 14.0 + e3 / 6.0 + 9.0 * e2 * e2 / 88.0 - 3.0 * e4 / 22.0
+            let series = 1.0 - 3.0 * e2 / 14.0 + e3 / 6.0 + 9.0 * e2 * e2 / 88.0
+                - 3.0 * e4 / 22.0
                 - 9.0 * e2 * e3 / 52.0
                 + 3.0 * e5 / 26.0
                 - e2 * e2 * e2 / 16.0
@@ -116,8 +118,8 @@ mod tests {
     fn agree_with_the_worked_values_of_carlson() {
         // Carlson 1995, section 3.
         assert!(relative(rf(1.0, 2.0, 0.0), 1.311_028_777_146_059_9) < 4e-16);
-        assert!(relative(rf(2.0, 3.0, 4.0), 0.584_082_841_677_158_17) < 4e-16);
-        assert!(relative(rj(0.0, 1.0, 2.0, 3.0), 0.776_886_238_065_823_3) < 4e-16);
+        assert!(relative(rf(2.0, 3.0, 4.0), 0.584_082_841_677_151_7) < 4e-16);
+        assert!(relative(rj(0.0, 1.0, 2.0, 3.0), 0.776_886_237_785_823_3) < 4e-16);
         assert!(relative(rj(2.0, 3.0, 4.0, 5.0), 0.142_975_796_671_567_53) < 6e-16);
     }
 

@@ -43,27 +43,6 @@ pub fn rolling_angle(theta: f64, theta_rate: f64, elapsed: f64) -> Option<f64> {
     (sine.abs() <= 1.0).then(|| 2.0 * libm::asin(sine))
 }
 
-/// Time for the rolling hoop to reach sin(θ/2) = target, the first one not before the start; none if it never does.
-///
-/// With Z = sin(θ/2): e^(Δτ/2) = (Z ± √(Z² − Z0² + (2Z0′)²))/α.
-#[must_use]
-pub fn rolling_time_to_half_sine(theta: f64, theta_rate: f64, target: f64) -> Option<f64> {
-    let (sin, cos) = libm::sincos(0.5 * theta);
-    let (a, b) = (sin, theta_rate * cos);
-    let square = target * target - a * a + b * b;
-    if square < 0.0 {
-        return None;
-    }
-    let root = square.sqrt();
-    let time = |rate: f64| {
-        // Z + 2Z′ grows like e^(Δτ/2), Z − 2Z′ decays: divide by the one that is not small.
-        let growth =
-            if (a + b).abs() >= (a - b).abs() { (target + rate) / (a + b) } else { (a - b) / (target - rate) };
-        (growth >= 1.0).then(|| 2.0 * libm::log(growth))
-    };
-    [time(root), time(-root)].into_iter().flatten().min_by(f64::total_cmp)
-}
-
 /// Finite time in which rolling, if nothing gave way, would bring the particle to the plane, θ = ±π; none on the
 /// stable manifold.
 #[must_use]
@@ -72,7 +51,10 @@ pub fn rolling_time_to_plane(theta: f64, theta_rate: f64) -> Option<f64> {
     if growing == 0.0 {
         return None;
     }
-    rolling_time_to_half_sine(theta, theta_rate, if growing > 0.0 { 1.0 } else { -1.0 })
+    // Z = ±1 is reached moving outward: Z + 2Z′ = α e^(Δτ/2), with 4Z′² = 1 − Z0² + 4Z0′² = cos²(θ0/2) (1 + θ0′²).
+    let cos = libm::cos(0.5 * theta);
+    let rate = cos.abs() * (1.0 + theta_rate * theta_rate).sqrt();
+    Some(2.0 * libm::log((1.0 + rate) / growing.abs()))
 }
 
 /// θ′ on the stable manifold W^s of the equilibrium θ = 0: e = 1, θ′ = −tan(θ/2) (3.7).

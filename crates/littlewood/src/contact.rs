@@ -69,11 +69,21 @@ impl Findings {
 pub(crate) enum Next {
     Roll,
     /// `slip_acceleration` where η′ = 0.
-    Slide { body: Heavy, direction: Direction, slip_acceleration: Option<f64> },
+    Slide {
+        body: Heavy,
+        direction: Direction,
+        slip_acceleration: Option<f64>,
+    },
     /// `from_extremum` where η″ = 0 at the start.
-    Glide { body: Massless, from_extremum: bool },
+    Glide {
+        body: Massless,
+        from_extremum: bool,
+    },
     /// `grazing` where the normal force has just vanished.
-    Fly { body: Heavy, grazing: bool },
+    Fly {
+        body: Heavy,
+        grazing: bool,
+    },
     None(Findings),
     Several(Findings),
 }
@@ -144,7 +154,9 @@ fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
                 };
                 let p = findings.solvability[usize::from(direction == Direction::Positive)];
                 let acceleration = rolling.denominator(theta) * drive / (body.mass * p);
-                if pressed(direction) && acceleration >= 0.0 {
+                // On the static limit with μs = μk it is 0, and η‴ has the sign of `against`.
+                if pressed(direction) && (acceleration > 0.0 || (acceleration == 0.0 && direction == against))
+                {
                     *sliding_flag(&mut findings, direction) = true;
                     slip_acceleration = Some(direction.sign() * acceleration);
                 }

@@ -121,6 +121,8 @@ pub enum Bound {
     AtMost(Quantity, f64),
     /// The value must not exceed a constant.
     AtMostConstant(f64),
+    /// The magnitude must not exceed a constant.
+    MagnitudeAtMost(f64),
     /// The value must not be less than that of another quantity.
     AtLeast(Quantity, f64),
 }
@@ -133,7 +135,10 @@ impl fmt::Display for Bound {
             Self::NonNegative => f.write_str("must not be negative"),
             Self::AtMost(quantity, value) => write!(f, "must not exceed {}", Reading(*quantity, *value)),
             Self::AtMostConstant(value) => write!(f, "must not exceed {value}"),
-            Self::AtLeast(quantity, value) => write!(f, "must not be less than {}", Reading(*quantity, *value)),
+            Self::MagnitudeAtMost(value) => write!(f, "must lie between {:e} and {value:e}", -value),
+            Self::AtLeast(quantity, value) => {
+                write!(f, "must not be less than {}", Reading(*quantity, *value))
+            }
         }
     }
 }
@@ -181,7 +186,12 @@ impl ParameterError {
     pub fn hint(&self) -> &'static str {
         match self {
             Self::NoMotion { .. } => "give the disc a moment of inertia, or move the particle off the centre",
-            Self::OutOfBounds { bound: Bound::Finite, .. } => "NaN and infinities are not numbers to start from",
+            Self::OutOfBounds { bound: Bound::Finite, .. } => {
+                "NaN and infinities are not numbers to start from"
+            }
+            Self::OutOfBounds { bound: Bound::MagnitudeAtMost(_), .. } => {
+                "beyond this bound a double no longer resolves the motion"
+            }
             Self::OutOfBounds { quantity, .. } => match quantity {
                 Quantity::MuK => "kinetic friction is never stronger than static friction: 0 <= mu_k <= mu_s",
                 Quantity::MuS => "coefficients of friction are not negative: 0 <= mu_k <= mu_s",
@@ -191,9 +201,15 @@ impl ParameterError {
                 Quantity::Inertia | Quantity::InertiaKgM2 => {
                     "a thin hoop of mass m1 has Izz = m1 R^2, a uniform disc m1 R^2 / 2, a massless hoop 0"
                 }
-                Quantity::MassRatio | Quantity::DiscMassKg => "a massless hoop has mass 0; less is not possible",
-                Quantity::Until | Quantity::UntilS => "the time limit is absolute: it lies at or after the start",
-                _ => "see the units in the message; every value is dimensionless unless its name ends in a unit",
+                Quantity::MassRatio | Quantity::DiscMassKg => {
+                    "a massless hoop has mass 0; less is not possible"
+                }
+                Quantity::Until | Quantity::UntilS => {
+                    "the time limit is absolute: it lies at or after the start"
+                }
+                _ => {
+                    "see the units in the message; every value is dimensionless unless its name ends in a unit"
+                }
             },
         }
     }
@@ -214,6 +230,12 @@ pub(crate) fn positive(quantity: Quantity, value: f64) -> Result<f64, ParameterE
 pub(crate) fn non_negative(quantity: Quantity, value: f64) -> Result<f64, ParameterError> {
     finite(quantity, value)?;
     check(value >= 0.0, quantity, value, Bound::NonNegative)
+}
+
+/// Refuses NaN and magnitudes at which doubles no longer resolve the motion.
+pub(crate) fn moderate(quantity: Quantity, value: f64, limit: f64) -> Result<f64, ParameterError> {
+    finite(quantity, value)?;
+    check(value.abs() <= limit, quantity, value, Bound::MagnitudeAtMost(limit))
 }
 
 /// Passes `value` on when the condition holds.

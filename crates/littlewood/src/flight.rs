@@ -70,7 +70,14 @@ impl Gap {
             let versine = (2.0 * half * half + self.opening / self.h).min(2.0);
             2.0 * libm::atan2(versine.sqrt(), (2.0 - versine).sqrt())
         };
-        Inflections { first: level - from_top, fall: 2.0 * (PI - level), rise: 2.0 * level }
+        let first = if from_top > 0.0 {
+            // level − θ0 without cancellation: cos θ0 − cos(level) = b/h.
+            let sine = self.opening / (2.0 * self.h * libm::sin(0.5 * (level + from_top)));
+            2.0 * libm::asin(sine.min(1.0))
+        } else {
+            level - from_top
+        };
+        Inflections { first, fall: 2.0 * (PI - level), rise: 2.0 * level }
     }
 
     /// Where gap′ vanishes between two inflections, if it does.
@@ -196,7 +203,8 @@ impl Flight {
         let (sin, cos) = libm::sincos(start.theta);
         let rate = start.theta_rate;
         let travel = if rate < 0.0 { -1.0 } else { 1.0 };
-        let opening = if grazing { 0.0 } else { h * cos - 1.0 / (rate * rate) };
+        // b = −w/θ′², with the w < 0 that decided on flight.
+        let opening = if grazing { 0.0 } else { (h * (cos * (rate * rate)) - 1.0) / (rate * rate) };
         let gap = Gap { h: body.h, sin: travel * sin, cos, opening, theta: travel * start.theta };
         let landing = gap.landing();
         let apex = gap.apex(landing);

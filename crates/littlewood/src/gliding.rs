@@ -100,7 +100,7 @@ impl Particle {
         let turns = (start.theta / TAU).round();
         let sine = libm::sin(start.theta);
         // Through the top the particle passes to the side it moves to.
-        let side = if sine != 0.0 { sine } else { start.theta_rate };
+        let side = if sine == 0.0 { start.theta_rate } else { sine };
         Self {
             offset: l,
             turns,
@@ -122,8 +122,7 @@ impl Particle {
     fn position(&self, elapsed: f64) -> (f64, f64, f64) {
         let (below_top, above_bottom) = self.heights(elapsed);
         let (below_top, above_bottom) = (below_top.max(0.0), above_bottom.max(0.0));
-        let theta =
-            TAU * self.turns + self.side * 2.0 * libm::atan2(below_top.sqrt(), above_bottom.sqrt());
+        let theta = TAU * self.turns + self.side * 2.0 * libm::atan2(below_top.sqrt(), above_bottom.sqrt());
         // |ℓ̂ sin θ|
         let arm = (below_top * above_bottom).sqrt();
         let rate = self.side * (elapsed - self.rise) / arm;
@@ -131,13 +130,13 @@ impl Particle {
     }
 
     /// Time to θ = ±π (3.20): ȳ = 1 − ℓ̂.
-    fn to_bottom(&self) -> f64 {
+    fn time_to_bottom(&self) -> f64 {
         let root = (self.rise * self.rise + 2.0 * self.above_bottom).sqrt();
         if self.rise >= 0.0 { self.rise + root } else { 2.0 * self.above_bottom / (root - self.rise) }
     }
 
     /// Time to θ = 0 if the particle comes up with velocity to spare.
-    fn to_top(&self) -> Option<f64> {
+    fn time_to_top(&self) -> Option<f64> {
         let spare = self.rise * self.rise - 2.0 * self.below_top;
         (self.rise > 0.0 && spare > 0.0).then(|| 2.0 * self.below_top / (self.rise + spare.sqrt()))
     }
@@ -167,14 +166,15 @@ impl Particle {
         pull[0] -= l * (1.0 - l);
         let arm: [f64; 5] = product(&below_top, &above_bottom);
         let square: [f64; 3] = product(&velocity, &velocity);
-        let held: [f64; 7] = product(&arm, &lever);
-        let pulled: [f64; 5] = product(&square, &pull);
-        let mut polynomial = held;
-        for (p, pulled) in polynomial.iter_mut().zip(pulled) {
-            *p -= pulled;
-        }
-        let coefficients = if from_extremum { &polynomial[1..] } else { &polynomial[..] };
-        sign_changes(coefficients, end)
+        let polynomial = if l == 1.0 {
+            // Both sides have the factor 1 + cos θ, which vanishes at the end: sin²θ = V².
+            difference(&arm, &square).to_vec()
+        } else {
+            let held: [f64; 7] = product(&arm, &lever);
+            let pulled: [f64; 5] = product(&square, &pull);
+            difference(&held, &pulled).to_vec()
+        };
+        sign_changes(if from_extremum { &polynomial[1..] } else { &polynomial[..] }, end)
     }
 }
 
@@ -185,6 +185,15 @@ fn product<const P: usize, const Q: usize, const R: usize>(p: &[f64; P], q: &[f6
         for (j, b) in q.iter().enumerate() {
             result[i + j] += a * b;
         }
+    }
+    result
+}
+
+/// Difference of two polynomials, the second not of higher degree.
+fn difference<const P: usize, const Q: usize>(p: &[f64; P], q: &[f64; Q]) -> [f64; P] {
+    let mut result = *p;
+    for (a, b) in result.iter_mut().zip(q) {
+        *a -= b;
     }
     result
 }
@@ -235,8 +244,8 @@ impl Gliding {
         allowed: Option<f64>,
     ) -> (Self, GlidingEnd) {
         let particle = Particle::new(body, &start);
-        let to_top = particle.to_top();
-        let limit = to_top.unwrap_or_else(|| particle.to_bottom());
+        let to_top = particle.time_to_top();
+        let limit = to_top.unwrap_or_else(|| particle.time_to_bottom());
         let rest = Rest::find(&particle, start.slip, from_extremum, limit, to_top.is_some());
         let mut glide = Self {
             offset: body.offset,

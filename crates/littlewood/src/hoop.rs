@@ -1,6 +1,9 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
-use crate::error::{Bound, ParameterError, Quantity, check, non_negative};
+use crate::error::{Bound, ParameterError, Quantity, check, moderate, non_negative};
+
+/// Largest parameter of a hoop: beyond it products of parameters leave the range in which they are exact to rounding.
+const LARGEST: f64 = 1e9;
 
 /// The five numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
 ///
@@ -69,12 +72,17 @@ impl Hoop {
     /// [`ParameterError::NoMotion`].
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
         let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k } = parameters;
-        non_negative(Quantity::MassRatio, mass_ratio)?;
+        for (quantity, value) in [
+            (Quantity::MassRatio, mass_ratio),
+            (Quantity::Inertia, inertia),
+            (Quantity::MuS, mu_s),
+            (Quantity::MuK, mu_k),
+        ] {
+            non_negative(quantity, value)?;
+            moderate(quantity, value, LARGEST)?;
+        }
         non_negative(Quantity::Offset, offset)?;
         check(offset <= 1.0, Quantity::Offset, offset, Bound::AtMostConstant(1.0))?;
-        non_negative(Quantity::Inertia, inertia)?;
-        non_negative(Quantity::MuS, mu_s)?;
-        non_negative(Quantity::MuK, mu_k)?;
         check(mu_k <= mu_s, Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
 
         let mass = 1.0 + mass_ratio;

@@ -11,8 +11,8 @@ use crate::state::Direction;
 ///
 /// let plane = PhasePlane::new(&Hoop::figure_2(0.5, 0.4)?);
 /// assert!(plane.in_rolling_region(0.5, 0.2));
-/// let rate = plane.slip_rate(1.9, Direction::Positive).expect("the curve f passes over θ = 1.9");
-/// let forces = plane.forces(1.9, rate);
+/// let rate = plane.slip_rate(4.0, Direction::Positive).expect("the curve f passes over θ = 4");
+/// let forces = plane.forces(4.0, rate);
 /// assert!((forces.demand() - 0.5).abs() < 1e-14);
 /// # Ok::<(), littlewood::ParameterError>(())
 /// ```
@@ -96,10 +96,7 @@ impl PhasePlane {
         let driven = self.offset * sin / self.law.denominator(theta);
         let carried = self.mass + self.offset * cos;
         Line {
-            normal: [
-                self.mass - self.offset * sin * driven,
-                -self.offset * (sin * driven + cos),
-            ],
+            normal: [self.mass - self.offset * sin * driven, -self.offset * (sin * driven + cos)],
             friction: [-carried * driven, self.offset * sin - carried * driven],
         }
     }

@@ -117,11 +117,7 @@ impl Units {
     ///
     /// # Errors
     /// All three must be finite and greater than zero.
-    pub fn new(
-        particle_mass_kg: f64,
-        radius_m: f64,
-        gravity_m_per_s2: f64,
-    ) -> Result<Self, ParameterError> {
+    pub fn new(particle_mass_kg: f64, radius_m: f64, gravity_m_per_s2: f64) -> Result<Self, ParameterError> {
         let mass_kg = positive(Quantity::ParticleMassKg, particle_mass_kg)?;
         let length_m = positive(Quantity::RadiusM, radius_m)?;
         let gravity = positive(Quantity::GravityMPerS2, gravity_m_per_s2)?;
@@ -229,8 +225,14 @@ mod tests {
     #[test]
     fn a_particle_outside_the_hoop_is_refused_in_metres() {
         let si = SiParameters {
-            disc_mass_kg: 1.0, particle_mass_kg: 1.0, radius_m: 0.5, offset_m: 0.6,
-            inertia_kg_m2: 0.25, gravity_m_per_s2: 9.81, mu_s: 0.5, mu_k: 0.4,
+            disc_mass_kg: 1.0,
+            particle_mass_kg: 1.0,
+            radius_m: 0.5,
+            offset_m: 0.6,
+            inertia_kg_m2: 0.25,
+            gravity_m_per_s2: 9.81,
+            mu_s: 0.5,
+            mu_k: 0.4,
         };
         let error = si.to_hoop().unwrap_err();
         assert_eq!(error.to_string(), "offset_m = 0.6 m must not exceed radius_m = 0.5 m");

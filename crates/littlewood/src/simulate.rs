@@ -1,15 +1,20 @@
 //! The simulation: one phase after the other, along the edges of the automaton.
 
+use core::f64::consts::TAU;
+
 use crate::automaton::Cause;
 use crate::contact::{Arrival, Next, next_motion};
 use crate::error::{Bound, ParameterError, Quantity, check, finite};
 use crate::flight::Flight;
 use crate::gliding::{Gliding, GlidingEnd};
 use crate::hoop::{Heavy, Hoop, Massless};
-use crate::rolling::{Limit, Rolling};
+use crate::rolling::{Limit, Recurrence, Rolling};
 use crate::sliding::{Entry, Sliding, SlidingEnd, SlidingLaw};
 use crate::state::{Direction, Mode, Start, State};
 use crate::trajectory::{Motion, Outcome, Phase, Trajectory, Transition};
+
+/// Two states of a conservative orbit that differ by no more are the same but for rounding.
+const RETURN: f64 = 1e-9;
 
 /// When to stop a motion that has not come to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,6 +142,9 @@ impl Run<'_> {
                 _ => cause,
             };
             self.record(end, from, begins, cause);
+            if let Some(outcome) = self.frictionless_period() {
+                return outcome;
+            }
             if self.trajectory.transitions.len() >= self.limits.transitions && begins.is_some() {
                 return Outcome::TransitionLimit { state: end, transitions: self.limits.transitions };
             }
@@ -144,13 +152,39 @@ impl Run<'_> {
         }
     }
 
-    fn record(
-        &mut self,
-        state: State,
-        from: Mode,
-        begins: Option<(Mode, Option<Direction>)>,
-        cause: Cause,
-    ) {
+    /// Without any friction the slip may reverse for ever. Energy and horizontal momentum are then conserved through
+    /// the reversals, and the orbit of (θ, θ′) is closed: once a reversal comes back to the place of an earlier one,
+    /// a whole period has passed, and nothing new can happen. The trajectory ends there.
+    fn frictionless_period(&self) -> Option<Outcome> {
+        let (latest, earlier) = self.trajectory.transitions.split_last()?;
+        if self.hoop.mu_s() > 0.0 || self.limits.until.is_some() || latest.cause != Cause::Reversal {
+            return None;
+        }
+        let same = |a: f64, b: f64| (a - b).abs() <= RETURN * (1.0 + a.abs());
+        let back = earlier.iter().rev().take_while(|t| t.cause == Cause::Reversal).find(|t| {
+            let turned = (latest.state.theta - t.state.theta) / TAU;
+            t.direction == latest.direction
+                && same(t.state.theta_rate, latest.state.theta_rate)
+                && same(turned.round() * TAU + t.state.theta, latest.state.theta)
+        })?;
+        let period = latest.state.time - back.state.time;
+        let gained = latest.state.theta - back.state.theta;
+        let recurrence = if gained.abs() > 1.0 {
+            Recurrence::Rotation { period }
+        } else {
+            let cycle = self.trajectory.phases.iter().filter(|phase| phase.start().time >= back.state.time);
+            let (theta_min, theta_max) =
+                cycle.fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), phase| {
+                    let Motion::Sliding(slide) = phase.motion() else { return (min, max) };
+                    let (low, high) = slide.theta_range();
+                    (min.min(low), max.max(high))
+                });
+            Recurrence::Libration { period, theta_min, theta_max }
+        };
+        Some(Outcome::SlidesForever { since: back.state, recurrence })
+    }
+
+    fn record(&mut self, state: State, from: Mode, begins: Option<(Mode, Option<Direction>)>, cause: Cause) {
         let (to, direction) = begins.map_or((None, None), |(mode, direction)| (Some(mode), direction));
         self.trajectory.transitions.push(Transition { state, from, to, direction, cause });
     }
@@ -197,16 +231,20 @@ impl Run<'_> {
         direction: Direction,
         slip_acceleration: Option<f64>,
     ) -> (Motion, Option<State>, Follow) {
-        let entry = slip_acceleration.map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
-        let (slide, end) =
-            Sliding::run(&self.hoop, body, state, direction, entry, self.allowed(&state));
+        let entry = slip_acceleration
+            .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
+        let (slide, end) = Sliding::run(&self.hoop, body, state, direction, entry, self.allowed(&state));
         let (end, follow) = match end {
             SlidingEnd::Rest(end) => (Some(end), Follow::Event(end, Cause::Stick, Arrival::Open)),
             SlidingEnd::LiftOff(end) => (Some(end), Follow::Lift(end, *body)),
             SlidingEnd::Singular(end) => {
                 let solvability = SlidingLaw::new(&self.hoop, body, direction).solvability(end.theta);
-                (Some(end), Follow::End(Some(Cause::Singularity), Outcome::Singular { state: end, solvability }))
+                (
+                    Some(end),
+                    Follow::End(Some(Cause::Singularity), Outcome::Singular { state: end, solvability }),
+                )
             }
+            SlidingEnd::Unresolved(end) => (Some(end), Follow::End(None, Outcome::Unresolved { state: end })),
             SlidingEnd::TimeLimit(end) => {
                 let end = self.stopped(end);
                 (Some(end), Follow::End(None, Outcome::TimeLimit { state: end }))
@@ -237,16 +275,17 @@ impl Run<'_> {
     }
 
     fn glide(&self, body: &Massless, state: State, from_extremum: bool) -> (Motion, Option<State>, Follow) {
-        let (glide, end) =
-            Gliding::run(body, self.hoop.mu_k(), state, from_extremum, self.allowed(&state));
+        let (glide, end) = Gliding::run(body, self.hoop.mu_k(), state, from_extremum, self.allowed(&state));
         let (end, follow) = match end {
             GlidingEnd::Rest(end) => (Some(end), Follow::Event(end, Cause::Stick, Arrival::Open)),
-            GlidingEnd::Bottom(end) if body.offset < 1.0 => {
-                (Some(end), Follow::End(Some(Cause::ParticleAtBottom), Outcome::ParticleAtBottom { state: end }))
-            }
-            GlidingEnd::Bottom(end) => {
-                (Some(end), Follow::End(Some(Cause::ParticleAtPlane), Outcome::ParticleAtPlane { state: end }))
-            }
+            GlidingEnd::Bottom(end) if body.offset < 1.0 => (
+                Some(end),
+                Follow::End(Some(Cause::ParticleAtBottom), Outcome::ParticleAtBottom { state: end }),
+            ),
+            GlidingEnd::Bottom(end) => (
+                Some(end),
+                Follow::End(Some(Cause::ParticleAtPlane), Outcome::ParticleAtPlane { state: end }),
+            ),
             GlidingEnd::Top(end) => {
                 (Some(end), Follow::End(Some(Cause::ParticleAtTop), Outcome::ParticleAtTop { state: end }))
             }

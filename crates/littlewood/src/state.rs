@@ -2,8 +2,14 @@
 
 use core::fmt;
 
-use crate::error::{ParameterError, Quantity, finite};
+use crate::error::{ParameterError, Quantity, moderate};
 use crate::hoop::Hoop;
+
+/// Largest time, angle and position of a start: there doubles still resolve 1e-7.
+const FARTHEST: f64 = 1e9;
+
+/// Largest rate and slip velocity of a start: a flight at this rate turns 1e11 times.
+const FASTEST: f64 = 1e6;
 
 /// A start in contact with the plane: dimensionless time, angle, rate, slip velocity and position.
 ///
@@ -52,11 +58,11 @@ impl Start {
 
     pub(crate) fn checked(self) -> Result<State, ParameterError> {
         Ok(State {
-            time: finite(Quantity::Time, self.time)?,
-            theta: finite(Quantity::Theta, self.theta)?,
-            theta_rate: finite(Quantity::ThetaRate, self.theta_rate)?,
-            slip: finite(Quantity::Slip, self.slip)?,
-            x: finite(Quantity::X, self.x)?,
+            time: moderate(Quantity::Time, self.time, FARTHEST)?,
+            theta: moderate(Quantity::Theta, self.theta, FARTHEST)?,
+            theta_rate: moderate(Quantity::ThetaRate, self.theta_rate, FASTEST)?,
+            slip: moderate(Quantity::Slip, self.slip, FASTEST)?,
+            x: moderate(Quantity::X, self.x, FARTHEST)?,
         })
     }
 }

@@ -88,7 +88,7 @@ impl Phase {
     #[must_use]
     pub fn energy_lost(&self) -> f64 {
         match (&self.motion, self.last()) {
-            (Motion::Sliding(_), Some(last)) => self.first().energy - last.energy,
+            (Motion::Sliding(_), Some(last)) if self.hoop.mu_k() > 0.0 => self.first().energy - last.energy,
             _ => 0.0,
         }
     }
@@ -226,6 +226,11 @@ pub enum Outcome {
         /// P there.
         solvability: f64,
     },
+    /// A slide changes faster than the clock resolves: a hoop of next to no inertia, its particle passing the bottom.
+    Unresolved {
+        /// State.
+        state: State,
+    },
 }
 
 impl Outcome {
@@ -244,6 +249,7 @@ impl Outcome {
             Self::Inconsistent { .. } => "inconsistent",
             Self::Ambiguous { .. } => "ambiguous",
             Self::Singular { .. } => "singular",
+            Self::Unresolved { .. } => "unresolved",
         }
     }
 
@@ -260,14 +266,15 @@ impl Outcome {
             | Self::TransitionLimit { state, .. }
             | Self::Inconsistent { state, .. }
             | Self::Ambiguous { state, .. }
-            | Self::Singular { state, .. } => *state,
+            | Self::Singular { state, .. }
+            | Self::Unresolved { state } => *state,
         }
     }
 
-    /// Whether the motion has been followed to its end, not to a limit that the caller set.
+    /// Whether the motion has been followed to its end, and not only to a limit.
     #[must_use]
     pub const fn is_final(&self) -> bool {
-        !matches!(self, Self::TimeLimit { .. } | Self::TransitionLimit { .. })
+        !matches!(self, Self::TimeLimit { .. } | Self::TransitionLimit { .. } | Self::Unresolved { .. })
     }
 }
 
@@ -355,27 +362,33 @@ impl Trajectory {
         let grid = move |i: usize| {
             if i == intervals { end } else { begin + (end - begin) * (i as f64 / intervals as f64) }
         };
-        let mut next = 0;
+        // Number of grid points before a time, from an estimate that rounding may put one off.
+        let before = move |time: f64| {
+            let estimate = (time - begin) / (end - begin) * intervals as f64;
+            let mut i = if estimate > 0.0 { (estimate as usize).min(count) } else { 0 };
+            while i > 0 && grid(i - 1) >= time {
+                i -= 1;
+            }
+            while i < count && grid(i) < time {
+                i += 1;
+            }
+            i
+        };
         let last = self.phases.len().saturating_sub(1);
-        self.phases.iter().enumerate().flat_map(move |(index, phase)| {
-            let mut samples = Vec::new();
-            if index > 0 && phase.start.time <= end {
-                samples.push(phase.first());
-                if next < count && grid(next) == phase.start.time {
-                    next += 1;
-                }
-            }
-            while next < count && (grid(next) < phase.end_time() || index == last) {
-                samples.push(phase.sample(grid(next) - phase.start.time));
-                next += 1;
-            }
-            if let Some(final_instant) = phase.last().filter(|_| index < last && phase.end_time() <= end) {
-                samples.push(final_instant);
-                if next < count && grid(next) == phase.end_time() {
-                    next += 1;
-                }
-            }
-            samples
-        })
+        self.phases
+            .iter()
+            .enumerate()
+            .take_while(move |(i, phase)| *i == 0 || phase.start.time <= end)
+            .flat_map(move |(index, phase)| {
+                let (start, stop) = (phase.start.time, phase.end_time());
+                let first = (index > 0).then(|| phase.first());
+                // A grid point on a transition is the transition.
+                let from = before(start)
+                    + usize::from(index > 0 && before(start) < count && grid(before(start)) == start);
+                let to = if index == last { count } else { before(stop) };
+                let between = (from..to.max(from)).map(move |i| phase.sample(grid(i) - start));
+                let final_instant = phase.last().filter(|_| index < last && stop <= end);
+                first.into_iter().chain(between).chain(final_instant)
+            })
     }
 }

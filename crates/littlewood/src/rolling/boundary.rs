@@ -124,10 +124,7 @@ impl Boundary {
                 let held: [f64; 3] = even_product([lever[0] + pull[0], lever[1] + pull[1]], d);
                 let pulled: [f64; 3] = even_product(pull, ONE);
                 let normal: [f64; 3] = core::array::from_fn(|i| held[i] - k * pulled[i]);
-                Self::Massless(
-                    [cone(1.0), cone(-1.0)],
-                    Form([normal[0], 0.0, normal[1], 0.0, normal[2]]),
-                )
+                Self::Massless([cone(1.0), cone(-1.0)], Form([normal[0], 0.0, normal[1], 0.0, normal[2]]))
             }
         }
     }

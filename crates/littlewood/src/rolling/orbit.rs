@@ -19,9 +19,9 @@ use crate::carlson::{rf, rj};
 use crate::hoop::Hoop;
 use crate::state::Direction;
 
+use super::RollingLaw;
 use super::boundary::{Boundary, HalfAngle, Limit};
 use super::rim::RimOrbit;
-use super::RollingLaw;
 
 /// How a motion that rolls for ever comes back.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,6 +91,9 @@ struct Elliptic {
     /// Direction of motion at the start: ϑ = travel·θ grows.
     travel: f64,
     motion: Motion,
+    /// ϑ and D ϑ′² at the start.
+    angle: f64,
+    kinetic: f64,
     /// |κ|, with κ = K − D(0).
     excess: f64,
     /// β = 4ℓ̂k².
@@ -129,6 +132,16 @@ impl RollingOrbit {
         match &self.0 {
             Kind::Elliptic(orbit) => orbit.position(elapsed),
             Kind::Rim(orbit) => orbit.position(elapsed),
+        }
+    }
+
+    /// Time until the orbit first reaches the angle `theta` (not reduced), if it ever does: an elliptic integral, whose
+    /// cost does not grow with the number of turns.
+    #[must_use]
+    pub fn time_to(&self, theta: f64) -> Option<f64> {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.time_to(theta),
+            Kind::Rim(orbit) => orbit.time_to(theta),
         }
     }
 
@@ -183,6 +196,8 @@ impl Elliptic {
             boundary: Boundary::new(hoop, &law, law.bottom + over_bottom),
             travel,
             motion,
+            angle: travel * theta,
+            kinetic,
             excess: over_top.abs(),
             swing: if rotates { four_l } else { over_bottom },
             lap,
@@ -215,6 +230,16 @@ impl Elliptic {
         2.0 * libm::atan2(self.swing.sqrt(), self.excess.sqrt())
     }
 
+    /// D ϑ′² at another angle of the same turn, with its z, from that at the start: K − D changes by 4ℓ̂ (z0² − z²),
+    /// whose factor z0 − z is taken from the angles lest it cancel next to a turning point.
+    fn kinetic_at(&self, angle: f64, z: f64) -> f64 {
+        let difference = -2.0
+            * flip(self.lap)
+            * libm::sin(0.25 * (angle + self.angle))
+            * libm::sin(0.25 * (angle - self.angle));
+        self.kinetic + 4.0 * self.law.offset * difference * (self.z + z)
+    }
+
     /// sin ψ = z/k.
     fn phase_sine(&self, z: f64) -> f64 {
         z * (4.0 * self.law.offset / self.swing).sqrt()
@@ -240,7 +265,7 @@ impl Elliptic {
 
     fn position(&self, elapsed: f64) -> (f64, f64) {
         if self.motion == Motion::Rest {
-            return (self.travel * self.angle(self.lap, self.z, self.y), 0.0);
+            return (self.travel * self.angle_of(self.lap, self.z, self.y), 0.0);
         }
         let total = self.entered + elapsed;
         let half_period = 2.0 * self.quarter;
@@ -253,7 +278,7 @@ impl Elliptic {
         let (sine, cosine) = self.phase_at(local);
         let d = self.law.bottom + self.swing * sine * sine;
         if self.motion == Motion::Rotation {
-            let theta = self.angle(self.lap + turns, sine, cosine);
+            let theta = self.angle_of(self.lap + turns, sine, cosine);
             let rate = ((self.excess + self.swing * cosine * cosine) / d).sqrt();
             (self.travel * theta, self.travel * rate)
         } else {
@@ -262,23 +287,45 @@ impl Elliptic {
             let z = back * sine * (self.swing / four_l).sqrt();
             let y = ((self.excess + self.swing * cosine * cosine) / four_l).sqrt();
             let rate = back * cosine * (self.swing / d).sqrt();
-            (self.travel * self.angle(self.lap, z, y), self.travel * rate)
+            (self.travel * self.angle_of(self.lap, z, y), self.travel * rate)
         }
+    }
+
+    fn time_to(&self, theta: f64) -> Option<f64> {
+        let (lap, z, y) = reduce(self.travel * theta);
+        let elapsed = match self.motion {
+            Motion::Rest => (theta == self.travel * self.angle_of(self.lap, self.z, self.y)).then_some(0.0),
+            Motion::Rotation => {
+                let laps = lap - self.lap;
+                let turns = if laps == 0.0 { 0.0 } else { 2.0 * self.quarter * laps };
+                Some(turns + self.time_from_bottom(z, y) - self.entered)
+            }
+            Motion::Libration => {
+                let left = self.kinetic_at(self.travel * theta, z);
+                (lap == self.lap && left >= 0.0).then(|| {
+                    let from_bottom = self.time_from_bottom(self.phase_sine(z), (left / self.swing).sqrt());
+                    let first = from_bottom - self.entered;
+                    if first >= 0.0 { first } else { 2.0 * self.quarter - from_bottom - self.entered }
+                })
+            }
+        };
+        elapsed.filter(|elapsed| *elapsed >= 0.0 && elapsed.is_finite())
     }
 
     /// Inverts τ(ψ): Newton's method in a bracket. τ grows with ψ.
     fn phase_at(&self, local: f64) -> (f64, f64) {
         let (mut low, mut high) = (-FRAC_PI_2, FRAC_PI_2);
-        let mut psi = if self.quarter.is_finite() {
-            (local / self.quarter * FRAC_PI_2).clamp(low, high)
-        } else {
-            0.0
-        };
+        let mut psi =
+            if self.quarter.is_finite() { (local / self.quarter * FRAC_PI_2).clamp(low, high) } else { 0.0 };
         loop {
             let (sine, cosine) = libm::sincos(psi);
             let cosine = cosine.max(0.0);
             let ahead = local - self.time_from_bottom(sine, cosine);
-            if ahead > 0.0 { low = psi } else { high = psi }
+            if ahead > 0.0 {
+                low = psi;
+            } else {
+                high = psi;
+            }
             let newton = psi + ahead / self.phase_slowness(sine, cosine);
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
             let done = (next - psi).abs() <= f64::EPSILON * psi.abs().max(f64::EPSILON)
@@ -293,7 +340,7 @@ impl Elliptic {
     }
 
     /// ϑ on a turn, from z = −cos(ϑ/2) and y = sin(ϑ/2).
-    fn angle(&self, lap: f64, z: f64, y: f64) -> f64 {
+    fn angle_of(&self, lap: f64, z: f64, y: f64) -> f64 {
         TAU * lap + 2.0 * libm::atan2(y, -z)
     }
 
@@ -304,10 +351,10 @@ impl Elliptic {
                 Recurrence::Rotation { period: 2.0 * self.quarter }
             }
             Motion::Rotation => {
-                Recurrence::Asymptotic { theta: self.travel * self.angle(self.lap, 1.0, 0.0) }
+                Recurrence::Asymptotic { theta: self.travel * self.angle_of(self.lap, 1.0, 0.0) }
             }
             Motion::Libration => {
-                let bottom = self.travel * self.angle(self.lap, 0.0, 1.0);
+                let bottom = self.travel * self.angle_of(self.lap, 0.0, 1.0);
                 let amplitude = self.amplitude();
                 Recurrence::Libration {
                     period: 4.0 * self.quarter,
@@ -369,10 +416,11 @@ impl Elliptic {
         let (z, y) = (-x / length, y / length);
         let four_l = 4.0 * self.law.offset;
         let d = self.law.bottom + four_l * z * z;
+        let angle = self.angle_of(self.lap, z, y);
         let (from_bottom, speed) = if self.motion == Motion::Rotation {
             (self.time_from_bottom(z, y), ((self.excess + four_l * y * y) / d).sqrt())
         } else {
-            let left = (self.swing - four_l * z * z).max(0.0);
+            let left = self.kinetic_at(angle, z).max(0.0);
             let cosine = (left / self.swing).sqrt();
             (self.time_from_bottom(self.phase_sine(z).clamp(-1.0, 1.0), cosine), (left / d).sqrt())
         };
@@ -384,7 +432,7 @@ impl Elliptic {
         };
         RollingEnd {
             elapsed: elapsed.max(0.0),
-            theta: self.travel * self.angle(lap, z, y),
+            theta: self.travel * self.angle_of(lap, z, y),
             theta_rate: self.travel * rate,
             limit: turned(limit, self.travel),
         }
@@ -399,9 +447,10 @@ impl Elliptic {
                 continue;
             }
             hold = match (hold, turned(limit, self.travel)) {
-                (_, Limit::NormalForce) | (Hold::NoNormalForce, _) => Hold::NoNormalForce,
                 // Both cones are left at once only where N < 0.
-                (Hold::Slips { .. }, _) => Hold::NoNormalForce,
+                (Hold::Slips { .. } | Hold::NoNormalForce, _) | (_, Limit::NormalForce) => {
+                    Hold::NoNormalForce
+                }
                 (Hold::Holds, Limit::Friction(direction)) => {
                     Hold::Slips { direction, excess: -start_value(&margin) / (d * d) }
                 }
@@ -438,11 +487,16 @@ enum Pass {
     WayBack,
 }
 
+/// Sign of cos(ϑ/2) relative to the first turn.
+fn flip(lap: f64) -> f64 {
+    if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 }
+}
+
 /// Turn number and (−cos, sin) of half the angle within the turn, sin ≥ 0.
 fn reduce(angle: f64) -> (f64, f64, f64) {
     let mut lap = (angle / TAU).floor();
     let (sin, cos) = libm::sincos(0.5 * angle);
-    let flip = if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+    let flip = flip(lap);
     let (mut x, mut y) = (flip * cos, flip * sin);
     if y < 0.0 {
         // Rounding put the angle on the wrong side of a multiple of 2π.

@@ -9,7 +9,7 @@
 //!
 //! This is (3.3) for every start: the α of (3.4) is a + b, for θ0′ of either sign, and no division by it is needed.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use crate::state::Direction;
 
@@ -33,7 +33,13 @@ impl RimOrbit {
         let lap = (theta / TAU).round();
         let (sin, cos) = libm::sincos(0.5 * theta);
         let flip = if cos < 0.0 { -1.0 } else { 1.0 };
-        Self { lap, a: flip * sin, b: theta_rate * cos.abs(), theta_rate, slip: mu_s * mu_s / (1.0 + mu_s * mu_s) }
+        Self {
+            lap,
+            a: flip * sin,
+            b: theta_rate * cos.abs(),
+            theta_rate,
+            slip: mu_s * mu_s / (1.0 + mu_s * mu_s),
+        }
     }
 
     pub(super) fn position(&self, elapsed: f64) -> (f64, f64) {
@@ -54,6 +60,26 @@ impl RimOrbit {
     /// sin²(θ/2) where N = 0, that is θ′² = 1, on this orbit.
     fn unloaded(&self) -> f64 {
         0.5 * (1.0 + self.a * self.a - self.b * self.b)
+    }
+
+    pub(super) fn time_to(&self, theta: f64) -> Option<f64> {
+        let target = libm::sin(0.5 * (theta - TAU * self.lap));
+        let square = target * target - self.a * self.a + self.b * self.b;
+        if square < 0.0 || (theta - TAU * self.lap).abs() > PI {
+            return None;
+        }
+        let (sum, difference) = (self.a + self.b, self.a - self.b);
+        let time = |twice_rate: f64| {
+            // Z + 2Z′ grows like e^(Δτ/2), Z − 2Z′ decays: divide by the one that is not small.
+            let growth = if sum.abs() >= difference.abs() {
+                (target + twice_rate) / sum
+            } else {
+                difference / (target - twice_rate)
+            };
+            (growth >= 1.0).then(|| 2.0 * libm::log(growth))
+        };
+        let root = square.sqrt();
+        [time(root), time(-root)].into_iter().flatten().min_by(f64::total_cmp)
     }
 
     pub(super) fn end(&self) -> Option<RollingEnd> {

@@ -10,8 +10,8 @@ use crate::state::{Direction, Mode, Sample, State, energy};
 use super::SlidingLaw;
 use super::series::{DEGREE, Series, SlideSeries, value, value_and_slope};
 
-/// A step that moves the clock by less than this part of itself has run into a singularity of the equations.
-const STALL: f64 = f64::EPSILON / 64.0;
+/// A step that moves the clock by no more than this part of itself has run into a singularity of the equations.
+const STALL: f64 = 4.0 * f64::EPSILON;
 
 /// How a slide begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +32,8 @@ pub(crate) enum SlidingEnd {
     LiftOff(State),
     /// P = 0 with N > 0, or steps that shrink to nothing in front of it: sliding has no solution beyond.
     Singular(State),
+    /// Steps that shrink to nothing where P is not small: faster than the clock resolves.
+    Unresolved(State),
     /// The time limit.
     TimeLimit(State),
     /// Nothing will ever end it: without kinetic friction, energy and horizontal momentum are conserved, and a motion
@@ -50,6 +52,8 @@ pub struct Sliding {
     drift: f64,
     cos_start: f64,
     steps: Vec<Step>,
+    /// Time and angle of the turning points, followed without kinetic friction only.
+    turnings: Vec<(f64, f64)>,
     cycle: Option<Cycle>,
 }
 
@@ -110,6 +114,7 @@ impl Sliding {
             drift: vx + law.friction * vy,
             cos_start: cos,
             steps: Vec::new(),
+            turnings: Vec::new(),
             cycle: None,
         };
         let end = slide.follow(entry, allowed);
@@ -120,13 +125,8 @@ impl Sliding {
         let sign = self.direction.sign();
         let start = self.start;
         let integral = self.law.momentum_integral(0.0, start.theta, start.theta_rate, start.slip);
-        let mut here = Here {
-            elapsed: 0.0,
-            theta: start.theta,
-            theta_rate: start.theta_rate,
-            slip: start.slip,
-        };
-        let mut turnings = Vec::new();
+        let mut here =
+            Here { elapsed: 0.0, theta: start.theta, theta_rate: start.theta_rate, slip: start.slip };
         loop {
             let mut series =
                 SlideSeries::new(&self.law.body, self.law.friction, here.theta, here.theta_rate, here.slip);
@@ -137,6 +137,15 @@ impl Sliding {
                 known_roots = if slip_acceleration == 0.0 { 2 } else { 1 };
             }
             let reach = series.reach();
+            if reach <= STALL * (start.time + here.elapsed).abs().max(1.0) {
+                let state = self.state_from(here);
+                // P ≥ Î unless it is on its way to zero.
+                return if series.solvability[0] < 0.5 * self.law.body.inertia {
+                    SlidingEnd::Singular(state)
+                } else {
+                    SlidingEnd::Unresolved(state)
+                };
+            }
             let last = allowed.is_some_and(|allowed| here.elapsed + reach >= allowed);
             let width = match allowed {
                 Some(allowed) if last => allowed - here.elapsed,
@@ -173,15 +182,12 @@ impl Sliding {
             if last {
                 return SlidingEnd::TimeLimit(self.state_from(next));
             }
-            if width <= STALL * (start.time + elapsed).abs().max(1.0) {
-                return SlidingEnd::Singular(self.state_from(next));
-            }
             if self.law.friction == 0.0 {
                 if next.theta_rate * here.theta_rate < 0.0 {
                     let at = root(&series.theta_rate, 0.0, here.theta_rate.signum(), width);
-                    turnings.push((here.elapsed + at, value(&series.theta, at)));
+                    self.turnings.push((here.elapsed + at, value(&series.theta, at)));
                 }
-                if let Some(recurrence) = self.recurrence(&series, &here, &next, &turnings) {
+                if let Some(recurrence) = self.recurrence(&series, &here, &next) {
                     return SlidingEnd::Endless(recurrence);
                 }
             }
@@ -190,26 +196,25 @@ impl Sliding {
     }
 
     /// Whether a slide without friction has passed a whole period, and which.
-    fn recurrence(
-        &mut self,
-        series: &SlideSeries,
-        here: &Here,
-        next: &Here,
-        turnings: &[(f64, f64)],
-    ) -> Option<Recurrence> {
+    fn recurrence(&mut self, series: &SlideSeries, here: &Here, next: &Here) -> Option<Recurrence> {
         if series.theta_rate.iter().all(|c| *c == 0.0) {
             return Some(Recurrence::Rest);
         }
         let gained = next.theta - self.start.theta;
         if gained.abs() >= TAU {
             let advance = TAU.copysign(gained);
-            let at = root(&series.theta, self.start.theta + advance, -gained.signum(), next.elapsed - here.elapsed);
+            let at = root(
+                &series.theta,
+                self.start.theta + advance,
+                -gained.signum(),
+                next.elapsed - here.elapsed,
+            );
             let period = here.elapsed + at;
             self.cycle = Some(Cycle { from: 0.0, period, advance });
             return Some(Recurrence::Rotation { period });
         }
         // From the first to the third turning point is a period; the start lies before it, on the same orbit.
-        let &[(first, theta_first), (_, theta_second), (third, _)] = turnings else { return None };
+        let &[(first, theta_first), (_, theta_second), (third, _)] = &self.turnings[..] else { return None };
         self.cycle = Some(Cycle { from: first, period: third - first, advance: 0.0 });
         Some(Recurrence::Libration {
             period: third - first,
@@ -222,6 +227,13 @@ impl Sliding {
     #[must_use]
     pub const fn direction(&self) -> Direction {
         self.direction
+    }
+
+    /// Smallest and largest angle at the start, at the last step and at the turning points.
+    pub(crate) fn theta_range(&self) -> (f64, f64) {
+        let last = self.steps.last().map_or(self.start.theta, |step| step.theta[0]);
+        let angles = self.turnings.iter().map(|turning| turning.1).chain([self.start.theta, last]);
+        angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), theta| (min.min(theta), max.max(theta)))
     }
 
     /// Number of Taylor steps of the phase.

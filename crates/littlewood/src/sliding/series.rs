@@ -93,6 +93,10 @@ impl SlideSeries {
     pub(super) fn reach(&self) -> f64 {
         let scale = self.theta_rate[0].abs().max(self.theta_rate[1].abs());
         let mut reach = LONGEST;
+        if !self.theta_rate[DEGREE].is_finite() || !self.slip[DEGREE].is_finite() {
+            // Coefficients grow like reach^−n: overflow means a reach below 1e-13.
+            return 0.0;
+        }
         for order in [DEGREE - 1, DEGREE] {
             let size = [&self.theta_rate, &self.slip, &self.contact, &self.solvability]
                 .iter()

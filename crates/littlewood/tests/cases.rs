@@ -1,0 +1,196 @@
+//! Each named case does what its title says, and together they take every edge of the automaton.
+#![allow(clippy::disallowed_methods, clippy::panic, clippy::excessive_precision)] // expected values may come from the platform's mathematics
+
+use std::collections::BTreeSet;
+
+use littlewood::{
+    Body, BodyClass, CASES, Cause, EDGES, Hoop, HoopParameters, Limits, Mode, Outcome, Recurrence,
+    RollingType, Start, StartRegion, Trajectory, find_case, find_edge,
+};
+
+fn case(name: &str) -> Trajectory {
+    find_case(name).unwrap_or_else(|| panic!("no case {name}")).simulate().expect("a valid case")
+}
+
+fn modes(motion: &Trajectory) -> Vec<Mode> {
+    motion.phases().iter().map(littlewood::Phase::mode).collect()
+}
+
+fn causes(motion: &Trajectory) -> Vec<Cause> {
+    motion.transitions().iter().map(|transition| transition.cause).collect()
+}
+
+use Mode::{Flight, Gliding, Rolling, Sliding};
+
+#[test]
+fn figure_3_slides_rolls_slides_and_jumps() {
+    let motion = case("figure-3");
+    assert_eq!(modes(&motion), [Sliding, Rolling, Sliding, Flight]);
+    assert_eq!(causes(&motion), [Cause::Stick, Cause::Slip, Cause::LiftOff, Cause::Landing]);
+    // "the jump in the motion of the centre of mass is to the left"
+    let flight = &motion.phases()[3];
+    assert!(
+        flight.last().expect("lands").mass_centre(motion.hoop()).x
+            < flight.first().mass_centre(motion.hoop()).x
+    );
+    let littlewood::Motion::Flight(exact) = flight.motion() else { panic!("flies") };
+    // Largest gap of the 40-digit run, at a resolution of 1e-3 in time: 0.63112604… at 3.16467….
+    let (time, height) = exact.apex();
+    assert!((flight.start().time + time - 3.164_670_213_819_437).abs() < 1e-3);
+    assert!((height - 0.631_126_040_142_515).abs() < 1e-6);
+}
+
+#[test]
+fn the_jumps_of_section_2f() {
+    let motion = case("slip-then-jump");
+    assert_eq!(modes(&motion), [Rolling, Sliding, Flight]);
+    let motion = case("slide-then-jump");
+    assert_eq!(modes(&motion), [Sliding, Flight]);
+    let motion = case("footnote-3");
+    assert_eq!(modes(&motion), [Flight]);
+}
+
+#[test]
+fn rolling_persists_for_all_time() {
+    let motion = case("figure-2-libration");
+    assert_eq!(modes(&motion), [Rolling]);
+    let Outcome::RollsForever { recurrence: Recurrence::Libration { theta_min, theta_max, .. }, .. } =
+        motion.outcome()
+    else {
+        panic!("{:?}", motion.outcome())
+    };
+    assert!((theta_min - 2.5).abs() < 1e-15);
+    assert!((theta_max + theta_min - std::f64::consts::TAU).abs() < 1e-15, "about the stable equilibrium");
+
+    let motion = case("rolls-forever");
+    assert_eq!(modes(&motion), [Rolling]);
+    let rotates =
+        matches!(motion.outcome(), Outcome::RollsForever { recurrence: Recurrence::Rotation { .. }, .. });
+    assert!(rotates, "{:?}", motion.outcome());
+    // The proof, checked by brute force over two turns.
+    let Outcome::RollsForever { recurrence: Recurrence::Rotation { period }, .. } = motion.outcome() else {
+        return;
+    };
+    let demand = (0..=20_000).map(|i| {
+        let sample = motion.at(period * f64::from(i) / 10_000.0).expect("rolls");
+        sample.friction.abs() / sample.normal
+    });
+    let largest = demand.fold(0.0, f64::max);
+    assert!(largest < 0.5 && largest > 0.1, "{largest}");
+}
+
+#[test]
+fn rolling_and_sliding_alternate_without_a_jump() {
+    let motion = case("stick-slip-no-jump");
+    let modes = modes(&motion);
+    assert!(modes.len() >= 5, "several alternations");
+    assert!(modes.iter().enumerate().all(|(i, mode)| *mode == if i % 2 == 0 { Rolling } else { Sliding }));
+    assert!(matches!(motion.outcome(), Outcome::RollsForever { .. }));
+}
+
+#[test]
+fn the_band_slides_at_once() {
+    let named = find_case("sliding-band").expect("a case");
+    let hoop = Hoop::new(named.hoop).expect("a valid hoop");
+    let found = hoop.classify(named.start).expect("a valid start");
+    assert_eq!(found.region, StartRegion::SlidingBand);
+    assert!(found.rolling_forces.normal < 0.0);
+    assert_eq!(modes(&case("sliding-band"))[0], Sliding);
+}
+
+#[test]
+fn types_one_two_three() {
+    for (name, kind, cause) in [
+        ("type-1", RollingType::I, Cause::NormalForceZero),
+        ("type-2", RollingType::II, Cause::NormalForceZero),
+        ("type-3", RollingType::III, Cause::Slip),
+        ("figure-7", RollingType::III, Cause::Slip),
+    ] {
+        let named = find_case(name).expect("a case");
+        let hoop = Hoop::new(named.hoop).expect("a valid hoop");
+        let found = hoop.classify(named.start).expect("a valid start");
+        assert_eq!((found.region, found.rolling_type), (StartRegion::Rolling, Some(kind)), "{name}");
+        let motion = case(name);
+        assert_eq!(modes(&motion)[..2], [Rolling, Gliding], "{name}");
+        let slip = motion.transitions()[0];
+        assert_eq!(slip.cause, cause, "{name}");
+        let (theta, rate) = (slip.state.theta, slip.state.theta_rate);
+        let friction_angle = 2.0 * 0.5_f64.atan();
+        match kind {
+            RollingType::I => assert!((rate.abs() - 1.0).abs() < 1e-15 && theta.abs() < friction_angle - 0.1),
+            RollingType::II => {
+                assert!((rate.abs() - 1.0).abs() < 1e-15 && (theta.abs() - friction_angle).abs() < 1e-15);
+            }
+            RollingType::III => assert!(rate.abs() < 0.9 && (theta.abs() - friction_angle).abs() < 1e-15),
+        }
+        assert_eq!(motion.outcome().kind(), "particle_at_plane", "{name}");
+    }
+}
+
+#[test]
+fn a_glide_sticks_inside_the_rolling_region() {
+    let motion = case("glide-to-roll");
+    assert_eq!(modes(&motion)[..3], [Gliding, Rolling, Gliding]);
+    assert_eq!(causes(&motion)[..2], [Cause::Stick, Cause::Slip]);
+    let stick = motion.transitions()[0].state;
+    assert!(stick.theta.abs() < 2.0 * 0.5_f64.atan() && stick.theta_rate.abs() < 1.0);
+}
+
+#[test]
+fn painleve_is_an_outcome_of_its_own() {
+    let motion = case("painleve");
+    let Outcome::Inconsistent { findings, .. } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    assert_eq!(findings.count(), 0);
+    assert!(findings.contact > 0.0 && findings.solvability[1] < 0.0);
+    assert!(motion.phases().is_empty());
+}
+
+#[test]
+fn cases_have_names_that_differ_and_valid_parameters() {
+    let names: BTreeSet<_> = CASES.iter().map(|case| case.name).collect();
+    assert_eq!(names.len(), CASES.len());
+    for case in CASES {
+        assert!(!case.title.is_empty() && !case.source.is_empty());
+        assert!(case.simulate().is_ok(), "{}", case.name);
+    }
+    assert!(find_case("figure-1").is_none());
+}
+
+/// Starts that take the edges which no named case takes.
+fn other_motions() -> Vec<Trajectory> {
+    let hoop = |mass_ratio, offset, inertia, mu_s, mu_k| {
+        Hoop::new(HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k }).expect("a valid hoop")
+    };
+    let inside = hoop(0.0, 0.6, 0.0, 0.3, 0.2);
+    let thin = hoop(1.0, 1.0, 1.0, 0.5, 0.4);
+    let rim = hoop(0.0, 1.0, 0.0, 0.5, 0.4);
+    [
+        (thin, Start::at(0.8, -2.2).with_slip(0.4)),
+        (thin, Start::at(-2.0, 2.2).with_slip(-0.3)),
+        (thin, Start::at(-0.7735579900798988, 1.4271356783919602)),
+        (inside, Start::at(1.0, 1.0).with_slip(0.5)),
+        (rim, Start::at(1.0, -2.5).with_slip(0.5)),
+    ]
+    .into_iter()
+    .map(|(hoop, start)| hoop.simulate(start, Limits::until(40.0)).expect("a valid start"))
+    .collect()
+}
+
+#[test]
+fn the_table_of_edges_is_the_automaton() {
+    let mut taken = BTreeSet::new();
+    let cases = CASES.iter().map(|case| case.simulate().expect("a valid case"));
+    for motion in cases.chain(other_motions()) {
+        let class = match motion.hoop().body() {
+            Body::Heavy(_) => BodyClass::Heavy,
+            Body::Massless(_) => BodyClass::Massless,
+        };
+        for transition in motion.transitions() {
+            let edge = find_edge(class, transition.from, transition.cause, transition.to);
+            let edge = edge.unwrap_or_else(|| panic!("{transition:?} is no edge"));
+            taken.insert(EDGES.iter().position(|other| other == edge));
+        }
+    }
+    let missing: Vec<_> = (0..EDGES.len()).filter(|i| !taken.contains(&Some(*i))).map(|i| EDGES[i]).collect();
+    assert!(missing.is_empty(), "never taken: {missing:#?}");
+}

@@ -1,0 +1,122 @@
+//! Random hoops and starts, with a preference for what is nearly degenerate.
+#![allow(dead_code)] // each test file uses a part
+
+use std::f64::consts::PI;
+
+use littlewood::{Body, Direction, Hoop, HoopParameters, Limits, PhasePlane, Start, Trajectory};
+use proptest::prelude::*;
+
+/// A factor from 1e-9 to 10, uniform in its logarithm.
+fn scale() -> impl Strategy<Value = f64> {
+    (-9.0..1.0_f64).prop_map(|exponent| libm::pow(10.0, exponent))
+}
+
+fn friction() -> impl Strategy<Value = (f64, f64)> {
+    prop_oneof![
+        4 => (0.0..1.5_f64, 0.0..=1.0_f64).prop_map(|(mu_s, part)| (mu_s, mu_s * part)),
+        2 => (0.0..1.5_f64).prop_map(|mu| (mu, mu)),
+        1 => (0.0..1.0_f64).prop_map(|mu_s| (mu_s, 0.0)),
+        1 => Just((0.0, 0.0)),
+        1 => (0.0..1e-6_f64).prop_map(|mu| (mu, mu)),
+    ]
+}
+
+fn offset() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => Just(1.0), 3 => 0.05..1.0_f64, 1 => 0.0..1e-6_f64, 1 => (1.0 - 1e-9)..1.0_f64]
+}
+
+/// Heavy hoops, down to tiny inertia.
+pub(crate) fn heavy_hoop() -> impl Strategy<Value = Hoop> {
+    let masses = prop_oneof![
+        3 => (0.1..5.0_f64).prop_map(|m1| (m1, m1)),
+        2 => (0.0..5.0_f64, 0.01..3.0_f64),
+        1 => scale().prop_map(|m1| (m1, m1)),
+        1 => scale().prop_map(|inertia| (0.0, inertia)),
+    ];
+    (masses, offset(), friction()).prop_filter_map(
+        "a body that can move",
+        |((mass_ratio, inertia), offset, (mu_s, mu_k))| {
+            let hoop = Hoop::new(HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k }).ok()?;
+            matches!(hoop.body(), Body::Heavy(_)).then_some(hoop)
+        },
+    )
+}
+
+/// Heavy hoops of moderate proportions, on which rounding errors stay small.
+pub(crate) fn moderate_hoop() -> impl Strategy<Value = Hoop> {
+    (0.2..4.0_f64, 0.1..=1.0_f64, 0.2..4.0_f64, 0.05..0.7_f64, 0.0..=1.0_f64).prop_filter_map(
+        "a body that can move",
+        |(mass_ratio, offset, inertia, mu_s, part)| {
+            Hoop::new(HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k: mu_s * part }).ok()
+        },
+    )
+}
+
+/// Massless hoops, the particle on the rim or inside.
+pub(crate) fn massless_hoop() -> impl Strategy<Value = Hoop> {
+    (prop_oneof![2 => Just(1.0), 1 => 0.05..1.0_f64], friction()).prop_filter_map(
+        "a massless hoop",
+        |(offset, (mu_s, mu_k))| {
+            Hoop::new(HoopParameters { mass_ratio: 0.0, offset, inertia: 0.0, mu_s, mu_k }).ok()
+        },
+    )
+}
+
+fn angle() -> impl Strategy<Value = f64> {
+    let near = prop_oneof![Just(0.0), -1e-6..1e-6_f64, -1e-12..1e-12_f64];
+    prop_oneof![
+        6 => -PI..PI,
+        1 => -30.0..30.0_f64,
+        2 => (near, prop::sample::select(vec![0.0, PI, -PI, PI / 2.0])).prop_map(|(d, at)| at + d),
+    ]
+}
+
+fn rate() -> impl Strategy<Value = f64> {
+    prop_oneof![6 => -4.0..4.0_f64, 1 => Just(0.0), 1 => -1e-6..1e-6_f64]
+}
+
+fn slip() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => Just(0.0), 4 => -2.0..2.0_f64, 1 => -1e-9..1e-9_f64]
+}
+
+/// Starts anywhere.
+pub(crate) fn start() -> impl Strategy<Value = Start> {
+    (angle(), rate(), slip()).prop_map(|(theta, rate, slip)| Start::at(theta, rate).with_slip(slip))
+}
+
+/// A hoop with a start that lies on a boundary of its phase plane, to the last digit or nearly so.
+pub(crate) fn boundary_start() -> impl Strategy<Value = (Hoop, Start)> {
+    let nudge = prop_oneof![2 => Just(0.0), 1 => -1e-15..1e-15_f64, 1 => -1e-9..1e-9_f64];
+    (heavy_hoop(), -PI..PI, any::<bool>(), 0..5_usize, nudge).prop_filter_map(
+        "a boundary over this angle",
+        |(hoop, theta, backwards, which, nudge)| {
+            let plane = PhasePlane::new(&hoop);
+            let rate = match which {
+                0 => plane.normal_force_rate(theta),
+                1 => plane.slip_rate(theta, Direction::Positive),
+                2 => plane.slip_rate(theta, Direction::Negative),
+                3 => plane.lift_off_rate(theta),
+                _ => Some(plane.separatrix_rate(theta)),
+            }?;
+            let rate = (if backwards { -rate } else { rate }) * (1.0 + nudge);
+            (rate.abs() < 1e6).then(|| (hoop, Start::at(theta, rate)))
+        },
+    )
+}
+
+/// A heavy hoop and a start.
+pub(crate) fn heavy_motion() -> impl Strategy<Value = (Hoop, Start)> {
+    prop_oneof![3 => (heavy_hoop(), start()), 1 => boundary_start()]
+}
+
+/// Few transitions and a short time are enough for a law that must hold at every instant.
+pub(crate) fn simulate(hoop: &Hoop, start: Start) -> Trajectory {
+    let limits = Limits { until: Some(start.time + 20.0), transitions: 60 };
+    hoop.simulate(start, limits).expect("a valid start")
+}
+
+/// Instants of each phase: the ends, and `count` in between.
+pub(crate) fn instants(duration: f64, count: u32) -> impl Iterator<Item = f64> {
+    let duration = if duration.is_finite() { duration } else { 20.0 };
+    (0..=count + 1).map(move |i| duration * f64::from(i) / f64::from(count + 1))
+}

@@ -1,0 +1,177 @@
+//! Every mode carries its law: energy in rolling, gliding and flight, horizontal momentum in gliding and flight,
+//! falling energy and the momentum integral in sliding; and every phase keeps, at every instant, the conditions under
+//! which its mode is the motion. A missed event breaks the latter.
+#![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
+
+mod common;
+
+use common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start};
+use littlewood::{
+    Body, Cause, Direction, GlidingIntegrals, Hoop, Mode, Motion, Outcome, Phase, Sample, SlidingLaw, Start,
+    Trajectory,
+};
+use proptest::prelude::*;
+
+/// Where the particle passes the vertical, a light hoop turns with θ′² up to 2(E + ℓ̂)/Î, between two samples perhaps.
+fn passing(hoop: &Hoop, first: &Sample, now: &Sample) -> f64 {
+    let half_turn = |sample: &Sample| (sample.state.theta / std::f64::consts::PI).floor();
+    if half_turn(first) == half_turn(now) {
+        return 0.0;
+    }
+    2.0 * hoop.mass() * (first.energy + hoop.offset()) / hoop.body().inertia_about_mass_centre()
+}
+
+/// Rounding grows with the size of what is added up.
+fn size(hoop: &Hoop, sample: &Sample) -> f64 {
+    let rate = sample.state.theta_rate;
+    1.0 + hoop.mass() * (1.0 + rate * rate + sample.state.slip * sample.state.slip)
+}
+
+fn sign(direction: Option<Direction>) -> f64 {
+    direction.map_or(0.0, Direction::sign)
+}
+
+fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
+    let first = phase.first();
+    let mut before = first;
+    let mut size = size(hoop, &first);
+    for elapsed in instants(phase.duration(), 40) {
+        let now = phase.sample(elapsed);
+        if !now.state.theta_rate.is_finite() {
+            continue; // the particle at the bottom of a glide
+        }
+        size = size.max(self::size(hoop, &now));
+        prop_assert_eq!(now.mode, phase.mode());
+        match phase.motion() {
+            Motion::Rolling(_) => {
+                prop_assert!((now.energy - first.energy).abs() < 1e-13 * size, "energy in rolling");
+                prop_assert_eq!(now.state.slip, 0.0);
+                let excess = now.friction.abs() - hoop.mu_s() * now.normal;
+                prop_assert!(excess < 1e-9 * size, "static friction at {elapsed}: {now:?}");
+                prop_assert!(now.normal > -1e-9 * size, "normal force at {elapsed}: {now:?}");
+                let held = now.state.x + now.state.theta - first.state.x - first.state.theta;
+                prop_assert!(held.abs() < 1e-13 * (1.0 + now.state.theta.abs()), "rolling constraint");
+            }
+            Motion::Sliding(_) => {
+                size = size.max(passing(hoop, &first, &now));
+                prop_assert!(now.energy <= before.energy + 1e-12 * size, "energy falls: {before:?} {now:?}");
+                let slipping = sign(phase.direction()) * now.state.slip;
+                // A clock that reads τ resolves η′ to η″ ulp(τ).
+                let resolution = 4.0 * f64::EPSILON * now.state.time * now.slip_acceleration.abs();
+                prop_assert!(
+                    slipping > -1e-13 * size - resolution,
+                    "direction of slip at {elapsed}: {now:?}"
+                );
+                prop_assert!(now.normal > -1e-9 * size, "normal force at {elapsed}: {now:?}");
+                let Body::Heavy(body) = hoop.body() else { unreachable!() };
+                let Some(direction) = phase.direction() else { unreachable!() };
+                let law = SlidingLaw::new(hoop, &body, direction);
+                let integral =
+                    |s: &Sample, t| law.momentum_integral(t, s.state.theta, s.state.theta_rate, s.state.slip);
+                let drift = integral(&now, elapsed) - integral(&first, 0.0);
+                prop_assert!(drift.abs() < 1e-12 * size, "momentum integral: {drift}");
+            }
+            Motion::Gliding(_) => {
+                let Body::Massless(body) = hoop.body() else { unreachable!() };
+                let integrals =
+                    |s: &Sample| GlidingIntegrals::at(&body, s.state.theta, s.state.theta_rate, s.state.slip);
+                let (start, here) = (integrals(&first), integrals(&now));
+                prop_assert!((here.w - start.w).abs() < 1e-10 * size, "w: {start:?} {here:?}");
+                prop_assert!((here.momentum - start.momentum).abs() < 1e-10 * size, "momentum");
+                prop_assert!((now.energy - first.energy).abs() < 1e-10 * size, "energy in gliding");
+                let slipping = sign(phase.direction()) * now.state.slip;
+                prop_assert!(slipping > -1e-10 * size, "direction of slip at {elapsed}: {now:?}");
+            }
+            Motion::Flight(flight) => {
+                prop_assert!((now.energy - first.energy).abs() < 1e-12 * size, "energy in flight");
+                prop_assert_eq!(now.state.theta_rate, first.state.theta_rate);
+                let momentum = |s: &Sample| {
+                    s.state.slip - (1.0 + hoop.h() * libm::cos(s.state.theta)) * s.state.theta_rate
+                };
+                prop_assert!((momentum(&now) - momentum(&first)).abs() < 1e-13 * size, "momentum in flight");
+                prop_assert!(
+                    (flight.mass_centre_velocity(elapsed).0 - momentum(&first)).abs() < 1e-13 * size
+                );
+                prop_assert!(now.gap > -1e-13 * size, "gap at {elapsed}: {}", now.gap);
+            }
+        }
+        before = now;
+    }
+    Ok(())
+}
+
+fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), TestCaseError> {
+    for (phase, transition) in motion.phases().iter().zip(motion.transitions()) {
+        let Some(last) = phase.last() else { unreachable!("a phase with a transition ends") };
+        let size = size(hoop, &last);
+        prop_assert_eq!(phase.mode(), transition.from);
+        match transition.cause {
+            Cause::Slip if phase.mode() == Mode::Rolling => {
+                let excess = last.friction.abs() - hoop.mu_s() * last.normal;
+                prop_assert!(excess.abs() < 1e-9 * size, "|F| = μs N at the slip: {excess} {last:?}");
+                let body_is_heavy = matches!(hoop.body(), Body::Heavy(_));
+                if let (Some(direction), true) = (transition.direction, body_is_heavy) {
+                    prop_assert!(
+                        direction.sign() * last.friction <= 1e-12,
+                        "slips against the friction force"
+                    );
+                }
+            }
+            Cause::Stick | Cause::Reversal | Cause::Graze => prop_assert_eq!(last.state.slip, 0.0),
+            Cause::LiftOff => {
+                let w = 1.0
+                    - hoop.h() * libm::cos(last.state.theta) * last.state.theta_rate * last.state.theta_rate;
+                prop_assert!(w.abs() < 1e-11 * size, "1 = h cos θ θ′² at lift-off: {w}");
+                prop_assert!(libm::sin(last.state.theta) * last.state.theta_rate < 0.0, "rises at lift-off");
+            }
+            Cause::Landing => {
+                prop_assert!(last.gap.abs() < 1e-12 * size, "gap at landing: {}", last.gap);
+                prop_assert!(last.gap_rate <= 0.0);
+            }
+            _ => {}
+        }
+    }
+    for pair in motion.phases().windows(2) {
+        prop_assert_eq!(pair[0].end(), Some(pair[1].start()), "the state is continuous");
+    }
+    Ok(())
+}
+
+fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
+    let motion = simulate(hoop, start);
+    for phase in motion.phases() {
+        check_phase(hoop, phase)?;
+    }
+    check_transitions(hoop, &motion)?;
+    if let Outcome::TimeLimit { state } = motion.outcome() {
+        prop_assert_eq!(state.time, 20.0);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn heavy_hoops_keep_their_laws((hoop, start) in heavy_motion()) {
+        check(&hoop, start)?;
+    }
+
+    #[test]
+    fn massless_hoops_keep_their_laws(hoop in massless_hoop(), start in start()) {
+        check(&hoop, start)?;
+    }
+
+    #[test]
+    fn transitions_conserve_energy(hoop in heavy_hoop(), start in start()) {
+        let motion = simulate(&hoop, start);
+        let mut energy = 0.0;
+        for (index, phase) in motion.phases().iter().enumerate() {
+            let first = phase.first();
+            if index > 0 {
+                prop_assert!((first.energy - energy).abs() < 1e-14 * size(&hoop, &first));
+            }
+            energy = phase.last().map_or(first.energy, |last| last.energy);
+        }
+    }
+}

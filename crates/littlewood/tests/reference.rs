@@ -1,0 +1,193 @@
+//! Against numbers computed elsewhere: the 40-digit table of Figure 3, the closed form of Figure 7, and the motions and
+//! rolling times of `reference/`, integrated with mpmath from the full Newton–Euler equations.
+#![allow(clippy::disallowed_methods, clippy::panic, clippy::excessive_precision)] // expected values may come from the platform's mathematics
+
+use littlewood::{
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Recurrence, RollingOrbit, Sample, Start, Trajectory,
+    find_case,
+};
+use serde_json::Value;
+
+const MOTIONS: &str = include_str!("../../../reference/motions.json");
+const ROLLING: &str = include_str!("../../../reference/rolling.json");
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+}
+
+fn hoop(value: &Value) -> Hoop {
+    let get = |name: &str| value.get(name).map_or(0.0, number);
+    Hoop::new(HoopParameters {
+        mass_ratio: get("mass_ratio"),
+        offset: get("offset"),
+        inertia: get("inertia"),
+        mu_s: get("mu_s"),
+        mu_k: get("mu_k"),
+    })
+    .expect("a valid hoop")
+}
+
+#[track_caller]
+fn close(name: &str, ours: f64, theirs: f64, tolerance: f64) {
+    let error = (ours - theirs).abs();
+    assert!(error <= tolerance * theirs.abs().max(1.0), "{name}: {ours} is not {theirs}, error {error:e}");
+}
+
+fn case(name: &str) -> Trajectory {
+    find_case(name).expect("a named case").simulate().expect("a valid case")
+}
+
+#[test]
+fn figure_3_has_the_times_of_the_40_digit_table() {
+    // τ, θ, θ′, η′, x − x0 of stick, slip, lift-off, landing; the computation is described in reference/README.md.
+    #[rustfmt::skip]
+    let table = [
+        (Cause::Stick, [0.564107553101996750, 2.91722565678924913, 2.93644326144529653, 0.0, -1.42267101158774882]),
+        (Cause::Slip, [0.973223074772405405, 4.06633287423929561, 2.46087950463497717, 0.0, -2.57177822903779530]),
+        (Cause::LiftOff, [1.51867021381943700, 5.23673577087816789, 1.99870593711413988, 0.607696268534750732, -3.60928484639080078]),
+    ];
+    let motion = case("figure-3");
+    for ((cause, expected), found) in table.iter().zip(motion.transitions()) {
+        assert_eq!(*cause, found.cause);
+        let s = found.state;
+        for (ours, theirs) in [s.time, s.theta, s.theta_rate, s.slip, s.x].into_iter().zip(expected) {
+            close(cause.name(), ours, *theirs, 2e-15);
+        }
+    }
+    let Outcome::Landing { state, .. } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    close("landing", state.time, 3.847_395_556_686_894, 2e-15);
+    close("landing", state.theta, 9.891_172_939_575_515, 2e-15);
+    close("landing", state.theta_rate, 1.998_705_937_114_139_8, 2e-15);
+}
+
+#[test]
+fn figure_7_has_its_closed_form() {
+    let motion = case("figure-7");
+    let slip = motion.transitions()[0];
+    assert_eq!((slip.cause, slip.to), (Cause::Slip, Some(Mode::Gliding)));
+    close("tau_s", slip.state.time, 5.0_f64.ln(), 1e-15);
+    close("rate", slip.state.theta_rate, 0.75, 1e-15);
+    close("cos theta_s", slip.state.theta.cos(), 0.6, 1e-15);
+    let Outcome::ParticleAtPlane { state } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    close("tau_g", state.time, 5.0_f64.ln() + (89.0_f64.sqrt() - 3.0) / 5.0, 1e-15);
+}
+
+#[test]
+fn a_massless_hoop_from_the_top_unloads_when_the_notebook_says() {
+    // A public notebook on m = r = 1 kg, m, g = 9.8 m/s², ω0 = 0.1 rad/s stops at N = 0: arccosh(980)/√9.8 s.
+    let rate = 0.1 / 9.8_f64.sqrt();
+    let hoop = Hoop::littlewood(1e6, 0.0).expect("a valid hoop");
+    let motion = hoop.simulate(Start::at(0.0, rate), Limits::default()).expect("a valid start");
+    let first = motion.transitions()[0];
+    assert_eq!(first.cause, Cause::NormalForceZero);
+    let seconds = first.state.time / 9.8_f64.sqrt();
+    close("t", seconds, 2.421_57, 3e-6);
+    close("t", seconds, 980.0_f64.acosh() / 9.8_f64.sqrt(), 1e-14);
+}
+
+/// 1e-12, and for a light hoop what rounding becomes where its particle passes the bottom: θ″ is of the order of
+/// θ′² m/Î there.
+fn tolerance(hoop: &Hoop) -> f64 {
+    (1e-14 * hoop.mass() / hoop.body().inertia_about_mass_centre()).max(1e-12)
+}
+
+fn compare_sample(name: &str, ours: &Sample, theirs: &Value, tolerance: f64) {
+    let get = |key: &str| number(&theirs[key]);
+    for (key, value) in [
+        ("theta", ours.state.theta),
+        ("theta_rate", ours.state.theta_rate),
+        ("slip", ours.state.slip),
+        ("x", ours.state.x),
+        ("normal", ours.normal),
+        ("friction", ours.friction),
+        ("energy", ours.energy),
+    ] {
+        close(&format!("{name} {key}"), value, get(key), tolerance);
+    }
+    for (key, value) in [("gap", ours.gap), ("gap_rate", ours.gap_rate)] {
+        if !theirs[key].is_null() {
+            close(&format!("{name} {key}"), value, get(key), tolerance);
+        }
+    }
+}
+
+#[test]
+fn motions_agree_with_newton_euler_at_40_digits() {
+    let data: Value = serde_json::from_str(MOTIONS).expect("reference/motions.json");
+    let motions = data["motions"].as_array().expect("a list of motions");
+    assert!(motions.len() >= 16);
+    for reference in motions {
+        let name = reference["name"].as_str().expect("a name");
+        let start = &reference["start"];
+        let start = Start::at(number(&start["theta"]), number(&start["theta_rate"]))
+            .with_slip(number(&start["slip"]));
+        let limits = Limits::until(number(&reference["until"]));
+        let hoop = hoop(&reference["hoop"]);
+        let tolerance = tolerance(&hoop);
+        let motion = hoop.simulate(start, limits).expect("a valid start");
+
+        let theirs = reference["transitions"].as_array().expect("a list of transitions");
+        assert_eq!(motion.transitions().len(), theirs.len(), "{name}: {:?}", motion.transitions());
+        for (ours, theirs) in motion.transitions().iter().zip(theirs) {
+            assert_eq!(ours.cause.name(), theirs["cause"].as_str().expect("a cause"), "{name}");
+            assert_eq!(ours.to.map(Mode::name), theirs["to"].as_str(), "{name}");
+            let direction = ours.direction.map_or(0.0, littlewood::Direction::sign);
+            assert_eq!(direction, theirs["direction"].as_f64().unwrap_or(0.0), "{name}");
+            for (key, value) in [
+                ("time", ours.state.time),
+                ("theta", ours.state.theta),
+                ("theta_rate", ours.state.theta_rate),
+                ("slip", ours.state.slip),
+                ("x", ours.state.x),
+            ] {
+                close(&format!("{name} {} {key}", ours.cause), value, number(&theirs[key]), tolerance);
+            }
+        }
+        for (phase, theirs) in
+            motion.phases().iter().zip(reference["phases"].as_array().expect("a list of phases"))
+        {
+            assert_eq!(phase.mode().name(), theirs["mode"].as_str().expect("a mode"), "{name}");
+            for sample in theirs["samples"].as_array().expect("a list of samples") {
+                let ours = motion.at(number(&sample["time"])).expect("a time within the motion");
+                compare_sample(name, &ours, sample, tolerance);
+            }
+        }
+    }
+}
+
+/// Near the separatrix the time depends on the logarithm of the energy over the top, E − ℓ̂, of which rounding leaves
+/// a relative error of a few ε/|E − ℓ̂| over.
+fn near_separatrix(hoop: &Hoop, theta: f64, theta_rate: f64) -> f64 {
+    let law = littlewood::RollingLaw::new(hoop);
+    4e-15 + 2.0 * f64::EPSILON / (law.energy(theta, theta_rate) - law.separatrix_energy()).abs()
+}
+
+#[test]
+fn rolling_times_agree_with_quadrature() {
+    let data: Value = serde_json::from_str(ROLLING).expect("reference/rolling.json");
+    let arcs = data["arcs"].as_array().expect("a list of arcs");
+    assert!(arcs.len() >= 20);
+    for arc in arcs {
+        let name = arc["name"].as_str().expect("a name");
+        let (theta, rate) = (number(&arc["theta0"]), number(&arc["theta_rate0"]));
+        let orbit = RollingOrbit::new(&hoop(arc), theta, rate);
+        let (target, time) = (number(&arc["theta1"]), number(&arc["time"]));
+        let tolerance = near_separatrix(&hoop(arc), theta, rate);
+        let ours = orbit.time_to(target).unwrap_or_else(|| panic!("{name}: never reaches {target}"));
+        close(name, ours, time, tolerance);
+        let (reached, _) = orbit.position(time);
+        close(name, reached, target, 1e-13 + 100.0 * tolerance);
+    }
+    for item in data["periods"].as_array().expect("a list of periods") {
+        let name = item["name"].as_str().expect("a name");
+        let (theta, rate) = (number(&item["theta0"]), number(&item["theta_rate0"]));
+        let orbit = RollingOrbit::new(&hoop(item), theta, rate);
+        let (kind, period) = match orbit.recurrence() {
+            Recurrence::Rotation { period } => ("rotation", period),
+            Recurrence::Libration { period, .. } => ("libration", period),
+            other => panic!("{name}: {other:?}"),
+        };
+        assert_eq!(Some(kind), item["kind"].as_str(), "{name}");
+        close(name, period, number(&item["period"]), near_separatrix(&hoop(item), theta, rate));
+    }
+}

@@ -1,0 +1,93 @@
+//! The plane has no left or right, and conservative motions no direction of time.
+#![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
+
+mod common;
+
+use common::{heavy_motion, massless_hoop, moderate_hoop, simulate, start};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, Outcome, RollingOrbit, Start, State, Trajectory};
+use proptest::prelude::*;
+
+/// (θ, θ′, η′, x) → −(θ, θ′, η′, x).
+fn mirrored(start: Start) -> Start {
+    Start { theta: -start.theta, theta_rate: -start.theta_rate, slip: -start.slip, x: -start.x, ..start }
+}
+
+fn bits(state: &State, sign: f64) -> [u64; 5] {
+    // Adding zero makes −0 and 0 the same.
+    [state.time, sign * state.theta, sign * state.theta_rate, sign * state.slip, sign * state.x]
+        .map(|value| (value + 0.0).to_bits())
+}
+
+fn check_mirror(a: &Trajectory, b: &Trajectory) -> Result<(), TestCaseError> {
+    prop_assert_eq!(a.outcome().kind(), b.outcome().kind());
+    prop_assert_eq!(bits(&a.outcome().state(), 1.0), bits(&b.outcome().state(), -1.0));
+    prop_assert_eq!(a.transitions().len(), b.transitions().len());
+    for (ours, theirs) in a.transitions().iter().zip(b.transitions()) {
+        prop_assert_eq!(bits(&ours.state, 1.0), bits(&theirs.state, -1.0));
+        prop_assert_eq!((ours.cause, ours.from, ours.to), (theirs.cause, theirs.from, theirs.to));
+        prop_assert_eq!(ours.direction, theirs.direction.map(littlewood::Direction::reversed));
+    }
+    for (ours, theirs) in a.phases().iter().zip(b.phases()) {
+        for part in [0.25, 0.5, 0.75] {
+            let elapsed = ours.duration().min(10.0) * part;
+            let (ours, theirs) = (ours.sample(elapsed), theirs.sample(elapsed));
+            prop_assert_eq!(bits(&ours.state, 1.0), bits(&theirs.state, -1.0));
+            prop_assert_eq!(ours.normal.to_bits(), theirs.normal.to_bits());
+            prop_assert_eq!((ours.friction + 0.0).to_bits(), (0.0 - theirs.friction).to_bits());
+            prop_assert_eq!(ours.gap.to_bits(), theirs.gap.to_bits());
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn a_mirrored_start_gives_the_mirrored_motion_bit_for_bit((hoop, start) in heavy_motion()) {
+        // At η′ = θ′ = 0 on a vertical nothing chooses a side.
+        prop_assume!(start.theta_rate != 0.0 || start.slip != 0.0 || start.theta != 0.0);
+        check_mirror(&simulate(&hoop, start), &simulate(&hoop, mirrored(start)))?;
+    }
+
+    #[test]
+    fn a_mirrored_massless_start_gives_the_mirrored_motion(hoop in massless_hoop(), start in start()) {
+        check_mirror(&simulate(&hoop, start), &simulate(&hoop, mirrored(start)))?;
+    }
+
+    #[test]
+    fn rolling_back_in_time_returns_to_the_start(hoop in moderate_hoop(), start in start(), elapsed in 0.0..10.0_f64) {
+        let (theta, rate) = RollingOrbit::new(&hoop, start.theta, start.theta_rate).position(elapsed);
+        let (back, back_rate) = RollingOrbit::new(&hoop, theta, -rate).position(elapsed);
+        // Near the saddle errors grow like e^τ/…: the exponent is at most 1 for these hoops.
+        let allowed = 1e-13 * elapsed.exp() * (1.0 + start.theta.abs());
+        prop_assert!((back - start.theta).abs() < allowed, "{back} {}", start.theta);
+        prop_assert!((back_rate + start.theta_rate).abs() < allowed, "{back_rate} {}", start.theta_rate);
+    }
+
+    #[test]
+    fn a_slide_without_friction_returns_to_its_start_in_time(hoop in moderate_hoop(), start in start(), slip in 0.01..2.0_f64, elapsed in 0.05..2.0_f64) {
+        let smooth = Hoop::new(HoopParameters { mu_s: 0.0, mu_k: 0.0, ..hoop.parameters() }).unwrap();
+        let start = start.with_slip(slip.copysign(start.slip));
+        let forth = smooth.simulate(start, Limits::until(elapsed)).unwrap();
+        let slides = forth.phases().len() == 1 && forth.phases()[0].mode() == Mode::Sliding;
+        prop_assume!(slides && matches!(forth.outcome(), Outcome::TimeLimit { .. }));
+        let end = forth.outcome().state();
+        let back = Start::at(end.theta, -end.theta_rate).with_slip(-end.slip);
+        let back = smooth.simulate(back, Limits::until(elapsed)).unwrap().phases()[0].end().unwrap();
+        prop_assert!((back.theta - start.theta).abs() < 1e-11 * (1.0 + start.theta.abs()));
+        prop_assert!((back.theta_rate + start.theta_rate).abs() < 1e-11);
+        prop_assert!((back.slip + start.slip).abs() < 1e-11);
+    }
+
+    #[test]
+    fn a_time_shift_changes_nothing_else(hoop in moderate_hoop(), start in start()) {
+        let shifted = simulate(&hoop, start.with_time(64.0).with_x(-8.0));
+        let plain = simulate(&hoop, start);
+        prop_assert_eq!(plain.transitions().len(), shifted.transitions().len());
+        for (a, b) in plain.transitions().iter().zip(shifted.transitions()) {
+            prop_assert_eq!(a.cause, b.cause);
+            prop_assert!((a.state.time + 64.0 - b.state.time).abs() < 1e-12);
+        }
+    }
+}
