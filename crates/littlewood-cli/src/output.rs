@@ -1,0 +1,122 @@
+//! Where the output goes: the standard output, or a file that is replaced only once everything has been written.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use crate::error::Error;
+
+/// An output that is open for writing.
+#[derive(Debug)]
+pub(crate) enum Output {
+    /// The standard output.
+    Stdout,
+    /// A regular file, written under another name in the same folder.
+    File {
+        /// The file that is written.
+        temporary: NamedTempFile,
+        /// The name that it gets.
+        path: PathBuf,
+    },
+    /// A pipe or a device, which cannot be replaced.
+    Device {
+        /// The open device.
+        file: File,
+        /// Its name.
+        path: PathBuf,
+    },
+}
+
+impl Output {
+    /// Opens the output before the work begins, so that a wrong path is known at once.
+    ///
+    /// # Errors
+    /// The file cannot be written to.
+    pub(crate) fn open(path: Option<&Path>) -> Result<Self, Error> {
+        let Some(path) = path else {
+            return Ok(Self::Stdout);
+        };
+        open_file(path).map_err(|source| Error::Unwritable { path: path.to_owned(), source })
+    }
+
+    /// Whether colours will be seen.
+    pub(crate) fn has_colour(&self) -> bool {
+        match self {
+            Self::Stdout => anstream::AutoStream::choice(&io::stdout()) != anstream::ColorChoice::Never,
+            Self::File { .. } | Self::Device { .. } => false,
+        }
+    }
+
+    /// Writes everything, and puts a file in its place at the end.
+    ///
+    /// # Errors
+    /// Writing fails, or the reader of a pipe has left.
+    pub(crate) fn write(self, body: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Error> {
+        let (result, target, replaces) = match self {
+            Self::Stdout => (fill(io::stdout().lock(), body), "the standard output".to_owned(), false),
+            Self::Device { file, path } => (fill(file, body), path.display().to_string(), false),
+            Self::File { mut temporary, path } => {
+                let result = fill(temporary.as_file_mut(), body)
+                    .and_then(|()| temporary.as_file().sync_all())
+                    .and_then(|()| temporary.persist(&path).map(drop).map_err(io::Error::from));
+                (result, path.display().to_string(), true)
+            }
+        };
+        result.map_err(|source| match source.kind() {
+            ErrorKind::BrokenPipe => Error::ClosedPipe,
+            _ if replaces => Error::WriteFile { target, source },
+            _ => Error::Write { target, source },
+        })
+    }
+}
+
+fn fill(target: impl Write, body: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut writer = BufWriter::new(target);
+    body(&mut writer)?;
+    writer.flush()
+}
+
+fn open_file(path: &Path) -> io::Result<Output> {
+    // A link is followed, so that the file it points to is replaced and not the link.
+    let path = match fs::canonicalize(path) {
+        Ok(path) => path,
+        Err(error) if error.kind() == ErrorKind::NotFound => path.to_owned(),
+        Err(error) => return Err(error),
+    };
+    let existing = fs::metadata(&path).ok();
+    if let Some(existing) = &existing {
+        if existing.is_dir() {
+            return Err(io::Error::new(ErrorKind::IsADirectory, "it is a folder"));
+        }
+        if !existing.is_file() {
+            let file = OpenOptions::new().write(true).open(&path)?;
+            return Ok(Output::Device { file, path });
+        }
+        if existing.permissions().readonly() {
+            return Err(io::Error::new(ErrorKind::PermissionDenied, "it is there already, and read-only"));
+        }
+    }
+    if path.file_name().is_none() {
+        return Err(io::Error::new(ErrorKind::InvalidInput, "this is not the name of a file"));
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".littlewood-").suffix(".part");
+    #[cfg(unix)]
+    let permissions = {
+        use std::os::unix::fs::PermissionsExt;
+        // The process's mask is applied to this, as for any new file.
+        existing.map_or_else(|| fs::Permissions::from_mode(0o666), |existing| existing.permissions())
+    };
+    #[cfg(unix)]
+    builder.permissions(permissions);
+    let temporary = builder.tempfile_in(folder).map_err(without_path)?;
+    Ok(Output::File { temporary, path })
+}
+
+/// The message of the system alone: the name of the temporary file means nothing to the reader.
+fn without_path(error: io::Error) -> io::Error {
+    error.kind().into()
+}

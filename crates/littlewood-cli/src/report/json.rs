@@ -1,0 +1,127 @@
+//! JSON, one object, every number with as many digits as it takes to read the same number back.
+
+use std::io::{self, Write};
+
+use littlewood::{CASES, Classification, Phase, Trajectory, Units};
+use serde::{Serialize, Serializer};
+
+use super::Sampling;
+use super::record::{
+    CaseRecord, ClassificationRecord, HoopRecord, OutcomeRecord, PhaseRecord, SampleRecord, SiRecord,
+    SiSampleRecord, StartRecord, TransitionRecord,
+};
+use crate::problem::Problem;
+
+#[derive(Serialize)]
+struct MotionDocument<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    case: Option<&'static str>,
+    hoop: HoopRecord,
+    start: StartRecord,
+    transitions: Vec<TransitionRecord>,
+    outcome: OutcomeRecord,
+    phases: Vec<PhaseRecord>,
+    energy_lost: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    si: Option<SiRecord>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sampled_until: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    samples: Option<Samples<'a>>,
+}
+
+/// The samples, written one after the other as they are made.
+struct Samples<'a> {
+    trajectory: &'a Trajectory,
+    sampling: Sampling,
+    units: Option<&'a Units>,
+}
+
+#[derive(Serialize)]
+struct SampleEntry {
+    #[serde(flatten)]
+    sample: SampleRecord,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    si: Option<SiSampleRecord>,
+}
+
+impl Serialize for Samples<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { trajectory, sampling, units } = self;
+        let hoop = trajectory.hoop();
+        serializer.collect_seq(trajectory.sample_evenly(sampling.count, sampling.until).map(|sample| {
+            SampleEntry {
+                sample: SampleRecord::new(hoop, &sample),
+                si: units.map(|units| SiSampleRecord::new(units, hoop, &sample)),
+            }
+        }))
+    }
+}
+
+/// A motion.
+pub(crate) fn motion(
+    writer: &mut dyn Write,
+    problem: &Problem,
+    trajectory: &Trajectory,
+    sampling: Option<Sampling>,
+) -> io::Result<()> {
+    let units = problem.units.as_ref();
+    let first = trajectory.phases().first();
+    let document = MotionDocument {
+        case: problem.case.map(|case| case.name),
+        hoop: trajectory.hoop().parameters().into(),
+        start: StartRecord::new(
+            &problem.start,
+            first.map(Phase::mode),
+            first.and_then(Phase::direction),
+            units,
+        ),
+        transitions: trajectory.transitions().iter().map(|it| TransitionRecord::new(it, units)).collect(),
+        outcome: OutcomeRecord::new(&trajectory.outcome(), units),
+        phases: trajectory.phases().iter().map(|phase| PhaseRecord::new(phase, units)).collect(),
+        energy_lost: trajectory.energy_lost(),
+        si: units.map(|units| SiRecord::new(trajectory.hoop(), units, Some(trajectory.energy_lost()))),
+        sampled_until: sampling.map(|sampling| sampling.until),
+        samples: sampling.map(|sampling| Samples { trajectory, sampling, units }),
+    };
+    write(writer, &document)
+}
+
+#[derive(Serialize)]
+struct ClassificationDocument {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    case: Option<&'static str>,
+    hoop: HoopRecord,
+    start: StartRecord,
+    #[serde(flatten)]
+    classification: ClassificationRecord,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    si: Option<SiRecord>,
+}
+
+/// What is known of a start.
+pub(crate) fn classification(
+    writer: &mut dyn Write,
+    problem: &Problem,
+    found: &Classification,
+) -> io::Result<()> {
+    let units = problem.units.as_ref();
+    let document = ClassificationDocument {
+        case: problem.case.map(|case| case.name),
+        hoop: problem.hoop.parameters().into(),
+        start: StartRecord::new(&problem.start, found.mode, found.direction, units),
+        classification: found.into(),
+        si: units.map(|units| SiRecord::new(&problem.hoop, units, None)),
+    };
+    write(writer, &document)
+}
+
+/// The named cases.
+pub(crate) fn cases(writer: &mut dyn Write) -> io::Result<()> {
+    write(writer, &CASES.iter().map(CaseRecord::from).collect::<Vec<_>>())
+}
+
+fn write(writer: &mut dyn Write, document: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *writer, document)?;
+    writeln!(writer)
+}

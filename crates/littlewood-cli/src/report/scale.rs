@@ -1,0 +1,121 @@
+//! The system of units that a person sees: none (2.9), or SI.
+
+use littlewood::{State, Units};
+
+use super::number::brief;
+
+/// A system of units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scale<'a>(Option<&'a Units>);
+
+impl<'a> Scale<'a> {
+    pub(super) const fn new(units: Option<&'a Units>) -> Self {
+        Self(units)
+    }
+
+    /// Symbols of τ, θ′ and η′, and of the height of the rim.
+    pub(super) const fn symbols(self) -> Symbols {
+        match self.0 {
+            None => Symbols { time: "τ", theta_rate: "θ′", slip: "η′" },
+            Some(_) => Symbols { time: "t", theta_rate: "dθ/dt", slip: "dη/dt" },
+        }
+    }
+
+    /// Labels of columns with their units.
+    pub(super) const fn columns(self) -> [&'static str; 6] {
+        match self.0 {
+            None => ["from τ", "duration", "θ", "θ′", "η′", "lost"],
+            Some(_) => {
+                ["from t\n[s]", "duration\n[s]", "θ\n[rad]", "dθ/dt\n[rad/s]", "dη/dt\n[m/s]", "lost\n[J]"]
+            }
+        }
+    }
+
+    pub(super) fn time(self, value: f64) -> f64 {
+        self.0.map_or(value, |units| value * units.time_s)
+    }
+
+    pub(super) fn rate(self, value: f64) -> f64 {
+        self.0.map_or(value, |units| value / units.time_s)
+    }
+
+    pub(super) fn velocity(self, value: f64) -> f64 {
+        self.0.map_or(value, |units| value * units.velocity_m_per_s())
+    }
+
+    pub(super) fn energy(self, value: f64) -> f64 {
+        self.0.map_or(value, |units| value * units.energy_j())
+    }
+
+    /// A time with its unit.
+    pub(super) fn show_time(self, value: f64) -> String {
+        self.show(self.time(value), "s")
+    }
+
+    /// A length with its unit.
+    pub(super) fn show_length(self, value: f64) -> String {
+        match self.0 {
+            None if value == 0.0 => "0".to_owned(),
+            None => format!("{} R", brief(value)),
+            Some(units) => format!("{} m", brief(value * units.length_m)),
+        }
+    }
+
+    /// A velocity with its unit.
+    pub(super) fn show_velocity(self, value: f64) -> String {
+        self.show(self.velocity(value), "m/s")
+    }
+
+    /// A rate of turning with its unit.
+    pub(super) fn show_rate(self, value: f64) -> String {
+        self.show(self.rate(value), "rad/s")
+    }
+
+    /// A force with its unit.
+    pub(super) fn show_force(self, value: f64) -> String {
+        match self.0 {
+            None => format!("{} m2 g", brief(value)),
+            Some(units) => format!("{} N", brief(value * units.force_n())),
+        }
+    }
+
+    /// An energy with its unit.
+    pub(super) fn show_energy(self, value: f64) -> String {
+        match self.0 {
+            None => format!("{} m2 g R", brief(value)),
+            Some(units) => format!("{} J", brief(value * units.energy_j())),
+        }
+    }
+
+    /// θ, θ′ and η′.
+    pub(super) fn show_motion(self, state: &State) -> String {
+        let Symbols { theta_rate, slip, .. } = self.symbols();
+        format!(
+            "{}  {theta_rate} = {}  {slip} = {}",
+            self.show_angle(state.theta),
+            self.show_rate(state.theta_rate),
+            self.show_velocity(state.slip),
+        )
+    }
+
+    /// θ in radians and in degrees.
+    pub(super) fn show_angle(self, theta: f64) -> String {
+        let degrees = brief((theta.to_degrees() * 10.0).round() / 10.0);
+        format!("θ = {} ({degrees}°)", self.show(theta, "rad"))
+    }
+
+    fn show(self, value: f64, unit: &str) -> String {
+        match self.0 {
+            None => brief(value),
+            Some(_) => format!("{} {unit}", brief(value)),
+        }
+    }
+}
+
+/// The symbols of the paper, or of their counterparts with dimensions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Symbols {
+    pub(super) time: &'static str,
+    pub(super) theta_rate: &'static str,
+    pub(super) slip: &'static str,
+}

@@ -1,0 +1,72 @@
+//! `littlewood simulate`: follows a motion and reports it.
+
+use std::path::Path;
+
+use littlewood::{Outcome, Recurrence, Trajectory};
+
+use crate::args::{Format, SimulateArgs};
+use crate::error::Error;
+use crate::output::Output;
+use crate::problem::Problem;
+use crate::report::{self, Sampling};
+use crate::scenario::Scenario;
+
+/// Runs the command.
+///
+/// # Errors
+/// Bad input, or a failure to write.
+pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
+    let scenario = args.problem.scenario.as_deref().map(Scenario::read).transpose()?;
+    let problem = Problem::resolve(&args.problem, args.run.given(), args.run.max_transitions, scenario)?;
+    let scenario = problem.scenario();
+    let samples = args.samples.or_else(|| scenario.and_then(Scenario::samples));
+    let out = args.out.clone().or_else(|| scenario.and_then(Scenario::out));
+    let format = args
+        .format
+        .or_else(|| scenario.and_then(Scenario::format))
+        .unwrap_or_else(|| format_of(out.as_deref()));
+
+    let output = Output::open(out.as_deref())?;
+    let trajectory = problem.simulate()?;
+    let sampling = samples.map(|count| Sampling {
+        count: usize::try_from(count).unwrap_or(usize::MAX),
+        until: sampling_end(&trajectory),
+    });
+    let colour = output.has_colour();
+    output.write(|writer| match format {
+        Format::Table => report::table::motion(writer, &problem, &trajectory, sampling, colour),
+        Format::Json => report::json::motion(writer, &problem, &trajectory, sampling),
+        Format::Csv => report::csv::motion(writer, &problem, &trajectory, sampling),
+    })
+}
+
+fn format_of(out: Option<&Path>) -> Format {
+    match out.and_then(Path::extension).and_then(|ending| ending.to_str()) {
+        Some("json") => Format::Json,
+        Some("csv") => Format::Csv,
+        _ => Format::Table,
+    }
+}
+
+/// A motion without an end is sampled far enough to see what it does: for two periods of the last phase, or ten units
+/// of time where that has none.
+fn sampling_end(trajectory: &Trajectory) -> f64 {
+    let end = trajectory.end_time();
+    if end.is_finite() {
+        return end;
+    }
+    let horizon = match trajectory.outcome() {
+        Outcome::RollsForever { recurrence, .. } | Outcome::SlidesForever { recurrence, .. } => {
+            match recurrence {
+                Recurrence::Libration { period, .. } | Recurrence::Rotation { period }
+                    if period.is_finite() =>
+                {
+                    2.0 * period
+                }
+                _ => 10.0,
+            }
+        }
+        _ => 10.0,
+    };
+    trajectory.outcome().state().time + horizon
+}

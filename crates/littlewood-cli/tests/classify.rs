@@ -1,0 +1,93 @@
+//! `littlewood classify` and `littlewood cases`.
+
+mod support;
+
+use littlewood::{CASES, find_case};
+use serde_json::Value;
+use support::{assert_close, json, number, text};
+
+#[test]
+fn figure_3_starts_beyond_the_static_friction() {
+    let document = json(&["classify", "figure-3"]);
+    assert_eq!(document["region"], "beyond_friction");
+    assert_eq!(document["start"]["mode"], "sliding");
+    assert_eq!(document["start"]["direction"], -1);
+    // (2.12) at θ = π/2, θ′ = 2 with D = 4 and K = 20: N = 12/16, F = 24/16.
+    assert_close(number(&document["rolling_normal"]), 0.75, 1e-15);
+    assert_close(number(&document["rolling_friction"]), 1.5, 1e-15);
+    assert_close(number(&document["friction_demand"]), 2.0, 1e-15);
+    assert_close(number(&document["contact"]), 1.0, 1e-15);
+    assert_close(number(&document["energy"]), 8.0, 1e-15);
+    assert_eq!(document["rolling_end"], Value::Null);
+    let page = text(&["classify", "figure-3"]);
+    assert!(page.contains("Begins   sliding ←") && page.contains("|F|/N = 2, μs = 0.5"), "{page}");
+}
+
+#[test]
+fn littlewoods_hoop_has_a_type_and_an_end_of_rolling() {
+    let flags = "--mass-ratio 0 --offset 1 --inertia 0 --mu-s 0.5 --mu-k 0.4 --theta 0 --theta-rate";
+    let classify = |rate: &str| json(&[vec!["classify"], flags.split(' ').collect(), vec![rate]].concat());
+    let document = classify("0.5");
+    assert_eq!(document["region"], "rolling_region");
+    assert_eq!(document["rolling_type"], "III");
+    let end = &document["rolling_end"];
+    assert_eq!(end["cause"], "slip");
+    assert_close(number(&end["elapsed"]), 1.609_437_912_434_100_3, 1e-14);
+    assert_close(number(&end["theta"]), 0.927_295_218_001_612_2, 1e-14);
+    assert_close(number(&end["theta_rate"]), 0.75, 1e-14);
+    // Faster, N vanishes first: cos θ = θ0′² at arccosh(1/θ0′²).
+    let document = classify("0.9");
+    assert_eq!(document["rolling_type"], "I");
+    assert_eq!(document["rolling_end"]["cause"], "normal_force_zero");
+    assert_close(number(&document["rolling_end"]["theta_rate"]), 1.0, 1e-14);
+    // N < 0 from the start.
+    let fast = json(&["classify", "figure-7", "--theta", "0.3", "--theta-rate", "1.5"]);
+    assert_eq!(fast["region"], "gliding");
+    assert_eq!(fast["rolling_type"], Value::Null);
+}
+
+#[test]
+fn regions_of_the_heavy_hoop() {
+    let classify =
+        |theta: &str, rate: &str| json(&["classify", "figure-3", "--theta", theta, "--theta-rate", rate]);
+    let rest = classify("0", "0");
+    assert_eq!(rest["region"], "rolling_region");
+    assert_eq!(rest["rolls_forever"]["recurrence"], "rest");
+    // Footnote 3.
+    let jump = classify("0", "4");
+    assert_eq!(jump["region"], "loss_of_contact");
+    assert_eq!(jump["start"]["mode"], "flight");
+    assert_eq!(jump["friction_demand"], Value::Null);
+    // N_roll ≤ 0 and yet 1 − h c u > 0.
+    let band = classify("-0.7", "1.6");
+    assert_eq!(band["region"], "sliding_band");
+    assert!(number(&band["rolling_normal"]) <= 0.0 && number(&band["contact"]) > 0.0);
+    let slip = json(&["classify", "figure-3", "--slip", "-0.1"]);
+    assert_eq!(slip["region"], "slipping");
+    assert_eq!(slip["start"]["direction"], -1);
+}
+
+#[test]
+fn every_case_is_listed_and_begins_as_classify_says() {
+    let list = json(&["cases"]);
+    let list = list.as_array().unwrap();
+    assert_eq!(list.len(), CASES.len());
+    let page = text(&["cases"]);
+    for entry in list {
+        let name = entry["name"].as_str().unwrap();
+        let case = find_case(name).unwrap();
+        assert_eq!(entry["title"], case.title);
+        assert_eq!(entry["start"]["theta"], case.start.theta);
+        assert_eq!(entry["hoop"]["mu_s"], case.hoop.mu_s);
+        assert!(page.contains(name));
+        let motion = json(&["simulate", name]);
+        let start = json(&["classify", name]);
+        assert_eq!(start["start"]["mode"], motion["start"]["mode"], "{name}");
+        let words = text(&["classify", name]);
+        assert!(
+            words.contains("Region   ") && words.lines().all(|line| line.chars().count() <= 100),
+            "{words}"
+        );
+    }
+    assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
+}

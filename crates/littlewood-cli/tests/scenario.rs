@@ -1,0 +1,149 @@
+//! Scenario files: what they say, what flags change, and what is wrong with them.
+
+mod support;
+
+use std::fs;
+use std::path::PathBuf;
+
+use support::{FIGURE_3_EVENTS, assert_close, complaint, example, json, number, text};
+use tempfile::TempDir;
+
+/// A scenario file in a folder of its own.
+fn scenario(content: &str) -> (TempDir, PathBuf) {
+    let folder = TempDir::new().expect("a folder for the test");
+    let path = folder.path().join("hoop.toml");
+    fs::write(&path, content).expect("a file for the test");
+    (folder, path)
+}
+
+/// The message for a scenario that is refused.
+fn refused(content: &str) -> String {
+    let (_folder, path) = scenario(content);
+    complaint(&["simulate", "--scenario", path.to_str().expect("a path in UTF-8")], 2)
+}
+
+#[test]
+fn every_example_runs() {
+    let mut count = 0;
+    for entry in fs::read_dir(example("")).unwrap() {
+        let path = entry.unwrap().path();
+        let path = path.to_str().unwrap();
+        assert!(!text(&["simulate", "--scenario", path]).is_empty());
+        text(&["classify", "--scenario", path]);
+        count += 1;
+    }
+    assert!(count >= 3);
+}
+
+#[test]
+fn a_scenario_with_integers_and_numbers_is_figure_3() {
+    let document = json(&["simulate", "--scenario", &example("figure-3.toml")]);
+    assert_eq!(document["phases"].as_array().unwrap().len(), 4);
+    for (transition, expected) in document["transitions"].as_array().unwrap().iter().zip(FIGURE_3_EVENTS) {
+        assert_close(number(&transition["time"]), expected[0], 1e-12);
+    }
+}
+
+#[test]
+fn flags_override_a_scenario_and_a_scenario_its_case() {
+    let path = example("pushed.toml");
+    let document = json(&["simulate", "--scenario", &path, "--slip", "0.5", "--until", "0.1"]);
+    assert_eq!(document["case"], "figure-3");
+    assert_eq!(document["hoop"]["mu_k"], 0.4);
+    assert_eq!(document["start"]["theta"], 3.0);
+    assert_eq!(document["start"]["x"], 2.0);
+    assert_eq!(document["start"]["slip"], 0.5);
+    assert_eq!(document["start"]["direction"], 1);
+    assert_eq!(document["outcome"]["time"], 0.1);
+    // The file asks for nine samples in CSV; --format json changes the format only.
+    assert!(document["samples"].as_array().unwrap().len() >= 9);
+    let rows = text(&["simulate", "--scenario", &path]);
+    assert!(rows.starts_with("time,mode,direction,theta"), "{rows}");
+}
+
+#[test]
+fn a_scenario_names_its_output_file_from_its_own_folder() {
+    let (folder, path) = scenario("case = \"figure-3\"\n[run]\nout = \"motion.json\"\n");
+    assert_eq!(text(&["simulate", "--scenario", path.to_str().unwrap()]), "");
+    let written = fs::read_to_string(folder.path().join("motion.json")).unwrap();
+    let document: serde_json::Value = serde_json::from_str(&written).unwrap();
+    assert_eq!(document["outcome"]["kind"], "landing");
+}
+
+#[test]
+fn dimensionless_flags_change_a_scenario_in_si_units() {
+    let document =
+        json(&["simulate", "--scenario", &example("hula-hoop.toml"), "--theta-rate", "2", "--until", "1"]);
+    assert_eq!(document["start"]["theta_rate"], 2.0);
+    assert!(number(&document["outcome"]["time"]) <= 1.0);
+    let unit = (0.45_f64 / 9.81).sqrt();
+    assert_close(number(&document["start"]["si"]["theta_rate_rad_per_s"]), 2.0 / unit, 1e-14);
+}
+
+#[test]
+fn broken_toml_is_shown_where_it_breaks() {
+    let message = refused("case = \"figure-3\"\n[start]\ntheta = = 2\n");
+    assert!(message.contains("hoop.toml:3:9"), "{message}");
+    assert!(message.contains("theta = = 2"), "{message}");
+    assert!(message.contains("help: "), "{message}");
+}
+
+#[test]
+fn an_unknown_key_is_shown_with_those_that_exist() {
+    let message = refused("case = \"figure-3\"\n\n[hoop]\nmu = 0.5\n");
+    assert!(message.contains("unknown field `mu`"), "{message}");
+    assert!(message.contains("`mu_k`"), "{message}");
+    assert!(message.contains("hoop.toml:4:1"), "{message}");
+    assert!(refused("[hop]\n").contains("unknown field `hop`"));
+    assert!(refused("[si.start]\ntheta = 1.0\n").contains("`theta_rad`"));
+}
+
+#[test]
+fn a_value_out_of_bounds_is_shown_with_its_place() {
+    let message = refused("case = \"figure-3\"\n[hoop]\nmu_k = 0.75\n");
+    assert!(message.contains("mu_k = 0.75 must not exceed mu_s = 0.5"), "{message}");
+    assert!(message.contains("hoop.toml:3:8"), "{message}");
+    assert!(message.contains("kinetic friction is never stronger"), "{message}");
+    let message = refused("case = \"figure-3\"\n[start]\ntheta = nan\n");
+    assert!(message.contains("theta = NaN rad must be a finite number"), "{message}");
+    assert!(message.contains("hoop.toml:3:9"), "{message}");
+    let message = refused("case = \"figure-3\"\n[start]\ntime = 5\n[run]\nuntil = 4\n");
+    assert!(message.contains("until = 4 sqrt(R/g) must not be less than time = 5"), "{message}");
+    assert!(message.contains("hoop.toml:5:9"), "{message}");
+    let message =
+        refused("case = \"figure-3\"\n[si.hoop]\nradius_m = 0.5\nparticle_mass_kg = 1\noffset_m = 2\n");
+    assert!(message.contains("offset_m = 2 m must not exceed radius_m = 0.5 m"), "{message}");
+    assert!(message.contains("hoop.toml:5:12"), "{message}");
+}
+
+#[test]
+fn other_mistakes_in_a_scenario_are_shown_too() {
+    let message = refused("case = \"figure-33\"\n");
+    assert!(message.contains("there is no case named 'figure-33'"), "{message}");
+    assert!(message.contains("did you mean 'figure-3'"), "{message}");
+    assert!(message.contains("hoop.toml:1:8"), "{message}");
+    let message = refused("case = \"figure-3\"\n[start]\ntheta = \"1.5\"\n");
+    assert!(message.contains("hoop.toml:3:9"), "{message}");
+    let message = refused("[start]\ntheta_rate = 2\n[si.hoop]\nradius_m = 1\n");
+    assert!(message.contains("theta_rate has no dimension, radius_m is in SI units"), "{message}");
+    assert!(message.contains("theta_rate_rad_per_s"), "{message}");
+    let message = refused("case = \"figure-3\"\n[run]\nsamples = 1\n");
+    assert!(message.contains("samples = 1 is not between 2 and 10000000"), "{message}");
+    let message = refused("case = \"figure-3\"\n[run]\nmax_transitions = 0\n");
+    assert!(message.contains("max_transitions = 0"), "{message}");
+    let message = refused("[hoop]\nmass_ratio = 1\n");
+    assert!(message.contains("missing: offset, inertia"), "{message}");
+}
+
+#[test]
+fn a_scenario_that_cannot_be_read_is_refused() {
+    let folder = TempDir::new().unwrap();
+    let nowhere = folder.path().join("nowhere.toml");
+    let message = complaint(&["simulate", "--scenario", nowhere.to_str().unwrap()], 2);
+    assert!(message.contains("cannot read the scenario") && message.contains("nowhere.toml"), "{message}");
+    complaint(&["simulate", "--scenario", folder.path().to_str().unwrap()], 2);
+    let binary = folder.path().join("binary.toml");
+    fs::write(&binary, [0xff, 0xfe, 0x00]).unwrap();
+    complaint(&["classify", "--scenario", binary.to_str().unwrap()], 2);
+    complaint(&["simulate", "figure-3", "--scenario", &example("figure-3.toml")], 2);
+}

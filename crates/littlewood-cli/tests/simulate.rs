@@ -1,0 +1,456 @@
+//! `littlewood simulate`: the numbers and names that other programs rely on, and the page that a person reads.
+
+mod support;
+
+use littlewood::{CASES, Cause, Mode, Phase};
+use predicates::prelude::*;
+use serde_json::Value;
+use support::{FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, json, littlewood, number, text};
+
+const STATE: [&str; 5] = ["time", "theta", "theta_rate", "slip", "x"];
+
+fn keys(value: &Value) -> Vec<&str> {
+    value.as_object().expect("an object").keys().map(String::as_str).collect()
+}
+
+#[test]
+fn the_command_of_the_readme_prints_one_object_with_the_fixed_names() {
+    let command = "simulate --mass-ratio 1 --offset 1 --inertia 1 --mu-s 0.5 --mu-k 0.4 \
+                   --theta 1.5707963267948966 --theta-rate 2 --slip 0 --until 30 --format json";
+    let document: Value =
+        serde_json::from_str(&text(&command.split_whitespace().collect::<Vec<_>>())).unwrap();
+    let sorted = |names: &[&str]| {
+        let mut names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        names.sort();
+        names
+    };
+    assert_eq!(
+        sorted(&keys(&document)),
+        sorted(&["hoop", "start", "transitions", "outcome", "phases", "energy_lost"])
+    );
+    assert_eq!(
+        sorted(&keys(&document["hoop"])),
+        sorted(&["mass_ratio", "offset", "inertia", "mu_s", "mu_k"])
+    );
+    assert_eq!(sorted(&keys(&document["start"])), sorted(&[&STATE[..], &["mode", "direction"]].concat()));
+    let transitions = document["transitions"].as_array().unwrap();
+    assert_eq!(transitions.len(), 4);
+    for transition in transitions {
+        let names = [&STATE[..], &["from", "to", "direction", "cause"]].concat();
+        assert_eq!(sorted(&keys(transition)), sorted(&names));
+        assert!(STATE.iter().all(|name| transition[name].is_f64()));
+        assert!(transition["direction"].is_i64());
+    }
+    assert_eq!(sorted(&keys(&document["outcome"])), sorted(&[&STATE[..], &["kind", "gap_rate"]].concat()));
+    assert_eq!(document["hoop"]["mu_k"], 0.4);
+    assert_eq!(document["start"]["theta"], core::f64::consts::FRAC_PI_2);
+    assert_eq!(document["start"]["mode"], "sliding");
+    assert_eq!(document["start"]["direction"], -1);
+}
+
+#[test]
+fn figure_3_has_its_four_phases_and_times() {
+    let by_name = json(&["simulate", "figure-3"]);
+    let by_numbers = json(&[&["simulate"], &FIGURE_3[..]].concat());
+    for document in [&by_name, &by_numbers] {
+        let phases: Vec<(&str, i64)> = document["phases"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|phase| (phase["mode"].as_str().unwrap(), phase["direction"].as_i64().unwrap()))
+            .collect();
+        assert_eq!(phases, [("sliding", -1), ("rolling", 0), ("sliding", 1), ("flight", 0)]);
+
+        let transitions = document["transitions"].as_array().unwrap();
+        let edges: Vec<[&Value; 4]> =
+            transitions.iter().map(|it| [&it["from"], &it["to"], &it["direction"], &it["cause"]]).collect();
+        let expected = serde_json::json!([
+            ["sliding", "rolling", 0, "stick"],
+            ["rolling", "sliding", 1, "slip"],
+            ["sliding", "flight", 0, "lift_off"],
+            ["flight", null, 0, "landing"],
+        ]);
+        assert_eq!(serde_json::json!(edges), expected);
+        for (transition, expected) in transitions.iter().zip(FIGURE_3_EVENTS) {
+            for (name, expected) in STATE.iter().zip(expected) {
+                assert_close(number(&transition[name]), expected, 1e-12);
+            }
+        }
+        let outcome = &document["outcome"];
+        assert_eq!(outcome["kind"], "landing");
+        assert_close(number(&outcome["time"]), FIGURE_3_LANDING[0], 1e-12);
+        assert_close(number(&outcome["theta"]), FIGURE_3_LANDING[1], 1e-12);
+        assert!(number(&outcome["gap_rate"]) < 0.0);
+        assert_eq!(outcome["time"], transitions[3]["time"]);
+    }
+    assert_eq!(by_name["case"], "figure-3");
+    assert_eq!(by_numbers["case"], Value::Null);
+}
+
+#[test]
+fn the_energy_lost_is_that_between_the_start_and_the_lift_off() {
+    let document = json(&["simulate", "figure-3"]);
+    // (2.8) with m = 2, h = 1/2 and the moment of inertia 3/2 about the mass centre, at the reference lift-off.
+    let [_, theta, rate, slip, _] = FIGURE_3_EVENTS[2];
+    let (sin, cos) = libm::sincos(theta);
+    let vx = slip - (1.0 + 0.5 * cos) * rate;
+    let vy = -0.5 * sin * rate;
+    let at_lift_off = vx * vx + vy * vy + 0.75 * rate * rate + cos;
+    // Rolling at θ = π/2: E = D θ′²/2 with D = 4.
+    let at_start = 8.0;
+    assert_close(number(&document["energy_lost"]), at_start - at_lift_off, 1e-12);
+    let phases = document["phases"].as_array().unwrap();
+    assert_close(number(&phases[0]["energy_start"]), at_start, 1e-15);
+    assert_close(number(&phases[3]["energy_start"]), at_lift_off, 1e-12);
+    assert_eq!(phases[1]["energy_lost"], 0.0);
+    assert!(number(&phases[0]["energy_lost"]) > 0.0 && number(&phases[2]["energy_lost"]) > 0.0);
+}
+
+#[test]
+fn negative_numbers_are_taken_after_a_space_and_after_an_equals_sign() {
+    let hoop = &FIGURE_3[..10];
+    let theta = "-1.5707963267948966";
+    let spaced = [&["simulate"], hoop, &["--theta", theta, "--theta-rate", "-2", "--slip", "-0"]].concat();
+    let equals = ["--theta=-1.5707963267948966", "--theta-rate=-2", "--slip=-0"];
+    let equals = [&["simulate"], hoop, &equals].concat();
+    let mirrored = json(&spaced);
+    assert_eq!(mirrored, json(&equals));
+    // The mirror image of Figure 3.
+    let transitions = mirrored["transitions"].as_array().unwrap();
+    assert_eq!(transitions.len(), 4);
+    for (transition, [time, theta, rate, slip, x]) in transitions.iter().zip(FIGURE_3_EVENTS) {
+        assert_close(number(&transition["time"]), time, 1e-12);
+        for (name, expected) in [("theta", -theta), ("theta_rate", -rate), ("slip", -slip), ("x", -x)] {
+            assert_close(number(&transition[name]), expected, 1e-12);
+        }
+    }
+    let odd = [
+        "simulate", "figure-3", "--theta", "-1e-3", "--slip", "-.5", "--x", "-7", "--time", "-1", "--until",
+        "-.5",
+    ];
+    let odd = json(&odd);
+    assert_eq!(odd["start"]["theta"], -1e-3);
+    assert_eq!(odd["start"]["slip"], -0.5);
+    assert_eq!(odd["start"]["x"], -7.0);
+    assert_eq!(odd["start"]["time"], -1.0);
+    assert_eq!(odd["outcome"]["time"], -0.5);
+}
+
+#[test]
+fn flags_override_the_values_of_a_case() {
+    let document = json(&["simulate", "figure-3", "--mu-k", "0.5", "--x", "2"]);
+    assert_eq!(document["case"], "figure-3");
+    assert_eq!(document["hoop"]["mu_s"], 0.5);
+    assert_eq!(document["hoop"]["mu_k"], 0.5);
+    assert_eq!(document["start"]["x"], 2.0);
+    assert_eq!(document["start"]["theta_rate"], 2.0);
+    let page = text(&["simulate", "figure-3", "--mu-k", "0.5"]);
+    assert!(page.starts_with("figure-3 with another mu_k\n"), "{page}");
+}
+
+#[test]
+fn every_case_is_printed_as_the_library_has_it() {
+    for case in CASES {
+        let motion = case.simulate().unwrap();
+        let document = json(&["simulate", case.name]);
+        assert_eq!(document["case"], case.name);
+        let modes: Vec<&str> =
+            document["phases"].as_array().unwrap().iter().map(|it| it["mode"].as_str().unwrap()).collect();
+        assert_eq!(modes, motion.phases().iter().map(|it| it.mode().name()).collect::<Vec<_>>());
+        let transitions = document["transitions"].as_array().unwrap();
+        assert_eq!(transitions.len(), motion.transitions().len());
+        for (printed, transition) in transitions.iter().zip(motion.transitions()) {
+            // Every digit is there: the number that is read back is the same, bit for bit.
+            let state = transition.state;
+            for (name, value) in
+                STATE.iter().zip([state.time, state.theta, state.theta_rate, state.slip, state.x])
+            {
+                let expected = value.is_finite().then(|| value.to_bits());
+                assert_eq!(printed[name].as_f64().map(f64::to_bits), expected, "{} {name}", case.name);
+            }
+            assert_eq!(printed["cause"], transition.cause.name());
+            assert_eq!(printed["from"], transition.from.name());
+            assert_eq!(printed["to"].as_str(), transition.to.map(Mode::name));
+        }
+        assert_eq!(document["outcome"]["kind"], motion.outcome().kind());
+        let limit = document["phases"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|it| !it["small_inertia_limit"].as_bool().unwrap());
+        let expected = motion.phases().iter().map(Phase::is_outside_small_inertia_limit);
+        assert!(limit.eq(expected));
+    }
+}
+
+#[test]
+fn a_start_that_leaves_the_plane_at_once_has_start_mode_flight() {
+    // Footnote 3 of the paper: (θ, θ′) = (0, 4).
+    let document = json(&["simulate", "figure-3", "--theta", "0", "--theta-rate", "4"]);
+    assert_eq!(document["start"]["mode"], "flight");
+    assert_eq!(document["start"]["direction"], 0);
+    assert_eq!(document["phases"][0]["mode"], "flight");
+    assert_eq!(document["transitions"][0]["cause"], "landing");
+}
+
+#[test]
+fn rolling_for_ever_gives_the_period() {
+    // A small oscillation about the bottom has the period 2π √(D(π)/ℓ) with D(π) = 2.
+    let document = json(&["simulate", "figure-3", "--theta", "3.1414926535897933", "--theta-rate", "0"]);
+    let outcome = &document["outcome"];
+    assert_eq!(outcome["kind"], "rolls_forever");
+    assert_eq!(outcome["recurrence"], "libration");
+    assert_close(number(&outcome["period"]), 2.0 * core::f64::consts::PI * 2.0_f64.sqrt(), 1e-8);
+    assert_close(number(&outcome["theta_min"]), core::f64::consts::PI - 1e-4, 1e-14);
+    assert_close(number(&outcome["theta_max"]), core::f64::consts::PI + 1e-4, 1e-14);
+    assert_eq!(document["phases"][0]["duration"], Value::Null);
+
+    let rest = json(&["simulate", "figure-3", "--theta", "0", "--theta-rate", "0"]);
+    assert_eq!(rest["outcome"]["recurrence"], "rest");
+    assert_eq!(rest["outcome"].get("period"), None);
+    // A disc whose mass centre is its centre turns at a constant rate: a turn takes 2π/θ′.
+    let disc = [
+        "simulate",
+        "--mass-ratio",
+        "1",
+        "--offset",
+        "0",
+        "--inertia",
+        "0.5",
+        "--mu-s",
+        "0.2",
+        "--mu-k",
+        "0.1",
+    ];
+    let disc = json(&[&disc[..], &["--theta", "0", "--theta-rate", "-4"]].concat());
+    assert_eq!(disc["outcome"]["recurrence"], "rotation");
+    assert_close(number(&disc["outcome"]["period"]), core::f64::consts::FRAC_PI_2, 1e-14);
+}
+
+#[test]
+fn the_massless_hoop_of_figure_7_ends_with_the_particle_at_the_plane() {
+    let flags = "--mass-ratio 0 --offset 1 --inertia 0 --mu-s 0.5 --mu-k 0.4 --theta 0 --theta-rate 0.5";
+    let document = json(&[vec!["simulate"], flags.split(' ').collect()].concat());
+    let transitions = document["transitions"].as_array().unwrap();
+    // τ_s = ln 5, and gliding lasts (√89 − 3)/5.
+    let slip = 1.609_437_912_434_100_3;
+    assert_eq!(transitions[0]["cause"], "slip");
+    assert_eq!(transitions[0]["to"], "gliding");
+    assert_close(number(&transitions[0]["time"]), slip, 1e-14);
+    assert_close(number(&transitions[0]["theta_rate"]), 0.75, 1e-14);
+    let outcome = &document["outcome"];
+    assert_eq!(outcome["kind"], "particle_at_plane");
+    assert_close(number(&outcome["time"]), slip + (89.0_f64.sqrt() - 3.0) / 5.0, 1e-14);
+    // An unbounded rate is no number of JSON.
+    assert_eq!(outcome["theta_rate"], Value::Null);
+}
+
+#[test]
+fn no_consistent_motion_is_a_result_and_says_what_was_found() {
+    // A thin hoop with m1 = m2/3 on a rough plane: P < 0 for the only direction in question (Painlevé).
+    let third = (1.0_f64 / 3.0).to_string();
+    let (theta, sin, cos) = (0.7, 0.644_217_687_237_691_1, 0.764_842_187_284_488_4);
+    let hoop = [
+        "simulate",
+        "--mass-ratio",
+        &third,
+        "--offset",
+        "1",
+        "--inertia",
+        &third,
+        "--mu-s",
+        "1",
+        "--mu-k",
+        "1",
+    ];
+    let start = ["--theta", "0.7", "--theta-rate", "0.5", "--slip", "1"];
+    let document = json(&[&hoop[..], &start].concat());
+    assert_eq!(document["start"]["theta"], theta);
+    assert_eq!(document["start"]["mode"], Value::Null);
+    assert_eq!(document["start"]["direction"], 0);
+    assert_eq!(document["transitions"], serde_json::json!([]));
+    let outcome = &document["outcome"];
+    assert_eq!(outcome["kind"], "inconsistent");
+    assert_eq!(outcome["consistent"], serde_json::json!([]));
+    // P = I + m h sin θ (h sin θ − σ μk (1 + h cos θ)) with I = 7/12, h = 3/4, m h = 1.
+    let solvability = |sigma: f64| 7.0 / 12.0 + sin * (0.75 * sin - sigma * (1.0 + 0.75 * cos));
+    assert_close(number(&outcome["solvability_positive"]), solvability(1.0), 1e-14);
+    assert_close(number(&outcome["solvability_negative"]), solvability(-1.0), 1e-14);
+    assert_close(number(&outcome["contact"]), 1.0 - 0.75 * cos * 0.25, 1e-14);
+    let page = text(&[&hoop[..], &start].concat());
+    assert!(page.contains("no motion is consistent at τ = 0"), "{page}");
+    // In CSV too the reader learns what happened, with and without samples.
+    for samples in [&[][..], &["--samples", "5"]] {
+        let rows = text(&[&hoop[..], &start, &["--format", "csv"], samples].concat());
+        assert!(rows.lines().last().unwrap().ends_with(",inconsistent"), "{rows}");
+    }
+}
+
+#[test]
+fn limits_stop_the_motion_where_they_say() {
+    let document = json(&["simulate", "figure-3", "--until", "1.25"]);
+    assert_eq!(document["outcome"]["kind"], "time_limit");
+    assert_eq!(document["outcome"]["time"], 1.25);
+    assert_eq!(document["transitions"].as_array().unwrap().len(), 2);
+    assert_eq!(document["phases"].as_array().unwrap().len(), 3);
+    let document = json(&["simulate", "figure-3", "--max-transitions", "2"]);
+    assert_eq!(document["outcome"]["kind"], "transition_limit");
+    assert_eq!(document["outcome"]["transitions"], 2);
+    assert_close(number(&document["outcome"]["time"]), FIGURE_3_EVENTS[1][0], 1e-12);
+}
+
+#[test]
+fn samples_are_even_with_every_transition_twice_and_obey_the_laws() {
+    let document = json(&["simulate", "figure-3", "--samples", "11", "--until", "3.5"]);
+    assert_eq!(document["sampled_until"], 3.5);
+    let samples = document["samples"].as_array().unwrap();
+    // Eleven instants, and three transitions that appear before and after.
+    assert_eq!(samples.len(), 11 + 2 * 3);
+    let times: Vec<f64> = samples.iter().map(|sample| number(&sample["time"])).collect();
+    assert!(times.is_sorted());
+    for i in 0..=10 {
+        let time = 0.35 * f64::from(i);
+        assert!(times.iter().any(|sampled| (sampled - time).abs() < 1e-15 * 4.0), "{time} is missing");
+    }
+    for [time, ..] in FIGURE_3_EVENTS {
+        assert_eq!(times.iter().filter(|sampled| (*sampled - time).abs() < 1e-12).count(), 2);
+    }
+    let energies: Vec<f64> = samples.iter().map(|sample| number(&sample["energy"])).collect();
+    assert!(energies.windows(2).all(|pair| pair[1] <= pair[0] + 1e-13));
+    for sample in samples {
+        let value = |name: &str| number(&sample[name]);
+        let (theta, x) = (value("theta"), value("x"));
+        let sin = libm::sin(theta);
+        assert_close(value("particle_x"), x - sin, 1e-13);
+        assert_close(value("mass_centre_x"), x - 0.5 * sin, 1e-13);
+        assert_close(value("centre_y"), 1.0 + value("gap"), 1e-15);
+        match sample["mode"].as_str().unwrap() {
+            // Coulomb: F = −μk N σ.
+            "sliding" => {
+                let direction = sample["direction"].as_f64().unwrap();
+                assert_close(value("friction"), -0.4 * direction * value("normal"), 1e-14);
+            }
+            "rolling" => assert!(value("friction").abs() <= 0.5 * value("normal") * (1.0 + 1e-12)),
+            "flight" => assert!(value("normal") == 0.0 && value("gap") >= 0.0),
+            other => panic!("{other} does not occur here"),
+        }
+    }
+}
+
+#[test]
+fn a_motion_without_an_end_is_sampled_for_two_periods() {
+    let document = json(&["simulate", "figure-3", "--theta", "2.5", "--theta-rate", "0", "--samples", "5"]);
+    let period = number(&document["outcome"]["period"]);
+    assert_close(number(&document["sampled_until"]), 2.0 * period, 1e-15);
+    let samples = document["samples"].as_array().unwrap();
+    assert_eq!(samples.len(), 5);
+    // A libration that starts at rest: there, on the other side, there, …
+    for (index, sample) in samples.iter().enumerate() {
+        let other_side = 2.0 * core::f64::consts::PI - 2.5;
+        assert_close(number(&sample["theta"]), if index % 2 == 0 { 2.5 } else { other_side }, 1e-12);
+    }
+}
+
+#[test]
+fn csv_has_a_row_for_the_start_and_for_each_transition() {
+    let text = text(&["simulate", "figure-3", "--format", "csv"]);
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let header: Vec<&str> = reader.headers().unwrap().iter().collect();
+    assert_eq!(header, ["time", "theta", "theta_rate", "slip", "x", "from", "to", "direction", "cause"]);
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let causes: Vec<&str> = rows.iter().map(|row| &row[8]).collect();
+    assert_eq!(causes, ["start", "stick", "slip", "lift_off", "landing"]);
+    assert_eq!(&rows[0][5], "");
+    assert_eq!(&rows[4][6], "");
+    for (row, expected) in rows[1..].iter().zip(FIGURE_3_EVENTS) {
+        for (field, expected) in row.iter().zip(expected) {
+            assert_close(field.parse().unwrap(), expected, 1e-12);
+        }
+    }
+    let last = support::text(&["simulate", "rolls-forever", "--format", "csv"]);
+    assert!(last.lines().last().unwrap().ends_with("rolling,,0,rolls_forever"), "{last}");
+}
+
+#[test]
+fn csv_samples_name_the_events() {
+    for case in CASES.iter().filter(|case| !case.simulate().unwrap().phases().is_empty()) {
+        let motion = case.simulate().unwrap();
+        let text = text(&["simulate", case.name, "--format", "csv", "--samples", "20"]);
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        assert_eq!(reader.headers().unwrap().iter().next_back(), Some("event"));
+        let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+        let events: Vec<&str> = rows.iter().map(|row| &row[19]).filter(|event| !event.is_empty()).collect();
+        let causes = motion.transitions().iter().map(|transition| Cause::name(transition.cause));
+        assert_eq!(events, core::iter::once("start").chain(causes).collect::<Vec<_>>(), "{}", case.name);
+        for row in &rows {
+            let numbers = row.iter().enumerate().filter(|(index, _)| ![1, 19].contains(index));
+            assert!(numbers.map(|(_, field)| field.parse::<f64>()).all(|number| number.is_ok()));
+        }
+    }
+}
+
+#[test]
+fn the_page_shows_the_phases_of_figure_3_at_a_glance() {
+    let page = text(&["simulate", "figure-3"]);
+    let rows: Vec<Vec<&str>> = page
+        .lines()
+        .filter(|line| line.starts_with(|c: char| c.is_ascii_digit()))
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    assert_eq!(rows.len(), 4);
+    assert_eq!(rows[0][..5], ["1", "sliding", "←", "0", "0.56411"]);
+    assert_eq!(rows[1][..4], ["2", "rolling", "0.56411", "0.40912"]);
+    assert_eq!(rows[2][..5], ["3", "sliding", "→", "0.97322", "0.54545"]);
+    assert_eq!(rows[3][..4], ["4", "flight", "1.51867", "2.32873"]);
+    let ends: Vec<&str> = rows.iter().map(|row| row[row.len() - 1]).collect();
+    assert_eq!(ends, ["stick", "slip", "lift-off", "landing"]);
+    assert!(page.contains("lands at τ = 3.8474"), "{page}");
+    assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
+    assert!(!page.contains('\u{1b}'), "no colour where there is no terminal");
+}
+
+#[test]
+fn the_page_of_every_case_fits_and_says_how_it_ends() {
+    for case in CASES {
+        let page = text(&["simulate", case.name]);
+        assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
+        assert!(page.contains("Outcome  "));
+        assert!(page.starts_with(&format!("{}: {}", case.name, case.title)));
+        let footnote = case.simulate().unwrap().phases().iter().any(Phase::is_outside_small_inertia_limit);
+        assert_eq!(page.contains("\n* gliding as the paper has it"), footnote);
+    }
+}
+
+#[test]
+fn glides_outside_the_limit_of_small_inertia_are_marked() {
+    // s σ > 0 and tan(θ/2) < μk: no limit of sliding motions. Littlewood's hoop beyond its friction, with slip.
+    let flags =
+        "--mass-ratio 0 --offset 1 --inertia 0 --mu-s 0.5 --mu-k 0.4 --theta 0.5 --theta-rate 0.2 --slip 0.5";
+    let arguments = [vec!["simulate"], flags.split(' ').collect()].concat();
+    assert_eq!(json(&arguments)["phases"][0]["small_inertia_limit"], false);
+    let page = text(&arguments);
+    assert!(page.contains("gliding →*") && page.contains("\n* gliding as the paper has it"), "{page}");
+}
+
+#[test]
+fn a_long_motion_is_shortened_on_the_page_only() {
+    // Equal coefficients: slips shrink without end towards the orbit that grazes the static limit.
+    let start = ["simulate", "stick-slip-no-jump", "--mu-k", "0.5", "--max-transitions", "100"];
+    let document = json(&start);
+    assert_eq!(document["transitions"].as_array().unwrap().len(), 100);
+    let page = text(&start);
+    assert!(page.contains("… 60 more"), "{page}");
+    assert_eq!(page.lines().filter(|line| line.contains("rolling") || line.contains("sliding")).count(), 40);
+}
+
+#[test]
+fn help_and_version_are_no_errors() {
+    littlewood().arg("--version").assert().success().stdout(predicate::str::starts_with("littlewood 0."));
+    for command in ["simulate", "classify", "cases"] {
+        littlewood().args([command, "--help"]).assert().success().stdout(predicate::str::contains("Usage:"));
+    }
+    let help = text(&["simulate", "--help"]);
+    for part in ["Examples:", "sqrt(R/g)", "(2.13)", "--theta-rate-rad-per-s", "[default: 9.80665]"] {
+        assert!(help.contains(part), "{part} is not in\n{help}");
+    }
+}
