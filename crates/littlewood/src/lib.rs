@@ -1,4 +1,53 @@
 //! Littlewood's hoop: exact simulation of a hoop with a particle fixed to it, on a rough plane.
+//!
+//! The body is that of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of
+//! Littlewood's rolling hoop* (Proc. R. Soc. A 475, 2019), whose equation numbers the documentation cites. A disc or
+//! hoop of mass m1, radius R and moment of inertia `I_zz` carries a particle of mass m2 at the distance ℓ from its
+//! centre. θ is the angle of the particle from the upward vertical, counterclockwise; η = x + θ, so that η′ is the slip
+//! velocity of the contact point. Everything is dimensionless, m2 = R = g = 1 (2.9); [`SiParameters`] converts.
+//!
+//! # A tour
+//!
+//! A [`Hoop`] and a [`Start`] make a [`Trajectory`]:
+//!
+//! ```
+//! use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Start};
+//!
+//! let hoop = Hoop::new(HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s: 0.5, mu_k: 0.4 })?;
+//! let motion = hoop.simulate(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
+//!
+//! let causes: Vec<Cause> = motion.transitions().iter().map(|transition| transition.cause).collect();
+//! assert_eq!(causes, [Cause::Stick, Cause::Slip, Cause::LiftOff, Cause::Landing]);
+//! assert!(matches!(motion.outcome(), Outcome::Landing { .. }));
+//!
+//! let sample = motion.at(0.7).expect("the body is rolling");
+//! assert_eq!(sample.mode, Mode::Rolling);
+//! assert!(sample.friction.abs() <= 0.5 * sample.normal);
+//! # Ok::<(), littlewood::ParameterError>(())
+//! ```
+//!
+//! Rolling that never ends is proved, not timed out:
+//!
+//! ```
+//! use littlewood::{Outcome, Recurrence, find_case};
+//!
+//! let motion = find_case("figure-2-libration").expect("a named case").simulate()?;
+//! let Outcome::RollsForever { recurrence: Recurrence::Libration { period, .. }, .. } = motion.outcome() else {
+//!     panic!("rolls for ever");
+//! };
+//! let (then, later) = (motion.at(1.0).expect("rolls"), motion.at(1.0 + 1e6 * period).expect("still rolls"));
+//! assert!((then.state.theta - later.state.theta).abs() < 1e-8);
+//! # Ok::<(), littlewood::ParameterError>(())
+//! ```
+//!
+//! The plane of the paper's figures is [`PhasePlane`], its closed forms are in [`closed_form`], the edges of the
+//! automaton are [`EDGES`], and [`Hoop::classify`] says where a start lies. [`CASES`] are the motions that the paper
+//! shows or speaks of. [`Engine`] makes a [`Summary`] of each of many starts.
+//!
+//! # How exact
+//!
+//! Rolling, gliding and flight are evaluated from closed forms and elliptic integrals, sliding from Taylor series that
+//! have converged to rounding. Events are isolated, not sampled: see `DESIGN.md`. There is no tolerance to choose.
 
 mod automaton;
 mod bernstein;
