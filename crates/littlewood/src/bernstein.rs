@@ -156,12 +156,17 @@ impl Bracket {
     /// The root of `function` inside, to the last digits: Newton's method in a bracket that only shrinks.
     ///
     /// `function` returns the value and the derivative; it is non-negative at `low` and not positive at `high`.
-    pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+    pub(crate) fn refine(self, function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+        self.refine_from(0.5 * (self.low + self.high), function)
+    }
+
+    /// The same from a guess, which may lie anywhere.
+    pub(crate) fn refine_from(self, guess: f64, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
         let (mut low, mut high) = (self.low, self.high);
         if high <= low {
             return low;
         }
-        let mut x = 0.5 * (low + high);
+        let mut x = if guess > low && guess < high { guess } else { 0.5 * (low + high) };
         let mut width = high - low;
         loop {
             let (value, slope) = function(x);

@@ -46,17 +46,18 @@ struct Gap {
 
 impl Gap {
     fn value_and_slope(&self, phi: f64) -> (f64, f64) {
-        let (s, c) = ramps(phi);
-        let versine = 2.0 * libm::sin(0.5 * phi) * libm::sin(0.5 * phi);
-        (
-            0.5 * self.opening * phi * phi - self.h * (self.cos * c + self.sin * s),
-            self.opening * phi - self.h * (self.cos * s + self.sin * versine),
-        )
+        let (value, slope, _) = self.derivatives(phi);
+        (value, slope)
     }
 
-    fn slope_and_curvature(&self, phi: f64) -> (f64, f64) {
-        let slope = self.value_and_slope(phi).1;
-        (slope, self.opening + self.h * (libm::cos(self.theta + phi) - self.cos))
+    /// gap and its first two derivatives in φ.
+    fn derivatives(&self, phi: f64) -> (f64, f64, f64) {
+        let Ramps { sine, versine, odd, even } = Ramps::new(phi);
+        (
+            0.5 * self.opening * phi * phi - self.h * (self.cos * even + self.sin * odd),
+            self.opening * phi - self.h * (self.cos * odd + self.sin * versine),
+            self.opening - self.h * (self.cos * versine + self.sin * sine),
+        )
     }
 
     /// The zeros of gap″ ahead of the start, at cos(θ0 + φ) = c0 − b/h, where it turns from + to − and back.
@@ -80,64 +81,90 @@ impl Gap {
         Inflections { first, fall: 2.0 * (PI - level), rise: 2.0 * level }
     }
 
-    /// Where gap′ vanishes between two inflections, if it does.
-    fn turning(&self, from: f64, to: f64) -> Option<f64> {
-        let (start, end) = (self.value_and_slope(from).1, self.value_and_slope(to).1);
-        ((start > 0.0) != (end > 0.0)).then(|| {
-            let sign = if start > 0.0 { 1.0 } else { -1.0 };
-            Bracket { low: from, high: to }.refine(|phi| {
-                let (slope, curvature) = self.slope_and_curvature(phi);
-                (sign * slope, sign * curvature)
-            })
+    /// Where gap′ vanishes between two inflections at which it has these values of different sign.
+    fn turning(&self, (from, slope_from): (f64, f64), (to, slope_to): (f64, f64)) -> f64 {
+        let sign = slope_from.signum();
+        let secant = from + (to - from) * slope_from / (slope_from - slope_to);
+        Bracket { low: from, high: to }.refine_from(secant, |phi| {
+            let (_, slope, curvature) = self.derivatives(phi);
+            (sign * slope, sign * curvature)
         })
     }
 
-    /// φ of the landing.
-    fn landing(&self) -> f64 {
+    /// φ of the largest gap and of the landing.
+    fn extent(&self) -> (f64, f64) {
         let inflections = self.inflections();
         let (opens, closes) = self.clear();
         // Up to the first inflection gap′ and gap grow from zero.
         let mut index = 0.0;
         let mut from = inflections.at(index);
+        let mut slope = self.value_and_slope(from).1;
+        let mut apex = (0.0, 0.0);
+        let mut skipped = false;
         loop {
-            if from >= opens && from < closes {
+            let last = inflections.last_before(closes);
+            if from >= opens && from < closes && last > index {
                 // Many turns may pass before the parabola comes down; none of them needs a look.
-                let last = inflections.last_before(closes);
-                if last > index {
-                    index = last;
-                    from = inflections.at(index);
-                }
+                skipped = true;
+                index = last;
+                from = inflections.at(index);
+                slope = self.value_and_slope(from).1;
             }
             let to = inflections.at(index + 1.0);
-            for stop in self.turning(from, to).into_iter().chain([to]) {
-                if self.value_and_slope(stop).0 <= 0.0 {
-                    return Bracket { low: from, high: stop }.refine(|phi| self.value_and_slope(phi));
+            let (gap, slope_to) = self.value_and_slope(to);
+            if slope > 0.0 && slope_to <= 0.0 {
+                let highest = self.turning((from, slope), (to, slope_to));
+                let height = self.value_and_slope(highest).0;
+                if height > apex.1 {
+                    apex = (highest, height);
                 }
-                from = stop;
+                from = highest;
+            } else if slope < 0.0 && slope_to > 0.0 {
+                let lowest = self.turning((from, slope), (to, slope_to));
+                let at_lowest = self.value_and_slope(lowest);
+                if at_lowest.0 <= 0.0 {
+                    let landing = self.touchdown(from, lowest, at_lowest);
+                    return (if skipped { self.apex(landing) } else { apex.0 }, landing);
+                }
+                from = lowest;
+            }
+            if gap <= 0.0 {
+                let landing = self.touchdown(from, to, (gap, slope_to));
+                return (if skipped { self.apex(landing) } else { apex.0 }, landing);
             }
             index += 1.0;
+            (from, slope) = (to, slope_to);
         }
     }
 
-    /// φ of the largest gap before the landing: within half a turn of the top of the parabola.
+    /// Where the gap, which falls from `from` to `to`, closes. Where gap″ < 0, as it mostly is, the tangent at the far
+    /// end is a good guess on the safe side.
+    fn touchdown(&self, from: f64, to: f64, (gap, slope): (f64, f64)) -> f64 {
+        let tangent = to - gap / slope;
+        Bracket { low: from, high: to }.refine_from(tangent, |phi| self.value_and_slope(phi))
+    }
+
+    /// φ of the largest gap of a flight of many turns: within half a turn of the top of the parabola.
     fn apex(&self, landing: f64) -> f64 {
         let inflections = self.inflections();
         let top = (-self.h * self.sin / self.weight()).max(0.0);
         let mut index = inflections.last_before(top - TAU);
         let mut best = (0.0, 0.0);
         loop {
-            let from = inflections.at(index);
-            let to = inflections.at(index + 1.0);
+            // Maxima lie where gap″ < 0, between an inflection of even index and the next.
+            let (from, to) = (inflections.at(index), inflections.at(index + 1.0));
             if from >= landing || from > top + TAU {
                 return best.0;
             }
-            if let Some(turning) = self.turning(from, to) {
-                let gap = self.value_and_slope(turning).0;
-                if gap > best.1 && turning < landing {
-                    best = (turning, gap);
+            let (slope, slope_to) = (self.value_and_slope(from).1, self.value_and_slope(to).1);
+            if slope > 0.0 && slope_to <= 0.0 {
+                let highest = self.turning((from, slope), (to, slope_to));
+                let height = self.value_and_slope(highest).0;
+                if height > best.1 && highest < landing {
+                    best = (highest, height);
                 }
             }
-            index += 1.0;
+            index += 2.0;
         }
     }
 
@@ -178,22 +205,34 @@ impl Inflections {
     }
 }
 
-/// φ − sin φ and cos φ − 1 + φ²/2, without cancellation.
-fn ramps(phi: f64) -> (f64, f64) {
-    if phi.abs() > 1.0 {
-        let (sin, cos) = libm::sincos(phi);
-        return (phi - sin, cos - 1.0 + 0.5 * phi * phi);
+/// sin φ, 1 − cos φ, φ − sin φ and cos φ − 1 + φ²/2, the latter without cancellation.
+#[derive(Clone, Copy, Debug)]
+struct Ramps {
+    sine: f64,
+    versine: f64,
+    odd: f64,
+    even: f64,
+}
+
+impl Ramps {
+    fn new(phi: f64) -> Self {
+        let square = phi * phi;
+        if phi.abs() > 1.0 {
+            let (sine, cosine) = libm::sincos(phi);
+            let versine = 1.0 - cosine;
+            return Self { sine, versine, odd: phi - sine, even: 0.5 * square - versine };
+        }
+        // φ³/3! − φ⁵/5! + … and φ⁴/4! − φ⁶/6! + …; the terms left out are below 1/23!.
+        let (mut odd, mut even) = (1.0, 1.0);
+        let mut k = 20.0;
+        while k >= 4.0 {
+            odd = 1.0 - odd * square / (k * (k + 1.0));
+            even = 1.0 - even * square / ((k + 1.0) * (k + 2.0));
+            k -= 2.0;
+        }
+        let (odd, even) = (phi * square / 6.0 * odd, square * square / 24.0 * even);
+        Self { sine: phi - odd, versine: 0.5 * square - even, odd, even }
     }
-    let square = phi * phi;
-    // φ³/3! − φ⁵/5! + … and φ⁴/4! − φ⁶/6! + …; the terms left out are below 1/23!.
-    let (mut odd, mut even) = (1.0, 1.0);
-    let mut k = 20.0;
-    while k >= 4.0 {
-        odd = 1.0 - odd * square / (k * (k + 1.0));
-        even = 1.0 - even * square / ((k + 1.0) * (k + 2.0));
-        k -= 2.0;
-    }
-    (phi * square / 6.0 * odd, square * square / 24.0 * even)
 }
 
 impl Flight {
@@ -206,8 +245,7 @@ impl Flight {
         // b = −w/θ′², with the w < 0 that decided on flight.
         let opening = if grazing { 0.0 } else { (h * (cos * (rate * rate)) - 1.0) / (rate * rate) };
         let gap = Gap { h: body.h, sin: travel * sin, cos, opening, theta: travel * start.theta };
-        let landing = gap.landing();
-        let apex = gap.apex(landing);
+        let (apex, landing) = gap.extent();
         Self {
             h,
             start,

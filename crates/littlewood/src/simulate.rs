@@ -33,6 +33,14 @@ impl Default for Limits {
 }
 
 impl Limits {
+    pub(crate) fn check(&self, start: &Start) -> Result<(), ParameterError> {
+        if let Some(until) = self.until {
+            finite(Quantity::Until, until)?;
+            check(until >= start.time, Quantity::Until, until, Bound::AtLeast(Quantity::Time, start.time))?;
+        }
+        Ok(())
+    }
+
     /// Stops at the time τ.
     #[must_use]
     pub fn until(time: f64) -> Self {
@@ -72,11 +80,9 @@ impl Hoop {
     /// # Errors
     /// A start or a limit that is not finite, or a time limit before the start.
     pub fn simulate(&self, start: Start, limits: Limits) -> Result<Trajectory, ParameterError> {
-        let start = start.checked()?;
-        if let Some(until) = limits.until {
-            finite(Quantity::Until, until)?;
-            check(until >= start.time, Quantity::Until, until, Bound::AtLeast(Quantity::Time, start.time))?;
-        }
+        let checked = start.checked()?;
+        limits.check(&start)?;
+        let start = checked;
         let mut trajectory = Trajectory {
             hoop: *self,
             start,

@@ -53,6 +53,12 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
                 prop_assert!(held.abs() < 1e-13 * (1.0 + now.state.theta.abs()), "rolling constraint");
             }
             Motion::Sliding(_) => {
+                let Body::Heavy(body) = hoop.body() else { unreachable!() };
+                let Some(direction) = phase.direction() else { unreachable!() };
+                let law = SlidingLaw::new(hoop, &body, direction);
+                if law.solvability(now.state.theta) < 1e-13 {
+                    continue; // P = 0 to rounding: the end of a singular slide, where N is infinite
+                }
                 size = size.max(passing(hoop, &first, &now));
                 prop_assert!(now.energy <= before.energy + 1e-12 * size, "energy falls: {before:?} {now:?}");
                 let slipping = sign(phase.direction()) * now.state.slip;
@@ -63,9 +69,6 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
                     "direction of slip at {elapsed}: {now:?}"
                 );
                 prop_assert!(now.normal > -1e-9 * size, "normal force at {elapsed}: {now:?}");
-                let Body::Heavy(body) = hoop.body() else { unreachable!() };
-                let Some(direction) = phase.direction() else { unreachable!() };
-                let law = SlidingLaw::new(hoop, &body, direction);
                 let integral =
                     |s: &Sample, t| law.momentum_integral(t, s.state.theta, s.state.theta_rate, s.state.slip);
                 let drift = integral(&now, elapsed) - integral(&first, 0.0);

@@ -129,6 +129,14 @@ impl Boundary {
         }
     }
 
+    /// The coefficients of (μs N ∓ F) D²; none for a massless hoop.
+    pub(super) fn heavy_forms(&self) -> Option<[[f64; 7]; 2]> {
+        match self {
+            Self::Heavy([minus, plus]) => Some([minus.0, plus.0]),
+            Self::Massless(..) => None,
+        }
+    }
+
     /// The margins on an arc, each with what gives way when it becomes negative.
     pub(super) fn on_arc(
         &self,

@@ -104,6 +104,12 @@ impl RollingLaw {
     }
 }
 
+/// Coefficients of (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2) on the orbit with
+/// constant K; none for a massless hoop.
+pub(crate) fn margin_forms(hoop: &Hoop, k: f64) -> Option<[[f64; 7]; 2]> {
+    boundary::Boundary::new(hoop, &RollingLaw::new(hoop), k).heavy_forms()
+}
+
 /// A phase of rolling: an orbit entered at a state.
 #[derive(Clone, Copy, Debug)]
 pub struct Rolling {

@@ -1,0 +1,98 @@
+//! One hoop prepared for many starts.
+//!
+//! What depends on the body and the coefficients of friction alone is computed once: where the orbits of rolling slip
+//! ([`roll`]), and the slides ([`slide`]). A motion is then a walk through tables. Whatever is in doubt there, a margin
+//! close to zero, a turning point, a shape of η′ that might touch zero, is handed to the solver of [`Hoop::simulate`],
+//! phase by phase: the engine is faster, and decides nothing that the simulation would decide otherwise.
+
+mod fast;
+mod quadrature;
+mod roll;
+mod slide;
+
+use crate::error::ParameterError;
+use crate::hoop::{Body, Hoop};
+use crate::simulate::Limits;
+use crate::state::Start;
+use crate::summary::Summary;
+
+use fast::Walk;
+use roll::RollTable;
+use slide::SlideTable;
+
+/// A hoop prepared for many motions.
+///
+/// ```
+/// use littlewood::{Engine, Hoop, Limits, Start};
+///
+/// let hoop = Hoop::figure_2(0.5, 0.4)?;
+/// let engine = Engine::new(&hoop);
+/// let summary = engine.summary(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
+/// assert_eq!(summary.sequence.to_string(), "-R+F");
+/// assert!((summary.lift_off_time - 1.518_670_213_819_437).abs() < 1e-13);
+/// # Ok::<(), littlewood::ParameterError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Engine {
+    hoop: Hoop,
+    tables: Option<Tables>,
+}
+
+#[derive(Clone, Debug)]
+struct Tables {
+    body: crate::hoop::Heavy,
+    roll: RollTable,
+    slide: SlideTable,
+}
+
+impl Engine {
+    /// Prepares a hoop. A massless hoop, and one for which sliding is not well posed everywhere (P ≤ 0), has nothing to
+    /// prepare; neither has a body of so small an inertia that the tables would grow too large.
+    #[must_use]
+    pub fn new(hoop: &Hoop) -> Self {
+        let tables = match hoop.body() {
+            Body::Heavy(body) if hoop.mu_k() > 0.0 && body.h > 0.0 => {
+                // P > 0 with μs, too: then never more than one motion is consistent.
+                SlideTable::new(&body, hoop.mu_k())
+                    .filter(|_| slide::solvable(&body, hoop.mu_s()))
+                    .zip(RollTable::new(hoop))
+                    .map(|(slide, roll)| Tables { body, roll, slide })
+            }
+            _ => None,
+        };
+        Self { hoop: *hoop, tables }
+    }
+
+    /// The hoop.
+    #[must_use]
+    pub const fn hoop(&self) -> &Hoop {
+        &self.hoop
+    }
+
+    /// Whether motions are walks through tables; otherwise they are simulated one by one.
+    #[must_use]
+    pub const fn is_prepared(&self) -> bool {
+        self.tables.is_some()
+    }
+
+    /// Number of cells of the table of slides.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        self.tables.as_ref().map_or(0, |tables| tables.slide.cells())
+    }
+
+    /// The summary of one motion: that of [`Hoop::simulate`], to rounding.
+    ///
+    /// # Errors
+    /// As [`Hoop::simulate`].
+    pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
+        match &self.tables {
+            Some(tables) => {
+                let state = start.checked()?;
+                limits.check(&start)?;
+                Ok(Walk::new(&self.hoop, tables, limits).summary(state))
+            }
+            None => Ok(self.hoop.simulate(start, limits)?.summary()),
+        }
+    }
+}

@@ -1,0 +1,290 @@
+//! Rolling of one body, for every orbit at once.
+//!
+//! The margins (μs N ∓ F) D² of an orbit are linear in its constant K: A(ϑ) + K B(ϑ). The level K*(ϑ) = −A/B at which
+//! a margin vanishes belongs to the body. Between its extrema and poles it is monotone, so that on such a piece a margin
+//! changes sign at most once *whatever the orbit*: its signs at the ends of the pieces show all slips of an orbit, or
+//! prove that there is none. The time is a Gauss sum of √(D/(K − D)) dϑ where that is smooth.
+//!
+//! Everything is seen in the direction of motion, as in [`crate::rolling`].
+
+use core::f64::consts::{PI, TAU};
+
+use crate::hoop::{Body, Hoop};
+use crate::rolling::margin_forms;
+use crate::state::Direction;
+
+use super::quadrature::{NODE, NODES, WEIGHT};
+use super::slide::sign_changes;
+
+/// Coefficients of a form of degree six in (cos ϑ/2, sin ϑ/2).
+type Form = [f64; 7];
+
+/// A margin within this part of its terms of zero is left to the slow path.
+const DOUBT: f64 = 1e-12;
+
+/// Gauss panels are not wider than this part of the distance to the nearest singularity.
+const PANEL: f64 = 0.2;
+
+/// Most panels of an arc; beyond that the elliptic integral is cheaper.
+const MOST_PANELS: f64 = 16.0;
+
+/// The end of a piece.
+#[derive(Clone, Copy, Debug)]
+struct Stop {
+    angle: f64,
+    x: f64,
+    y: f64,
+    /// A and B of the margins of friction to the negative and to the positive side.
+    margins: [[f64; 2]; 2],
+}
+
+/// The rolling orbits of one body.
+#[derive(Clone, Debug)]
+pub(super) struct RollTable {
+    top: f64,
+    bottom: f64,
+    offset: f64,
+    forms: [[Form; 2]; 2],
+    /// From 0 to 2π, ends included.
+    stops: Vec<Stop>,
+    /// Imaginary part of the nearest zero of D, at ϑ = π.
+    width: f64,
+}
+
+/// What an orbit leads to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum RollEnd {
+    /// Slips at the angle, in the frame of motion.
+    Slip { elapsed: f64, theta: f64, theta_rate: f64, direction: Direction },
+    /// Never slips.
+    Never,
+}
+
+fn evaluate(form: &Form, x: f64, y: f64) -> f64 {
+    let mut power = 1.0;
+    let mut sum = 0.0;
+    for c in form {
+        sum = sum * x + c * power;
+        power *= y;
+    }
+    sum
+}
+
+impl RollTable {
+    /// Prepares the orbits of a heavy hoop.
+    pub(super) fn new(hoop: &Hoop) -> Option<Self> {
+        let Body::Heavy(body) = hoop.body() else { return None };
+        let zero = margin_forms(hoop, 0.0)?;
+        let one = margin_forms(hoop, 1.0)?;
+        let split = |i: usize| [zero[i], core::array::from_fn(|k| one[i][k] - zero[i][k])];
+        let forms: [[Form; 2]; 2] = [split(0), split(1)];
+        let at = |form: &Form, angle: f64| {
+            let (y, x) = libm::sincos(0.5 * angle);
+            evaluate(form, x, y)
+        };
+        let mut angles = vec![0.0, 0.5 * PI, PI, 1.5 * PI, TAU];
+        for [a, b] in &forms {
+            angles.extend(sign_changes(|angle| at(b, angle)));
+            // The extrema of −A/B are the zeros of A′B − AB′, by a central difference of the exact forms.
+            let step = 1e-5;
+            angles.extend(sign_changes(|angle| {
+                let (a_low, a_high) = (at(a, angle - step), at(a, angle + step));
+                let (b_low, b_high) = (at(b, angle - step), at(b, angle + step));
+                (a_high - a_low) * (b_high + b_low) - (a_high + a_low) * (b_high - b_low)
+            }));
+        }
+        angles.sort_by(f64::total_cmp);
+        angles.dedup_by(|a, b| *a - *b < 1e-9);
+        let stops = angles
+            .into_iter()
+            .map(|angle| {
+                let (y, x) = libm::sincos(0.5 * angle);
+                let margins =
+                    [0, 1].map(|i: usize| [evaluate(&forms[i][0], x, y), evaluate(&forms[i][1], x, y)]);
+                Stop { angle, x, y, margins }
+            })
+            .collect();
+        let (m, h) = (body.mass, body.h);
+        let (top, bottom) =
+            (body.inertia + m * (1.0 + h) * (1.0 + h), body.inertia + m * (1.0 - h) * (1.0 - h));
+        let width = libm::acosh((0.5 * (top + bottom) / (2.0 * body.offset).max(1e-300)).max(1.0));
+        Some(Self { top, bottom, offset: body.offset, forms, stops, width })
+    }
+
+    /// Follows an orbit on which rolling holds at the start, θ growing at the rate `theta_rate` > 0. None where a
+    /// margin is in doubt or the orbit comes close to a standstill before it slips.
+    pub(super) fn follow(&self, theta: f64, theta_rate: f64) -> Option<RollEnd> {
+        let turns = (theta / TAU).floor();
+        let angle = theta - TAU * turns;
+        let (sin_half, cos_half) = libm::sincos(0.5 * angle);
+        let four_l = 4.0 * self.offset;
+        let denominator = self.bottom + four_l * cos_half * cos_half;
+        let kinetic = denominator * theta_rate * theta_rate;
+        let k = denominator + kinetic;
+        let over_top = kinetic - four_l * sin_half * sin_half;
+        if over_top > 1e-9 * k {
+            self.rotation(k, turns, angle, theta_rate)
+        } else if over_top < -1e-9 * k {
+            self.libration(k, turns, angle)
+        } else {
+            None
+        }
+    }
+
+    fn rotation(&self, k: f64, turns: f64, angle: f64, theta_rate: f64) -> Option<RollEnd> {
+        let first = self.stops.partition_point(|stop| stop.angle <= angle);
+        let ahead = self.stops[first..].iter().map(|stop| (0.0, stop));
+        let again = self.stops[..first].iter().map(|stop| (TAU, stop));
+        for (lap, stop) in ahead.chain(again) {
+            if let Some(side) = self.breaks(k, stop)? {
+                let from = (angle, lap);
+                return self.slip(k, turns, from, stop, side, theta_rate);
+            }
+        }
+        Some(RollEnd::Never)
+    }
+
+    /// Only the proof that nothing slips between the turning points: a slip on the way is left to the slow path.
+    fn libration(&self, k: f64, _turns: f64, _angle: f64) -> Option<RollEnd> {
+        // cos of the turning angle, where K = D.
+        let cos = (k - 0.5 * (self.top + self.bottom)) / (2.0 * self.offset);
+        if !(cos > -1.0 && cos < 1.0) {
+            return None;
+        }
+        let (x, y) = ((0.5 * (1.0 + cos)).sqrt(), (0.5 * (1.0 - cos)).sqrt());
+        for x in [x, -x] {
+            let margins =
+                [0, 1].map(|i: usize| [evaluate(&self.forms[i][0], x, y), evaluate(&self.forms[i][1], x, y)]);
+            if self.breaks(k, &Stop { angle: 0.0, x, y, margins })?.is_some() {
+                return None;
+            }
+        }
+        // The arc between the turning points is where cos ϑ is below that of them.
+        for stop in &self.stops {
+            if stop.x * stop.x < x * x && self.breaks(k, stop)?.is_some() {
+                return None;
+            }
+        }
+        Some(RollEnd::Never)
+    }
+
+    /// The margin that is negative at a stop, if any.
+    fn breaks(&self, k: f64, stop: &Stop) -> Option<Option<usize>> {
+        let mut broken = None;
+        for (side, [a, b]) in stop.margins.iter().enumerate() {
+            let margin = a + k * b;
+            if margin.abs() <= DOUBT * (a.abs() + (k * b).abs()) {
+                return None;
+            }
+            if margin < 0.0 {
+                if broken.is_some() {
+                    return None;
+                }
+                broken = Some(side);
+            }
+        }
+        Some(broken)
+    }
+
+    /// The slip on the piece that ends at `stop`, as a root in the half angle.
+    fn slip(
+        &self,
+        k: f64,
+        turns: f64,
+        (angle, lap): (f64, f64),
+        stop: &Stop,
+        side: usize,
+        theta_rate: f64,
+    ) -> Option<RollEnd> {
+        let [a, b] = &self.forms[side];
+        let form: Form = core::array::from_fn(|i| a[i] + k * b[i]);
+        let begin = self.stops.partition_point(|other| other.angle < stop.angle).checked_sub(1);
+        let begin = begin.map_or(0.0, |index| self.stops[index].angle);
+        let begin = if lap == 0.0 { begin.max(angle) } else { begin };
+        // In a chart of the half angle without a pole on the piece: pieces end at odd multiples of π/2.
+        let middle = 0.5 * (begin + stop.angle);
+        let steep = middle > 0.5 * PI && middle < 1.5 * PI;
+        let (y0, x0) = libm::sincos(0.5 * begin);
+        let (mut low, mut high) = if steep { (x0 / y0, stop.x / stop.y) } else { (y0 / x0, stop.y / stop.x) };
+        let horner = |t: f64| {
+            let fold = |(value, slope): (f64, f64), c: &f64| (value * t + c, slope * t + value);
+            if steep { form.iter().fold((0.0, 0.0), fold) } else { form.iter().rev().fold((0.0, 0.0), fold) }
+        };
+        let sign = if horner(high).0 < 0.0 { 1.0 } else { -1.0 };
+        let mut t = 0.5 * (low + high);
+        for _ in 0..60 {
+            let (value, slope) = horner(t);
+            if sign * value > 0.0 {
+                low = t
+            } else {
+                high = t
+            }
+            let newton = t - value / slope;
+            let inside = (newton - low) * (high - newton) > 0.0;
+            let next = if inside { newton } else { 0.5 * (low + high) };
+            let step = (next - t).abs();
+            t = next;
+            if (inside && step < 1e-9) || (high - low).abs() < 1e-15 {
+                break;
+            }
+        }
+        let (x, y) = if steep { (t, 1.0) } else { (1.0, t) };
+        let (x, y) = if y < 0.0 || (y == 0.0 && x < 0.0) { (-x, -y) } else { (x, y) };
+        let length = x * x + y * y;
+        let found = 2.0 * libm::atan2(y, x);
+        let d = self.bottom + 4.0 * self.offset * x * x / length;
+        let u = (k - d) / d;
+        let end = found + lap;
+        let elapsed = self.time(k, angle, end, theta_rate)?;
+        let direction = if side == 0 { Direction::Negative } else { Direction::Positive };
+        Some(RollEnd::Slip { elapsed, theta: TAU * turns + end, theta_rate: u.sqrt(), direction })
+    }
+
+    /// ∫ √(D/(K − D)) dϑ by panels that keep their distance from the zeros of D and of K − D.
+    fn time(&self, k: f64, from: f64, to: f64, _theta_rate: f64) -> Option<f64> {
+        let mean = 0.5 * (self.top + self.bottom);
+        let two_l = 2.0 * self.offset;
+        // K − D vanishes over the top, at ± i acosh((K − mean)/2ℓ̂).
+        let above_top = libm::acosh(((k - mean) / two_l.max(1e-300)).max(1.0));
+        let width = self.width.min(above_top).min(2.0);
+        let panels = ((to - from) / (2.0 * PANEL * width)).ceil().max(1.0);
+        if !(panels <= MOST_PANELS) {
+            return None;
+        }
+        let half = 0.5 * (to - from) / panels;
+        let mut sines = [0.0; NODES / 2];
+        let mut cosines = [0.0; NODES / 2];
+        for j in 0..NODES / 2 {
+            (sines[j], cosines[j]) = small_sincos(half * NODE[j]);
+        }
+        let mut sum = 0.0;
+        let mut panel = 0.0;
+        while panel < panels {
+            let middle = from + half * (2.0 * panel + 1.0);
+            let (sin, cos) = libm::sincos(middle);
+            // The nodes are symmetric about the middle.
+            for j in 0..NODES / 2 {
+                let (even, odd) = (mean + two_l * cos * cosines[j], two_l * sin * sines[j]);
+                let (left, right) = (even - odd, even + odd);
+                sum += WEIGHT[j] * ((left / (k - left)).sqrt() + (right / (k - right)).sqrt());
+            }
+            panel += 1.0;
+        }
+        Some(half * sum)
+    }
+}
+
+/// sin and cos of an angle below 0.45 by their series, to rounding.
+#[inline]
+fn small_sincos(x: f64) -> (f64, f64) {
+    let square = x * x;
+    let sin = 1.0 - square / 6.0 * term(square, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0, 1.0 / 156.0);
+    let cos = 1.0 - square / 2.0 * term(square, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0);
+    (x * sin, cos)
+}
+
+/// 1 − a s (1 − b s (…)).
+#[inline]
+fn term(s: f64, a: f64, b: f64, c: f64, d: f64, e: f64) -> f64 {
+    1.0 - a * s * (1.0 - b * s * (1.0 - c * s * (1.0 - d * s * (1.0 - e * s))))
+}
