@@ -157,11 +157,16 @@ impl Bracket {
     ///
     /// `function` returns the value and the derivative; it is non-negative at `low` and not positive at `high`.
     pub(crate) fn refine(self, function: impl FnMut(f64) -> (f64, f64)) -> f64 {
-        self.refine_from(0.5 * (self.low + self.high), function)
+        self.newton(0.5 * (self.low + self.high), 0.5 * f64::EPSILON, function)
     }
 
-    /// The same from a guess, which may lie anywhere.
-    pub(crate) fn refine_from(self, guess: f64, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+    /// The same from a guess, which may lie anywhere, for a function whose root is not close to another: after a step of
+    /// Newton's method that is below 1e-9 of x the next would be below the last digit, and is not taken.
+    pub(crate) fn refine_from(self, guess: f64, function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+        self.newton(guess, 1e-9, function)
+    }
+
+    fn newton(self, guess: f64, tolerance: f64, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
         let (mut low, mut high) = (self.low, self.high);
         if high <= low {
             return low;
@@ -180,13 +185,11 @@ impl Bracket {
             }
             let newton = x - value / slope;
             // Newton's step is taken when it stays inside and at least halves the last step.
-            let next = if newton > low && newton < high && (newton - x).abs() < 0.5 * width {
-                newton
-            } else {
-                low + 0.5 * (high - low)
-            };
+            let taken = newton > low && newton < high && (newton - x).abs() < 0.5 * width;
+            let next = if taken { newton } else { low + 0.5 * (high - low) };
             width = (next - x).abs();
-            if next == x || next <= low || next >= high || width <= f64::EPSILON * 0.5 * x.abs() {
+            let limit = if taken { tolerance } else { 0.5 * f64::EPSILON };
+            if next == x || next <= low || next >= high || width <= limit * x.abs() {
                 return next;
             }
             x = next;

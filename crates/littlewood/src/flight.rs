@@ -78,7 +78,7 @@ impl Gap {
         } else {
             level - from_top
         };
-        Inflections { first, fall: 2.0 * (PI - level), rise: 2.0 * level }
+        Inflections { first, fall: 2.0 * (PI - level) }
     }
 
     /// Where gap′ vanishes between two inflections at which it has these values of different sign.
@@ -96,7 +96,7 @@ impl Gap {
         let inflections = self.inflections();
         let (opens, closes) = self.clear();
         // Up to the first inflection gap′ and gap grow from zero.
-        let mut index = 0.0;
+        let mut index = 0;
         let mut from = inflections.at(index);
         let mut slope = self.value_and_slope(from).1;
         let mut apex = (0.0, 0.0);
@@ -110,7 +110,7 @@ impl Gap {
                 from = inflections.at(index);
                 slope = self.value_and_slope(from).1;
             }
-            let to = inflections.at(index + 1.0);
+            let to = inflections.at(index + 1);
             let (gap, slope_to) = self.value_and_slope(to);
             if slope > 0.0 && slope_to <= 0.0 {
                 let highest = self.turning((from, slope), (to, slope_to));
@@ -132,7 +132,7 @@ impl Gap {
                 let landing = self.touchdown(from, to, (gap, slope_to));
                 return (if skipped { self.apex(landing) } else { apex.0 }, landing);
             }
-            index += 1.0;
+            index += 1;
             (from, slope) = (to, slope_to);
         }
     }
@@ -152,7 +152,7 @@ impl Gap {
         let mut best = (0.0, 0.0);
         loop {
             // Maxima lie where gap″ < 0, between an inflection of even index and the next.
-            let (from, to) = (inflections.at(index), inflections.at(index + 1.0));
+            let (from, to) = (inflections.at(index), inflections.at(index + 1));
             if from >= landing || from > top + TAU {
                 return best.0;
             }
@@ -164,7 +164,7 @@ impl Gap {
                     best = (highest, height);
                 }
             }
-            index += 2.0;
+            index += 2;
         }
     }
 
@@ -185,25 +185,37 @@ impl Gap {
     }
 }
 
-/// A sequence of angles with two alternating distances.
+/// The zeros of gap″: a sequence of angles with two alternating distances that add up to a turn.
 #[derive(Clone, Copy, Debug)]
 struct Inflections {
     first: f64,
     fall: f64,
-    rise: f64,
 }
 
 impl Inflections {
-    fn at(&self, index: f64) -> f64 {
-        let odd = index.rem_euclid(2.0);
-        self.first + 0.5 * (index - odd) * (self.fall + self.rise) + odd * self.fall
+    fn at(&self, index: u64) -> f64 {
+        let odd = if index % 2 == 1 { self.fall } else { 0.0 };
+        self.first + (index / 2) as f64 * TAU + odd
     }
 
     /// Index of the last inflection from + to − at or before an angle, at least the first.
-    fn last_before(&self, angle: f64) -> f64 {
-        (2.0 * ((angle - self.first) / TAU).floor()).max(0.0)
+    fn last_before(&self, angle: f64) -> u64 {
+        let turns = ((angle - self.first) / TAU).floor();
+        if turns > 0.0 { 2 * turns as u64 } else { 0 }
     }
 }
+
+/// 1/(k(k + 1)) and 1/((k + 1)(k + 2)) for k = 20, 18, …, 4: the ratios of terms of the series of `Ramps`.
+const RECIPROCALS: [(f64, f64); 9] = {
+    let mut table = [(0.0, 0.0); 9];
+    let mut i = 0;
+    while i < 9 {
+        let k = (20 - 2 * i) as f64;
+        table[i] = (1.0 / (k * (k + 1.0)), 1.0 / ((k + 1.0) * (k + 2.0)));
+        i += 1;
+    }
+    table
+};
 
 /// sin φ, 1 − cos φ, φ − sin φ and cos φ − 1 + φ²/2, the latter without cancellation.
 #[derive(Clone, Copy, Debug)]
@@ -224,11 +236,9 @@ impl Ramps {
         }
         // φ³/3! − φ⁵/5! + … and φ⁴/4! − φ⁶/6! + …; the terms left out are below 1/23!.
         let (mut odd, mut even) = (1.0, 1.0);
-        let mut k = 20.0;
-        while k >= 4.0 {
-            odd = 1.0 - odd * square / (k * (k + 1.0));
-            even = 1.0 - even * square / ((k + 1.0) * (k + 2.0));
-            k -= 2.0;
+        for (a, b) in RECIPROCALS {
+            odd = 1.0 - odd * square * a;
+            even = 1.0 - even * square * b;
         }
         let (odd, even) = (phi * square / 6.0 * odd, square * square / 24.0 * even);
         Self { sine: phi - odd, versine: 0.5 * square - even, odd, even }
@@ -237,9 +247,13 @@ impl Ramps {
 
 impl Flight {
     /// From a state in contact; `grazing` where the normal force has just vanished, so that 1 = h cos θ θ′².
-    pub(crate) fn new(hoop: &Hoop, body: &Heavy, start: State, grazing: bool) -> Self {
-        let h = hoop.h();
-        let (sin, cos) = libm::sincos(start.theta);
+    pub(crate) fn new(body: &Heavy, start: State, grazing: bool) -> Self {
+        Self::from_direction(body, start, grazing, libm::sincos(start.theta))
+    }
+
+    /// The same with the sine and cosine of the angle.
+    pub(crate) fn from_direction(body: &Heavy, start: State, grazing: bool, (sin, cos): (f64, f64)) -> Self {
+        let h = body.h;
         let rate = start.theta_rate;
         let travel = if rate < 0.0 { -1.0 } else { 1.0 };
         // b = −w/θ′², with the w < 0 that decided on flight.

@@ -264,7 +264,7 @@ impl Run<'_> {
     }
 
     fn fly(&self, body: &Heavy, state: State, grazing: bool) -> (Motion, Option<State>, Follow) {
-        let flight = Flight::new(&self.hoop, body, state, grazing);
+        let flight = Flight::new(body, state, grazing);
         let duration = flight.duration();
         let (end, follow) = match self.allowed(&state) {
             Some(allowed) if allowed < duration => {

@@ -23,10 +23,23 @@ pub(super) struct Walk<'a> {
     until: f64,
 }
 
+/// A state with the sine and cosine of its angle.
+#[derive(Clone, Copy, Debug)]
+struct Here {
+    state: State,
+    direction: (f64, f64),
+}
+
+impl Here {
+    fn new(state: State) -> Self {
+        Self { state, direction: libm::sincos(state.theta) }
+    }
+}
+
 /// How a phase ends.
 enum Step {
     /// In an event; the state there and what follows, if that is known already.
-    Event { state: State, slip: bool, next: Option<Next>, arrival: Arrival },
+    Event { here: Here, slip: bool, next: Option<Next>, arrival: Arrival },
     /// In the outcome of the motion.
     End { outcome: OutcomeCode, state: State },
 }
@@ -49,8 +62,8 @@ impl<'a> Walk<'a> {
             jump_height: f64::NAN,
             painleve: false,
         };
-        let mut state = start;
-        let mut next = self.decide(&state, Arrival::Open);
+        let mut here = Here::new(start);
+        let mut next = self.decide(&here, Arrival::Open);
         loop {
             let step = match next {
                 Next::None(_) | Next::Several(_) => {
@@ -60,23 +73,23 @@ impl<'a> Walk<'a> {
                     } else {
                         OutcomeCode::Ambiguous
                     };
-                    summary.end = state;
+                    summary.end = here.state;
                     if !summary.sequence.is_empty() {
-                        summary.energy = energy(self.hoop, &state, 0.0, 0.0);
+                        summary.energy = energy(self.hoop, &here.state, 0.0, 0.0);
                     }
                     return summary;
                 }
                 Next::Roll => {
                     summary.sequence.push(Mode::Rolling, None);
-                    self.roll(state)
+                    self.roll(&here)
                 }
                 Next::Slide { direction, slip_acceleration, .. } => {
                     summary.sequence.push(Mode::Sliding, Some(direction));
-                    self.slide(state, direction, slip_acceleration)
+                    self.slide(&here, direction, slip_acceleration)
                 }
                 Next::Fly { grazing, .. } => {
                     summary.sequence.push(Mode::Flight, None);
-                    self.fly(state, grazing, &mut summary);
+                    self.fly(&here, grazing, &mut summary);
                     return summary;
                 }
                 Next::Glide { .. } => {
@@ -96,18 +109,18 @@ impl<'a> Walk<'a> {
                     }
                     return summary;
                 }
-                Step::Event { state: end, slip, next: known, arrival } => {
+                Step::Event { here: end, slip, next: known, arrival } => {
                     if slip && summary.first_slip_time.is_nan() {
-                        summary.first_slip_time = end.time;
+                        summary.first_slip_time = end.state.time;
                     }
                     summary.transitions += 1;
-                    state = end;
-                    next = known.unwrap_or_else(|| self.decide(&state, arrival));
+                    here = end;
+                    next = known.unwrap_or_else(|| self.decide(&here, arrival));
                     let ends = matches!(next, Next::None(_) | Next::Several(_));
                     if summary.transitions as usize >= self.limits.transitions && !ends {
                         summary.outcome = OutcomeCode::TransitionLimit;
-                        summary.end = state;
-                        summary.energy = energy(self.hoop, &state, 0.0, 0.0);
+                        summary.end = here.state;
+                        summary.energy = energy(self.hoop, &here.state, 0.0, 0.0);
                         return summary;
                     }
                 }
@@ -116,9 +129,9 @@ impl<'a> Walk<'a> {
     }
 
     /// Which motion follows, where the answer is clear at a glance.
-    fn decide(&self, state: &State, arrival: Arrival) -> Next {
+    fn decide(&self, here: &Here, arrival: Arrival) -> Next {
         let body = self.tables.body;
-        let (sin, cos) = libm::sincos(state.theta);
+        let Here { state, direction: (sin, cos) } = here;
         let u = state.theta_rate * state.theta_rate;
         let w = 1.0 - body.h * (cos * u);
         if w.abs() > DOUBT {
@@ -156,21 +169,22 @@ impl<'a> Walk<'a> {
         next_motion(self.hoop, state, arrival)
     }
 
-    fn roll(&self, state: State) -> Step {
+    fn roll(&self, here: &Here) -> Step {
+        let state = here.state;
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
         let table = &self.tables.roll;
         let known = if state.theta_rate == 0.0 {
             None
         } else {
-            table.follow(travel * state.theta, travel * state.theta_rate)
+            table.follow(travel * state.theta, travel * state.theta_rate, here.direction.1)
         };
         match known {
             Some(RollEnd::Never) => Step::End { outcome: OutcomeCode::RollsForever, state },
-            Some(RollEnd::Slip { elapsed, theta, theta_rate, direction })
+            Some(RollEnd::Slip { elapsed, theta, theta_rate, towards, direction: (sin, cos) })
                 if state.time + elapsed <= self.until =>
             {
                 let theta = travel * theta;
-                let direction = if travel < 0.0 { direction.reversed() } else { direction };
+                let towards = if travel < 0.0 { towards.reversed() } else { towards };
                 let end = State {
                     time: state.time + elapsed,
                     theta,
@@ -178,8 +192,9 @@ impl<'a> Walk<'a> {
                     slip: 0.0,
                     x: state.x - (theta - state.theta),
                 };
-                let arrival = Arrival::RollingLimit(Limit::Friction(direction));
-                Step::Event { state: end, slip: true, next: None, arrival }
+                let here = Here { state: end, direction: (travel * sin, cos) };
+                let arrival = Arrival::RollingLimit(Limit::Friction(towards));
+                Step::Event { here, slip: true, next: None, arrival }
             }
             _ => self.roll_exactly(state),
         }
@@ -190,7 +205,7 @@ impl<'a> Walk<'a> {
         match rolling.orbit().end() {
             None => Step::End { outcome: OutcomeCode::RollsForever, state },
             Some(end) if end.elapsed <= self.until - state.time => Step::Event {
-                state: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
+                here: Here::new(rolling.state_at(end.theta, end.theta_rate, end.elapsed)),
                 slip: true,
                 next: None,
                 arrival: Arrival::RollingLimit(end.limit),
@@ -203,14 +218,17 @@ impl<'a> Walk<'a> {
         Step::End { outcome: OutcomeCode::TimeLimit, state: State { time: self.until, ..state } }
     }
 
-    fn slide(&self, state: State, direction: Direction, slip_acceleration: Option<f64>) -> Step {
+    fn slide(&self, here: &Here, direction: Direction, slip_acceleration: Option<f64>) -> Step {
+        let state = here.state;
         let sigma = direction.sign();
+        let (sin0, cos0) = (sigma * here.direction.0, here.direction.1);
         let starts = slip_acceleration.is_none_or(|acceleration| acceleration != 0.0);
         let followed = if starts {
             self.tables.slide.follow(SlideStart {
                 theta: sigma * state.theta,
                 theta_rate: sigma * state.theta_rate,
                 slip: sigma * state.slip,
+                direction: (sin0, cos0),
             })
         } else {
             None
@@ -220,8 +238,7 @@ impl<'a> Walk<'a> {
         };
         // Second integral of sliding, x̄ + μk σ (ȳ + τ²/2) − linear = const, in the frame with σ = +1.
         let (h, mu) = (self.tables.body.h, self.hoop.mu_k());
-        let (sin0, cos0) = libm::sincos(sigma * state.theta);
-        let (sin, cos) = libm::sincos(event.theta);
+        let (sin, cos) = event.direction;
         let rate = sigma * state.theta_rate;
         let drift = sigma * state.slip - (1.0 + h * cos0) * rate - mu * h * sin0 * rate;
         let moved = drift * event.elapsed - mu * (h * (cos - cos0) + 0.5 * event.elapsed * event.elapsed)
@@ -234,7 +251,8 @@ impl<'a> Walk<'a> {
             x: state.x + sigma * moved,
         };
         let next = event.lifts_off.then_some(Next::Fly { body: self.tables.body, grazing: true });
-        Step::Event { state: end, slip: false, next, arrival: Arrival::Open }
+        let here = Here { state: end, direction: (sigma * sin, cos) };
+        Step::Event { here, slip: false, next, arrival: Arrival::Open }
     }
 
     fn slide_exactly(&self, state: State, direction: Direction, slip_acceleration: Option<f64>) -> Step {
@@ -244,9 +262,11 @@ impl<'a> Walk<'a> {
         let allowed = self.limits.until.map(|until| until - state.time);
         let (_, end) = Sliding::run(self.hoop, &body, state, direction, entry, allowed);
         match end {
-            SlidingEnd::Rest(state) => Step::Event { state, slip: false, next: None, arrival: Arrival::Open },
+            SlidingEnd::Rest(state) => {
+                Step::Event { here: Here::new(state), slip: false, next: None, arrival: Arrival::Open }
+            }
             SlidingEnd::LiftOff(state) => Step::Event {
-                state,
+                here: Here::new(state),
                 slip: false,
                 next: Some(Next::Fly { body, grazing: true }),
                 arrival: Arrival::Open,
@@ -258,8 +278,9 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn fly(&self, state: State, grazing: bool, summary: &mut Summary) {
-        let flight = Flight::new(self.hoop, &self.tables.body, state, grazing);
+    fn fly(&self, here: &Here, grazing: bool, summary: &mut Summary) {
+        let state = here.state;
+        let flight = Flight::from_direction(&self.tables.body, state, grazing, here.direction);
         summary.lift_off_time = state.time;
         let duration = flight.duration();
         if duration > self.until - state.time {

@@ -55,7 +55,7 @@ pub(super) struct RollTable {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RollEnd {
     /// Slips at the angle, in the frame of motion.
-    Slip { elapsed: f64, theta: f64, theta_rate: f64, direction: Direction },
+    Slip { elapsed: f64, theta: f64, theta_rate: f64, towards: Direction, direction: (f64, f64) },
     /// Never slips.
     Never,
 }
@@ -113,39 +113,36 @@ impl RollTable {
 
     /// Follows an orbit on which rolling holds at the start, θ growing at the rate `theta_rate` > 0. None where a
     /// margin is in doubt or the orbit comes close to a standstill before it slips.
-    pub(super) fn follow(&self, theta: f64, theta_rate: f64) -> Option<RollEnd> {
+    pub(super) fn follow(&self, theta: f64, theta_rate: f64, cos: f64) -> Option<RollEnd> {
         let turns = (theta / TAU).floor();
         let angle = theta - TAU * turns;
-        let (sin_half, cos_half) = libm::sincos(0.5 * angle);
-        let four_l = 4.0 * self.offset;
-        let denominator = self.bottom + four_l * cos_half * cos_half;
-        let kinetic = denominator * theta_rate * theta_rate;
-        let k = denominator + kinetic;
-        let over_top = kinetic - four_l * sin_half * sin_half;
+        let denominator = 0.5 * (self.top + self.bottom) + 2.0 * self.offset * cos;
+        let k = denominator * (1.0 + theta_rate * theta_rate);
+        let over_top = k - self.top;
         if over_top > 1e-9 * k {
-            self.rotation(k, turns, angle, theta_rate)
+            self.rotation(k, turns, angle)
         } else if over_top < -1e-9 * k {
-            self.libration(k, turns, angle)
+            self.libration(k)
         } else {
             None
         }
     }
 
-    fn rotation(&self, k: f64, turns: f64, angle: f64, theta_rate: f64) -> Option<RollEnd> {
+    fn rotation(&self, k: f64, turns: f64, angle: f64) -> Option<RollEnd> {
         let first = self.stops.partition_point(|stop| stop.angle <= angle);
         let ahead = self.stops[first..].iter().map(|stop| (0.0, stop));
         let again = self.stops[..first].iter().map(|stop| (TAU, stop));
         for (lap, stop) in ahead.chain(again) {
             if let Some(side) = self.breaks(k, stop)? {
                 let from = (angle, lap);
-                return self.slip(k, turns, from, stop, side, theta_rate);
+                return self.slip(k, turns, from, stop, side);
             }
         }
         Some(RollEnd::Never)
     }
 
     /// Only the proof that nothing slips between the turning points: a slip on the way is left to the slow path.
-    fn libration(&self, k: f64, _turns: f64, _angle: f64) -> Option<RollEnd> {
+    fn libration(&self, k: f64) -> Option<RollEnd> {
         // cos of the turning angle, where K = D.
         let cos = (k - 0.5 * (self.top + self.bottom)) / (2.0 * self.offset);
         if !(cos > -1.0 && cos < 1.0) {
@@ -194,7 +191,6 @@ impl RollTable {
         (angle, lap): (f64, f64),
         stop: &Stop,
         side: usize,
-        theta_rate: f64,
     ) -> Option<RollEnd> {
         let [a, b] = &self.forms[side];
         let form: Form = core::array::from_fn(|i| a[i] + k * b[i]);
@@ -235,13 +231,14 @@ impl RollTable {
         let d = self.bottom + 4.0 * self.offset * x * x / length;
         let u = (k - d) / d;
         let end = found + lap;
-        let elapsed = self.time(k, angle, end, theta_rate)?;
-        let direction = if side == 0 { Direction::Negative } else { Direction::Positive };
-        Some(RollEnd::Slip { elapsed, theta: TAU * turns + end, theta_rate: u.sqrt(), direction })
+        let direction = (2.0 * x * y / length, (x * x - y * y) / length);
+        let elapsed = self.time(k, angle, end)?;
+        let towards = if side == 0 { Direction::Negative } else { Direction::Positive };
+        Some(RollEnd::Slip { elapsed, theta: TAU * turns + end, theta_rate: u.sqrt(), towards, direction })
     }
 
     /// ∫ √(D/(K − D)) dϑ by panels that keep their distance from the zeros of D and of K − D.
-    fn time(&self, k: f64, from: f64, to: f64, _theta_rate: f64) -> Option<f64> {
+    fn time(&self, k: f64, from: f64, to: f64) -> Option<f64> {
         let mean = 0.5 * (self.top + self.bottom);
         let two_l = 2.0 * self.offset;
         // K − D vanishes over the top, at ± i acosh((K − mean)/2ℓ̂).

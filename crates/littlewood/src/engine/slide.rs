@@ -78,6 +78,8 @@ pub(super) struct SlideStart {
     pub(super) theta: f64,
     pub(super) theta_rate: f64,
     pub(super) slip: f64,
+    /// sin ϑ and cos ϑ.
+    pub(super) direction: (f64, f64),
 }
 
 /// The event that ends a slide.
@@ -87,6 +89,8 @@ pub(super) struct SlideEvent {
     pub(super) theta: f64,
     pub(super) theta_rate: f64,
     pub(super) slip: f64,
+    /// sin ϑ and cos ϑ.
+    pub(super) direction: (f64, f64),
     pub(super) lifts_off: bool,
 }
 
@@ -212,9 +216,18 @@ fn quotient(a: &Polynomial, b: &Polynomial) -> Polynomial {
     result
 }
 
+/// Value of a polynomial, even and odd powers apart: two short chains instead of a long one.
 #[inline]
 fn value(series: &Polynomial, z: f64) -> f64 {
-    series.iter().rev().fold(0.0, |sum, c| sum * z + c)
+    let square = z * z;
+    let (mut even, mut odd) = (series[DEGREE], 0.0);
+    let mut k = DEGREE;
+    while k > 0 {
+        odd = odd * square + series[k - 1];
+        even = even * square + series[k - 2];
+        k -= 2;
+    }
+    even + z * odd
 }
 
 /// Whether P > 0 at every angle.
@@ -255,8 +268,9 @@ impl Cell {
         (u - value(&self.p, z)) / value(&self.h, z)
     }
 
-    fn u(&self, level: f64, z: f64) -> f64 {
-        value(&self.p, z) + level * value(&self.h, z)
+    /// u of one motion as a polynomial in z.
+    fn motion(&self, level: f64) -> Polynomial {
+        core::array::from_fn(|k| self.p[k] + level * self.h[k])
     }
 
     /// ∫ dϑ/√u over the whole cell.
@@ -269,12 +283,11 @@ impl Cell {
     }
 
     /// ∫ dϑ/√u from z = from to z = to, not smaller.
-    fn time(&self, level: f64, from: f64, to: f64) -> f64 {
+    fn time(&self, motion: &Polynomial, from: f64, to: f64) -> f64 {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let z = NODE.map(|node| middle + half * node);
-        let mut u = [self.p[DEGREE] + level * self.h[DEGREE]; NODES];
-        for k in (0..DEGREE).rev() {
-            let c = self.p[k] + level * self.h[k];
+        let mut u = [motion[DEGREE]; NODES];
+        for c in motion[..DEGREE].iter().rev() {
             for j in 0..NODES {
                 u[j] = u[j] * z[j] + c;
             }
@@ -295,6 +308,8 @@ struct Waypoint {
     elapsed: f64,
     slip: f64,
     slip_acceleration: f64,
+    /// sin ϑ and cos ϑ, where the way may end.
+    direction: (f64, f64),
 }
 
 impl SlideTable {
@@ -390,12 +405,14 @@ impl SlideTable {
         }
         let first = &self.cells[index];
         let z = ((start.theta - offset - first.centre) / first.half).clamp(-1.0, 1.0);
-        let (sin, cos) = libm::sincos(start.theta);
+        let (sin, cos) = start.direction;
         let (alpha, beta) = self.law.slip_acceleration(sin, cos);
         let u = start.theta_rate * start.theta_rate;
         let lever = 1.0 + self.law.body.h * (cos + self.law.mu * sin);
         let integral = start.slip - start.theta_rate * lever;
-        let mut here = Waypoint { z, u, elapsed: 0.0, slip: start.slip, slip_acceleration: alpha + beta * u };
+        let slip_acceleration = alpha + beta * u;
+        let mut here =
+            Waypoint { z, u, elapsed: 0.0, slip: start.slip, slip_acceleration, direction: (sin, cos) };
         let mut whole = false;
         for _ in 0..4 * self.cells.len() {
             let cell = &self.cells[index];
@@ -409,7 +426,7 @@ impl SlideTable {
             let exit_u = exit.p + level * exit.h;
             let lifts_off = 1.0 - self.law.body.h * exit.cos * exit_u < 0.0;
             let there = if lifts_off {
-                self.lift_off(cell, level, &here, travel, integral)?
+                self.lift_off(cell, &cell.motion(level), &here, (travel, integral))?
             } else {
                 let ratio = exit_u / here.u;
                 if !(ratio > 1.0 / SMOOTH && ratio < SMOOTH) {
@@ -418,7 +435,7 @@ impl SlideTable {
                 let time = if whole {
                     cell.whole_time(level)
                 } else {
-                    cell.time(level, here.z.min(travel), here.z.max(travel))
+                    cell.time(&cell.motion(level), here.z.min(travel), here.z.max(travel))
                 };
                 let elapsed = here.elapsed + time;
                 let rate = travel * exit_u.sqrt();
@@ -428,10 +445,11 @@ impl SlideTable {
                     elapsed,
                     slip: integral + rate * exit.lever - self.law.mu * elapsed,
                     slip_acceleration: exit.alpha + exit.beta * exit_u,
+                    direction: (0.0, exit.cos),
                 }
             };
             if there.slip <= 0.0 {
-                let rest = self.rest(cell, level, &here, &there, travel, integral)?;
+                let rest = self.rest(cell, &cell.motion(level), &here, &there, (travel, integral))?;
                 return Some(Self::event(cell, offset, &rest, travel, false));
             }
             if here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0 {
@@ -465,6 +483,7 @@ impl SlideTable {
             theta: offset + (cell.centre + cell.half * at.z),
             theta_rate: travel * at.u.sqrt(),
             slip: if lifts_off { at.slip } else { 0.0 },
+            direction: at.direction,
             lifts_off,
         }
     }
@@ -473,18 +492,17 @@ impl SlideTable {
     fn at(
         &self,
         cell: &Cell,
-        level: f64,
+        motion: &Polynomial,
         here: &Waypoint,
         z: f64,
-        travel: f64,
-        integral: f64,
+        (travel, integral): (f64, f64),
     ) -> Option<Waypoint> {
-        let u = cell.u(level, z);
+        let u = value(motion, z);
         let ratio = u / here.u;
         if !(ratio > 1.0 / SMOOTH && ratio < SMOOTH) {
             return None;
         }
-        let elapsed = here.elapsed + cell.time(level, here.z.min(z), here.z.max(z));
+        let elapsed = here.elapsed + cell.time(motion, here.z.min(z), here.z.max(z));
         let (sin, cos) = libm::sincos(cell.centre + cell.half * z);
         let (alpha, beta) = self.law.slip_acceleration(sin, cos);
         let lever = 1.0 + self.law.body.h * (cos + self.law.mu * sin);
@@ -494,6 +512,7 @@ impl SlideTable {
             elapsed,
             slip: integral + travel * u.sqrt() * lever - self.law.mu * elapsed,
             slip_acceleration: alpha + beta * u,
+            direction: (sin, cos),
         })
     }
 
@@ -501,17 +520,16 @@ impl SlideTable {
     fn lift_off(
         &self,
         cell: &Cell,
-        level: f64,
+        motion: &Polynomial,
         here: &Waypoint,
-        travel: f64,
-        integral: f64,
+        (travel, integral): (f64, f64),
     ) -> Option<Waypoint> {
         let h = self.law.body.h;
         let (mut low, mut high) = (here.z, travel);
         let mut z = 0.5 * (low + high);
         for _ in 0..60 {
             let (sin, cos) = libm::sincos(cell.centre + cell.half * z);
-            let u = cell.u(level, z);
+            let u = value(motion, z);
             let w = 1.0 - h * cos * u;
             if w > 0.0 {
                 low = z
@@ -525,10 +543,10 @@ impl SlideTable {
             let step = (next - z).abs();
             z = next;
             if step < 1e-9 && inside {
-                return self.at(cell, level, here, z, travel, integral);
+                return self.at(cell, motion, here, z, (travel, integral));
             }
             if (high - low).abs() < 1e-15 {
-                return self.at(cell, level, here, z, travel, integral);
+                return self.at(cell, motion, here, z, (travel, integral));
             }
         }
         None
@@ -538,11 +556,10 @@ impl SlideTable {
     fn rest(
         &self,
         cell: &Cell,
-        level: f64,
+        motion: &Polynomial,
         here: &Waypoint,
         there: &Waypoint,
-        travel: f64,
-        integral: f64,
+        (travel, integral): (f64, f64),
     ) -> Option<Waypoint> {
         let span = there.z - here.z;
         // dη′/ds with s from 0 at `here` to 1 at `there`.
@@ -550,7 +567,7 @@ impl SlideTable {
         let guess = cubic_root(here.slip, slope(here), there.slip, slope(there));
         let mut z = here.z + guess * span;
         for _ in 0..6 {
-            let at = self.at(cell, level, here, z, travel, integral)?;
+            let at = self.at(cell, motion, here, z, (travel, integral))?;
             let rate = at.slip_acceleration / at.u.sqrt() * cell.half * travel;
             let step = -at.slip / rate;
             let next = z + step;
@@ -558,7 +575,12 @@ impl SlideTable {
                 return None;
             }
             if step.abs() < 1e-7 {
-                let u = cell.u(level, next);
+                let u = value(motion, next);
+                // Over a step this short the direction turns by its derivative.
+                let (sin, cos) = at.direction;
+                let turn = step * cell.half;
+                let direction =
+                    (sin + turn * cos - 0.5 * turn * turn * sin, cos - turn * sin - 0.5 * turn * turn * cos);
                 // The step may go back: the trapezoid is signed.
                 let slowness = 0.5 * (1.0 / at.u.sqrt() + 1.0 / u.sqrt());
                 let elapsed = at.elapsed + step * travel * cell.half * slowness;
@@ -568,6 +590,7 @@ impl SlideTable {
                     elapsed,
                     slip: 0.0,
                     slip_acceleration: at.slip_acceleration,
+                    direction,
                 });
             }
             z = next;
