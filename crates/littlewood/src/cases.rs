@@ -79,12 +79,12 @@ pub const CASES: &[NamedCase] = &[
     case(
         ("slip-then-jump", "rolls, slips once, then jumps", "section 2(f)"),
         thin_hoop(0.5, 0.4),
-        Start::at(-2.1, 2.0),
+        Start::at(2.5, 3.0),
     ),
     case(
         ("slide-then-jump", "slides once, then jumps", "section 2(f)"),
         thin_hoop(0.5, 0.4),
-        Start::at(-0.5, 1.45),
+        Start::at(4.6, 2.4),
     ),
     case(
         ("rolls-forever", "rolls over the top for ever", "section 2(f)"),
@@ -99,7 +99,7 @@ pub const CASES: &[NamedCase] = &[
     case(
         ("sliding-band", "slides at once where rolling would need N < 0", "section 2(a), corrected"),
         thin_hoop(0.5, 0.4),
-        Start::at(-0.7, 1.6),
+        Start::at(-1.2, 2.0),
     ),
     case(
         ("figure-7", "massless: rolls, then glides until the particle reaches the plane", "Figure 7"),

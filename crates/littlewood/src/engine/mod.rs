@@ -63,6 +63,13 @@ impl Engine {
         Self { hoop: *hoop, tables }
     }
 
+    /// A hoop without tables, whose motions are simulated one by one: for a few starts, which would not repay the
+    /// half millisecond that the tables take.
+    #[must_use]
+    pub const fn unprepared(hoop: &Hoop) -> Self {
+        Self { hoop: *hoop, tables: None }
+    }
+
     /// The hoop.
     #[must_use]
     pub const fn hoop(&self) -> &Hoop {
