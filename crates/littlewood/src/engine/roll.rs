@@ -211,9 +211,9 @@ impl RollTable {
         for _ in 0..60 {
             let (value, slope) = horner(t);
             if sign * value > 0.0 {
-                low = t
+                low = t;
             } else {
-                high = t
+                high = t;
             }
             let newton = t - value / slope;
             let inside = (newton - low) * (high - newton) > 0.0;
@@ -245,7 +245,7 @@ impl RollTable {
         let above_top = libm::acosh(((k - mean) / two_l.max(1e-300)).max(1.0));
         let width = self.width.min(above_top).min(2.0);
         let panels = ((to - from) / (2.0 * PANEL * width)).ceil().max(1.0);
-        if !(panels <= MOST_PANELS) {
+        if panels > MOST_PANELS || panels.is_nan() {
             return None;
         }
         let half = 0.5 * (to - from) / panels;

@@ -276,8 +276,8 @@ impl Cell {
     /// ∫ dϑ/√u over the whole cell.
     fn whole_time(&self, level: f64) -> f64 {
         let mut sum = 0.0;
-        for j in 0..NODES {
-            sum += WEIGHT[j] / (self.p_nodes[j] + level * self.h_nodes[j]).sqrt();
+        for ((weight, p), h) in WEIGHT.iter().zip(&self.p_nodes).zip(&self.h_nodes) {
+            sum += weight / (p + level * h).sqrt();
         }
         self.half * sum
     }
@@ -293,8 +293,8 @@ impl Cell {
             }
         }
         let mut sum = 0.0;
-        for j in 0..NODES {
-            sum += WEIGHT[j] / u[j].sqrt();
+        for (weight, u) in WEIGHT.iter().zip(u) {
+            sum += weight / u.sqrt();
         }
         self.half * half * sum
     }
@@ -532,9 +532,9 @@ impl SlideTable {
             let u = value(motion, z);
             let w = 1.0 - h * cos * u;
             if w > 0.0 {
-                low = z
+                low = z;
             } else {
-                high = z
+                high = z;
             }
             let slope = cell.half * (h * sin * u - h * cos * self.law.drive(sin, cos) * w);
             let newton = z - w / slope;
