@@ -1,0 +1,138 @@
+//! Which sequences of phases occur on a grid, how often, and where for example.
+
+use core::sync::atomic::Ordering;
+use std::collections::HashMap;
+
+use littlewood::{Hoop, Limits, PhaseSequence};
+use rayon::prelude::*;
+
+use crate::chunk::{Chunk, Chunks};
+use crate::compute::Workers;
+use crate::error::SweepError;
+use crate::first_turn::{FirstTurn, Stop};
+use crate::grid::{Grid, is_relation};
+use crate::outcome::INVALID;
+use crate::point::Point;
+use crate::run::{Options, Progress};
+
+/// A sequence of phases that occurs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Entry {
+    /// The sequence. Those with more phases than fit are told apart by the phases that fit.
+    pub sequence: PhaseSequence,
+    /// What stopped the first turn; none in an atlas of whole motions.
+    pub stop: Option<Stop>,
+    /// Number of points of the grid that have it.
+    pub count: u64,
+    /// The first of them, in the numbering of [`Grid::point`].
+    pub example: Point,
+    /// The number of that point.
+    pub number: u64,
+}
+
+/// All sequences of phases of a grid, the most frequent first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Atlas {
+    /// The sequences.
+    pub entries: Vec<Entry>,
+    /// Points that were computed; fewer than the grid has if the atlas was cancelled.
+    pub points: u64,
+    /// Points whose parameters contradict each other; they have no sequence.
+    pub invalid: u64,
+}
+
+impl Atlas {
+    /// Whole motions, to their end or to a limit.
+    ///
+    /// # Errors
+    /// As [`Workers::compute`].
+    pub fn of_motions(
+        grid: &Grid,
+        limits: Limits,
+        workers: &Workers,
+        options: &Options<'_>,
+    ) -> Result<Self, SweepError> {
+        Self::collect(grid, options, |chunk| {
+            let columns = workers.compute(chunk.points(grid), limits)?;
+            Ok(columns.rows().map(|row| (row.outcome != INVALID).then_some((row.sequence, None))).collect())
+        })
+    }
+
+    /// First turns with μs = μk, as Theron and Maritz have them: μk of the grid does not count, it follows μs.
+    ///
+    /// # Errors
+    /// A value without physical meaning.
+    pub fn of_first_turns(grid: &Grid, workers: &Workers, options: &Options<'_>) -> Result<Self, SweepError> {
+        Self::collect(grid, options, |chunk| {
+            let points: Vec<Point> = chunk.points(grid).map(with_one_friction).collect();
+            let turns: Vec<_> = workers.install(|| {
+                points
+                    .par_iter()
+                    .map(|point| match Hoop::new(point.hoop) {
+                        Ok(hoop) => FirstTurn::new(&hoop, point.start)
+                            .map(|turn| Some((turn.sequence, Some(turn.stop)))),
+                        Err(error) if is_relation(&error) => Ok(None),
+                        Err(error) => Err(error),
+                    })
+                    .collect()
+            });
+            turns.into_iter().map(|turn| turn.map_err(SweepError::from)).collect()
+        })
+        .map(|mut atlas| {
+            for entry in &mut atlas.entries {
+                entry.example = with_one_friction(entry.example);
+            }
+            atlas
+        })
+    }
+
+    fn collect(
+        grid: &Grid,
+        options: &Options<'_>,
+        mut sequences: impl FnMut(&Chunk) -> Result<Vec<Option<(PhaseSequence, Option<Stop>)>>, SweepError>,
+    ) -> Result<Self, SweepError> {
+        let chunks = Chunks::new(grid, options.chunk_points);
+        let shape = grid.shape();
+        let mut found: HashMap<(PhaseSequence, Option<Stop>), (u64, u64)> = HashMap::new();
+        let (mut points, mut invalid) = (0, 0);
+        for chunk in (0..chunks.count()).map(|number| chunks.chunk(number)) {
+            if options.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+                break;
+            }
+            for (indices, sequence) in chunk.indices().zip(sequences(&chunk)?) {
+                points += 1;
+                let Some(key) = sequence else {
+                    invalid += 1;
+                    continue;
+                };
+                let number = indices
+                    .iter()
+                    .zip(&shape)
+                    .fold(0, |number, (&i, &count)| number * count as u64 + i as u64);
+                let (count, first) = found.entry(key).or_insert((0, number));
+                *count += 1;
+                *first = number.min(*first);
+            }
+            if let Some(progress) = options.progress {
+                progress(Progress { done: points, reused: 0, total: grid.len() });
+            }
+        }
+        let mut entries: Vec<Entry> = found
+            .into_iter()
+            .map(|((sequence, stop), (count, number))| Entry {
+                sequence,
+                stop,
+                count,
+                example: grid.point(number),
+                number,
+            })
+            .collect();
+        entries.sort_by_key(|entry| (core::cmp::Reverse(entry.count), entry.number, entry.stop));
+        Ok(Self { entries, points, invalid })
+    }
+}
+
+fn with_one_friction(mut point: Point) -> Point {
+    point.hoop.mu_k = point.hoop.mu_s;
+    point
+}

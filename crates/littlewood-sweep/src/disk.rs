@@ -1,0 +1,60 @@
+//! Writing files so that each is there as a whole or not at all.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+/// What a sweep asks of a disk. Tests put one there that fills up.
+pub trait Disk: Sync {
+    /// Makes a folder and those above it.
+    ///
+    /// # Errors
+    /// Of the operating system.
+    fn create_folder(&self, path: &Path) -> io::Result<()>;
+
+    /// Writes a file; whoever looks sees all of it or nothing.
+    ///
+    /// # Errors
+    /// Of the operating system.
+    fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+
+    /// Adds to the end of a file.
+    ///
+    /// # Errors
+    /// Of the operating system.
+    fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+}
+
+/// The file system.
+///
+/// A file is written under another name and then renamed. It is not forced to the medium: should the power fail, the
+/// checksum of the chunk shows what is missing when the run is resumed.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FileSystem;
+
+/// Ending of files that are not finished.
+pub(crate) const UNFINISHED: &str = ".unfinished";
+
+impl Disk for FileSystem {
+    fn create_folder(&self, path: &Path) -> io::Result<()> {
+        fs::create_dir_all(path)
+    }
+
+    fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let mut name = path.as_os_str().to_owned();
+        name.push(UNFINISHED);
+        let unfinished = PathBuf::from(name);
+        let written = File::create(&unfinished)
+            .and_then(|mut file| file.write_all(bytes))
+            .and_then(|()| fs::rename(&unfinished, path));
+        if written.is_err() {
+            // The first error is the one to tell; this only frees the room that the torn file takes.
+            let _ = fs::remove_file(&unfinished);
+        }
+        written
+    }
+
+    fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        OpenOptions::new().append(true).create(true).open(path)?.write_all(bytes)
+    }
+}

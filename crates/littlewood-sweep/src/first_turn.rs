@@ -1,0 +1,162 @@
+//! The first turn of a hoop, as Theron and Maritz look at it (Math. Comput. Modelling 47, 2008, 1077): from the start to
+//! one revolution, to the instant when θ′ changes sign, or to lift-off.
+
+use core::f64::consts::TAU;
+
+use littlewood::{
+    Direction, Hoop, Limits, Mode, Motion, Outcome, ParameterError, Phase, PhaseSequence, Recurrence, Start,
+};
+
+/// Instants at which a phase is looked at. A phase of rolling lasts at most one period of its orbit, in which θ′ changes
+/// sign twice at most, half a period apart.
+const LOOKS: u32 = 64;
+
+/// Transitions after which a motion is given up. With μs = μk slips can shrink without end.
+const TRANSITIONS: usize = 200;
+
+/// What ends a first turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Stop {
+    /// |θ − θ0| = 2π.
+    Revolution,
+    /// θ′ = 0.
+    TurnsBack,
+    /// The hoop leaves the plane.
+    LiftsOff,
+    /// The motion ends in another way: a Painlevé paradox, or a particle at the plane.
+    Ends,
+    /// None of it ever happens, or not within 200 transitions: rest, or an orbit that ends at the top.
+    Never,
+}
+
+impl Stop {
+    /// Lower-case name, as files and the command line write it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Revolution => "revolution",
+            Self::TurnsBack => "turns_back",
+            Self::LiftsOff => "lifts_off",
+            Self::Ends => "ends",
+            Self::Never => "never",
+        }
+    }
+}
+
+/// The first turn of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstTurn {
+    /// Phases up to the stop; the last is the one in which it comes. After lift-off it is the flight.
+    pub sequence: PhaseSequence,
+    /// What stops it.
+    pub stop: Stop,
+    /// Time τ of the stop; NaN if it never comes.
+    pub time: f64,
+}
+
+impl FirstTurn {
+    /// Follows a motion through its first turn.
+    ///
+    /// ```
+    /// use littlewood::{Hoop, HoopParameters, Start};
+    /// use littlewood_sweep::{FirstTurn, Stop};
+    ///
+    /// // A particle at half the radius, a plane rough enough: it rolls round, once.
+    /// let hoop = HoopParameters { mass_ratio: 1.0, offset: 0.5, inertia: 1.0, mu_s: 5.0, mu_k: 5.0 };
+    /// let turn = FirstTurn::new(&Hoop::new(hoop)?, Start::at(0.0, 0.5))?;
+    /// assert_eq!((turn.sequence.to_string().as_str(), turn.stop), ("R", Stop::Revolution));
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Hoop::simulate`].
+    pub fn new(hoop: &Hoop, start: Start) -> Result<Self, ParameterError> {
+        let motion = hoop.simulate(start, Limits { until: None, transitions: TRANSITIONS })?;
+        let mut sequence = PhaseSequence::default();
+        let Some(travel) = Direction::of(start.theta_rate) else {
+            for phase in motion.phases() {
+                sequence.push(phase.mode(), phase.direction());
+            }
+            return Ok(Self { sequence, stop: Stop::Never, time: f64::NAN });
+        };
+        let turn = Turn { theta: start.theta, travel: travel.sign() };
+        for phase in motion.phases() {
+            sequence.push(phase.mode(), phase.direction());
+            if phase.mode() == Mode::Flight {
+                return Ok(Self { sequence, stop: Stop::LiftsOff, time: phase.start().time });
+            }
+            let duration = if phase.duration().is_finite() {
+                phase.duration()
+            } else {
+                period(phase, &motion.outcome()).unwrap_or(0.0)
+            };
+            if let Some((stop, elapsed)) = turn.stop_in(phase, duration) {
+                return Ok(Self { sequence, stop, time: phase.start().time + elapsed });
+            }
+        }
+        let stop = match motion.outcome() {
+            Outcome::RollsForever { .. }
+            | Outcome::SlidesForever { .. }
+            | Outcome::TransitionLimit { .. }
+            | Outcome::TimeLimit { .. } => Stop::Never,
+            _ => Stop::Ends,
+        };
+        Ok(Self { sequence, stop, time: f64::NAN })
+    }
+}
+
+/// The period of a phase that lasts for ever; none if it does not come back.
+fn period(phase: &Phase, outcome: &Outcome) -> Option<f64> {
+    let recurrence = match (phase.motion(), outcome) {
+        (Motion::Rolling(rolling), _) => rolling.orbit().recurrence(),
+        (_, Outcome::SlidesForever { recurrence, .. }) => *recurrence,
+        _ => return None,
+    };
+    match recurrence {
+        Recurrence::Libration { period, .. } | Recurrence::Rotation { period } => Some(period),
+        Recurrence::Rest | Recurrence::Asymptotic { .. } => None,
+    }
+}
+
+/// Where a turn began, and in which direction.
+struct Turn {
+    theta: f64,
+    travel: f64,
+}
+
+impl Turn {
+    fn stop_at(&self, phase: &Phase, elapsed: f64) -> Option<Stop> {
+        let state = phase.sample(elapsed).state;
+        if self.travel * state.theta_rate <= 0.0 {
+            Some(Stop::TurnsBack)
+        } else if (state.theta - self.theta).abs() >= TAU {
+            Some(Stop::Revolution)
+        } else {
+            None
+        }
+    }
+
+    /// The first stop in a phase, and the time from the start of the phase.
+    fn stop_in(&self, phase: &Phase, duration: f64) -> Option<(Stop, f64)> {
+        let mut before = 0.0;
+        for look in 1..=LOOKS {
+            // A little more than a period, so that rounding does not hide its end.
+            let mut after = duration * f64::from(look) / f64::from(LOOKS) * (1.0 + 1e-12);
+            let Some(mut stop) = self.stop_at(phase, after) else {
+                before = after;
+                continue;
+            };
+            loop {
+                let middle = 0.5 * (before + after);
+                if middle <= before || middle >= after {
+                    return Some((stop, after));
+                }
+                match self.stop_at(phase, middle) {
+                    Some(earlier) => (stop, after) = (earlier, middle),
+                    None => before = middle,
+                }
+            }
+        }
+        None
+    }
+}

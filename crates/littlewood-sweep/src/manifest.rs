@@ -1,0 +1,141 @@
+//! Which chunks of a store are finished, and what their files sum up to.
+
+use core::fmt::Write as _;
+use std::collections::BTreeMap;
+
+/// Length and checksum of the files of a chunk, taken together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Seal {
+    /// Bytes.
+    pub(crate) length: u64,
+    /// CRC-32 of all bytes.
+    pub(crate) crc: u32,
+}
+
+impl Seal {
+    pub(crate) fn of<'a>(files: impl IntoIterator<Item = &'a [u8]>) -> Self {
+        let mut hasher = crc32fast::Hasher::new();
+        let mut length = 0;
+        for bytes in files {
+            hasher.update(bytes);
+            length += bytes.len() as u64;
+        }
+        Self { length, crc: hasher.finalize() }
+    }
+}
+
+/// The finished chunks of a run: a line of text each, added as the chunk is finished.
+///
+/// ```text
+/// littlewood-sweep 1 run 5f3759df
+/// 0 24681 1b2c3d4e
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Manifest {
+    /// CRC-32 of the description of the run.
+    pub(crate) run: u32,
+    pub(crate) chunks: BTreeMap<usize, Seal>,
+}
+
+impl Manifest {
+    pub(crate) const fn new(run: u32) -> Self {
+        Self { run, chunks: BTreeMap::new() }
+    }
+
+    pub(crate) fn head(&self) -> String {
+        format!("littlewood-sweep 1 run {:08x}\n", self.run)
+    }
+
+    pub(crate) fn line(number: usize, seal: Seal) -> String {
+        format!("{number} {} {:08x}\n", seal.length, seal.crc)
+    }
+
+    pub(crate) fn text(&self) -> String {
+        let mut text = self.head();
+        for (&number, &seal) in &self.chunks {
+            let _ = write!(text, "{}", Self::line(number, seal));
+        }
+        text
+    }
+
+    /// Reads it again. A last line without its end was torn by a kill, and its chunk does not count.
+    ///
+    /// # Errors
+    /// The number of a line that makes no sense, from 1.
+    pub(crate) fn parse(text: &[u8], run: u32, count: usize) -> Result<Self, usize> {
+        let mut manifest = Self::new(run);
+        let mut lines = text.split_inclusive(|&byte| byte == b'\n');
+        match lines.next() {
+            None => return Ok(manifest),
+            Some(head) if head == manifest.head().as_bytes() => {}
+            Some(head) if !head.ends_with(b"\n") && manifest.head().as_bytes().starts_with(head) => {
+                return Ok(manifest);
+            }
+            Some(_) => return Err(1),
+        }
+        for (number, line) in (2_usize..).zip(lines) {
+            let Some(line) = line.strip_suffix(b"\n") else { break };
+            let (chunk, seal) = entry(line).filter(|(chunk, _)| *chunk < count).ok_or(number)?;
+            manifest.chunks.insert(chunk, seal);
+        }
+        Ok(manifest)
+    }
+}
+
+fn entry(line: &[u8]) -> Option<(usize, Seal)> {
+    let mut words = core::str::from_utf8(line).ok()?.split(' ');
+    let chunk = words.next()?.parse().ok()?;
+    let length = words.next()?.parse().ok()?;
+    let crc = words.next().filter(|crc| crc.len() == 8)?;
+    let crc = u32::from_str_radix(crc, 16).ok()?;
+    words.next().is_none().then_some((chunk, Seal { length, crc }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn example() -> Manifest {
+        let mut manifest = Manifest::new(0x5f37_59df);
+        manifest.chunks.insert(0, Seal { length: 24_681, crc: 0x1b2c });
+        manifest.chunks.insert(7, Seal { length: 9, crc: 0xffff_ffff });
+        manifest
+    }
+
+    #[test]
+    fn reads_what_it_writes() {
+        let manifest = example();
+        assert_eq!(manifest.text(), "littlewood-sweep 1 run 5f3759df\n0 24681 00001b2c\n7 9 ffffffff\n");
+        assert_eq!(Manifest::parse(manifest.text().as_bytes(), manifest.run, 8), Ok(manifest));
+    }
+
+    #[test]
+    fn a_torn_end_at_any_byte_loses_only_the_last_chunk() {
+        let manifest = example();
+        let text = manifest.text();
+        for length in 0..text.len() {
+            let parsed = Manifest::parse(&text.as_bytes()[..length], manifest.run, 8);
+            let whole_lines = text[..length].matches('\n').count();
+            assert_eq!(parsed.map(|parsed| parsed.chunks.len()), Ok(whole_lines.saturating_sub(1)));
+        }
+    }
+
+    #[test]
+    fn damage_is_found_and_its_line_named() {
+        let parse = |text: &str| Manifest::parse(text.as_bytes(), 0x5f37_59df, 8).map(|_| ());
+        let head = "littlewood-sweep 1 run 5f3759df\n";
+        assert_eq!(parse("littlewood-sweep 1 run 5f3759de\n"), Err(1));
+        assert_eq!(parse("something else\n"), Err(1));
+        for bad in ["x 1 00000000", "8 1 00000000", "0 1 0", "0 1 00000000 2", "0 1", "", "0 -1 00000000"] {
+            assert_eq!(parse(&format!("{head}1 1 00000000\n{bad}\n")), Err(3), "{bad}");
+        }
+    }
+
+    #[test]
+    fn a_seal_sees_every_bit_and_where_it_stands() {
+        let seal = Seal::of([&b"abc"[..], b"def"]);
+        assert_eq!(seal, Seal { length: 6, crc: 0x4b8e_39ef }); // CRC-32 of "abcdef"
+        assert_ne!(seal, Seal::of([&b"abd"[..], b"def"]));
+        assert_ne!(seal, Seal::of([&b"abc"[..], b"de"]));
+    }
+}

@@ -1,0 +1,245 @@
+//! Lists as Parquet: a folder with one file a chunk, which Parquet readers take as one table.
+//!
+//! ```text
+//! list.parquet/
+//!   _run.json            parameters and status
+//!   _chunks.txt          finished chunks with their checksums
+//!   part-00000.parquet   rows of the first chunk, as one row group
+//!   part-00001.parquet   …
+//! ```
+//!
+//! A folder and not one file: what is finished can be read at any moment, a run that was stopped goes on without copying,
+//! and the footer does not grow with the list. pandas, pyarrow, Polars and Spark read the folder by its name (names that
+//! begin with `_` are not data to them); `DuckDB` reads `list.parquet/*.parquet`.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use arrow_array::types::Int32Type;
+use arrow_array::{
+    ArrayRef, BooleanArray, DictionaryArray, Float64Array, RecordBatch, StringArray, UInt8Array, UInt32Array,
+    UInt64Array,
+};
+use arrow_schema::{DataType, Field, Schema};
+use littlewood::{Limits, PhaseSequence};
+use parquet::arrow::ArrowWriter;
+use parquet::basic::{Compression, ZstdLevel};
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use serde_json::{Value, json};
+
+use crate::axis::Coordinate;
+use crate::chunk::Chunks;
+use crate::columns::{Columns, Real};
+use crate::compute::Workers;
+use crate::description::Description;
+use crate::error::{StoreError, SweepError};
+use crate::grid::Grid;
+use crate::outcome;
+use crate::point::Point;
+use crate::run::{Format, Options, Report, Source, StoreFile, run};
+use crate::starts::StartList;
+use crate::zarr::GridSource;
+
+const HEADER: &str = "_run.json";
+
+/// Computes a list of starts into a folder of Parquet files, one row a start in the order of the list.
+///
+/// Memory stays flat, files are whole or not there, and a run goes on with `resume`, as in [`crate::grid_to_zarr`].
+///
+/// # Errors
+/// As [`crate::grid_to_zarr`], and a row whose values have no physical meaning.
+pub fn list_to_parquet(
+    list: &StartList,
+    limits: Limits,
+    path: &Path,
+    workers: &Workers,
+    options: &Options<'_>,
+) -> Result<Report, SweepError> {
+    let chunk = options.chunk_points.max(1);
+    let description = Description::of_list(list.base(), list.fingerprint(), limits, chunk);
+    let mut source = list.source(chunk);
+    let table = Table::new(description.clone(), source.count());
+    run(&mut source, &table, &description, limits, path, workers, options)
+}
+
+/// Computes a grid into a folder of Parquet files, one row a point. The rows stand chunk by chunk (see [`Chunks`]); each
+/// has its coordinates with it.
+///
+/// # Errors
+/// As [`crate::grid_to_zarr`].
+pub fn grid_to_parquet(
+    grid: &Grid,
+    limits: Limits,
+    path: &Path,
+    workers: &Workers,
+    options: &Options<'_>,
+) -> Result<Report, SweepError> {
+    let chunks = Chunks::new(grid, options.chunk_points);
+    let description = Description::of_grid(grid, limits, chunks.shape());
+    let mut source = GridSource { grid, chunks };
+    let table = Table::new(description.clone(), source.count());
+    run(&mut source, &table, &description, limits, path, workers, options)
+}
+
+struct Table {
+    description: Description,
+    schema: Arc<Schema>,
+    digits: usize,
+}
+
+fn text_type() -> DataType {
+    DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8))
+}
+
+fn schema() -> Schema {
+    let field = |name: &str, data_type: DataType, long_name: &str, unit: &str| {
+        Field::new(name, data_type, false).with_metadata(
+            [("long_name", long_name), ("units", unit)]
+                .map(|(key, value)| (key.to_owned(), value.to_owned()))
+                .into_iter()
+                .collect::<std::collections::HashMap<_, _>>(),
+        )
+    };
+    let mut fields: Vec<Field> = Coordinate::ALL
+        .into_iter()
+        .map(|coordinate| {
+            field(coordinate.name(), DataType::Float64, coordinate.long_name(), coordinate.unit())
+        })
+        .collect();
+    fields.extend([
+        field("outcome", text_type(), "outcome", ""),
+        field("outcome_code", DataType::UInt8, "code of the outcome", ""),
+        field(
+            "sequence",
+            text_type(),
+            "sequence of phases: R rolling, + and - sliding, g and n and G gliding, F flight",
+            "",
+        ),
+        field(
+            "sequence_code",
+            DataType::UInt64,
+            "sequence of phases, 3 bits a phase, first phase lowest",
+            "",
+        ),
+        field("transitions", DataType::UInt32, "number of transitions", "1"),
+        field("painleve", DataType::Boolean, "whether the motion met a Painlevé paradox", ""),
+    ]);
+    fields.extend(
+        Real::ALL
+            .into_iter()
+            .map(|column| field(column.name(), DataType::Float64, column.long_name(), column.unit())),
+    );
+    Schema::new(fields)
+}
+
+fn text<'a>(values: impl Iterator<Item = String> + 'a) -> ArrayRef {
+    let mut words: Vec<String> = Vec::new();
+    let mut keys = std::collections::HashMap::new();
+    let indices: Vec<i32> = values
+        .map(|value| {
+            *keys.entry(value).or_insert_with_key(|value| {
+                words.push(value.clone());
+                i32::try_from(words.len() - 1).unwrap_or(i32::MAX)
+            })
+        })
+        .collect();
+    let values = Arc::new(StringArray::from(words));
+    Arc::new(DictionaryArray::<Int32Type>::new(indices.into(), values))
+}
+
+fn encoding<E: core::fmt::Display>(what: &str) -> impl Fn(E) -> StoreError + '_ {
+    move |error| StoreError::Encoding { what: what.to_owned(), reason: error.to_string() }
+}
+
+impl Table {
+    fn new(description: Description, chunks: usize) -> Self {
+        let digits = chunks.saturating_sub(1).to_string().len().max(5);
+        Self { description, schema: Arc::new(schema()), digits }
+    }
+
+    fn batch(&self, points: &[Point], columns: &Columns) -> Result<RecordBatch, StoreError> {
+        let mut arrays: Vec<ArrayRef> = Coordinate::ALL
+            .into_iter()
+            .map(|coordinate| {
+                let values = points.iter().map(|point| coordinate.of_point(point));
+                Arc::new(Float64Array::from_iter_values(values)) as ArrayRef
+            })
+            .collect();
+        arrays.push(text(columns.outcome.iter().map(|&code| outcome::name(code).unwrap_or("?").to_owned())));
+        arrays.push(Arc::new(UInt8Array::from(columns.outcome.clone())));
+        arrays.push(text(columns.sequence.iter().map(|&bits| PhaseSequence::from_bits(bits).to_string())));
+        arrays.push(Arc::new(UInt64Array::from(columns.sequence.clone())));
+        arrays.push(Arc::new(UInt32Array::from(columns.transitions.clone())));
+        arrays.push(Arc::new(columns.painleve.iter().map(|&flag| Some(flag != 0)).collect::<BooleanArray>()));
+        for values in &columns.reals {
+            arrays.push(Arc::new(Float64Array::from(values.clone())));
+        }
+        RecordBatch::try_new(Arc::clone(&self.schema), arrays).map_err(encoding("a table"))
+    }
+
+    fn path(&self, chunk: usize) -> PathBuf {
+        PathBuf::from(format!("part-{chunk:0digits$}.parquet", digits = self.digits))
+    }
+}
+
+impl Format for Table {
+    fn header_path(&self) -> &'static str {
+        HEADER
+    }
+
+    fn manifest_path(&self) -> &'static str {
+        "_chunks.txt"
+    }
+
+    fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
+        let mut text = serde_json::to_vec_pretty(&json!({
+            "program": "littlewood-sweep",
+            "status": if complete { "complete" } else { "partial" },
+            "run": self.description.0,
+        }))
+        .map_err(encoding(HEADER))?;
+        text.push(b'\n');
+        Ok(text)
+    }
+
+    fn read_header(&self, header: &Value) -> Option<(Value, bool)> {
+        if header.get("program")?.as_str()? != "littlewood-sweep" {
+            return None;
+        }
+        Some((header.get("run")?.clone(), header.get("status")?.as_str()? == "complete"))
+    }
+
+    fn prelude(&self) -> Result<Vec<StoreFile>, StoreError> {
+        Ok(Vec::new())
+    }
+
+    fn paths(&self, chunk: usize) -> Vec<PathBuf> {
+        vec![self.path(chunk)]
+    }
+
+    fn encode(
+        &self,
+        chunk: usize,
+        points: &[Point],
+        columns: &Columns,
+    ) -> Result<Vec<StoreFile>, StoreError> {
+        let path = self.path(chunk);
+        let name = path.to_string_lossy().into_owned();
+        let level = ZstdLevel::try_new(3).map_err(encoding(&name))?;
+        let properties = WriterProperties::builder()
+            .set_compression(Compression::ZSTD(level))
+            .set_max_row_group_row_count(None)
+            .set_created_by(concat!("littlewood-sweep ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_key_value_metadata(Some(vec![
+                KeyValue::new("littlewood_run".to_owned(), self.description.0.to_string()),
+                KeyValue::new("littlewood_chunk".to_owned(), chunk.to_string()),
+            ]))
+            .build();
+        let mut writer = ArrowWriter::try_new(Vec::new(), Arc::clone(&self.schema), Some(properties))
+            .map_err(encoding(&name))?;
+        writer.write(&self.batch(points, columns)?).map_err(encoding(&name))?;
+        let bytes = writer.into_inner().map_err(encoding(&name))?;
+        Ok(vec![(path, bytes)])
+    }
+}

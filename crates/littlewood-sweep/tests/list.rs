@@ -1,0 +1,216 @@
+//! Lists of starts from CSV and Parquet.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
+
+mod support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
+use littlewood::Limits;
+use littlewood_sweep::{Coordinate, ListError, Options, Point, StartList, SweepError, list_to_parquet};
+use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use support::{figure_2, workers};
+
+fn csv(folder: &Path, text: &str) -> PathBuf {
+    let path = folder.join("starts.csv");
+    fs::write(&path, text).unwrap();
+    path
+}
+
+fn message(text: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let path = csv(folder.path(), text);
+    let message = StartList::open(&path, figure_2()).unwrap_err().to_string();
+    message.replace(&format!("{}", path.display()), "starts.csv")
+}
+
+#[test]
+fn a_csv_list_is_read_and_the_rest_comes_from_the_base() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = csv(folder.path(), "\u{feff}theta, \"mu_k\"\r\n0.5,0.25\r\n\r\n-1e-3 , \"0\"");
+    let list = StartList::open(&path, figure_2()).unwrap();
+    assert_eq!((list.rows(), list.columns()), (2, &[Coordinate::Theta, Coordinate::MuK][..]));
+    let points: Vec<(u64, Point)> = list.points().unwrap().map(Result::unwrap).collect();
+    let mut first = figure_2();
+    (first.start.theta, first.hoop.mu_k) = (0.5, 0.25);
+    let mut second = figure_2();
+    (second.start.theta, second.hoop.mu_k) = (-1e-3, 0.0);
+    assert_eq!(points.iter().map(|(_, point)| *point).collect::<Vec<_>>(), [first, second]);
+    assert_eq!((points[0].0, points[1].0), (2, 4));
+}
+
+#[test]
+fn mistakes_in_csv_are_named_with_line_and_column() {
+    assert_eq!(
+        message("theta,slip\n1,0\n2,zero\n"),
+        "starts.csv, line 3, column slip: \"zero\" is not a finite number"
+    );
+    assert_eq!(
+        message("theta\n1\nNaN\n"),
+        "starts.csv, line 3, column theta: \"NaN\" is not a finite number"
+    );
+    assert_eq!(message("theta\n1\n\"\"\n"), "starts.csv, line 3, column theta: \"\" is not a finite number");
+    assert_eq!(
+        message("theta,offset\n1,0.5\n1,1.5\n"),
+        "starts.csv, line 3, column offset: offset = 1.5 must not exceed 1"
+    );
+    assert_eq!(message("theta,theta_rate\n1,2\n1\n"), "starts.csv, line 3: 1 cells where the header has 2");
+    assert_eq!(
+        message("theta,omega\n1,2\n"),
+        "starts.csv: there is no quantity \"omega\"; columns are theta, theta_rate, slip, mass_ratio, offset, \
+         inertia, mu_s, mu_k"
+    );
+    assert_eq!(
+        message("theta\r\n\r\n1\r\nx\r\n"),
+        "starts.csv, line 4, column theta: \"x\" is not a finite number"
+    );
+    assert!(message(&"1".repeat(100_000)).contains("line 1: longer than"));
+    assert_eq!(message("theta,theta\n1,2\n"), "starts.csv: column theta is there twice");
+    assert_eq!(message("theta\n"), "starts.csv: no starts in it");
+    assert_eq!(message(""), "starts.csv: no starts in it");
+    let missing = StartList::open(Path::new("/nowhere/starts.csv"), figure_2()).unwrap_err();
+    assert!(matches!(missing, ListError::Unreadable { .. }), "{missing}");
+    let other = StartList::open(Path::new("starts.txt"), figure_2()).unwrap_err();
+    assert!(matches!(other, ListError::UnknownFormat { .. }), "{other}");
+}
+
+#[test]
+fn a_fixed_value_without_meaning_is_refused_before_anything_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut base = figure_2();
+    base.start.slip = f64::NAN;
+    let path = csv(folder.path(), "theta\n1\n");
+    let error = StartList::open(&path, base).unwrap_err();
+    assert!(matches!(error, ListError::Fixed { .. }), "{error}");
+}
+
+fn parquet(path: &Path, columns: Vec<(&str, ArrayRef)>) {
+    let batch = RecordBatch::try_from_iter(columns).unwrap();
+    let mut writer = ArrowWriter::try_new(fs::File::create(path).unwrap(), batch.schema(), None).unwrap();
+    writer.write(&batch).unwrap();
+    writer.close().unwrap();
+}
+
+#[test]
+fn a_parquet_list_is_read_whatever_its_numbers_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("starts.parquet");
+    parquet(
+        &path,
+        vec![
+            ("theta_rate", Arc::new(Int64Array::from(vec![1, 2]))),
+            ("theta", Arc::new(Float32Array::from(vec![0.5, -0.25]))),
+        ],
+    );
+    let list = StartList::open(&path, figure_2()).unwrap();
+    let points: Vec<Point> = list.points().unwrap().map(|row| row.unwrap().1).collect();
+    let starts: Vec<(f64, f64)> =
+        points.iter().map(|point| (point.start.theta, point.start.theta_rate)).collect();
+    assert_eq!(starts, [(0.5, 1.0), (-0.25, 2.0)]);
+}
+
+#[test]
+fn mistakes_in_parquet_are_named_with_row_and_column() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("starts.parquet");
+    let open = || StartList::open(&path, figure_2()).unwrap_err();
+    parquet(&path, vec![("theta", Arc::new(Float64Array::from(vec![Some(1.0), None])))]);
+    assert!(
+        open().to_string().ends_with("line 2, column theta: \"null\" is not a finite number"),
+        "{}",
+        open()
+    );
+    parquet(&path, vec![("theta", Arc::new(Float64Array::from(vec![1.0, 2.0, f64::INFINITY])))]);
+    assert!(
+        open().to_string().ends_with("line 3, column theta: \"inf\" is not a finite number"),
+        "{}",
+        open()
+    );
+    parquet(&path, vec![("theta", Arc::new(StringArray::from(vec!["1"])))]);
+    assert!(matches!(open(), ListError::NotNumbers { .. }), "{}", open());
+    fs::write(&path, "not parquet").unwrap();
+    assert!(matches!(open(), ListError::BadParquet { .. }), "{}", open());
+}
+
+#[test]
+fn the_table_has_the_starts_and_their_motions_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    // Figure 3; footnote 3 of the paper, which lifts off at once; a hoop that is none.
+    let path = csv(
+        folder.path(),
+        "theta,theta_rate,mu_k\n1.5707963267948966,2,0.4\n0,4,0.4\n0,1,0.6\n3.1,0.1,0.5\n",
+    );
+    let list = StartList::open(&path, figure_2()).unwrap();
+    let out = folder.path().join("out.parquet");
+    let options = Options { chunk_points: 3, ..Options::default() };
+    list_to_parquet(&list, Limits::default(), &out, &workers(1), &options).unwrap();
+    let mut rows: Vec<(f64, String, String, f64, u64)> = Vec::new();
+    for part in ["part-00000.parquet", "part-00001.parquet"] {
+        let file = fs::File::open(out.join(part)).unwrap();
+        let builder = ParquetRecordBatchReaderBuilder::try_new(file).unwrap();
+        assert_eq!(builder.metadata().num_row_groups(), 1);
+        let unit = builder.schema().field_with_name("lift_off_time").unwrap().metadata()["units"].clone();
+        assert_eq!(unit, "sqrt(R/g)");
+        let run = builder.metadata().file_metadata().key_value_metadata().unwrap();
+        let run = run.iter().find(|entry| entry.key == "littlewood_run").unwrap().value.clone().unwrap();
+        let run: serde_json::Value = serde_json::from_str(&run).unwrap();
+        assert_eq!(run["base"]["mu_s"], 0.5);
+        for batch in builder.build().unwrap() {
+            let batch = batch.unwrap();
+            let text = |name: &str| {
+                arrow_cast::cast(batch.column_by_name(name).unwrap(), &arrow_schema::DataType::Utf8).unwrap()
+            };
+            let number = |name: &str| {
+                batch.column_by_name(name).unwrap().as_any().downcast_ref::<Float64Array>().unwrap().clone()
+            };
+            let (outcome, sequence) = (text("outcome"), text("sequence"));
+            let words = |array: &ArrayRef, i: usize| {
+                array.as_any().downcast_ref::<StringArray>().unwrap().value(i).to_owned()
+            };
+            let code = batch.column_by_name("sequence_code").unwrap().clone();
+            let code = code.as_any().downcast_ref::<arrow_array::UInt64Array>().unwrap().clone();
+            for i in 0..batch.num_rows() {
+                rows.push((
+                    number("theta").value(i),
+                    words(&outcome, i),
+                    words(&sequence, i),
+                    number("lift_off_time").value(i),
+                    code.value(i),
+                ));
+            }
+        }
+    }
+    let told: Vec<(f64, &str, &str)> = rows
+        .iter()
+        .map(|(theta, outcome, sequence, ..)| (*theta, outcome.as_str(), sequence.as_str()))
+        .collect();
+    assert_eq!(
+        told,
+        [
+            (std::f64::consts::FRAC_PI_2, "landing", "-R+F"),
+            (0.0, "landing", "F"),
+            (0.0, "invalid", ""),
+            (3.1, "rolls_forever", "R"),
+        ]
+    );
+    assert!((rows[0].3 - 1.518_670_213_819_437).abs() < 1e-13);
+    // - is 2, R is 1, + is 3, F is 7: three bits each, the first lowest.
+    assert_eq!(rows[0].4, 2 + 8 + (3 << 6) + (7 << 9));
+    assert!(rows[3].3.is_nan());
+}
+
+#[test]
+fn a_file_that_changes_after_it_was_opened_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = csv(folder.path(), "theta\n1\n2\n3\n");
+    let list = StartList::open(&path, figure_2()).unwrap();
+    fs::write(&path, "theta\n1\n").unwrap();
+    let out = folder.path().join("out.parquet");
+    let error =
+        list_to_parquet(&list, Limits::until(1.0), &out, &workers(1), &Options::default()).unwrap_err();
+    assert!(matches!(error, SweepError::List(ListError::Changed { .. })), "{error}");
+}

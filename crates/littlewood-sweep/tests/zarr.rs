@@ -1,0 +1,82 @@
+//! Zarr stores, read by the library and not by the code that has written them.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
+
+mod support;
+
+use std::fs;
+use std::sync::Arc;
+
+use littlewood::Limits;
+use littlewood_sweep::{Options, grid_to_zarr};
+use serde_json::Value;
+use support::{map, mixed, workers};
+use zarrs::array::Array;
+use zarrs::filesystem::FilesystemStore;
+use zarrs::group::Group;
+
+#[test]
+fn the_arrays_hold_what_was_computed_with_names_and_units() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.zarr");
+    let (grid, limits) = (mixed(), Limits::until(20.0));
+    // Chunks that do not divide the grid, along an axis that is not the slowest.
+    let options = Options { chunk_points: 100, ..Options::default() };
+    grid_to_zarr(&grid, limits, &path, &workers(2), &options).unwrap();
+    let columns = workers(1).compute(grid.points(0..grid.len()), limits).unwrap();
+
+    let store = Arc::new(FilesystemStore::new(&path).unwrap());
+    let open = |name: &str| Array::open(Arc::clone(&store), name).unwrap();
+    let names = ["mu_s", "theta", "mu_k", "theta_rate"];
+    for (i, name) in names.into_iter().enumerate() {
+        let array = open(&format!("/{name}"));
+        let values: Vec<f64> = array.retrieve_array_subset(&array.subset_all()).unwrap();
+        assert_eq!(values, grid.axes()[i].values().collect::<Vec<_>>());
+        let dimensions = array.dimension_names().clone().unwrap();
+        assert_eq!(dimensions, [Some(name.to_owned())]);
+    }
+    let lift_off = open("/lift_off_time");
+    assert_eq!(lift_off.shape(), [4, 7, 3, 11]);
+    assert_eq!(lift_off.dimension_names().clone().unwrap(), names.map(|name| Some(name.to_owned())));
+    assert_eq!(lift_off.attributes()["units"], "sqrt(R/g)");
+    let values: Vec<f64> = lift_off.retrieve_array_subset(&lift_off.subset_all()).unwrap();
+    let expected = columns.real(littlewood_sweep::Real::LiftOffTime);
+    assert_eq!(
+        values.iter().map(|x| x.to_bits()).collect::<Vec<_>>(),
+        expected.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
+    );
+    let sequence = open("/sequence");
+    let values: Vec<u64> = sequence.retrieve_array_subset(&sequence.subset_all()).unwrap();
+    assert_eq!(values, columns.sequence);
+    let outcome = open("/outcome");
+    let values: Vec<u8> = outcome.retrieve_array_subset(&outcome.subset_all()).unwrap();
+    assert_eq!(values, columns.outcome);
+    let flags = outcome.attributes()["flag_values"].as_array().unwrap().len();
+    assert_eq!(outcome.attributes()["flag_meanings"].as_str().unwrap().split(' ').count(), flags);
+}
+
+#[test]
+fn the_group_says_what_was_run_and_holds_the_metadata_of_its_arrays() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.zarr");
+    grid_to_zarr(&map(5), Limits::until(1.0), &path, &workers(1), &Options::default()).unwrap();
+    let text = fs::read_to_string(path.join("zarr.json")).unwrap();
+    let json: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((&json["zarr_format"], &json["node_type"]), (&3.into(), &"group".into()));
+    let attributes = &json["attributes"];
+    assert_eq!(attributes["status"], "complete");
+    assert_eq!(attributes["run"]["fixed"]["mu_k"], 0.4);
+    assert_eq!(attributes["run"]["version"], env!("CARGO_PKG_VERSION"));
+    assert_eq!(attributes["run"]["axes"][1]["count"], 5);
+    let consolidated = json["consolidated_metadata"]["metadata"].as_object().unwrap();
+    assert_eq!(consolidated.len(), 2 + 14);
+    for (name, metadata) in consolidated {
+        let own: Value =
+            serde_json::from_slice(&fs::read(path.join(name).join("zarr.json")).unwrap()).unwrap();
+        assert_eq!(&own, metadata, "{name}");
+        assert!(own["dimension_names"].is_array(), "{name}");
+    }
+    let store = Arc::new(FilesystemStore::new(&path).unwrap());
+    let group = Group::open(store, "/").unwrap();
+    assert_eq!(group.child_arrays().unwrap().len(), 2 + 14);
+}
