@@ -2,11 +2,14 @@
 //! [`crate::problem`].
 
 use std::ffi::{OsStr, OsString};
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use littlewood::Quantity;
+use littlewood_sweep::Axis;
 
+use crate::axis::parse_axis;
 use crate::values::{Given, Origin};
 
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
@@ -26,7 +29,8 @@ Examples:
   littlewood simulate figure-3
   littlewood simulate figure-3 --mu-k 0.3 --format json
   littlewood cases
-  littlewood classify figure-7";
+  littlewood classify figure-7
+  littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out map.png";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -39,7 +43,58 @@ pub(crate) enum Command {
     Classify(Box<ClassifyArgs>),
     /// List the named cases: the motions that the paper shows or speaks of
     Cases(CasesArgs),
+    /// Follow the starts of a plane of two quantities: a picture, or a store for xarray or a data frame
+    #[command(long_about = MAP, after_help = MAP_EXAMPLES)]
+    Map(Box<MapArgs>),
+    /// Follow the starts of a grid with any number of axes, or of a list
+    #[command(long_about = SWEEP, after_help = SWEEP_EXAMPLES)]
+    Sweep(Box<SweepArgs>),
+    /// Count the sequences of phases that occur on a grid of starts, with an example of each
+    #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
+    Atlas(Box<AtlasArgs>),
 }
+
+const MAP: &str = "\
+Follow the starts of a plane of two quantities, and keep what becomes of each.
+
+An axis is NAME=FROM:TO:COUNT, both ends included; NAME is one of theta, theta_rate, slip, mass_ratio, offset, inertia, \
+mu_s and mu_k, and FROM and TO may be written with pi (-pi, pi/2, 2pi). What no axis varies comes from the case, the \
+scenario or the flags, as in `simulate`; x and time start at 0 unless a scenario says otherwise.
+
+--out takes a Zarr v3 store (.zarr), a folder of Parquet files (.parquet) or a picture (.png), once for each that is \
+wanted. Stores are written chunk by chunk. Ctrl-C leaves what is finished, with exit code 130, and --resume goes on \
+from there.";
+
+const MAP_EXAMPLES: &str = "\
+Examples:
+  littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out plane.zarr --out plane.png
+  littlewood map figure-3 --x theta=-pi:pi:500 --y mu_s=0.4:2:500 --out jumps.png --shade jump_length";
+
+const SWEEP: &str = "\
+Follow the starts of a grid with any number of axes (see `littlewood map --help`), the last running fastest, or of a \
+list.
+
+A list is a CSV file with a header, or a Parquet file; its columns are named as axes are, and what has no column comes \
+from the case, the scenario or the flags. --out takes a folder of Parquet files (.parquet), or for a grid a Zarr v3 \
+store (.zarr).";
+
+const SWEEP_EXAMPLES: &str = "\
+Examples:
+  littlewood sweep figure-3 --axis mu_s=0.4:1:7 --axis theta=-pi:pi:100 --axis theta_rate=-4:4:100 --out grid.zarr
+  littlewood sweep figure-3 --starts starts.csv --out starts.parquet";
+
+const ATLAS: &str = "\
+Count the sequences of phases that occur on a grid of starts, with an example of each.
+
+R is rolling, + and - sliding, g, n and G gliding, F flight. Without --axis the grid is theta=-pi:pi:200 and \
+theta_rate=-4:4:200. With --first-turn a motion is followed as Theron and Maritz do (2008): from the top, with mu_k = \
+mu_s, to one revolution, to the instant when theta' changes sign, or to lift-off; the grid is then theta_rate=0.01:2:200 \
+and mu_s=0.01:2:200.";
+
+const ATLAS_EXAMPLES: &str = "\
+Examples:
+  littlewood atlas figure-3
+  littlewood atlas figure-3 --first-turn --axis theta_rate=0.01:2:400 --axis mu_s=0.01:2:400 --format json";
 
 const SIMULATE: &str = "\
 Follow a motion to its end: phases, transitions, outcome.
@@ -109,6 +164,100 @@ pub(crate) struct CasesArgs {
     pub(crate) format: ShortFormat,
 }
 
+/// Arguments of `littlewood map`.
+#[derive(Debug, Args)]
+pub(crate) struct MapArgs {
+    /// Axis to the right
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
+    pub(crate) x: Axis,
+    /// Axis upwards
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
+    pub(crate) y: Axis,
+    #[command(flatten)]
+    pub(crate) base: BaseArgs,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    #[command(flatten)]
+    pub(crate) work: WorkArgs,
+    #[command(flatten)]
+    pub(crate) store: StoreArgs,
+    /// What the colours of a picture show: outcome, or a column such as lift_off_time or jump_length
+    #[arg(long, value_name = "COLUMN", default_value = "outcome", help_heading = "Output")]
+    pub(crate) shade: String,
+    /// Size of a picture in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1500x1000", value_parser = size,
+          help_heading = "Output")]
+    pub(crate) size: (u32, u32),
+}
+
+/// Arguments of `littlewood sweep`.
+#[derive(Debug, Args)]
+pub(crate) struct SweepArgs {
+    /// An axis of the grid; give one or more, the slowest first
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis,
+          required_unless_present = "starts", conflicts_with = "starts")]
+    pub(crate) axis: Vec<Axis>,
+    /// A list of starts, .csv or .parquet
+    #[arg(long, value_name = "FILE")]
+    pub(crate) starts: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) base: BaseArgs,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    #[command(flatten)]
+    pub(crate) work: WorkArgs,
+    #[command(flatten)]
+    pub(crate) store: StoreArgs,
+}
+
+/// Arguments of `littlewood atlas`.
+#[derive(Debug, Args)]
+pub(crate) struct AtlasArgs {
+    /// An axis of the grid; give one or more
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
+    pub(crate) axis: Vec<Axis>,
+    /// Follow each motion for its first turn, with mu_k = mu_s, from the top unless --theta or an axis says otherwise
+    #[arg(long, conflicts_with_all = ["until", "until_s", "max_transitions"])]
+    pub(crate) first_turn: bool,
+    #[command(flatten)]
+    pub(crate) base: BaseArgs,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    #[command(flatten)]
+    pub(crate) work: WorkArgs,
+    /// Format of what is printed
+    #[arg(long, value_enum, default_value_t = ShortFormat::Table, help_heading = "Output")]
+    pub(crate) format: ShortFormat,
+}
+
+/// How to share the work.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Work")]
+pub(crate) struct WorkArgs {
+    /// Number of threads; the result does not depend on it [default: all cores]
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<NonZeroUsize>,
+    /// Starts of a chunk, at most
+    #[arg(long, value_name = "N", default_value_t = littlewood_sweep::CHUNK_POINTS,
+          value_parser = chunk)]
+    pub(crate) chunk: usize,
+}
+
+/// Where results go.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Output")]
+pub(crate) struct StoreArgs {
+    /// Where to; the ending says what it is
+    #[arg(long, value_name = "PATH", required = true)]
+    pub(crate) out: Vec<PathBuf>,
+    /// Go on with a store that was not finished; that of other parameters is refused
+    #[arg(long)]
+    pub(crate) resume: bool,
+    /// Format of the summary
+    #[arg(long, value_enum, default_value_t = ShortFormat::Table)]
+    pub(crate) format: ShortFormat,
+}
+
 /// How to print a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -144,13 +293,40 @@ pub(crate) struct ProblemArgs {
     #[command(flatten)]
     start: StartArgs,
     #[command(flatten)]
+    place: PlaceArgs,
+    #[command(flatten)]
     pub(crate) si: SiArgs,
+}
+
+/// A hoop and a start as a sweep takes them: `--x` is free for an axis.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct BaseArgs {
+    /// Named case, see `littlewood cases`
+    #[arg(value_name = "CASE", conflicts_with = "scenario")]
+    case: Option<String>,
+    /// Scenario file (TOML): case, [hoop], [start], [run], or [si.hoop] and [si.start]
+    #[arg(long, value_name = "FILE")]
+    scenario: Option<PathBuf>,
+    #[command(flatten)]
+    hoop: HoopArgs,
+    #[command(flatten)]
+    start: StartArgs,
+    #[command(flatten)]
+    si: SiArgs,
+}
+
+impl BaseArgs {
+    /// The same as `simulate` has it.
+    pub(crate) fn to_problem(&self) -> ProblemArgs {
+        let Self { case, scenario, hoop, start, si } = self.clone();
+        ProblemArgs { case, scenario, hoop, start, place: PlaceArgs::default(), si }
+    }
 }
 
 impl ProblemArgs {
     /// The numbers of the hoop and the start that were typed.
     pub(crate) fn given(&self) -> Vec<Given> {
-        let Self { hoop, start, si, .. } = self;
+        let Self { hoop, start, place, si, .. } = self;
         flags([
             (Quantity::MassRatio, hoop.mass_ratio),
             (Quantity::Offset, hoop.offset),
@@ -160,8 +336,8 @@ impl ProblemArgs {
             (Quantity::Theta, start.theta),
             (Quantity::ThetaRate, start.theta_rate),
             (Quantity::Slip, start.slip),
-            (Quantity::X, start.x),
-            (Quantity::Time, start.time),
+            (Quantity::X, place.x),
+            (Quantity::Time, place.time),
             (Quantity::DiscMassKg, si.disc_mass_kg),
             (Quantity::ParticleMassKg, si.particle_mass_kg),
             (Quantity::RadiusM, si.radius_m),
@@ -177,7 +353,7 @@ impl ProblemArgs {
 }
 
 /// The hoop, without dimensions (2.9).
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Hoop (dimensionless, 2.9)")]
 struct HoopArgs {
     /// Mass of the disc over that of the particle, m1/m2 >= 0
@@ -199,7 +375,7 @@ struct HoopArgs {
 }
 
 /// The start, without dimensions (2.9).
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Start (dimensionless, 2.9)")]
 struct StartArgs {
     /// Angle theta of the particle from the upward vertical, counterclockwise, with SI parameters too
@@ -211,6 +387,12 @@ struct StartArgs {
     /// Slip velocity eta' of the contact point (2.7) in sqrt(g R) [default: 0]
     #[arg(long, value_name = "VELOCITY", value_parser = number)]
     slip: Option<f64>,
+}
+
+/// Where and when the start is, which no motion depends on.
+#[derive(Debug, Default, Args)]
+#[command(next_help_heading = "Start (dimensionless, 2.9)")]
+struct PlaceArgs {
     /// Horizontal position of the centre in R [default: 0]
     #[arg(long, value_name = "LENGTH", value_parser = number)]
     x: Option<f64>,
@@ -220,7 +402,7 @@ struct StartArgs {
 }
 
 /// Hoop and start in SI units.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "SI units (instead of the dimensionless flags)")]
 pub(crate) struct SiArgs {
     /// Take and show SI units; any of the flags below implies it. With a named case, --particle-mass-kg and
@@ -292,6 +474,22 @@ fn flags<const N: usize>(pairs: [(Quantity, Option<f64>); N]) -> Vec<Given> {
 /// A number after a flag.
 fn number(text: &str) -> Result<f64, String> {
     text.parse().map_err(|_| "this is not a number".to_owned())
+}
+
+/// A size in pixels, as `1500x1000`.
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parse = |side: &str| side.parse().ok();
+    text.split_once('x')
+        .and_then(|(width, height)| Some((parse(width)?, parse(height)?)))
+        .ok_or_else(|| "a size is WIDTHxHEIGHT in pixels, such as 1500x1000".to_owned())
+}
+
+/// A number of points of a chunk.
+fn chunk(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count @ 1..=16_777_216) => Ok(count),
+        _ => Err("a chunk has 1 to 16777216 starts".to_owned()),
+    }
 }
 
 /// Joins a flag and the negative number after it, `--slip -.5` to `--slip=-.5`.

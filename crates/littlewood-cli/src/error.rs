@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use anstyle::{AnsiColor, Style};
 use littlewood::ParameterError;
+use littlewood_sweep::{AxisError, ListError, PictureError, StoreError, SweepError};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use thiserror::Error;
 
@@ -115,6 +116,41 @@ pub(crate) enum Error {
         /// Why.
         source: io::Error,
     },
+    /// A sweep that cannot be done, or not be written.
+    #[error("{0}")]
+    #[diagnostic(help("{}", hint_of(.0)))]
+    Sweep(Box<SweepError>),
+    /// An `--out` that the command does not know what to do with.
+    #[error("--out {}: {reason}", path.display())]
+    #[diagnostic(help("{hint}"))]
+    Out {
+        /// The path.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+        /// What to do.
+        hint: String,
+    },
+    /// A column that a picture cannot show.
+    #[error("--shade {name}: there is no such column")]
+    #[diagnostic(help("the columns are {known}"))]
+    UnknownShade {
+        /// The name that was given.
+        name: String,
+        /// All names.
+        known: String,
+    },
+    /// Ctrl-C.
+    #[error("stopped after {done} of {total} starts")]
+    #[diagnostic(help("{hint}"))]
+    Interrupted {
+        /// Starts that are done.
+        done: u64,
+        /// All starts.
+        total: u64,
+        /// How to go on.
+        hint: String,
+    },
     /// The reader of the output has seen enough.
     #[error("the reader has closed the pipe")]
     ClosedPipe,
@@ -126,6 +162,8 @@ impl Error {
         match self {
             Self::ClosedPipe => ExitCode::SUCCESS,
             Self::Write { .. } | Self::WriteFile { .. } => ExitCode::from(1),
+            Self::Interrupted { .. } => ExitCode::from(130),
+            Self::Sweep(error) if is_of_the_system(error) => ExitCode::from(1),
             _ => ExitCode::from(2),
         }
     }
@@ -154,5 +192,65 @@ impl Error {
             text.push_str(&format!("\n{cyan}hint:{cyan:#} {hint}\n"));
         }
         text
+    }
+}
+
+impl<E: Into<SweepError>> From<E> for Error {
+    fn from(error: E) -> Self {
+        Self::Sweep(Box::new(error.into()))
+    }
+}
+
+/// Whether the system is to blame, and not what was asked for.
+const fn is_of_the_system(error: &SweepError) -> bool {
+    matches!(
+        error,
+        SweepError::Store(StoreError::Unwritable { .. } | StoreError::Encoding { .. })
+            | SweepError::Picture(PictureError::Drawing(_))
+            | SweepError::Threads { .. }
+    )
+}
+
+/// What to do about an error of a sweep.
+fn hint_of(error: &SweepError) -> String {
+    match error {
+        SweepError::Axis(error) => hint_of_axis(error),
+        SweepError::Parameter(error) => error.hint().to_string(),
+        SweepError::List(
+            ListError::BadValue { source, .. } | ListError::Fixed { source, .. },
+        ) => source.hint().to_string(),
+        SweepError::List(_) => {
+            "a list is a CSV file with a header, or a Parquet file; columns are named as axes are, cells are finite \
+             numbers"
+                .to_owned()
+        }
+        SweepError::Store(error) => hint_of_store(error).to_owned(),
+        SweepError::Picture(PictureError::Size { .. }) => "give another --size, such as 1500x1000".to_owned(),
+        SweepError::Picture(_) => "a map has one --x and one --y".to_owned(),
+        _ => "give fewer --threads, or leave the flag out".to_owned(),
+    }
+}
+
+fn hint_of_axis(error: &AxisError) -> String {
+    match error {
+        AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().to_string(),
+        AxisError::TooMany => "take fewer points".to_owned(),
+        AxisError::Twice { .. } => "take each quantity for one axis".to_owned(),
+        _ => "an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200".to_owned(),
+    }
+}
+
+const fn hint_of_store(error: &StoreError) -> &'static str {
+    match error {
+        StoreError::Exists { complete: true, .. } => {
+            "it is finished; give another --out, or remove it to compute it again"
+        }
+        StoreError::Exists { .. } => "--resume goes on with it; or give another --out",
+        StoreError::OtherParameters { .. } => "give another --out, or the parameters of the store",
+        StoreError::NotAStore { .. } => "give another --out",
+        StoreError::Unwritable { .. } => {
+            "make room or choose a folder that can be written to; --resume goes on with what is finished"
+        }
+        _ => "give another --out, or remove what is there and run again",
     }
 }

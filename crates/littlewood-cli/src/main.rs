@@ -1,15 +1,24 @@
-//! The command line of Littlewood's hoop: `littlewood simulate`, `classify` and `cases`.
+//! The command line of Littlewood's hoop: `littlewood simulate`, `classify`, `cases`, `map`, `sweep` and
+//! `atlas`.
 
 mod args;
+mod atlas;
+mod axis;
 mod cases;
 mod classify;
 mod error;
+mod interrupt;
+mod map;
 mod output;
 mod problem;
+mod progress;
 mod report;
 mod scenario;
 mod simulate;
+mod store;
+mod sweep;
 mod values;
+mod work;
 
 use std::process::ExitCode;
 
@@ -30,6 +39,9 @@ fn main() -> ExitCode {
         Command::Simulate(args) => simulate::run(&args),
         Command::Classify(args) => classify::run(&args),
         Command::Cases(args) => cases::run(&args),
+        Command::Map(args) => map::run(&args),
+        Command::Sweep(args) => sweep::run(&args),
+        Command::Atlas(args) => atlas::run(&args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -121,7 +121,7 @@ pub(crate) fn cases(writer: &mut dyn Write) -> io::Result<()> {
     write(writer, &CASES.iter().map(CaseRecord::from).collect::<Vec<_>>())
 }
 
-fn write(writer: &mut dyn Write, document: &impl Serialize) -> io::Result<()> {
+pub(super) fn write(writer: &mut dyn Write, document: &impl Serialize) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut *writer, document)?;
     writeln!(writer)
 }

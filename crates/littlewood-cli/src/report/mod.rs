@@ -6,6 +6,7 @@ mod number;
 mod record;
 mod scale;
 mod sheet;
+pub(crate) mod sweep;
 pub(crate) mod table;
 
 /// Which instants to sample.

@@ -1,0 +1,43 @@
+//! A bar with rate and time left on the standard error, if that is a terminal.
+
+use std::io::{self, IsTerminal};
+use std::sync::Once;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use littlewood_sweep::Progress;
+
+const TEMPLATE: &str = "{bar:32} {percent:>3}%  {human_pos} of {human_len} starts  {per_sec}  {eta} left";
+
+/// A bar, or nothing.
+pub(crate) struct Bar {
+    bar: ProgressBar,
+    begun: Once,
+}
+
+impl Bar {
+    /// A bar that has not moved.
+    pub(crate) fn new() -> Self {
+        let bar = if io::stderr().is_terminal() { ProgressBar::new(0) } else { ProgressBar::hidden() };
+        if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
+            bar.set_style(style);
+        }
+        Self { bar, begun: Once::new() }
+    }
+
+    /// Moves the bar.
+    pub(crate) fn show(&self, progress: Progress) {
+        self.begun.call_once(|| {
+            // What an earlier run has done says nothing about the speed of this one.
+            self.bar.set_length(progress.total);
+            self.bar.set_position(progress.reused);
+            self.bar.reset_eta();
+        });
+        self.bar.set_position(progress.done);
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
