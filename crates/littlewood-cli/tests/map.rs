@@ -151,15 +151,16 @@ fn other_bad_input_is_refused() {
 }
 
 #[test]
-fn a_store_that_cannot_be_written_is_a_failure_to_write() {
+fn a_place_without_room_for_a_store_is_named() {
     let folder = folder();
     let file = path(&folder, "file");
     fs::write(&file, "").expect("written");
-    let out = format!("{file}/plane.parquet");
-    let axes = ["--axis", "theta=0:1:3"];
-    let code =
-        littlewood().args(["sweep", "figure-3", "--out", &out]).args(axes).output().expect("run").status;
-    assert!(!code.success());
+    let sweep =
+        |out: &str, code| complaint(&["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", out], code);
+    let below = format!("{file}/plane.parquet");
+    assert!(sweep(&below, 2).contains(&below));
+    #[cfg(target_os = "linux")]
+    assert!(sweep("/proc/plane.zarr", 1).contains("cannot write /proc/plane.zarr"));
 }
 
 #[test]
@@ -199,7 +200,7 @@ fn a_list_of_starts_is_followed() {
     let first = fs::read(Path::new(&out).join("part-00000.parquet")).expect("a table");
     assert_eq!(first[..4], *b"PAR1");
 
-    // What was written is itself no list, but a list may be bad in a cell.
+    // A bad cell is named by its line.
     fs::write(&starts, "theta,theta_rate\n1,2\n0,fast\n").expect("written");
     let words = sweep(&starts, &path(&folder, "other.parquet"));
     let message = complaint(&words.split('\n').collect::<Vec<_>>(), 2);
