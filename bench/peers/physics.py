@@ -1,0 +1,107 @@
+"""The hoop of figure 2 (mass ratio = offset = inertia = 1, mu_s = 0.5, mu_k = 0.4), and what follows at rest.
+
+Everything here works on floats, compiled where numba is there, so that the peers spend their time on integrating.
+"""
+
+import math
+
+try:
+    from numba import njit
+except ImportError:  # the peers that do not need numba still run
+    def njit(function):
+        return function
+
+MASS, OFFSET, INERTIA, ARM = 2.0, 0.5, 1.5, 1.0  # whole mass, centre of mass, inertia about it, particle
+MU_S, MU_K = 0.5, 0.4
+FIGURE_3 = (math.pi / 2, 2.0)
+ROLLS = (0.0, 0.5)
+
+ROLL, FREE, SEVERAL = 0, 9, 8  # modes beside sliding, which is +1 or -1
+AT_ONCE, LATER, CONTACT, FAILED = 0, 1, 2, 9  # outcomes: when the hoop leaves the plane
+SEED = 1e-300  # slip at the start of a slide, so that the event function does not start at 0
+MOST_PHASES = 400
+
+
+@njit
+def rolling(theta, rate):
+    """Angular acceleration, normal force and friction."""
+    c, s = math.cos(theta), math.sin(theta)
+    acceleration = ARM * s * (rate * rate + 1.0) / (INERTIA + MASS * (1.0 + OFFSET * OFFSET + 2.0 * OFFSET * c))
+    normal = MASS - ARM * (s * acceleration + c * rate * rate)
+    friction = ARM * s * rate * rate - MASS * (1.0 + OFFSET * c) * acceleration
+    return acceleration, normal, friction
+
+
+@njit
+def sliding(theta, rate, sign):
+    """Angular acceleration, slip acceleration and normal force."""
+    c, s = math.cos(theta), math.sin(theta)
+    q = OFFSET * s - MU_K * sign * (1.0 + OFFSET * c)
+    normal = INERTIA * MASS * (1.0 - OFFSET * c * rate * rate) / (INERTIA + MASS * OFFSET * s * q)
+    acceleration = normal * q / INERTIA
+    slip = -MU_K * sign * normal / MASS + (1.0 + OFFSET * c) * acceleration - OFFSET * s * rate * rate
+    return acceleration, slip, normal
+
+
+@njit
+def slip_margins(theta, rate):
+    """Both fall through 0 where static friction gives way: the first to a slide with sign -1, the second with +1."""
+    _, normal, friction = rolling(theta, rate)
+    return MU_S * normal - friction, MU_S * normal + friction
+
+
+@njit
+def weight(theta, rate):
+    """Falls through 0 where a sliding hoop lifts off."""
+    return 1.0 - OFFSET * math.cos(theta) * rate * rate
+
+
+@njit
+def mode_at_rest(theta, rate):
+    """What follows where the contact point is at rest."""
+    _, normal, friction = rolling(theta, rate)
+    if normal > 0.0 and abs(friction) <= MU_S * normal:
+        return ROLL
+    mode = FREE
+    for sign in (-1, 1):
+        _, slip, normal = sliding(theta, rate, float(sign))
+        if normal > 0.0 and slip * sign > 0.0:
+            mode = sign if mode == FREE else SEVERAL
+    return mode
+
+
+@njit
+def mode_after(mode, event, theta, rate):
+    """What follows an event (0 or 1, in the order of the functions above) that ends a phase at rest."""
+    following = mode_at_rest(theta, rate)
+    if mode == ROLL and following == ROLL:  # on the limit, but for rounding
+        return -1 if event == 0 else 1
+    return following
+
+
+def follow(theta, rate, until, advance):
+    """Outcome and times of the events, with `advance(mode, time, state, until)` -> (event or None, time, state)."""
+    mode, time, state, times = mode_at_rest(theta, rate), 0.0, (theta, rate, 0.0, 0.0), []
+    if mode == FREE:
+        return AT_ONCE, times
+    while mode != SEVERAL and len(times) < MOST_PHASES:
+        theta, rate, _, x = state
+        event, time, state = advance(mode, time, (theta, rate, SEED * mode, x), until)
+        if event is None:
+            return CONTACT, times
+        times.append(time)
+        if mode != ROLL and event == 0:
+            return LATER, times
+        mode = mode_after(mode, event, state[0], state[1])
+        if mode == FREE:
+            return LATER, times
+    return FAILED, times
+
+
+def grid(cells, pick):
+    """The picked rows and columns of the square grid of starts, row after row."""
+    import numpy
+
+    thetas = numpy.linspace(-math.pi, math.pi, cells)[pick]
+    rates = numpy.linspace(-4.0, 4.0, cells)[pick]
+    return [(float(theta), float(rate)) for rate in rates for theta in thetas]
