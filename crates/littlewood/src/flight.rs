@@ -15,6 +15,7 @@ use core::f64::consts::{PI, TAU};
 use crate::bernstein::Bracket;
 use crate::hoop::{Heavy, Hoop};
 use crate::state::{Mode, Sample, State, energy};
+use crate::trig::sincos;
 
 /// A phase of flight.
 #[derive(Clone, Copy, Debug)]
@@ -230,7 +231,7 @@ impl Ramps {
     fn new(phi: f64) -> Self {
         let square = phi * phi;
         if phi.abs() > 1.0 {
-            let (sine, cosine) = libm::sincos(phi);
+            let (sine, cosine) = sincos(phi);
             let versine = 1.0 - cosine;
             return Self { sine, versine, odd: phi - sine, even: 0.5 * square - versine };
         }
@@ -248,7 +249,7 @@ impl Ramps {
 impl Flight {
     /// From a state in contact; `grazing` where the normal force has just vanished, so that 1 = h cos θ θ′².
     pub(crate) fn new(body: &Heavy, start: State, grazing: bool) -> Self {
-        Self::from_direction(body, start, grazing, libm::sincos(start.theta))
+        Self::from_direction(body, start, grazing, sincos(start.theta))
     }
 
     /// The same with the sine and cosine of the angle.
@@ -289,7 +290,7 @@ impl Flight {
     pub fn state(&self, elapsed: f64) -> State {
         let rate = self.start.theta_rate;
         let theta = self.start.theta + rate * elapsed;
-        let (sin, cos) = libm::sincos(theta);
+        let (sin, cos) = sincos(theta);
         State {
             time: self.start.time + elapsed,
             theta,

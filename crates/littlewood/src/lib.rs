@@ -69,6 +69,7 @@ mod sliding;
 mod state;
 mod summary;
 mod trajectory;
+mod trig;
 
 pub use automaton::{BodyClass, Cause, EDGES, Edge, find_edge};
 pub use cases::{CASES, NamedCase, find_case};

@@ -8,10 +8,12 @@ use crate::simulate::Limits;
 use crate::sliding::{Entry, Sliding, SlidingEnd};
 use crate::state::{Direction, Mode, State, energy};
 use crate::summary::{OutcomeCode, PhaseSequence, Summary};
+use crate::trig::sincos;
 
 use super::Tables;
 use super::roll::RollEnd;
 use super::slide::SlideStart;
+use super::slip::SlipPoint;
 
 /// Forces within this part of the friction limit, or of lift-off, are decided by the exact rules.
 const DOUBT: f64 = 1e-9;
@@ -28,11 +30,13 @@ pub(super) struct Walk<'a> {
 struct Here {
     state: State,
     direction: (f64, f64),
+    /// Where it is the end of rolling by the table.
+    slip: Option<SlipPoint>,
 }
 
 impl Here {
     fn new(state: State) -> Self {
-        Self { state, direction: libm::sincos(state.theta) }
+        Self { state, direction: sincos(state.theta), slip: None }
     }
 }
 
@@ -131,7 +135,7 @@ impl<'a> Walk<'a> {
     /// Which motion follows, where the answer is clear at a glance.
     fn decide(&self, here: &Here, arrival: Arrival) -> Next {
         let body = self.tables.body;
-        let Here { state, direction: (sin, cos) } = here;
+        let Here { state, direction: (sin, cos), .. } = here;
         let u = state.theta_rate * state.theta_rate;
         let w = 1.0 - body.h * (cos * u);
         if w.abs() > DOUBT {
@@ -180,11 +184,15 @@ impl<'a> Walk<'a> {
         };
         match known {
             Some(RollEnd::Never) => Step::End { outcome: OutcomeCode::RollsForever, state },
-            Some(RollEnd::Slip { elapsed, theta, theta_rate, towards, direction: (sin, cos) })
+            Some(RollEnd::Slip { elapsed, theta, theta_rate, point, direction: (sin, cos) })
                 if state.time + elapsed <= self.until =>
             {
                 let theta = travel * theta;
-                let towards = if travel < 0.0 { towards.reversed() } else { towards };
+                let towards = if (point.side == 0) == (travel < 0.0) {
+                    Direction::Positive
+                } else {
+                    Direction::Negative
+                };
                 let end = State {
                     time: state.time + elapsed,
                     theta,
@@ -192,7 +200,7 @@ impl<'a> Walk<'a> {
                     slip: 0.0,
                     x: state.x - (theta - state.theta),
                 };
-                let here = Here { state: end, direction: (travel * sin, cos) };
+                let here = Here { state: end, direction: (travel * sin, cos), slip: Some(point) };
                 let arrival = Arrival::RollingLimit(Limit::Friction(towards));
                 Step::Event { here, slip: true, next: None, arrival }
             }
@@ -223,7 +231,14 @@ impl<'a> Walk<'a> {
         let sigma = direction.sign();
         let (sin0, cos0) = (sigma * here.direction.0, here.direction.1);
         let starts = slip_acceleration.is_none_or(|acceleration| acceleration != 0.0);
-        let followed = if starts {
+        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let known = here.slip.and_then(|point| {
+            let direction = (travel * here.direction.0, cos0);
+            self.tables.slip.follow(point, travel * state.theta, travel * state.theta_rate, direction)
+        });
+        let followed = if known.is_some() {
+            known
+        } else if starts {
             self.tables.slide.follow(SlideStart {
                 theta: sigma * state.theta,
                 theta_rate: sigma * state.theta_rate,
@@ -251,7 +266,7 @@ impl<'a> Walk<'a> {
             x: state.x + sigma * moved,
         };
         let next = event.lifts_off.then_some(Next::Fly { body: self.tables.body, grazing: true });
-        let here = Here { state: end, direction: (sigma * sin, cos) };
+        let here = Here { state: end, direction: (sigma * sin, cos), slip: None };
         Step::Event { here, slip: false, next, arrival: Arrival::Open }
     }
 

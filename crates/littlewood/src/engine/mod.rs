@@ -9,6 +9,7 @@ mod fast;
 mod quadrature;
 mod roll;
 mod slide;
+mod slip;
 
 use crate::error::ParameterError;
 use crate::hoop::{Body, Hoop};
@@ -19,6 +20,7 @@ use crate::summary::Summary;
 use fast::Walk;
 use roll::RollTable;
 use slide::SlideTable;
+use slip::SlipTable;
 
 /// A hoop prepared for many motions.
 ///
@@ -43,6 +45,7 @@ struct Tables {
     body: crate::hoop::Heavy,
     roll: RollTable,
     slide: SlideTable,
+    slip: SlipTable,
 }
 
 impl Engine {
@@ -56,7 +59,10 @@ impl Engine {
                 SlideTable::new(&body, hoop.mu_k())
                     .filter(|_| slide::solvable(&body, hoop.mu_s()))
                     .zip(RollTable::new(hoop))
-                    .map(|(slide, roll)| Tables { body, roll, slide })
+                    .map(|(slide, roll)| {
+                        let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
+                        Tables { body, roll, slide, slip }
+                    })
             }
             _ => None,
         };
@@ -86,6 +92,12 @@ impl Engine {
     #[must_use]
     pub fn cells(&self) -> usize {
         self.tables.as_ref().map_or(0, |tables| tables.slide.cells())
+    }
+
+    /// Number of pieces of the table of slides out of rolling.
+    #[must_use]
+    pub fn slip_pieces(&self) -> usize {
+        self.tables.as_ref().map_or(0, |tables| tables.slip.pieces())
     }
 
     /// The summary of one motion: that of [`Hoop::simulate`], to rounding.

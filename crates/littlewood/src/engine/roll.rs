@@ -11,10 +11,11 @@ use core::f64::consts::{PI, TAU};
 
 use crate::hoop::{Body, Hoop};
 use crate::rolling::margin_forms;
-use crate::state::Direction;
+use crate::trig::{sincos, sincos_small};
 
 use super::quadrature::{NODE, NODES, WEIGHT};
 use super::slide::sign_changes;
+use super::slip::SlipPoint;
 
 /// Coefficients of a form of degree six in (cos ϑ/2, sin ϑ/2).
 type Form = [f64; 7];
@@ -55,7 +56,7 @@ pub(super) struct RollTable {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RollEnd {
     /// Slips at the angle, in the frame of motion.
-    Slip { elapsed: f64, theta: f64, theta_rate: f64, towards: Direction, direction: (f64, f64) },
+    Slip { elapsed: f64, theta: f64, theta_rate: f64, point: SlipPoint, direction: (f64, f64) },
     /// Never slips.
     Never,
 }
@@ -79,7 +80,7 @@ impl RollTable {
         let split = |i: usize| [zero[i], core::array::from_fn(|k| one[i][k] - zero[i][k])];
         let forms: [[Form; 2]; 2] = [split(0), split(1)];
         let at = |form: &Form, angle: f64| {
-            let (y, x) = libm::sincos(0.5 * angle);
+            let (y, x) = sincos(0.5 * angle);
             evaluate(form, x, y)
         };
         let mut angles = vec![0.0, 0.5 * PI, PI, 1.5 * PI, TAU];
@@ -98,7 +99,7 @@ impl RollTable {
         let stops = angles
             .into_iter()
             .map(|angle| {
-                let (y, x) = libm::sincos(0.5 * angle);
+                let (y, x) = sincos(0.5 * angle);
                 let margins =
                     [0, 1].map(|i: usize| [evaluate(&forms[i][0], x, y), evaluate(&forms[i][1], x, y)]);
                 Stop { angle, x, y, margins }
@@ -109,6 +110,35 @@ impl RollTable {
             (body.inertia + m * (1.0 + h) * (1.0 + h), body.inertia + m * (1.0 - h) * (1.0 - h));
         let width = libm::acosh((0.5 * (top + bottom) / (2.0 * body.offset).max(1e-300)).max(1.0));
         Some(Self { top, bottom, offset: body.offset, forms, stops, width })
+    }
+
+    /// θ′² where the margin of a side vanishes on the orbit that reaches it at this angle.
+    pub(super) fn limit(&self, side: usize, angle: f64) -> Option<f64> {
+        let (y, x) = libm::sincos(0.5 * angle);
+        let [a, b] = &self.forms[side];
+        let k = -evaluate(a, x, y) / evaluate(b, x, y);
+        let d = self.bottom + 4.0 * self.offset * x * x;
+        k.is_finite().then_some((k - d) / d)
+    }
+
+    /// The pieces of a turn on which orbits pass from a positive to a negative margin of a side.
+    pub(super) fn slips(&self, side: usize) -> Vec<(f64, f64)> {
+        let mut slips = Vec::new();
+        for pair in self.stops.windows(2) {
+            let middle = 0.5 * (pair[0].angle + pair[1].angle);
+            let Some(u) = self.limit(side, middle).filter(|u| *u > 0.0) else { continue };
+            let k = (self.bottom + self.offset * 2.0 * (1.0 + libm::cos(middle))) * (1.0 + u);
+            // The margin on the orbit through the middle, a little before and behind: it changes sign but once.
+            let margin = |angle: f64| {
+                let (y, x) = libm::sincos(0.5 * angle);
+                let [a, b] = &self.forms[side];
+                evaluate(a, x, y) + k * evaluate(b, x, y)
+            };
+            if margin(pair[0].angle) > margin(pair[1].angle) {
+                slips.push((pair[0].angle, pair[1].angle));
+            }
+        }
+        slips
     }
 
     /// Follows an orbit on which rolling holds at the start, θ growing at the rate `theta_rate` > 0. None where a
@@ -200,7 +230,7 @@ impl RollTable {
         // In a chart of the half angle without a pole on the piece: pieces end at odd multiples of π/2.
         let middle = 0.5 * (begin + stop.angle);
         let steep = middle > 0.5 * PI && middle < 1.5 * PI;
-        let (y0, x0) = libm::sincos(0.5 * begin);
+        let (y0, x0) = sincos(0.5 * begin);
         let (mut low, mut high) = if steep { (x0 / y0, stop.x / stop.y) } else { (y0 / x0, stop.y / stop.x) };
         let horner = |t: f64| {
             let fold = |(value, slope): (f64, f64), c: &f64| (value * t + c, slope * t + value);
@@ -233,8 +263,8 @@ impl RollTable {
         let end = found + lap;
         let direction = (2.0 * x * y / length, (x * x - y * y) / length);
         let elapsed = self.time(k, angle, end)?;
-        let towards = if side == 0 { Direction::Negative } else { Direction::Positive };
-        Some(RollEnd::Slip { elapsed, theta: TAU * turns + end, theta_rate: u.sqrt(), towards, direction })
+        let point = SlipPoint { side, angle: found };
+        Some(RollEnd::Slip { elapsed, theta: TAU * turns + end, theta_rate: u.sqrt(), point, direction })
     }
 
     /// ∫ √(D/(K − D)) dϑ by panels that keep their distance from the zeros of D and of K − D.
@@ -252,13 +282,13 @@ impl RollTable {
         let mut sines = [0.0; NODES / 2];
         let mut cosines = [0.0; NODES / 2];
         for j in 0..NODES / 2 {
-            (sines[j], cosines[j]) = small_sincos(half * NODE[j]);
+            (sines[j], cosines[j]) = sincos_small(half * NODE[j]);
         }
         let mut sum = 0.0;
         let mut panel = 0.0;
         while panel < panels {
             let middle = from + half * (2.0 * panel + 1.0);
-            let (sin, cos) = libm::sincos(middle);
+            let (sin, cos) = sincos(middle);
             // The nodes are symmetric about the middle.
             for j in 0..NODES / 2 {
                 let (even, odd) = (mean + two_l * cos * cosines[j], two_l * sin * sines[j]);
@@ -269,19 +299,4 @@ impl RollTable {
         }
         Some(half * sum)
     }
-}
-
-/// sin and cos of an angle below 0.45 by their series, to rounding.
-#[inline]
-fn small_sincos(x: f64) -> (f64, f64) {
-    let square = x * x;
-    let sin = 1.0 - square / 6.0 * term(square, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0, 1.0 / 110.0, 1.0 / 156.0);
-    let cos = 1.0 - square / 2.0 * term(square, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0, 1.0 / 90.0, 1.0 / 132.0);
-    (x * sin, cos)
-}
-
-/// 1 − a s (1 − b s (…)).
-#[inline]
-fn term(s: f64, a: f64, b: f64, c: f64, d: f64, e: f64) -> f64 {
-    1.0 - a * s * (1.0 - b * s * (1.0 - c * s * (1.0 - d * s * (1.0 - e * s))))
 }

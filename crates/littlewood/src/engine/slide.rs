@@ -17,6 +17,8 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::hoop::Heavy;
+use crate::state::Direction;
+use crate::trig::{sincos, sincos_small};
 
 use super::quadrature::{NODE, NODES, WEIGHT};
 
@@ -55,6 +57,8 @@ struct Cell {
     left: f64,
     centre: f64,
     half: f64,
+    /// sin ϑ and cos ϑ at the centre.
+    direction: (f64, f64),
     p: Polynomial,
     h: Polynomial,
     p_nodes: [f64; NODES],
@@ -125,7 +129,7 @@ impl Law {
     /// Its zeros are the extrema over ϑ of the level on which η″ = 0: α′β − β′α − a β h sin ϑ.
     fn level_slope(&self, theta: f64) -> f64 {
         let Heavy { mass, h, inertia, .. } = self.body;
-        let (sin, cos) = libm::sincos(theta);
+        let (sin, cos) = sincos(theta);
         let (q, p) = (self.q(sin, cos), self.p(sin, cos));
         let q_slope = h * cos + self.mu * h * sin;
         let p_slope = mass * h * (cos * q + sin * q_slope);
@@ -138,7 +142,7 @@ impl Law {
     }
 
     fn edge(&self, theta: f64, p: f64, h: f64) -> Edge {
-        let (sin, cos) = libm::sincos(theta);
+        let (sin, cos) = sincos(theta);
         let (alpha, beta) = self.slip_acceleration(sin, cos);
         Edge { p, h, cos, lever: 1.0 + self.body.h * (cos + self.mu * sin), alpha, beta }
     }
@@ -185,6 +189,7 @@ impl Law {
             left,
             centre,
             half,
+            direction: (sin[0], cos[0]),
             p_nodes: NODE.map(|z| value(&u_p, z)),
             h_nodes: NODE.map(|z| value(&u_h, z)),
             edges: [edge(left, -1.0), edge(right, 1.0)],
@@ -234,7 +239,7 @@ fn value(series: &Polynomial, z: f64) -> f64 {
 pub(super) fn solvable(body: &Heavy, mu: f64) -> bool {
     let law = Law { body: *body, mu };
     let p = |theta: f64| {
-        let (sin, cos) = libm::sincos(theta);
+        let (sin, cos) = sincos(theta);
         law.p(sin, cos)
     };
     p(0.0) > 0.0 && sign_changes(p).is_empty()
@@ -263,6 +268,12 @@ pub(super) fn sign_changes(function: impl Fn(f64) -> f64) -> Vec<f64> {
 }
 
 impl Cell {
+    /// sin ϑ and cos ϑ at z, by the addition theorems.
+    fn direction(&self, z: f64) -> (f64, f64) {
+        let ((sin, cos), (turn_sin, turn_cos)) = (self.direction, sincos_small(self.half * z));
+        (sin * turn_cos + cos * turn_sin, cos * turn_cos - sin * turn_sin)
+    }
+
     /// u_c of the motion that has u at z.
     fn level(&self, u: f64, z: f64) -> f64 {
         (u - value(&self.p, z)) / value(&self.h, z)
@@ -300,6 +311,17 @@ impl Cell {
     }
 }
 
+/// What a slide meets at the end of a cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passing {
+    /// Angle since the start.
+    pub(super) turned: f64,
+    /// η″.
+    pub(super) slip_acceleration: f64,
+    /// 1 − h cos ϑ u.
+    pub(super) contact: f64,
+}
+
 /// A point on the way through a cell.
 #[derive(Clone, Copy, Debug)]
 struct Waypoint {
@@ -319,7 +341,7 @@ impl SlideTable {
         let mut bounds = vec![0.0, PI, TAU];
         let trigonometric = |f: &dyn Fn(f64, f64) -> f64| {
             sign_changes(|theta| {
-                let (sin, cos) = libm::sincos(theta);
+                let (sin, cos) = sincos(theta);
                 f(sin, cos)
             })
         };
@@ -385,6 +407,67 @@ impl SlideTable {
         index
     }
 
+    /// The angles at which cells end, in the frame of a direction of slip, over a turn.
+    pub(super) fn bounds(&self, direction: Direction) -> Vec<f64> {
+        let lefts = self.cells.iter().map(|cell| cell.left);
+        match direction {
+            Direction::Positive => lefts.collect(),
+            Direction::Negative => lefts.rev().map(|left| TAU - left).collect(),
+        }
+    }
+
+    /// u_c in the first cell of a slide: it orders the slides from one cell.
+    pub(super) fn level(&self, start: &SlideStart) -> f64 {
+        let (index, offset) = self.entrance(start);
+        let cell = &self.cells[index];
+        cell.level(start.theta_rate * start.theta_rate, (start.theta - offset - cell.centre) / cell.half)
+    }
+
+    /// What a slide, continued beyond its end, would meet at the ends of cells until it has turned by `reach`.
+    pub(super) fn passings(&self, start: &SlideStart, reach: f64) -> Vec<Passing> {
+        let forward = start.theta_rate > 0.0;
+        let (mut index, mut offset) = self.entrance(start);
+        let mut level = self.level(start);
+        let mut passings = Vec::new();
+        loop {
+            let cell = &self.cells[index];
+            let exit = &cell.edges[usize::from(forward)];
+            let u = exit.p + level * exit.h;
+            let end = cell.centre + if forward { cell.half } else { -cell.half };
+            let turned = (end + offset - start.theta).abs();
+            passings.push(Passing {
+                turned,
+                slip_acceleration: exit.alpha + exit.beta * u,
+                contact: 1.0 - self.law.body.h * exit.cos * u,
+            });
+            if turned >= reach || passings.len() > self.cells.len() {
+                return passings;
+            }
+            (index, offset) = self.neighbour(index, offset, forward);
+            let entry = &self.cells[index].edges[usize::from(!forward)];
+            level = (u - entry.p) / entry.h;
+        }
+    }
+
+    /// The cell in which a slide begins, and the multiple of a turn that its angles stand for.
+    fn entrance(&self, start: &SlideStart) -> (usize, f64) {
+        let turns = (start.theta / TAU).floor();
+        let angle = start.theta - TAU * turns;
+        let backward = start.theta_rate < 0.0;
+        let index = self.find(angle, start.theta_rate);
+        (index, if backward && angle == 0.0 { TAU * (turns - 1.0) } else { TAU * turns })
+    }
+
+    /// The next cell.
+    fn neighbour(&self, index: usize, offset: f64, forward: bool) -> (usize, f64) {
+        match (forward, index) {
+            (true, index) if index + 1 == self.cells.len() => (0, offset + TAU),
+            (true, index) => (index + 1, offset),
+            (false, 0) => (self.cells.len() - 1, offset - TAU),
+            (false, index) => (index - 1, offset),
+        }
+    }
+
     /// Follows a slide to its event. None where the shape of η′ is in doubt, θ′ comes close to zero, or the slide takes
     /// longer than a few turns: the caller then follows it by Taylor series.
     pub(super) fn follow(&self, start: SlideStart) -> Option<SlideEvent> {
@@ -395,14 +478,7 @@ impl SlideTable {
         } else {
             return None;
         };
-        let turns = (start.theta / TAU).floor();
-        let angle = start.theta - TAU * turns;
-        let mut index = self.find(angle, travel);
-        // Multiple of a turn that the angles of the cell stand for.
-        let mut offset = TAU * turns;
-        if travel < 0.0 && angle == 0.0 {
-            offset -= TAU;
-        }
+        let (mut index, mut offset) = self.entrance(&start);
         let first = &self.cells[index];
         let z = ((start.theta - offset - first.centre) / first.half).clamp(-1.0, 1.0);
         let (sin, cos) = start.direction;
@@ -461,18 +537,7 @@ impl SlideTable {
             }
             here = Waypoint { z: -travel, ..there };
             whole = true;
-            if travel > 0.0 {
-                index += 1;
-                if index == self.cells.len() {
-                    index = 0;
-                    offset += TAU;
-                }
-            } else if index == 0 {
-                index = self.cells.len() - 1;
-                offset -= TAU;
-            } else {
-                index -= 1;
-            }
+            (index, offset) = self.neighbour(index, offset, travel > 0.0);
         }
         None
     }
@@ -503,7 +568,7 @@ impl SlideTable {
             return None;
         }
         let elapsed = here.elapsed + cell.time(motion, here.z.min(z), here.z.max(z));
-        let (sin, cos) = libm::sincos(cell.centre + cell.half * z);
+        let (sin, cos) = cell.direction(z);
         let (alpha, beta) = self.law.slip_acceleration(sin, cos);
         let lever = 1.0 + self.law.body.h * (cos + self.law.mu * sin);
         Some(Waypoint {
@@ -528,7 +593,7 @@ impl SlideTable {
         let (mut low, mut high) = (here.z, travel);
         let mut z = 0.5 * (low + high);
         for _ in 0..60 {
-            let (sin, cos) = libm::sincos(cell.centre + cell.half * z);
+            let (sin, cos) = cell.direction(z);
             let u = value(motion, z);
             let w = 1.0 - h * cos * u;
             if w > 0.0 {
