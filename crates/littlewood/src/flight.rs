@@ -47,17 +47,19 @@ struct Gap {
 
 impl Gap {
     fn value_and_slope(&self, phi: f64) -> (f64, f64) {
-        let (value, slope, _) = self.derivatives(phi);
+        let (value, slope, ..) = self.derivatives(phi);
         (value, slope)
     }
 
-    /// gap and its first two derivatives in φ.
-    fn derivatives(&self, phi: f64) -> (f64, f64, f64) {
+    /// gap and its first three derivatives in φ.
+    #[inline]
+    fn derivatives(&self, phi: f64) -> (f64, f64, f64, f64) {
         let Ramps { sine, versine, odd, even } = Ramps::new(phi);
         (
             0.5 * self.opening * phi * phi - self.h * (self.cos * even + self.sin * odd),
             self.opening * phi - self.h * (self.cos * odd + self.sin * versine),
             self.opening - self.h * (self.cos * versine + self.sin * sine),
+            -self.h * (self.cos * sine + self.sin * (1.0 - versine)),
         )
     }
 
@@ -87,8 +89,8 @@ impl Gap {
         let sign = slope_from.signum();
         let secant = from + (to - from) * slope_from / (slope_from - slope_to);
         Bracket { low: from, high: to }.refine_from(secant, |phi| {
-            let (_, slope, curvature) = self.derivatives(phi);
-            (sign * slope, sign * curvature)
+            let (_, slope, curvature, jerk) = self.derivatives(phi);
+            (sign * slope, sign * curvature, sign * jerk)
         })
     }
 
@@ -142,7 +144,10 @@ impl Gap {
     /// end is a good guess on the safe side.
     fn touchdown(&self, from: f64, to: f64, (gap, slope): (f64, f64)) -> f64 {
         let tangent = to - gap / slope;
-        Bracket { low: from, high: to }.refine_from(tangent, |phi| self.value_and_slope(phi))
+        Bracket { low: from, high: to }.refine_from(tangent, |phi| {
+            let (gap, slope, curvature, _) = self.derivatives(phi);
+            (gap, slope, curvature)
+        })
     }
 
     /// φ of the largest gap of a flight of many turns: within half a turn of the top of the parabola.
@@ -254,23 +259,39 @@ impl Flight {
 
     /// The same with the sine and cosine of the angle.
     pub(crate) fn from_direction(body: &Heavy, start: State, grazing: bool, (sin, cos): (f64, f64)) -> Self {
+        let flight = Self::with_angles(body, start, grazing, (sin, cos), [f64::NAN; 2]);
+        let (apex, landing) = flight.gap.extent();
+        Self { landing, apex, ..flight }
+    }
+
+    /// The same where the angles φ of the landing and of the largest gap are known.
+    pub(crate) fn with_angles(
+        body: &Heavy,
+        start: State,
+        grazing: bool,
+        (sin, cos): (f64, f64),
+        [landing, apex]: [f64; 2],
+    ) -> Self {
         let h = body.h;
         let rate = start.theta_rate;
         let travel = if rate < 0.0 { -1.0 } else { 1.0 };
         // b = −w/θ′², with the w < 0 that decided on flight.
         let opening = if grazing { 0.0 } else { (h * (cos * (rate * rate)) - 1.0) / (rate * rate) };
-        let gap = Gap { h: body.h, sin: travel * sin, cos, opening, theta: travel * start.theta };
-        let (apex, landing) = gap.extent();
         Self {
             h,
             start,
             vx: start.slip - (1.0 + h * cos) * rate,
             vy: -h * sin * rate,
             mass_centre_x: start.x - h * sin,
-            gap,
+            gap: Gap { h: body.h, sin: travel * sin, cos, opening, theta: travel * start.theta },
             landing,
             apex,
         }
+    }
+
+    /// Angles φ of the landing and of the largest gap.
+    pub(crate) fn angles(&self) -> [f64; 2] {
+        [self.landing, self.apex]
     }
 
     /// Time from the start of the flight to the landing.

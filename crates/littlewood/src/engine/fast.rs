@@ -13,7 +13,7 @@ use crate::trig::sincos;
 use super::Tables;
 use super::roll::RollEnd;
 use super::slide::SlideStart;
-use super::slip::SlipPoint;
+use super::slip::{Ahead, SlipPoint};
 
 /// Forces within this part of the friction limit, or of lift-off, are decided by the exact rules.
 const DOUBT: f64 = 1e-9;
@@ -32,11 +32,13 @@ struct Here {
     direction: (f64, f64),
     /// Where it is the end of rolling by the table.
     slip: Option<SlipPoint>,
+    /// What is known of the phase that begins here.
+    ahead: Ahead,
 }
 
 impl Here {
     fn new(state: State) -> Self {
-        Self { state, direction: sincos(state.theta), slip: None }
+        Self { state, direction: sincos(state.theta), slip: None, ahead: Ahead::Open }
     }
 }
 
@@ -180,11 +182,12 @@ impl<'a> Walk<'a> {
         let known = if state.theta_rate == 0.0 {
             None
         } else {
-            table.follow(travel * state.theta, travel * state.theta_rate, here.direction.1)
+            let ahead = if let Ahead::Roll(ahead) = &here.ahead { Some(ahead) } else { None };
+            table.follow(travel * state.theta, travel * state.theta_rate, here.direction.1, ahead)
         };
         match known {
             Some(RollEnd::Never) => Step::End { outcome: OutcomeCode::RollsForever, state },
-            Some(RollEnd::Slip { elapsed, theta, theta_rate, point, direction: (sin, cos) })
+            Some(RollEnd::Slip { elapsed, theta, theta_rate, point, direction: (sin, cos), .. })
                 if state.time + elapsed <= self.until =>
             {
                 let theta = travel * theta;
@@ -200,7 +203,12 @@ impl<'a> Walk<'a> {
                     slip: 0.0,
                     x: state.x - (theta - state.theta),
                 };
-                let here = Here { state: end, direction: (travel * sin, cos), slip: Some(point) };
+                let here = Here {
+                    state: end,
+                    direction: (travel * sin, cos),
+                    slip: Some(point),
+                    ahead: Ahead::Open,
+                };
                 let arrival = Arrival::RollingLimit(Limit::Friction(towards));
                 Step::Event { here, slip: true, next: None, arrival }
             }
@@ -236,8 +244,9 @@ impl<'a> Walk<'a> {
             let direction = (travel * here.direction.0, cos0);
             self.tables.slip.follow(point, travel * state.theta, travel * state.theta_rate, direction)
         });
-        let followed = if known.is_some() {
-            known
+        let ahead = known.map_or(Ahead::Open, |end| end.ahead);
+        let followed = if let Some(end) = known {
+            Some(end.event)
         } else if starts {
             self.tables.slide.follow(SlideStart {
                 theta: sigma * state.theta,
@@ -266,7 +275,7 @@ impl<'a> Walk<'a> {
             x: state.x + sigma * moved,
         };
         let next = event.lifts_off.then_some(Next::Fly { body: self.tables.body, grazing: true });
-        let here = Here { state: end, direction: (sigma * sin, cos), slip: None };
+        let here = Here { state: end, direction: (sigma * sin, cos), slip: None, ahead };
         Step::Event { here, slip: false, next, arrival: Arrival::Open }
     }
 
@@ -295,7 +304,13 @@ impl<'a> Walk<'a> {
 
     fn fly(&self, here: &Here, grazing: bool, summary: &mut Summary) {
         let state = here.state;
-        let flight = Flight::from_direction(&self.tables.body, state, grazing, here.direction);
+        let body = &self.tables.body;
+        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let known = self.tables.jump.as_ref().filter(|_| grazing);
+        let flight = match known.and_then(|jump| jump.angles(travel * state.theta)) {
+            Some(angles) => Flight::with_angles(body, state, grazing, here.direction, angles),
+            None => Flight::from_direction(body, state, grazing, here.direction),
+        };
         summary.lift_off_time = state.time;
         let duration = flight.duration();
         if duration > self.until - state.time {

@@ -6,6 +6,8 @@
 //! phase by phase: the engine is faster, and decides nothing that the simulation would decide otherwise.
 
 mod fast;
+mod interpolant;
+mod jump;
 mod quadrature;
 mod roll;
 mod slide;
@@ -18,6 +20,7 @@ use crate::state::Start;
 use crate::summary::Summary;
 
 use fast::Walk;
+use jump::JumpTable;
 use roll::RollTable;
 use slide::SlideTable;
 use slip::SlipTable;
@@ -46,6 +49,7 @@ struct Tables {
     roll: RollTable,
     slide: SlideTable,
     slip: SlipTable,
+    jump: Option<JumpTable>,
 }
 
 impl Engine {
@@ -61,7 +65,7 @@ impl Engine {
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
                         let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
-                        Tables { body, roll, slide, slip }
+                        Tables { body, roll, slide, slip, jump: JumpTable::new() }
                     })
             }
             _ => None,

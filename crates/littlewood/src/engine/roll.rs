@@ -56,9 +56,28 @@ pub(super) struct RollTable {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RollEnd {
     /// Slips at the angle, in the frame of motion.
-    Slip { elapsed: f64, theta: f64, theta_rate: f64, point: SlipPoint, direction: (f64, f64) },
+    Slip { elapsed: f64, theta: f64, theta_rate: f64, point: SlipPoint, stop: usize, direction: (f64, f64) },
     /// Never slips.
     Never,
+}
+
+/// The roll that follows a slide, known beforehand but for the proof that the slip is the first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RollAhead {
+    /// The stop before which it slips, and the side.
+    pub(super) stop: usize,
+    pub(super) side: usize,
+    /// Angle and time up to the slip.
+    pub(super) turned: f64,
+    pub(super) elapsed: f64,
+}
+
+/// Where an orbit is at the start: its constant, the angle reduced to a turn, and the turns.
+#[derive(Clone, Copy, Debug)]
+struct Orbit {
+    k: f64,
+    angle: f64,
+    turns: f64,
 }
 
 fn evaluate(form: &Form, x: f64, y: f64) -> f64 {
@@ -142,15 +161,22 @@ impl RollTable {
     }
 
     /// Follows an orbit on which rolling holds at the start, θ growing at the rate `theta_rate` > 0. None where a
-    /// margin is in doubt or the orbit comes close to a standstill before it slips.
-    pub(super) fn follow(&self, theta: f64, theta_rate: f64, cos: f64) -> Option<RollEnd> {
+    /// margin is in doubt or the orbit comes close to a standstill before it slips. If the first slip is the one `ahead`,
+    /// it need not be computed.
+    pub(super) fn follow(
+        &self,
+        theta: f64,
+        theta_rate: f64,
+        cos: f64,
+        ahead: Option<&RollAhead>,
+    ) -> Option<RollEnd> {
         let turns = (theta / TAU).floor();
         let angle = theta - TAU * turns;
         let denominator = 0.5 * (self.top + self.bottom) + 2.0 * self.offset * cos;
         let k = denominator * (1.0 + theta_rate * theta_rate);
         let over_top = k - self.top;
         if over_top > 1e-9 * k {
-            self.rotation(k, turns, angle)
+            self.rotation(Orbit { k, angle, turns }, ahead)
         } else if over_top < -1e-9 * k {
             self.libration(k)
         } else {
@@ -158,14 +184,33 @@ impl RollTable {
         }
     }
 
-    fn rotation(&self, k: f64, turns: f64, angle: f64) -> Option<RollEnd> {
-        let first = self.stops.partition_point(|stop| stop.angle <= angle);
-        let ahead = self.stops[first..].iter().map(|stop| (0.0, stop));
-        let again = self.stops[..first].iter().map(|stop| (TAU, stop));
-        for (lap, stop) in ahead.chain(again) {
-            if let Some(side) = self.breaks(k, stop)? {
-                let from = (angle, lap);
-                return self.slip(k, turns, from, stop, side);
+    fn rotation(&self, orbit: Orbit, ahead: Option<&RollAhead>) -> Option<RollEnd> {
+        let first = self.stops.partition_point(|stop| stop.angle <= orbit.angle);
+        let laps =
+            (first..self.stops.len()).map(|stop| (stop, 0.0)).chain((0..first).map(|stop| (stop, TAU)));
+        for (stop, lap) in laps {
+            if let Some(side) = self.breaks(orbit.k, &self.stops[stop])? {
+                let (found, direction, elapsed) = match ahead {
+                    Some(ahead) if ahead.stop == stop && ahead.side == side => {
+                        let found = orbit.angle + ahead.turned - lap;
+                        (found, sincos(found), ahead.elapsed)
+                    }
+                    _ => {
+                        let begin = stop.checked_sub(1).map_or(0.0, |before| self.stops[before].angle);
+                        let begin = if lap == 0.0 { begin.max(orbit.angle) } else { begin };
+                        let (found, direction) = self.slip(orbit.k, begin, &self.stops[stop], side);
+                        (found, direction, self.time(orbit.k, orbit.angle, found + lap)?)
+                    }
+                };
+                let d = 0.5 * (self.top + self.bottom) + 2.0 * self.offset * direction.1;
+                return Some(RollEnd::Slip {
+                    elapsed,
+                    theta: TAU * orbit.turns + (found + lap),
+                    theta_rate: ((orbit.k - d) / d).sqrt(),
+                    point: SlipPoint { side, angle: found },
+                    stop,
+                    direction,
+                });
             }
         }
         Some(RollEnd::Never)
@@ -213,20 +258,11 @@ impl RollTable {
         Some(broken)
     }
 
-    /// The slip on the piece that ends at `stop`, as a root in the half angle.
-    fn slip(
-        &self,
-        k: f64,
-        turns: f64,
-        (angle, lap): (f64, f64),
-        stop: &Stop,
-        side: usize,
-    ) -> Option<RollEnd> {
+    /// The slip between `begin` and the end of the piece at `stop`, as a root in the half angle: the angle, its sine
+    /// and its cosine.
+    fn slip(&self, k: f64, begin: f64, stop: &Stop, side: usize) -> (f64, (f64, f64)) {
         let [a, b] = &self.forms[side];
         let form: Form = core::array::from_fn(|i| a[i] + k * b[i]);
-        let begin = self.stops.partition_point(|other| other.angle < stop.angle).checked_sub(1);
-        let begin = begin.map_or(0.0, |index| self.stops[index].angle);
-        let begin = if lap == 0.0 { begin.max(angle) } else { begin };
         // In a chart of the half angle without a pole on the piece: pieces end at odd multiples of π/2.
         let middle = 0.5 * (begin + stop.angle);
         let steep = middle > 0.5 * PI && middle < 1.5 * PI;
@@ -257,14 +293,7 @@ impl RollTable {
         let (x, y) = if steep { (t, 1.0) } else { (1.0, t) };
         let (x, y) = if y < 0.0 || (y == 0.0 && x < 0.0) { (-x, -y) } else { (x, y) };
         let length = x * x + y * y;
-        let found = 2.0 * libm::atan2(y, x);
-        let d = self.bottom + 4.0 * self.offset * x * x / length;
-        let u = (k - d) / d;
-        let end = found + lap;
-        let direction = (2.0 * x * y / length, (x * x - y * y) / length);
-        let elapsed = self.time(k, angle, end)?;
-        let point = SlipPoint { side, angle: found };
-        Some(RollEnd::Slip { elapsed, theta: TAU * turns + end, theta_rate: u.sqrt(), point, direction })
+        (2.0 * libm::atan2(y, x), (2.0 * x * y / length, (x * x - y * y) / length))
     }
 
     /// ∫ √(D/(K − D)) dϑ by panels that keep their distance from the zeros of D and of K − D.

@@ -11,29 +11,21 @@
 //! through zero but once, and 1 − h cos ϑ u stays positive), every slide between them does. What is not proved is left
 //! out, and such slides are followed one by one.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use crate::hoop::Heavy;
 use crate::state::Direction;
 use crate::trig::sincos;
 
-use super::roll::RollTable;
+use super::interpolant::{Basis, Interpolant, NODES, Slots};
+use super::roll::{RollAhead, RollEnd, RollTable};
 use super::slide::{SlideEvent, SlideStart, SlideTable};
 
-/// Number of nodes and of coefficients.
-const NODES: usize = 14;
-
-/// A piece has converged when its last coefficients are below this part of the largest.
-const CONVERGED: f64 = 2e-15;
-
 /// Pieces are not halved below this width.
-const NARROWEST: f64 = 1.0 / 256.0;
+const NARROWEST: f64 = 1.0 / 128.0;
 
 /// A slide that may be with or without lift-off, within this of both, is followed on its own.
 const DOUBT: f64 = 1e-9;
-
-/// Number of slots of a turn, to find a piece.
-const SLOTS: usize = 256;
 
 /// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,26 +34,48 @@ pub(super) struct SlipPoint {
     pub(super) angle: f64,
 }
 
-/// Angle passed, time and rate at the end, of one slide.
-type End = [f64; 3];
+/// What a slide out of rolling leads to.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlipEnd {
+    /// The end of the slide.
+    pub(super) event: SlideEvent,
+    /// What is known of the phase behind it.
+    pub(super) ahead: Ahead,
+}
+
+/// What is known of the phase that follows.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Ahead {
+    /// Nothing.
+    Open,
+    /// If the hoop rolls, and slips where the others of the family do.
+    Roll(RollAhead),
+}
+
+/// What the motions of a piece have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    /// The slide comes to rest, and nothing is known of what follows.
+    Rest,
+    /// It comes to rest, and rolling slips before this stop, to this side.
+    RestAndRoll {
+        stop: usize,
+        side: usize,
+    },
+    LiftOff,
+}
 
 #[derive(Clone, Debug)]
 struct Piece {
-    left: f64,
-    right: f64,
-    centre: f64,
-    /// 1 over half the width.
-    scale: f64,
-    lifts_off: bool,
-    /// Coefficients in z, the highest power first.
-    series: [End; NODES],
+    kind: Kind,
+    /// Of one motion: angle and time of the slide, rate at its end; then angle and time of the roll behind it.
+    ends: Interpolant<5>,
 }
 
 #[derive(Clone, Debug, Default)]
 struct Family {
     pieces: Vec<Piece>,
-    /// Index of the first piece that ends behind the left end of each slot.
-    slots: Vec<u16>,
+    slots: Slots,
 }
 
 /// The slides out of rolling, by the side towards which they slip.
@@ -79,6 +93,7 @@ struct Builder<'a> {
     mu_k: f64,
     roll: &'a RollTable,
     slide: &'a SlideTable,
+    basis: Basis,
     side: usize,
 }
 
@@ -86,7 +101,7 @@ impl SlipTable {
     /// Prepares the families of a body with these coefficients of friction.
     pub(super) fn new(body: &Heavy, (mu_s, mu_k): (f64, f64), roll: &RollTable, slide: &SlideTable) -> Self {
         let families = [0, 1].map(|side| {
-            let builder = Builder { body, mu_s, mu_k, roll, slide, side };
+            let builder = Builder { body, mu_s, mu_k, roll, slide, basis: Basis::new(), side };
             let mut pieces = Vec::new();
             for (from, to) in roll.slips(side) {
                 let mut left = from;
@@ -110,34 +125,37 @@ impl SlipTable {
         theta: f64,
         theta_rate: f64,
         (sin, cos): (f64, f64),
-    ) -> Option<SlideEvent> {
+    ) -> Option<SlipEnd> {
         let piece = self.families[point.side].find(point.angle)?;
-        let z = (point.angle - piece.centre) * piece.scale;
-        let mut end = piece.series[0];
-        for c in &piece.series[1..] {
-            for k in 0..3 {
-                end[k] = end[k] * z + c[k];
-            }
-        }
-        let [turned, elapsed, rate] = end;
+        let [turned, elapsed, rate, next, last] = piece.ends.at(point.angle);
+        let lifts_off = piece.kind == Kind::LiftOff;
         let sigma = side_of(point.side).sign();
         let theta = theta + turned;
         let (end_sin, end_cos) = sincos(theta);
         let w = 1.0 - self.h * end_cos * (rate * rate);
-        let slip = if piece.lifts_off {
+        let slip = if lifts_off {
             let lever = |sin: f64, cos: f64| 1.0 + self.h * (cos + self.mu * sigma * sin);
             sigma * (rate * lever(end_sin, end_cos) - theta_rate * lever(sin, cos)) - self.mu * elapsed
         } else {
             0.0
         };
-        let sure = if piece.lifts_off { slip > DOUBT } else { w > DOUBT };
-        sure.then_some(SlideEvent {
-            elapsed,
-            theta: sigma * theta,
-            theta_rate: sigma * rate,
-            slip,
-            direction: (sigma * end_sin, end_cos),
-            lifts_off: piece.lifts_off,
+        let sure = if lifts_off { slip > DOUBT } else { w > DOUBT };
+        let ahead = match piece.kind {
+            Kind::Rest | Kind::LiftOff => Ahead::Open,
+            Kind::RestAndRoll { stop, side } => {
+                Ahead::Roll(RollAhead { stop, side, turned: next, elapsed: last })
+            }
+        };
+        sure.then_some(SlipEnd {
+            event: SlideEvent {
+                elapsed,
+                theta: sigma * theta,
+                theta_rate: sigma * rate,
+                slip,
+                direction: (sigma * end_sin, end_cos),
+                lifts_off,
+            },
+            ahead,
         })
     }
 
@@ -154,50 +172,56 @@ const fn side_of(side: usize) -> Direction {
 
 impl Family {
     fn new(pieces: Vec<Piece>) -> Self {
-        let slots = (0..SLOTS)
-            .map(|slot| {
-                let angle = TAU * slot as f64 / SLOTS as f64;
-                u16::try_from(pieces.partition_point(|piece| piece.right < angle)).unwrap_or(u16::MAX)
-            })
-            .collect();
-        Self { pieces, slots }
+        let ends: Vec<f64> = pieces.iter().map(|piece| piece.ends.right).collect();
+        Self { pieces, slots: Slots::new(0.0, TAU, &ends) }
     }
 
     fn find(&self, angle: f64) -> Option<&Piece> {
-        let slot = (angle / TAU * SLOTS as f64) as usize;
-        let first = usize::from(self.slots[slot.min(SLOTS - 1)]);
-        let piece = self.pieces.get(first..)?.iter().find(|piece| angle <= piece.right)?;
-        (angle >= piece.left).then_some(piece)
+        let index = self.slots.find(angle, |index| self.pieces.get(index).map(|piece| piece.ends.right))?;
+        let piece = &self.pieces[index];
+        (angle >= piece.ends.left).then_some(piece)
     }
 }
 
 impl Builder<'_> {
     fn fill(&self, left: f64, right: f64, pieces: &mut Vec<Piece>) {
-        if let Some(piece) = self.piece(left, right) {
+        let starts = self.basis.nodes(left, right).map(|angle| self.start(angle));
+        if starts.iter().all(Option::is_none) {
+            return;
+        }
+        let piece = |with_next| self.piece(left, right, &starts, with_next);
+        if let Some(piece) = piece(true) {
             pieces.push(piece);
         } else if right - left > 2.0 * NARROWEST {
             let middle = 0.5 * (left + right);
             self.fill(left, middle, pieces);
             self.fill(middle, right, pieces);
+        } else {
+            pieces.extend(piece(false));
         }
     }
 
-    fn piece(&self, left: f64, right: f64) -> Option<Piece> {
-        let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
-        let mut ends = [[0.0; 3]; NODES];
+    /// The piece between two angles, with what follows the slide or without, if everything on it is the same.
+    fn piece(
+        &self,
+        left: f64,
+        right: f64,
+        starts: &[Option<SlideStart>; NODES],
+        with_next: bool,
+    ) -> Option<Piece> {
+        let mut ends = [[0.0; 5]; NODES];
         let mut levels = [0.0; NODES];
-        let mut lifts_off = None;
-        let mut furthest: f64 = 0.0;
-        for (k, (end, level)) in ends.iter_mut().zip(&mut levels).enumerate() {
-            let z = -libm::cos(PI * (k as f64 + 0.5) / NODES as f64);
-            let start = self.start(centre + half * z)?;
+        let mut kind = None;
+        for ((start, end), level) in starts.iter().zip(&mut ends).zip(&mut levels) {
+            let start = (*start)?;
             let event = self.slide.follow(start)?;
-            if *lifts_off.get_or_insert(event.lifts_off) != event.lifts_off {
+            let (this, next) = self.next(&event, with_next);
+            if *kind.get_or_insert(this) != this {
                 return None;
             }
-            *end = [(event.theta - start.theta).abs(), event.elapsed, event.theta_rate.abs()];
+            let turned = (event.theta - start.theta).abs();
+            *end = [turned, event.elapsed, event.theta_rate.abs(), next[0], next[1]];
             *level = self.slide.level(&start);
-            furthest = furthest.max(start.theta.abs().max(event.theta.abs()));
         }
         // The slides leave the curve to one side, ...
         let rises = levels[1] > levels[0];
@@ -221,8 +245,22 @@ impl Builder<'_> {
         if passed.into_iter().any(|(a, b)| a.contact <= 0.0 || b.contact <= 0.0) {
             return None;
         }
-        let series = interpolate(&ends)?;
-        Some(Piece { left, right, centre, scale: 1.0 / half, lifts_off: lifts_off?, series })
+        Some(Piece { kind: kind?, ends: self.basis.through(left, right, &ends)? })
+    }
+
+    /// The kind of an end, and the numbers of what follows.
+    fn next(&self, event: &SlideEvent, with_next: bool) -> (Kind, [f64; 2]) {
+        if event.lifts_off {
+            return (Kind::LiftOff, [0.0; 2]);
+        }
+        let sigma = side_of(self.side).sign();
+        let (theta, rate) = (sigma * event.theta, sigma * event.theta_rate);
+        match self.roll.follow(theta, rate, event.direction.1, None) {
+            Some(RollEnd::Slip { elapsed, theta: end, point, stop, .. }) if with_next => {
+                (Kind::RestAndRoll { stop, side: point.side }, [end - theta, elapsed])
+            }
+            _ => (Kind::Rest, [0.0; 2]),
+        }
     }
 
     /// The slide that begins at this angle of the curve, in its own frame.
@@ -247,44 +285,4 @@ impl Builder<'_> {
             direction: (sigma * sin, cos),
         })
     }
-}
-
-/// Polynomials through values at the Chebyshev nodes of [−1, 1], if they have converged.
-fn interpolate(values: &[End; NODES]) -> Option<[End; NODES]> {
-    let count = NODES as f64;
-    let mut chebyshev = [[0.0; 3]; NODES];
-    for (j, coefficient) in chebyshev.iter_mut().enumerate() {
-        let weight = if j == 0 { 1.0 / count } else { 2.0 / count };
-        for (k, value) in values.iter().enumerate() {
-            let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
-            let factor = sign * weight * libm::cos(PI * j as f64 * (k as f64 + 0.5) / count);
-            for i in 0..3 {
-                coefficient[i] += factor * value[i];
-            }
-        }
-    }
-    for i in 0..3 {
-        let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value[i].abs()));
-        if chebyshev[NODES - 2..].iter().any(|c| !(c[i].abs() <= CONVERGED * largest)) {
-            return None;
-        }
-    }
-    // To powers of z, the highest first: T_j = 2z T_{j−1} − T_{j−2}.
-    let mut series = [[0.0; 3]; NODES];
-    let (mut before, mut this) = ([0.0; NODES], [0.0; NODES]);
-    this[0] = 1.0;
-    for (j, coefficient) in chebyshev.iter().enumerate() {
-        for k in 0..=j {
-            for i in 0..3 {
-                series[NODES - 1 - k][i] += coefficient[i] * this[k];
-            }
-        }
-        let mut next = [0.0; NODES];
-        for k in 0..NODES - 1 {
-            next[k + 1] += if j == 0 { this[k] } else { 2.0 * this[k] };
-            next[k] -= before[k];
-        }
-        (before, this) = (this, next);
-    }
-    Some(series)
 }

@@ -1,0 +1,174 @@
+//! Polynomials through values at Chebyshev nodes, several functions at once.
+
+use core::f64::consts::PI;
+
+/// Number of nodes and of coefficients.
+pub(super) const NODES: usize = 14;
+
+/// A polynomial has converged when its last coefficients are below this part of its largest value.
+const CONVERGED: f64 = 2e-15;
+
+/// `LANES` polynomials on one interval.
+#[derive(Clone, Debug)]
+pub(super) struct Interpolant<const LANES: usize> {
+    pub(super) left: f64,
+    pub(super) right: f64,
+    centre: f64,
+    /// 1 over half the width.
+    scale: f64,
+    /// Coefficients of the powers of z ∈ [−1, 1], the highest first.
+    series: [[f64; LANES]; NODES],
+}
+
+/// From values at the Chebyshev nodes to powers.
+#[derive(Clone, Debug)]
+pub(super) struct Basis {
+    /// The nodes of [−1, 1], in increasing order.
+    nodes: [f64; NODES],
+    /// Coefficient of T_j from the value at node k.
+    chebyshev: [[f64; NODES]; NODES],
+    /// T_j in powers of z, the lowest first.
+    powers: [[f64; NODES]; NODES],
+}
+
+impl Basis {
+    pub(super) fn new() -> Self {
+        let count = NODES as f64;
+        let cos = |j: usize, k: usize| libm::cos(PI * (j * (2 * k + 1)) as f64 / (2.0 * count));
+        let chebyshev = core::array::from_fn(|j| {
+            let weight = if j == 0 { 1.0 } else { 2.0 } / count;
+            // T_j(z_k) = cos(j (π − t_k)).
+            let sign = if j % 2 == 0 { weight } else { -weight };
+            core::array::from_fn(|k| sign * cos(j, k))
+        });
+        let mut powers = [[0.0; NODES]; NODES];
+        powers[0][0] = 1.0;
+        powers[1][1] = 1.0;
+        for j in 2..NODES {
+            for k in 0..NODES {
+                let raised = if k == 0 { 0.0 } else { 2.0 * powers[j - 1][k - 1] };
+                powers[j][k] = raised - powers[j - 2][k];
+            }
+        }
+        Self { nodes: core::array::from_fn(|k| -cos(1, k)), chebyshev, powers }
+    }
+
+    /// The nodes of an interval, in increasing order.
+    pub(super) fn nodes(&self, left: f64, right: f64) -> [f64; NODES] {
+        let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
+        self.nodes.map(|node| centre + half * node)
+    }
+
+    /// Polynomials through the values at the nodes, if they have converged.
+    pub(super) fn through<const LANES: usize>(
+        &self,
+        left: f64,
+        right: f64,
+        values: &[[f64; LANES]; NODES],
+    ) -> Option<Interpolant<LANES>> {
+        // Of the differences from one of them, whose sums round less.
+        let level = values[NODES / 2];
+        let mut chebyshev = [[0.0; LANES]; NODES];
+        for (coefficient, factors) in chebyshev.iter_mut().zip(&self.chebyshev) {
+            for (value, factor) in values.iter().zip(factors) {
+                for lane in 0..LANES {
+                    coefficient[lane] += factor * (value[lane] - level[lane]);
+                }
+            }
+        }
+        for lane in 0..LANES {
+            let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value[lane].abs()));
+            if chebyshev[NODES - 2..].iter().any(|c| !(c[lane].abs() <= CONVERGED * largest)) {
+                return None;
+            }
+        }
+        // To powers of z: the coefficients fall faster than those of T_j grow.
+        let mut series = [[0.0; LANES]; NODES];
+        for (coefficient, powers) in chebyshev.iter().zip(&self.powers) {
+            for (sum, power) in series.iter_mut().rev().zip(powers) {
+                for lane in 0..LANES {
+                    sum[lane] += coefficient[lane] * power;
+                }
+            }
+        }
+        for lane in 0..LANES {
+            series[NODES - 1][lane] += level[lane];
+        }
+        let (centre, scale) = (0.5 * (left + right), 2.0 / (right - left));
+        Some(Interpolant { left, right, centre, scale, series })
+    }
+}
+
+impl<const LANES: usize> Interpolant<LANES> {
+    /// The values at x.
+    #[inline]
+    pub(super) fn at(&self, x: f64) -> [f64; LANES] {
+        let z = (x - self.centre) * self.scale;
+        let mut values = self.series[0];
+        for coefficients in &self.series[1..] {
+            for lane in 0..LANES {
+                values[lane] = values[lane] * z + coefficients[lane];
+            }
+        }
+        values
+    }
+}
+
+/// Finds the piece of an interval that holds a number.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Slots {
+    left: f64,
+    per_unit: f64,
+    /// Index of the first piece that ends behind the left end of each slot.
+    first: Vec<u16>,
+}
+
+impl Slots {
+    const COUNT: usize = 256;
+
+    /// Of pieces with these right ends, in increasing order.
+    pub(super) fn new(left: f64, right: f64, ends: &[f64]) -> Self {
+        let width = (right - left) / Self::COUNT as f64;
+        let first = (0..Self::COUNT).map(|slot| {
+            let x = left + width * slot as f64;
+            u16::try_from(ends.partition_point(|end| *end < x)).unwrap_or(u16::MAX)
+        });
+        Self { left, per_unit: 1.0 / width, first: first.collect() }
+    }
+
+    /// Index of the first piece that ends at or behind x.
+    #[inline]
+    pub(super) fn find(&self, x: f64, end: impl Fn(usize) -> Option<f64>) -> Option<usize> {
+        let slot = ((x - self.left) * self.per_unit) as usize;
+        let mut index = usize::from(*self.first.get(slot.min(Self::COUNT - 1))?);
+        while end(index)? < x {
+            index += 1;
+        }
+        Some(index)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smooth_functions_are_interpolated_to_rounding() {
+        let basis = Basis::new();
+        let values = basis.nodes(0.2, 0.5).map(|x| [libm::exp(x), libm::cos(3.0 * x)]);
+        let both = basis.through(0.2, 0.5, &values).expect("converges");
+        for k in 0..=30 {
+            let x = 0.2 + 0.01 * f64::from(k);
+            let [exponential, cosine] = both.at(x);
+            assert!((exponential - libm::exp(x)).abs() < 2e-15, "{x}");
+            assert!((cosine - libm::cos(3.0 * x)).abs() < 2e-15, "{x}");
+        }
+    }
+
+    #[test]
+    fn a_kink_does_not_converge() {
+        let basis = Basis::new();
+        let values = basis.nodes(-1.0, 1.0).map(|x| [(x - 0.1).abs()]);
+        assert!(basis.through(-1.0, 1.0, &values).is_none());
+    }
+}

@@ -1,0 +1,104 @@
+//! The jump out of a slide, which is the same for all hoops.
+//!
+//! At a lift-off from sliding h cos θ0 θ0′² = 1, and the gap in the angle of rotation φ is h times a function of θ0 and φ
+//! alone: −(cos θ0 C(φ) + sin θ0 S(φ)) with C = cos φ − 1 + φ²/2 and S = φ − sin φ. It closes where C/S = −tan θ0. Since
+//! S² − C S′ = (φ cos φ/2 − 2 sin φ/2)² ≥ 0, C/S grows with φ, and there is one landing: the angle by which the hoop turns
+//! in the air is a function of the angle of the lift-off alone, and so is the angle at which the gap is largest.
+
+use core::f64::consts::TAU;
+
+use crate::flight::Flight;
+use crate::hoop::Heavy;
+use crate::state::State;
+
+use super::interpolant::{Basis, Interpolant, Slots};
+
+/// From this angle on the time in the air jumps up: C/S has a point of inflection there, where tan φ/2 = φ/2.
+const SINGULAR: f64 = 1.351_816_804_319_27;
+
+/// Lift-offs farther from the top are solved one by one.
+const STEEPEST: f64 = 1.34;
+
+/// Nearer to the top, too, since the ratios that are interpolated end there.
+const FLATTEST: f64 = 1e-6;
+
+/// Width of a piece in units of its distance from the singular angle.
+const GRADING: f64 = 0.2;
+
+/// Angles of the landing and of the largest gap, over the angle from the top at the lift-off.
+#[derive(Clone, Debug)]
+pub(super) struct JumpTable {
+    pieces: Vec<Interpolant<2>>,
+    slots: Slots,
+}
+
+impl JumpTable {
+    /// Prepares the jumps.
+    pub(super) fn new() -> Option<Self> {
+        // Any body will do: the inertia and the mass do not matter, and h is a factor.
+        let body = Heavy { mass: 1.0, h: 1.0, offset: 1.0, inertia: 1.0 };
+        let basis = Basis::new();
+        let mut pieces = Vec::new();
+        let mut left = 0.0;
+        while left < STEEPEST {
+            let right = left + GRADING * (SINGULAR - left);
+            let values = basis.nodes(left, right).map(|angle| {
+                let (sin, cos) = libm::sincos(angle);
+                let theta_rate = 1.0 / (body.h * cos).sqrt();
+                let start = State { time: 0.0, theta: -angle, theta_rate, slip: 0.0, x: 0.0 };
+                Flight::from_direction(&body, start, true, (-sin, cos)).angles().map(|phi| phi / angle)
+            });
+            pieces.push(basis.through(left, right, &values)?);
+            left = right;
+        }
+        let ends: Vec<f64> = pieces.iter().map(|piece| piece.right).collect();
+        let slots = Slots::new(0.0, left, &ends);
+        Some(Self { pieces, slots })
+    }
+
+    /// Angles of the landing and of the largest gap, from the angle of the lift-off in the direction of rotation.
+    pub(super) fn angles(&self, theta: f64) -> Option<[f64; 2]> {
+        let angle = TAU * (theta / TAU).round() - theta;
+        if !(FLATTEST..STEEPEST).contains(&angle) {
+            return None;
+        }
+        let index = self.slots.find(angle, |index| self.pieces.get(index).map(|piece| piece.right))?;
+        Some(self.pieces[index].at(angle).map(|ratio| ratio * angle))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// −tan θ0 from the angle of the landing, and from that of the largest gap.
+    fn slopes(landing: f64, apex: f64) -> (f64, f64) {
+        let versine = 2.0 * libm::sin(0.5 * landing) * libm::sin(0.5 * landing);
+        let closed = (0.5 * landing * landing - versine) / (landing - libm::sin(landing));
+        let half = libm::sin(0.5 * apex);
+        (closed, (apex - libm::sin(apex)) / (2.0 * half * half))
+    }
+
+    #[test]
+    fn the_angles_solve_the_equations_of_the_gap() {
+        let table = JumpTable::new().expect("converges");
+        for k in 1..268 {
+            let angle = 0.005 * f64::from(k);
+            let [landing, apex] = table.angles(TAU - angle).expect("within the table");
+            let (closed, highest) = slopes(landing, apex);
+            let slope = libm::tan(angle);
+            // The subtraction φ − sin φ keeps ε/φ² of its digits.
+            let tolerance = 4e-16 * (8.0 + 60.0 / (apex * apex));
+            assert!((closed / slope - 1.0).abs() < tolerance, "{angle}: {closed} {slope}");
+            assert!((highest / slope - 1.0).abs() < tolerance, "{angle}: {highest} {slope}");
+        }
+        let [landing, apex] = table.angles(-2e-6).expect("within the table");
+        assert!((landing / 8e-6 - 1.0).abs() < 1e-11 && (apex / 6e-6 - 1.0).abs() < 1e-11);
+    }
+
+    #[test]
+    fn steep_and_flat_lift_offs_are_left_out() {
+        let table = JumpTable::new().expect("converges");
+        assert!(table.angles(-1.35).is_none() && table.angles(0.0).is_none() && table.angles(0.4).is_none());
+    }
+}
