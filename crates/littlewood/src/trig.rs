@@ -39,7 +39,7 @@ const COSINE: [f64; 9] = series(0.0);
 /// (sin x, cos x).
 #[inline]
 pub(crate) fn sincos(x: f64) -> (f64, f64) {
-    if !(x.abs() < FAR) {
+    if x.is_nan() || x.abs() >= FAR {
         return libm::sincos(x);
     }
     let shifted = x * FRAC_2_PI + ROUND;

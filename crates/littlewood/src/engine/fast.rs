@@ -11,6 +11,7 @@ use crate::summary::{OutcomeCode, PhaseSequence, Summary};
 use crate::trig::sincos;
 
 use super::Tables;
+use super::jump;
 use super::roll::RollEnd;
 use super::slide::SlideStart;
 use super::slip::{Ahead, SlipPoint};
@@ -306,8 +307,8 @@ impl<'a> Walk<'a> {
         let state = here.state;
         let body = &self.tables.body;
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let known = self.tables.jump.as_ref().filter(|_| grazing);
-        let flight = match known.and_then(|jump| jump.angles(travel * state.theta)) {
+        let known = if grazing { jump::angles(travel * state.theta) } else { None };
+        let flight = match known {
             Some(angles) => Flight::with_angles(body, state, grazing, here.direction, angles),
             None => Flight::from_direction(body, state, grazing, here.direction),
         };

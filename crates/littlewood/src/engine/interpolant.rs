@@ -78,7 +78,7 @@ impl Basis {
         }
         for lane in 0..LANES {
             let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value[lane].abs()));
-            if chebyshev[NODES - 2..].iter().any(|c| !(c[lane].abs() <= CONVERGED * largest)) {
+            if !chebyshev[NODES - 2..].iter().all(|c| c[lane].abs() <= CONVERGED * largest) {
                 return None;
             }
         }

@@ -6,6 +6,7 @@
 //! in the air is a function of the angle of the lift-off alone, and so is the angle at which the gap is largest.
 
 use core::f64::consts::TAU;
+use std::sync::LazyLock;
 
 use crate::flight::Flight;
 use crate::hoop::Heavy;
@@ -27,14 +28,22 @@ const GRADING: f64 = 0.2;
 
 /// Angles of the landing and of the largest gap, over the angle from the top at the lift-off.
 #[derive(Clone, Debug)]
-pub(super) struct JumpTable {
+struct JumpTable {
     pieces: Vec<Interpolant<2>>,
     slots: Slots,
 }
 
+static JUMPS: LazyLock<Option<JumpTable>> = LazyLock::new(JumpTable::new);
+
+/// Angles of the landing and of the largest gap of the jump out of a slide, from the angle of the lift-off in the
+/// direction of rotation. None where it has to be solved.
+pub(super) fn angles(theta: f64) -> Option<[f64; 2]> {
+    JUMPS.as_ref()?.angles(theta)
+}
+
 impl JumpTable {
     /// Prepares the jumps.
-    pub(super) fn new() -> Option<Self> {
+    fn new() -> Option<Self> {
         // Any body will do: the inertia and the mass do not matter, and h is a factor.
         let body = Heavy { mass: 1.0, h: 1.0, offset: 1.0, inertia: 1.0 };
         let basis = Basis::new();
@@ -56,8 +65,7 @@ impl JumpTable {
         Some(Self { pieces, slots })
     }
 
-    /// Angles of the landing and of the largest gap, from the angle of the lift-off in the direction of rotation.
-    pub(super) fn angles(&self, theta: f64) -> Option<[f64; 2]> {
+    fn angles(&self, theta: f64) -> Option<[f64; 2]> {
         let angle = TAU * (theta / TAU).round() - theta;
         if !(FLATTEST..STEEPEST).contains(&angle) {
             return None;

@@ -20,7 +20,6 @@ use crate::state::Start;
 use crate::summary::Summary;
 
 use fast::Walk;
-use jump::JumpTable;
 use roll::RollTable;
 use slide::SlideTable;
 use slip::SlipTable;
@@ -49,7 +48,6 @@ struct Tables {
     roll: RollTable,
     slide: SlideTable,
     slip: SlipTable,
-    jump: Option<JumpTable>,
 }
 
 impl Engine {
@@ -65,7 +63,7 @@ impl Engine {
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
                         let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
-                        Tables { body, roll, slide, slip, jump: JumpTable::new() }
+                        Tables { body, roll, slide, slip }
                     })
             }
             _ => None,

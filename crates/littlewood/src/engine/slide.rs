@@ -314,6 +314,8 @@ impl Cell {
 /// What a slide meets at the end of a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passing {
+    /// The end of the cell, reduced to a turn.
+    pub(super) angle: f64,
     /// Angle since the start.
     pub(super) turned: f64,
     /// η″.
@@ -436,6 +438,7 @@ impl SlideTable {
             let end = cell.centre + if forward { cell.half } else { -cell.half };
             let turned = (end + offset - start.theta).abs();
             passings.push(Passing {
+                angle: end,
                 turned,
                 slip_acceleration: exit.alpha + exit.beta * u,
                 contact: 1.0 - self.law.body.h * exit.cos * u,

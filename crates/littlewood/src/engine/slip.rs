@@ -52,30 +52,34 @@ pub(super) enum Ahead {
     Roll(RollAhead),
 }
 
-/// What the motions of a piece have in common.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
-    /// The slide comes to rest, and nothing is known of what follows.
-    Rest,
-    /// It comes to rest, and rolling slips before this stop, to this side.
-    RestAndRoll {
-        stop: usize,
-        side: usize,
-    },
-    LiftOff,
+/// A piece of the curve from which all slides end alike.
+#[derive(Clone, Debug)]
+struct Slides {
+    lifts_off: bool,
+    /// Angle and time of the slide, and the rate at its end.
+    ends: Interpolant<3>,
+}
+
+/// A piece of the curve from which all slides come to rest and, if the hoop then rolls, slip before the same stop.
+#[derive(Clone, Debug)]
+struct Rolls {
+    stop: usize,
+    side: usize,
+    /// Angle and time of the roll.
+    ends: Interpolant<2>,
+}
+
+/// Pieces of the curve, in order.
+#[derive(Clone, Debug)]
+struct Pieces<T> {
+    pieces: Vec<T>,
+    slots: Slots,
 }
 
 #[derive(Clone, Debug)]
-struct Piece {
-    kind: Kind,
-    /// Of one motion: angle and time of the slide, rate at its end; then angle and time of the roll behind it.
-    ends: Interpolant<5>,
-}
-
-#[derive(Clone, Debug, Default)]
 struct Family {
-    pieces: Vec<Piece>,
-    slots: Slots,
+    slides: Pieces<Slides>,
+    rolls: Pieces<Rolls>,
 }
 
 /// The slides out of rolling, by the side towards which they slip.
@@ -102,17 +106,24 @@ impl SlipTable {
     pub(super) fn new(body: &Heavy, (mu_s, mu_k): (f64, f64), roll: &RollTable, slide: &SlideTable) -> Self {
         let families = [0, 1].map(|side| {
             let builder = Builder { body, mu_s, mu_k, roll, slide, basis: Basis::new(), side };
-            let mut pieces = Vec::new();
+            let mut slides = Vec::new();
             for (from, to) in roll.slips(side) {
                 let mut left = from;
                 for bound in slide.bounds(side_of(side)).into_iter().chain([to]) {
                     if bound > left && bound <= to {
-                        builder.fill(left, bound, &mut pieces);
+                        builder.slides(left, bound, &mut slides);
                         left = bound;
                     }
                 }
             }
-            Family::new(pieces)
+            let mut rolls = Vec::new();
+            for piece in slides.iter().filter(|piece| !piece.lifts_off) {
+                builder.rolls(&piece.ends, (piece.ends.left, piece.ends.right), &mut rolls);
+            }
+            Family {
+                slides: Pieces::new(slides, |piece| piece.ends.right),
+                rolls: Pieces::new(rolls, |piece| piece.ends.right),
+            }
         });
         Self { h: body.h, mu: mu_k, families }
     }
@@ -126,9 +137,11 @@ impl SlipTable {
         theta_rate: f64,
         (sin, cos): (f64, f64),
     ) -> Option<SlipEnd> {
-        let piece = self.families[point.side].find(point.angle)?;
-        let [turned, elapsed, rate, next, last] = piece.ends.at(point.angle);
-        let lifts_off = piece.kind == Kind::LiftOff;
+        let family = &self.families[point.side];
+        let Slides { lifts_off, ends } =
+            family.slides.find(point.angle, |piece| (piece.ends.left, piece.ends.right))?;
+        let [turned, elapsed, rate] = ends.at(point.angle);
+        let lifts_off = *lifts_off;
         let sigma = side_of(point.side).sign();
         let theta = theta + turned;
         let (end_sin, end_cos) = sincos(theta);
@@ -140,12 +153,11 @@ impl SlipTable {
             0.0
         };
         let sure = if lifts_off { slip > DOUBT } else { w > DOUBT };
-        let ahead = match piece.kind {
-            Kind::Rest | Kind::LiftOff => Ahead::Open,
-            Kind::RestAndRoll { stop, side } => {
-                Ahead::Roll(RollAhead { stop, side, turned: next, elapsed: last })
-            }
-        };
+        let rolls = family.rolls.find(point.angle, |piece| (piece.ends.left, piece.ends.right));
+        let ahead = rolls.filter(|_| !lifts_off).map_or(Ahead::Open, |piece| {
+            let [turned, elapsed] = piece.ends.at(point.angle);
+            Ahead::Roll(RollAhead { stop: piece.stop, side: piece.side, turned, elapsed })
+        });
         sure.then_some(SlipEnd {
             event: SlideEvent {
                 elapsed,
@@ -161,7 +173,7 @@ impl SlipTable {
 
     /// Number of pieces.
     pub(super) fn pieces(&self) -> usize {
-        self.families.iter().map(|family| family.pieces.len()).sum()
+        self.families.iter().map(|family| family.slides.pieces.len() + family.rolls.pieces.len()).sum()
     }
 }
 
@@ -170,57 +182,79 @@ const fn side_of(side: usize) -> Direction {
     if side == 0 { Direction::Negative } else { Direction::Positive }
 }
 
-impl Family {
-    fn new(pieces: Vec<Piece>) -> Self {
-        let ends: Vec<f64> = pieces.iter().map(|piece| piece.ends.right).collect();
+impl<T> Pieces<T> {
+    fn new(pieces: Vec<T>, end: impl Fn(&T) -> f64) -> Self {
+        let ends: Vec<f64> = pieces.iter().map(end).collect();
         Self { pieces, slots: Slots::new(0.0, TAU, &ends) }
     }
 
-    fn find(&self, angle: f64) -> Option<&Piece> {
-        let index = self.slots.find(angle, |index| self.pieces.get(index).map(|piece| piece.ends.right))?;
-        let piece = &self.pieces[index];
-        (angle >= piece.ends.left).then_some(piece)
+    #[inline]
+    fn find(&self, angle: f64, bounds: impl Fn(&T) -> (f64, f64)) -> Option<&T> {
+        let index = self.slots.find(angle, |index| Some(bounds(self.pieces.get(index)?).1))?;
+        self.pieces.get(index).filter(|piece| angle >= bounds(piece).0)
     }
 }
 
+/// What came of an interval.
+enum Fit<T> {
+    Found(T),
+    /// Its halves may do better.
+    Divide,
+    /// There is nothing to interpolate.
+    Nothing,
+}
+
 impl Builder<'_> {
-    fn fill(&self, left: f64, right: f64, pieces: &mut Vec<Piece>) {
-        let starts = self.basis.nodes(left, right).map(|angle| self.start(angle));
-        if starts.iter().all(Option::is_none) {
-            return;
-        }
-        let piece = |with_next| self.piece(left, right, &starts, with_next);
-        if let Some(piece) = piece(true) {
-            pieces.push(piece);
-        } else if right - left > 2.0 * NARROWEST {
-            let middle = 0.5 * (left + right);
-            self.fill(left, middle, pieces);
-            self.fill(middle, right, pieces);
-        } else {
-            pieces.extend(piece(false));
+    /// Adds the slides from an interval of the curve.
+    fn slides(&self, left: f64, right: f64, pieces: &mut Vec<Slides>) {
+        match self.fit_slides(left, right) {
+            Fit::Found(piece) => pieces.push(piece),
+            Fit::Divide if right - left > 2.0 * NARROWEST => {
+                let middle = 0.5 * (left + right);
+                self.slides(left, middle, pieces);
+                self.slides(middle, right, pieces);
+            }
+            Fit::Divide | Fit::Nothing => {}
         }
     }
 
-    /// The piece between two angles, with what follows the slide or without, if everything on it is the same.
-    fn piece(
-        &self,
-        left: f64,
-        right: f64,
-        starts: &[Option<SlideStart>; NODES],
-        with_next: bool,
-    ) -> Option<Piece> {
-        let mut ends = [[0.0; 5]; NODES];
+    /// Adds the rolls behind the slides of a piece.
+    fn rolls(&self, slides: &Interpolant<3>, (left, right): (f64, f64), pieces: &mut Vec<Rolls>) {
+        match self.fit_rolls(slides, left, right) {
+            Fit::Found(piece) => pieces.push(piece),
+            Fit::Divide if right - left > 2.0 * NARROWEST => {
+                let middle = 0.5 * (left + right);
+                self.rolls(slides, (left, middle), pieces);
+                self.rolls(slides, (middle, right), pieces);
+            }
+            Fit::Divide | Fit::Nothing => {}
+        }
+    }
+
+    fn fit_slides(&self, left: f64, right: f64) -> Fit<Slides> {
+        let nodes = self.basis.nodes(left, right);
+        let probes = [nodes[0], nodes[NODES / 2], nodes[NODES - 1]];
+        let ends = probes.map(|angle| self.slide.follow(self.start(angle)?));
+        match ends.map(|end| end.map(|end| end.lifts_off)) {
+            [None, None, None] => return Fit::Nothing,
+            [Some(first), Some(middle), Some(last)] if first == middle && middle == last => {}
+            _ => return Fit::Divide,
+        }
+        self.same_slides(left, right, &nodes).map_or(Fit::Divide, Fit::Found)
+    }
+
+    /// The slides between two angles, if they can be shown to end alike.
+    fn same_slides(&self, left: f64, right: f64, nodes: &[f64; NODES]) -> Option<Slides> {
+        let mut ends = [[0.0; 3]; NODES];
         let mut levels = [0.0; NODES];
-        let mut kind = None;
-        for ((start, end), level) in starts.iter().zip(&mut ends).zip(&mut levels) {
-            let start = (*start)?;
+        let mut lifts_off = None;
+        for ((angle, end), level) in nodes.iter().zip(&mut ends).zip(&mut levels) {
+            let start = self.start(*angle)?;
             let event = self.slide.follow(start)?;
-            let (this, next) = self.next(&event, with_next);
-            if *kind.get_or_insert(this) != this {
+            if *lifts_off.get_or_insert(event.lifts_off) != event.lifts_off {
                 return None;
             }
-            let turned = (event.theta - start.theta).abs();
-            *end = [turned, event.elapsed, event.theta_rate.abs(), next[0], next[1]];
+            *end = [(event.theta - start.theta).abs(), event.elapsed, event.theta_rate.abs()];
             *level = self.slide.level(&start);
         }
         // The slides leave the curve to one side, ...
@@ -231,35 +265,58 @@ impl Builder<'_> {
         // ... and the first and the last agree on what happens.
         let longest = ends.iter().fold(0.0_f64, |longest, end| longest.max(end[0]));
         let reach = longest + (right - left);
-        let passings = [left, right].map(|angle| Some(self.slide.passings(&self.start(angle)?, reach)));
-        let [Some(first), Some(last)] = passings else { return None };
+        let [first, last] = [self.start(left)?, self.start(right)?];
+        let passings = [first, last].map(|start| self.slide.passings(&start, reach));
+        // A slide from the end of a cell does not pass through that cell.
+        let common = passings[0][0].angle.max(passings[1][0].angle);
+        let common =
+            if first.theta_rate > 0.0 { common } else { passings[0][0].angle.min(passings[1][0].angle) };
+        let [first, last] =
+            passings.each_ref().map(|passings| passings.iter().skip_while(|passing| passing.angle != common));
         let mut falling = false;
-        for (a, b) in first.iter().zip(&last) {
+        for (a, b) in first.zip(last) {
             let rising = a.slip_acceleration >= 0.0 || b.slip_acceleration >= 0.0;
             if falling && rising {
                 return None;
             }
             falling = a.slip_acceleration <= 0.0 || b.slip_acceleration <= 0.0;
+            let passed = a.turned.max(b.turned) < longest;
+            if passed && (a.contact <= 0.0 || b.contact <= 0.0) {
+                return None;
+            }
         }
-        let passed = first.iter().zip(&last).filter(|(a, b)| a.turned.max(b.turned) < longest);
-        if passed.into_iter().any(|(a, b)| a.contact <= 0.0 || b.contact <= 0.0) {
-            return None;
-        }
-        Some(Piece { kind: kind?, ends: self.basis.through(left, right, &ends)? })
+        Some(Slides { lifts_off: lifts_off?, ends: self.basis.through(left, right, &ends)? })
     }
 
-    /// The kind of an end, and the numbers of what follows.
-    fn next(&self, event: &SlideEvent, with_next: bool) -> (Kind, [f64; 2]) {
-        if event.lifts_off {
-            return (Kind::LiftOff, [0.0; 2]);
-        }
-        let sigma = side_of(self.side).sign();
-        let (theta, rate) = (sigma * event.theta, sigma * event.theta_rate);
-        match self.roll.follow(theta, rate, event.direction.1, None) {
-            Some(RollEnd::Slip { elapsed, theta: end, point, stop, .. }) if with_next => {
-                (Kind::RestAndRoll { stop, side: point.side }, [end - theta, elapsed])
+    fn fit_rolls(&self, slides: &Interpolant<3>, left: f64, right: f64) -> Fit<Rolls> {
+        let roll = |angle: f64| {
+            let [turned, _, rate] = slides.at(angle);
+            let theta = angle + turned;
+            match self.roll.follow(theta, rate, sincos(theta).1, None)? {
+                RollEnd::Slip { elapsed, theta: end, point, stop, .. } => {
+                    Some(((stop, point.side), [end - theta, elapsed]))
+                }
+                RollEnd::Never => None,
             }
-            _ => (Kind::Rest, [0.0; 2]),
+        };
+        let nodes = self.basis.nodes(left, right);
+        let probes =
+            [nodes[0], nodes[NODES / 2], nodes[NODES - 1]].map(|angle| roll(angle).map(|(end, _)| end));
+        let (stop, side) = match probes {
+            [None, None, None] => return Fit::Nothing,
+            [Some(first), Some(middle), Some(last)] if first == middle && middle == last => first,
+            _ => return Fit::Divide,
+        };
+        let mut ends = [[0.0; 2]; NODES];
+        for (angle, numbers) in nodes.into_iter().zip(&mut ends) {
+            match roll(angle) {
+                Some((end, found)) if end == (stop, side) => *numbers = found,
+                _ => return Fit::Divide,
+            }
+        }
+        match self.basis.through(left, right, &ends) {
+            Some(ends) => Fit::Found(Rolls { stop, side, ends }),
+            None => Fit::Divide,
         }
     }
 
