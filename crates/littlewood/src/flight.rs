@@ -252,9 +252,10 @@ impl Ramps {
 }
 
 impl Flight {
-    /// From a state in contact; `grazing` where the normal force has just vanished, so that 1 = h cos θ θ′².
+    /// From a state in contact; `grazing` where the normal force has just vanished, so that 1 = h cos θ θ′². Otherwise
+    /// the cosine is that of the decision on flight, so that its sign of 1 − h cos θ θ′² is found again.
     pub(crate) fn new(body: &Heavy, start: State, grazing: bool) -> Self {
-        Self::from_direction(body, start, grazing, sincos(start.theta))
+        Self::from_direction(body, start, grazing, libm::sincos(start.theta))
     }
 
     /// The same with the sine and cosine of the angle.

@@ -7,8 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use common::{boundary_start, heavy_hoop, simulate};
 use littlewood::{
-    Bound, Cause, Direction, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, PhasePlane,
-    Quantity, Recurrence, Start, StartRegion, Trajectory,
+    Bound, Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Motion, Outcome, ParameterError,
+    PhasePlane, Quantity, Recurrence, Start, StartRegion, Trajectory,
 };
 use proptest::prelude::*;
 
@@ -177,6 +177,28 @@ fn the_lift_off_curve_is_decided_by_the_next_derivative() {
     let motion = run(&quarter, start);
     assert_eq!(motion.phases()[0].mode(), Mode::Sliding);
     assert!(motion.phases()[0].duration() > 1e-3);
+}
+
+#[test]
+fn a_start_one_digit_off_the_lift_off_curve_stays_close_to_the_plane() {
+    // While 1 − h cos θ θ′² grows, a hoop that starts with the last digits of it below zero lands at once.
+    let hoop = hoop(0.1, 1.0, 0.1, 0.3, 0.2);
+    let engine = Engine::new(&hoop);
+    for k in 0..200 {
+        let theta = 0.05 + 0.007 * f64::from(k);
+        let boundary = 1.0 / (hoop.h() * theta.cos()).sqrt();
+        for digits in -3..=3_i32 {
+            let rate = boundary * (1.0 + f64::from(digits) * f64::EPSILON);
+            let start = Start::at(-theta, -rate);
+            let motion = run(&hoop, start);
+            if let Some(Motion::Flight(flight)) = motion.phases().first().map(|phase| phase.motion()) {
+                // gap = b φ²/2 − h sin θ0 φ³/6 + …: lands at φ = 3 b/(h sin θ0).
+                assert!(flight.duration() < 1e-12 / theta, "{start:?}: {}", flight.duration());
+            }
+            let summary = engine.summary(start, Limits::until(100.0)).expect("a valid start");
+            assert_eq!(summary.sequence, motion.summary().sequence, "{start:?}");
+        }
+    }
 }
 
 #[test]

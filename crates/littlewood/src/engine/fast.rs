@@ -135,12 +135,18 @@ impl<'a> Walk<'a> {
         }
     }
 
+    /// w = 1 − h cos θ θ′².
+    fn contact(&self, here: &Here) -> f64 {
+        let rate = here.state.theta_rate;
+        1.0 - self.tables.body.h * (here.direction.1 * (rate * rate))
+    }
+
     /// Which motion follows, where the answer is clear at a glance.
     fn decide(&self, here: &Here, arrival: Arrival) -> Next {
         let body = self.tables.body;
         let Here { state, direction: (sin, cos), .. } = here;
         let u = state.theta_rate * state.theta_rate;
-        let w = 1.0 - body.h * (cos * u);
+        let w = self.contact(here);
         if w.abs() > DOUBT {
             if w < 0.0 {
                 return Next::Fly { body, grazing: false };
@@ -310,6 +316,8 @@ impl<'a> Walk<'a> {
         let known = if grazing { jump::angles(travel * state.theta) } else { None };
         let flight = match known {
             Some(angles) => Flight::with_angles(body, state, grazing, here.direction, angles),
+            // So close to w = 0 the exact rules have decided, with their own cosine.
+            None if !grazing && self.contact(here) > -DOUBT => Flight::new(body, state, grazing),
             None => Flight::from_direction(body, state, grazing, here.direction),
         };
         summary.lift_off_time = state.time;
