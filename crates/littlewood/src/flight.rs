@@ -45,6 +45,25 @@ struct Gap {
     theta: f64,
 }
 
+/// The gap at one end of an interval of φ.
+#[derive(Clone, Copy, Debug)]
+struct Bound {
+    phi: f64,
+    gap: f64,
+    slope: f64,
+}
+
+impl Bound {
+    /// Gap where the tangents of two ends meet.
+    fn tangents_meet(&self, other: &Self) -> f64 {
+        let way = (other.gap - self.gap - other.slope * (other.phi - self.phi)) / (self.slope - other.slope);
+        self.gap + self.slope * way
+    }
+}
+
+/// A bound of the gap is sure above this part of the gaps it is computed from.
+const SURE: f64 = 1e-9;
+
 impl Gap {
     fn value_and_slope(&self, phi: f64) -> (f64, f64) {
         let (value, slope, ..) = self.derivatives(phi);
@@ -85,10 +104,10 @@ impl Gap {
     }
 
     /// Where gap′ vanishes between two inflections at which it has these values of different sign.
-    fn turning(&self, (from, slope_from): (f64, f64), (to, slope_to): (f64, f64)) -> f64 {
-        let sign = slope_from.signum();
-        let secant = from + (to - from) * slope_from / (slope_from - slope_to);
-        Bracket { low: from, high: to }.refine_from(secant, |phi| {
+    fn turning(&self, from: &Bound, to: &Bound) -> f64 {
+        let sign = from.slope.signum();
+        let secant = from.phi + (to.phi - from.phi) * from.slope / (from.slope - to.slope);
+        Bracket { low: from.phi, high: to.phi }.refine_from(secant, |phi| {
             let (_, slope, curvature, jerk) = self.derivatives(phi);
             (sign * slope, sign * curvature, sign * jerk)
         })
@@ -100,51 +119,59 @@ impl Gap {
         let (opens, closes) = self.clear();
         // Up to the first inflection gap′ and gap grow from zero.
         let mut index = 0;
-        let mut from = inflections.at(index);
-        let mut slope = self.value_and_slope(from).1;
+        let mut from = self.bound(inflections.at(index));
         let mut apex = (0.0, 0.0);
         let mut skipped = false;
         loop {
             let last = inflections.last_before(closes);
-            if from >= opens && from < closes && last > index {
+            if from.phi >= opens && from.phi < closes && last > index {
                 // Many turns may pass before the parabola comes down; none of them needs a look.
                 skipped = true;
                 index = last;
-                from = inflections.at(index);
-                slope = self.value_and_slope(from).1;
+                from = self.bound(inflections.at(index));
             }
-            let to = inflections.at(index + 1);
-            let (gap, slope_to) = self.value_and_slope(to);
-            if slope > 0.0 && slope_to <= 0.0 {
-                let highest = self.turning((from, slope), (to, slope_to));
+            let to = self.bound(inflections.at(index + 1));
+            // Between inflections the gap is concave or convex: the tangents at the ends bound its extremum.
+            let bound = from.tangents_meet(&to);
+            if from.slope > 0.0 && to.slope <= 0.0 && bound > apex.1 {
+                let highest = self.turning(&from, &to);
                 let height = self.value_and_slope(highest).0;
                 if height > apex.1 {
                     apex = (highest, height);
                 }
-                from = highest;
-            } else if slope < 0.0 && slope_to > 0.0 {
-                let lowest = self.turning((from, slope), (to, slope_to));
-                let at_lowest = self.value_and_slope(lowest);
-                if at_lowest.0 <= 0.0 {
-                    let landing = self.touchdown(from, lowest, at_lowest);
+                from = Bound { phi: highest, gap: height, slope: 0.0 };
+            } else if from.slope < 0.0 && to.slope > 0.0 && bound <= SURE * (from.gap + to.gap) {
+                let lowest = self.turning(&from, &to);
+                let at_lowest = self.bound(lowest);
+                if at_lowest.gap <= 0.0 {
+                    let landing = self.touchdown(&from, &at_lowest);
                     return (if skipped { self.apex(landing) } else { apex.0 }, landing);
                 }
-                from = lowest;
+                from = at_lowest;
             }
-            if gap <= 0.0 {
-                let landing = self.touchdown(from, to, (gap, slope_to));
+            if to.gap <= 0.0 {
+                let landing = self.touchdown(&from, &to);
                 return (if skipped { self.apex(landing) } else { apex.0 }, landing);
             }
             index += 1;
-            (from, slope) = (to, slope_to);
+            from = to;
         }
     }
 
-    /// Where the gap, which falls from `from` to `to`, closes. Where gap″ < 0, as it mostly is, the tangent at the far
-    /// end is a good guess on the safe side.
-    fn touchdown(&self, from: f64, to: f64, (gap, slope): (f64, f64)) -> f64 {
-        let tangent = to - gap / slope;
-        Bracket { low: from, high: to }.refine_from(tangent, |phi| {
+    /// Gap and slope at φ.
+    fn bound(&self, phi: f64) -> Bound {
+        let (gap, slope) = self.value_and_slope(phi);
+        Bound { phi, gap, slope }
+    }
+
+    /// Where the gap, which falls from `from` to `to`, closes. The parabola through the near end with the slope there and
+    /// the gap at the far end is the first guess.
+    fn touchdown(&self, from: &Bound, to: &Bound) -> f64 {
+        let width = to.phi - from.phi;
+        let bend = (to.gap - from.gap - from.slope * width) / (width * width);
+        let root = (from.slope * from.slope - 4.0 * bend * from.gap).max(0.0).sqrt();
+        let guess = from.phi + 2.0 * from.gap / (root - from.slope);
+        Bracket { low: from.phi, high: to.phi }.refine_from(guess, |phi| {
             let (gap, slope, curvature, _) = self.derivatives(phi);
             (gap, slope, curvature)
         })
@@ -162,9 +189,9 @@ impl Gap {
             if from >= landing || from > top + TAU {
                 return best.0;
             }
-            let (slope, slope_to) = (self.value_and_slope(from).1, self.value_and_slope(to).1);
-            if slope > 0.0 && slope_to <= 0.0 {
-                let highest = self.turning((from, slope), (to, slope_to));
+            let (start, end) = (self.bound(from), self.bound(to));
+            if start.slope > 0.0 && end.slope <= 0.0 {
+                let highest = self.turning(&start, &end);
                 let height = self.value_and_slope(highest).0;
                 if height > best.1 && highest < landing {
                     best = (highest, height);
