@@ -63,7 +63,7 @@ impl Box3 {
         Ok(atlas)
     }
 
-    /// One and a half steps to either side of a point, in steps a tenth as long.
+    /// One and a half steps to either side of a point, in steps three tenths as long.
     fn around(&self, family: Family, point: &Point) -> Self {
         let h = point.hoop.offset / (1.0 + point.hoop.mass_ratio);
         let centre = [h, point.hoop.mu_s, point.start.theta_rate * libm::sqrt(h)];
@@ -73,7 +73,7 @@ impl Box3 {
         Self {
             low: core::array::from_fn(|k| (centre[k] - step(k)).max(least[k])),
             high: core::array::from_fn(|k| (centre[k] + step(k)).min(most[k])),
-            count: 31,
+            count: 11,
         }
     }
 }
@@ -118,7 +118,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut atlas = all.atlas(family, &workers)?;
     say("grid", &atlas);
     let mut boxes: Vec<(Box3, Vec<Entry>)> = vec![(all, atlas.entries.clone())];
-    for level in 1..=2 {
+    for level in 1..=3 {
         let mut next = Vec::new();
         for (outer, entries) in &boxes {
             for entry in entries.iter().filter(|entry| entry.count <= 40) {
