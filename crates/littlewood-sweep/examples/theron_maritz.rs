@@ -2,10 +2,10 @@
 //! eccentricity, friction and angular velocity. `docs/atlas.md` has what it prints.
 //!
 //! ```sh
-//! cargo run --release -p littlewood-sweep --example theron_maritz -- 80 shift
+//! cargo run --release -p littlewood-sweep --example theron_maritz -- 40 shift 1
 //! ```
 //!
-//! takes 80 values of each of the three, then looks closely around the rarest sequences. `shift` is a hoop with g = R =
+//! takes 40 values of each of the three, then looks more closely, once, around the rarest sequences. `shift` is a hoop with g = R =
 //! m1 = Izz = 1 and a particle of mass 3 at any distance from the centre, `rim` a thin hoop with a particle of any mass
 //! on its rim. The angular velocity goes up to the one at which the hoop leaves the plane at once.
 
@@ -112,13 +112,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Some("rim") => Family::Rim,
         _ => Family::Shift,
     };
+    let levels: u32 = std::env::args().nth(3).map_or(Ok(0), |levels| levels.parse())?;
     let workers = Workers::new(None)?;
     let all = Box3 { low: [0.01, 0.005, 0.01], high: [family.most(), 2.0, 0.999], count };
     println!("kinds: all  no directions  no lift-off  neither; then the same four with stops told apart");
     let mut atlas = all.atlas(family, &workers)?;
     say("grid", &atlas);
     let mut boxes: Vec<(Box3, Vec<Entry>)> = vec![(all, atlas.entries.clone())];
-    for level in 1..=3 {
+    for level in 1..=levels {
         let mut next = Vec::new();
         for (outer, entries) in &boxes {
             for entry in entries.iter().filter(|entry| entry.count <= 40) {

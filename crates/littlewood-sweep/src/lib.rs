@@ -64,6 +64,6 @@ pub use picture::{Picture, Shade, Size};
 pub use point::Point;
 pub use run::{CHUNK_POINTS, Options, Progress, Report};
 pub use starts::StartList;
-pub use sweep::{grid_to_parquet, grid_to_zarr, list_to_parquet, sweep_grid, sweep_list};
+pub use sweep::{ChunkView, grid_to_parquet, grid_to_zarr, list_to_parquet, sweep_grid, sweep_list};
 pub use tally::Tally;
 pub use zarr::ZarrStore;

@@ -159,10 +159,7 @@ pub(crate) fn run(
         }
     }
     // A file that is complete knows all its points, but not which are in which chunk; a store beside it does.
-    let mut tally = match places.iter().find_map(|place| place.tally(&there)) {
-        Some(tally) => tally,
-        None => Tally::default(),
-    };
+    let mut tally = places.iter().find_map(|place| place.tally(&there)).unwrap_or_default();
     let reused: u64 = there.iter().map(|&number| source.points_of(number)).sum();
     let mut progress = Progress { done: reused, reused, total: source.total() };
     let tell = |progress: Progress| {

@@ -17,6 +17,9 @@ use crate::run::{Options, Report, Source, run};
 use crate::starts::StartList;
 use crate::zarr::Layout;
 
+/// Is shown the results of chunks of a grid.
+pub type ChunkView<'a> = dyn FnMut(&Chunk, &Columns) + 'a;
+
 /// Computes a grid into any number of stores and files at once. Each point is computed at most once.
 ///
 /// Memory stays flat: a few chunks are held, whatever the size of the grid. Every file is written whole or not at all. A
@@ -30,7 +33,7 @@ pub fn sweep_grid(
     grid: &Grid,
     limits: Limits,
     targets: &[Target<'_>],
-    view: Option<&mut dyn FnMut(&Chunk, &Columns)>,
+    view: Option<&mut ChunkView<'_>>,
     workers: &Workers,
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {

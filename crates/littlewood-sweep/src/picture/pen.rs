@@ -98,7 +98,16 @@ impl Pen<'_> {
 
         let side = right + libm::round(letter * 1.2) as i32;
         match (picture.shade, scale) {
-            (Shade::Column(_), Some(scale)) => self.bar(scale, side)?,
+            (Shade::Column(_), Some(scale)) => {
+                self.bar(scale, side)?;
+                let missing = picture.count(Class::NotComputed);
+                if missing > 0 {
+                    let y = top + height * 4 / 5 + self.at(6.2);
+                    let colour = of_class(Class::NotComputed);
+                    let share = 100.0 * missing as f64 / picture.grid.len() as f64;
+                    self.swatch(side, y, colour, Class::NotComputed.label(), &format!("{share:.1} %"))?;
+                }
+            }
             (Shade::Column(_), None) => {
                 self.swatch(side, top + self.at(1.0), NOTHING, "no value anywhere", "")?;
             }
