@@ -2,10 +2,10 @@
 //! eccentricity, friction and angular velocity. `docs/atlas.md` has what it prints.
 //!
 //! ```sh
-//! cargo run --release -p littlewood-sweep --example theron_maritz -- 40 shift 1
+//! cargo run --release -p littlewood-sweep --example theron_maritz -- 40 shift 1 0.02
 //! ```
 //!
-//! takes 40 values of each of the three, then looks more closely, once, around the rarest sequences. `shift` is a hoop with g = R =
+//! takes 40 values of each of the three, μ from 0.02, then looks more closely, once, around the rarest sequences. `shift` is a hoop with g = R =
 //! m1 = Izz = 1 and a particle of mass 3 at any distance from the centre, `rim` a thin hoop with a particle of any mass
 //! on its rim. The angular velocity goes up to the one at which the hoop leaves the plane at once.
 
@@ -113,8 +113,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         _ => Family::Shift,
     };
     let levels: u32 = std::env::args().nth(3).map_or(Ok(0), |levels| levels.parse())?;
+    let least_mu: f64 = std::env::args().nth(4).map_or(Ok(0.005), |mu| mu.parse())?;
     let workers = Workers::new(None)?;
-    let all = Box3 { low: [0.01, 0.005, 0.01], high: [family.most(), 2.0, 0.999], count };
+    let all = Box3 { low: [0.01, least_mu, 0.01], high: [family.most(), 2.0, 0.999], count };
     println!("kinds: all  no directions  no lift-off  neither; then the same four with stops told apart");
     let mut atlas = all.atlas(family, &workers)?;
     say("grid", &atlas);
