@@ -1,65 +1,126 @@
-//! `littlewood atlas`: the sequences of phases that occur on a grid.
+//! `littlewood atlas`: the sequences of phases that occur on a grid, for one hoop or a list of hoops.
 
 use core::f64::consts::PI;
+use std::path::Path;
 
-use littlewood::Quantity;
-use littlewood_sweep::{Atlas, Axis, Coordinate, Grid};
+use littlewood::{Limits, Quantity};
+use littlewood_sweep::{Atlas, Coordinate, Grid, Options, Point, Progress, StartList, Workers};
 
 use crate::args::{AtlasArgs, ShortFormat};
+use crate::axis::TypedAxis;
 use crate::error::Error;
 use crate::interrupt;
+use crate::list;
 use crate::output::Output;
 use crate::progress::Bar;
-use crate::report::sweep;
-use crate::work;
+use crate::report::atlas::{self, OfHoop, Page};
+use crate::work::{self, Varied};
 
 /// Runs the command.
 ///
 /// # Errors
 /// Bad input, a failure to write, or Ctrl-C.
 pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
-    let axes = if args.axis.is_empty() { default_axes(args.first_turn)? } else { args.axis.clone() };
-    let varied: Vec<Coordinate> = axes.iter().map(Axis::coordinate).collect();
-    let mut fixed = Vec::new();
+    let axes = if args.axis.is_empty() { default_axes(args.first_turn) } else { args.axis.clone() };
+    let mut varied = Varied::by(&axes);
     if args.first_turn {
         // It follows mu_s, whatever was given.
-        fixed.push(work::of_flag(Quantity::MuK, 0.0));
+        varied.fixed.push(work::of_flag(Quantity::MuK, 0.0));
         if args.base.to_problem().given().iter().all(|given| given.quantity != Quantity::Theta) {
-            fixed.push(work::of_flag(Quantity::Theta, 0.0));
+            varied.fixed.push(work::of_flag(Quantity::Theta, 0.0));
         }
     }
-    let (base, limits) = work::base(&args.base, &args.run, varied, fixed)?;
-    let grid = Grid::new(base, axes)?;
+    let listed = match &args.hoops {
+        Some(path) => list::hoop_columns(path, &axes, args.first_turn)?,
+        None => Vec::new(),
+    };
+    varied.quantities.extend(listed.iter().map(|coordinate| coordinate.quantity()));
+    let base = work::base(&args.base, &args.run, varied)?;
+    let axes = work::resolve(&axes, &base)?;
+    let hoops = match &args.hoops {
+        Some(path) => read_hoops(path, base.point)?,
+        None => vec![(None, base.point)],
+    };
+    let mut grids = Vec::new();
+    for (line, point) in hoops {
+        let grid = Grid::new(point, axes.clone()).map_err(|source| match (&args.hoops, line) {
+            (Some(path), Some(line)) => Error::Hoop { path: path.clone(), line, source: Box::new(source) },
+            _ => source.into(),
+        })?;
+        grids.push((line, grid));
+    }
+
     let workers = work::workers(&args.work)?;
     let cancel = interrupt::listen();
     let bar = Bar::new();
-    let show = |progress| bar.show(progress);
-    let options = work::options(&args.work, false, cancel, &show);
-    let atlas = if args.first_turn {
-        Atlas::of_first_turns(&grid, &workers, &options)?
-    } else {
-        Atlas::of_motions(&grid, limits, &workers, &options)?
-    };
+    let total: u64 = grids.iter().map(|(_, grid)| grid.len()).sum();
+    let mut whole = Atlas::default();
+    let mut of_hoops = Vec::new();
+    for (line, grid) in &grids {
+        let before = whole.points;
+        let show =
+            |progress: Progress| bar.show(Progress { done: before + progress.done, total, ..progress });
+        let options = work::options(&args.work, false, cancel, &show);
+        let atlas = follow(grid, args.first_turn, base.limits, &workers, &options)?;
+        whole.absorb(atlas.clone());
+        of_hoops.push(OfHoop { line: *line, hoop: grid.base().hoop, atlas });
+        if whole.points < whole.total {
+            break;
+        }
+    }
     drop(bar);
+    let points = whole.points;
+    let shown = axes.iter().map(littlewood_sweep::Axis::coordinate).chain(listed.iter().copied()).collect();
+    let hoops = if args.hoops.is_some() { of_hoops } else { Vec::new() };
+    let page = Page { atlas: whole, total, shown, listed, hoops };
     let output = Output::open(None)?;
     let colour = output.has_colour();
     output.write(|writer| match args.format {
-        ShortFormat::Table => sweep::atlas_table(writer, &grid, &atlas, colour),
-        ShortFormat::Json => sweep::atlas_json(writer, &grid, &atlas),
+        ShortFormat::Table => atlas::table(writer, &page, colour),
+        ShortFormat::Json => atlas::json(writer, &page),
     })?;
-    if atlas.points < grid.len() {
+    if points < total {
         let hint =
             "an atlas is not resumed; what stands above is of the starts that were followed".to_owned();
-        return Err(Error::Interrupted { done: atlas.points, total: grid.len(), hint });
+        return Err(Error::Interrupted { done: points, total, hint });
     }
     Ok(())
 }
 
-fn default_axes(first_turn: bool) -> Result<Vec<Axis>, Error> {
-    let [a, b] = if first_turn {
-        [Axis::new(Coordinate::ThetaRate, 0.01, 2.0, 200), Axis::new(Coordinate::MuS, 0.01, 2.0, 200)]
+fn follow(
+    grid: &Grid,
+    first_turn: bool,
+    limits: Limits,
+    workers: &Workers,
+    options: &Options<'_>,
+) -> Result<Atlas, Error> {
+    Ok(if first_turn {
+        Atlas::of_first_turns(grid, workers, options)?
     } else {
-        [Axis::new(Coordinate::Theta, -PI, PI, 200), Axis::new(Coordinate::ThetaRate, -4.0, 4.0, 200)]
-    };
-    Ok(vec![a?, b?])
+        Atlas::of_motions(grid, limits, workers, options)?
+    })
+}
+
+/// The hoops of a list, each with its line.
+fn read_hoops(path: &Path, base: Point) -> Result<Vec<(Option<u64>, Point)>, Error> {
+    let mut hoops = Vec::new();
+    for row in StartList::open(path, base)?.points()? {
+        let (line, point) = row?;
+        hoops.push((Some(line), point));
+    }
+    Ok(hoops)
+}
+
+fn default_axes(first_turn: bool) -> Vec<TypedAxis> {
+    if first_turn {
+        vec![
+            TypedAxis::plain(Coordinate::ThetaRate, 0.01, 2.0, 200),
+            TypedAxis::plain(Coordinate::MuS, 0.01, 2.0, 200),
+        ]
+    } else {
+        vec![
+            TypedAxis::plain(Coordinate::Theta, -PI, PI, 200),
+            TypedAxis::plain(Coordinate::ThetaRate, -4.0, 4.0, 200),
+        ]
+    }
 }

@@ -3,7 +3,7 @@
 use crate::args::{ClassifyArgs, ShortFormat};
 use crate::error::Error;
 use crate::output::Output;
-use crate::problem::Problem;
+use crate::problem::{Above, Problem};
 use crate::report;
 use crate::scenario::Scenario;
 
@@ -13,7 +13,7 @@ use crate::scenario::Scenario;
 /// Bad input, or a failure to write.
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Error> {
     let scenario = args.problem.scenario.as_deref().map(Scenario::read).transpose()?;
-    let problem = Problem::resolve(&args.problem, Vec::new(), None, scenario)?;
+    let problem = Problem::resolve(&args.problem, Vec::new(), Above::default(), None, scenario)?;
     let found = problem.classify()?;
     let output = Output::open(None)?;
     let colour = output.has_colour();

@@ -120,6 +120,30 @@ pub(crate) enum Error {
     #[error("{0}")]
     #[diagnostic(help("{}", hint_of(.0)))]
     Sweep(Box<SweepError>),
+    /// A row of a list of hoops that does not make a hoop with the axes.
+    #[error("{}, line {line}: {source}", path.display())]
+    #[diagnostic(help("{}", hint_of_axis(.source)))]
+    Hoop {
+        /// The list.
+        path: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// What is wrong.
+        source: Box<AxisError>,
+    },
+    /// A column that a list of hoops cannot have.
+    #[error("{}: column {column} {reason}", path.display())]
+    #[diagnostic(help(
+        "columns of --hoops are those of mass_ratio, offset, inertia, mu_s and mu_k that no --axis varies"
+    ))]
+    HoopColumn {
+        /// The list.
+        path: PathBuf,
+        /// The column.
+        column: String,
+        /// What is wrong with it.
+        reason: String,
+    },
     /// An `--out` that the command does not know what to do with.
     #[error("--out {}: {reason}", path.display())]
     #[diagnostic(help("{hint}"))]
@@ -248,9 +272,11 @@ const fn hint_of_store(error: &StoreError) -> &'static str {
         StoreError::Exists { .. } => "--resume goes on with it; or give another --out",
         StoreError::OtherParameters { .. } => "give another --out, or the parameters of the store",
         StoreError::NotAStore { .. } => "give another --out",
+        StoreError::Unwritable { finished: 0, .. } => "make room, or choose a folder that can be written to",
         StoreError::Unwritable { .. } => {
-            "make room or choose a folder that can be written to; --resume goes on with what is finished"
+            "make room, then give the same command with --resume; it goes on from there"
         }
+        StoreError::Locked { .. } => "wait until it has ended, or give another --out",
         _ => "give another --out, or remove what is there and run again",
     }
 }

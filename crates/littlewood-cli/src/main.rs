@@ -8,6 +8,7 @@ mod cases;
 mod classify;
 mod error;
 mod interrupt;
+mod list;
 mod map;
 mod output;
 mod problem;

@@ -1,10 +1,9 @@
 //! `littlewood map`: a plane of two quantities.
 
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use littlewood_sweep::{
-    Class, Picture, Real, Shade, Size, Workers, ZarrStore, grid_to_parquet, grid_to_zarr,
-};
+use littlewood_sweep::{Chunk, Columns, Picture, Real, Shade, Size, sweep_grid};
 
 use crate::args::MapArgs;
 use crate::error::Error;
@@ -12,7 +11,7 @@ use crate::interrupt;
 use crate::output::Output;
 use crate::progress::Bar;
 use crate::report::sweep::{self, Summary};
-use crate::store::{self, Counts, Kind};
+use crate::store::{self, Kind};
 use crate::work;
 
 /// Runs the command.
@@ -22,65 +21,60 @@ use crate::work;
 pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
     let size = Size { width: args.size.0, height: args.size.1 };
-    let mut targets = Vec::new();
-    for path in &args.store.out {
-        targets.push((store::kind_of(path, &[Kind::Zarr, Kind::Parquet, Kind::Picture])?, path));
+    let kinds = store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet, Kind::Picture])?;
+    let (grid, limits) = work::grid(&args.base, &args.run, &[args.x, args.y])?;
+    let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, grid.len())).collect();
+    let drawn: Vec<&Path> =
+        kinds.iter().filter(|(kind, _)| *kind == Kind::Picture).map(|(_, path)| *path).collect();
+    if let ([], [path, ..], true) = (&targets[..], &drawn[..], args.store.resume) {
+        return Err(Error::Out {
+            path: path.to_path_buf(),
+            reason: "there is nothing to resume: a picture alone does not keep what it is drawn from"
+                .to_owned(),
+            hint: "leave out --resume; with a second --out NAME.zarr a picture can be resumed".to_owned(),
+        });
     }
-    // Pictures come last, so that they can be drawn from a store.
-    targets.sort_by_key(|(kind, _)| *kind == Kind::Picture);
-    let (grid, limits) = work::grid(&args.base, &args.run, vec![args.x, args.y])?;
-    if targets.iter().any(|(kind, _)| *kind == Kind::Picture) {
-        Picture::new(&grid, limits, shade, size)?;
-    }
-    let mut files = Vec::new();
-    for (kind, path) in &targets {
-        files.push(if *kind == Kind::Picture { Some(Output::open(Some(path))?) } else { None });
-    }
-    let workers: Workers = work::workers(&args.work)?;
+    let mut picture = Picture::new(&grid, limits, shade, size)?;
+    let files = drawn.iter().map(|path| Output::open(Some(path))).collect::<Result<Vec<_>, Error>>()?;
+    let workers = work::workers(&args.work)?;
     let cancel = interrupt::listen();
-    let mut summary = Summary::new(grid.len(), &args.store.out, workers.threads());
-    let mut zarr = None;
-    for ((kind, path), file) in targets.into_iter().zip(files) {
-        let bar = Bar::new();
-        let show = |progress| bar.show(progress);
-        let options = work::options(&args.work, args.store.resume, cancel, &show);
-        let began = Instant::now();
-        match kind {
-            Kind::Zarr => {
-                summary.add(&grid_to_zarr(&grid, limits, path, &workers, &options)?, began.elapsed());
-                summary.counts = store::count(path)?;
-                zarr = Some(path);
-            }
-            Kind::Parquet => {
-                summary.add(&grid_to_parquet(&grid, limits, path, &workers, &options)?, began.elapsed());
-            }
-            Kind::Picture => {
-                let picture = match zarr {
-                    Some(store) => Picture::of_store(&ZarrStore::open(store)?, shade, size)?,
-                    None => {
-                        let picture = Picture::of_grid(&grid, limits, shade, size, &workers, &options)?;
-                        summary.add_points(grid.len() - picture.count(Class::NotComputed), began.elapsed());
-                        picture
-                    }
-                };
-                summary.counts = counts_of(&picture);
-                let png = picture.png()?;
-                if let Some(file) = file {
-                    file.write(|writer| writer.write_all(&png))?;
-                }
-            }
+    let bar = Bar::new();
+    let show = |progress| bar.show(progress);
+    let options = work::options(&args.work, args.store.resume, cancel, &show);
+    let began = Instant::now();
+    let report = if drawn.is_empty() {
+        sweep_grid(&grid, limits, &targets, None, &workers, &options)?
+    } else {
+        let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
+        sweep_grid(&grid, limits, &targets, Some(&mut add), &workers, &options)?
+    };
+    let time = began.elapsed();
+    drop(bar);
+
+    let mut pictures = Vec::new();
+    if report.complete {
+        for (file, path) in files.into_iter().zip(&drawn) {
+            let png = picture.png()?;
+            file.write(|writer| writer.write_all(&png))?;
+            pictures.push(path.to_path_buf());
         }
-        drop(bar);
+    } else if report.computed + report.reused > 0 {
+        // A picture that is not complete does not take the place of one that may be.
+        drop(files);
+        for path in &drawn {
+            let path = partial(path);
+            let png = picture.png()?;
+            Output::open(Some(&path))?.write(|writer| writer.write_all(&png))?;
+            pictures.push(path);
+        }
     }
-    sweep::finish(&summary, args.store.format)
+    let kept = work::kept(&targets, &report, pictures);
+    sweep::finish(&Summary::new(&report, time, workers.threads(), kept), args.store.format)
 }
 
-fn counts_of(picture: &Picture) -> Counts {
-    Class::ALL
-        .into_iter()
-        .map(|class| (class, picture.count(class)))
-        .filter(|(_, count)| *count > 0)
-        .collect()
+/// Where a picture goes that is not complete: `map.partial.png`.
+fn partial(path: &Path) -> PathBuf {
+    path.with_extension("partial.png")
 }
 
 fn shade_of(name: &str) -> Result<Shade, Error> {

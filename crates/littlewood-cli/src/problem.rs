@@ -39,6 +39,15 @@ struct Inputs {
     scenario: Option<Scenario>,
 }
 
+/// What a sweep puts above all that was given, in whichever units that is.
+#[derive(Debug, Default)]
+pub(crate) struct Above {
+    /// Dimensionless numbers.
+    pub(crate) given: Vec<Given>,
+    /// Whether units are needed, although none of the numbers may have one.
+    pub(crate) si: bool,
+}
+
 impl Problem {
     /// Puts the layers together and checks the result. `run` are the limits among the flags.
     ///
@@ -47,6 +56,7 @@ impl Problem {
     pub(crate) fn resolve(
         args: &ProblemArgs,
         run: Vec<Given>,
+        above: Above,
         max_transitions: Option<u64>,
         scenario: Option<Scenario>,
     ) -> Result<Self, Error> {
@@ -63,9 +73,11 @@ impl Problem {
         layer.extend(run);
         refuse_mixture(&layer, args.si.si)?;
         values.cover(layer);
+        values.cover(above.given);
 
         let max_transitions = max_transitions.or(scenario.as_ref().and_then(Scenario::max_transitions));
-        let is_si = args.si.si || values.any_si() || scenario.as_ref().is_some_and(Scenario::is_si);
+        let is_si =
+            above.si || args.si.si || values.any_si() || scenario.as_ref().is_some_and(Scenario::is_si);
         let inputs = Inputs { values, scenario };
         inputs.refuse_gaps(is_si)?;
         let (hoop, start, until, units) = inputs.convert(is_si).map_err(|error| inputs.blame(error))?;

@@ -7,7 +7,7 @@ use littlewood::{Outcome, Recurrence, Trajectory};
 use crate::args::{Format, SimulateArgs};
 use crate::error::Error;
 use crate::output::Output;
-use crate::problem::Problem;
+use crate::problem::{Above, Problem};
 use crate::report::{self, Sampling};
 use crate::scenario::Scenario;
 
@@ -17,7 +17,13 @@ use crate::scenario::Scenario;
 /// Bad input, or a failure to write.
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let scenario = args.problem.scenario.as_deref().map(Scenario::read).transpose()?;
-    let problem = Problem::resolve(&args.problem, args.run.given(), args.run.max_transitions, scenario)?;
+    let problem = Problem::resolve(
+        &args.problem,
+        args.run.given(),
+        Above::default(),
+        args.run.max_transitions,
+        scenario,
+    )?;
     let scenario = problem.scenario();
     let samples = args.samples.or_else(|| scenario.and_then(Scenario::samples));
     let out = args.out.clone().or_else(|| scenario.and_then(Scenario::out));

@@ -1,8 +1,8 @@
-//! Where a sweep goes: a Zarr store, a folder of Parquet files or a picture, by the ending of its name.
+//! Where a sweep goes: a Zarr store, a table or a picture, by the ending of its name.
 
 use std::path::{Path, PathBuf};
 
-use littlewood_sweep::{Class, ZarrStore};
+use littlewood_sweep::Target;
 
 use crate::error::Error;
 
@@ -17,12 +17,16 @@ pub(crate) enum Kind {
     Picture,
 }
 
+/// Starts up to which a table is one file. The footer of a file grows with it.
+const ONE_FILE: u64 = 1 << 24;
+
 /// Finds out what a path is to be.
 ///
 /// # Errors
 /// Another ending than those of `allowed`.
 pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let ending = ending.to_ascii_lowercase();
     allowed.iter().copied().find(|kind| kind.ending() == ending).ok_or_else(|| {
         let endings: Vec<String> = allowed.iter().map(|kind| format!(".{}", kind.ending())).collect();
         Error::Out {
@@ -41,35 +45,48 @@ impl Kind {
             Self::Picture => "png",
         }
     }
-}
 
-/// Points of each class that occurs.
-pub(crate) type Counts = Vec<(Class, u64)>;
-
-/// Counts the points of a store, class by class.
-///
-/// # Errors
-/// A file of it that cannot be read.
-pub(crate) fn count(path: &Path) -> Result<Counts, Error> {
-    let store = ZarrStore::open(path)?;
-    let mut counts = [0; Class::ALL.len()];
-    for number in 0..store.chunks().count() {
-        match store.columns(number)? {
-            Some(columns) => columns.rows().for_each(|row| counts[Class::of(&row) as usize] += 1),
-            None => counts[Class::NotComputed as usize] += store.chunks().chunk(number).len() as u64,
+    /// The target of a run with so many starts; none for a picture.
+    pub(crate) const fn target(self, path: &Path, starts: u64) -> Option<Target<'_>> {
+        match self {
+            Self::Zarr => Some(Target::Zarr(path)),
+            Self::Parquet if starts <= ONE_FILE => Some(Target::Parquet(path)),
+            Self::Parquet => Some(Target::ParquetFolder(path)),
+            Self::Picture => None,
         }
     }
-    Ok(Class::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0).collect())
+}
+
+/// What every `--out` is to be, each path once.
+///
+/// # Errors
+/// Another ending than those of `allowed`, or a path that is given twice.
+pub(crate) fn kinds<'a>(out: &'a [PathBuf], allowed: &[Kind]) -> Result<Vec<(Kind, &'a Path)>, Error> {
+    let mut kinds: Vec<(Kind, &Path)> = Vec::new();
+    for path in out {
+        if kinds.iter().any(|(_, other)| *other == path) {
+            let reason = "this name is given twice".to_owned();
+            let hint = "give each output a name of its own".to_owned();
+            return Err(Error::Out { path: path.clone(), reason, hint });
+        }
+        kinds.push((kind_of(path, allowed)?, path));
+    }
+    Ok(kinds)
 }
 
 /// What to say when Ctrl-C has come.
-pub(crate) fn interrupted(done: u64, total: u64, out: &[PathBuf]) -> Error {
-    let hint = match out.iter().find(|path| path.extension().is_none_or(|ending| ending != "png")) {
-        Some(path) => format!(
+pub(crate) fn interrupted(done: u64, total: u64, kept: &[PathBuf]) -> Error {
+    let store = kept.iter().find(|path| path.extension().is_none_or(|ending| ending != "png"));
+    let hint = match (store, kept.first()) {
+        (Some(path), _) => format!(
             "{} can be read as far as it goes; the same command with --resume goes on from there",
             path.display()
         ),
-        None => "a picture is not resumed; with a .zarr store beside it, it can be".to_owned(),
+        (None, Some(picture)) => format!(
+            "what was done is drawn in {}; a picture alone is not resumed, with a .zarr store beside it, it can be",
+            picture.display()
+        ),
+        (None, None) => "nothing was done that could be kept".to_owned(),
     };
     Error::Interrupted { done, total, hint }
 }

@@ -1,12 +1,16 @@
-//! `littlewood map`, `sweep` and `atlas`.
+//! `littlewood map` and `sweep`.
 
 mod support;
 
-use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
-use support::{complaint, json, littlewood, number, text};
+use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use support::{FIGURE_3_EVENTS, assert_close, complaint, json, littlewood, number, text, tree};
 
 /// The hoop of Figure 2.
 const FIGURE_2: [&str; 10] =
@@ -24,24 +28,6 @@ fn path(folder: &tempfile::TempDir, name: &str) -> String {
     folder.path().join(name).to_string_lossy().into_owned()
 }
 
-/// Every file under a folder with its bytes.
-fn tree(root: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut files = BTreeMap::new();
-    let mut open = vec![root.to_owned()];
-    while let Some(folder) = open.pop() {
-        for entry in fs::read_dir(folder).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                open.push(path);
-            } else {
-                let name = path.strip_prefix(root).expect("inside").to_string_lossy().into_owned();
-                files.insert(name, fs::read(&path).expect("a file"));
-            }
-        }
-    }
-    files
-}
-
 #[test]
 fn the_plane_of_figure_2_has_the_known_counts() {
     let folder = folder();
@@ -51,7 +37,7 @@ fn the_plane_of_figure_2_has_the_known_counts() {
     let count = |name: &str| counts.get(name).map_or(0, |count| count.as_u64().expect("a count"));
     assert_eq!(count("leaves_at_once"), 9_784);
     assert_eq!(count("lifts_off_later"), 12_690);
-    let contact = ["rolls_for_ever", "slides_for_ever", "in_contact_at_the_limit"];
+    let contact = ["rolls_forever", "slides_forever", "in_contact_at_limit"];
     assert_eq!(contact.map(count).iter().sum::<u64>(), 17_526);
     assert_eq!(number(&found["points"]), 40_000.0);
     assert_eq!(found["complete"], true);
@@ -69,9 +55,12 @@ fn the_number_of_threads_changes_nothing() {
             let out = path(&folder, &format!("{threads}-{name}"));
             let work = ["--threads", threads, "--chunk", "100", "--out", &out];
             text(&[&[command], &FIGURE_2[..], &axes, &work].concat());
-            tree(Path::new(&out))
+            if name.ends_with("parquet") {
+                [("table".to_owned(), fs::read(out).expect("a table"))].into()
+            } else {
+                tree(Path::new(&out))
+            }
         });
-        assert!(one.len() > 7);
         assert!(one == two, "{name} differs");
     }
 }
@@ -151,19 +140,6 @@ fn other_bad_input_is_refused() {
 }
 
 #[test]
-fn a_place_without_room_for_a_store_is_named() {
-    let folder = folder();
-    let file = path(&folder, "file");
-    fs::write(&file, "").expect("written");
-    let sweep =
-        |out: &str, code| complaint(&["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", out], code);
-    let below = format!("{file}/plane.parquet");
-    assert!(sweep(&below, 2).contains(&below));
-    #[cfg(target_os = "linux")]
-    assert!(sweep("/proc/plane.zarr", 1).contains("cannot write /proc/plane.zarr"));
-}
-
-#[test]
 fn a_picture_has_the_size_that_is_asked_for() {
     let folder = folder();
     let out = path(&folder, "plane.png");
@@ -197,8 +173,10 @@ fn a_list_of_starts_is_followed() {
     let words = sweep(&starts, &out);
     let found = json(&words.split('\n').collect::<Vec<_>>());
     assert_eq!(number(&found["done"]), 3.0);
-    let first = fs::read(Path::new(&out).join("part-00000.parquet")).expect("a table");
-    assert_eq!(first[..4], *b"PAR1");
+    assert_eq!(found["counts"]["leaves_at_once"], 1);
+    assert_eq!(found["out"][0], out.as_str());
+    let file = fs::read(&out).expect("a table");
+    assert_eq!(file[..4], *b"PAR1");
 
     // A bad cell is named by its line.
     fs::write(&starts, "theta,theta_rate\n1,2\n0,fast\n").expect("written");
@@ -215,24 +193,109 @@ fn two_axes_that_contradict_each_other_leave_gaps() {
     let out = path(&folder, "friction.zarr");
     let axes = ["--x", "mu_k=0:1:11", "--y", "mu_s=0.5:1:6"];
     let found = json(&[&["map", "figure-3"], &axes[..], &["--out", &out]].concat());
-    assert_eq!(number(&found["counts"]["not_a_hoop"]), 15.0);
+    assert_eq!(number(&found["counts"]["invalid"]), 15.0);
 }
 
 #[test]
-fn an_atlas_counts_every_point_once() {
-    let total = |found: &serde_json::Value| {
-        let sequences = found["sequences"].as_array().expect("sequences");
-        sequences.iter().map(|entry| number(&entry["count"])).sum::<f64>() + number(&found["invalid"])
+fn several_outputs_are_of_one_run() {
+    let folder = folder();
+    let [zarr, table, png] = ["a.zarr", "a.parquet", "a.png"].map(|name| path(&folder, name));
+    let run = |out: &[&str]| {
+        let out: Vec<&str> = out.iter().flat_map(|out| ["--out", out]).collect();
+        json(&[&["map", "figure-3"], &SMALL[..], &["--until", "9"], &out].concat())
     };
-    let axes = ["--axis", "theta=-pi:pi:40", "--axis", "theta_rate=-4:4:30"];
-    let found = json(&[&["atlas", "figure-3"], &axes[..]].concat());
-    assert_eq!((total(&found), number(&found["points"])), (1200.0, 1200.0));
-    let turns = ["--first-turn", "--axis", "theta_rate=0.1:2:20", "--axis", "mu_s=0.1:2:20"];
-    let found = json(&[&["atlas", "figure-3"], &turns[..]].concat());
-    assert_eq!(total(&found), 400.0);
-    let first = &found["sequences"][0];
-    assert!(first["stop"].is_string());
-    assert_eq!(first["example"]["theta"], 0.0);
-    assert_eq!(first["example"]["mu_s"], first["example"]["mu_k"]);
-    assert!(text(&[&["atlas", "figure-3"], &axes[..]].concat()).contains("kinds on 1,200 starts"));
+    let found = run(&[&png, &table, &zarr]);
+    assert_eq!(number(&found["computed"]), 651.0);
+    let total: f64 = found["counts"].as_object().expect("counts").values().map(number).sum();
+    assert_eq!(total, 651.0);
+    let again = ["b.zarr", "b.parquet", "b.png"].map(|name| path(&folder, name));
+    for out in &again {
+        assert_eq!(run(&[out])["counts"], found["counts"]);
+    }
+    assert!(tree(Path::new(&zarr)) == tree(Path::new(&again[0])));
+    for (a, b) in [(&table, &again[1]), (&png, &again[2])] {
+        assert!(fs::read(a).expect("a file") == fs::read(b).expect("a file"));
+    }
+    let twice = [&["map", "figure-3"], &SMALL[..], &["--out", &again[0], "--out", &again[0]]].concat();
+    assert!(complaint(&twice, 2).contains("given twice"));
+}
+
+#[test]
+fn a_list_in_parquet_is_followed_and_may_say_where_and_when() {
+    let folder = folder();
+    let starts = path(&folder, "starts.parquet");
+    let column = |values: &[f64]| Arc::new(Float64Array::from(values.to_vec())) as ArrayRef;
+    let batch = RecordBatch::try_from_iter([
+        ("theta", column(&[FRAC_PI_2, FRAC_PI_2])),
+        ("theta_rate", column(&[2.0, 2.0])),
+        ("time", column(&[0.0, 10.0])),
+        ("x", column(&[0.0, 1.0])),
+    ])
+    .expect("a table");
+    let file = fs::File::create(&starts).expect("a file");
+    let mut writer = ArrowWriter::try_new(file, batch.schema(), None).expect("a writer");
+    writer.write(&batch).expect("written");
+    writer.close().expect("closed");
+    let out = path(&folder, "motions.parquet");
+    let found = json(&[&["sweep"], &FIGURE_2[..], &["--starts", &starts, "--out", &out]].concat());
+    assert_eq!(found["counts"]["lifts_off_later"], 2);
+    let reader = ParquetRecordBatchReaderBuilder::try_new(fs::File::open(&out).expect("a file"));
+    let table = reader.expect("a table").build().expect("rows").next().expect("a batch").expect("rows");
+    let values = |name: &str| {
+        let column = table.column_by_name(name).expect("a column").as_any();
+        column.downcast_ref::<Float64Array>().expect("numbers").values().to_vec()
+    };
+    let lift_off = FIGURE_3_EVENTS[2][0];
+    assert_close(values("lift_off_time")[0], lift_off, 1e-13);
+    assert_close(values("lift_off_time")[1], 10.0 + lift_off, 1e-13);
+    assert_close(values("end_x")[1] - values("end_x")[0], 1.0, 1e-13);
+    // A table of results is no list of starts.
+    let message =
+        complaint(&["sweep", "figure-3", "--starts", &out, "--out", &path(&folder, "b.parquet")], 2);
+    assert!(message.contains("no quantity \"outcome\"") && message.contains("hint:"), "{message}");
+}
+
+/// The hoop of Figure 2 made of 2 kg with a radius of 0.5 m where g = 8 m/s²: the unit of time is 0.25 s.
+const SI: [&str; 16] = [
+    "--disc-mass-kg",
+    "2",
+    "--particle-mass-kg",
+    "2",
+    "--radius-m",
+    "0.5",
+    "--offset-m",
+    "0.5",
+    "--inertia-kg-m2",
+    "0.5",
+    "--gravity-m-per-s2",
+    "8",
+    "--mu-s",
+    "0.5",
+    "--mu-k",
+    "0.4",
+];
+
+#[test]
+fn axes_in_si_units_are_those_without_dimension() {
+    let folder = folder();
+    let run = |name: &str, hoop: &[&str], y: &str, until: &[&str]| {
+        let out = path(&folder, name);
+        text(&[&["map"], hoop, &["--x", "theta=-pi:pi:21", "--y", y, "--out", &out], until].concat());
+        tree(Path::new(&out))
+    };
+    let plain = run("plain.zarr", &FIGURE_2, "theta_rate=-4:4:31", &["--until", "20"]);
+    let si = run("si.zarr", &SI, "theta_rate_rad_per_s=-16:16:31", &["--until-s", "5"]);
+    let mixed = run("mixed.zarr", &SI, "theta_rate=-4:4:31", &["--until-s", "5"]);
+    assert!(plain == si && plain == mixed);
+    // A case says nothing of its size.
+    let out = path(&folder, "case.zarr");
+    let case =
+        ["map", "figure-3", "--x", "theta=-pi:pi:21", "--y", "theta_rate_rad_per_s=-16:16:31", "--out", &out];
+    let message = complaint(&case, 2);
+    assert!(message.contains("--particle-mass-kg") && message.contains("--radius-m"), "{message}");
+    let sized =
+        [&case[..], &["--particle-mass-kg", "2", "--radius-m", "0.5", "--gravity-m-per-s2", "8"]].concat();
+    let until = [&sized[..], &["--until-s", "5"]].concat();
+    text(&until);
+    assert!(tree(Path::new(&out)) == plain);
 }

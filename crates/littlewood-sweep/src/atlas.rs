@@ -24,14 +24,14 @@ pub struct Entry {
     pub stop: Option<Stop>,
     /// Number of points of the grid that have it.
     pub count: u64,
-    /// The first of them, in the numbering of [`Grid::point`].
+    /// The first of them.
     pub example: Point,
-    /// The number of that point.
+    /// The number of that point ([`Grid::point`]); in an atlas of several grids they are counted through.
     pub number: u64,
 }
 
-/// All sequences of phases of a grid, the most frequent first.
-#[derive(Clone, Debug, PartialEq)]
+/// All sequences of phases of one or more grids, the most frequent first.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Atlas {
     /// The sequences.
     pub entries: Vec<Entry>,
@@ -39,6 +39,8 @@ pub struct Atlas {
     pub points: u64,
     /// Points whose parameters contradict each other; they have no sequence.
     pub invalid: u64,
+    /// Points of the grids.
+    pub total: u64,
 }
 
 impl Atlas {
@@ -117,7 +119,7 @@ impl Atlas {
                 progress(Progress { done: points, reused: 0, total: grid.len() });
             }
         }
-        let mut entries: Vec<Entry> = found
+        let entries = found
             .into_iter()
             .map(|((sequence, stop), (count, number))| Entry {
                 sequence,
@@ -127,8 +129,48 @@ impl Atlas {
                 number,
             })
             .collect();
-        entries.sort_by_key(|entry| (core::cmp::Reverse(entry.count), entry.number, entry.stop));
-        Ok(Self { entries, points, invalid })
+        let mut atlas = Self { entries, points, invalid, total: grid.len() };
+        atlas.sort();
+        Ok(atlas)
+    }
+
+    /// Adds the atlas of another grid, whose points are counted on after those that are there.
+    ///
+    /// ```
+    /// use littlewood::{HoopParameters, Limits, Start};
+    /// use littlewood_sweep::{Atlas, Axis, Coordinate, Grid, Options, Point, Workers};
+    ///
+    /// let mut atlas = Atlas::default();
+    /// for mu_s in [0.5, 1.0] {
+    ///     let hoop = HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s, mu_k: 0.4 };
+    ///     let rate = Axis::new(Coordinate::ThetaRate, 0.1, 1.4, 20)?;
+    ///     let grid = Grid::new(Point { hoop, start: Start::at(0.0, 0.0) }, vec![rate])?;
+    ///     let workers = Workers::new(None)?;
+    ///     atlas.absorb(Atlas::of_motions(&grid, Limits::until(20.0), &workers, &Options::default())?);
+    /// }
+    /// assert_eq!((atlas.points, atlas.entries.iter().map(|entry| entry.count).sum::<u64>()), (40, 40));
+    /// # Ok::<(), littlewood_sweep::SweepError>(())
+    /// ```
+    pub fn absorb(&mut self, other: Self) {
+        let before = self.total;
+        for entry in other.entries {
+            match self
+                .entries
+                .iter_mut()
+                .find(|known| (known.sequence, known.stop) == (entry.sequence, entry.stop))
+            {
+                Some(known) => known.count += entry.count,
+                None => self.entries.push(Entry { number: before + entry.number, ..entry }),
+            }
+        }
+        self.points += other.points;
+        self.invalid += other.invalid;
+        self.total += other.total;
+        self.sort();
+    }
+
+    fn sort(&mut self) {
+        self.entries.sort_by_key(|entry| (core::cmp::Reverse(entry.count), entry.number, entry.stop));
     }
 }
 

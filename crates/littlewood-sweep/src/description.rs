@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 use crate::axis::{Axis, Coordinate};
 use crate::grid::Grid;
 use crate::point::Point;
+use crate::starts::StartList;
 
 /// What a run computes, in JSON.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +43,8 @@ impl Description {
         }))
     }
 
-    pub(crate) fn of_list(base: &Point, content: Value, limits: Limits, chunk: usize) -> Self {
+    pub(crate) fn of_list(list: &StartList, limits: Limits, chunk: usize) -> Self {
+        let base = list.base();
         let base_values: Map<String, Value> = Coordinate::ALL
             .into_iter()
             .map(|coordinate| (coordinate.name().to_owned(), coordinate.of_point(base).into()))
@@ -50,7 +52,7 @@ impl Description {
         Self(json!({
             "version": env!("CARGO_PKG_VERSION"),
             "points": "list",
-            "list": content,
+            "list": list.fingerprint(),
             "base": base_values,
             "start_time": base.start.time,
             "start_x": base.start.x,

@@ -23,6 +23,12 @@ pub trait Disk: Sync {
     /// # Errors
     /// Of the operating system.
     fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+
+    /// Gives a file another name; a file that has that name is replaced.
+    ///
+    /// # Errors
+    /// Of the operating system.
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
 }
 
 /// The file system.
@@ -35,15 +41,20 @@ pub struct FileSystem;
 /// Ending of files that are not finished.
 pub(crate) const UNFINISHED: &str = ".unfinished";
 
+/// A path with more at the end of its name.
+pub(crate) fn with_ending(path: &Path, ending: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(ending);
+    PathBuf::from(name)
+}
+
 impl Disk for FileSystem {
     fn create_folder(&self, path: &Path) -> io::Result<()> {
         fs::create_dir_all(path)
     }
 
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
-        let mut name = path.as_os_str().to_owned();
-        name.push(UNFINISHED);
-        let unfinished = PathBuf::from(name);
+        let unfinished = with_ending(path, UNFINISHED);
         let written = File::create(&unfinished)
             .and_then(|mut file| file.write_all(bytes))
             .and_then(|()| fs::rename(&unfinished, path));
@@ -56,5 +67,9 @@ impl Disk for FileSystem {
 
     fn append(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         OpenOptions::new().append(true).create(true).open(path)?.write_all(bytes)
+    }
+
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+        fs::rename(from, to)
     }
 }

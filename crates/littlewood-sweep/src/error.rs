@@ -1,12 +1,13 @@
 //! What can be wrong with a sweep: its axes, its list of starts, its files.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use littlewood::ParameterError;
+use littlewood::{ParameterError, Quantity};
 use thiserror::Error;
 
 use crate::axis::Coordinate;
+use crate::starts::known_columns;
 
 /// What is wrong with the axes of a grid.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -105,7 +106,7 @@ pub enum ListError {
         /// The file.
         path: PathBuf,
         /// The header.
-        column: Coordinate,
+        column: Quantity,
     },
     /// No columns, or no rows.
     #[error("{}: no starts in it", path.display())]
@@ -131,7 +132,7 @@ pub enum ListError {
         /// Line from 1 (CSV), or row from 1 (Parquet).
         line: u64,
         /// Column.
-        column: Coordinate,
+        column: Quantity,
         /// What it says.
         cell: String,
     },
@@ -143,7 +144,7 @@ pub enum ListError {
         /// Line from 1 (CSV), or row from 1 (Parquet).
         line: u64,
         /// Column.
-        column: Coordinate,
+        column: Quantity,
         /// The bound it breaks.
         source: ParameterError,
     },
@@ -151,7 +152,7 @@ pub enum ListError {
     #[error("fixed {column}: {source}")]
     Fixed {
         /// The quantity.
-        column: Coordinate,
+        column: Quantity,
         /// The bound it breaks.
         source: ParameterError,
     },
@@ -161,7 +162,7 @@ pub enum ListError {
         /// The file.
         path: PathBuf,
         /// Column.
-        column: Coordinate,
+        column: Quantity,
         /// Type of the column.
         found: String,
     },
@@ -182,7 +183,7 @@ pub enum ListError {
 }
 
 fn known() -> String {
-    Coordinate::ALL.map(Coordinate::name).join(", ")
+    known_columns().map(Quantity::name).collect::<Vec<_>>().join(", ")
 }
 
 /// What is wrong with a store, or with writing to it.
@@ -190,12 +191,14 @@ fn known() -> String {
 #[non_exhaustive]
 pub enum StoreError {
     /// A file or folder cannot be written: a full disk, a folder without permission, a name that is taken.
-    #[error("cannot write {}: {source}; chunks that are finished stay readable", path.display())]
+    #[error("cannot write {}: {source}{}", path.display(), stay_readable(*finished))]
     Unwritable {
         /// The file or folder.
         path: PathBuf,
         /// Why.
         source: io::Error,
+        /// Points whose chunks are on disk and stay readable.
+        finished: u64,
     },
     /// A file of a store cannot be read.
     #[error("cannot read {}: {source}", path.display())]
@@ -226,6 +229,12 @@ pub enum StoreError {
         path: PathBuf,
         /// What differs, as `name: there / here`.
         differences: Vec<String>,
+    },
+    /// Another process is writing to the store.
+    #[error("another process is writing to {}", path.display())]
+    Locked {
+        /// The path.
+        path: PathBuf,
     },
     /// The list of finished chunks cannot be understood.
     #[error("{}, line {line}: the list of finished chunks is damaged; remove the store and run again", path.display())]
@@ -259,6 +268,28 @@ pub enum StoreError {
         /// What the encoder says.
         reason: String,
     },
+}
+
+impl StoreError {
+    pub(crate) fn unwritable(path: &Path, source: io::Error) -> Self {
+        Self::Unwritable { path: path.to_owned(), source, finished: 0 }
+    }
+
+    /// Says how much of the run there is, where that is a comfort.
+    pub(crate) fn with_finished(self, finished: u64) -> Self {
+        match self {
+            Self::Unwritable { path, source, .. } => Self::Unwritable { path, source, finished },
+            other => other,
+        }
+    }
+}
+
+fn stay_readable(finished: u64) -> String {
+    match finished {
+        0 => String::new(),
+        1 => "; the point that is finished stays readable".to_owned(),
+        _ => format!("; the {finished} points that are finished stay readable"),
+    }
 }
 
 /// What is wrong with a picture.
@@ -307,6 +338,12 @@ pub enum SweepError {
     /// The picture.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// A list has no place in a Zarr store, whose points stand on axes.
+    #[error("{}: a list of starts does not fit a Zarr store", path.display())]
+    ListAsZarr {
+        /// The target.
+        path: PathBuf,
+    },
     /// The operating system gives no threads.
     #[error("cannot start {threads} threads: {reason}")]
     Threads {

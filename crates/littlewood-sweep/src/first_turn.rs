@@ -11,8 +11,9 @@ use littlewood::{
 /// sign twice at most, half a period apart.
 const LOOKS: u32 = 64;
 
-/// Transitions after which a motion is given up. With μs = μk slips can shrink without end.
-const TRANSITIONS: usize = 200;
+/// Transitions after which a motion is looked at, the last of which it is given up after. Most first turns have few; with
+/// μs = μk slips can shrink without end.
+const TRANSITIONS: [usize; 3] = [6, 30, 200];
 
 /// What ends a first turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -71,19 +72,35 @@ impl FirstTurn {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn new(hoop: &Hoop, start: Start) -> Result<Self, ParameterError> {
-        let motion = hoop.simulate(start, Limits { until: None, transitions: TRANSITIONS })?;
+        let mut turn = Self::within(hoop, start, TRANSITIONS[0])?;
+        for transitions in TRANSITIONS.into_iter().skip(1) {
+            match turn {
+                Ok(turn) => return Ok(turn),
+                Err(_) => turn = Self::within(hoop, start, transitions)?,
+            }
+        }
+        Ok(match turn {
+            Ok(turn) | Err(turn) => turn,
+        })
+    }
+
+    /// The first turn in so many transitions; in `Err` what there is of one that does not stop in them.
+    fn within(hoop: &Hoop, start: Start, transitions: usize) -> Result<Result<Self, Self>, ParameterError> {
+        let motion = hoop.simulate(start, Limits { until: None, transitions })?;
         let mut sequence = PhaseSequence::default();
         let Some(travel) = Direction::of(start.theta_rate) else {
             for phase in motion.phases() {
                 sequence.push(phase.mode(), phase.direction());
             }
-            return Ok(Self { sequence, stop: Stop::Never, time: f64::NAN });
+            let turn = Self { sequence, stop: Stop::Never, time: f64::NAN };
+            let is_cut = matches!(motion.outcome(), Outcome::TransitionLimit { .. });
+            return Ok(if is_cut { Err(turn) } else { Ok(turn) });
         };
         let turn = Turn { theta: start.theta, travel: travel.sign() };
         for phase in motion.phases() {
             sequence.push(phase.mode(), phase.direction());
             if phase.mode() == Mode::Flight {
-                return Ok(Self { sequence, stop: Stop::LiftsOff, time: phase.start().time });
+                return Ok(Ok(Self { sequence, stop: Stop::LiftsOff, time: phase.start().time }));
             }
             let duration = if phase.duration().is_finite() {
                 phase.duration()
@@ -91,17 +108,17 @@ impl FirstTurn {
                 period(phase, &motion.outcome()).unwrap_or(0.0)
             };
             if let Some((stop, elapsed)) = turn.stop_in(phase, duration) {
-                return Ok(Self { sequence, stop, time: phase.start().time + elapsed });
+                return Ok(Ok(Self { sequence, stop, time: phase.start().time + elapsed }));
             }
         }
-        let stop = match motion.outcome() {
-            Outcome::RollsForever { .. }
-            | Outcome::SlidesForever { .. }
-            | Outcome::TransitionLimit { .. }
-            | Outcome::TimeLimit { .. } => Stop::Never,
-            _ => Stop::Ends,
-        };
-        Ok(Self { sequence, stop, time: f64::NAN })
+        let never = Self { sequence, stop: Stop::Never, time: f64::NAN };
+        Ok(match motion.outcome() {
+            Outcome::TransitionLimit { .. } => Err(never),
+            Outcome::RollsForever { .. } | Outcome::SlidesForever { .. } | Outcome::TimeLimit { .. } => {
+                Ok(never)
+            }
+            _ => Ok(Self { stop: Stop::Ends, ..never }),
+        })
     }
 }
 

@@ -188,7 +188,7 @@ pub(crate) fn alone(coordinate: Coordinate, value: f64) -> Result<(), ParameterE
 }
 
 /// Checks a start, by a motion that takes no time.
-fn plain(start: Start) -> Result<(), ParameterError> {
+pub(crate) fn plain(start: Start) -> Result<(), ParameterError> {
     let hoop = Hoop::new(HARMLESS)?;
     Engine::new(&hoop).summary(start, Limits { until: Some(start.time), transitions: 0 }).map(|_| ())
 }

@@ -18,10 +18,10 @@
 //! # Ok::<(), littlewood_sweep::SweepError>(())
 //! ```
 //!
-//! Larger runs go to disk chunk by chunk: [`grid_to_zarr`] writes a Zarr v3 store that xarray opens as a data set,
-//! [`grid_to_parquet`] and [`list_to_parquet`] a folder of Parquet files. Memory stays flat; a run that was stopped goes
-//! on ([`Options::resume`]) to a store that equals, byte for byte, that of a run that was not; nothing that is there is
-//! overwritten. [`Picture`] draws a grid with two axes or a store of one, [`Atlas`] lists the sequences of phases that
+//! Larger runs go to disk chunk by chunk: [`sweep_grid`] and [`sweep_list`] write any of a Zarr v3 store that xarray opens
+//! as a data set, a Parquet file, and a folder of Parquet files ([`Target`]). Memory stays flat; a run that was stopped
+//! goes on ([`Options::resume`]) to files that equal, byte for byte, those of a run that was not; nothing that is there
+//! is overwritten. [`Picture`] draws a grid with two axes or a store of one, [`Atlas`] lists the sequences of phases that
 //! occur.
 //!
 //! All quantities are dimensionless, as in the core.
@@ -32,19 +32,21 @@ mod chunk;
 mod columns;
 mod compute;
 mod description;
+mod destination;
 mod disk;
 mod error;
 mod first_turn;
 mod grid;
 mod manifest;
 pub mod outcome;
-mod palette;
 mod parquet;
 mod picture;
 mod point;
 mod run;
 mod starts;
-mod ticks;
+mod store;
+mod sweep;
+mod tally;
 mod zarr;
 
 pub use atlas::{Atlas, Entry};
@@ -52,14 +54,16 @@ pub use axis::{Axis, Coordinate};
 pub use chunk::{Chunk, Chunks};
 pub use columns::{Columns, Real, Row};
 pub use compute::Workers;
+pub use destination::Target;
 pub use disk::{Disk, FileSystem};
 pub use error::{AxisError, ListError, PictureError, StoreError, SweepError};
 pub use first_turn::{FirstTurn, Stop};
 pub use grid::Grid;
 pub use outcome::Class;
-pub use parquet::{grid_to_parquet, list_to_parquet};
 pub use picture::{Picture, Shade, Size};
 pub use point::Point;
 pub use run::{CHUNK_POINTS, Options, Progress, Report};
 pub use starts::StartList;
-pub use zarr::{ZarrStore, grid_to_zarr};
+pub use sweep::{ChunkView, grid_to_parquet, grid_to_zarr, list_to_parquet, sweep_grid, sweep_list};
+pub use tally::Tally;
+pub use zarr::ZarrStore;

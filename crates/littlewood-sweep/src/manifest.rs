@@ -1,7 +1,10 @@
-//! Which chunks of a store are finished, and what their files sum up to.
+//! Which chunks of a store are finished, what their files sum up to, and how many points of each class they hold.
 
 use core::fmt::Write as _;
 use std::collections::BTreeMap;
+
+use crate::outcome::Class;
+use crate::tally::Tally;
 
 /// Length and checksum of the files of a chunk, taken together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,17 +27,26 @@ impl Seal {
     }
 }
 
-/// The finished chunks of a run: a line of text each, added as the chunk is finished.
+/// A finished chunk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Entry {
+    pub(crate) seal: Seal,
+    /// Its points: so that the counts of a store are known without reading it.
+    pub(crate) tally: Tally,
+}
+
+/// The finished chunks of a run: a line of text each, added as the chunk is finished. A later line of the same chunk
+/// stands for it.
 ///
 /// ```text
 /// littlewood-sweep 1 run 5f3759df
-/// 0 24681 1b2c3d4e
+/// 0 24681 1b2c3d4e leaves_at_once=52,rolls_forever=25
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Manifest {
     /// CRC-32 of the description of the run.
     pub(crate) run: u32,
-    pub(crate) chunks: BTreeMap<usize, Seal>,
+    pub(crate) chunks: BTreeMap<usize, Entry>,
 }
 
 impl Manifest {
@@ -46,14 +58,17 @@ impl Manifest {
         format!("littlewood-sweep 1 run {:08x}\n", self.run)
     }
 
-    pub(crate) fn line(number: usize, seal: Seal) -> String {
-        format!("{number} {} {:08x}\n", seal.length, seal.crc)
+    pub(crate) fn line(number: usize, entry: &Entry) -> String {
+        let Entry { seal, tally } = entry;
+        let counts: Vec<String> =
+            tally.iter().map(|(class, count)| format!("{}={count}", class.name())).collect();
+        format!("{number} {} {:08x} {}\n", seal.length, seal.crc, counts.join(","))
     }
 
     pub(crate) fn text(&self) -> String {
         let mut text = self.head();
-        for (&number, &seal) in &self.chunks {
-            let _ = write!(text, "{}", Self::line(number, seal));
+        for (&number, entry) in &self.chunks {
+            let _ = write!(text, "{}", Self::line(number, entry));
         }
         text
     }
@@ -75,20 +90,25 @@ impl Manifest {
         }
         for (number, line) in (2_usize..).zip(lines) {
             let Some(line) = line.strip_suffix(b"\n") else { break };
-            let (chunk, seal) = entry(line).filter(|(chunk, _)| *chunk < count).ok_or(number)?;
-            manifest.chunks.insert(chunk, seal);
+            let (chunk, entry) = entry(line).filter(|(chunk, _)| *chunk < count).ok_or(number)?;
+            manifest.chunks.insert(chunk, entry);
         }
         Ok(manifest)
     }
 }
 
-fn entry(line: &[u8]) -> Option<(usize, Seal)> {
+fn entry(line: &[u8]) -> Option<(usize, Entry)> {
     let mut words = core::str::from_utf8(line).ok()?.split(' ');
     let chunk = words.next()?.parse().ok()?;
     let length = words.next()?.parse().ok()?;
     let crc = words.next().filter(|crc| crc.len() == 8)?;
     let crc = u32::from_str_radix(crc, 16).ok()?;
-    words.next().is_none().then_some((chunk, Seal { length, crc }))
+    let mut tally = Tally::default();
+    for count in words.next()?.split(',') {
+        let (class, count) = count.split_once('=')?;
+        tally.add(Class::find(class)?, count.parse().ok()?);
+    }
+    words.next().is_none().then_some((chunk, Entry { seal: Seal { length, crc }, tally }))
 }
 
 #[cfg(test)]
@@ -97,15 +117,22 @@ mod tests {
 
     fn example() -> Manifest {
         let mut manifest = Manifest::new(0x5f37_59df);
-        manifest.chunks.insert(0, Seal { length: 24_681, crc: 0x1b2c });
-        manifest.chunks.insert(7, Seal { length: 9, crc: 0xffff_ffff });
+        let mut tally = Tally::default();
+        tally.add(Class::LeavesAtOnce, 52);
+        manifest.chunks.insert(0, Entry { seal: Seal { length: 24_681, crc: 0x1b2c }, tally });
+        tally.add(Class::RollsForever, 25);
+        manifest.chunks.insert(7, Entry { seal: Seal { length: 9, crc: 0xffff_ffff }, tally });
         manifest
     }
 
     #[test]
     fn reads_what_it_writes() {
         let manifest = example();
-        assert_eq!(manifest.text(), "littlewood-sweep 1 run 5f3759df\n0 24681 00001b2c\n7 9 ffffffff\n");
+        assert_eq!(
+            manifest.text(),
+            "littlewood-sweep 1 run 5f3759df\n0 24681 00001b2c leaves_at_once=52\n7 9 ffffffff \
+             leaves_at_once=52,rolls_forever=25\n"
+        );
         assert_eq!(Manifest::parse(manifest.text().as_bytes(), manifest.run, 8), Ok(manifest));
     }
 
@@ -126,8 +153,21 @@ mod tests {
         let head = "littlewood-sweep 1 run 5f3759df\n";
         assert_eq!(parse("littlewood-sweep 1 run 5f3759de\n"), Err(1));
         assert_eq!(parse("something else\n"), Err(1));
-        for bad in ["x 1 00000000", "8 1 00000000", "0 1 0", "0 1 00000000 2", "0 1", "", "0 -1 00000000"] {
-            assert_eq!(parse(&format!("{head}1 1 00000000\n{bad}\n")), Err(3), "{bad}");
+        let good = "1 1 00000000 painleve=1";
+        assert_eq!(parse(&format!("{head}{good}\n")), Ok(()));
+        for bad in [
+            "x 1 00000000 painleve=1",
+            "8 1 00000000 painleve=1",
+            "0 1 0 painleve=1",
+            "0 1 00000000",
+            "0 1 00000000 2",
+            "0 1 00000000 happy=2",
+            "0 1 00000000 painleve=1 2",
+            "0 1",
+            "",
+            "0 -1 00000000 painleve=1",
+        ] {
+            assert_eq!(parse(&format!("{head}{good}\n{bad}\n")), Err(3), "{bad}");
         }
     }
 

@@ -109,6 +109,31 @@ impl Class {
         }
     }
 
+    /// Lower-case name, as files and programs write it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LeavesAtOnce => "leaves_at_once",
+            Self::LiftsOffLater => "lifts_off_later",
+            Self::RollsForever => "rolls_forever",
+            Self::SlidesForever => "slides_forever",
+            Self::InContactAtLimit => "in_contact_at_limit",
+            Self::ParticleAtPlane => "particle_at_plane",
+            Self::ParticleAtBottom => "particle_at_bottom",
+            Self::ParticleAtTop => "particle_at_top",
+            Self::Painleve => "painleve",
+            Self::Unresolved => "unresolved",
+            Self::Invalid => "invalid",
+            Self::NotComputed => "not_computed",
+        }
+    }
+
+    /// The class of this name.
+    #[must_use]
+    pub fn find(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|class| class.name() == name)
+    }
+
     /// In words, for legends.
     #[must_use]
     pub const fn label(self) -> &'static str {

@@ -1,9 +1,6 @@
 //! The driver: computes chunk after chunk, writes each as a whole, and goes on where it was stopped.
 
 use core::sync::atomic::{AtomicBool, Ordering};
-use std::collections::BTreeSet;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
 use littlewood::Limits;
@@ -13,10 +10,12 @@ use serde_json::Value;
 use crate::columns::Columns;
 use crate::compute::{Refused, Workers};
 use crate::description::Description;
-use crate::disk::{Disk, FileSystem, UNFINISHED};
+use crate::destination::{Destination, Place};
+use crate::disk::{Disk, FileSystem};
 use crate::error::{StoreError, SweepError};
-use crate::manifest::{Manifest, Seal};
+use crate::outcome::Class;
 use crate::point::Point;
+use crate::tally::Tally;
 
 /// Points of a chunk, unless another number is asked for.
 pub const CHUNK_POINTS: usize = 65_536;
@@ -75,12 +74,17 @@ pub struct Report {
     pub reused: u64,
     /// Chunks of an earlier run that were damaged or missing, and are computed again.
     pub damaged_chunks: usize,
-    /// Whether the store has all its chunks. If not, the run was cancelled.
+    /// Whether all chunks are there. If not, the run was cancelled.
     pub complete: bool,
+    /// Points of each class, those of an earlier run among them.
+    pub tally: Tally,
 }
 
 /// A file of a store: its path within the store, and its bytes.
 pub(crate) type StoreFile = (PathBuf, Vec<u8>);
+
+/// Is shown the results of every chunk, in no particular order.
+pub(crate) type View<'a> = &'a mut dyn FnMut(usize, &Columns);
 
 /// Points in chunks.
 pub(crate) trait Source {
@@ -98,10 +102,14 @@ pub(crate) trait Source {
 
 /// A format of stores.
 pub(crate) trait Format: Sync {
+    /// What the run computes.
+    fn description(&self) -> &Description;
     /// The file that describes the run and says whether it is complete.
     fn header_path(&self) -> &'static str;
     /// The list of finished chunks.
     fn manifest_path(&self) -> &'static str;
+    /// An empty file that is locked while a run writes.
+    fn lock_path(&self) -> &'static str;
     /// The header as a file.
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError>;
     /// What it says: the description, and whether the store is complete.
@@ -113,30 +121,46 @@ pub(crate) trait Format: Sync {
     /// The files of a chunk, in the order of [`Format::paths`].
     fn encode(&self, chunk: usize, points: &[Point], columns: &Columns)
     -> Result<Vec<StoreFile>, StoreError>;
+    /// The results of a chunk again, from the store at a path; none if a file of it is missing.
+    fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError>;
 }
 
-/// A chunk that is computed and encoded.
-struct Finished {
-    number: usize,
-    points: u64,
-    files: Vec<StoreFile>,
+/// A chunk that is computed, and encoded for every place that has it not.
+pub(crate) struct Finished {
+    pub(crate) number: usize,
+    pub(crate) points: u64,
+    pub(crate) tally: Tally,
+    /// One entry a place; none where the chunk is already.
+    pub(crate) files: Vec<Option<Vec<StoreFile>>>,
 }
 
+/// Computes what is missing at any of the destinations, once for all of them.
 pub(crate) fn run(
     source: &mut dyn Source,
-    format: &dyn Format,
-    description: &Description,
+    destinations: &[Destination],
+    mut view: Option<View<'_>>,
     limits: Limits,
-    root: &Path,
     workers: &Workers,
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {
-    let store = Store { root, format, disk: options.disk };
-    let (mut manifest, claimed) = store.open(source.count(), description, options.resume, workers)?;
-
-    let pending: Vec<usize> =
-        (0..source.count()).filter(|number| !manifest.chunks.contains_key(number)).collect();
-    let reused: u64 = manifest.chunks.keys().map(|&number| source.points_of(number)).sum();
+    // Nothing is written anywhere before all are known to be good.
+    for destination in destinations {
+        destination.inspect(options.resume)?;
+    }
+    let mut places = destinations
+        .iter()
+        .map(|destination| destination.open(source.count(), options, workers))
+        .collect::<Result<Vec<Place<'_>>, StoreError>>()?;
+    let (there, pending): (Vec<usize>, Vec<usize>) = (0..source.count())
+        .partition(|&number| !places.is_empty() && places.iter().all(|place| place.has(number)));
+    if let (Some(view), Some(place)) = (&mut view, places.first()) {
+        for &number in &there {
+            view(number, &place.read(number)?);
+        }
+    }
+    // A file that is complete knows all its points, but not which are in which chunk; a store beside it does.
+    let mut tally = places.iter().find_map(|place| place.tally(&there)).unwrap_or_default();
+    let reused: u64 = there.iter().map(|&number| source.points_of(number)).sum();
     let mut progress = Progress { done: reused, reused, total: source.total() };
     let tell = |progress: Progress| {
         if let Some(callback) = options.progress {
@@ -156,7 +180,10 @@ pub(crate) fn run(
         }
         let inputs = batch
             .iter()
-            .map(|&number| Ok((number, source.points(number)?)))
+            .map(|&number| {
+                let wanted = places.iter().map(|place| !place.has(number)).collect();
+                Ok(Input { number, points: source.points(number)?, wanted })
+            })
             .collect::<Result<Vec<_>, SweepError>>();
         let (inputs, source_error) = match inputs {
             Ok(inputs) => (inputs, None),
@@ -166,7 +193,12 @@ pub(crate) fn run(
             rayon::join(
                 || {
                     finished.iter().try_for_each(|chunk| {
-                        store.add(chunk, &mut manifest)?;
+                        for (place, files) in places.iter_mut().zip(&chunk.files) {
+                            if let Some(files) = files {
+                                place.add(chunk, files)?;
+                            }
+                        }
+                        tally += chunk.tally;
                         progress.done += chunk.points;
                         tell(progress);
                         Ok(())
@@ -175,42 +207,45 @@ pub(crate) fn run(
                 || {
                     inputs
                         .into_par_iter()
-                        .map(|(number, points)| compute(number, &points, format, limits, workers))
+                        .map(|input| compute(input, destinations, limits, workers))
                         .collect::<Vec<_>>()
                 },
             )
         });
-        written.map_err(SweepError::Store)?;
+        written.map_err(|error: StoreError| error.with_finished(progress.done))?;
         if let Some(error) = source_error {
             return Err(error);
         }
-        finished = computed
-            .into_iter()
-            .map(|chunk| {
-                chunk.map_err(|failure| match failure {
-                    Failure::Point { chunk, refused } => source.refused(chunk, refused),
-                    Failure::Store(error) => error.into(),
-                })
-            })
-            .collect::<Result<_, _>>()?;
+        finished = Vec::new();
+        for chunk in computed {
+            let (chunk, columns) = chunk.map_err(|failure| match failure {
+                Failure::Point { chunk, refused } => source.refused(chunk, refused),
+                Failure::Store(error) => error.into(),
+            })?;
+            if let Some(view) = &mut view {
+                view(chunk.number, &columns);
+            }
+            finished.push(chunk);
+        }
     }
 
-    let complete = manifest.chunks.len() == source.count();
+    let complete = progress.done == progress.total;
+    let damaged_chunks = places.iter().map(Place::damaged_chunks).sum();
     if complete {
-        store.complete(&manifest)?;
+        for place in places {
+            place.complete(tally).map_err(|error| error.with_finished(progress.done))?;
+        }
     }
-    Ok(Report {
-        points: source.total(),
-        computed: progress.done - reused,
-        reused,
-        damaged_chunks: claimed - manifest_reused(&pending, source.count()),
-        complete,
-    })
+    tally.add(Class::NotComputed, progress.total - progress.done);
+    let computed = progress.done - reused;
+    Ok(Report { points: progress.total, computed, reused, damaged_chunks, complete, tally })
 }
 
-/// Number of chunks that were there and intact.
-fn manifest_reused(pending: &[usize], count: usize) -> usize {
-    count - pending.len()
+struct Input {
+    number: usize,
+    points: Vec<Point>,
+    /// Which places want it.
+    wanted: Vec<bool>,
 }
 
 enum Failure {
@@ -219,184 +254,23 @@ enum Failure {
 }
 
 fn compute(
-    number: usize,
-    points: &[Point],
-    format: &dyn Format,
+    input: Input,
+    destinations: &[Destination],
     limits: Limits,
     workers: &Workers,
-) -> Result<Finished, Failure> {
+) -> Result<(Finished, Columns), Failure> {
+    let Input { number, points, wanted } = input;
     let columns = workers
-        .compute_points(points, limits)
+        .compute_points(&points, limits)
         .map_err(|refused| Failure::Point { chunk: number, refused })?;
-    let files = format.encode(number, points, &columns).map_err(Failure::Store)?;
-    Ok(Finished { number, points: points.len() as u64, files })
-}
-
-/// A store on disk.
-struct Store<'a> {
-    root: &'a Path,
-    format: &'a dyn Format,
-    disk: &'a dyn Disk,
-}
-
-impl Store<'_> {
-    /// Opens or begins the store. Returns the chunks that are there and intact, and the number of those that the
-    /// manifest (or the header, if it says that the store is complete) claims.
-    fn open(
-        &self,
-        count: usize,
-        description: &Description,
-        resume: bool,
-        workers: &Workers,
-    ) -> Result<(Manifest, usize), StoreError> {
-        let new = Manifest::new(description.crc());
-        let Some((there, complete)) = self.read_header()? else {
-            self.begin(&new)?;
-            return Ok((new, 0));
-        };
-        let differences = description.differences(&there);
-        if !differences.is_empty() {
-            return Err(StoreError::OtherParameters { path: self.root.to_owned(), differences });
-        }
-        if !resume {
-            return Err(StoreError::Exists { path: self.root.to_owned(), complete });
-        }
-        let path = self.root.join(self.format.manifest_path());
-        let claimed = match fs::read(&path) {
-            Ok(text) => Manifest::parse(&text, new.run, count)
-                .map_err(|line| StoreError::DamagedManifest { path: path.clone(), line })?,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => new,
-            Err(source) => return Err(StoreError::Unreadable { path, source }),
-        };
-        let mut manifest = Manifest::new(claimed.run);
-        manifest.chunks = workers.install(|| {
-            claimed
-                .chunks
-                .par_iter()
-                .filter(|&(&number, &seal)| self.is_intact(number, seal))
-                .map(|(&number, &seal)| (number, seal))
-                .collect()
-        });
-        if manifest.chunks.len() < count {
-            // From here on the store is partial, whatever it was, until its last chunk is there.
-            self.put(Path::new(self.format.header_path()), &self.format.header(false)?)?;
-            for (path, bytes) in self.format.prelude()? {
-                self.put(&path, &bytes)?;
-            }
-            self.put(Path::new(self.format.manifest_path()), manifest.text().as_bytes())?;
-        }
-        let claimed = if complete { count } else { claimed.chunks.len() };
-        Ok((manifest, claimed))
-    }
-
-    /// The description and the state of a store that is there; none if there is nothing.
-    fn read_header(&self) -> Result<Option<(Value, bool)>, StoreError> {
-        let not_a_store = || StoreError::NotAStore { path: self.root.to_owned() };
-        let unreadable = |path: &Path, source| StoreError::Unreadable { path: path.to_owned(), source };
-        match fs::metadata(self.root) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-            Err(source) => return Err(unreadable(self.root, source)),
-            Ok(metadata) if !metadata.is_dir() => return Err(not_a_store()),
-            Ok(_) => {}
-        }
-        let path = self.root.join(self.format.header_path());
-        match fs::read(&path) {
-            Ok(bytes) => {
-                let header = serde_json::from_slice(&bytes).map_err(|error| StoreError::DamagedMetadata {
-                    path: path.clone(),
-                    reason: error.to_string(),
-                })?;
-                self.format.read_header(&header).map(Some).ok_or_else(not_a_store)
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                // A folder with nothing in it, or with what a kill has left of the first file.
-                let torn = format!("{}{UNFINISHED}", self.format.header_path());
-                for entry in fs::read_dir(self.root).map_err(|source| unreadable(self.root, source))? {
-                    let entry = entry.map_err(|source| unreadable(self.root, source))?;
-                    if entry.file_name().to_str() != Some(&torn) {
-                        return Err(not_a_store());
-                    }
-                }
-                Ok(None)
-            }
-            Err(source) => Err(unreadable(&path, source)),
-        }
-    }
-
-    fn begin(&self, manifest: &Manifest) -> Result<(), StoreError> {
-        self.folder(self.root)?;
-        self.put(Path::new(self.format.header_path()), &self.format.header(false)?)?;
-        for (path, bytes) in self.format.prelude()? {
-            self.put(&path, &bytes)?;
-        }
-        self.put(Path::new(self.format.manifest_path()), manifest.head().as_bytes())
-    }
-
-    fn is_intact(&self, number: usize, seal: Seal) -> bool {
-        let files: Result<Vec<Vec<u8>>, io::Error> =
-            self.format.paths(number).iter().map(|path| fs::read(self.root.join(path))).collect();
-        files.is_ok_and(|files| Seal::of(files.iter().map(Vec::as_slice)) == seal)
-    }
-
-    /// Writes the files of a chunk, then its line in the manifest.
-    fn add(&self, chunk: &Finished, manifest: &mut Manifest) -> Result<(), StoreError> {
-        for (path, bytes) in &chunk.files {
-            self.put(path, bytes)?;
-        }
-        let seal = Seal::of(chunk.files.iter().map(|(_, bytes)| bytes.as_slice()));
-        let path = self.root.join(self.format.manifest_path());
-        self.disk
-            .append(&path, Manifest::line(chunk.number, seal).as_bytes())
-            .map_err(|source| StoreError::Unwritable { path, source })?;
-        manifest.chunks.insert(chunk.number, seal);
-        Ok(())
-    }
-
-    /// The manifest in order, and the header that says so.
-    fn complete(&self, manifest: &Manifest) -> Result<(), StoreError> {
-        for (path, bytes) in [
-            (Path::new(self.format.manifest_path()), manifest.text().into_bytes()),
-            (Path::new(self.format.header_path()), self.format.header(true)?),
-        ] {
-            if fs::read(self.root.join(path)).ok().as_deref() != Some(&bytes) {
-                self.put(path, &bytes)?;
-            }
-        }
-        Ok(())
-    }
-
-    fn folder(&self, path: &Path) -> Result<(), StoreError> {
-        self.disk
-            .create_folder(path)
-            .map_err(|source| StoreError::Unwritable { path: path.to_owned(), source })
-    }
-
-    fn put(&self, path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
-        let path = self.root.join(path);
-        if let Some(folder) = path.parent() {
-            self.folder(folder)?;
-        }
-        self.disk.write(&path, bytes).map_err(|source| StoreError::Unwritable { path, source })
-    }
-}
-
-/// The numbers of chunks of a store that its manifest does not have, or whose files do not match it.
-///
-/// # Errors
-/// If the manifest is damaged or cannot be read.
-pub(crate) fn broken_chunks(
-    root: &Path,
-    format: &dyn Format,
-    count: usize,
-    description: &Description,
-) -> Result<BTreeSet<usize>, StoreError> {
-    let store = Store { root, format, disk: &FileSystem };
-    let path = root.join(format.manifest_path());
-    let text = fs::read(&path).map_err(|source| StoreError::Unreadable { path: path.clone(), source })?;
-    let manifest = Manifest::parse(&text, description.crc(), count)
-        .map_err(|line| StoreError::DamagedManifest { path, line })?;
-    Ok((0..count)
-        .into_par_iter()
-        .filter(|number| manifest.chunks.get(number).is_none_or(|&seal| !store.is_intact(*number, seal)))
-        .collect())
+    let files = destinations
+        .iter()
+        .zip(wanted)
+        .map(|(destination, wanted)| {
+            wanted.then(|| destination.format().encode(number, &points, &columns)).transpose()
+        })
+        .collect::<Result<_, _>>()
+        .map_err(Failure::Store)?;
+    let tally = Tally::of_columns(&columns);
+    Ok((Finished { number, points: points.len() as u64, tally, files }, columns))
 }

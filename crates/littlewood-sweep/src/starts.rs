@@ -8,7 +8,7 @@ use arrow_array::cast::AsArray as _;
 use arrow_array::types::Float64Type;
 use arrow_array::{Array as _, Float64Array, RecordBatch};
 use arrow_schema::DataType;
-use littlewood::ParameterError;
+use littlewood::{ParameterError, Quantity};
 use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
 use serde_json::{Value, json};
@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use crate::axis::Coordinate;
 use crate::compute::Refused;
 use crate::error::{ListError, SweepError};
-use crate::grid::alone;
+use crate::grid::{alone, plain};
 use crate::point::Point;
 use crate::run::Source;
 
@@ -26,8 +26,8 @@ const LINE: u64 = 65_536;
 /// Rows that are decoded at once from Parquet.
 const BATCH: usize = 8192;
 
-/// A list of starts in a file. Its columns are named as [`Coordinate::name`]s; what has no column is taken from a base
-/// point.
+/// A list of starts in a file. Its columns are named as [`Coordinate::name`]s, or `x` and `time`, where and when the start
+/// is; what has no column is taken from a base point.
 ///
 /// Opening reads the file once, so that every bad cell is found before the first motion is computed.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ pub struct StartList {
     path: PathBuf,
     kind: Kind,
     base: Point,
-    columns: Vec<Coordinate>,
+    columns: Vec<Quantity>,
     rows: u64,
     /// Length and CRC-32 of the file.
     content: (u64, u32),
@@ -67,8 +67,12 @@ impl StartList {
         if list.columns.is_empty() {
             return Err(ListError::Empty { path: list.path });
         }
-        for column in Coordinate::ALL.into_iter().filter(|column| !list.columns.contains(column)) {
-            alone(column, column.of_point(&base)).map_err(|source| ListError::Fixed { column, source })?;
+        for coordinate in Coordinate::ALL {
+            let column = coordinate.quantity();
+            if !list.columns.contains(&column) {
+                let checked = alone(coordinate, coordinate.of_point(&base));
+                checked.map_err(|source| ListError::Fixed { column, source })?;
+            }
         }
         while let Some((line, point)) = rows.next_row()? {
             list.check(line, &point)?;
@@ -86,9 +90,9 @@ impl StartList {
         self.rows
     }
 
-    /// The coordinates that the file has, in its order.
+    /// The quantities that the file has, in its order.
     #[must_use]
-    pub fn columns(&self) -> &[Coordinate] {
+    pub fn columns(&self) -> &[Quantity] {
         &self.columns
     }
 
@@ -121,7 +125,11 @@ impl StartList {
 
     fn check(&self, line: u64, point: &Point) -> Result<(), ListError> {
         for &column in &self.columns {
-            alone(column, column.of_point(point)).map_err(|source| ListError::BadValue {
+            let checked = match Coordinate::of(column) {
+                Some(coordinate) => alone(coordinate, coordinate.of_point(point)),
+                None => plain(point.start),
+            };
+            checked.map_err(|source| ListError::BadValue {
                 path: self.path.clone(),
                 line,
                 column,
@@ -129,6 +137,19 @@ impl StartList {
             })?;
         }
         Ok(())
+    }
+}
+
+/// Quantities that a list may have columns of.
+pub(crate) fn known_columns() -> impl Iterator<Item = Quantity> {
+    Coordinate::ALL.into_iter().map(Coordinate::quantity).chain([Quantity::X, Quantity::Time])
+}
+
+fn set(column: Quantity, point: &mut Point, value: f64) {
+    match (Coordinate::of(column), column) {
+        (Some(coordinate), _) => coordinate.set(point, value),
+        (None, Quantity::X) => point.start.x = value,
+        (None, _) => point.start.time = value,
     }
 }
 
@@ -156,7 +177,7 @@ fn checksum(path: &Path) -> Result<(u64, u32), ListError> {
 struct Rows {
     path: PathBuf,
     base: Point,
-    columns: Vec<Coordinate>,
+    columns: Vec<Quantity>,
     cells: Cells,
 }
 
@@ -193,7 +214,7 @@ impl Rows {
                 for cell in cells_of(text) {
                     if let Some(&column) = columns.get(found) {
                         match cell.parse().ok().filter(|value: &f64| value.is_finite()) {
-                            Some(value) => column.set(&mut point, value),
+                            Some(value) => set(column, &mut point, value),
                             None => bad = bad.or_else(|| Some((column, cell.to_owned()))),
                         }
                     }
@@ -227,7 +248,7 @@ impl Rows {
                     if !value.is_finite() {
                         return Err(bad(value.to_string()));
                     }
-                    column.set(&mut point, value);
+                    set(column, &mut point, value);
                 }
                 *place += 1;
                 Ok(Some((*row, point)))
@@ -236,11 +257,12 @@ impl Rows {
     }
 }
 
-fn columns_of<'a>(path: &Path, names: impl Iterator<Item = &'a str>) -> Result<Vec<Coordinate>, ListError> {
+fn columns_of<'a>(path: &Path, names: impl Iterator<Item = &'a str>) -> Result<Vec<Quantity>, ListError> {
     let mut columns = Vec::new();
     for name in names {
         let name = name.trim_start_matches('\u{feff}').trim_matches('"');
-        let column = Coordinate::find(name)
+        let column = known_columns()
+            .find(|column| column.name() == name)
             .ok_or_else(|| ListError::UnknownColumn { path: path.to_owned(), column: name.to_owned() })?;
         if columns.contains(&column) {
             return Err(ListError::DuplicateColumn { path: path.to_owned(), column });
@@ -302,7 +324,7 @@ fn bad_parquet(path: &Path, error: &dyn core::fmt::Display) -> ListError {
     ListError::BadParquet { path: path.to_owned(), reason: error.to_string() }
 }
 
-fn parquet_cells(path: &Path, file: File) -> Result<(Vec<Coordinate>, Cells), ListError> {
+fn parquet_cells(path: &Path, file: File) -> Result<(Vec<Quantity>, Cells), ListError> {
     let builder =
         ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| bad_parquet(path, &error))?;
     let schema = builder.schema();
@@ -322,7 +344,7 @@ fn parquet_cells(path: &Path, file: File) -> Result<(Vec<Coordinate>, Cells), Li
     Ok((columns, Cells::Parquet { reader, batch: Vec::new(), place: 0, row: 0 }))
 }
 
-fn numbers(path: &Path, columns: &[Coordinate], batch: &RecordBatch) -> Result<Vec<Float64Array>, ListError> {
+fn numbers(path: &Path, columns: &[Quantity], batch: &RecordBatch) -> Result<Vec<Float64Array>, ListError> {
     columns
         .iter()
         .zip(batch.columns())
@@ -401,7 +423,9 @@ impl Source for ListSource<'_> {
             .find(|(number, _)| *number == chunk)
             .and_then(|(_, lines)| lines.get(refused.index).copied());
         let column = match refused.error {
-            ParameterError::OutOfBounds { quantity, .. } => Coordinate::of(quantity),
+            // The end of the time comes before its start: that is for the start to say, if the list has it.
+            ParameterError::OutOfBounds { quantity: Quantity::Until, .. } => Some(Quantity::Time),
+            ParameterError::OutOfBounds { quantity, .. } => Some(quantity),
             _ => None,
         };
         match (line, column) {

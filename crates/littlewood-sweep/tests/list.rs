@@ -9,8 +9,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
-use littlewood::Limits;
-use littlewood_sweep::{Coordinate, ListError, Options, Point, StartList, SweepError, list_to_parquet};
+use littlewood::{Limits, Quantity};
+use littlewood_sweep::{
+    ListError, Options, Point, StartList, SweepError, Target, list_to_parquet, sweep_list,
+};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use support::{figure_2, workers};
@@ -33,7 +35,7 @@ fn a_csv_list_is_read_and_the_rest_comes_from_the_base() {
     let folder = tempfile::tempdir().unwrap();
     let path = csv(folder.path(), "\u{feff}theta, \"mu_k\"\r\n0.5,0.25\r\n\r\n-1e-3 , \"0\"");
     let list = StartList::open(&path, figure_2()).unwrap();
-    assert_eq!((list.rows(), list.columns()), (2, &[Coordinate::Theta, Coordinate::MuK][..]));
+    assert_eq!((list.rows(), list.columns()), (2, &[Quantity::Theta, Quantity::MuK][..]));
     let points: Vec<(u64, Point)> = list.points().unwrap().map(Result::unwrap).collect();
     let mut first = figure_2();
     (first.start.theta, first.hoop.mu_k) = (0.5, 0.25);
@@ -62,7 +64,7 @@ fn mistakes_in_csv_are_named_with_line_and_column() {
     assert_eq!(
         message("theta,omega\n1,2\n"),
         "starts.csv: there is no quantity \"omega\"; columns are theta, theta_rate, slip, mass_ratio, offset, \
-         inertia, mu_s, mu_k"
+         inertia, mu_s, mu_k, x, time"
     );
     assert_eq!(
         message("theta\r\n\r\n1\r\nx\r\n"),
@@ -147,7 +149,7 @@ fn the_table_has_the_starts_and_their_motions_in_order() {
     let list = StartList::open(&path, figure_2()).unwrap();
     let out = folder.path().join("out.parquet");
     let options = Options { chunk_points: 3, ..Options::default() };
-    list_to_parquet(&list, Limits::default(), &out, &workers(1), &options).unwrap();
+    sweep_list(&list, Limits::default(), &[Target::ParquetFolder(&out)], &workers(1), &options).unwrap();
     let mut rows: Vec<(f64, String, String, f64, u64)> = Vec::new();
     for part in ["part-00000.parquet", "part-00001.parquet"] {
         let file = fs::File::open(out.join(part)).unwrap();
@@ -213,4 +215,71 @@ fn a_file_that_changes_after_it_was_opened_is_an_error() {
     let error =
         list_to_parquet(&list, Limits::until(1.0), &out, &workers(1), &Options::default()).unwrap_err();
     assert!(matches!(error, SweepError::List(ListError::Changed { .. })), "{error}");
+}
+
+fn table(path: &Path) -> RecordBatch {
+    let reader = ParquetRecordBatchReaderBuilder::try_new(fs::File::open(path).unwrap()).unwrap();
+    let rows = usize::try_from(reader.metadata().file_metadata().num_rows()).unwrap();
+    reader.with_batch_size(rows).build().unwrap().next().unwrap().unwrap()
+}
+
+#[test]
+fn one_file_has_the_rows_of_all_chunks_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: Vec<String> = (0..95).map(|i| format!("{},{}", 0.1 * f64::from(i), i % 7)).collect();
+    let path = csv(folder.path(), &format!("theta,theta_rate\n{}\n", rows.join("\n")));
+    let list = StartList::open(&path, figure_2()).unwrap();
+    let out = folder.path().join("out.parquet");
+    let options = Options { chunk_points: 20, ..Options::default() };
+    list_to_parquet(&list, Limits::until(5.0), &out, &workers(2), &options).unwrap();
+    let whole = table(&out);
+    let theta = whole.column_by_name("theta").unwrap();
+    let theta = theta.as_any().downcast_ref::<Float64Array>().unwrap();
+    let expected: Vec<f64> = (0..95).map(|i| format!("{}", 0.1 * f64::from(i)).parse().unwrap()).collect();
+    assert_eq!(theta.values(), &expected[..]);
+    let builder = ParquetRecordBatchReaderBuilder::try_new(fs::File::open(&out).unwrap()).unwrap();
+    assert_eq!(builder.metadata().num_row_groups(), 5);
+    assert!(!support::parts(&out).exists());
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+}
+
+#[test]
+fn a_list_may_say_where_and_when_its_starts_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let path =
+        csv(folder.path(), "time,theta,theta_rate,x\n0,1.5707963267948966,2,0\n3,1.5707963267948966,2,-5\n");
+    let list = StartList::open(&path, figure_2()).unwrap();
+    let out = folder.path().join("out.parquet");
+    list_to_parquet(&list, Limits::until(50.0), &out, &workers(1), &Options::default()).unwrap();
+    let whole = table(&out);
+    let column = |name: &str| -> Vec<f64> {
+        let column = whole.column_by_name(name).unwrap();
+        column.as_any().downcast_ref::<Float64Array>().unwrap().values().to_vec()
+    };
+    assert_eq!((column("time"), column("x")), (vec![0.0, 3.0], vec![0.0, -5.0]));
+    let (lift_off, end) = (column("lift_off_time"), column("end_x"));
+    assert!((lift_off[1] - lift_off[0] - 3.0).abs() < 1e-13 && (end[1] - end[0] + 5.0).abs() < 1e-13);
+    let far = message("theta,x\n1,2e9\n");
+    assert!(far.starts_with("starts.csv, line 2, column x: x = 2000000000") && far.contains("1e9"), "{far}");
+    // It begins after its end.
+    let path = csv(folder.path(), "theta,time\n1,0\n1,60\n");
+    let list = StartList::open(&path, figure_2()).unwrap();
+    let out = folder.path().join("late.parquet");
+    let error =
+        list_to_parquet(&list, Limits::until(50.0), &out, &workers(1), &Options::default()).unwrap_err();
+    assert!(
+        matches!(error, SweepError::List(ListError::BadValue { line: 3, column: Quantity::Time, .. })),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_list_does_not_fit_a_grid() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = StartList::open(&csv(folder.path(), "theta\n1\n"), figure_2()).unwrap();
+    let out = folder.path().join("out.zarr");
+    let error = sweep_list(&list, Limits::default(), &[Target::Zarr(&out)], &workers(1), &Options::default())
+        .unwrap_err();
+    assert!(matches!(error, SweepError::ListAsZarr { .. }), "{error}");
+    assert!(!out.exists());
 }

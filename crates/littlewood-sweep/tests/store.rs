@@ -6,15 +6,15 @@ mod support;
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use littlewood::Limits;
 use littlewood_sweep::{
-    Grid, Options, Progress, Report, StartList, StoreError, SweepError, Workers, ZarrStore, grid_to_parquet,
-    grid_to_zarr, list_to_parquet,
+    Chunk, Class, Columns, Grid, Options, Progress, Report, StartList, StoreError, SweepError, Tally, Target,
+    Workers, ZarrStore, grid_to_parquet, grid_to_zarr, list_to_parquet, sweep_grid, sweep_list,
 };
-use support::{SmallDisk, assert_same_tree, figure_2, map, mixed, tree, workers};
+use support::{SmallDisk, assert_same_tree, figure_2, map, mixed, parts, tree, workers};
 
 type Run<'a> = dyn Fn(&Path, &Options<'_>) -> Result<Report, SweepError> + 'a;
 
@@ -22,7 +22,7 @@ fn limits() -> Limits {
     Limits::until(20.0)
 }
 
-/// Runs each of the three kinds of stores, of about a dozen chunks.
+/// Runs each of the kinds of results, of about a dozen chunks.
 fn each_kind(test: impl Fn(&str, &Run<'_>, &Path)) {
     let folder = tempfile::tempdir().unwrap();
     let csv = folder.path().join("starts.csv");
@@ -32,11 +32,23 @@ fn each_kind(test: impl Fn(&str, &Run<'_>, &Path)) {
     let list = StartList::open(&csv, figure_2()).unwrap();
     let workers = workers(2);
     let zarr = |path: &Path, options: &Options<'_>| grid_to_zarr(&mixed(), limits(), path, &workers, options);
-    let parquet =
+    let folder_of_grid = |path: &Path, options: &Options<'_>| {
+        sweep_grid(&mixed(), limits(), &[Target::ParquetFolder(path)], None, &workers, options)
+    };
+    let folder_of_list = |path: &Path, options: &Options<'_>| {
+        sweep_list(&list, limits(), &[Target::ParquetFolder(path)], &workers, options)
+    };
+    let grid_file =
         |path: &Path, options: &Options<'_>| grid_to_parquet(&mixed(), limits(), path, &workers, options);
-    let from_list =
+    let list_file =
         |path: &Path, options: &Options<'_>| list_to_parquet(&list, limits(), path, &workers, options);
-    let kinds: [(&str, &Run<'_>); 3] = [("zarr", &zarr), ("parquet", &parquet), ("list", &from_list)];
+    let kinds: [(&str, &Run<'_>); 5] = [
+        ("zarr", &zarr),
+        ("folder", &folder_of_grid),
+        ("list", &folder_of_list),
+        ("grid file", &grid_file),
+        ("list file", &list_file),
+    ];
     for (name, run) in kinds {
         let place = folder.path().join(name);
         fs::create_dir(&place).unwrap();
@@ -45,7 +57,12 @@ fn each_kind(test: impl Fn(&str, &Run<'_>, &Path)) {
 }
 
 fn options(name: &str) -> Options<'static> {
-    Options { chunk_points: if name == "list" { 10 } else { 77 }, ..Options::default() }
+    Options { chunk_points: if name.contains("list") { 10 } else { 77 }, ..Options::default() }
+}
+
+/// Where the chunks are of a run that is not complete.
+fn store_of(name: &str, path: &Path) -> PathBuf {
+    if name.ends_with("file") { parts(path) } else { path.to_owned() }
 }
 
 /// Runs until so many points are written, then cancels.
@@ -92,9 +109,12 @@ fn a_kill_at_any_byte_is_survived() {
             let disk = SmallDisk::new(bytes * i / 12);
             let error = run(&path, &Options { disk: &disk, ..options(name) }).unwrap_err();
             assert!(matches!(error, SweepError::Store(StoreError::Unwritable { .. })), "{name}: {error}");
-            assert!(error.to_string().contains("stay readable"), "{name}: {error}");
+            // What is said to be there is there.
+            let SweepError::Store(StoreError::Unwritable { finished, .. }) = error else { unreachable!() };
+            assert_eq!(error.to_string().contains("stay"), finished > 0, "{name}: {error}");
             let report = run(&path, &Options { resume: true, ..options(name) }).unwrap();
             assert!(report.complete, "{name}");
+            assert_eq!(report.reused, finished, "{name}");
             assert_same_tree(&whole, &path);
         }
     });
@@ -127,7 +147,7 @@ fn what_is_there_is_not_overwritten() {
             matches!(error, SweepError::Store(StoreError::Exists { complete: true, .. })),
             "{name}: {error}"
         );
-        assert!(before.len() < tree(&store).len());
+        assert_ne!(before, tree(&store));
 
         let file = place.join("file");
         fs::write(&file, "a file").unwrap();
@@ -144,7 +164,7 @@ fn what_is_there_is_not_overwritten() {
         assert_eq!(tree(&folder).len(), 1);
         // An empty folder is nobody's.
         let empty = place.join("empty");
-        fs::create_dir(&empty).unwrap();
+        fs::create_dir(store_of(name, &empty)).unwrap();
         assert!(run(&empty, &options(name)).unwrap().complete);
     });
 }
@@ -201,6 +221,9 @@ fn a_list_with_other_content_is_another_run() {
 #[test]
 fn damaged_chunks_are_found_and_computed_again() {
     each_kind(|name, run, place| {
+        if name.ends_with("file") {
+            return;
+        }
         let (whole, path) = (place.join("whole"), place.join("damaged"));
         run(&whole, &options(name)).unwrap();
         let is_chunk = |path: &&std::path::PathBuf| {
@@ -240,15 +263,17 @@ fn damaged_chunks_are_found_and_computed_again() {
 fn a_damaged_manifest_or_header_is_an_error() {
     each_kind(|name, run, place| {
         let path = place.join("store");
-        interrupted(name, run, &path, 5 * 77, false);
+        interrupted(name, run, &path, 5 * if name.contains("list") { 10 } else { 77 }, false);
+        let path = store_of(name, &path);
         let (manifest, header) = match name {
             "zarr" => ("outcome/_chunks.txt", "zarr.json"),
             _ => ("_chunks.txt", "_run.json"),
         };
+        let target = place.join("store");
         let resume = Options { resume: true, ..options(name) };
         let text = fs::read_to_string(path.join(manifest)).unwrap();
         fs::write(path.join(manifest), text.replacen("\n1 ", "\none ", 1)).unwrap();
-        let error = run(&path, &resume).unwrap_err();
+        let error = run(&target, &resume).unwrap_err();
         assert!(
             matches!(error, SweepError::Store(StoreError::DamagedManifest { line: 3, .. })),
             "{name}: {error}"
@@ -257,10 +282,10 @@ fn a_damaged_manifest_or_header_is_an_error() {
 
         let text = fs::read_to_string(path.join(header)).unwrap();
         fs::write(path.join(header), &text[..text.len() / 2]).unwrap();
-        let error = run(&path, &resume).unwrap_err();
+        let error = run(&target, &resume).unwrap_err();
         assert!(matches!(error, SweepError::Store(StoreError::DamagedMetadata { .. })), "{name}: {error}");
         fs::write(path.join(header), "{}").unwrap();
-        let error = run(&path, &resume).unwrap_err();
+        let error = run(&target, &resume).unwrap_err();
         assert!(matches!(error, SweepError::Store(StoreError::NotAStore { .. })), "{name}: {error}");
     });
 }
@@ -306,5 +331,98 @@ fn an_unwritable_folder_is_an_error_that_names_it() {
     let path = file.join("map.zarr");
     let error = grid_to_zarr(&map(3), limits(), &path, &workers(1), &Options::default()).unwrap_err();
     assert!(error.to_string().contains("file"), "{error}");
-    assert!(matches!(error, SweepError::Store(_)));
+    assert!(!error.to_string().contains("stay"), "{error}");
+    assert!(matches!(error, SweepError::Store(StoreError::Unwritable { finished: 0, .. })));
+}
+
+#[test]
+fn one_run_fills_several_targets_and_shows_every_chunk() {
+    let folder = tempfile::tempdir().unwrap();
+    let (zarr, file) = (folder.path().join("a.zarr"), folder.path().join("a.parquet"));
+    let (alone_zarr, alone_file) = (folder.path().join("b.zarr"), folder.path().join("b.parquet"));
+    grid_to_zarr(&mixed(), limits(), &alone_zarr, &workers(2), &options("zarr")).unwrap();
+    let alone = grid_to_parquet(&mixed(), limits(), &alone_file, &workers(2), &options("grid file")).unwrap();
+    let targets = [Target::Zarr(&zarr), Target::Parquet(&file)];
+    let run = |options: &Options<'_>| {
+        let mut seen = Tally::default();
+        let mut view = |chunk: &Chunk, columns: &Columns| {
+            assert_eq!(chunk.len(), columns.len());
+            seen += Tally::of_columns(columns);
+        };
+        let report = sweep_grid(&mixed(), limits(), &targets, Some(&mut view), &workers(2), options).unwrap();
+        (report, seen)
+    };
+    let cancel = AtomicBool::new(false);
+    let watch = |progress: Progress| cancel.store(progress.done >= 300, Ordering::Relaxed);
+    let (report, seen) = run(&Options { cancel: Some(&cancel), progress: Some(&watch), ..options("zarr") });
+    assert!(!report.complete && report.computed > 0);
+    assert_eq!(report.tally.of(Class::NotComputed), report.points - report.computed);
+    assert_eq!(seen.total(), report.computed);
+    // Only one of them has lost a chunk: it is computed for that one.
+    let lost = tree(&zarr).into_keys().find(|path| path.starts_with("energy/c")).unwrap();
+    fs::remove_file(zarr.join(lost)).unwrap();
+    let resume = Options { resume: true, ..options("zarr") };
+    let (report, seen) = run(&resume);
+    assert!(report.complete && report.damaged_chunks == 1 && report.reused > 0, "{report:?}");
+    assert_eq!((seen, report.tally), (alone.tally, alone.tally));
+    assert_same_tree(&alone_zarr, &zarr);
+    assert_same_tree(&alone_file, &file);
+    // All is there, and is shown and counted all the same.
+    let (report, seen) = run(&resume);
+    assert_eq!((report.computed, seen, report.tally), (0, alone.tally, alone.tally));
+}
+
+#[test]
+fn a_target_that_is_refused_keeps_the_others_from_being_begun() {
+    let folder = tempfile::tempdir().unwrap();
+    let (zarr, file) = (folder.path().join("a.zarr"), folder.path().join("a.parquet"));
+    fs::write(&file, "a file").unwrap();
+    let targets = [Target::Zarr(&zarr), Target::Parquet(&file)];
+    let error = sweep_grid(&mixed(), limits(), &targets, None, &workers(1), &Options::default()).unwrap_err();
+    assert!(matches!(error, SweepError::Store(StoreError::NotAStore { .. })), "{error}");
+    assert!(!zarr.exists());
+}
+
+#[test]
+fn two_runs_do_not_write_to_one_store() {
+    each_kind(|name, run, place| {
+        let (whole, path) = (place.join("whole"), place.join("store"));
+        run(&whole, &options(name)).unwrap();
+        interrupted(name, run, &path, 20, false);
+        let before = tree(&path);
+        let lock = match name {
+            "zarr" => "outcome/_lock",
+            _ => "_lock",
+        };
+        let held = fs::OpenOptions::new().append(true).open(store_of(name, &path).join(lock)).unwrap();
+        held.lock().unwrap();
+        let resume = Options { resume: true, ..options(name) };
+        let error = run(&path, &resume).unwrap_err();
+        assert!(matches!(error, SweepError::Store(StoreError::Locked { .. })), "{name}: {error}");
+        assert_eq!(tree(&path), before);
+        drop(held);
+        assert!(run(&path, &resume).unwrap().complete, "{name}");
+        assert_same_tree(&whole, &path);
+    });
+}
+
+#[test]
+fn what_others_put_among_the_parts_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.parquet");
+    let run = |resume| {
+        grid_to_parquet(&mixed(), limits(), &path, &workers(1), &Options { resume, ..options("grid file") })
+    };
+    interrupted(
+        "grid file",
+        &|_, options| grid_to_parquet(&mixed(), limits(), &path, &workers(1), options),
+        &path,
+        100,
+        false,
+    );
+    let letter = parts(&path).join("letter.txt");
+    fs::write(&letter, "dear").unwrap();
+    assert!(run(true).unwrap().complete);
+    assert_eq!(tree(&path).len(), 2);
+    assert_eq!(fs::read_to_string(letter).unwrap(), "dear");
 }

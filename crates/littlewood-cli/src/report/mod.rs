@@ -1,5 +1,6 @@
 //! The results as text: for a person ([`table`]) and for programs ([`json`], [`csv`]).
 
+pub(crate) mod atlas;
 pub(crate) mod csv;
 pub(crate) mod json;
 mod number;

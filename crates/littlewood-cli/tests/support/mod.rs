@@ -3,6 +3,10 @@
 #![allow(dead_code, reason = "no test file needs all of it")]
 #![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
 
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
 use assert_cmd::Command;
 use serde_json::Value;
 
@@ -80,4 +84,22 @@ pub(crate) fn assert_close(found: f64, expected: f64, tolerance: f64) {
 /// Path of an example scenario.
 pub(crate) fn example(name: &str) -> String {
     format!("{}/examples/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Every file under a folder with its bytes.
+pub(crate) fn tree(root: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    let mut open = vec![root.to_owned()];
+    while let Some(folder) = open.pop() {
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                let name = path.strip_prefix(root).expect("inside").to_string_lossy().into_owned();
+                files.insert(name, fs::read(&path).expect("a file"));
+            }
+        }
+    }
+    files
 }

@@ -43,21 +43,39 @@ pub(crate) fn workers(threads: usize) -> Workers {
     Workers::new(std::num::NonZeroUsize::new(threads)).unwrap()
 }
 
-/// All files under a folder with their bytes.
+/// All files under a folder with their bytes; or a file, and what is in the folder of its parts.
 pub(crate) fn tree(root: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut files = BTreeMap::new();
     let mut folders = vec![root.to_owned()];
+    let parts = parts(root);
+    let root = root.parent().unwrap();
+    if folders[0].is_file() {
+        let file = folders.remove(0);
+        files.insert(PathBuf::from("."), fs::read(file).unwrap());
+    }
+    if parts.is_dir() {
+        folders.push(parts);
+        folders.retain(|folder| folder.is_dir());
+    }
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(&folder).unwrap() {
             let path = entry.unwrap().path();
             if path.is_dir() {
                 folders.push(path);
             } else {
-                files.insert(path.strip_prefix(root).unwrap().to_owned(), fs::read(&path).unwrap());
+                let inside: PathBuf = path.strip_prefix(root).unwrap().iter().skip(1).collect();
+                files.insert(inside, fs::read(&path).unwrap());
             }
         }
     }
     files
+}
+
+/// The folder of the parts of a file.
+pub(crate) fn parts(file: &Path) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(".parts");
+    PathBuf::from(name)
 }
 
 /// Says which files differ, not what is in them.
@@ -113,5 +131,9 @@ impl Disk for SmallDisk {
         let (fits, result) = self.take(bytes);
         FileSystem.append(path, &bytes[..fits])?;
         result
+    }
+
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+        FileSystem.rename(from, to)
     }
 }

@@ -1,16 +1,4 @@
-//! Lists as Parquet: a folder with one file a chunk, which Parquet readers take as one table.
-//!
-//! ```text
-//! list.parquet/
-//!   _run.json            parameters and status
-//!   _chunks.txt          finished chunks with their checksums
-//!   part-00000.parquet   rows of the first chunk, as one row group
-//!   part-00001.parquet   …
-//! ```
-//!
-//! A folder and not one file: what is finished can be read at any moment, a run that was stopped goes on without copying,
-//! and the footer does not grow with the list. pandas, pyarrow, Polars and Spark read the folder by its name (names that
-//! begin with `_` are not data to them); `DuckDB` reads `list.parquet/*.parquet`.
+//! The columns of a table, and a chunk of it as a Parquet file.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -21,78 +9,47 @@ use arrow_array::{
     UInt64Array,
 };
 use arrow_schema::{DataType, Field, Schema};
-use littlewood::{Limits, PhaseSequence};
+use littlewood::{PhaseSequence, Quantity};
 use parquet::arrow::ArrowWriter;
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use serde_json::{Value, json};
 
+use super::read::read_part;
 use crate::axis::Coordinate;
-use crate::chunk::Chunks;
 use crate::columns::{Columns, Real};
-use crate::compute::Workers;
 use crate::description::Description;
-use crate::error::{StoreError, SweepError};
-use crate::grid::Grid;
+use crate::disk::UNFINISHED;
+use crate::error::StoreError;
 use crate::outcome;
 use crate::point::Point;
-use crate::run::{Format, Options, Report, Source, StoreFile, run};
-use crate::starts::StartList;
-use crate::zarr::GridSource;
+use crate::run::{Format, StoreFile};
 
 const HEADER: &str = "_run.json";
+const MANIFEST: &str = "_chunks.txt";
+const LOCK: &str = "_lock";
 
-/// Computes a list of starts into a folder of Parquet files, one row a start in the order of the list.
-///
-/// Memory stays flat, files are whole or not there, and a run goes on with `resume`, as in [`crate::grid_to_zarr`].
-///
-/// # Errors
-/// As [`crate::grid_to_zarr`], and a row whose values have no physical meaning.
-pub fn list_to_parquet(
-    list: &StartList,
-    limits: Limits,
-    path: &Path,
-    workers: &Workers,
-    options: &Options<'_>,
-) -> Result<Report, SweepError> {
-    let chunk = options.chunk_points.max(1);
-    let description = Description::of_list(list.base(), list.fingerprint(), limits, chunk);
-    let mut source = list.source(chunk);
-    let table = Table::new(description.clone(), source.count());
-    run(&mut source, &table, &description, limits, path, workers, options)
-}
+/// The description of the run, in the footer.
+pub(super) const RUN_KEY: &str = "littlewood_run";
 
-/// Computes a grid into a folder of Parquet files, one row a point. The rows stand chunk by chunk (see [`Chunks`]); each
-/// has its coordinates with it.
-///
-/// # Errors
-/// As [`crate::grid_to_zarr`].
-pub fn grid_to_parquet(
-    grid: &Grid,
-    limits: Limits,
-    path: &Path,
-    workers: &Workers,
-    options: &Options<'_>,
-) -> Result<Report, SweepError> {
-    let chunks = Chunks::new(grid, options.chunk_points);
-    let description = Description::of_grid(grid, limits, chunks.shape());
-    let mut source = GridSource { grid, chunks };
-    let table = Table::new(description.clone(), source.count());
-    run(&mut source, &table, &description, limits, path, workers, options)
-}
+/// The number of the chunk, in the footer of its file.
+pub(super) const CHUNK_KEY: &str = "littlewood_chunk";
 
-struct Table {
+/// A table in files, one a chunk.
+pub(crate) struct Table {
     description: Description,
     schema: Arc<Schema>,
     digits: usize,
+    /// Columns of the start besides the coordinates: x or time, if a list has them.
+    places: Vec<Quantity>,
 }
 
 fn text_type() -> DataType {
     DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8))
 }
 
-fn schema() -> Schema {
+fn schema(places: &[Quantity]) -> Schema {
     let field = |name: &str, data_type: DataType, long_name: &str, unit: &str| {
         Field::new(name, data_type, false).with_metadata(
             [("long_name", long_name), ("units", unit)]
@@ -107,6 +64,13 @@ fn schema() -> Schema {
             field(coordinate.name(), DataType::Float64, coordinate.long_name(), coordinate.unit())
         })
         .collect();
+    fields.extend(places.iter().map(|place| {
+        let [long_name, unit] = match place {
+            Quantity::X => ["position of the geometric centre at the start", "R"],
+            _ => ["time of the start", "sqrt(R/g)"],
+        };
+        field(place.name(), DataType::Float64, long_name, unit)
+    }));
     fields.extend([
         field("outcome", text_type(), "outcome", ""),
         field("outcome_code", DataType::UInt8, "code of the outcome", ""),
@@ -148,14 +112,15 @@ fn text<'a>(values: impl Iterator<Item = String> + 'a) -> ArrayRef {
     Arc::new(DictionaryArray::<Int32Type>::new(indices.into(), values))
 }
 
-fn encoding<E: core::fmt::Display>(what: &str) -> impl Fn(E) -> StoreError + '_ {
+pub(super) fn encoding<E: core::fmt::Display>(what: &str) -> impl Fn(E) -> StoreError + '_ {
     move |error| StoreError::Encoding { what: what.to_owned(), reason: error.to_string() }
 }
 
 impl Table {
-    fn new(description: Description, chunks: usize) -> Self {
+    /// A table with columns for these places of starts.
+    pub(super) fn new(description: Description, chunks: usize, places: Vec<Quantity>) -> Self {
         let digits = chunks.saturating_sub(1).to_string().len().max(5);
-        Self { description, schema: Arc::new(schema()), digits }
+        Self { description, schema: Arc::new(schema(&places)), digits, places }
     }
 
     fn batch(&self, points: &[Point], columns: &Columns) -> Result<RecordBatch, StoreError> {
@@ -166,6 +131,13 @@ impl Table {
                 Arc::new(Float64Array::from_iter_values(values)) as ArrayRef
             })
             .collect();
+        for place in &self.places {
+            let values = points.iter().map(|point| match place {
+                Quantity::X => point.start.x,
+                _ => point.start.time,
+            });
+            arrays.push(Arc::new(Float64Array::from_iter_values(values)));
+        }
         arrays.push(text(columns.outcome.iter().map(|&code| outcome::name(code).unwrap_or("?").to_owned())));
         arrays.push(Arc::new(UInt8Array::from(columns.outcome.clone())));
         arrays.push(text(columns.sequence.iter().map(|&bits| PhaseSequence::from_bits(bits).to_string())));
@@ -178,18 +150,37 @@ impl Table {
         RecordBatch::try_new(Arc::clone(&self.schema), arrays).map_err(encoding("a table"))
     }
 
-    fn path(&self, chunk: usize) -> PathBuf {
+    /// The file of a chunk.
+    pub(super) fn path(&self, chunk: usize) -> PathBuf {
         PathBuf::from(format!("part-{chunk:0digits$}.parquet", digits = self.digits))
+    }
+
+    /// Whether a run makes a file of this name in the folder of a table.
+    pub(super) fn is_a_file_of_ours(&self, name: &str) -> bool {
+        let name = name.strip_suffix(UNFINISHED).unwrap_or(name);
+        let part = |name: &str| -> Option<bool> {
+            let digits = name.strip_prefix("part-")?.strip_suffix(".parquet")?;
+            Some(digits.len() == self.digits && digits.bytes().all(|byte| byte.is_ascii_digit()))
+        };
+        [HEADER, MANIFEST, LOCK].contains(&name) || part(name) == Some(true)
     }
 }
 
 impl Format for Table {
+    fn description(&self) -> &Description {
+        &self.description
+    }
+
     fn header_path(&self) -> &'static str {
         HEADER
     }
 
     fn manifest_path(&self) -> &'static str {
-        "_chunks.txt"
+        MANIFEST
+    }
+
+    fn lock_path(&self) -> &'static str {
+        LOCK
     }
 
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
@@ -232,8 +223,8 @@ impl Format for Table {
             .set_max_row_group_row_count(None)
             .set_created_by(concat!("littlewood-sweep ", env!("CARGO_PKG_VERSION")).to_owned())
             .set_key_value_metadata(Some(vec![
-                KeyValue::new("littlewood_run".to_owned(), self.description.0.to_string()),
-                KeyValue::new("littlewood_chunk".to_owned(), chunk.to_string()),
+                KeyValue::new(RUN_KEY.to_owned(), self.description.0.to_string()),
+                KeyValue::new(CHUNK_KEY.to_owned(), chunk.to_string()),
             ]))
             .build();
         let mut writer = ArrowWriter::try_new(Vec::new(), Arc::clone(&self.schema), Some(properties))
@@ -241,5 +232,9 @@ impl Format for Table {
         writer.write(&self.batch(points, columns)?).map_err(encoding(&name))?;
         let bytes = writer.into_inner().map_err(encoding(&name))?;
         Ok(vec![(path, bytes)])
+    }
+
+    fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError> {
+        read_part(&root.join(self.path(chunk)))
     }
 }

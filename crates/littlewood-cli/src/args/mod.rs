@@ -1,0 +1,158 @@
+//! The command line as it is typed. What it means, together with a case and a scenario file, is decided in
+//! [`crate::problem`].
+
+mod negative;
+mod problem;
+mod sweep;
+
+pub(crate) use negative::join_negative_numbers;
+pub(crate) use problem::{BaseArgs, ProblemArgs, RunArgs};
+pub(crate) use sweep::{AtlasArgs, MapArgs, SweepArgs, WorkArgs};
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use self::sweep::{ATLAS, ATLAS_EXAMPLES, MAP, MAP_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
+
+/// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
+///
+/// A hoop (or disc) of mass m1 and radius R carries a particle of mass m2 at the distance l from its centre and moves
+/// on a rough horizontal plane. Every slip, stick, lift-off and landing is located to the last digits. Equation
+/// numbers refer to Bronars and O'Reilly, Proc. R. Soc. A 475, 2019.
+#[derive(Debug, Parser)]
+#[command(name = "littlewood", version, arg_required_else_help = true, after_help = EXAMPLES)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  littlewood simulate figure-3
+  littlewood simulate figure-3 --mu-k 0.3 --format json
+  littlewood cases
+  littlewood classify figure-7
+  littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out map.png";
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Follow a motion to its end: phases, transitions, outcome
+    #[command(long_about = SIMULATE, after_help = SIMULATE_EXAMPLES)]
+    Simulate(Box<SimulateArgs>),
+    /// Say in which region a start lies and what begins there, without following the motion
+    #[command(long_about = CLASSIFY, after_help = CLASSIFY_EXAMPLES)]
+    Classify(Box<ClassifyArgs>),
+    /// List the named cases: the motions that the paper shows or speaks of
+    Cases(CasesArgs),
+    /// Follow the starts of a plane of two quantities: a picture, or a store for xarray or a data frame
+    #[command(long_about = MAP, after_help = MAP_EXAMPLES)]
+    Map(Box<MapArgs>),
+    /// Follow the starts of a grid with any number of axes, or of a list
+    #[command(long_about = SWEEP, after_help = SWEEP_EXAMPLES)]
+    Sweep(Box<SweepArgs>),
+    /// Count the sequences of phases that occur on a grid of starts, with an example of each
+    #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
+    Atlas(Box<AtlasArgs>),
+}
+
+const SIMULATE: &str = "\
+Follow a motion to its end: phases, transitions, outcome.
+
+The motion is a named case, or parameters, or a scenario file; flags override the values of both. Five numbers define \
+the hoop (2.9), and theta and theta' the start; slip, x and time are 0 unless given. Without --until the motion is \
+followed to a final outcome: a landing, rolling for ever, or a state beyond which the model has no unique motion. \
+Each of these is a result, with exit code 0. Bad input has exit code 2, a failure to write 1.";
+
+const SIMULATE_EXAMPLES: &str = "\
+Examples:
+  littlewood simulate figure-3
+  littlewood simulate figure-3 --theta-rate -2 --until 3
+  littlewood simulate --mass-ratio 1 --offset 1 --inertia 1 --mu-s 0.5 --mu-k 0.4 \\
+      --theta 1.5707963267948966 --theta-rate 2 --format json
+  littlewood simulate --si --disc-mass-kg 0.4 --particle-mass-kg 0.14 --radius-m 0.45 \\
+      --offset-m 0.45 --inertia-kg-m2 0.081 --mu-s 0.5 --mu-k 0.4 \\
+      --theta 1.2 --theta-rate-rad-per-s 6
+  littlewood simulate --scenario hoop.toml --samples 500 --out hoop.csv";
+
+const CLASSIFY: &str = "\
+Say in which region a start lies and what begins there, without following the motion.
+
+The regions are those of (2.14) and (3.10); for Littlewood's massless hoop the type I, II or III of its rolling motion \
+(section 3a) is given too. Takes the hoop and the start as `simulate` does.";
+
+const CLASSIFY_EXAMPLES: &str = "\
+Examples:
+  littlewood classify figure-3
+  littlewood classify figure-3 --theta -.7 --theta-rate 1.6 --format json";
+
+/// Arguments of `littlewood simulate`.
+#[derive(Debug, Args)]
+pub(crate) struct SimulateArgs {
+    #[command(flatten)]
+    pub(crate) problem: ProblemArgs,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    /// Output format [default: by the ending of --out, else table]
+    #[arg(long, value_enum, help_heading = "Output")]
+    pub(crate) format: Option<Format>,
+    /// Add N instants, evenly spaced in time, and every transition between them. A motion without an end is sampled
+    /// for two periods of its last phase (10 units of time if that has no period), or to --until
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=10_000_000),
+          help_heading = "Output")]
+    pub(crate) samples: Option<u64>,
+    /// Write to this file; it is replaced only once everything has been written
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub(crate) out: Option<PathBuf>,
+}
+
+/// Arguments of `littlewood classify`.
+#[derive(Debug, Args)]
+pub(crate) struct ClassifyArgs {
+    #[command(flatten)]
+    pub(crate) problem: ProblemArgs,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = ShortFormat::Table, help_heading = "Output")]
+    pub(crate) format: ShortFormat,
+}
+
+/// Arguments of `littlewood cases`.
+#[derive(Debug, Args)]
+pub(crate) struct CasesArgs {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = ShortFormat::Table)]
+    pub(crate) format: ShortFormat,
+}
+
+/// How to print a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Format {
+    /// For a person
+    Table,
+    /// One object, numbers with all digits
+    Json,
+    /// One row for each transition, or for each sample
+    Csv,
+}
+
+/// How to print a list of facts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ShortFormat {
+    /// For a person
+    Table,
+    /// Numbers with all digits
+    Json,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Cli;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_definition_of_the_command_line_is_sound() {
+        Cli::command().debug_assert();
+    }
+}

@@ -1,0 +1,175 @@
+//! What `map`, `sweep` and `atlas` take.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::{BaseArgs, RunArgs, ShortFormat};
+use crate::axis::{TypedAxis, parse_axis};
+
+pub(super) const MAP: &str = "\
+Follow the starts of a plane of two quantities, and keep what becomes of each.
+
+An axis is NAME=FROM:TO:COUNT, both ends included; NAME is one of theta, theta_rate, slip, mass_ratio, offset, inertia, \
+mu_s and mu_k, and FROM and TO may be written with pi (-pi, pi/2, 2pi). With --particle-mass-kg and --radius-m it may be \
+theta_rate_rad_per_s, slip_m_per_s, disc_mass_kg, offset_m or inertia_kg_m2 as well; results are dimensionless all the \
+same. What no axis varies comes from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless \
+a scenario says otherwise.
+
+--out takes a Zarr v3 store (.zarr), a Parquet file (.parquet) or a picture (.png), once for each that is wanted; every \
+motion is followed once. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
+table. Results are written chunk by chunk. Ctrl-C leaves what is finished, with exit code 130, and --resume goes on from \
+there: a store can be read at any time, a table is in NAME.parquet.parts until it is complete, and a picture that is not \
+complete is NAME.partial.png. A picture alone is not resumed.";
+
+pub(super) const MAP_EXAMPLES: &str = "\
+Examples:
+  littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out plane.zarr --out plane.png
+  littlewood map figure-3 --x theta=-pi:pi:500 --y mu_s=0.4:2:500 --out jumps.png --shade jump_length
+  littlewood map --scenario hoop.toml --x theta=-pi:pi:500 --y theta_rate_rad_per_s=0:20:500 --out hoop.png";
+
+pub(super) const SWEEP: &str = "\
+Follow the starts of a grid with any number of axes (see `littlewood map --help`), the last running fastest, or of a \
+list.
+
+A list is a CSV file with a header, or a Parquet file; its columns are named as axes are, or x and time, and what has no \
+column comes from the case, the scenario or the flags. --out takes a Parquet file (.parquet), or for a grid a Zarr v3 \
+store (.zarr); the rows of a table are in the order of the list. With more than 16,777,216 starts .parquet is a folder \
+of files, which readers take as one table. Ctrl-C leaves what is finished, with exit code 130, and --resume goes on from \
+there; until a table is complete it is in NAME.parquet.parts.";
+
+pub(super) const SWEEP_EXAMPLES: &str = "\
+Examples:
+  littlewood sweep figure-3 --axis mu_s=0.4:1:7 --axis theta=-pi:pi:100 --axis theta_rate=-4:4:100 --out grid.zarr
+  littlewood sweep figure-3 --starts starts.csv --out motions.parquet";
+
+pub(super) const ATLAS: &str = "\
+Count the sequences of phases that occur on a grid of starts, with an example of each.
+
+R is rolling, + and - sliding, g, n and G gliding, F flight. Without --axis the grid is theta=-pi:pi:200 and \
+theta_rate=-4:4:200. With --hoops the grid is that of every hoop of a list, a CSV file with a header, or a Parquet file, \
+with columns such as mass_ratio and inertia.
+
+With --first-turn a motion is followed as Theron and Maritz do (2008): from the top, with mu_k = mu_s, to one \
+revolution, to the instant when theta' changes sign, or to lift-off; the grid is then theta_rate=0.01:2:200 and \
+mu_s=0.01:2:200.";
+
+pub(super) const ATLAS_EXAMPLES: &str = "\
+Examples:
+  littlewood atlas figure-3
+  littlewood atlas figure-3 --hoops hoops.csv --axis theta_rate=-4:4:1000
+  littlewood atlas figure-3 --first-turn --axis theta_rate=0.01:2:400 --axis mu_s=0.01:2:400 --format json";
+
+/// Arguments of `littlewood map`.
+#[derive(Debug, Args)]
+pub(crate) struct MapArgs {
+    /// Axis to the right
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
+    pub(crate) x: TypedAxis,
+    /// Axis upwards
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
+    pub(crate) y: TypedAxis,
+    #[command(flatten)]
+    pub(crate) base: BaseArgs,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    #[command(flatten)]
+    pub(crate) work: WorkArgs,
+    #[command(flatten)]
+    pub(crate) store: StoreArgs,
+    /// What the colours of a picture show: outcome, or a column such as lift_off_time or jump_length
+    #[arg(long, value_name = "COLUMN", default_value = "outcome", help_heading = "Output")]
+    pub(crate) shade: String,
+    /// Size of a picture in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1500x1000", value_parser = size,
+          help_heading = "Output")]
+    pub(crate) size: (u32, u32),
+}
+
+/// Arguments of `littlewood sweep`.
+#[derive(Debug, Args)]
+pub(crate) struct SweepArgs {
+    /// An axis of the grid; give one or more, the slowest first
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis,
+          required_unless_present = "starts", conflicts_with = "starts")]
+    pub(crate) axis: Vec<TypedAxis>,
+    /// A list of starts, .csv or .parquet
+    #[arg(long, value_name = "FILE")]
+    pub(crate) starts: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) base: BaseArgs,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    #[command(flatten)]
+    pub(crate) work: WorkArgs,
+    #[command(flatten)]
+    pub(crate) store: StoreArgs,
+}
+
+/// Arguments of `littlewood atlas`.
+#[derive(Debug, Args)]
+pub(crate) struct AtlasArgs {
+    /// An axis of the grid; give one or more
+    #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
+    pub(crate) axis: Vec<TypedAxis>,
+    /// A list of hoops, .csv or .parquet; the grid is that of each
+    #[arg(long, value_name = "FILE")]
+    pub(crate) hoops: Option<PathBuf>,
+    /// Follow each motion for its first turn, with mu_k = mu_s, from the top unless --theta or an axis says otherwise
+    #[arg(long, conflicts_with_all = ["until", "until_s", "max_transitions"])]
+    pub(crate) first_turn: bool,
+    #[command(flatten)]
+    pub(crate) base: BaseArgs,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    #[command(flatten)]
+    pub(crate) work: WorkArgs,
+    /// Format of what is printed
+    #[arg(long, value_enum, default_value_t = ShortFormat::Table, help_heading = "Output")]
+    pub(crate) format: ShortFormat,
+}
+
+/// How to share the work.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Work")]
+pub(crate) struct WorkArgs {
+    /// Number of threads; the result does not depend on it [default: all cores]
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<NonZeroUsize>,
+    /// Starts of a chunk, at most
+    #[arg(long, value_name = "N", default_value_t = littlewood_sweep::CHUNK_POINTS,
+          value_parser = chunk)]
+    pub(crate) chunk: usize,
+}
+
+/// Where results go.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Output")]
+pub(crate) struct StoreArgs {
+    /// Where to, once for each that is wanted; the ending says what it is
+    #[arg(long, value_name = "PATH", required = true)]
+    pub(crate) out: Vec<PathBuf>,
+    /// Go on with what was not finished; results of other parameters are refused
+    #[arg(long)]
+    pub(crate) resume: bool,
+    /// Format of the summary
+    #[arg(long, value_enum, default_value_t = ShortFormat::Table)]
+    pub(crate) format: ShortFormat,
+}
+
+/// A size in pixels, as `1500x1000`.
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parse = |side: &str| side.parse().ok();
+    text.split_once('x')
+        .and_then(|(width, height)| Some((parse(width)?, parse(height)?)))
+        .ok_or_else(|| "a size is WIDTHxHEIGHT in pixels, such as 1500x1000".to_owned())
+}
+
+/// A number of points of a chunk.
+fn chunk(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count @ 1..=16_777_216) => Ok(count),
+        _ => Err("a chunk has 1 to 16777216 starts".to_owned()),
+    }
+}

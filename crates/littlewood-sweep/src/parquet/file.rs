@@ -1,0 +1,219 @@
+//! One Parquet file: the files of a folder, one after the other.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use parquet::column::writer::ColumnCloseResult;
+use parquet::file::metadata::{KeyValue, PageIndexPolicy, ParquetMetaData, ParquetMetaDataReader};
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use serde_json::{Map, Value};
+
+use super::read::read_row_group;
+use super::table::{CHUNK_KEY, RUN_KEY, Table, encoding};
+use crate::columns::Columns;
+use crate::disk::{Disk, UNFINISHED, with_ending};
+use crate::error::StoreError;
+use crate::outcome::Class;
+use crate::run::Format;
+use crate::tally::Tally;
+
+/// Ending of the folder of what is finished.
+const PARTS: &str = ".parts";
+
+/// Points of each class, in the footer.
+const COUNTS_KEY: &str = "littlewood_counts";
+
+/// Bytes that are written at once.
+const BUFFER: usize = 1 << 20;
+
+/// A file to be, and the folder of its parts.
+pub(crate) struct OneFile {
+    path: PathBuf,
+    parts: PathBuf,
+    table: Table,
+}
+
+impl OneFile {
+    pub(crate) fn new(path: &Path, table: Table) -> Self {
+        Self { path: path.to_owned(), parts: with_ending(path, PARTS), table }
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    pub(crate) fn parts(&self) -> &Path {
+        &self.parts
+    }
+
+    pub(crate) const fn table(&self) -> &Table {
+        &self.table
+    }
+
+    /// The points of a file of the same run; none where there is no file.
+    pub(crate) fn inspect(&self) -> Result<Option<Tally>, StoreError> {
+        let not_ours = || StoreError::NotAStore { path: self.path.clone() };
+        let file = match fs::metadata(&self.path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+            Err(source) => return Err(StoreError::unwritable(&self.path, source)),
+            Ok(metadata) if !metadata.is_file() => return Err(not_ours()),
+            Ok(_) => File::open(&self.path)
+                .map_err(|source| StoreError::Unreadable { path: self.path.clone(), source })?,
+        };
+        let metadata = footer(&file).map_err(|_| not_ours())?;
+        let find = |key: &str| {
+            let entries = metadata.file_metadata().key_value_metadata()?;
+            entries.iter().find(|entry| entry.key == key)?.value.as_deref()
+        };
+        let run: Value = find(RUN_KEY).and_then(|run| serde_json::from_str(run).ok()).ok_or_else(not_ours)?;
+        let differences = self.table.description().differences(&run);
+        if !differences.is_empty() {
+            return Err(StoreError::OtherParameters { path: self.path.clone(), differences });
+        }
+        find(COUNTS_KEY).and_then(parse_counts).map(Some).ok_or_else(not_ours)
+    }
+
+    /// The results of a chunk, from the file.
+    pub(crate) fn read(&self, chunk: usize) -> Result<Option<Columns>, StoreError> {
+        read_row_group(&self.path, chunk).map(Some)
+    }
+
+    /// Puts the parts together. What is there is copied as it is: nothing is decoded, and memory stays flat.
+    pub(crate) fn join(&self, count: usize, tally: Tally, disk: &dyn Disk) -> Result<(), StoreError> {
+        let unfinished = with_ending(&self.path, UNFINISHED);
+        // What a kill has left of an earlier attempt.
+        match fs::remove_file(&unfinished) {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
+                return Err(StoreError::unwritable(&unfinished, error));
+            }
+            _ => {}
+        }
+        let mut failure = None;
+        let appender = Appender { disk, path: &unfinished, failure: &mut failure };
+        let joined = self.copy(count, tally, BufWriter::with_capacity(BUFFER, appender));
+        if let Some(source) = failure {
+            // The first error is the one to tell; this only frees the room that the torn file takes.
+            let _ = fs::remove_file(&unfinished);
+            return Err(StoreError::unwritable(&self.path, source));
+        }
+        joined?;
+        disk.rename(&unfinished, &self.path).map_err(|source| StoreError::unwritable(&self.path, source))
+    }
+
+    fn copy(&self, count: usize, tally: Tally, target: impl Write + Send) -> Result<(), StoreError> {
+        let name = self.path.display().to_string();
+        let failed = encoding(&name);
+        let open = |chunk: usize| -> Result<(File, ParquetMetaData), StoreError> {
+            let path = self.parts.join(self.table.path(chunk));
+            let file =
+                File::open(&path).map_err(|source| StoreError::Unreadable { path: path.clone(), source })?;
+            let metadata = footer(&file)
+                .map_err(|error| StoreError::DamagedChunk { path, reason: error.to_string() })?;
+            Ok((file, metadata))
+        };
+        let (_, first) = open(0)?;
+        let schema = first.file_metadata().schema_descr().root_schema_ptr();
+        let entries = first.file_metadata().key_value_metadata().into_iter().flatten();
+        let mut entries: Vec<KeyValue> = entries.filter(|entry| entry.key != CHUNK_KEY).cloned().collect();
+        entries.push(KeyValue::new(COUNTS_KEY.to_owned(), counts(tally)));
+        let properties = WriterProperties::builder()
+            .set_created_by(first.file_metadata().created_by().unwrap_or_default().to_owned())
+            .set_key_value_metadata(Some(entries))
+            .build();
+        let mut writer = SerializedFileWriter::new(target, schema, Arc::new(properties)).map_err(&failed)?;
+        for chunk in 0..count {
+            let (file, metadata) = open(chunk)?;
+            for (i, group) in metadata.row_groups().iter().enumerate() {
+                let mut copy = writer.next_row_group().map_err(&failed)?;
+                for (j, column) in group.columns().iter().enumerate() {
+                    let index = metadata.page_index();
+                    let close = ColumnCloseResult {
+                        bytes_written: u64::try_from(column.compressed_size()).unwrap_or_default(),
+                        rows_written: u64::try_from(group.num_rows()).unwrap_or_default(),
+                        metadata: column.clone(),
+                        bloom_filter: None,
+                        column_index: index.and_then(|index| index.column_index(i, j)).cloned(),
+                        offset_index: index.and_then(|index| index.offset_index(i, j)).cloned(),
+                    };
+                    copy.append_column(&file, close).map_err(&failed)?;
+                }
+                copy.close().map_err(&failed)?;
+            }
+        }
+        // The footer is written here, and what is left in the buffer.
+        let mut target = writer.into_inner().map_err(&failed)?;
+        target.flush().map_err(encoding(&name))
+    }
+
+    /// Removes the folder of the parts, if there is one. What others have put there stays.
+    pub(crate) fn remove_parts(&self) -> Result<(), StoreError> {
+        let parts = match fs::read_dir(&self.parts) {
+            Ok(parts) => parts,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
+            Err(source) => return Err(StoreError::unwritable(&self.parts, source)),
+        };
+        let mut strangers = false;
+        for part in parts {
+            let part = part.map_err(|source| StoreError::unwritable(&self.parts, source))?;
+            if self.table.is_a_file_of_ours(&part.file_name().to_string_lossy()) {
+                gone(fs::remove_file(part.path()), &part.path())?;
+            } else {
+                strangers = true;
+            }
+        }
+        if strangers { Ok(()) } else { gone(fs::remove_dir(&self.parts), &self.parts) }
+    }
+}
+
+/// Something that was removed, by us or by another process that completes the same file.
+fn gone(result: io::Result<()>, path: &Path) -> Result<(), StoreError> {
+    match result {
+        Err(source) if source.kind() != ErrorKind::NotFound => Err(StoreError::unwritable(path, source)),
+        _ => Ok(()),
+    }
+}
+
+fn footer(file: &File) -> parquet::errors::Result<ParquetMetaData> {
+    ParquetMetaDataReader::new().with_page_index_policy(PageIndexPolicy::Optional).parse_and_finish(file)
+}
+
+fn counts(tally: Tally) -> String {
+    let counts: Map<String, Value> =
+        tally.iter().map(|(class, count)| (class.name().to_owned(), count.into())).collect();
+    Value::Object(counts).to_string()
+}
+
+fn parse_counts(text: &str) -> Option<Tally> {
+    let mut tally = Tally::default();
+    for (class, count) in serde_json::from_str::<Map<String, Value>>(text).ok()? {
+        tally.add(Class::find(&class)?, count.as_u64()?);
+    }
+    Some(tally)
+}
+
+/// A file on the disk of the run, to write to. The Parquet writer wraps errors in texts; the first one is kept here.
+struct Appender<'a> {
+    disk: &'a dyn Disk,
+    path: &'a Path,
+    failure: &'a mut Option<io::Error>,
+}
+
+impl Write for Appender<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.disk.append(self.path, bytes) {
+            Ok(()) => Ok(bytes.len()),
+            Err(error) => {
+                let kind = error.kind();
+                self.failure.get_or_insert(error);
+                Err(kind.into())
+            }
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}

@@ -1,0 +1,93 @@
+//! The size of a picture, where the map lies in it, and its pixels as a PNG file.
+
+use super::drawing;
+use crate::error::PictureError;
+
+/// Size of a picture in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Width.
+    pub width: u32,
+    /// Height.
+    pub height: u32,
+}
+
+impl Default for Size {
+    fn default() -> Self {
+        Self { width: 1500, height: 1000 }
+    }
+}
+
+/// Smallest and largest side of a picture.
+pub(super) const SIDES: [u32; 2] = [300, 10_000];
+
+/// Where the map lies in the picture, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub(super) left: i32,
+    pub(super) top: i32,
+    pub(super) width: i32,
+    pub(super) height: i32,
+    /// Size of letters.
+    pub(super) letter: f64,
+}
+
+impl Frame {
+    pub(super) fn new(size: Size) -> Self {
+        let letter = (f64::from(size.width) / 62.0).min(f64::from(size.height) / 40.0);
+        let letters = |count: f64| libm::round(count * letter) as i32;
+        let (left, top) = (letters(4.5), letters(5.6));
+        Self {
+            left,
+            top,
+            width: size.width as i32 - left - letters(16.5),
+            height: size.height as i32 - top - letters(4.6),
+            letter,
+        }
+    }
+
+    pub(super) fn enlarged(self, factor: u32) -> Self {
+        let times = |length: i32| length * factor as i32;
+        Self {
+            left: times(self.left),
+            top: times(self.top),
+            width: times(self.width),
+            height: times(self.height),
+            letter: self.letter * f64::from(factor),
+        }
+    }
+}
+
+/// How much larger than the picture the drawing is.
+pub(super) const FINE: u32 = 2;
+
+/// Means of squares of FINE × FINE pixels.
+pub(super) fn reduce(pixels: &[u8], size: Size) -> Vec<u8> {
+    let (width, fine) = (size.width as usize, FINE as usize);
+    let mut reduced = Vec::with_capacity(width * size.height as usize * 3);
+    for y in 0..size.height as usize {
+        for x in 0..width {
+            for channel in 0..3 {
+                let mut sum = 0;
+                for (i, j) in (0..fine).flat_map(|i| (0..fine).map(move |j| (i, j))) {
+                    sum += usize::from(pixels[((y * fine + i) * width * fine + x * fine + j) * 3 + channel]);
+                }
+                let mean = (sum + fine * fine / 2) / (fine * fine);
+                reduced.push(u8::try_from(mean).unwrap_or(u8::MAX));
+            }
+        }
+    }
+    reduced
+}
+
+pub(super) fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, PictureError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header().map_err(drawing)?;
+    writer.write_image_data(pixels).map_err(drawing)?;
+    writer.finish().map_err(drawing)?;
+    Ok(bytes)
+}

@@ -1,0 +1,159 @@
+//! Whole runs: a grid or a list in, files out.
+
+use std::path::Path;
+
+use littlewood::Limits;
+
+use crate::chunk::{Chunk, Chunks};
+use crate::columns::Columns;
+use crate::compute::{Refused, Workers};
+use crate::description::Description;
+use crate::destination::{Destination, Target};
+use crate::error::SweepError;
+use crate::grid::Grid;
+use crate::parquet::{table_of_grid, table_of_list};
+use crate::point::Point;
+use crate::run::{Options, Report, Source, run};
+use crate::starts::StartList;
+use crate::zarr::Layout;
+
+/// Is shown the results of chunks of a grid.
+pub type ChunkView<'a> = dyn FnMut(&Chunk, &Columns) + 'a;
+
+/// Computes a grid into any number of stores and files at once. Each point is computed at most once.
+///
+/// Memory stays flat: a few chunks are held, whatever the size of the grid. Every file is written whole or not at all. A
+/// run that was cancelled or killed goes on with [`Options::resume`], and what it leaves is then the same, byte for byte,
+/// as that of a run that was not. `view` is shown the results of every chunk, those of an earlier run among them.
+///
+/// # Errors
+/// A target that is there already, unless it is resumed; one of other parameters, which is left as it is; one that
+/// another process is writing to; a disk that is full; a limit without meaning.
+pub fn sweep_grid(
+    grid: &Grid,
+    limits: Limits,
+    targets: &[Target<'_>],
+    view: Option<&mut ChunkView<'_>>,
+    workers: &Workers,
+    options: &Options<'_>,
+) -> Result<Report, SweepError> {
+    let chunks = Chunks::new(grid, options.chunk_points);
+    let description = Description::of_grid(grid, limits, chunks.shape());
+    let table = || table_of_grid(&description, chunks.count());
+    let destinations = targets
+        .iter()
+        .map(|target| {
+            Ok(match target {
+                Target::Zarr(path) => {
+                    Destination::store(path, Layout::new(grid, chunks.clone(), description.clone())?)
+                }
+                Target::Parquet(path) => Destination::file(path, table()),
+                Target::ParquetFolder(path) => Destination::store(path, table()),
+            })
+        })
+        .collect::<Result<Vec<_>, SweepError>>()?;
+    let mut source = GridSource { grid, chunks: chunks.clone() };
+    match view {
+        None => run(&mut source, &destinations, None, limits, workers, options),
+        Some(view) => {
+            let mut view = |number: usize, columns: &Columns| view(&chunks.chunk(number), columns);
+            run(&mut source, &destinations, Some(&mut view), limits, workers, options)
+        }
+    }
+}
+
+/// Computes a list of starts into any number of Parquet targets at once, one row a start in the order of the list.
+///
+/// # Errors
+/// As [`sweep_grid`]; a row whose values have no physical meaning; a Zarr target, which has no place for a list.
+pub fn sweep_list(
+    list: &StartList,
+    limits: Limits,
+    targets: &[Target<'_>],
+    workers: &Workers,
+    options: &Options<'_>,
+) -> Result<Report, SweepError> {
+    let chunk = options.chunk_points.max(1);
+    let description = Description::of_list(list, limits, chunk);
+    let mut source = list.source(chunk);
+    let table = || table_of_list(&description, source.count(), list);
+    let destinations = targets
+        .iter()
+        .map(|target| match target {
+            Target::Zarr(path) => Err(SweepError::ListAsZarr { path: (*path).to_owned() }),
+            Target::Parquet(path) => Ok(Destination::file(path, table())),
+            Target::ParquetFolder(path) => Ok(Destination::store(path, table())),
+        })
+        .collect::<Result<Vec<_>, SweepError>>()?;
+    run(&mut source, &destinations, None, limits, workers, options)
+}
+
+/// [`sweep_grid`] into a Zarr store.
+///
+/// # Errors
+/// As [`sweep_grid`].
+pub fn grid_to_zarr(
+    grid: &Grid,
+    limits: Limits,
+    path: &Path,
+    workers: &Workers,
+    options: &Options<'_>,
+) -> Result<Report, SweepError> {
+    sweep_grid(grid, limits, &[Target::Zarr(path)], None, workers, options)
+}
+
+/// [`sweep_grid`] into one Parquet file, one row a point.
+///
+/// # Errors
+/// As [`sweep_grid`].
+pub fn grid_to_parquet(
+    grid: &Grid,
+    limits: Limits,
+    path: &Path,
+    workers: &Workers,
+    options: &Options<'_>,
+) -> Result<Report, SweepError> {
+    sweep_grid(grid, limits, &[Target::Parquet(path)], None, workers, options)
+}
+
+/// [`sweep_list`] into one Parquet file.
+///
+/// # Errors
+/// As [`sweep_list`].
+pub fn list_to_parquet(
+    list: &StartList,
+    limits: Limits,
+    path: &Path,
+    workers: &Workers,
+    options: &Options<'_>,
+) -> Result<Report, SweepError> {
+    sweep_list(list, limits, &[Target::Parquet(path)], workers, options)
+}
+
+/// A grid, chunk by chunk.
+pub(crate) struct GridSource<'a> {
+    pub(crate) grid: &'a Grid,
+    pub(crate) chunks: Chunks,
+}
+
+impl Source for GridSource<'_> {
+    fn total(&self) -> u64 {
+        self.grid.len()
+    }
+
+    fn count(&self) -> usize {
+        self.chunks.count()
+    }
+
+    fn points_of(&self, chunk: usize) -> u64 {
+        self.chunks.chunk(chunk).len() as u64
+    }
+
+    fn points(&mut self, chunk: usize) -> Result<Vec<Point>, SweepError> {
+        Ok(self.chunks.chunk(chunk).points(self.grid).collect())
+    }
+
+    fn refused(&self, _: usize, refused: Refused) -> SweepError {
+        refused.error.into()
+    }
+}

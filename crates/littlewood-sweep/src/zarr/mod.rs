@@ -1,0 +1,21 @@
+//! Grids as Zarr v3: a group with an array for each column, dimensions named and labelled.
+//!
+//! ```text
+//! map.zarr/
+//!   zarr.json            group: parameters, status, and the metadata of all arrays (consolidated)
+//!   theta/  theta_rate/  coordinates, one array an axis
+//!   outcome/  sequence/  …  one array a column, its chunks in c/
+//!   outcome/_chunks.txt  finished chunks with their checksums and counts
+//!   outcome/_lock        empty; locked while a run writes
+//! ```
+//!
+//! `xarray.open_zarr` opens the group as a data set with coordinates, units and long names. Chunks that are not computed
+//! yet read as the fill value: [`NOT_COMPUTED`] for `outcome`, NaN for real numbers, zero for the rest.
+
+mod array;
+mod layout;
+mod reader;
+mod variable;
+
+pub(crate) use layout::Layout;
+pub use reader::ZarrStore;

@@ -1,0 +1,88 @@
+//! A store for reading.
+
+use std::path::{Path, PathBuf};
+
+use littlewood::Limits;
+use serde_json::Value;
+
+use super::layout::{Layout, METADATA, read_attributes};
+use crate::chunk::Chunks;
+use crate::columns::Columns;
+use crate::description::Description;
+use crate::error::StoreError;
+use crate::grid::Grid;
+use crate::run::Format as _;
+use crate::store::broken_chunks;
+
+/// A Zarr store of a grid, for reading.
+#[derive(Debug)]
+pub struct ZarrStore {
+    root: PathBuf,
+    grid: Grid,
+    limits: Limits,
+    complete: bool,
+    layout: Layout,
+}
+
+impl ZarrStore {
+    /// Opens a store that [`grid_to_zarr`] has made, complete or not.
+    ///
+    /// # Errors
+    /// If there is none, or its metadata make no sense.
+    pub fn open(path: &Path) -> Result<Self, StoreError> {
+        let file = path.join(METADATA);
+        let bytes =
+            std::fs::read(&file).map_err(|source| StoreError::Unreadable { path: file.clone(), source })?;
+        let header: Value = serde_json::from_slice(&bytes)
+            .map_err(|error| StoreError::DamagedMetadata { path: file.clone(), reason: error.to_string() })?;
+        let (run, complete) =
+            read_attributes(&header).ok_or_else(|| StoreError::NotAStore { path: path.to_owned() })?;
+        let (grid, limits, shape) = Description::grid(&run).ok_or_else(|| StoreError::DamagedMetadata {
+            path: file,
+            reason: "the attribute \"run\" does not describe a grid".to_owned(),
+        })?;
+        let chunks = Chunks::of_shape(&grid, shape);
+        let layout = Layout::new(&grid, chunks, Description(run))?;
+        Ok(Self { root: path.to_owned(), grid, limits, complete, layout })
+    }
+
+    /// The grid.
+    #[must_use]
+    pub const fn grid(&self) -> &Grid {
+        &self.grid
+    }
+
+    /// The limits of the motions.
+    #[must_use]
+    pub const fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// Whether all chunks are said to be there.
+    #[must_use]
+    pub const fn is_complete(&self) -> bool {
+        self.complete
+    }
+
+    /// How the grid is cut into chunks.
+    #[must_use]
+    pub const fn chunks(&self) -> &Chunks {
+        &self.layout.chunks
+    }
+
+    /// The numbers of chunks that are missing, or whose files do not have the checksum that was noted.
+    ///
+    /// # Errors
+    /// If the list of finished chunks is damaged.
+    pub fn broken_chunks(&self) -> Result<Vec<usize>, StoreError> {
+        Ok(broken_chunks(&self.root, &self.layout, self.layout.chunks.count())?.into_iter().collect())
+    }
+
+    /// The results of a chunk, in the order of its points; none if it has not been computed.
+    ///
+    /// # Errors
+    /// If a file of it cannot be read or decoded.
+    pub fn columns(&self, number: usize) -> Result<Option<Columns>, StoreError> {
+        self.layout.read(&self.root, number)
+    }
+}
