@@ -1,0 +1,2 @@
+"""Animation of a motion."""
+class Animation: pass
