@@ -16,14 +16,17 @@ Examples
 ['stick', 'slip', 'lift_off', 'landing']
 """
 
-from . import closed_form
+from . import closed_form, plot
 from ._core import ParameterError, __version__
 from .cases import CASES, Case, case
+from .fit_result import Estimate, FitResult, IdentifiabilityWarning
+from .fitting import fit
 from .hoop import STANDARD_GRAVITY, Hoop
 from .many import outcome_map, sequence_names, simulate_many
 from .motion import EDGES, MODES, OUTCOMES, Classification, Edge, Outcome, Phase, State, Transition
 from .phase_plane import REGIONS, Equilibrium, PhasePlane
 from .samples import Samples
+from .track import Track
 from .trajectory import Trajectory
 from .units import Units
 
@@ -38,20 +41,26 @@ __all__ = [
     "Classification",
     "Edge",
     "Equilibrium",
+    "Estimate",
+    "FitResult",
     "Hoop",
+    "IdentifiabilityWarning",
     "Outcome",
     "ParameterError",
     "Phase",
     "PhasePlane",
     "Samples",
     "State",
+    "Track",
     "Trajectory",
     "Transition",
     "Units",
     "__version__",
     "case",
     "closed_form",
+    "fit",
     "outcome_map",
+    "plot",
     "sequence_names",
     "simulate_many",
 ]

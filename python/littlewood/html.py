@@ -6,6 +6,7 @@ import math
 from html import escape
 from typing import TYPE_CHECKING
 
+from .motion import in_words
 from .style import MODE_COLOURS
 
 if TYPE_CHECKING:
@@ -31,8 +32,8 @@ def _number(value: float) -> str:
 
 def _ends(motion: Trajectory, i: int) -> str:
     if i < len(motion.transitions):
-        return motion.transitions[i].cause.replace("_", " ")
-    return motion.outcome.kind.replace("_", " ")
+        return in_words(motion.transitions[i].cause)
+    return in_words(motion.outcome.kind)
 
 
 _HEADINGS = ("#", "motion", "from τ", "duration", "θ", "θ′", "η′", "lost", "ends by")

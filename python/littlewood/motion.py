@@ -121,6 +121,11 @@ class Transition:
         return self.state.time
 
 
+def in_words(name: str) -> str:
+    """Write the name of a cause or an outcome as words."""
+    return {"lift_off": "lift-off", "normal_force_zero": "N = 0"}.get(name, name.replace("_", " "))
+
+
 def _frozen(details: Mapping[str, Any]) -> Mapping[str, Any]:
     return MappingProxyType(dict(details))
 
@@ -156,7 +161,7 @@ class Outcome:
         return period
 
     def __str__(self) -> str:
-        words = self.kind.replace("_", " ")
+        words = in_words(self.kind)
         if "recurrence" in self.details:
             words += f" ({self.details['recurrence']}"
             words += f", period {self.period:.6g})" if self.period is not None else ")"
