@@ -53,6 +53,11 @@ class Animation:
     def __repr__(self) -> str:
         return f"<Animation of {self.motion.sequence}, {len(self._times)} frames, {self.seconds:.3g} s>"
 
+    @property
+    def _rate(self) -> int:
+        # Pictures a second, of which Matplotlib takes whole numbers.
+        return max(1, round(len(self._times) / self.seconds))
+
     def to_matplotlib(self) -> FuncAnimation:
         """Return the animation of Matplotlib.
 
@@ -121,15 +126,12 @@ class Animation:
         path : str or Path
             A `.gif`, or a `.mp4` where ffmpeg is installed.
         """
-        rate = len(self._times) / self.seconds
         writer = "pillow" if Path(path).suffix.lower() == ".gif" else "ffmpeg"
-        self.to_matplotlib().save(str(path), writer=writer, fps=max(1.0, rate))
+        self.to_matplotlib().save(str(path), writer=writer, fps=self._rate)
 
     def _repr_html_(self) -> str:
         matplotlib = require("matplotlib")
         # Small enough pictures that all frames go into the page.
         with matplotlib.rc_context({"animation.embed_limit": 60.0, "savefig.dpi": 72.0}):
-            html: str = self.to_matplotlib().to_jshtml(
-                fps=max(1.0, len(self._times) / self.seconds), default_mode="once"
-            )
+            html: str = self.to_matplotlib().to_jshtml(fps=self._rate, default_mode="once")
         return html

@@ -1,8 +1,8 @@
 """Littlewood's hoop in closed form (section 3 of the paper): massless, the particle on the rim.
 
-Angles are in radians, times in √(R/g), rates in √(g/R), energies in m2 g R, forces in m2 g. All arguments broadcast; the
-functions take and return arrays of any shape, scalars, or xarray objects. Where the paper's formula is misprinted the
-corrected one stands here, and the documentation says what is printed.
+Angles are in radians, times in √(R/g), rates in √(g/R), energies in m2 g R, forces in m2 g. All arguments broadcast:
+the functions take and return arrays of any shape, scalars, or xarray objects. Where the paper's formula is misprinted
+the corrected one stands here, and the documentation says what is printed.
 """
 
 from __future__ import annotations

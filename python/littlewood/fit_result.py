@@ -132,7 +132,7 @@ class FitResult:
             for name, estimate in self.estimates.items()
         )
         return (
-            f'<div><b>Fitted motion</b> {self.motion.sequence}: {self.motion.outcome}<table>{rows}</table>'
+            f"<div><b>Fitted motion</b> {self.motion.sequence}: {self.motion.outcome}<table>{rows}</table>"
             f"<small>μs is at least {self.mu_s_at_least:.4g}; reduced χ² {self.reduced_chi_square:.3f}</small></div>"
         )
 

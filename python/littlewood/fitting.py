@@ -92,8 +92,8 @@ def fit(
     Standard errors are those of the linearised problem: covariance (JᵀJ)⁻¹ of residuals over their standard deviations.
     A parameter counts as not identifiable where the residuals do not depend on it apart from the others, where its
     standard error would exceed its value, or where the fit ends at the bound μs = μk: there the motion depends on μs to
-    second order only. The exact simulation makes the residuals smooth in all parameters as long as the sequence of phases is the same;
-    over the sequences the fit starts from several places.
+    second order only. The exact simulation makes the residuals smooth in all parameters as long as the sequence of
+    phases is the same; over the sequences the fit starts from several places.
 
     Examples
     --------
@@ -253,10 +253,14 @@ def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
     free = problem.names
     angles = np.linspace(-math.pi, math.pi, 24, endpoint=False) if any_angle else [problem.first["theta"]]
     mu_k = (problem.hoop.mu_k, *_TRY_MU_K) if "mu_k" in free else (problem.hoop.mu_k,)
-    inertias = [problem.hoop.inertia * factor for factor in _TRY_INERTIA] if "inertia" in free else [problem.hoop.inertia]
+    inertias = (
+        [problem.hoop.inertia * factor for factor in _TRY_INERTIA] if "inertia" in free else [problem.hoop.inertia]
+    )
     guesses = []
     for angle, kinetic, inertia in itertools.product(angles, mu_k, inertias):
-        static = (problem.hoop.mu_s, *(kinetic + step for step in _TRY_STEP)) if "mu_s" in free else (problem.hoop.mu_s,)
+        static = (
+            (problem.hoop.mu_s, *(kinetic + step for step in _TRY_STEP)) if "mu_s" in free else (problem.hoop.mu_s,)
+        )
         for mu_s in static:
             if kinetic <= mu_s:
                 inertia = max(inertia, 2.0 * _LEAST_INERTIA)

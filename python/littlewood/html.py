@@ -94,9 +94,7 @@ def trajectory_html(motion: Trajectory) -> str:
         )
         rows.append((number, mark + escape(mode), *(escape(cell) for cell in rest)))
     start = motion.start
-    hoop = ", ".join(
-        f"{symbol} = {getattr(motion.hoop, name):.6g}" for name, (symbol, _) in _SYMBOLS.items()
-    )
+    hoop = ", ".join(f"{symbol} = {getattr(motion.hoop, name):.6g}" for name, (symbol, _) in _SYMBOLS.items())
     state = f"θ = {start.theta:.6g}, θ′ = {start.theta_rate:.6g}, η′ = {start.slip:.6g}"
     outcome = motion.outcome
     final = "" if outcome.is_final else ", not its end"
@@ -128,14 +126,11 @@ def _sketch(hoop: Hoop) -> str:
 
 def hoop_html(hoop: Hoop) -> str:
     """Return a hoop as a sketch and a table for a notebook."""
-    rows = [
+    rows: list[tuple[str, ...]] = [
         (symbol, f"{getattr(hoop, name):.6g}", escape(text)) for name, (symbol, text) in _SYMBOLS.items()
     ]
     if hoop.units is not None:
         rows.append(("R", f"{hoop.units.length_m:.6g} m", "radius"))
         rows.append(("m₂", f"{hoop.units.mass_kg:.6g} kg", "mass of the particle"))
         rows.append(("√(R/g)", f"{hoop.units.time_s:.6g} s", "unit of time"))
-    return (
-        '<div style="display:flex;align-items:center;gap:16px">'
-        f"{_sketch(hoop)}{_table((), rows, (0, 2))}</div>"
-    )
+    return f'<div style="display:flex;align-items:center;gap:16px">{_sketch(hoop)}{_table((), rows, (0, 2))}</div>'

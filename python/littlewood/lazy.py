@@ -28,10 +28,14 @@ def lazy_columns(points: Points, limits: Limits) -> dict[str, Any]:
     for name in varying:
         data = points.variables[name].data
         arguments += [da.asanyarray(data), axes[name]]
+    # The blocks are made alike here: Dask would warn that a product of axes has more of them than each axis.
+    _, alike = da.core.unify_chunks(*arguments, warn=False)
+    arguments[::2] = alike
     records = da.blockwise(
         _records,
         tuple(range(len(points.sizes))),
         *arguments,
+        align_arrays=False,
         names=tuple(varying),
         axes=axes,
         fixed=fixed,

@@ -5,6 +5,7 @@ Each function draws on axes of your own, or makes a figure. Nothing depends on a
 
 from __future__ import annotations
 
+import itertools
 import math
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal
@@ -39,6 +40,8 @@ _LABELS = {
     "x": "x  (R)",
     "y": "y  (R)",
 }
+
+
 def _new_axes(width: float, height: float) -> Axes:
     figure = require("matplotlib.figure").Figure(figsize=(width, height), layout="constrained")
     axes: Axes = figure.add_subplot()
@@ -90,7 +93,7 @@ def phase_slices(samples: Samples) -> list[tuple[str, slice]]:
     mode, direction = samples["mode"], samples["direction"]
     cuts = np.flatnonzero((np.diff(mode) != 0) | (np.diff(direction) != 0)) + 1
     edges = [0, *cuts.tolist(), len(mode)]
-    return [(MODES[mode[a]], slice(a, b)) for a, b in zip(edges, edges[1:], strict=False) if mode[a] >= 0]
+    return [(MODES[mode[a]], slice(a, b)) for a, b in itertools.pairwise(edges) if mode[a] >= 0]
 
 
 def _circle(axes: Axes, x: float, y: float, radius: float, **style: Any) -> None:
@@ -228,9 +231,7 @@ def history(
     for name in quantities:
         for mode, part in phase_slices(samples):
             values = np.where(np.isfinite(samples[name][part]), samples[name][part], np.nan)
-            axes.plot(
-                samples.time[part], values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.8
-            )
+            axes.plot(samples.time[part], values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.8)
     axes.margins(y=0.15)
     _limit(axes, [samples[name] for name in quantities])
     if len(quantities) > 1:
@@ -435,7 +436,15 @@ def _over_plane(axes: Axes, motion: Trajectory, theta: tuple[float, float]) -> N
     axes.plot([reduced_start], [start.theta_rate], "o", mfc="white", mec=INK, ms=7, zorder=6)
     handles, labels = axes.get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
-    axes.legend(unique.values(), unique.keys(), loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, frameon=False, handlelength=3.2)
+    axes.legend(
+        unique.values(),
+        unique.keys(),
+        loc="lower center",
+        bbox_to_anchor=(0.5, 1.0),
+        ncols=4,
+        frameon=False,
+        handlelength=3.2,
+    )
 
 
 def classes(dataset: xarray.Dataset) -> xarray.DataArray:
@@ -485,9 +494,7 @@ def classes(dataset: xarray.Dataset) -> xarray.DataArray:
     return named
 
 
-def outcomes(
-    dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None = None, y: str | None = None
-) -> Axes:
+def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None = None, y: str | None = None) -> Axes:
     """Draw a map of what becomes of the motions, with a legend and the share of each class.
 
     Parameters

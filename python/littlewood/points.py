@@ -47,7 +47,7 @@ class Points:
     def axes(self) -> dict[str, tuple[int, ...]]:
         """The places of the dimensions of each quantity among the dimensions."""
         place = {dimension: i for i, dimension in enumerate(self.sizes)}
-        return {name: tuple(place[d] for d in one.dims) for name, one in self.variables.items()}
+        return {name: tuple(place[str(d)] for d in one.dims) for name, one in self.variables.items()}
 
     @property
     def prepare(self) -> bool:
@@ -74,14 +74,12 @@ class Points:
         probe = xr.Variable(tuple(self.sizes), np.broadcast_to(np.float64(0.0), shape)).chunk(chunks)
         blocks = probe.chunksizes
         variables = {
-            name: variable.chunk({d: blocks[d] for d in variable.dims}) if variable.dims else variable
+            name: variable.chunk({d: blocks[str(d)] for d in variable.dims}) if variable.dims else variable
             for name, variable in self.variables.items()
         }
         # Indices stay in memory: xarray needs them.
         coordinates = {
-            name: variable
-            if variable.dims in ((), (name,))
-            else variable.chunk({d: blocks[d] for d in variable.dims})
+            name: variable if variable.dims in ((), (name,)) else variable.chunk({d: blocks[d] for d in variable.dims})
             for name, variable in self.coordinates.items()
         }
         return Points(self.sizes, variables, coordinates)
@@ -122,10 +120,39 @@ def fill(hoop: Hoop | None, given: Mapping[str, Any], required: Iterable[str]) -
     return values
 
 
+# Parameters of a hoop that can contradict each other.
+_RELATED = (("mu_s", "mu_k"), ("mass_ratio", "offset", "inertia"))
+
+
 def check_hoop(values: Mapping[str, Any]) -> None:
-    """Refuse a hoop without physical meaning if no parameter of it varies."""
-    if all(np.ndim(values[name]) == 0 and not is_lazy(values[name]) for name in HOOP):
-        Hoop(**{name: float(values[name]) for name in HOOP})
+    """Refuse a hoop without physical meaning, as far as it does not lie in a combination of two that vary."""
+    fixed = {name for name in HOOP if np.ndim(values[name]) == 0 and not is_lazy(values[name])}
+    harmless = {"mass_ratio": 1.0, "offset": 1.0, "inertia": 1.0, "mu_s": 0.0, "mu_k": 0.0}
+    for related in _RELATED:
+        varying = [name for name in related if name not in fixed]
+        if len(varying) > 1 or any(is_lazy(values[name]) for name in varying):
+            continue
+        known = {name: _real(name, values[name]) for name in related}
+        if varying:
+            known[varying[0]] = _worst(varying[0], known)
+        numbers = {**harmless, **{name: float(value) for name, value in known.items()}}
+        mass_ratio, offset, inertia, mu_s, mu_k = (numbers[name] for name in HOOP)
+        Hoop(mass_ratio=mass_ratio, offset=offset, inertia=inertia, mu_s=mu_s, mu_k=mu_k)
+
+
+def _worst(name: str, known: Mapping[str, Any]) -> Any:
+    """Return the first value that breaks a relation, or one that breaks none; others are refused when it is computed."""
+    values = np.asarray(getattr(known[name], "data", known[name])).ravel()
+    if name == "mu_k":
+        bad = values > known["mu_s"]
+    elif name == "mu_s":
+        bad = values < known["mu_k"]
+    else:
+        # Only a zero can make a hoop without any inertia.
+        bad = values == 0.0
+    if bad.any():
+        return values[np.argmax(bad)]
+    return 1.0 if name in ("mass_ratio", "offset", "inertia") else known["mu_k" if name == "mu_s" else "mu_s"]
 
 
 def broadcast(values: Mapping[str, Any]) -> Points:
@@ -183,15 +210,13 @@ def grid(values: Mapping[str, Any], order: Iterable[str]) -> Points:
     return _with_coordinates(sizes, variables, {})
 
 
-def _with_coordinates(
-    sizes: Mapping[str, int], variables: Mapping[str, Any], coordinates: Mapping[str, Any]
-) -> Points:
+def _with_coordinates(sizes: Mapping[str, int], variables: Mapping[str, Any], coordinates: Mapping[str, Any]) -> Points:
     empty = [name for name, size in sizes.items() if size == 0]
     if empty:
         raise ValueError(f"{', '.join(empty)} is empty: there is nothing to simulate")
     described: dict[str, Any] = {}
     for name in (*START, *HOOP):
-        if name in coordinates or name in sizes and variables[name].dims != (name,):
+        if name in coordinates or (name in sizes and variables[name].dims != (name,)):
             continue
         described[name] = variables[name].copy(deep=False)
         described[name].attrs = quantity_attributes(name)

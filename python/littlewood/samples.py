@@ -28,12 +28,8 @@ class Column(NamedTuple):
 COLUMNS: Mapping[str, Column] = {
     "time": Column("time", "τ", "sqrt(R/g)", "time_s", "s", "time_s"),
     "theta": Column("angle of the particle from the upward vertical", "θ", "rad", "theta_rad", "rad", ""),
-    "theta_rate": Column(
-        "rate of the angle", "θ′", "sqrt(g/R)", "theta_rate_rad_per_s", "rad/s", "rate_rad_per_s"
-    ),
-    "slip": Column(
-        "slip velocity of the contact point", "η′", "sqrt(g R)", "slip_m_per_s", "m/s", "velocity_m_per_s"
-    ),
+    "theta_rate": Column("rate of the angle", "θ′", "sqrt(g/R)", "theta_rate_rad_per_s", "rad/s", "rate_rad_per_s"),
+    "slip": Column("slip velocity of the contact point", "η′", "sqrt(g R)", "slip_m_per_s", "m/s", "velocity_m_per_s"),
     "x": Column("position of the geometric centre", "x", "R", "x_m", "m", "length_m"),
     "theta_acceleration": Column(
         "angular acceleration", "θ″", "g/R", "theta_acceleration_rad_per_s2", "rad/s^2", "rate_squared"
@@ -92,9 +88,7 @@ class Samples(Mapping[str, Any]):
     """
 
     def __init__(self, columns: Mapping[str, Any], shape: tuple[int, ...] | None = None) -> None:
-        self._columns = (
-            dict(columns) if shape is None else {name: a.reshape(shape)[()] for name, a in columns.items()}
-        )
+        self._columns = dict(columns) if shape is None else {name: a.reshape(shape)[()] for name, a in columns.items()}
 
     def __getitem__(self, name: str) -> Any:
         return self._columns[name]
@@ -120,7 +114,8 @@ class Samples(Mapping[str, Any]):
     @property
     def mode_names(self) -> npt.NDArray[np.str_]:
         """Names of the modes; empty outside the motion."""
-        return np.array([*MODES, ""])[self["mode"]]
+        names: npt.NDArray[np.str_] = np.array([*MODES, ""])[self["mode"]]
+        return names
 
     def in_si(self, units: Units) -> dict[str, Any]:
         """Return the columns in SI units, each with its unit in its name.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -124,7 +124,7 @@ class Track:
         ValueError
             If a column is missing, or units of two kinds are mixed.
         """
-        table = np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64, encoding="utf-8", ndmin=1)
+        table: Any = np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64, encoding="utf-8", ndmin=1)
         columns = {name: table[name] for name in table.dtype.names or ()}
         if "theta_deg" in columns and "theta_rad" not in columns:
             columns["theta_rad"] = np.radians(columns["theta_deg"])

@@ -71,14 +71,17 @@ class Trajectory:
     def phases(self) -> tuple[Phase, ...]:
         """The phases in order. Empty where no motion, or more than one, is consistent at the start."""
         return tuple(
-            Phase(mode, direction, State(*start), None if end is None else State(*end), *rest)
-            for mode, direction, start, end, *rest in self._core.phases()
+            Phase(mode, direction, State(*start), None if end is None else State(*end), energy, lost, is_limit)
+            for mode, direction, start, end, energy, lost, is_limit in self._core.phases()
         )
 
     @cached_property
     def transitions(self) -> tuple[Transition, ...]:
         """The transitions in order: transition i ends phase i."""
-        return tuple(Transition(State(*state), *rest) for state, *rest in self._core.transitions())
+        return tuple(
+            Transition(State(*state), before, after, direction, cause)
+            for state, before, after, direction, cause in self._core.transitions()
+        )
 
     @cached_property
     def outcome(self) -> Outcome:
@@ -159,9 +162,7 @@ class Trajectory:
     def _instants(self, times: npt.ArrayLike | None, count: int) -> Samples:
         return self.sample(count) if times is None else self.at(np.atleast_1d(np.asarray(times)))
 
-    def to_xarray(
-        self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False
-    ) -> xarray.Dataset:
+    def to_xarray(self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False) -> xarray.Dataset:
         """Return instants of the motion as a data set with units and long names.
 
         Parameters
@@ -171,7 +172,7 @@ class Trajectory:
         count : int, optional
             Number of evenly spaced instants.
         si : bool, optional
-            Whether the values should be in SI units, with the unit in each name; `times` are dimensionless all the same.
+            Whether the values should be in SI units, with the unit in each name; `times` are dimensionless anyway.
 
         Returns
         -------
@@ -192,7 +193,7 @@ class Trajectory:
             key = column.si_name if si else name
             variables[key] = {"long_name": column.long_name, "units": unit, "symbol": column.symbol}
         time = "time_s" if si else "time"
-        dataset = xr.Dataset(
+        dataset: xarray.Dataset = xr.Dataset(
             {name: (time, columns[name], attributes) for name, attributes in variables.items()},
             attrs={
                 "title": "motion of Littlewood's hoop",
@@ -202,11 +203,10 @@ class Trajectory:
                 **dict(zip(("mass_ratio", "offset", "inertia", "mu_s", "mu_k"), self.hoop._numbers, strict=True)),
             },
         )
-        return dataset.set_coords(time)
+        with_time: xarray.Dataset = dataset.set_coords(time)
+        return with_time
 
-    def to_pandas(
-        self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False
-    ) -> pandas.DataFrame:
+    def to_pandas(self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False) -> pandas.DataFrame:
         """Return instants of the motion as a table, with the columns of the command line's CSV.
 
         Parameters
@@ -226,7 +226,8 @@ class Trajectory:
         mode = pd.Categorical.from_codes(np.asarray(columns["mode"]), categories=list(MODES))
         table = {time: columns[time], "mode": mode, "direction": columns["direction"]}
         table.update((name, columns[name]) for name in columns if name not in table)
-        return pd.DataFrame(table)
+        frame: pandas.DataFrame = pd.DataFrame(table)
+        return frame
 
     def plot(self) -> Figure:
         """Draw the path in the plane and θ, θ′, η′ and the forces over time.
@@ -251,7 +252,7 @@ class Trajectory:
         frames : int, optional
             Number of pictures.
         seconds : float, optional
-            How long it plays; by default as long as the motion would take with R/g = 0.1 s², a hoop of a metre.
+            How long it plays; by default as long as the motion would take with R/g = 0.1 s², as for a metre.
 
         Returns
         -------
