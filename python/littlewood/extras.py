@@ -9,17 +9,11 @@ _EXTRA_OF = {
     "xarray": "xarray",
     "pandas": "xarray",
     "dask": "dask",
-    "dask.array": "dask",
-    "distributed": "dask",
-    "zarr": "dask",
     "matplotlib": "plot",
-    "matplotlib.pyplot": "plot",
-    "matplotlib.animation": "plot",
     "scipy": "fit",
-    "scipy.optimize": "fit",
     "tqdm": "progress",
-    "tqdm.auto": "progress",
 }
+"""The extra that brings a package."""
 
 
 def require(module: str) -> Any:
@@ -42,10 +36,8 @@ def require(module: str) -> Any:
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:
-        if error.name is None or error.name.split(".")[0] != module.split(".")[0]:
+        package = module.split(".")[0]
+        if error.name is None or error.name.split(".")[0] != package:
             raise
-        extra = _EXTRA_OF[module]
-        raise ImportError(
-            f'this needs {module.split(".")[0]}, which is not installed: pip install "littlewood[{extra}]"',
-            name=error.name,
-        ) from error
+        message = f'this needs {package}, which is not installed: pip install "littlewood[{_EXTRA_OF[package]}]"'
+        raise ImportError(message, name=error.name) from error

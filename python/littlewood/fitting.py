@@ -234,7 +234,14 @@ def _first_guess(track: Track, given: dict[str, float]) -> dict[str, float]:
         if seen.size < 3:
             raise ValueError("fewer than three frames with an angle or a position")
         time = track.time[seen] - track.time[0]
-        _, rate, value = np.polyfit(time, values[seen], 2)
+        curve = np.polyfit(time, values[seen], 2)
+        for _ in range(3):
+            # Outliers among the first frames would send the search astray.
+            distance = np.abs(values[seen] - np.polyval(curve, time))
+            kept = distance <= 4.0 * np.median(distance) + 1e-12
+            if kept.sum() >= 3:
+                curve = np.polyfit(time[kept], values[seen][kept], 2)
+        _, rate, value = curve
         return float(value), float(rate)
 
     guess = {"theta": 0.0, "theta_rate": 0.0, "slip": 0.0, "x": 0.0}

@@ -141,7 +141,7 @@ def check_hoop(values: Mapping[str, Any]) -> None:
 
 
 def _worst(name: str, known: Mapping[str, Any]) -> Any:
-    """Return the first value that breaks a relation, or one that breaks none; others are refused when it is computed."""
+    """Return the first value that breaks a relation, or one that breaks none: others are refused in the computation."""
     values = np.asarray(getattr(known[name], "data", known[name])).ravel()
     if name == "mu_k":
         bad = values > known["mu_s"]

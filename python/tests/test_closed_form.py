@@ -59,7 +59,7 @@ def test_what_does_not_exist_is_nan_or_infinite():
     # Footnote 7: with the particle inside, enough friction always suffices: μs ≥ ℓ/√(1 − ℓ²).
     assert math.isnan(cf.slip_angle(1.0, 0.6))
     assert cf.slip_angle([0.5, 0.5], [1.0, 0.9]).tolist()[0] == pytest.approx(2 * math.atan(0.5))
-    with pytest.raises(lw.ParameterError, match="offset = 1.5"):
+    with pytest.raises(lw.ParameterError, match=r"offset = 1\.5"):
         cf.slip_angle(0.5, 1.5)
 
 

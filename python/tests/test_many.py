@@ -104,7 +104,7 @@ def test_contradictions_are_invalid_and_nonsense_is_refused(hoop):
 
 
 def test_what_is_missing_is_named(hoop):
-    with pytest.raises(TypeError, match="missing: theta_rate$"):
+    with pytest.raises(TypeError, match=r"missing: theta_rate$"):
         lw.simulate_many(hoop, theta=0.0)
     with pytest.raises(TypeError, match="missing: mass_ratio, offset, inertia, mu_s; give a hoop"):
         lw.simulate_many(theta=0.0, theta_rate=1.0, mu_k=0.3)
