@@ -3,13 +3,46 @@ from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
-from typing_extensions import disjoint_base
 
 _Hoop = tuple[float, float, float, float, float]
 _State = tuple[float, float, float, float, float]
 _Reals = npt.NDArray[np.float64]
 
-__all__: list[str]
+__all__ = [
+    "INVALID",
+    "MODES",
+    "OUTCOMES",
+    "ParameterError",
+    "PhasePlane",
+    "REGIONS",
+    "Trajectory",
+    "__version__",
+    "alpha",
+    "cases",
+    "check_hoop",
+    "classify",
+    "edges",
+    "gliding_path",
+    "gliding_time_to_plane",
+    "hoop_from_si",
+    "in_rolling_region",
+    "rolling_angle",
+    "rolling_energy",
+    "rolling_friction",
+    "rolling_half_sine",
+    "rolling_normal",
+    "rolling_time_to_plane",
+    "rolling_type",
+    "sequence_names",
+    "simulate",
+    "slip_angle",
+    "slip_time_from_top",
+    "stable_manifold_rate",
+    "start_from_si",
+    "summaries",
+    "unloading_time_from_top",
+    "unstable_manifold_rate",
+]
 __version__: str
 MODES: list[str]
 OUTCOMES: list[str]
@@ -22,7 +55,6 @@ class ParameterError(ValueError):
     index: int | None
 
 @final
-@disjoint_base
 class Trajectory:
     def phases(self) -> list[tuple[str, int, _State, _State | None, float, float, bool]]: ...
     def transitions(self) -> list[tuple[_State, str, str | None, int, str]]: ...
@@ -34,7 +66,6 @@ class Trajectory:
     def sample_evenly(self, count: int, until: float) -> dict[str, npt.NDArray[Any]]: ...
 
 @final
-@disjoint_base
 class PhasePlane:
     def __new__(cls, numbers: _Hoop) -> PhasePlane: ...
     def normal(self, theta: _Reals, theta_rate: _Reals) -> _Reals: ...
