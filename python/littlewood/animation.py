@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .extras import require
-from .plot import draw_hoop
+from .plot.canvas import draw_hoop
 from .style import INK, MODE_COLOURS
 
 if TYPE_CHECKING:

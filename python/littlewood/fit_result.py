@@ -143,7 +143,7 @@ class FitResult:
         -------
         matplotlib.figure.Figure
         """
-        from . import plot as drawing
+        from .plot import canvas
 
         channels = self.track.channels
         figure: Figure = require("matplotlib.figure").Figure(
@@ -158,11 +158,11 @@ class FitResult:
             above, below = axes[0, k], axes[1, k]
             above.plot(self.track.time, measured, "o", ms=2.6, mfc="none", mec=PALE, label="measured")
             fitted = samples["centre_y" if name == "y" else name]
-            for mode, part in drawing.phase_slices(samples):
+            for mode, part in canvas.phase_slices(samples):
                 above.plot(samples.time[part], fitted[part], color=MODE_COLOURS[mode], lw=1.8, label=mode)
             above.set_ylabel(_LABELS[name])
             if name == "theta":
-                drawing.pi_ticks(above, "y", most=7)
+                canvas.pi_ticks(above, "y", most=7)
                 above.set_ylabel("θ")
             below.axhspan(-self.sigma[name], self.sigma[name], color="#e4e4e4", lw=0)
             below.axhline(0.0, color=INK, lw=0.8)
