@@ -214,18 +214,17 @@ def _with_coordinates(sizes: Mapping[str, int], variables: Mapping[str, Any], co
     empty = [name for name, size in sizes.items() if size == 0]
     if empty:
         raise ValueError(f"{', '.join(empty)} is empty: there is nothing to simulate")
-    described: dict[str, Any] = {}
+    described: dict[str, Any] = {name: one.copy(deep=False) for name, one in coordinates.items()}
+    for name, one in described.items():
+        if name in QUANTITIES and not one.attrs:
+            one.attrs = quantity_attributes(name)
     for name in (*START, *HOOP):
-        if name in coordinates or (name in sizes and variables[name].dims != (name,)):
+        # An index that came with the arrays stays; so does a dimension that only has the name of a quantity.
+        if name in sizes and (name in described or variables[name].dims != (name,)):
             continue
         described[name] = variables[name].copy(deep=False)
         described[name].attrs = quantity_attributes(name)
-    # An index cannot be lazy.
-    for name in sizes:
-        if name in described and is_lazy(described[name].data):
+        if name in sizes and is_lazy(described[name].data):
+            # An index cannot be lazy.
             described[name] = described[name].compute()
-    for name, variable in coordinates.items():
-        described[name] = variable.copy(deep=False)
-        if name in QUANTITIES and not variable.attrs:
-            described[name].attrs = quantity_attributes(name)
     return Points(sizes, variables, described)

@@ -53,6 +53,9 @@ def test_dimensions_of_data_arrays(hoop):
     assert result.throw.values.tolist() == ["soft", "hard"]
     alone = lw.simulate_many(hoop, theta=0.2, theta_rate=1.5, mu_k=0.3)
     assert result.end_time.sel(throw="hard").isel(floor=2) == alone.end_time
+    # A quantity is what was given, not a coordinate of the same name that an array happens to carry.
+    stale = lw.simulate_many(hoop, theta=theta.assign_coords(theta_rate=9.0), theta_rate=1.5)
+    assert stale.theta_rate == 1.5
     with pytest.raises(TypeError, match="DataArray"):
         lw.simulate_many(hoop, theta=theta, theta_rate=np.zeros(2))
 
