@@ -1,0 +1,107 @@
+//! The closed forms of §3 over arrays of equal length. What is not there is NaN.
+
+use littlewood::{Body, Hoop, RollingType, closed_form};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+use crate::error::refuse;
+use crate::record::parameters;
+
+type Reals<'py> = Bound<'py, PyArray1<f64>>;
+
+/// Functions of one, two or three reals, element by element.
+macro_rules! elementwise {
+    ($($name:ident($($argument:ident),+) -> $output:ty = $value:expr;)+) => {
+        $(
+            #[pyfunction]
+            fn $name<'py>(
+                py: Python<'py>,
+                $($argument: PyReadonlyArray1<'py, f64>),+
+            ) -> Bound<'py, PyArray1<$output>> {
+                let value = $value;
+                $(let mut $argument = $argument.as_array().into_iter().copied();)+
+                let mut values = Vec::<$output>::new();
+                while let ($(Some($argument),)+) = ($($argument.next(),)+) {
+                    values.push(value($($argument),+));
+                }
+                values.into_pyarray(py)
+            }
+        )+
+
+        fn register_elementwise(module: &Bound<'_, PyModule>) -> PyResult<()> {
+            $(module.add_function(wrap_pyfunction!($name, module)?)?;)+
+            Ok(())
+        }
+    };
+}
+
+elementwise! {
+    rolling_energy(theta, theta_rate) -> f64 = closed_form::rolling_energy;
+    alpha(theta, theta_rate) -> f64 = closed_form::alpha;
+    rolling_half_sine(theta, theta_rate, elapsed) -> f64 = closed_form::rolling_half_sine;
+    rolling_angle(theta, theta_rate, elapsed) -> f64 = |theta, theta_rate, elapsed| {
+        closed_form::rolling_angle(theta, theta_rate, elapsed).unwrap_or(f64::NAN)
+    };
+    rolling_time_to_plane(theta, theta_rate) -> f64 = |theta, theta_rate| {
+        closed_form::rolling_time_to_plane(theta, theta_rate).unwrap_or(f64::INFINITY)
+    };
+    stable_manifold_rate(theta) -> f64 = closed_form::stable_manifold_rate;
+    unstable_manifold_rate(theta) -> f64 = closed_form::unstable_manifold_rate;
+    rolling_normal(theta, theta_rate) -> f64 = closed_form::rolling_normal;
+    rolling_friction(theta, theta_rate) -> f64 = closed_form::rolling_friction;
+    in_rolling_region(theta, theta_rate, mu_s) -> bool = closed_form::in_rolling_region;
+    rolling_type(energy, mu_s) -> u8 = |energy, mu_s| match RollingType::of_energy(energy, mu_s) {
+        None => 0,
+        Some(RollingType::I) => 1,
+        Some(RollingType::II) => 2,
+        Some(RollingType::III) => 3,
+    };
+    slip_time_from_top(theta_rate, mu_s) -> f64 = closed_form::slip_time_from_top;
+    unloading_time_from_top(theta_rate) -> f64 = closed_form::unloading_time_from_top;
+    gliding_time_to_plane(theta, theta_rate) -> f64 = closed_form::gliding_time_to_plane;
+}
+
+/// Angle at which static friction gives way, for each μs and offset.
+#[pyfunction]
+fn slip_angle<'py>(
+    py: Python<'py>,
+    mu_s: PyReadonlyArray1<'py, f64>,
+    offset: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Reals<'py>> {
+    let mut angles = Vec::with_capacity(mu_s.as_array().len());
+    for (i, (&mu_s, &offset)) in mu_s.as_array().iter().zip(offset.as_array()).enumerate() {
+        let hoop = Hoop::new(parameters((0.0, offset, 0.0, mu_s, 0.0)))
+            .map_err(|error| refuse(py, &error, Some(i)))?;
+        angles.push(match hoop.body() {
+            Body::Massless(body) => closed_form::slip_angle(&body, mu_s).unwrap_or(f64::NAN),
+            Body::Heavy(_) => f64::NAN,
+        });
+    }
+    Ok(angles.into_pyarray(py))
+}
+
+/// Horizontal and vertical coordinate of the particle of a gliding hoop.
+#[pyfunction]
+fn gliding_path<'py>(
+    py: Python<'py>,
+    theta: PyReadonlyArray1<'py, f64>,
+    theta_rate: PyReadonlyArray1<'py, f64>,
+    slip: PyReadonlyArray1<'py, f64>,
+    elapsed: PyReadonlyArray1<'py, f64>,
+) -> (Reals<'py>, Reals<'py>) {
+    let starts = theta.as_array().into_iter().zip(theta_rate.as_array());
+    let others = slip.as_array().into_iter().zip(elapsed.as_array());
+    let (x, y): (Vec<f64>, Vec<f64>) = starts
+        .zip(others)
+        .map(|((&theta, &theta_rate), (&slip, &elapsed))| {
+            closed_form::gliding_path(theta, theta_rate, slip, elapsed)
+        })
+        .unzip();
+    (x.into_pyarray(py), y.into_pyarray(py))
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    register_elementwise(module)?;
+    module.add_function(wrap_pyfunction!(slip_angle, module)?)?;
+    module.add_function(wrap_pyfunction!(gliding_path, module)?)
+}

@@ -1,0 +1,41 @@
+//! Parameters without physical meaning, as a Python exception.
+
+use littlewood::ParameterError as Refusal;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+pyo3::create_exception!(
+    littlewood,
+    ParameterError,
+    PyValueError,
+    "A parameter without physical meaning.\n\nThe message names the value, the bound it breaks and the unit; it is that of the command line.\n\nAttributes\n----------\nquantity : str\n    Name of the parameter.\nhint : str\n    What to do about it."
+);
+
+/// The exception of an error, with the sentence of the command line; `index` is the place of the start in an array.
+pub(crate) fn refuse(py: Python<'_>, error: &Refusal, index: Option<usize>) -> PyErr {
+    let exception = ParameterError::new_err(error.to_string());
+    let quantity = match error {
+        Refusal::OutOfBounds { quantity, .. } => quantity.name(),
+        _ => "offset",
+    };
+    let value = exception.value(py);
+    let told = value
+        .setattr("quantity", quantity)
+        .and_then(|()| value.setattr("hint", error.hint()))
+        .and_then(|()| value.setattr("index", index))
+        .and_then(|()| {
+            // Python 3.10 has no notes.
+            if value.hasattr("add_note")? {
+                value.call_method1("add_note", (format!("help: {}", error.hint()),))?;
+            }
+            Ok(())
+        });
+    match told {
+        Ok(()) => exception,
+        Err(failure) => failure,
+    }
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("ParameterError", module.py().get_type::<ParameterError>())
+}

@@ -1,0 +1,29 @@
+//! The module `littlewood._core` of the Python package: the core behind NumPy arrays.
+//!
+//! It is thin on purpose. Arrays and tuples of numbers come in, arrays, dictionaries and tuples go out; names, classes,
+//! broadcasting and documentation are those of the package `python/littlewood`, which nobody else calls this for.
+//! Arrays that are computed here are handed over, not copied.
+
+mod closed_form;
+mod error;
+mod many;
+mod motion;
+mod plane;
+mod record;
+mod samples;
+mod table;
+mod waiting;
+
+use pyo3::prelude::*;
+
+/// The module.
+#[pymodule(gil_used = false)]
+fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    error::register(module)?;
+    motion::register(module)?;
+    many::register(module)?;
+    plane::register(module)?;
+    closed_form::register(module)?;
+    table::register(module)
+}

@@ -1,0 +1,137 @@
+"""Animation of a motion, as a notebook shows it."""
+
+from __future__ import annotations
+
+import math
+import operator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .extras import require
+from .plot.canvas import draw_hoop
+from .style import INK, MODE_COLOURS
+
+if TYPE_CHECKING:
+    from matplotlib.animation import FuncAnimation
+
+    from .trajectory import Trajectory
+
+__all__ = ["Animation"]
+
+# Seconds that √(R/g) takes by default: that of a hoop of about a metre.
+_SECONDS = math.sqrt(0.1)
+
+
+class Animation:
+    """A motion as a film: the hoop on the plane, its particle drawing its path in the colour of the mode.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        The motion.
+    frames : int, optional
+        Number of pictures, evenly spaced in time.
+    seconds : float, optional
+        How long it plays.
+    """
+
+    def __init__(self, motion: Trajectory, *, frames: int = 150, seconds: float | None = None) -> None:
+        if operator.index(frames) < 2:
+            raise ValueError(f"frames = {frames} must not be less than 2")
+        if not motion.phases:
+            raise ValueError(f"there is no motion to show: {motion.outcome}")
+        begin, end = motion.start.time, motion.shown_until
+        self.motion = motion
+        self.seconds = (end - begin) * _SECONDS if seconds is None else float(seconds)
+        if not (self.seconds > 0.0 and math.isfinite(self.seconds)):
+            raise ValueError(f"seconds = {self.seconds} s must be a finite number greater than 0")
+        self._times = np.linspace(begin, end, frames)
+        self._samples = motion.at(self._times)
+
+    def __repr__(self) -> str:
+        return f"<Animation of {self.motion.sequence}, {len(self._times)} frames, {self.seconds:.3g} s>"
+
+    @property
+    def _rate(self) -> int:
+        # Pictures a second, of which Matplotlib takes whole numbers.
+        return max(1, round(len(self._times) / self.seconds))
+
+    def to_matplotlib(self) -> FuncAnimation:
+        """Return the animation of Matplotlib.
+
+        Returns
+        -------
+        matplotlib.animation.FuncAnimation
+        """
+        figure_module = require("matplotlib.figure")
+        agg = require("matplotlib.backends.backend_agg")
+        animation = require("matplotlib.animation")
+        samples, hoop = self._samples, self.motion.hoop
+        low, high = float(np.min(samples.x)) - 1.3, float(np.max(samples.x)) + 1.3
+        top = float(np.max(samples.centre_y)) + 1.25
+        width = 8.0
+        height = min(6.0, max(2.2, width * (top + 0.3) / (high - low) + 0.4))
+        figure = figure_module.Figure(figsize=(width, height))
+        agg.FigureCanvasAgg(figure)
+        axes = figure.add_axes((0.01, 0.01, 0.98, 0.98))
+        axes.set_xlim(low, high)
+        axes.set_ylim(-0.3, top)
+        axes.set_aspect("equal")
+        axes.axis("off")
+        axes.axhline(0.0, color=INK, linewidth=1.4, zorder=1)
+        label = axes.text(0.01, 0.98, "", transform=axes.transAxes, va="top", color=INK, fontsize=11)
+        names = samples.mode_names
+        moving: list[Any] = []
+
+        def show(i: int) -> list[Any]:
+            for artist in moving:
+                artist.remove()
+            moving.clear()
+            moving.extend(
+                draw_hoop(axes, hoop, float(samples.x[i]), float(samples.centre_y[i]), float(samples.theta[i]))
+            )
+            begin = 0
+            for end in range(1, i + 2):
+                if end == i + 1 or names[end] != names[begin]:
+                    (line,) = axes.plot(
+                        samples.particle_x[begin : min(end, i) + 1],
+                        samples.particle_y[begin : min(end, i) + 1],
+                        color=MODE_COLOURS[str(names[begin])],
+                        linewidth=1.8,
+                        zorder=2,
+                    )
+                    moving.append(line)
+                    begin = end
+            label.set_text(f"τ = {self._times[i]:.2f}   {names[i]}")
+            label.set_color(MODE_COLOURS[str(names[i])])
+            return [*moving, label]
+
+        film: FuncAnimation = animation.FuncAnimation(
+            figure,
+            show,
+            frames=len(self._times),
+            init_func=lambda: [],
+            interval=1000.0 * self.seconds / len(self._times),
+            blit=False,
+        )
+        return film
+
+    def save(self, path: str | Path) -> None:
+        """Write a film.
+
+        Parameters
+        ----------
+        path : str or Path
+            A `.gif`, or a `.mp4` where ffmpeg is installed.
+        """
+        writer = "pillow" if Path(path).suffix.lower() == ".gif" else "ffmpeg"
+        self.to_matplotlib().save(str(path), writer=writer, fps=self._rate)
+
+    def _repr_html_(self) -> str:
+        matplotlib = require("matplotlib")
+        # Small enough pictures that all frames go into the page.
+        with matplotlib.rc_context({"animation.embed_limit": 60.0, "savefig.dpi": 72.0}):
+            html: str = self.to_matplotlib().to_jshtml(fps=self._rate, default_mode="once")
+        return html

@@ -1,0 +1,85 @@
+"""Points in arrays, and their results: at once, or as one block of many."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .variables import HOOP, START
+
+
+class Limits(NamedTuple):
+    """When to stop a motion: at the time `until`, √(R/g), if any; after `max_transitions`."""
+
+    until: float | None
+    max_transitions: int
+
+    @classmethod
+    def checked(cls, until: float | None, max_transitions: int) -> Limits:
+        """Refuse limits without meaning, before anything is computed."""
+        transitions = operator.index(max_transitions)
+        if transitions < 0:
+            raise ValueError(f"max_transitions = {transitions} must not be negative")
+        limits = cls(None if until is None else float(until), transitions)
+        # The core has the rule and the words: a motion at rest is soon simulated.
+        _core.simulate((1.0, 1.0, 1.0, 1.0, 1.0), (0.0, 0.0, 0.0, 0.0, 0.0), limits.until, 0)
+        return limits
+
+
+def compute(
+    arrays: Mapping[str, npt.NDArray[np.float64]],
+    axes: Mapping[str, tuple[int, ...]],
+    limits: Limits,
+    prepare: bool,
+    threads: int,
+    progress: Callable[[int], object] | None = None,
+) -> dict[str, npt.NDArray[Any]]:
+    """Simulate the points of some arrays.
+
+    Parameters
+    ----------
+    arrays : mapping of str to ndarray
+        The eight quantities, each over its own axes.
+    axes : mapping of str to tuple of int
+        The places of those axes among the axes of the result.
+    limits : Limits
+        When to stop.
+    prepare : bool
+        Whether to make tables of each hoop.
+    threads : int
+        Number of threads; 0 for all cores.
+    progress : callable, optional
+        Called with the number of points done.
+
+    Returns
+    -------
+    dict of str to ndarray
+    """
+    sizes = {axis: n for name, array in arrays.items() for axis, n in zip(axes[name], array.shape, strict=True)}
+    shape = tuple(sizes[axis] for axis in sorted(sizes))
+
+    def column(name: str) -> npt.NDArray[np.float64]:
+        array = arrays[name]
+        if array.ndim == 0:
+            # One value for all points is not repeated.
+            return array.reshape(1)
+        order = sorted(range(array.ndim), key=axes[name].__getitem__)
+        own = dict(zip(sorted(axes[name]), array.transpose(order).shape, strict=True))
+        spread = array.transpose(order).reshape([own.get(axis, 1) for axis in range(len(shape))])
+        return np.broadcast_to(spread, shape).ravel()
+
+    columns = _core.summaries(
+        [column(name) for name in (*HOOP, *START)],
+        int(np.prod(shape, dtype=np.int64)),
+        limits.until,
+        limits.max_transitions,
+        prepare,
+        threads,
+        progress,
+    )
+    return {name: values.reshape(shape) for name, values in columns.items()}

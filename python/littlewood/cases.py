@@ -1,0 +1,103 @@
+"""The motions that the paper shows or speaks of, by name."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from . import _core
+from .hoop import Hoop
+from .motion import State
+from .trajectory import Trajectory
+
+__all__ = ["CASES", "Case", "case"]
+
+
+@dataclass(frozen=True)
+class Case:
+    """A motion of the paper: a hoop and a start.
+
+    Attributes
+    ----------
+    name : str
+        Name, as the command line takes it.
+    title : str
+        What the motion does.
+    source : str
+        Where the paper has it.
+    hoop : Hoop
+        The hoop.
+    start : State
+        The start.
+    """
+
+    name: str
+    title: str
+    source: str
+    hoop: Hoop
+    start: State
+
+    def simulate(self, *, until: float | None = None) -> Trajectory:
+        """Follow the motion to its end, or until a time τ in √(R/g).
+
+        Parameters
+        ----------
+        until : float, optional
+            Time at which to stop, √(R/g).
+
+        Returns
+        -------
+        Trajectory
+        """
+        start = self.start
+        return self.hoop.simulate(
+            theta=start.theta,
+            theta_rate=start.theta_rate,
+            slip=start.slip,
+            x=start.x,
+            time=start.time,
+            until=until,
+        )
+
+
+def _case(
+    name: str,
+    title: str,
+    source: str,
+    hoop: tuple[float, float, float, float, float],
+    start: tuple[float, float, float, float, float],
+) -> Case:
+    mass_ratio, offset, inertia, mu_s, mu_k = hoop
+    body = Hoop(mass_ratio=mass_ratio, offset=offset, inertia=inertia, mu_s=mu_s, mu_k=mu_k)
+    return Case(name, title, source, body, State(*start))
+
+
+CASES: Mapping[str, Case] = MappingProxyType({row[0]: _case(*row) for row in _core.cases()})
+"""All cases by their names."""
+
+
+def case(name: str) -> Case:
+    """Return the case of this name.
+
+    Parameters
+    ----------
+    name : str
+        A key of :data:`CASES`.
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    KeyError
+        If there is none; the message has the names that look most like it.
+    """
+    try:
+        return CASES[name]
+    except KeyError:
+        nearest = difflib.get_close_matches(name, CASES, cutoff=0.5) or list(CASES)
+        names = " or ".join(repr(one) for one in nearest)
+        raise KeyError(f"there is no case named {name!r}; did you mean {names}?") from None

@@ -1,0 +1,52 @@
+"""Broadcasting of functions that work element by element."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    Reals = npt.NDArray[np.float64]
+
+
+def broadcast(
+    function: Callable[..., Any], *arguments: npt.ArrayLike, outputs: int = 1, dtype: Any = np.float64
+) -> Any:
+    """Call a function of one-dimensional arrays on anything that NumPy or xarray can broadcast.
+
+    Parameters
+    ----------
+    function : callable
+        Takes arrays of shape (n,), all float64, and returns one such array, or a tuple of `outputs`.
+    *arguments : array_like
+        Any shapes that broadcast, or xarray objects, which broadcast by the names of their dimensions.
+    outputs : int, optional
+        Number of arrays that the function returns.
+    dtype : data-type, optional
+        Of the outputs, for arrays of Dask.
+
+    Returns
+    -------
+    numpy.ndarray, scalar or xarray object
+        Of the common shape; a scalar where all arguments are scalars.
+    """
+    xarray = sys.modules.get("xarray")
+    if xarray is not None and any(isinstance(a, (xarray.DataArray, xarray.Variable)) for a in arguments):
+        return xarray.apply_ufunc(
+            lambda *a: broadcast(function, *a, outputs=outputs),
+            *arguments,
+            output_core_dims=[[]] * outputs,
+            dask="parallelized",
+            output_dtypes=[dtype] * outputs,
+            keep_attrs=False,
+        )
+    arrays = np.broadcast_arrays(*(np.asarray(a, dtype=np.float64) for a in arguments))
+    shape = arrays[0].shape
+    result = function(*(a.ravel() for a in arrays))
+    if outputs == 1:
+        return result.reshape(shape)[()]
+    return tuple(one.reshape(shape)[()] for one in result)

@@ -1,0 +1,181 @@
+"""What a fit has found, and how well it is known."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .extras import require
+from .hoop import Hoop
+from .motion import State
+from .style import INK, MODE_COLOURS, PALE
+from .track import Track
+from .trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["Estimate", "FitResult", "IdentifiabilityWarning"]
+
+_LABELS = {"theta": "θ  (rad)", "x": "x  (R)", "y": "y  (R)"}
+
+
+class IdentifiabilityWarning(UserWarning):
+    """A parameter leaves no trace in the motion that was tracked.
+
+    Attributes
+    ----------
+    parameters : tuple of str
+        Their names.
+    """
+
+    def __init__(self, message: str, parameters: tuple[str, ...]) -> None:
+        super().__init__(message)
+        self.parameters = parameters
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """An estimate of one parameter.
+
+    Attributes
+    ----------
+    value : float
+        Estimate; where it is not identifiable, the value that the fit happened to end with.
+    std_error : float
+        Standard error; infinite where it is not identifiable.
+    identifiable : bool
+        Whether the tracked motion depends on the parameter, apart from the others.
+    """
+
+    value: float
+    std_error: float
+    identifiable: bool
+
+    def __str__(self) -> str:
+        if not self.identifiable:
+            return "not identifiable from this motion"
+        digits = 0
+        if self.std_error > 0.0:
+            digits = max(0, 1 - math.floor(math.log10(self.std_error)))
+        return f"{self.value:.{digits}f} ± {self.std_error:.{digits}f}"
+
+
+@dataclass(frozen=True, eq=False)
+class FitResult:
+    """A fitted motion.
+
+    Attributes
+    ----------
+    hoop : Hoop
+        The hoop with the estimated parameters.
+    start : State
+        The estimated start.
+    estimates : mapping of str to Estimate
+        Estimates of everything that was free: parameters of the hoop, and of the start by `start_theta`, ….
+    covariance : ndarray
+        Covariance of the estimates, in their order; infinite on the diagonal for those not identifiable.
+    motion : Trajectory
+        The fitted motion.
+    track : Track
+        What was fitted.
+    residuals : mapping of str to ndarray
+        Measured minus fitted, by channel: rad, R, R.
+    sigma : mapping of str to float
+        Standard deviation of a measurement, given or estimated, by channel.
+    mu_s_at_least : float
+        Largest friction |F|/N that rolling needed in the fitted motion: μs is at least that, whatever else is known.
+    message : str
+        How the optimiser ended.
+    """
+
+    hoop: Hoop
+    start: State
+    estimates: Mapping[str, Estimate]
+    covariance: npt.NDArray[np.float64]
+    motion: Trajectory
+    track: Track
+    residuals: Mapping[str, npt.NDArray[np.float64]]
+    sigma: Mapping[str, float]
+    mu_s_at_least: float
+    message: str
+
+    @property
+    def reduced_chi_square(self) -> float:
+        """Sum of (residual/σ)² over the number of measurements less that of free parameters; 1 for a good fit."""
+        scaled = [self.residuals[name] / self.sigma[name] for name in self.residuals]
+        values = np.concatenate([one[np.isfinite(one)] for one in scaled])
+        return float(values @ values) / max(1, values.size - len(self.estimates))
+
+    @property
+    def inertia_kg_m2(self) -> float:
+        """Estimated moment of inertia of the disc in kg m²; needs a hoop with units."""
+        return self.hoop.inertia * self.hoop.require_units().inertia_kg_m2
+
+    def __str__(self) -> str:
+        lines = [f"{name:<18}{estimate}" for name, estimate in self.estimates.items()]
+        lines.append(f"{'mu_s at least':<18}{self.mu_s_at_least:.4g}")
+        lines.append(f"{'motion':<18}{self.motion.sequence}: {self.motion.outcome}")
+        lines += [f"{'σ of ' + name:<18}{value:.3g}" for name, value in self.sigma.items()]
+        lines.append(f"{'reduced χ²':<18}{self.reduced_chi_square:.3f}")
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            '<tr style="background:none"><td style="text-align:left;padding:2px 10px">'
+            f'{name}</td><td style="text-align:left;padding:2px 10px">{estimate}</td></tr>'
+            for name, estimate in self.estimates.items()
+        )
+        return (
+            f"<div><b>Fitted motion</b> {self.motion.sequence}: {self.motion.outcome}<table>{rows}</table>"
+            f"<small>μs is at least {self.mu_s_at_least:.4g}; reduced χ² {self.reduced_chi_square:.3f}</small></div>"
+        )
+
+    def plot(self) -> Figure:
+        """Draw what was measured, the fitted motion, and the residuals below.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+        """
+        from .plot import canvas
+
+        channels = self.track.channels
+        figure: Figure = require("matplotlib.figure").Figure(
+            figsize=(max(5.5, 4.2 * len(channels)), 5.2), layout="constrained"
+        )
+        axes: Any = figure.subplots(
+            2, len(channels), squeeze=False, sharex=True, gridspec_kw={"height_ratios": (2.0, 1.0)}
+        )
+        end = min(float(self.track.time[-1]), self.motion.end_time)
+        samples = self.motion.sample(1001, end)
+        for k, (name, measured) in enumerate(channels.items()):
+            above, below = axes[0, k], axes[1, k]
+            above.plot(self.track.time, measured, "o", ms=2.6, mfc="none", mec=PALE, label="measured")
+            fitted = samples["centre_y" if name == "y" else name]
+            for mode, part in canvas.phase_slices(samples):
+                above.plot(samples.time[part], fitted[part], color=MODE_COLOURS[mode], lw=1.8, label=mode)
+            above.set_ylabel(_LABELS[name])
+            if name == "theta":
+                canvas.pi_ticks(above, "y", most=7)
+                above.set_ylabel("θ")
+            below.axhspan(-self.sigma[name], self.sigma[name], color="#e4e4e4", lw=0)
+            below.axhline(0.0, color=INK, lw=0.8)
+            below.plot(self.track.time, self.residuals[name], "o", ms=2.6, color=INK)
+            below.set_ylabel(f"residual {_LABELS[name]}" if name != "theta" else "residual of θ  (rad)")
+            below.set_xlabel("τ  (√(R/g))")
+            for one in (above, below):
+                one.spines[["top", "right"]].set_visible(False)
+                for transition in self.motion.transitions:
+                    if transition.time <= end:
+                        one.axvline(transition.time, color=PALE, lw=0.6, zorder=0)
+        handles, labels = axes[0, 0].get_legend_handles_labels()
+        unique = dict(zip(labels, handles, strict=True))
+        figure.legend(unique.values(), unique.keys(), loc="outside upper center", ncols=5, frameon=False)
+        figure.align_ylabels()
+        return figure

@@ -1,0 +1,349 @@
+"""Friction and inertia from a tracked motion, by least squares."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import warnings
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .extras import require
+from .fit_result import Estimate, FitResult, IdentifiabilityWarning
+from .hoop import Hoop
+from .track import Track
+from .trajectory import Trajectory
+
+__all__ = ["fit"]
+
+_Reals = npt.NDArray[np.float64]
+
+_OF_HOOP = ("mu_s", "mu_k", "inertia")
+# Least inertia that is tried: without any, a hoop without mass is another body, with other equations.
+_LEAST_INERTIA = 1e-6
+# Friction coefficients and inertias that are tried first, because a motion depends smoothly on them only as long as
+# the sequence of its phases is the same.
+_TRY_MU_K = (0.05, 0.12, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0)
+_TRY_STEP = (0.01, 0.05, 0.1, 0.2, 0.4)
+_TRY_INERTIA = (0.6, 0.8, 1.0, 1.25, 1.6)
+_BEST = 6
+_DEPENDENT = "the motion does not depend on it, apart from the others"
+
+
+def fit(
+    track: Track | str | Path,
+    hoop: Hoop,
+    *,
+    free: Iterable[str] = _OF_HOOP,
+    slips_at_start: bool = False,
+    start: Mapping[str, float] | None = None,
+    sigma: Mapping[str, float] | None = None,
+    until: float | None = None,
+    loss: str = "linear",
+) -> FitResult:
+    """Estimate friction and inertia of a hoop from a tracked motion.
+
+    The start (angle, rate, position, and slip velocity if asked for) is estimated along with them. Masses and the place
+    of the particle are taken from `hoop`: they are weighed and measured.
+
+    Parameters
+    ----------
+    track : Track, str or Path
+        What was tracked, or a CSV file of it (:meth:`Track.from_csv`).
+    hoop : Hoop
+        The hoop with what is known; its values of what is free are a first guess.
+    free : iterable of {"mu_s", "mu_k", "inertia"}, optional
+        What to estimate.
+    slips_at_start : bool, optional
+        Whether the hoop is thrown with a slip velocity, which is then estimated, too; else it starts without slip.
+    start : mapping, optional
+        First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not tell them.
+    sigma : mapping, optional
+        Standard deviations of the measurements of `theta` (rad), `x` and `y` (R). By default they are estimated from
+        the residuals, each channel for itself.
+    until : float, optional
+        Last time τ, √(R/g), that is used. Leave out what comes after the landing, which is not simulated.
+    loss : {"linear", "soft_l1", "huber", "cauchy", "arctan"}, optional
+        As :func:`scipy.optimize.least_squares` has it; all but the first bear outliers.
+
+    Returns
+    -------
+    FitResult
+
+    Warns
+    -----
+    IdentifiabilityWarning
+        If the motion does not depend on something that is free. μs enters by the instant of a slip out of rolling alone
+        (a motion without one tells only that μs is at least the friction that rolling needed), μk by slides alone;
+        the inertia enters by rolling and sliding, not by flight.
+
+    Raises
+    ------
+    ValueError
+        For unknown names, or fewer measurements than unknowns.
+
+    Notes
+    -----
+    Standard errors are those of the linearised problem: covariance (JᵀJ)⁻¹ of residuals over their standard deviations.
+    A parameter counts as not identifiable where the residuals do not depend on it apart from the others, where its
+    standard error would exceed its value, or where the fit ends at the bound μs = μk: there the motion depends on μs to
+    second order only. The exact simulation makes the residuals smooth in all parameters as long as the sequence of
+    phases is the same; over the sequences the fit starts from several places.
+
+    Examples
+    --------
+    >>> import numpy as np, littlewood as lw
+    >>> hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
+    >>> time = np.linspace(0, 2.0, 200)
+    >>> seen = hoop.simulate(theta=2.5, theta_rate=3).at(time)
+    >>> result = lw.fit(lw.Track(time, theta=seen.theta, x=seen.x), hoop)
+    >>> abs(result.hoop.mu_s - 0.5) < 1e-6
+    True
+    """
+    if not isinstance(track, Track):
+        track = Track.from_csv(track, hoop.units)
+    if until is not None:
+        track = track.until(until)
+    free = tuple(free)
+    unknown = [name for name in free if name not in _OF_HOOP]
+    if unknown or not free:
+        raise ValueError(f"free = {free} must name some of {', '.join(_OF_HOOP)}")
+    unknown = [name for name in (sigma or {}) if name not in track.channels]
+    if unknown:
+        raise ValueError(f"sigma has {', '.join(unknown)}, the track has {', '.join(track.channels)}")
+    first = _first_guess(track, dict(start or {}))
+    names = [*(name for name in _OF_HOOP if name in free), "start_theta", "start_theta_rate"]
+    names += ["start_x"] if track.x is not None else []
+    names += ["start_slip"] if slips_at_start else []
+    measured = sum(int(np.isfinite(values).sum()) for values in track.channels.values())
+    if measured <= len(names):
+        raise ValueError(f"{measured} measurements are not enough for {len(names)} unknowns: {', '.join(names)}")
+    problem = _Problem(track, hoop, tuple(names), first, dict.fromkeys(track.channels, 1.0), slips_at_start)
+    if sigma is not None:
+        problem.sigma.update(sigma)
+    best = _search(problem, loss, "theta" not in track.channels and "theta" not in (start or {}))
+    # Weights from residuals, and again with those weights.
+    for _ in range(0 if sigma is not None and len(sigma) == len(track.channels) else 3):
+        for name, residual in problem.residuals(best.x).items():
+            if sigma is None or name not in sigma:
+                seen = residual[np.isfinite(residual)]
+                problem.sigma[name] = max(float(np.sqrt(np.mean(seen**2))), 1e-12)
+        best = problem.refine(best.x, loss)
+    return _result(problem, best)
+
+
+@dataclass(eq=False)
+class _Problem:
+    """Residuals as a function of the unknowns."""
+
+    track: Track
+    hoop: Hoop
+    names: tuple[str, ...]
+    first: dict[str, float]
+    sigma: dict[str, float]
+    slips: bool
+
+    def guess(self, **values: float) -> _Reals:
+        """Return the unknowns at a guess; `mu_s` is stored as its excess over `mu_k`, which must not be negative."""
+        known = {name: getattr(self.hoop, name) for name in _OF_HOOP} | values
+        known["mu_s"] = max(known["mu_s"] - known["mu_k"], 1e-6) if "mu_k" in self.names else known["mu_s"]
+        known |= {f"start_{name}": value for name, value in {**self.first, **values}.items()}
+        return np.array([known[name] for name in self.names])
+
+    def bounds(self) -> tuple[list[float], list[float]]:
+        low = {"mu_s": 0.0 if "mu_k" in self.names else self.hoop.mu_k, "mu_k": 0.0, "inertia": _LEAST_INERTIA}
+        high = {"mu_k": self.hoop.mu_s} if "mu_s" not in self.names else {}
+        return (
+            [low.get(name, -math.inf) for name in self.names],
+            [high.get(name, math.inf) for name in self.names],
+        )
+
+    def values(self, unknowns: _Reals) -> dict[str, float]:
+        found = {name: getattr(self.hoop, name) for name in _OF_HOOP}
+        found |= {f"start_{name}": value for name, value in self.first.items()}
+        found |= dict(zip(self.names, map(float, unknowns), strict=True))
+        if "mu_s" in self.names and "mu_k" in self.names:
+            found["mu_s"] += found["mu_k"]
+        return found
+
+    def motion(self, unknowns: _Reals) -> Trajectory:
+        values = self.values(unknowns)
+        hoop = Hoop(
+            mass_ratio=self.hoop.mass_ratio,
+            offset=self.hoop.offset,
+            units=self.hoop.units,
+            **{name: values[name] for name in _OF_HOOP},
+        )
+        return hoop.simulate(
+            theta=values["start_theta"],
+            theta_rate=values["start_theta_rate"],
+            slip=values["start_slip"] if self.slips else 0.0,
+            x=values["start_x"],
+            time=float(self.track.time[0]),
+            until=float(self.track.time[-1]),
+        )
+
+    def residuals(self, unknowns: _Reals) -> dict[str, _Reals]:
+        motion = self.motion(unknowns)
+        samples = motion.at(self.track.time)
+        found = {"theta": samples.theta, "x": samples.x, "y": samples.centre_y}
+        late = samples["mode"] < 0
+        if np.any(late):
+            # Beyond the end of the motion it goes on evenly: the optimiser needs a number there.
+            end = motion.outcome.state
+            elapsed = self.track.time[late] - end.time
+            rate = end.theta_rate if math.isfinite(end.theta_rate) else 0.0
+            found["theta"][late] = end.theta + rate * elapsed
+            found["x"][late] = end.x + (end.slip - rate if math.isfinite(end.slip) else 0.0) * elapsed
+            found["y"][late] = 1.0
+        return {name: measured - found[name] for name, measured in self.track.channels.items()}
+
+    def scaled(self, unknowns: _Reals) -> _Reals:
+        residuals = self.residuals(unknowns)
+        parts = [residuals[name] / self.sigma[name] for name in residuals]
+        return np.concatenate([part[np.isfinite(part)] for part in parts])
+
+    def refine(self, unknowns: _Reals, loss: str) -> Any:
+        return require("scipy.optimize").least_squares(
+            self.scaled,
+            unknowns,
+            bounds=self.bounds(),
+            jac="3-point",
+            x_scale="jac",
+            loss=loss,
+            ftol=1e-12,
+            xtol=1e-12,
+            gtol=1e-12,
+            max_nfev=200,
+        )
+
+
+def _first_guess(track: Track, given: dict[str, float]) -> dict[str, float]:
+    """Read the start off a parabola through the first frames."""
+    unknown = [name for name in given if name not in ("theta", "theta_rate", "slip", "x")]
+    if unknown:
+        raise ValueError(f"start has {', '.join(unknown)}; it can have theta, theta_rate, slip, x")
+
+    def parabola(values: _Reals) -> tuple[float, float]:
+        seen = np.flatnonzero(np.isfinite(values))[: max(6, len(track.time) // 8)]
+        if seen.size < 3:
+            raise ValueError("fewer than three frames with an angle or a position")
+        time = track.time[seen] - track.time[0]
+        curve = np.polyfit(time, values[seen], 2)
+        for _ in range(3):
+            # Outliers among the first frames would send the search astray.
+            distance = np.abs(values[seen] - np.polyval(curve, time))
+            kept = distance <= 4.0 * np.median(distance) + 1e-12
+            if kept.sum() >= 3:
+                curve = np.polyfit(time[kept], values[seen][kept], 2)
+        _, rate, value = curve
+        return float(value), float(rate)
+
+    guess = {"theta": 0.0, "theta_rate": 0.0, "slip": 0.0, "x": 0.0}
+    if track.x is not None:
+        guess["x"], velocity = parabola(track.x)
+        guess["theta_rate"] = -velocity
+    if track.theta is not None:
+        guess["theta"], guess["theta_rate"] = parabola(track.theta)
+        if track.x is not None:
+            guess["slip"] = velocity + guess["theta_rate"]
+    return guess | given
+
+
+def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
+    """Refine the best of many guesses."""
+    free = problem.names
+    angles = np.linspace(-math.pi, math.pi, 24, endpoint=False) if any_angle else [problem.first["theta"]]
+    mu_k = (problem.hoop.mu_k, *_TRY_MU_K) if "mu_k" in free else (problem.hoop.mu_k,)
+    inertias = (
+        [problem.hoop.inertia * factor for factor in _TRY_INERTIA] if "inertia" in free else [problem.hoop.inertia]
+    )
+    guesses = []
+    for angle, kinetic, inertia in itertools.product(angles, mu_k, inertias):
+        static = (
+            (problem.hoop.mu_s, *(kinetic + step for step in _TRY_STEP)) if "mu_s" in free else (problem.hoop.mu_s,)
+        )
+        for mu_s in static:
+            if kinetic <= mu_s:
+                inertia = max(inertia, 2.0 * _LEAST_INERTIA)
+                guesses.append(problem.guess(mu_s=mu_s, mu_k=kinetic, inertia=inertia, theta=float(angle)))
+    costs = [float(np.sum(np.abs(problem.scaled(guess)))) for guess in guesses]
+    found = [problem.refine(guesses[i], loss) for i in np.argsort(costs, kind="stable")[:_BEST]]
+    return min(found, key=lambda result: float(result.cost))
+
+
+def _result(problem: _Problem, best: Any) -> FitResult:
+    names = problem.names
+    covariance, lost = _covariance(best.jac)
+    reasons = {names[i]: _DEPENDENT for i in np.flatnonzero(lost)}
+    if "mu_s" in names and "mu_k" in names:
+        # The unknown is the excess of mu_s over mu_k.
+        excess, kinetic = names.index("mu_s"), names.index("mu_k")
+        change = np.eye(len(names))
+        change[excess, kinetic] = 1.0
+        covariance = change @ covariance @ change.T
+        if best.active_mask[excess] != 0:
+            reasons |= dict.fromkeys(("mu_s", "mu_k"), "the fit ends at mu_s = mu_k: here the two cannot be told apart")
+        elif lost[kinetic]:
+            reasons["mu_s"] = _DEPENDENT
+    values = problem.values(best.x)
+    motion = problem.motion(best.x)
+    for name in names:
+        if name in _OF_HOOP and covariance[names.index(name), names.index(name)] > values[name] ** 2:
+            reasons.setdefault(name, "its standard error would exceed its value")
+    demand = _demand(motion)
+    if not any(transition.cause == "slip" for transition in motion.transitions):
+        reasons["mu_s"] = f"no slip out of rolling was seen, so that only mu_s >= {demand:.4g} is known"
+    if not any(phase.mode == "sliding" for phase in motion.phases):
+        reasons["mu_k"] = "no slide was seen"
+    reasons = {name: reasons[name] for name in names if name in reasons}
+    for i in (names.index(name) for name in reasons):
+        covariance[i, :] = covariance[:, i] = 0.0
+        covariance[i, i] = math.inf
+    estimates = {
+        name: Estimate(values[name], math.sqrt(covariance[i, i]), name not in reasons) for i, name in enumerate(names)
+    }
+    result = FitResult(
+        hoop=motion.hoop,
+        start=motion.start,
+        estimates=estimates,
+        covariance=covariance,
+        motion=motion,
+        track=problem.track,
+        residuals=problem.residuals(best.x),
+        sigma=dict(problem.sigma),
+        mu_s_at_least=demand,
+        message=str(best.message),
+    )
+    if reasons:
+        words = "; ".join(f"{name} ({reason})" for name, reason in reasons.items())
+        message = f"not identifiable from this motion: {words}"
+        warnings.warn(IdentifiabilityWarning(message, tuple(reasons)), stacklevel=3)
+    return result
+
+
+def _covariance(jacobian: _Reals) -> tuple[_Reals, npt.NDArray[np.bool_]]:
+    """Return (JᵀJ)⁻¹, and which unknowns the residuals do not depend on, alone or apart from others."""
+    norms = np.linalg.norm(jacobian, axis=0)
+    scale = np.where(norms > 0.0, norms, 1.0)
+    _, singular, rows = np.linalg.svd(jacobian / scale, full_matrices=False)
+    # Differences of third order resolve the Jacobian to about 1e-10.
+    lost = singular <= 1e-8 * singular[0]
+    hidden = (norms == 0.0) | np.any(np.abs(rows[lost]) > 1e-3, axis=0)
+    inverse = np.where(lost, 0.0, 1.0 / np.where(lost, 1.0, singular))
+    root = rows.T * inverse / scale[:, None]
+    return root @ root.T, hidden
+
+
+def _demand(motion: Trajectory) -> float:
+    """Largest |F|/N in rolling."""
+    if not motion.phases:
+        return 0.0
+    samples = motion.sample(2001, min(motion.end_time, motion.shown_until))
+    rolls = (samples["mode"] == 0) & (samples.normal > 0.0)
+    return float(np.max(np.abs(samples.friction[rolls]) / samples.normal[rolls], initial=0.0))

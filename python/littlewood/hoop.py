@@ -1,0 +1,260 @@
+"""The body: a hoop or disc with a particle fixed to it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+from . import _core
+from .html import hoop_html
+from .motion import Classification, _frozen
+from .phase_plane import PhasePlane
+from .trajectory import Trajectory
+from .units import Units
+
+__all__ = ["STANDARD_GRAVITY", "Hoop"]
+
+STANDARD_GRAVITY = 9.80665
+"""Standard acceleration of free fall, m/s²."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hoop:
+    """A hoop or disc of mass m1 with a particle of mass m2, in the dimensionless parameters of (2.9).
+
+    Parameters
+    ----------
+    mass_ratio : float
+        Mass of the disc over that of the particle, m1/m2 ≥ 0.
+    offset : float
+        Distance of the particle from the centre over the radius, 0 ≤ ℓ/R ≤ 1.
+    inertia : float
+        Moment of inertia of the disc about its centre, I_zz/(m2 R²) ≥ 0. A thin hoop has m1/m2, a uniform disc half of
+        it, Littlewood's massless hoop 0.
+    mu_s : float
+        Coefficient of static friction, μs ≥ μk.
+    mu_k : float
+        Coefficient of kinetic friction, μk ≥ 0.
+    units : Units, optional
+        What the hoop measures in; :meth:`from_si` sets it.
+
+    Raises
+    ------
+    ParameterError
+        A ValueError that names the first value without physical meaning, the bound it breaks and the unit.
+
+    Examples
+    --------
+    The hoop of Figure 3 slides, rolls, slides and jumps:
+
+    >>> import math, littlewood as lw
+    >>> hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
+    >>> motion = hoop.simulate(theta=math.pi / 2, theta_rate=2)
+    >>> [phase.mode for phase in motion.phases]
+    ['sliding', 'rolling', 'sliding', 'flight']
+    """
+
+    mass_ratio: float
+    offset: float
+    inertia: float
+    mu_s: float
+    mu_k: float
+    units: Units | None = None
+
+    def __post_init__(self) -> None:
+        for name in _NUMBERS:
+            object.__setattr__(self, name, float(getattr(self, name)))
+        _core.check_hoop(self._numbers)
+
+    @classmethod
+    def from_si(
+        cls,
+        *,
+        disc_mass_kg: float,
+        particle_mass_kg: float,
+        radius_m: float,
+        offset_m: float,
+        inertia_kg_m2: float,
+        mu_s: float,
+        mu_k: float,
+        gravity_m_per_s2: float = STANDARD_GRAVITY,
+    ) -> Hoop:
+        """Make a hoop from SI units.
+
+        Parameters
+        ----------
+        disc_mass_kg : float
+            Mass m1 of the disc or hoop, kg.
+        particle_mass_kg : float
+            Mass m2 of the particle, kg.
+        radius_m : float
+            Outer radius R, m.
+        offset_m : float
+            Distance ℓ of the particle from the geometric centre, m; 0 ≤ ℓ ≤ R.
+        inertia_kg_m2 : float
+            Moment of inertia I_zz of the disc about its centre, kg m²: m1 R² for a thin hoop.
+        mu_s, mu_k : float
+            Coefficients of static and kinetic friction, 0 ≤ μk ≤ μs.
+        gravity_m_per_s2 : float, optional
+            Gravitational acceleration g, m/s².
+
+        Returns
+        -------
+        Hoop
+            With its `units`.
+
+        Raises
+        ------
+        ParameterError
+            For a value without physical meaning.
+        """
+        numbers, units = _core.hoop_from_si(
+            disc_mass_kg, particle_mass_kg, radius_m, offset_m, inertia_kg_m2, gravity_m_per_s2, mu_s, mu_k
+        )
+        return cls(**dict(zip(_NUMBERS, numbers, strict=True)), units=Units(*units))
+
+    @property
+    def _numbers(self) -> tuple[float, float, float, float, float]:
+        return (self.mass_ratio, self.offset, self.inertia, self.mu_s, self.mu_k)
+
+    @property
+    def mass(self) -> float:
+        """Total mass m = 1 + m1/m2, m2."""
+        return _core.check_hoop(self._numbers)[0]
+
+    @property
+    def h(self) -> float:
+        """Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4), R."""
+        return _core.check_hoop(self._numbers)[1]
+
+    @property
+    def inertia_about_mass_centre(self) -> float:
+        """Moment of inertia about the mass centre, Î of (2.9), m2 R²."""
+        return _core.check_hoop(self._numbers)[2]
+
+    @property
+    def phase_plane(self) -> PhasePlane:
+        """The (θ, θ′) plane of its rolling motions."""
+        return PhasePlane(self)
+
+    def simulate(
+        self,
+        *,
+        theta: float,
+        theta_rate: float,
+        slip: float = 0.0,
+        x: float = 0.0,
+        time: float = 0.0,
+        until: float | None = None,
+        max_transitions: int = 10_000,
+    ) -> Trajectory:
+        """Follow a motion to its end, or to a limit.
+
+        Every transition is located to the last digits; none is missed.
+
+        Parameters
+        ----------
+        theta : float
+            Angle θ of the particle from the upward vertical, counterclockwise, rad.
+        theta_rate : float
+            Rate θ′, √(g/R). Rolling to the right has θ′ < 0.
+        slip : float, optional
+            Slip velocity η′ of the contact point (2.7), √(gR).
+        x : float, optional
+            Horizontal position of the geometric centre, R.
+        time : float, optional
+            Time τ of the start, √(R/g).
+        until : float, optional
+            Time τ at which to stop, √(R/g). A motion is followed to its end by default.
+        max_transitions : int, optional
+            Largest number of transitions. Only μs = μk needs it.
+
+        Returns
+        -------
+        Trajectory
+
+        Raises
+        ------
+        ParameterError
+            For a start or a limit without physical meaning.
+        """
+        return Trajectory(self, (time, theta, theta_rate, slip, x), until, max_transitions)
+
+    def simulate_si(
+        self,
+        *,
+        theta_rad: float,
+        theta_rate_rad_per_s: float,
+        slip_m_per_s: float = 0.0,
+        x_m: float = 0.0,
+        time_s: float = 0.0,
+        until_s: float | None = None,
+        max_transitions: int = 10_000,
+    ) -> Trajectory:
+        """Follow a motion from a start in SI units.
+
+        Parameters
+        ----------
+        theta_rad : float
+            Angle θ, rad.
+        theta_rate_rad_per_s : float
+            Rate dθ/dt, rad/s.
+        slip_m_per_s : float, optional
+            Slip velocity dη/dt, m/s.
+        x_m : float, optional
+            Horizontal position of the geometric centre, m.
+        time_s, until_s : float, optional
+            Time of the start, and time at which to stop, s.
+        max_transitions : int, optional
+            Largest number of transitions.
+
+        Returns
+        -------
+        Trajectory
+            Dimensionless; its `to_pandas(si=True)` and `to_xarray(si=True)` are in SI units.
+
+        Raises
+        ------
+        ValueError
+            If the hoop has no units: it was not made by :meth:`from_si`.
+        ParameterError
+            For a start or a limit without physical meaning.
+        """
+        units = self.require_units()
+        start, until = _core.start_from_si(
+            (units.mass_kg, units.length_m, units.gravity_m_per_s2),
+            (time_s, theta_rad, theta_rate_rad_per_s, slip_m_per_s, x_m),
+            until_s,
+        )
+        return Trajectory(self, start, until, max_transitions)
+
+    def classify(self, *, theta: float, theta_rate: float, slip: float = 0.0) -> Classification:
+        """Say which region a start lies in, and what begins there, without simulating it.
+
+        Parameters
+        ----------
+        theta, theta_rate, slip : float
+            Start: θ in rad, θ′ in √(g/R), η′ in √(gR).
+
+        Returns
+        -------
+        Classification
+
+        Raises
+        ------
+        ParameterError
+            For a start without physical meaning.
+        """
+        found = _core.classify(self._numbers, (0.0, theta, theta_rate, slip, 0.0))
+        return Classification(**{**found, "details": _frozen(found["details"])})
+
+    def require_units(self) -> Units:
+        """Return the units, or raise ValueError if the hoop has none."""
+        if self.units is None:
+            raise ValueError("this hoop has no units: make it by Hoop.from_si to work in SI units")
+        return self.units
+
+    def _repr_html_(self) -> str:
+        return hoop_html(self)
+
+
+_NUMBERS = tuple(field.name for field in fields(Hoop) if field.name != "units")

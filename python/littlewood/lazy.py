@@ -1,0 +1,68 @@
+"""Sweeps in blocks: lazy arrays that any scheduler of Dask can compute."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .block import Limits, compute
+from .extras import require
+from .points import Points
+from .variables import DTYPE, RESULTS
+
+
+def lazy_columns(points: Points, limits: Limits) -> dict[str, Any]:
+    """Return the variables of a result as arrays of Dask.
+
+    A block of points is one task, which makes records; each variable picks its field of them. Nothing is computed here.
+    """
+    da = require("dask.array")
+    axes = points.axes
+    varying = [name for name, variable in points.variables.items() if variable.ndim]
+    fixed = {name: float(one.data) for name, one in points.variables.items() if not one.ndim}
+    arguments: list[Any] = []
+    for name in varying:
+        data = points.variables[name].data
+        arguments += [da.asanyarray(data), axes[name]]
+    # The blocks are made alike here: Dask would warn that a product of axes has more of them than each axis.
+    _, alike = da.core.unify_chunks(*arguments, warn=False)
+    arguments[::2] = alike
+    records = da.blockwise(
+        _records,
+        tuple(range(len(points.sizes))),
+        *arguments,
+        align_arrays=False,
+        names=tuple(varying),
+        axes=axes,
+        fixed=fixed,
+        limits=tuple(limits),
+        prepare=points.prepare,
+        dtype=DTYPE,
+        meta=np.empty((0,) * len(points.sizes), dtype=DTYPE),
+    )
+    return {
+        name: records.map_blocks(operator.itemgetter(name), dtype=DTYPE[name], name=f"{name}-{records.name}")
+        for name in RESULTS
+    }
+
+
+def _records(
+    *blocks: npt.NDArray[np.float64],
+    names: tuple[str, ...],
+    axes: Mapping[str, tuple[int, ...]],
+    fixed: Mapping[str, float],
+    limits: tuple[float | None, int],
+    prepare: bool,
+) -> npt.NDArray[Any]:
+    arrays = dict(zip(names, blocks, strict=True))
+    arrays.update((name, np.asarray(value)) for name, value in fixed.items())
+    # A worker of Dask runs as many blocks at a time as it has threads: one thread for each.
+    columns = compute(arrays, axes, Limits(*limits), prepare, threads=1)
+    records = np.empty(columns["outcome"].shape, dtype=DTYPE)
+    for name, values in columns.items():
+        records[name] = values
+    return records

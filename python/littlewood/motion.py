@@ -1,0 +1,241 @@
+"""The parts of a motion: states, phases, transitions, outcome."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
+
+from . import _core
+
+__all__ = ["EDGES", "MODES", "OUTCOMES", "Classification", "Edge", "Outcome", "Phase", "State", "Transition"]
+
+MODES: tuple[str, ...] = tuple(_core.MODES)
+"""Names of the modes of motion; their places are the codes in arrays. Outside a motion the code is -1."""
+
+OUTCOMES: tuple[str, ...] = tuple(_core.OUTCOMES)
+"""Kinds of outcomes; their places are the codes in arrays."""
+
+
+@dataclass(frozen=True)
+class State:
+    """The state of the body at an instant. In flight `slip` is that of a landing there.
+
+    Attributes
+    ----------
+    time : float
+        Time τ, √(R/g).
+    theta : float
+        Angle θ of the particle from the upward vertical, counterclockwise, not reduced; rad.
+    theta_rate : float
+        Rate θ′, √(g/R).
+    slip : float
+        Slip velocity η′ of the contact point (2.7), √(gR).
+    x : float
+        Horizontal position of the geometric centre, R.
+    """
+
+    time: float
+    theta: float
+    theta_rate: float
+    slip: float
+    x: float
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A phase of motion in one mode.
+
+    Attributes
+    ----------
+    mode : {"rolling", "sliding", "gliding", "flight"}
+        Mode of motion.
+    direction : {-1, 0, 1}
+        Sign of the slip velocity; 0 for rolling and flight.
+    start : State
+        State at the start.
+    end : State or None
+        State at the end; None for a phase that lasts for ever.
+    energy_start : float
+        Energy at the start (2.8), m2 g R.
+    energy_lost : float
+        Energy lost to friction during the phase, m2 g R.
+    is_small_inertia_limit : bool
+        False for a glide that is not the limit of motions of a heavy hoop as its inertia vanishes.
+    """
+
+    mode: str
+    direction: int
+    start: State
+    end: State | None
+    energy_start: float
+    energy_lost: float
+    is_small_inertia_limit: bool
+
+    @property
+    def start_time(self) -> float:
+        """Time at the start, √(R/g)."""
+        return self.start.time
+
+    @property
+    def end_time(self) -> float:
+        """Time at the end, √(R/g); infinite for a phase that lasts for ever."""
+        return math.inf if self.end is None else self.end.time
+
+    @property
+    def duration(self) -> float:
+        """Duration, √(R/g)."""
+        return self.end_time - self.start_time
+
+
+@dataclass(frozen=True)
+class Transition:
+    """A change of the mode of motion, or the event that ends the simulation.
+
+    Attributes
+    ----------
+    state : State
+        State at the transition; continuous through it.
+    from_mode : str
+        Mode that ends.
+    to_mode : str or None
+        Mode that begins; None where the motion is not followed further.
+    direction : {-1, 0, 1}
+        Sign of the slip velocity of the motion that begins.
+    cause : str
+        Event: slip, normal_force_zero, stick, reversal, graze, lift_off, landing, particle_at_plane,
+        particle_at_bottom, particle_at_top or singularity.
+    """
+
+    state: State
+    from_mode: str
+    to_mode: str | None
+    direction: int
+    cause: str
+
+    @property
+    def time(self) -> float:
+        """Time τ, √(R/g)."""
+        return self.state.time
+
+
+def in_words(name: str) -> str:
+    """Write the name of a cause or an outcome as words."""
+    return {"lift_off": "lift-off", "normal_force_zero": "N = 0"}.get(name, name.replace("_", " "))
+
+
+def _frozen(details: Mapping[str, Any]) -> Mapping[str, Any]:
+    return MappingProxyType(dict(details))
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a motion ended.
+
+    Attributes
+    ----------
+    kind : str
+        One of :data:`OUTCOMES`.
+    state : State
+        State at the end, or where the phase begins that lasts for ever.
+    is_final : bool
+        Whether the motion was followed to its end, and not only to a limit.
+    details : mapping
+        What is known besides: `gap_rate` of a landing; `recurrence`, `period`, `theta_min`, `theta_max`, `theta_limit`
+        of a motion that lasts for ever; `consistent`, `rolling_normal`, `rolling_friction`, `contact`,
+        `solvability_negative`, `solvability_positive` where no motion or several are consistent; `solvability` of a
+        singular slide.
+    """
+
+    kind: str
+    state: State
+    is_final: bool
+    details: Mapping[str, Any] = field(default_factory=lambda: _frozen({}))
+
+    @property
+    def period(self) -> float | None:
+        """Period of a motion that lasts for ever, √(R/g); None if it has none."""
+        period: float | None = self.details.get("period")
+        return period
+
+    def __str__(self) -> str:
+        words = in_words(self.kind)
+        if "recurrence" in self.details:
+            words += f" ({self.details['recurrence']}"
+            words += f", period {self.period:.6g})" if self.period is not None else ")"
+        return words
+
+
+@dataclass(frozen=True)
+class Classification:
+    """Where a start lies, and what follows at once.
+
+    Attributes
+    ----------
+    region : str
+        One of :data:`littlewood.REGIONS`.
+    mode : str or None
+        Mode that begins, if exactly one is consistent.
+    direction : {-1, 0, 1}
+        Sign of the slip velocity that begins.
+    energy : float
+        Energy (2.8), m2 g R.
+    rolling_normal, rolling_friction : float
+        N and F that rolling from here would need (2.12), m2 g.
+    contact : float
+        1 − h cos θ θ′²: negative where the body leaves the plane.
+    rolling_type : str or None
+        "I", "II" or "III" for Littlewood's hoop in R (section 3a).
+    rolling_end : tuple of (float, float, float, str) or None
+        Time until rolling ends, θ and θ′ there, and "slip" or "normal_force_zero".
+    details : mapping
+        As those of :class:`Outcome`, for a start that rolls for ever or is undecided.
+    """
+
+    region: str
+    mode: str | None
+    direction: int
+    energy: float
+    rolling_normal: float
+    rolling_friction: float
+    contact: float
+    rolling_type: str | None
+    rolling_end: tuple[float, float, float, str] | None
+    details: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Edge:
+    """An edge of the automaton.
+
+    Attributes
+    ----------
+    body : {"heavy", "massless"}
+        Bodies that have it.
+    from_mode : str
+        Mode that ends.
+    cause : str
+        Event.
+    guard : str
+        Condition, in the symbols of the paper.
+    reset : str
+        What is set at the transition; everything else is continuous.
+    to_mode : str or None
+        Mode that begins; None where the simulation ends.
+    source : str
+        Where the paper has it.
+    """
+
+    body: str
+    from_mode: str
+    cause: str
+    guard: str
+    reset: str
+    to_mode: str | None
+    source: str
+
+
+EDGES: tuple[Edge, ...] = tuple(Edge(*edge) for edge in _core.edges())
+"""All edges of the automaton; no motion takes another."""

@@ -1,0 +1,113 @@
+"""What pictures are made of: axes, ticks at multiples of π, labels, the hoop itself."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from ..extras import require
+from ..motion import MODES
+from ..samples import Samples
+from ..style import INK, PALE
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ..hoop import Hoop
+
+LABELS = {
+    "time": "τ  (√(R/g))",
+    "theta": "θ",
+    "theta_rate": "θ′  (√(g/R))",
+    "slip": "η′  (√(gR))",
+    "mass_ratio": "m₁/m₂",
+    "offset": "ℓ/R",
+    "inertia": "I/(m₂R²)",
+    "mu_s": r"$\mu_s$",
+    "mu_k": r"$\mu_k$",
+    "x": "x  (R)",
+    "y": "y  (R)",
+}
+"""Labels of axes, by the names of quantities."""
+
+
+def new_axes(width: float, height: float) -> Axes:
+    """Return axes in a figure of their own, which no state machine keeps."""
+    figure = require("matplotlib.figure").Figure(figsize=(width, height), layout="constrained")
+    axes: Axes = figure.add_subplot()
+    return axes
+
+
+def plain(axes: Axes) -> None:
+    """Take away what frames the picture and shows nothing."""
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.spines[["left", "bottom"]].set_color(INK)
+    axes.tick_params(colors=INK)
+
+
+def _pi(value: float) -> str:
+    ratio = Fraction(value / math.pi).limit_denominator(24)
+    sign = "−" if ratio < 0 else ""
+    top, bottom = abs(ratio.numerator), ratio.denominator
+    if top == 0:
+        return "0"
+    return f"{sign}{'' if top == 1 else top}π{'' if bottom == 1 else f'/{bottom}'}"
+
+
+def pi_ticks(axes: Axes, which: Literal["x", "y"] = "x", most: int = 9) -> None:
+    """Put the ticks of an angle at multiples of π.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Axes with their limits set.
+    which : {"x", "y"}
+        Axis that shows the angle.
+    most : int, optional
+        Largest number of ticks.
+    """
+    ticker = require("matplotlib.ticker")
+    low, high = sorted(axes.get_xlim() if which == "x" else axes.get_ylim())
+    # Halves, thirds, quarters of π first; whole multiples where the angle turns often.
+    steps = [math.pi / d for d in (12, 6, 4, 2, 1)] + [math.pi * 2**k for k in range(1, 30)]
+    fitting = [step for step in steps if (high - low) / step <= most]
+    if (high - low) < math.pi / 6 or not fitting:
+        return
+    axis = axes.xaxis if which == "x" else axes.yaxis
+    axis.set_major_locator(ticker.MultipleLocator(fitting[0]))
+    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: _pi(value)))
+
+
+def phase_slices(samples: Samples) -> list[tuple[str, slice]]:
+    """Return the parts of evenly spaced samples that lie in one phase, with their modes."""
+    # A transition stands twice: the mode changes between the two, or a direction does.
+    mode, direction = samples["mode"], samples["direction"]
+    if not len(mode):
+        return []
+    cuts = np.flatnonzero((np.diff(mode) != 0) | (np.diff(direction) != 0)) + 1
+    edges = [0, *cuts.tolist(), len(mode)]
+    return [(MODES[mode[a]], slice(a, b)) for a, b in itertools.pairwise(edges) if mode[a] >= 0]
+
+
+def draw_hoop(axes: Axes, hoop: Hoop, x: float, y: float, theta: float, *, alpha: float = 1.0) -> list[Any]:
+    """Draw a hoop with its particle and its mass centre; returns the artists."""
+    patches, lines = require("matplotlib.patches"), require("matplotlib.lines")
+
+    def along(distance: float) -> tuple[float, float]:
+        return x - distance * math.sin(theta), y + distance * math.cos(theta)
+
+    particle, centre = along(hoop.offset), along(hoop.h)
+    style: dict[str, Any] = {"alpha": alpha, "zorder": 3}
+    artists: list[Any] = [
+        patches.Circle((x, y), 1.0, fill=False, edgecolor=PALE, linewidth=1.3, **style),
+        lines.Line2D([x, particle[0]], [y, particle[1]], color=PALE, linewidth=1.0, **style),
+        patches.Circle(particle, 0.085, facecolor=INK, edgecolor=INK, **style),
+        patches.Circle(centre, 0.05, facecolor="white", edgecolor=INK, linewidth=1.0, **style),
+    ]
+    for artist in artists:
+        axes.add_artist(artist)
+    return artists

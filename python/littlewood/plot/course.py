@@ -1,0 +1,217 @@
+"""A motion: its path in the plane, and what happens over time."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..extras import require
+from ..motion import in_words
+from ..samples import COLUMNS, Samples
+from ..style import INK, MODE_COLOURS, MODE_DASHES, PALE
+from .canvas import LABELS, draw_hoop, new_axes, phase_slices, pi_ticks, plain
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from ..trajectory import Trajectory
+
+
+def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001, hoops: bool = True) -> Axes:
+    """Draw the paths of the mass centre (thick) and the geometric centre (thin), as in Figure 3(b).
+
+    Parameters
+    ----------
+    motion : Trajectory
+        The motion.
+    axes : matplotlib.axes.Axes, optional
+        Where to draw; a new figure by default.
+    count : int, optional
+        Number of instants.
+    hoops : bool, optional
+        Whether to draw the hoop at the start, at transitions and at the end.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    samples = motion.sample(count)
+    x_low = float(np.min(samples.x)) - 1.2
+    x_high = float(np.max(samples.x)) + 1.2
+    y_high = float(np.max(samples.centre_y)) + 1.15
+    if axes is None:
+        width = 9.0
+        axes = new_axes(width, min(6.0, max(2.4, 1.1 + width * (y_high / (x_high - x_low) + 0.045))))
+    axes.axhline(0.0, color=INK, linewidth=1.2, zorder=1)
+    shown: set[str] = set()
+    for mode, part in phase_slices(samples):
+        style: dict[str, Any] = {"color": MODE_COLOURS[mode], "linestyle": MODE_DASHES[mode], "zorder": 4}
+        label = None if mode in shown else mode
+        axes.plot(samples.mass_centre_x[part], samples.mass_centre_y[part], linewidth=2.4, label=label, **style)
+        axes.plot(samples.x[part], samples.centre_y[part], linewidth=1.1, **style)
+        shown.add(mode)
+    if hoops:
+        _mark_hoops(motion, axes, samples, x_high - x_low)
+    axes.set_xlim(x_low, x_high)
+    # Room for two rows of labels.
+    axes.set_ylim(-0.045 * (x_high - x_low) if hoops else -0.1, y_high)
+    axes.set_aspect("equal")
+    axes.set_xlabel(LABELS["x"])
+    axes.set_ylabel(LABELS["y"])
+    axes.set_yticks(range(math.ceil(y_high)))
+    if shown:
+        axes.legend(
+            loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, frameon=False, handlelength=3.2, borderpad=0.2
+        )
+    plain(axes)
+    return axes
+
+
+def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -> None:
+    marks = [(motion.start.time, "start")]
+    marks += [(transition.time, in_words(transition.cause)) for transition in motion.transitions]
+    if not motion.transitions or motion.transitions[-1].to_mode is not None:
+        marks.append((float(samples.time[-1]), ""))
+    # Labels stand in two rows; a mark that finds no room in either is left out, unless it is the last.
+    ends: list[list[tuple[float, float]]] = [[], []]
+    for time, label in marks:
+        at = int(np.argmin(np.abs(samples.time - time)))
+        x, y = float(samples.x[at]), float(samples.centre_y[at])
+        half = 0.5 * span * 0.0125 * (len(label) + 1)
+        free = [all(x + half < a or x - half > b for a, b in row) for row in ends]
+        if label and not any(free) and time != marks[-1][0]:
+            continue
+        draw_hoop(axes, motion.hoop, x, y, float(samples.theta[at]), alpha=0.75)
+        if label and any(free):
+            row = free.index(True)
+            ends[row].append((x - half, x + half))
+            axes.annotate(
+                label,
+                (x, 0.0),
+                xytext=(0, -5 - 13 * row),
+                textcoords="offset points",
+                ha="center",
+                va="top",
+                fontsize=9,
+                color=INK,
+                annotation_clip=False,
+            )
+
+
+def history(
+    motion: Trajectory,
+    axes: Axes | None = None,
+    *,
+    quantities: tuple[str, ...] = ("theta_rate", "slip"),
+    count: int = 1001,
+) -> Axes:
+    """Draw quantities over time, coloured by the mode of motion.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        The motion.
+    axes : matplotlib.axes.Axes, optional
+        Where to draw; a new figure by default.
+    quantities : tuple of str, optional
+        Columns of :class:`littlewood.Samples`; each is labelled at its end.
+    count : int, optional
+        Number of instants.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    samples = motion.sample(count)
+    if axes is None:
+        axes = new_axes(7.0, 3.2)
+    for name in quantities:
+        for mode, part in phase_slices(samples):
+            values = np.where(np.isfinite(samples[name][part]), samples[name][part], np.nan)
+            axes.plot(samples.time[part], values, color=MODE_COLOURS[mode], linestyle=MODE_DASHES[mode], linewidth=1.8)
+    axes.margins(y=0.15)
+    _limit(axes, [samples[name] for name in quantities])
+    if len(quantities) > 1:
+        _name_lines(axes, samples, quantities)
+    else:
+        axes.set_ylabel(LABELS.get(quantities[0], COLUMNS[quantities[0]].symbol))
+    for transition in motion.transitions:
+        if transition.time <= samples.time[-1]:
+            axes.axvline(transition.time, color=PALE, linewidth=0.6, zorder=0)
+    axes.axhline(0.0, color=PALE, linewidth=0.6, zorder=0)
+    axes.set_xlim(float(samples.time[0]), float(samples.time[-1]))
+    axes.set_xlabel(LABELS["time"])
+    if quantities == ("theta",):
+        pi_ticks(axes, "y", most=7)
+    plain(axes)
+    return axes
+
+
+def _limit(axes: Axes, lines: list[Any]) -> None:
+    """Keep a rate that grows without bound (gliding) from flattening everything else."""
+    values = np.concatenate([line[np.isfinite(line)] for line in lines])
+    usual = float(np.quantile(np.abs(values), 0.95))
+    if usual > 0.0 and float(np.max(np.abs(values))) > 4.0 * usual:
+        low, high = max(float(np.min(values)), -1.5 * usual), min(float(np.max(values)), 1.5 * usual)
+        axes.set_ylim(low - 0.05 * (high - low), high)
+
+
+def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> None:
+    """Write the symbol of each line where it is in sight and far from the others."""
+    low, high = axes.get_ylim()
+    table = np.array([samples[name] for name in quantities])
+    table = np.where(np.isfinite(table) & (table >= low) & (table <= high), table, np.nan)
+    middle = slice(len(samples.time) // 20, -(len(samples.time) // 20) or None)
+    for k, name in enumerate(quantities):
+        others = np.delete(table, k, axis=0)
+        distance = np.min(np.abs(np.nan_to_num(others, nan=high) - table[k]), axis=0)[middle]
+        if not np.any(np.isfinite(distance)):
+            continue
+        at = middle.start + int(np.nanargmax(distance))
+        above = table[k, at] >= np.nanmean(np.nan_to_num(others[:, at]))
+        axes.annotate(
+            COLUMNS[name].symbol,
+            (samples.time[at], table[k, at]),
+            xytext=(7, 4 if above else -4),
+            textcoords="offset points",
+            va="bottom" if above else "top",
+            color=INK,
+            bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+        )
+
+
+def trajectory(motion: Trajectory) -> Figure:
+    """Draw the path of a motion, and θ, the rates and the forces over time.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        The motion.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    figure: Figure = require("matplotlib.figure").Figure(figsize=(9.5, 7.0), layout="constrained")
+    if not motion.phases:
+        axes = figure.add_subplot()
+        draw_hoop(axes, motion.hoop, motion.start.x, 1.0, motion.start.theta)
+        axes.axhline(0.0, color=INK, linewidth=1.2)
+        axes.set_xlim(motion.start.x - 2.0, motion.start.x + 2.0)
+        axes.set_ylim(-0.3, 2.3)
+        axes.set_aspect("equal")
+        axes.set_title(f"no phase: {motion.outcome}")
+        return figure
+    grid = figure.add_gridspec(2, 3, height_ratios=(1.25, 1.0))
+    path(motion, figure.add_subplot(grid[0, :]))
+    angle = history(motion, figure.add_subplot(grid[1, 0]), quantities=("theta",))
+    angle.set_title("angle θ", fontsize=10)
+    angle.set_ylabel("")
+    rates = history(motion, figure.add_subplot(grid[1, 1]))
+    rates.set_title("rate θ′ (√(g/R)) and slip η′ (√(gR))", fontsize=10)
+    forces = history(motion, figure.add_subplot(grid[1, 2]), quantities=("normal", "friction"))
+    forces.set_title("normal force N and friction F (m₂g)", fontsize=10)
+    return figure

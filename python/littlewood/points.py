@@ -1,0 +1,230 @@
+"""What a sweep is asked for: quantities over named dimensions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .extras import require
+from .hoop import Hoop
+from .variables import HOOP, QUANTITIES, START, quantity_attributes
+
+if TYPE_CHECKING:
+    import xarray
+
+# Starts of a hoop from which on its tables repay the time they take.
+_REPAYS = 24
+
+
+@dataclass(frozen=True)
+class Points:
+    """The points of a sweep.
+
+    Attributes
+    ----------
+    sizes : mapping of str to int
+        Sizes of the dimensions, in order.
+    variables : mapping of str to xarray.Variable
+        The eight quantities, each over some of the dimensions; in memory, or arrays of Dask.
+    coordinates : mapping of str to xarray.Variable
+        Coordinates of the result.
+    """
+
+    sizes: Mapping[str, int]
+    variables: Mapping[str, xarray.Variable]
+    coordinates: Mapping[str, Any]
+
+    @property
+    def count(self) -> int:
+        """Number of points."""
+        return math.prod(self.sizes.values())
+
+    @property
+    def axes(self) -> dict[str, tuple[int, ...]]:
+        """The places of the dimensions of each quantity among the dimensions."""
+        place = {dimension: i for i, dimension in enumerate(self.sizes)}
+        return {name: tuple(place[str(d)] for d in one.dims) for name, one in self.variables.items()}
+
+    @property
+    def prepare(self) -> bool:
+        """Whether hoops have starts enough for tables.
+
+        It is decided by the dimensions alone, not by the values nor by blocks, so that the digits of a result do not
+        depend on how it is cut.
+        """
+        of_hoops = {dimension for name in HOOP for dimension in self.variables[name].dims}
+        starts = math.prod(size for dimension, size in self.sizes.items() if dimension not in of_hoops)
+        return starts >= _REPAYS
+
+    @property
+    def is_lazy(self) -> bool:
+        """Whether a quantity is an array of Dask."""
+        return any(is_lazy(variable.data) for variable in self.variables.values())
+
+    def chunked(self, chunks: Any) -> Points:
+        """Cut all quantities into blocks; `chunks` as xarray takes it."""
+        require("dask.array")
+        # Each with the same blocks along the same dimension: found on one array over all of them.
+        xr = require("xarray")
+        shape = tuple(self.sizes.values())
+        probe = xr.Variable(tuple(self.sizes), np.broadcast_to(np.float64(0.0), shape)).chunk(chunks)
+        blocks = probe.chunksizes
+        variables = {
+            name: variable.chunk({d: blocks[str(d)] for d in variable.dims}) if variable.dims else variable
+            for name, variable in self.variables.items()
+        }
+        # Indices stay in memory: xarray needs them.
+        coordinates = {
+            name: variable if variable.dims in ((), (name,)) else variable.chunk({d: blocks[d] for d in variable.dims})
+            for name, variable in self.coordinates.items()
+        }
+        return Points(self.sizes, variables, coordinates)
+
+
+def is_lazy(data: Any) -> bool:
+    """Tell whether an array is one of Dask, without importing it."""
+    return hasattr(data, "__dask_graph__")
+
+
+def _real(name: str, value: Any) -> Any:
+    if is_lazy(value):
+        return value.astype(np.float64)
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{name} must hold real numbers: {error}") from None
+
+
+def fill(hoop: Hoop | None, given: Mapping[str, Any], required: Iterable[str]) -> dict[str, Any]:
+    """Return the eight quantities: what is given, over the hoop, over no slip.
+
+    Raises
+    ------
+    TypeError
+        For an unknown name, or if a quantity is missing.
+    """
+    unknown = [name for name in given if name not in QUANTITIES]
+    if unknown:
+        raise TypeError(f"there is no quantity {', '.join(unknown)}; there are {', '.join(QUANTITIES)}")
+    values: dict[str, Any] = {"slip": 0.0}
+    if hoop is not None:
+        values.update(zip(HOOP, hoop._numbers, strict=True))
+    values.update((name, value) for name, value in given.items() if value is not None)
+    missing = [name for name in required if name not in values]
+    if missing:
+        raise TypeError(f"missing: {', '.join(missing)}" + ("; give a hoop" if hoop is None else ""))
+    return values
+
+
+# Parameters of a hoop that can contradict each other.
+_RELATED = (("mu_s", "mu_k"), ("mass_ratio", "offset", "inertia"))
+
+
+def check_hoop(values: Mapping[str, Any]) -> None:
+    """Refuse a hoop without physical meaning, as far as it does not lie in a combination of two that vary."""
+    fixed = {name for name in HOOP if np.ndim(values[name]) == 0 and not is_lazy(values[name])}
+    harmless = {"mass_ratio": 1.0, "offset": 1.0, "inertia": 1.0, "mu_s": 0.0, "mu_k": 0.0}
+    for related in _RELATED:
+        varying = [name for name in related if name not in fixed]
+        if len(varying) > 1 or any(is_lazy(values[name]) for name in varying):
+            continue
+        known = {name: _real(name, values[name]) for name in related}
+        if varying:
+            known[varying[0]] = _worst(varying[0], known)
+        numbers = {**harmless, **{name: float(value) for name, value in known.items()}}
+        mass_ratio, offset, inertia, mu_s, mu_k = (numbers[name] for name in HOOP)
+        Hoop(mass_ratio=mass_ratio, offset=offset, inertia=inertia, mu_s=mu_s, mu_k=mu_k)
+
+
+def _worst(name: str, known: Mapping[str, Any]) -> Any:
+    """Return the first value that breaks a relation, or one that breaks none: others are refused in the computation."""
+    values = np.asarray(getattr(known[name], "data", known[name])).ravel()
+    if name == "mu_k":
+        bad = values > known["mu_s"]
+    elif name == "mu_s":
+        bad = values < known["mu_k"]
+    else:
+        # Only a zero can make a hoop without any inertia.
+        bad = values == 0.0
+    if bad.any():
+        return values[np.argmax(bad)]
+    return 1.0 if name in ("mass_ratio", "offset", "inertia") else known["mu_k" if name == "mu_s" else "mu_s"]
+
+
+def broadcast(values: Mapping[str, Any]) -> Points:
+    """Broadcast quantities: xarray objects by names of dimensions, arrays by position."""
+    xr = require("xarray")
+    named = {name: value for name, value in values.items() if isinstance(value, xr.DataArray)}
+    if named:
+        unnamed = [name for name, value in values.items() if name not in named and np.ndim(value) > 0]
+        if unnamed:
+            raise TypeError(
+                f"{', '.join(unnamed)} and {', '.join(named)} do not go together: "
+                "give all arrays as xarray.DataArray, or none"
+            )
+        aligned = dict(zip(named, xr.align(*named.values(), join="exact"), strict=True))
+        sizes: dict[str, int] = {}
+        coordinates: dict[str, Any] = {}
+        for array in aligned.values():
+            sizes.update((str(dimension), size) for dimension, size in array.sizes.items())
+            coordinates.update((str(name), one.variable) for name, one in array.coords.items())
+        variables = {
+            name: xr.Variable(aligned[name].dims, _real(name, aligned[name].data))
+            if name in named
+            else xr.Variable((), _real(name, value))
+            for name, value in values.items()
+        }
+        return _with_coordinates(sizes, variables, coordinates)
+    arrays = {name: _real(name, value) for name, value in values.items()}
+    shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    dimensions = ("start",) if len(shape) == 1 else tuple(f"dim_{i}" for i in range(len(shape)))
+    variables = {}
+    for name, array in arrays.items():
+        own = dimensions[len(shape) - array.ndim :]
+        # An axis of one value that stands for many is no dimension of this quantity.
+        spread = [k for k, d in enumerate(own) if array.shape[k] == 1 != shape[len(shape) - array.ndim + k]]
+        variables[name] = xr.Variable(
+            tuple(d for k, d in enumerate(own) if k not in spread),
+            array.reshape(tuple(n for k, n in enumerate(array.shape) if k not in spread)),
+        )
+    return _with_coordinates(dict(zip(dimensions, shape, strict=True)), variables, {})
+
+
+def grid(values: Mapping[str, Any], order: Iterable[str]) -> Points:
+    """Make a grid: each one-dimensional quantity is an axis of its own, in this order; scalars are fixed."""
+    xr = require("xarray")
+    sizes: dict[str, int] = {}
+    variables = {}
+    for name, value in values.items():
+        array = _real(name, value.data if isinstance(value, xr.DataArray) else value)
+        if array.ndim > 1:
+            raise ValueError(f"{name} has {array.ndim} dimensions: an axis has one, a fixed value none")
+        variables[name] = xr.Variable((name,) if array.ndim else (), array)
+    for name in order:
+        if variables[name].ndim:
+            sizes[name] = variables[name].size
+    return _with_coordinates(sizes, variables, {})
+
+
+def _with_coordinates(sizes: Mapping[str, int], variables: Mapping[str, Any], coordinates: Mapping[str, Any]) -> Points:
+    empty = [name for name, size in sizes.items() if size == 0]
+    if empty:
+        raise ValueError(f"{', '.join(empty)} is empty: there is nothing to simulate")
+    described: dict[str, Any] = {name: one.copy(deep=False) for name, one in coordinates.items()}
+    for name, one in described.items():
+        if name in QUANTITIES and not one.attrs:
+            one.attrs = quantity_attributes(name)
+    for name in (*START, *HOOP):
+        # An index that came with the arrays stays; so does a dimension that only has the name of a quantity.
+        if name in sizes and (name in described or variables[name].dims != (name,)):
+            continue
+        described[name] = variables[name].copy(deep=False)
+        described[name].attrs = quantity_attributes(name)
+        if name in sizes and is_lazy(described[name].data):
+            # An index cannot be lazy.
+            described[name] = described[name].compute()
+    return Points(sizes, variables, described)

@@ -1,0 +1,160 @@
+"""A motion as a video shows it: times, angles, positions of the centre."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from .units import Units
+
+__all__ = ["Track"]
+
+_Reals = npt.NDArray[np.float64]
+
+
+def _column(name: str, values: npt.ArrayLike | None, count: int) -> _Reals | None:
+    if values is None:
+        return None
+    column = np.array(values, dtype=np.float64)
+    if column.shape != (count,):
+        raise ValueError(f"{name} has shape {column.shape}, time has ({count},): they must be the same")
+    return column
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """A tracked motion, dimensionless as everything else. A frame in which something was not seen has NaN.
+
+    Parameters
+    ----------
+    time : array_like
+        Times τ, √(R/g), of shape (n,), growing.
+    theta : array_like, optional
+        Angle θ of the particle from the upward vertical, counterclockwise, rad, shape (n,). It may jump by 2π.
+    x : array_like, optional
+        Horizontal position of the geometric centre, to the right, R, shape (n,).
+    y : array_like, optional
+        Height of the geometric centre over the plane, R, shape (n,): 1 in contact.
+
+    Raises
+    ------
+    ValueError
+        If times do not grow, shapes differ, or there is neither `theta` nor `x`.
+    """
+
+    time: _Reals
+    theta: _Reals | None = None
+    x: _Reals | None = None
+    y: _Reals | None = None
+
+    def __post_init__(self) -> None:
+        time = np.array(self.time, dtype=np.float64)
+        if time.ndim != 1 or not np.all(np.isfinite(time)):
+            raise ValueError("time must be a list of finite numbers")
+        falls = np.flatnonzero(np.diff(time) <= 0.0)
+        if falls.size:
+            i = int(falls[0])
+            raise ValueError(f"time[{i + 1}] = {time[i + 1]} must be greater than time[{i}] = {time[i]}")
+        object.__setattr__(self, "time", time)
+        for name in ("theta", "x", "y"):
+            object.__setattr__(self, name, _column(name, getattr(self, name), time.size))
+        if self.theta is None and self.x is None:
+            raise ValueError("a track needs theta or x")
+        if self.theta is not None:
+            seen = np.isfinite(self.theta)
+            self.theta[seen] = np.unwrap(self.theta[seen])
+
+    @classmethod
+    def from_si(
+        cls,
+        units: Units,
+        *,
+        time_s: npt.ArrayLike,
+        theta_rad: npt.ArrayLike | None = None,
+        x_m: npt.ArrayLike | None = None,
+        y_m: npt.ArrayLike | None = None,
+    ) -> Track:
+        """Make a track from SI units.
+
+        Parameters
+        ----------
+        units : Units
+            Those of the hoop, `hoop.units`.
+        time_s, theta_rad, x_m, y_m : array_like
+            As those of :class:`Track`, in s, rad, m and m.
+
+        Returns
+        -------
+        Track
+        """
+
+        def lengths(values: npt.ArrayLike | None) -> _Reals | None:
+            return None if values is None else np.asarray(values, dtype=np.float64) / units.length_m
+
+        return cls(
+            np.asarray(time_s, dtype=np.float64) / units.time_s,
+            None if theta_rad is None else np.asarray(theta_rad, dtype=np.float64),
+            lengths(x_m),
+            lengths(y_m),
+        )
+
+    @classmethod
+    def from_csv(cls, path: str | Path, units: Units | None = None) -> Track:
+        """Read a track from a CSV file with a line of names.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file. Its columns are `time`, `theta`, `x`, `y`, or in SI units `time_s`, `theta_rad` (or `theta_deg`),
+            `x_m`, `y_m`; others are passed over, and an empty field is a frame in which something was not seen.
+        units : Units, optional
+            Those of the hoop; SI columns need them.
+
+        Returns
+        -------
+        Track
+
+        Raises
+        ------
+        ValueError
+            If a column is missing, or units of two kinds are mixed.
+        """
+        table: Any = np.genfromtxt(path, delimiter=",", names=True, dtype=np.float64, encoding="utf-8", ndmin=1)
+        columns = {name: table[name] for name in table.dtype.names or ()}
+        if "theta_deg" in columns and "theta_rad" not in columns:
+            columns["theta_rad"] = np.radians(columns["theta_deg"])
+        if "time_s" in columns:
+            plain = [name for name in ("time", "theta", "x", "y") if name in columns]
+            if plain:
+                raise ValueError(f"{path}: {', '.join(plain)} has no dimension, time_s is in SI units")
+            if units is None:
+                raise ValueError(f"{path} is in SI units: make the hoop by Hoop.from_si")
+            return cls.from_si(
+                units,
+                time_s=columns["time_s"],
+                theta_rad=columns.get("theta_rad"),
+                x_m=columns.get("x_m"),
+                y_m=columns.get("y_m"),
+            )
+        if "time" not in columns:
+            raise ValueError(f"{path}: no column time or time_s among {', '.join(columns) or 'none'}")
+        in_si = [name for name in ("theta_rad", "x_m", "y_m") if name in columns]
+        if in_si:
+            raise ValueError(f"{path}: time has no dimension, {', '.join(in_si)} is in SI units")
+        return cls(columns["time"], columns.get("theta"), columns.get("x"), columns.get("y"))
+
+    @property
+    def channels(self) -> dict[str, _Reals]:
+        """What was measured, by name."""
+        found = {"theta": self.theta, "x": self.x, "y": self.y}
+        return {name: values for name, values in found.items() if values is not None}
+
+    def until(self, time: float) -> Track:
+        """Return the part up to a time τ, √(R/g)."""
+        kept = self.time <= time
+        return Track(self.time[kept], **{name: values[kept] for name, values in self.channels.items()})

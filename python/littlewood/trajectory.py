@@ -1,0 +1,273 @@
+"""A simulated motion."""
+
+from __future__ import annotations
+
+import math
+import operator
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .extras import require
+from .html import trajectory_html, trajectory_text
+from .motion import MODES, Outcome, Phase, State, Transition, _frozen
+from .samples import COLUMNS, Samples
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.figure import Figure
+
+    from .animation import Animation
+    from .hoop import Hoop
+
+__all__ = ["Trajectory"]
+
+_Start = tuple[float, float, float, float, float]
+
+
+class Trajectory:
+    """A motion as a whole: its phases, the transitions between them, how it ends, and the state at any time.
+
+    :meth:`littlewood.Hoop.simulate` makes it.
+
+    Examples
+    --------
+    >>> import littlewood as lw
+    >>> motion = lw.case("figure-3").simulate()
+    >>> motion.sequence, motion.outcome.kind
+    ('-R+F', 'landing')
+    >>> motion.at([0.0, 0.7]).mode_names.tolist()
+    ['sliding', 'rolling']
+    """
+
+    def __init__(self, hoop: Hoop, start: _Start, until: float | None, max_transitions: int) -> None:
+        transitions = operator.index(max_transitions)
+        if transitions < 0:
+            raise ValueError(f"max_transitions = {transitions} must not be negative")
+        self._hoop = hoop
+        self._start = start
+        self._until = until
+        self._max_transitions = transitions
+        self._core = _core.simulate(hoop._numbers, start, until, transitions)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Trajectory, (self._hoop, self._start, self._until, self._max_transitions)
+
+    @property
+    def hoop(self) -> Hoop:
+        """The hoop."""
+        return self._hoop
+
+    @property
+    def start(self) -> State:
+        """The start."""
+        return State(*self._start)
+
+    @cached_property
+    def phases(self) -> tuple[Phase, ...]:
+        """The phases in order. Empty where no motion, or more than one, is consistent at the start."""
+        return tuple(
+            Phase(mode, direction, State(*start), None if end is None else State(*end), energy, lost, is_limit)
+            for mode, direction, start, end, energy, lost, is_limit in self._core.phases()
+        )
+
+    @cached_property
+    def transitions(self) -> tuple[Transition, ...]:
+        """The transitions in order: transition i ends phase i."""
+        return tuple(
+            Transition(State(*state), before, after, direction, cause)
+            for state, before, after, direction, cause in self._core.transitions()
+        )
+
+    @cached_property
+    def outcome(self) -> Outcome:
+        """How the motion ended."""
+        kind, state, is_final, details = self._core.outcome()
+        return Outcome(kind, State(*state), is_final, _frozen(details))
+
+    @property
+    def sequence(self) -> str:
+        """The phases, one letter each.
+
+        R rolling; + and - sliding with positive and negative slip velocity; g, n and G gliding with positive, negative
+        and without slip velocity; F flight; … where there are more than 20.
+        """
+        return self._core.sequence()
+
+    @property
+    def end_time(self) -> float:
+        """Time at which the motion ends, √(R/g); infinite if it lasts for ever."""
+        return self._core.end_time()
+
+    @property
+    def energy_lost(self) -> float:
+        """Energy lost to friction, m2 g R."""
+        return self._core.energy_lost()
+
+    def at(self, times: npt.ArrayLike) -> Samples:
+        """Return instants of the motion.
+
+        Parameters
+        ----------
+        times : array_like
+            Times τ, √(R/g), of any shape.
+
+        Returns
+        -------
+        Samples
+            Of the same shape. At a transition it is the first instant of the motion that begins; before the start and
+            after the end `mode` is -1 and the rest NaN.
+        """
+        times = np.asarray(times, dtype=np.float64)
+        return Samples(self._core.at(times.ravel()), times.shape)
+
+    def sample(self, count: int = 1001, until: float | None = None) -> Samples:
+        """Return evenly spaced instants, and both sides of each transition in between.
+
+        Parameters
+        ----------
+        count : int, optional
+            Number of evenly spaced instants.
+        until : float, optional
+            Last time, √(R/g); by default the end of the motion, or two periods of one that lasts for ever.
+
+        Returns
+        -------
+        Samples
+            Of shape (n,). A transition appears twice, as the last instant of the phase that ends and as the first of
+            the phase that begins, because the forces may jump there.
+        """
+        number = operator.index(count)
+        if number < 2:
+            raise ValueError(f"count = {number} must not be less than 2")
+        if until is None:
+            until = self.shown_until
+        if not (math.isfinite(until) and until >= self.start.time):
+            bound = f"a finite number not less than time = {self.start.time} sqrt(R/g)"
+            raise ValueError(f"until = {until} sqrt(R/g) must be {bound}")
+        return Samples(self._core.sample_evenly(number, until))
+
+    @property
+    def shown_until(self) -> float:
+        """Time up to which plots and tables show the motion by default, √(R/g)."""
+        if math.isfinite(self.end_time):
+            return self.end_time
+        period = self.outcome.period
+        return self.outcome.state.time + (2.0 * period if period is not None else 10.0)
+
+    def _instants(self, times: npt.ArrayLike | None, count: int) -> Samples:
+        return self.sample(count) if times is None else self.at(np.atleast_1d(np.asarray(times)))
+
+    def to_xarray(self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False) -> xarray.Dataset:
+        """Return instants of the motion as a data set with units and long names.
+
+        Parameters
+        ----------
+        times : array_like, optional
+            Times τ, √(R/g), of shape (n,). By default evenly spaced ones and both sides of each transition.
+        count : int, optional
+            Number of evenly spaced instants.
+        si : bool, optional
+            Whether the values should be in SI units, with the unit in each name; `times` are dimensionless anyway.
+
+        Returns
+        -------
+        xarray.Dataset
+            Of dimension `time` (or `time_s`).
+        """
+        xr = require("xarray")
+        samples = self._instants(times, count)
+        codes = np.arange(-1, len(MODES), dtype=np.int8)
+        meanings = " ".join(["outside", *MODES])
+        variables: dict[str, Any] = {
+            "mode": {"long_name": "mode of motion", "flag_values": codes, "flag_meanings": meanings},
+            "direction": {"long_name": "sign of the slip velocity", "units": "1"},
+        }
+        columns = samples.in_si(self.hoop.require_units()) if si else samples
+        for name, column in COLUMNS.items():
+            unit = column.si_unit if si else column.unit
+            key = column.si_name if si else name
+            variables[key] = {"long_name": column.long_name, "units": unit, "symbol": column.symbol}
+        time = "time_s" if si else "time"
+        dataset: xarray.Dataset = xr.Dataset(
+            {name: (time, columns[name], attributes) for name, attributes in variables.items()},
+            attrs={
+                "title": "motion of Littlewood's hoop",
+                "source": f"littlewood {_core.__version__}",
+                "sequence": self.sequence,
+                "outcome": self.outcome.kind,
+                **dict(zip(("mass_ratio", "offset", "inertia", "mu_s", "mu_k"), self.hoop._numbers, strict=True)),
+            },
+        )
+        with_time: xarray.Dataset = dataset.set_coords(time)
+        return with_time
+
+    def to_pandas(self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False) -> pandas.DataFrame:
+        """Return instants of the motion as a table, with the columns of the command line's CSV.
+
+        Parameters
+        ----------
+        times, count, si
+            As in :meth:`to_xarray`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row an instant; `mode` is a category.
+        """
+        pd = require("pandas")
+        samples = self._instants(times, count)
+        columns = samples.in_si(self.hoop.require_units()) if si else samples
+        time = "time_s" if si else "time"
+        mode = pd.Categorical.from_codes(np.asarray(columns["mode"]), categories=list(MODES))
+        table = {time: columns[time], "mode": mode, "direction": columns["direction"]}
+        table.update((name, columns[name]) for name in columns if name not in table)
+        frame: pandas.DataFrame = pd.DataFrame(table)
+        return frame
+
+    def plot(self) -> Figure:
+        """Draw the path in the plane and θ, θ′, η′ and the forces over time.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+
+        See Also
+        --------
+        littlewood.plot.path, littlewood.plot.history : The two parts, on axes of your own.
+        """
+        from . import plot
+
+        return plot.trajectory(self)
+
+    def animate(self, *, frames: int = 150, seconds: float | None = None) -> Animation:
+        """Animate the motion; a notebook shows it with buttons to play and step.
+
+        Parameters
+        ----------
+        frames : int, optional
+            Number of pictures.
+        seconds : float, optional
+            How long it plays; by default as long as the motion would take with R/g = 0.1 s², as for a metre.
+
+        Returns
+        -------
+        Animation
+            Its `save` writes a GIF or a film.
+        """
+        from .animation import Animation
+
+        return Animation(self, frames=frames, seconds=seconds)
+
+    def __repr__(self) -> str:
+        return f"<Trajectory {self.sequence or 'of no phase'}: {self.outcome}>"
+
+    def __str__(self) -> str:
+        return trajectory_text(self)
+
+    def _repr_html_(self) -> str:
+        return trajectory_html(self)

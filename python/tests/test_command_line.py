@@ -1,0 +1,106 @@
+"""The package and the command line are two doors to one core: they agree bit for bit."""
+
+import math
+
+import numpy as np
+import pytest
+import xarray
+from conftest import flags
+
+import littlewood as lw
+
+
+def random_problems(count):
+    random = np.random.default_rng(2019)
+    for i in range(count):
+        massless = i % 5 == 4
+        mu_k = random.uniform(0.05, 0.8)
+        hoop = {
+            "mass_ratio": 0.0 if massless else random.uniform(0.0, 3.0),
+            "offset": random.choice([1.0, random.uniform(0.1, 1.0)]),
+            "inertia": 0.0 if massless else random.uniform(0.1, 3.0),
+            "mu_s": mu_k + random.uniform(0.0, 0.4),
+            "mu_k": mu_k,
+        }
+        start = {
+            "theta": random.uniform(-math.pi, math.pi),
+            "theta_rate": random.uniform(-3.0, 3.0),
+            "slip": random.choice([0.0, random.uniform(-2.0, 2.0)]),
+        }
+        yield {k: float(v) for k, v in hoop.items()}, {k: float(v) for k, v in start.items()}
+
+
+def same(ours, said):
+    # JSON has no infinity: the rate of a particle that has reached the plane is null.
+    return (not math.isfinite(ours)) if said is None else ours == said
+
+
+def test_a_hundred_random_starts(command_json):
+    sequences = set()
+    for hoop, start in random_problems(100):
+        said = command_json("simulate", *flags(**hoop, **start, until=40.0), "--samples", "7")
+        motion = lw.Hoop(**hoop).simulate(**start, until=40.0)
+        sequences.add(motion.sequence[:2])
+        assert motion.outcome.kind == said["outcome"]["kind"]
+        for key, value in motion.outcome.details.items():
+            if isinstance(value, float):
+                assert same(value, said["outcome"][key]), key
+        assert len(motion.transitions) == len(said["transitions"])
+        for ours, theirs in zip(motion.transitions, said["transitions"], strict=True):
+            assert (ours.from_mode, ours.to_mode, ours.direction, ours.cause) == tuple(
+                theirs[key] for key in ("from", "to", "direction", "cause")
+            )
+            for key in ("time", "theta", "theta_rate", "slip", "x"):
+                assert same(getattr(ours.state, key), theirs[key]), key
+        for ours, theirs in zip(motion.phases, said["phases"], strict=True):
+            assert (ours.mode, ours.direction) == (theirs["mode"], theirs["direction"])
+            assert same(ours.duration, theirs["duration"])
+            assert same(ours.energy_start, theirs["energy_start"])
+            assert same(ours.energy_lost, theirs["energy_lost"])
+            assert ours.is_small_inertia_limit == theirs["small_inertia_limit"]
+        if said["samples"]:
+            samples = motion.sample(7, said["sampled_until"])
+            for i, row in enumerate(said["samples"]):
+                assert lw.MODES[samples["mode"][i]] == row["mode"]
+                for key, value in row.items():
+                    if key != "mode":
+                        assert same(float(samples[key][i]), value), key
+    # The starts are of many kinds.
+    assert len(sequences) >= 8, sequences
+
+
+@pytest.mark.parametrize(
+    ("axes", "fixed"),
+    [
+        ({"theta": (-3.0, 3.0, 23), "theta_rate": (-4.0, 4.0, 31)}, {}),
+        ({"mu_k": (0.1, 0.5, 5), "theta_rate": (0.5, 3.0, 26)}, {"theta": 0.3}),
+        ({"mu_k": (0.1, 0.9, 9), "mu_s": (0.2, 1.0, 5)}, {"theta": 2.5, "theta_rate": 3.0}),
+    ],
+)
+def test_a_map_is_the_store_of_the_command_line(axes, fixed, command, hoop, tmp_path):
+    path = tmp_path / "map.zarr"
+    (x, y) = axes.items()
+    spans = [f"{name}={low!r}:{high!r}:{count}" for name, (low, high, count) in (x, y)]
+    done = command("map", "figure-3", "--x", spans[0], "--y", spans[1], *flags(**fixed, until=50.0), "--out", str(path))
+    assert done.returncode == 0, done.stderr
+    said = xarray.open_zarr(path, consolidated=False, mask_and_scale=False).load()
+    values = {name: said[name].to_numpy() for name in axes}
+    ours = lw.outcome_map(hoop, **values, **fixed, until=50.0)
+    assert ours.outcome.dims == said.outcome.dims
+    assert set(ours.data_vars) == set(said.data_vars)
+    for name, variable in said.data_vars.items():
+        assert ours[name].dtype == variable.dtype
+        assert ours[name].to_numpy().tobytes() == variable.to_numpy().tobytes(), name
+        attributes = {key: value for key, value in variable.attrs.items() if key != "_FillValue"}
+        assert ours[name].attrs == attributes
+    for name in axes:
+        assert ours[name].attrs == said[name].attrs
+    assert np.any(ours.outcome == 255) == ("mu_s" in axes)
+
+
+def test_an_axis_that_contradicts_a_fixed_value_is_refused_by_both(command, hoop):
+    done = command("map", "figure-3", "--x", "mu_k=0.1:0.9:9", "--y", "theta_rate=0:1:5", "--out", "unused.zarr")
+    assert done.returncode == 2
+    with pytest.raises(lw.ParameterError) as caught:
+        lw.outcome_map(hoop, theta=0.0, mu_k=np.linspace(0.1, 0.9, 9), theta_rate=np.linspace(0, 1, 5))
+    assert str(caught.value) in " ".join(done.stderr.replace("│", " ").split())

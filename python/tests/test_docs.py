@@ -1,0 +1,38 @@
+"""The how-tos: their code runs as it stands, block after block."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+PYTHON = Path(__file__).parents[1]
+PAGES = [PYTHON / "README.md", *(PYTHON / "docs" / name for name in ("own-hoop.md", "jumps.md", "fit.md"))]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    blocks = re.findall(r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    assert blocks
+    names = {"__name__": page.stem}
+    for block in blocks:
+        exec(compile(block, str(page), "exec"), names)
+
+
+def test_links_lead_somewhere():
+    for page in [*PAGES, PYTHON / "docs" / "cluster.md"]:
+        for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
+            assert (page.parent / target).exists(), f"{page.name}: {target}"
+
+
+def test_the_cluster_page_runs_on_a_cluster_of_this_machine(tmp_path, monkeypatch):
+    from distributed import Client, LocalCluster
+
+    monkeypatch.chdir(tmp_path)
+    text = (PYTHON / "docs" / "cluster.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"^```python\n(# The sweep.*?)^```", text, re.MULTILINE | re.DOTALL)
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        names = {"client": client}
+        exec(compile(block.replace("2001", "41"), "cluster.md", "exec"), names)
+        assert np.isfinite(names["stored"].end_time).any()

@@ -1,0 +1,45 @@
+import subprocess
+import sys
+
+import pytest
+
+# The extra that a call names when a module is not there.
+CALLS = [
+    ("xarray", "xarray", "lw.simulate_many(hoop, theta=[0.0], theta_rate=1.0)"),
+    ("pandas", "xarray", "motion.to_pandas()"),
+    ("dask", "dask", "lw.outcome_map(hoop, theta=[0.0, 1.0], theta_rate=1.0, chunks=1)"),
+    ("matplotlib", "plot", "motion.plot()"),
+    ("matplotlib", "plot", "motion.animate().to_matplotlib()"),
+    ("scipy", "fit", "lw.fit(lw.Track(np.arange(9.0), theta=np.arange(9.0) / 9), hoop)"),
+    ("tqdm", "progress", "lw.simulate_many(hoop, theta=[0.0], theta_rate=1.0, progress=True)"),
+]
+
+SCRIPT = """
+import sys
+sys.modules[{module!r}] = None
+import numpy as np
+import littlewood as lw
+motion = lw.case("figure-3").simulate()
+hoop = motion.hoop
+motion.at(np.zeros(3)), str(motion), motion._repr_html_(), lw.closed_form.alpha(0.0, [1.0])
+try:
+    {call}
+except ImportError as error:
+    print(error)
+"""
+
+
+@pytest.mark.parametrize(("module", "extra", "call"), CALLS)
+def test_a_missing_extra_is_named(module, extra, call):
+    # `None` in sys.modules is how Python marks a module that is not to be imported.
+    script = SCRIPT.format(module=module, call=call)
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert f'{module}, which is not installed: pip install "littlewood[{extra}]"' in done.stdout
+
+
+def test_numpy_is_enough():
+    heavy = "xarray pandas dask distributed zarr matplotlib scipy tqdm"
+    script = f"import sys, littlewood; print(*[m for m in {heavy.split()!r} if m in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == []

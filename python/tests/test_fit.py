@@ -1,0 +1,157 @@
+import dataclasses
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+import littlewood as lw
+
+# A throw with backspin: it slides, rolls, slips, and lifts off. Few starts tell as much about both coefficients.
+THROW = {"theta": -1.7, "theta_rate": 1.0, "slip": -1.6}
+NOISE = 0.005
+
+
+@pytest.fixture
+def guess(hoop):
+    return dataclasses.replace(hoop, inertia=0.8, mu_s=0.8, mu_k=0.2)
+
+
+def tracked(motion, seed, *, count=300, end=None, channels=("theta", "x")):
+    """A motion as a video shows it: angles up to a turn, and noise."""
+    random = np.random.default_rng(seed)
+    time = np.linspace(0.0, 0.98 * motion.end_time if end is None else end, count)
+    seen = motion.at(time)
+    values = {"theta": seen.theta, "x": seen.x, "y": seen.centre_y}
+    noisy = {name: values[name] + random.normal(0.0, NOISE, count) for name in channels}
+    if "theta" in noisy:
+        noisy["theta"] = noisy["theta"] % (2 * math.pi)
+    return lw.Track(time, **noisy)
+
+
+def test_it_recovers_what_was_put_in(hoop, guess):
+    motion = hoop.simulate(**THROW)
+    assert motion.sequence == "-R+F"
+    pulls = []
+    for seed in range(16):
+        result = lw.fit(tracked(motion, seed), guess, slips_at_start=True)
+        assert result.motion.sequence == "-R+F"
+        for name in ("mu_s", "mu_k", "inertia"):
+            estimate = result.estimates[name]
+            assert estimate.identifiable
+            pulls.append((estimate.value - getattr(hoop, name)) / estimate.std_error)
+        assert result.sigma["theta"] == pytest.approx(NOISE, rel=0.25)
+        assert result.estimates["mu_s"].std_error < 0.01
+        assert result.estimates["mu_k"].std_error < 0.003
+    # Errors over standard errors are numbers of a standard normal distribution: 48 of them, 3 and 3 of each motion
+    # correlated. Their mean square is 1, to about √(2/16).
+    assert np.max(np.abs(pulls)) < 4.5
+    assert 0.4 < np.mean(np.square(pulls)) < 2.0
+
+
+def test_given_sigmas_are_taken(hoop, guess):
+    track = tracked(hoop.simulate(**THROW), 0)
+    result = lw.fit(track, guess, slips_at_start=True, sigma={"theta": NOISE, "x": NOISE})
+    assert result.sigma == {"theta": NOISE, "x": NOISE}
+    assert result.reduced_chi_square == pytest.approx(1.0, abs=0.25)
+
+
+def test_without_a_slip_there_is_no_friction_to_see(hoop, guess):
+    rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
+    with pytest.warns(lw.IdentifiabilityWarning, match="mu_s .*only mu_s >= .*mu_k .no slide") as caught:
+        result = lw.fit(tracked(rolling, 1, end=15.0), guess)
+    assert caught[0].message.parameters == ("mu_s", "mu_k")
+    assert not result.estimates["mu_s"].identifiable
+    assert result.estimates["mu_s"].std_error == math.inf
+    inertia = result.estimates["inertia"]
+    assert abs(inertia.value - hoop.inertia) < 4 * inertia.std_error
+    # What rolling needed is what is known of the static friction: here less than there was.
+    assert 0.0 < result.mu_s_at_least < hoop.mu_s
+    assert "not identifiable" in str(result)
+
+
+def test_one_thing_at_a_time(hoop):
+    track = tracked(hoop.simulate(**THROW), 3)
+    wrong = dataclasses.replace(hoop, mu_k=0.2)
+    result = lw.fit(track, wrong, free=["mu_k"], slips_at_start=True)
+    assert result.hoop.mu_s == hoop.mu_s
+    assert result.hoop.inertia == hoop.inertia
+    assert abs(result.hoop.mu_k - 0.4) < 4 * result.estimates["mu_k"].std_error
+
+
+def test_the_centre_alone(hoop, guess):
+    result = lw.fit(
+        tracked(hoop.simulate(**THROW), 5, channels=("x", "y")),
+        guess,
+        slips_at_start=True,
+        start={"theta": -1.5, "theta_rate": 1.0, "slip": -1.6},
+    )
+    for name in ("mu_s", "mu_k", "inertia"):
+        estimate = result.estimates[name]
+        assert abs(estimate.value - getattr(hoop, name)) < 4.5 * estimate.std_error
+
+
+def test_missing_frames_and_outliers(hoop, guess):
+    track = tracked(hoop.simulate(**THROW), 7)
+    track.theta[40:60] = np.nan
+    track.x[::37] += 0.5
+    result = lw.fit(track, guess, slips_at_start=True, sigma={"theta": NOISE, "x": NOISE}, loss="soft_l1")
+    assert abs(result.hoop.mu_k - 0.4) < 0.02
+    assert np.isnan(result.residuals["theta"][40:60]).all()
+
+
+def test_a_csv_in_si_units(tmp_path):
+    hoop = lw.Hoop.from_si(
+        disc_mass_kg=0.4, particle_mass_kg=0.14, radius_m=0.45, offset_m=0.45, inertia_kg_m2=0.075, mu_s=0.45, mu_k=0.35
+    )
+    motion = hoop.simulate_si(theta_rad=-1.7, theta_rate_rad_per_s=4.7, slip_m_per_s=-3.4)
+    random = np.random.default_rng(0)
+    table = motion.to_pandas(np.linspace(0, 0.98 * min(motion.end_time, 8.0), 250), si=True)
+    path = tmp_path / "video.csv"
+    with path.open("w") as file:
+        file.write("frame,time_s,theta_deg,x_m\n")
+        for i, row in table.iterrows():
+            angle = math.degrees(row.theta_rad) + random.normal(0, 0.2)
+            file.write(f"{i},{row.time_s},{angle if i % 50 else ''},{row.x_m + random.normal(0, 0.002)}\n")
+    guess = dataclasses.replace(hoop, mu_s=0.6, mu_k=0.2, inertia=2.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
+        result = lw.fit(path, guess, slips_at_start=True)
+    estimate = result.estimates["mu_k"]
+    assert estimate.identifiable
+    assert abs(estimate.value - 0.35) < 4 * estimate.std_error
+    assert result.inertia_kg_m2 == pytest.approx(0.075, rel=0.1)
+    with pytest.raises(ValueError, match="from_si"):
+        lw.Track.from_csv(path)
+
+
+def test_bad_tracks_are_refused(tmp_path, hoop):
+    with pytest.raises(ValueError, match=r"time\[2\] = 1.0 must be greater than time\[1\] = 1.0"):
+        lw.Track([0.0, 1.0, 1.0], theta=[0, 0, 0])
+    with pytest.raises(ValueError, match="theta or x"):
+        lw.Track([0.0, 1.0])
+    with pytest.raises(ValueError, match="shape"):
+        lw.Track([0.0, 1.0], theta=[0.0])
+    with pytest.raises(ValueError, match="not enough for 6 unknowns"):
+        lw.fit(lw.Track([0.0, 1.0, 2.0], theta=[0, 0.1, 0.2], x=[0, 0, 0.0]), hoop)
+    with pytest.raises(ValueError, match="must name some of"):
+        lw.fit(lw.Track([0.0, 1.0], theta=[0.0, 0.1]), hoop, free=["colour"])
+    path = tmp_path / "video.csv"
+    path.write_text("time,theta_rad\n0,1\n1,2\n")
+    with pytest.raises(ValueError, match="theta_rad is in SI units"):
+        lw.Track.from_csv(path)
+    path.write_text("t,theta\n0,1\n1,2\n")
+    with pytest.raises(ValueError, match="no column time"):
+        lw.Track.from_csv(path)
+
+
+def test_residuals_are_plotted(hoop, guess):
+    result = lw.fit(tracked(hoop.simulate(**THROW), 2), guess, slips_at_start=True)
+    figure = result.plot()
+    above, _, below, right = figure.axes
+    assert below.get_ylabel() == "residual of θ  (rad)"
+    assert right.get_xlabel() == "τ  (√(R/g))"
+    points = [line for line in below.get_lines() if line.get_marker() == "o"]
+    np.testing.assert_array_equal(points[0].get_ydata(), result.residuals["theta"])
+    assert any(line.get_label() == "measured" for line in above.get_lines())
+    assert "reduced χ²" in result._repr_html_()

@@ -1,0 +1,171 @@
+import math
+import os
+import signal
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+import xarray
+
+import littlewood as lw
+
+
+def test_the_counts_of_other_solvers(hoop):
+    # 40,000 starts of the Figure 2 hoop, counted with independent solvers.
+    plane = lw.outcome_map(
+        hoop, theta=np.linspace(-math.pi, math.pi, 200), theta_rate=np.linspace(-4, 4, 200), until=50.0
+    )
+    at_once = int((plane.lift_off_time == 0.0).sum())
+    later = int((plane.lift_off_time > 0.0).sum())
+    assert (at_once, later, plane.outcome.size - at_once - later) == (9784, 12690, 17526)
+
+
+def test_a_few_starts_are_those_of_simulate(hoop):
+    theta = np.linspace(-3.0, 3.0, 7)
+    result = lw.simulate_many(hoop, theta=theta, theta_rate=2.0, until=30.0)
+    for i, angle in enumerate(theta):
+        motion = hoop.simulate(theta=angle, theta_rate=2.0, until=30.0)
+        assert lw.OUTCOMES[int(result.outcome[i])] == motion.outcome.kind
+        assert str(lw.sequence_names(result.sequence)[i]) == motion.sequence
+        assert result.end_time[i] == motion.outcome.state.time
+        assert result.transitions[i] == len(motion.transitions)
+
+
+def test_dimensions_of_arrays(hoop):
+    assert lw.simulate_many(hoop, theta=0.0, theta_rate=1.0).sizes == {}
+    assert dict(lw.simulate_many(hoop, theta=[0.0, 1.0], theta_rate=1.0).sizes) == {"start": 2}
+    grid = lw.simulate_many(hoop, theta=np.zeros((2, 1)), theta_rate=np.ones((1, 3)), mu_s=np.full(3, 0.6))
+    assert dict(grid.sizes) == {"dim_0": 2, "dim_1": 3}
+    assert grid.theta.dims == ("dim_0",)
+    assert grid.mu_s.dims == ("dim_1",)
+    assert grid.mu_k.ndim == 0
+    with pytest.raises(ValueError, match="broadcast"):
+        lw.simulate_many(hoop, theta=np.zeros(2), theta_rate=np.zeros(3))
+
+
+def test_dimensions_of_data_arrays(hoop):
+    theta = xarray.DataArray([0.1, 0.2], dims="throw", coords={"throw": ["soft", "hard"]})
+    mu_k = xarray.DataArray([0.1, 0.2, 0.3], dims="floor")
+    result = lw.simulate_many(hoop, theta=theta, theta_rate=1.5, mu_k=mu_k)
+    assert result.outcome.dims == ("floor", "throw") or result.outcome.dims == ("throw", "floor")
+    assert result.throw.values.tolist() == ["soft", "hard"]
+    alone = lw.simulate_many(hoop, theta=0.2, theta_rate=1.5, mu_k=0.3)
+    assert result.end_time.sel(throw="hard").isel(floor=2) == alone.end_time
+    # A quantity is what was given, not a coordinate of the same name that an array happens to carry.
+    stale = lw.simulate_many(hoop, theta=theta.assign_coords(theta_rate=9.0), theta_rate=1.5)
+    assert stale.theta_rate == 1.5
+    with pytest.raises(TypeError, match="DataArray"):
+        lw.simulate_many(hoop, theta=theta, theta_rate=np.zeros(2))
+
+
+def test_axes_keep_their_order(hoop):
+    assert list(lw.outcome_map(hoop, theta_rate=[1.0, 2.0], theta=[0.0, 1.0, 2.0]).sizes) == ["theta_rate", "theta"]
+    plane = lw.outcome_map(hoop, mu_s=[0.5, 0.6], theta=0.3, theta_rate=[1.0, 2.0])
+    assert list(plane.sizes) == ["mu_s", "theta_rate"]
+    assert plane.sel(mu_s=0.6, theta_rate=2.0).theta == 0.3
+
+
+def test_variables_describe_themselves(hoop):
+    result = lw.outcome_map(hoop, theta=[0.0, 1.0], theta_rate=[1.0, 2.0])
+    for name, variable in result.variables.items():
+        assert variable.attrs["long_name"], name
+        assert "units" in variable.attrs or "flag_meanings" in variable.attrs or name == "sequence", name
+    flags = result.outcome.attrs
+    meanings = dict(zip(flags["flag_values"], flags["flag_meanings"].split(), strict=True))
+    assert meanings[0] == "landing"
+    assert meanings[255] == "invalid"
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_threads_change_nothing(threads, hoop):
+    starts = {"theta": np.linspace(-3, 3, 60), "theta_rate": np.linspace(-4, 4, 50)}
+    one = lw.outcome_map(hoop, **starts, threads=threads)
+    assert one.identical(lw.outcome_map(hoop, **starts))
+
+
+def test_contradictions_are_invalid_and_nonsense_is_refused(hoop):
+    result = lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, mu_s=[0.5, 0.5], mu_k=[0.4, 0.6])
+    assert result.outcome.values.tolist()[1] == 255
+    assert math.isnan(result.end_time[1])
+    # One that varies must not contradict one that does not.
+    with pytest.raises(lw.ParameterError, match=r"mu_k = 0.6 must not exceed mu_s = 0.5"):
+        lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, mu_k=[0.4, 0.6])
+    with pytest.raises(lw.ParameterError, match="point mass at the centre"):
+        lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, offset=0.0, inertia=[1.0, 0.0])
+    with pytest.raises(lw.ParameterError, match=r"mu_k = 0.6 must not exceed mu_s = 0.5"):
+        lw.simulate_many(hoop, theta=[0.0, 1.0], theta_rate=1.0, mu_k=0.6)
+    with pytest.raises(lw.ParameterError, match="theta = NaN rad must be a finite number") as caught:
+        lw.simulate_many(hoop, theta=[0.0, 1.0, math.nan, math.inf], theta_rate=1.0)
+    assert caught.value.index == 2
+    with pytest.raises(lw.ParameterError, match="offset = 2 must not exceed 1") as caught:
+        lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, offset=[0.5, 2.0, 3.0])
+    assert caught.value.index == 1
+    with pytest.raises(lw.ParameterError, match="until = inf"):
+        lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, until=math.inf)
+
+
+def test_what_is_missing_is_named(hoop):
+    with pytest.raises(TypeError, match=r"missing: theta_rate$"):
+        lw.simulate_many(hoop, theta=0.0)
+    with pytest.raises(TypeError, match="missing: mass_ratio, offset, inertia, mu_s; give a hoop"):
+        lw.simulate_many(theta=0.0, theta_rate=1.0, mu_k=0.3)
+    with pytest.raises(TypeError, match="there is no quantity friction"):
+        lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, friction=0.3)
+    with pytest.raises(ValueError, match="theta is empty"):
+        lw.outcome_map(hoop, theta=[], theta_rate=[1.0])
+    with pytest.raises(ValueError, match="an axis has one"):
+        lw.outcome_map(hoop, theta=np.zeros((2, 2)), theta_rate=[1.0])
+    with pytest.raises(ValueError, match="threads = 0"):
+        lw.outcome_map(hoop, theta=[0.0], theta_rate=[1.0], threads=0)
+    with pytest.raises((TypeError, ValueError), match="theta must hold real numbers"):
+        lw.simulate_many(hoop, theta=["up"], theta_rate=1.0)
+
+
+def test_a_progress_bar(hoop, capsys):
+    lw.outcome_map(hoop, theta=np.linspace(0, 1, 100), theta_rate=np.linspace(0, 1, 100), progress=True)
+    assert "10.0k/10.0k" in capsys.readouterr().err
+
+
+def test_the_interpreter_is_free_meanwhile(hoop):
+    ticks = []
+    stop = threading.Event()
+
+    def tick():
+        while not stop.wait(0.001):
+            ticks.append(None)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    try:
+        # Every start has a hoop of its own: no tables, and so some tenths of a second of work.
+        count = 20_000
+        lw.simulate_many(hoop, theta=2.5, theta_rate=3.0, mu_s=np.linspace(0.5, 0.9, count), threads=1)
+    finally:
+        stop.set()
+        thread.join()
+    assert len(ticks) > 20
+
+
+SLEEPER = """
+import sys, numpy as np, littlewood as lw
+hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
+mu_s = np.linspace(0.5, 0.9, 3_000_000)
+sys.stdout.write("ready"); sys.stdout.flush()
+lw.simulate_many(hoop, theta=-2.6, theta_rate=-2.15, mu_s=mu_s)
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there is no SIGINT for one process")
+def test_ctrl_c_stops_the_work():
+    process = subprocess.Popen([sys.executable, "-c", SLEEPER], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert process.stdout is not None
+    assert process.stdout.read(5) == b"ready"
+    # It is at work now, for minutes if nobody stops it.
+    with pytest.raises(subprocess.TimeoutExpired):
+        process.communicate(timeout=1.0)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=20.0)
+    assert process.returncode != 0
+    assert b"KeyboardInterrupt" in said
