@@ -4,11 +4,11 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Duration;
 
+use littlewood_report::number::brief;
 use littlewood_sweep::{Atlas, Class, Coordinate, Entry, Grid, Report, Stop};
 use serde_json::{Map, Value, json};
 
 use super::json;
-use super::number::brief;
 use super::sheet::Sheet;
 use crate::args::ShortFormat;
 use crate::error::Error;
