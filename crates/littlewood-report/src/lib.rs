@@ -16,7 +16,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`number`] and [`scale`] write single values for a person, without dimension or in SI units.
+//! [`number`] and [`scale`] write single values for a person, without dimension or in SI units; [`sentence`] says what
+//! happens at an instant.
 
 pub mod csv;
 pub mod json;
@@ -24,6 +25,7 @@ pub mod number;
 mod record;
 mod sampling;
 pub mod scale;
+pub mod sentence;
 mod subject;
 
 pub use sampling::Sampling;

@@ -65,6 +65,24 @@ impl<'a> Scale<'a> {
         self.show(self.time(value), "s")
     }
 
+    /// A length of time in words: dimensionless times have the unit √(R/g).
+    #[must_use]
+    pub fn show_duration(self, value: f64) -> String {
+        match self.0 {
+            None => format!("{} √(R/g)", brief(value)),
+            Some(units) => format!("{} s", brief(value * units.time_s)),
+        }
+    }
+
+    /// A velocity in words: dimensionless velocities have the unit √(g R).
+    #[must_use]
+    pub fn show_speed(self, value: f64) -> String {
+        match self.0 {
+            None => format!("{} √(g R)", brief(value)),
+            Some(_) => self.show_velocity(value),
+        }
+    }
+
     /// A length with its unit.
     #[must_use]
     pub fn show_length(self, value: f64) -> String {
