@@ -54,7 +54,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
         }
         Cause::Graze => "The slip touches zero and goes on in the same direction.".to_owned(),
         Cause::NormalForceZero => {
-            "Glides: the normal force has vanished before friction gave way, at θ′² = 1/ℓ̂.".to_owned()
+            "Glides: the normal force has vanished before friction gave way.".to_owned()
         }
         Cause::LiftOff => {
             let rise = -trajectory.hoop().h() * libm::sin(event.state.theta) * event.state.theta_rate;
@@ -167,11 +167,12 @@ fn to_the(slip: f64) -> &'static str {
     if slip < 0.0 { "to the left" } else { "to the right" }
 }
 
-/// Two digits after the point say enough about a coefficient of friction, except near zero.
+/// Two digits say enough about a coefficient of friction.
 fn short(value: f64) -> f64 {
-    if value.abs() >= 0.1 { (value * 100.0).round() / 100.0 } else { value }
+    format!("{value:.1e}").parse().unwrap_or(value)
 }
 
+/// Three digits are enough for a sentence; all of them are in the tables.
 fn three(value: f64) -> f64 {
-    if value.abs() >= 0.01 { (value * 1000.0).round() / 1000.0 } else { value }
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
