@@ -10,6 +10,7 @@ use littlewood::Quantity;
 use littlewood_sweep::Axis;
 
 use crate::axis::parse_axis;
+use crate::lab::LabArgs;
 use crate::values::{Given, Origin};
 
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
@@ -52,6 +53,9 @@ pub(crate) enum Command {
     /// Count the sequences of phases that occur on a grid of starts, with an example of each
     #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
     Atlas(Box<AtlasArgs>),
+    /// Open the laboratory in the browser: drag a start and watch the hoop
+    #[command(long_about = crate::lab::ABOUT)]
+    Lab(LabArgs),
 }
 
 const MAP: &str = "\
