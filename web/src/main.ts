@@ -122,7 +122,8 @@ function start(cases: NamedCase[]): void {
   window.addEventListener('hashchange', () => {
     if (location.hash.slice(1) !== format(lab.state, cases)) read();
   });
-  read();
+  lab.announce();
+  if (location.hash.length > 1) read();
   document.documentElement.dataset['ready'] = 'true';
   performance.mark('ready');
   if ('serviceWorker' in navigator && import.meta.env.PROD) void navigator.serviceWorker.register('./sw.js').catch(() => {

@@ -19,7 +19,7 @@ function watch(page: Page): void {
   if (watched.has(page)) return;
   watched.add(page);
   page.on('pageerror', (error) => {
-    throw error;
+    if (!error.message.startsWith('ResizeObserver loop')) throw error;
   });
   page.on('console', (message) => {
     if (message.type() === 'error') throw new Error(message.text());

@@ -82,11 +82,18 @@ test('every named case is in the menu and shows its motion', async ({ page }) =>
 });
 
 test('play moves the cursor, the events stop it where they are, and the sentence follows', async ({ page }) => {
-  await open(page, 'case=figure-3&speed=4');
+  await open(page, 'case=figure-3&speed=1');
+  await page.evaluate(() => {
+    const mode = document.querySelector('#mode')!;
+    const seen = [mode.textContent];
+    new MutationObserver(() => seen.push(mode.textContent)).observe(mode, { childList: true });
+    Object.assign(window, { seen });
+  });
   await page.locator('#play').click();
-  await expect(page.locator('#mode')).toHaveText('rolling');
   await expect(page.locator('#play')).toHaveAttribute('data-state', 'paused', { timeout: 10_000 });
   await expect(page.locator('#sentence')).toContainText('Lands');
+  const seen = await page.evaluate(() => (window as unknown as { seen: string[] }).seen);
+  expect(seen).toEqual(['sliding', 'rolling', 'sliding', 'flight', 'flight, ends']);
   await page.locator('#first').click();
   for (const [mode, text] of [['rolling', 'Sticks'], ['sliding', 'Slips'], ['flight', 'Jumps']] as const) {
     await page.locator('#next').click();

@@ -35,7 +35,10 @@ fn lab() -> Option<Lab> {
     let Some(address) = line.trim().strip_prefix("The laboratory is at http://127.0.0.1:") else {
         assert_eq!(child.wait().expect("it ends").code(), Some(1));
         let message = complaint(&["lab", "--no-open"], 1);
-        assert!(message.contains("built without the laboratory") && message.contains("web/build.sh"), "{message}");
+        assert!(
+            message.contains("built without the laboratory") && message.contains("web/build.sh"),
+            "{message}"
+        );
         return None;
     };
     let port = address.trim_end_matches('/').parse().expect("a port");

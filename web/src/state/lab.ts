@@ -28,6 +28,11 @@ export class Lab {
     this.listeners.push(listener);
   }
 
+  /** Tells everything, to those who have just come. */
+  announce(): void {
+    this.tell('motion', 'time', 'view', 'complaints');
+  }
+
   private tell(...changes: Change[]): void {
     const set = new Set(changes);
     for (const listener of this.listeners) listener(set);

@@ -26,6 +26,9 @@ export function showDefect(message: string): void {
 
 /** Shows whatever nobody has caught. */
 export function watch(): void {
-  window.addEventListener('error', (event) => showDefect(String(event.error ?? event.message)));
+  window.addEventListener('error', (event) => {
+    // A browser says this when sizes settle in the next frame. It is no error.
+    if (!event.message.startsWith('ResizeObserver loop')) showDefect(String(event.error ?? event.message));
+  });
   window.addEventListener('unhandledrejection', (event) => showDefect(String(event.reason)));
 }

@@ -3,6 +3,7 @@
 import type { Motion } from '../core/motion';
 import { FONT, type Palette } from '../views/palette';
 import { drawPlots } from '../views/plots-sheet';
+import { VectorContext } from '../views/vector';
 
 export type View = 'hoop' | 'plane' | 'plots';
 
@@ -29,15 +30,14 @@ export function painterOfPlots(motion: Motion, palette: Palette, now: number): P
 }
 
 /** A view as SVG: drawn by the code that draws it on the screen. */
-export async function svgOf(view: View, paint: Painter, palette: Palette): Promise<string> {
-  const { Context } = await import('svgcanvas');
+export function svgOf(view: View, paint: Painter, palette: Palette): string {
   const [width, height] = SIZES[view];
-  const context = new Context(width, height) as CanvasRenderingContext2D & { getSerializedSvg(): string };
+  const context = new VectorContext(width, height);
   context.fillStyle = palette.paper;
   context.fillRect(0, 0, width, height);
   context.font = `14px ${FONT}`;
-  paint(context, width, height);
-  return context.getSerializedSvg();
+  paint(context as unknown as CanvasRenderingContext2D, width, height);
+  return context.toString();
 }
 
 /** A view as PNG, twice as fine as it is large. */

@@ -111,7 +111,7 @@ export class Share {
     try {
       const content =
         format === 'svg'
-          ? new Blob([await svgOf(view, painter, palette)], { type: 'image/svg+xml' })
+          ? new Blob([svgOf(view, painter, palette)], { type: 'image/svg+xml' })
           : await pngOf(view, painter, palette);
       save(`${this.name}-${view}.${format}`, content);
     } catch (error) {

@@ -44,7 +44,8 @@ export class Plots {
   constructor(holder: HTMLElement, palette: Palette, private readonly scrub: (time: number) => void) {
     this.palette = palette;
     this.plots = QUANTITIES.map((quantity) => this.make(holder, quantity));
-    new ResizeObserver(() => this.resize()).observe(holder);
+    // Not within the observer: the charts change the size of what is observed.
+    new ResizeObserver(() => requestAnimationFrame(() => this.resize())).observe(holder);
   }
 
   private make(holder: HTMLElement, quantity: Quantity): Plot {
@@ -84,7 +85,7 @@ export class Plots {
         { ...axis, size: 44, gap: 3, space: 28, values: (_, ticks) => ticks.map((it) => String(Number(it.toPrecision(4))).replace('-', '−')) },
       ],
       series: [{}, {
-        label: quantity.title, width: 2, stroke: () => this.palette.ink, points: { show: false }, spanGaps: false,
+        label: quantity.title, width: 2, stroke: () => this.palette.ink, points: { show: false }, spanGaps: false, pxAlign: 0,
       }],
       hooks: { drawClear: [(chart) => this.bands(chart)] },
     }, [[0, 1], [0, 0]], box);
