@@ -46,7 +46,7 @@ interface Document {
 const EVENTS = new Set(['landing', 'particle_at_plane', 'particle_at_bottom', 'particle_at_top', 'singular']);
 
 /** Samples for the views. */
-const COUNT = 600;
+const COUNT = 400;
 
 export class Motion {
   readonly phases: Phase[];

@@ -25,6 +25,8 @@ export class PlanePane {
   private readonly handle = byId('start-handle', HTMLButtonElement);
   private readonly legend = byId('legend', HTMLUListElement);
   private curves: Curves | null = null;
+  /** Whether the map has been asked for the hoop that is shown. */
+  private mapIsRight = false;
   private stale = { base: true, top: true };
 
   constructor(private readonly lab: Lab, private palette: Palette, draw: () => void,
@@ -101,6 +103,7 @@ export class PlanePane {
   hoopChanged(): void {
     const { problem, state, plain } = this.lab;
     this.curves = curvesOf(problem, state.view.rate);
+    this.mapIsRight = state.view.map;
     if (state.view.map) this.map.ask(plain, state.view.rate);
     this.stale = { base: true, top: true };
   }
@@ -116,10 +119,11 @@ export class PlanePane {
     const place = (RATES as readonly number[]).indexOf(view.rate);
     byId('zoom-in', HTMLButtonElement).disabled = place <= 0;
     byId('zoom-out', HTMLButtonElement).disabled = place >= RATES.length - 1;
-    const asked = document.documentElement.dataset['map'] !== undefined;
-    if (rateChanged || (view.map && !asked)) this.hoopChanged();
-    this.legend.hidden = !view.map;
-    this.stale = { base: true, top: true };
+    if (rateChanged || (view.map && !this.mapIsRight)) this.hoopChanged();
+    if (this.legend.hidden === view.map) {
+      this.legend.hidden = !view.map;
+      this.stale.base = true;
+    }
   }
 
   setPalette(palette: Palette): void {

@@ -97,8 +97,8 @@ function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera
       let to = from;
       while (to + 1 < s.length && s.mode[to + 1] === s.mode[from]) to++;
       c.strokeStyle = palette.mode[mode];
-      c.setLineDash(DASHES[mode]);
       for (const past of [false, true]) {
+        c.setLineDash(past ? DASHES[mode] : []);
         c.globalAlpha = past ? 1 : 0.3;
         c.beginPath();
         for (let i = from; i <= to && (!past || s.time[i]! <= now); i++) c.lineTo(camera.x(xs[i]!), camera.y(ys[i]!));

@@ -286,10 +286,9 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
     const again = Math.abs(shift) > 1;
     c.setLineDash([]);
     c.strokeStyle = palette.paper;
-    c.lineWidth = 6;
-    c.globalAlpha = again ? 0.3 : 0.75;
-    c.stroke();
-    c.globalAlpha = again ? 0.55 : 1;
+    c.lineWidth = 5.5;
+    if (!again) c.stroke();
+    c.globalAlpha = again ? 0.6 : 1;
     c.strokeStyle = palette.mode[mode];
     c.lineWidth = again ? 2 : 3;
     c.setLineDash(DASHES[mode]);

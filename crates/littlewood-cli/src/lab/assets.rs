@@ -4,9 +4,9 @@ use std::borrow::Cow;
 
 use rust_embed::RustEmbed;
 
-/// What `web/build.sh` has made; nothing where it was not run before the program was built.
+/// What `web/build.sh` has made, from the folder of this crate; nothing where it was not run before the program was built.
 #[derive(RustEmbed)]
-#[folder = "$CARGO_MANIFEST_DIR/../../web/dist"]
+#[folder = "../../web/dist"]
 #[allow_missing = true]
 struct Files;
 
