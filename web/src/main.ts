@@ -58,7 +58,7 @@ function start(cases: NamedCase[]): void {
   const stale = { motion: true, time: true };
   function paint(): void {
     frame = 0;
-    if (stale.motion) plots.setMotion(lab.motion);
+    if (stale.motion) plots.setMotion(lab.motion, lab.scales, lab.state.problem.system === 'si');
     if (stale.motion || stale.time) plots.setTime(lab.time);
     stale.motion = false;
     stale.time = false;

@@ -4,6 +4,7 @@ import { fieldOfQuantity, fieldsOf, indexOf, type System } from '../core/fields'
 import { Motion } from '../core/motion';
 import { Problem, Refusal } from '../core/wasm';
 import { caseOfProblem, type NamedCase, type ProblemState, type State, type ViewState } from './state';
+import type { Scales } from '../views/plots';
 import type { Complaint } from './url';
 
 /** What has changed: the hoop or the slip (new curves, new map), the motion, the time of the cursor, the view. */
@@ -129,6 +130,14 @@ export class Lab {
     if (this.state.problem.system === 'dimensionless') return 1;
     const [, , radius, , , gravity] = this.state.problem.numbers;
     return Math.sqrt(radius! / gravity!);
+  }
+
+  /** What dimensionless values are worth in the units that are shown (2.9). */
+  get scales(): Scales {
+    if (this.state.problem.system === 'dimensionless') return { time: 1, rate: 1, velocity: 1, force: 1, energy: 1 };
+    const [, m2, radius, , , gravity] = this.state.problem.numbers as [number, number, number, number, number, number];
+    const time = this.timeUnit;
+    return { time, rate: 1 / time, velocity: radius / time, force: m2 * gravity, energy: m2 * gravity * radius };
   }
 
   setTime(time: number): void {

@@ -1,6 +1,6 @@
 // Data and pictures to keep.
 
-import type { Motion } from '../core/motion';
+import type { Lab } from '../state/lab';
 import { FONT, type Palette } from '../views/palette';
 import { drawPlots } from '../views/plots-sheet';
 import { VectorContext } from '../views/vector';
@@ -24,9 +24,10 @@ export function save(name: string, content: Blob): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-export function painterOfPlots(motion: Motion, palette: Palette, now: number): Painter {
-  const samples = motion.sample(POINTS);
-  return (c, width, height) => drawPlots(c, width, height, motion, samples, palette, now);
+export function painterOfPlots(lab: Lab, palette: Palette): Painter {
+  const samples = lab.motion.sample(POINTS);
+  const si = lab.state.problem.system === 'si';
+  return (c, width, height) => drawPlots(c, width, height, lab.motion, samples, palette, lab.time, lab.scales, si);
 }
 
 /** A view as SVG: drawn by the code that draws it on the screen. */

@@ -107,7 +107,7 @@ export class Share {
 
   private async picture(view: View, format: 'svg' | 'png'): Promise<void> {
     const palette = this.palette();
-    const painter = view === 'plots' ? painterOfPlots(this.lab.motion, palette, this.lab.time) : this.painters[view];
+    const painter = view === 'plots' ? painterOfPlots(this.lab, palette) : this.painters[view];
     try {
       const content =
         format === 'svg'

@@ -10,6 +10,7 @@ export interface Palette {
   force: string;
   friction: string;
   slip: string;
+  level: string;
   region: string;
   separatrix: string;
   mode: Record<Mode, string>;
@@ -29,6 +30,7 @@ export function readPalette(): Palette {
     force: read('force'),
     friction: read('friction'),
     slip: read('slip'),
+    level: read('level'),
     region: read('region'),
     separatrix: read('separatrix'),
     mode: { rolling: read('rolling'), sliding: read('sliding'), gliding: read('gliding'), flight: read('flight') },

@@ -114,7 +114,7 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
     c.drawImage(map, 0, 0, mapSize / 2, mapSize, left + turn, top, turn / 2, frame.height);
   }
   fillRegion(c, frame, curves.region, palette);
-  for (const level of curves.levels) stroke(c, frame, level, palette.line, 1, []);
+  for (const level of curves.levels) stroke(c, frame, level, palette.level, 1, []);
   stroke(c, frame, curves.separatrix, palette.separatrix, 2, []);
   stroke(c, frame, curves.liftOff, palette.ink, 1.5, [2, 3]);
   stroke(c, frame, curves.normal, palette.ink, 1.75, [8, 4]);

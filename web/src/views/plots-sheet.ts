@@ -4,7 +4,7 @@
 import type { Motion, Samples } from '../core/motion';
 import { label, niceStep } from './canvas';
 import { FONT, type Palette } from './palette';
-import { QUANTITIES, rangeOf } from './plots';
+import { QUANTITIES, rangeOf, type Scales } from './plots';
 
 const LEFT = 70;
 const RIGHT = 20;
@@ -13,14 +13,14 @@ const BOTTOM = 44;
 const GAP = 22;
 
 export function drawPlots(c: CanvasRenderingContext2D, width: number, height: number, motion: Motion, samples: Samples,
-  palette: Palette, now: number): void {
+  palette: Palette, now: number, scales: Scales, si: boolean): void {
   const each = (height - TOP - BOTTOM - GAP * (QUANTITIES.length - 1)) / QUANTITIES.length;
   const x = (time: number): number =>
     LEFT + ((time - motion.begin) / (motion.end - motion.begin || 1)) * (width - LEFT - RIGHT);
   c.font = `13px ${FONT}`;
   QUANTITIES.forEach((quantity, i) => {
     const top = TOP + i * (each + GAP);
-    const values = quantity.values(samples);
+    const values = quantity.values(samples, scales);
     const known = values.filter((it) => it !== null);
     const [least, most] = rangeOf(known.reduce((a, b) => Math.min(a, b), Infinity), known.reduce((a, b) => Math.max(a, b), -Infinity));
     const y = (value: number): number => top + ((most - value) / (most - least)) * each;
@@ -59,16 +59,20 @@ export function drawPlots(c: CanvasRenderingContext2D, width: number, height: nu
     c.textBaseline = 'top';
     c.font = `italic 16px ${FONT}`;
     label(c, quantity.title, LEFT + 8, top + 6, palette.ink, palette.paper);
+    c.textAlign = 'right';
+    c.font = `13px ${FONT}`;
+    label(c, quantity.units[si ? 1 : 0], width - RIGHT - 8, top + 7, palette.ink, palette.paper);
     c.font = `13px ${FONT}`;
   });
-  const step = niceStep(motion.end - motion.begin || 1, 8);
+  const [begin, end] = [motion.begin * scales.time, motion.end * scales.time];
+  const step = niceStep(end - begin || 1, 8);
   c.fillStyle = palette.ink;
   c.textAlign = 'center';
   c.textBaseline = 'top';
-  for (let k = Math.ceil(motion.begin / step); k * step <= motion.end + 1e-9; k++) {
-    c.fillText(String(Number((k * step).toPrecision(6))), x(k * step), height - BOTTOM + 6);
+  for (let k = Math.ceil(begin / step); k * step <= end + 1e-9; k++) {
+    c.fillText(String(Number((k * step).toPrecision(6))), x((k * step) / scales.time), height - BOTTOM + 6);
   }
-  c.fillText('τ', width / 2, height - 20);
+  c.fillText(si ? 't [s]' : 'τ', width / 2, height - 20);
 }
 
 function ticks(c: CanvasRenderingContext2D, palette: Palette, least: number, most: number, y: (value: number) => number,

@@ -5,32 +5,50 @@ import 'uplot/dist/uPlot.min.css';
 import type { Motion, Samples } from '../core/motion';
 import { FONT, type Palette } from './palette';
 
+/** What a dimensionless value is worth in the units that are shown; ones without dimension. */
+export interface Scales {
+  time: number;
+  rate: number;
+  velocity: number;
+  force: number;
+  energy: number;
+}
+
 export interface Quantity {
   id: string;
   title: string;
-  /** What it means, for the tip and the reader of a screen. */
+  /** What it is, for the tip and the reader of a screen. */
   meaning: string;
-  values(samples: Samples): (number | null)[];
+  /** Unit, dimensionless and in SI. */
+  units: [string, string];
+  values(samples: Samples, scales: Scales): (number | null)[];
 }
 
-const finite = (value: number): number | null => (Number.isFinite(value) ? value : null);
+const scaled = (values: Float64Array, unit: number): (number | null)[] =>
+  Array.from(values, (value) => (Number.isFinite(value) ? value * unit : null));
 
 export const QUANTITIES: readonly Quantity[] = [
-  { id: 'theta_rate', title: 'θ′', meaning: 'rate of turning', values: (s) => Array.from(s.theta_rate, finite) },
-  { id: 'slip', title: 'η′', meaning: 'slip velocity', values: (s) => Array.from(s.slip, finite) },
-  { id: 'normal', title: 'N', meaning: 'normal force over m₂g', values: (s) => Array.from(s.normal, finite) },
-  { id: 'demand', title: '|F|/N', meaning: 'friction over normal force', values: demand },
-  { id: 'energy', title: 'E', meaning: 'energy over m₂gR', values: (s) => Array.from(s.energy, finite) },
+  { id: 'theta_rate', title: 'θ′', meaning: 'turning rate', units: ['√(g/R)', 'rad/s'],
+    values: (s, { rate }) => scaled(s.theta_rate, rate) },
+  { id: 'slip', title: 'η′', meaning: 'slip velocity', units: ['√(gR)', 'm/s'],
+    values: (s, { velocity }) => scaled(s.slip, velocity) },
+  { id: 'normal', title: 'N', meaning: 'normal force', units: ['m₂g', 'N'], values: (s, { force }) => scaled(s.normal, force) },
+  { id: 'demand', title: '|F|/N', meaning: 'friction', units: ['', ''], values: demand },
+  { id: 'energy', title: 'E', meaning: 'energy', units: ['m₂gR', 'J'], values: (s, { energy }) => scaled(s.energy, energy) },
 ];
 
 function demand(samples: Samples): (number | null)[] {
-  return Array.from(samples.normal, (normal, i) => (normal > 0 ? finite(Math.abs(samples.friction[i]!) / normal) : null));
+  return Array.from(samples.normal, (normal, i) => {
+    const ratio = Math.abs(samples.friction[i]!) / normal;
+    return normal > 0 && Number.isFinite(ratio) ? ratio : null;
+  });
 }
 
 interface Plot {
   quantity: Quantity;
   box: HTMLElement;
   value: HTMLElement;
+  unit: HTMLElement;
   cursor: HTMLElement;
   chart: uPlot;
 }
@@ -40,6 +58,7 @@ export class Plots {
   private palette: Palette;
   private columns: uPlot.AlignedData[] = [];
   private motion: Motion | null = null;
+  private scales: Scales | null = null;
 
   constructor(holder: HTMLElement, palette: Palette, private readonly scrub: (time: number) => void) {
     this.palette = palette;
@@ -53,9 +72,11 @@ export class Plots {
     figure.className = 'plot';
     const caption = document.createElement('figcaption');
     caption.innerHTML = `<i>${quantity.title}</i> <span class="meaning">${quantity.meaning}</span>`;
+    const unit = document.createElement('span');
+    unit.className = 'unit';
     const value = document.createElement('output');
     value.dataset['plot'] = quantity.id;
-    caption.append(value);
+    caption.append(value, unit);
     const box = document.createElement('div');
     box.className = 'chart';
     const cursor = document.createElement('div');
@@ -65,7 +86,7 @@ export class Plots {
     const chart = this.chart(box, quantity);
     chart.over.append(cursor);
     this.listen(chart);
-    return { quantity, box, value, cursor, chart };
+    return { quantity, box, value, unit, cursor, chart };
   }
 
   private chart(box: HTMLElement, quantity: Quantity): uPlot {
@@ -93,13 +114,14 @@ export class Plots {
 
   /** The modes as bands behind the curve. */
   private bands(chart: uPlot): void {
-    if (!this.motion) return;
+    if (!this.motion || !this.scales) return;
     const { ctx, bbox } = chart;
+    const unit = this.scales.time;
     ctx.save();
     ctx.globalAlpha = 0.16;
     for (const phase of this.motion.phases) {
-      const from = chart.valToPos(Math.max(phase.start, this.motion.begin), 'x', true);
-      const to = chart.valToPos(Math.min(phase.end, this.motion.end), 'x', true);
+      const from = chart.valToPos(unit * Math.max(phase.start, this.motion.begin), 'x', true);
+      const to = chart.valToPos(unit * Math.min(phase.end, this.motion.end), 'x', true);
       ctx.fillStyle = this.palette.mode[phase.mode];
       ctx.fillRect(from, bbox.top, to - from, bbox.height);
     }
@@ -110,7 +132,7 @@ export class Plots {
     const { over } = chart;
     const move = (event: PointerEvent): void => {
       const { left } = over.getBoundingClientRect();
-      this.scrub(chart.posToVal(event.clientX - left, 'x'));
+      this.scrub(chart.posToVal(event.clientX - left, 'x') / (this.scales?.time ?? 1));
     };
     over.addEventListener('pointerdown', (event) => {
       over.setPointerCapture(event.pointerId);
@@ -132,23 +154,28 @@ export class Plots {
     for (const { chart } of this.plots) chart.redraw(false, true);
   }
 
-  setMotion(motion: Motion): void {
+  setMotion(motion: Motion, scales: Scales, si: boolean): void {
     this.motion = motion;
-    const time = Array.from(motion.samples.time);
-    this.columns = this.plots.map(({ quantity }) => [time, quantity.values(motion.samples)]);
-    this.plots.forEach(({ chart }, i) => chart.setData(this.columns[i]!));
+    this.scales = scales;
+    const time = Array.from(motion.samples.time, (it) => it * scales.time);
+    this.columns = this.plots.map(({ quantity }) => [time, quantity.values(motion.samples, scales)]);
+    this.plots.forEach(({ chart, unit, quantity }, i) => {
+      unit.textContent = quantity.units[si ? 1 : 0];
+      chart.setData(this.columns[i]!);
+    });
   }
 
   /** Puts the cursor of every plot to a time. */
   setTime(time: number): void {
-    if (!this.motion) return;
+    if (!this.motion || !this.scales) return;
     const { begin, end } = this.motion;
+    const shown = time * this.scales.time;
     this.plots.forEach(({ chart, cursor, value }, i) => {
       // Not valToPos: the library takes new scales only after this.
       const width = chart.bbox.width / uPlot.pxRatio;
       cursor.style.transform = `translateX(${((time - begin) / (end - begin || 1)) * width}px)`;
       const [times, values] = this.columns[i] as [number[], (number | null)[]] | undefined ?? [[], []];
-      const at = interpolate(times, values, time);
+      const at = interpolate(times, values, shown);
       value.textContent = at === null ? '–' : at.toFixed(3).replace('-', '−');
     });
   }
