@@ -19,6 +19,6 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Error> {
     let colour = output.has_colour();
     output.write(|writer| match args.format {
         ShortFormat::Table => report::table::classification(writer, &problem, &found, colour),
-        ShortFormat::Json => report::json::classification(writer, &problem, &found),
+        ShortFormat::Json => report::json::classification(writer, &problem.subject(), &problem.hoop, &found),
     })
 }

@@ -175,6 +175,21 @@ pub(crate) enum Error {
         /// How to go on.
         hint: String,
     },
+    /// The laboratory was not there when this program was built.
+    #[error("this program was built without the laboratory")]
+    #[diagnostic(help(
+        "in the sources, `web/build.sh` makes the page (it needs node); build the program again after it"
+    ))]
+    NoLab,
+    /// A port that cannot be listened on.
+    #[error("cannot listen on port {port} of 127.0.0.1: {source}")]
+    #[diagnostic(help("give another --port, or leave the flag out for a free one"))]
+    Port {
+        /// The port that was asked for.
+        port: u16,
+        /// Why.
+        source: io::Error,
+    },
     /// The reader of the output has seen enough.
     #[error("the reader has closed the pipe")]
     ClosedPipe,
@@ -185,7 +200,9 @@ impl Error {
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::ClosedPipe => ExitCode::SUCCESS,
-            Self::Write { .. } | Self::WriteFile { .. } => ExitCode::from(1),
+            Self::Write { .. } | Self::WriteFile { .. } | Self::NoLab | Self::Port { .. } => {
+                ExitCode::from(1)
+            }
             Self::Interrupted { .. } => ExitCode::from(130),
             Self::Sweep(error) if is_of_the_system(error) => ExitCode::from(1),
             _ => ExitCode::from(2),

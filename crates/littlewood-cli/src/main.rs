@@ -1,5 +1,5 @@
-//! The command line of Littlewood's hoop: `littlewood simulate`, `classify`, `cases`, `map`, `sweep` and
-//! `atlas`.
+//! The command line of Littlewood's hoop: `littlewood simulate`, `classify`, `cases`, `map`, `sweep`,
+//! `atlas` and `lab`.
 
 mod args;
 mod atlas;
@@ -8,6 +8,7 @@ mod cases;
 mod classify;
 mod error;
 mod interrupt;
+mod lab;
 mod list;
 mod map;
 mod output;
@@ -43,6 +44,7 @@ fn main() -> ExitCode {
         Command::Map(args) => map::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Atlas(args) => atlas::run(&args),
+        Command::Lab(args) => lab::run(&args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -5,6 +5,7 @@ use littlewood::{
     Bound, CASES, Classification, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Quantity,
     SiParameters, SiState, Start, Trajectory, Units, find_case,
 };
+use littlewood_report::Subject;
 
 use crate::args::ProblemArgs;
 use crate::error::Error;
@@ -102,6 +103,11 @@ impl Problem {
     /// A start that is out of bounds.
     pub(crate) fn classify(&self) -> Result<Classification, Error> {
         self.hoop.classify(self.start).map_err(|error| self.inputs.blame(error))
+    }
+
+    /// What a report says beside the motion.
+    pub(crate) const fn subject(&self) -> Subject<'_> {
+        Subject { case: self.case, start: self.start, units: self.units.as_ref() }
     }
 
     /// The scenario file, if there is one.

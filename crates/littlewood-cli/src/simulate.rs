@@ -2,8 +2,6 @@
 
 use std::path::Path;
 
-use littlewood::{Outcome, Recurrence, Trajectory};
-
 use crate::args::{Format, SimulateArgs};
 use crate::error::Error;
 use crate::output::Output;
@@ -34,15 +32,13 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
 
     let output = Output::open(out.as_deref())?;
     let trajectory = problem.simulate()?;
-    let sampling = samples.map(|count| Sampling {
-        count: usize::try_from(count).unwrap_or(usize::MAX),
-        until: sampling_end(&trajectory),
-    });
+    let sampling =
+        samples.map(|count| Sampling::of(&trajectory, usize::try_from(count).unwrap_or(usize::MAX)));
     let colour = output.has_colour();
     output.write(|writer| match format {
         Format::Table => report::table::motion(writer, &problem, &trajectory, sampling, colour),
-        Format::Json => report::json::motion(writer, &problem, &trajectory, sampling),
-        Format::Csv => report::csv::motion(writer, &problem, &trajectory, sampling),
+        Format::Json => report::json::motion(writer, &problem.subject(), &trajectory, sampling),
+        Format::Csv => report::csv::motion(writer, &problem.subject(), &trajectory, sampling),
     })
 }
 
@@ -52,27 +48,4 @@ fn format_of(out: Option<&Path>) -> Format {
         Some("csv") => Format::Csv,
         _ => Format::Table,
     }
-}
-
-/// A motion without an end is sampled far enough to see what it does: for two periods of the last phase, or ten units
-/// of time where that has none.
-fn sampling_end(trajectory: &Trajectory) -> f64 {
-    let end = trajectory.end_time();
-    if end.is_finite() {
-        return end;
-    }
-    let horizon = match trajectory.outcome() {
-        Outcome::RollsForever { recurrence, .. } | Outcome::SlidesForever { recurrence, .. } => {
-            match recurrence {
-                Recurrence::Libration { period, .. } | Recurrence::Rotation { period }
-                    if period.is_finite() =>
-                {
-                    2.0 * period
-                }
-                _ => 10.0,
-            }
-        }
-        _ => 10.0,
-    };
-    trajectory.outcome().state().time + horizon
 }

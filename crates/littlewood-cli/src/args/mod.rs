@@ -13,6 +13,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::lab::LabArgs;
+
 use self::sweep::{ATLAS, ATLAS_EXAMPLES, MAP, MAP_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
 
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
@@ -55,6 +57,9 @@ pub(crate) enum Command {
     /// Count the sequences of phases that occur on a grid of starts, with an example of each
     #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
     Atlas(Box<AtlasArgs>),
+    /// Open the laboratory in the browser: drag a start and watch the hoop
+    #[command(long_about = crate::lab::ABOUT)]
+    Lab(LabArgs),
 }
 
 const SIMULATE: &str = "\

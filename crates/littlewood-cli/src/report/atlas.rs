@@ -8,9 +8,9 @@ use littlewood_sweep::{Atlas, Coordinate, Entry, Stop};
 use serde_json::{Map, Value, json};
 
 use super::json;
-use super::number::brief;
 use super::sheet::Sheet;
 use super::sweep::grouped;
+use littlewood_report::number::brief;
 
 /// An atlas, and of what it is.
 #[derive(Debug)]

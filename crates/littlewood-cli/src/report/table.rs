@@ -6,10 +6,10 @@ use littlewood::{
     CASES, Cause, Classification, Direction, Findings, Hoop, Limit, Mode, Motion, Outcome, Phase, Quantity,
     Recurrence, RollingType, SiParameters, StartRegion, State, Trajectory,
 };
+use littlewood_report::number::{brief, column};
+use littlewood_report::scale::{Scale, Symbols};
 
 use super::Sampling;
-use super::number::{brief, column};
-use super::scale::{Scale, Symbols};
 use super::sheet::Sheet;
 use crate::problem::Problem;
 

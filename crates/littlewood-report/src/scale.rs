@@ -2,19 +2,22 @@
 
 use littlewood::{State, Units};
 
-use super::number::brief;
+use crate::number::brief;
 
 /// A system of units.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Scale<'a>(Option<&'a Units>);
+pub struct Scale<'a>(Option<&'a Units>);
 
 impl<'a> Scale<'a> {
-    pub(super) const fn new(units: Option<&'a Units>) -> Self {
+    /// That of these units; none for the dimensionless system.
+    #[must_use]
+    pub const fn new(units: Option<&'a Units>) -> Self {
         Self(units)
     }
 
     /// Symbols of τ, θ′ and η′, and of the height of the rim.
-    pub(super) const fn symbols(self) -> Symbols {
+    #[must_use]
+    pub const fn symbols(self) -> Symbols {
         match self.0 {
             None => Symbols { time: "τ", theta_rate: "θ′", slip: "η′" },
             Some(_) => Symbols { time: "t", theta_rate: "dθ/dt", slip: "dη/dt" },
@@ -22,7 +25,8 @@ impl<'a> Scale<'a> {
     }
 
     /// Labels of columns with their units.
-    pub(super) const fn columns(self) -> [&'static str; 6] {
+    #[must_use]
+    pub const fn columns(self) -> [&'static str; 6] {
         match self.0 {
             None => ["from τ", "duration", "θ", "θ′", "η′", "lost"],
             Some(_) => {
@@ -31,29 +35,57 @@ impl<'a> Scale<'a> {
         }
     }
 
-    pub(super) fn time(self, value: f64) -> f64 {
+    /// A time in this system.
+    #[must_use]
+    pub fn time(self, value: f64) -> f64 {
         self.0.map_or(value, |units| value * units.time_s)
     }
 
-    pub(super) fn rate(self, value: f64) -> f64 {
+    /// A rate of turning in this system.
+    #[must_use]
+    pub fn rate(self, value: f64) -> f64 {
         self.0.map_or(value, |units| value / units.time_s)
     }
 
-    pub(super) fn velocity(self, value: f64) -> f64 {
+    /// A velocity in this system.
+    #[must_use]
+    pub fn velocity(self, value: f64) -> f64 {
         self.0.map_or(value, |units| value * units.velocity_m_per_s())
     }
 
-    pub(super) fn energy(self, value: f64) -> f64 {
+    /// An energy in this system.
+    #[must_use]
+    pub fn energy(self, value: f64) -> f64 {
         self.0.map_or(value, |units| value * units.energy_j())
     }
 
     /// A time with its unit.
-    pub(super) fn show_time(self, value: f64) -> String {
+    #[must_use]
+    pub fn show_time(self, value: f64) -> String {
         self.show(self.time(value), "s")
     }
 
+    /// A length of time in words: dimensionless times have the unit √(R/g).
+    #[must_use]
+    pub fn show_duration(self, value: f64) -> String {
+        match self.0 {
+            None => format!("{} √(R/g)", brief(value)),
+            Some(units) => format!("{} s", brief(value * units.time_s)),
+        }
+    }
+
+    /// A velocity in words: dimensionless velocities have the unit √(g R).
+    #[must_use]
+    pub fn show_speed(self, value: f64) -> String {
+        match self.0 {
+            None => format!("{} √(g R)", brief(value)),
+            Some(_) => self.show_velocity(value),
+        }
+    }
+
     /// A length with its unit.
-    pub(super) fn show_length(self, value: f64) -> String {
+    #[must_use]
+    pub fn show_length(self, value: f64) -> String {
         match self.0 {
             None if value == 0.0 => "0".to_owned(),
             None => format!("{} R", brief(value)),
@@ -62,17 +94,20 @@ impl<'a> Scale<'a> {
     }
 
     /// A velocity with its unit.
-    pub(super) fn show_velocity(self, value: f64) -> String {
+    #[must_use]
+    pub fn show_velocity(self, value: f64) -> String {
         self.show(self.velocity(value), "m/s")
     }
 
     /// A rate of turning with its unit.
-    pub(super) fn show_rate(self, value: f64) -> String {
+    #[must_use]
+    pub fn show_rate(self, value: f64) -> String {
         self.show(self.rate(value), "rad/s")
     }
 
     /// A force with its unit.
-    pub(super) fn show_force(self, value: f64) -> String {
+    #[must_use]
+    pub fn show_force(self, value: f64) -> String {
         match self.0 {
             None => format!("{} m2 g", brief(value)),
             Some(units) => format!("{} N", brief(value * units.force_n())),
@@ -80,7 +115,8 @@ impl<'a> Scale<'a> {
     }
 
     /// An energy with its unit.
-    pub(super) fn show_energy(self, value: f64) -> String {
+    #[must_use]
+    pub fn show_energy(self, value: f64) -> String {
         match self.0 {
             None => format!("{} m2 g R", brief(value)),
             Some(units) => format!("{} J", brief(value * units.energy_j())),
@@ -88,7 +124,8 @@ impl<'a> Scale<'a> {
     }
 
     /// θ, θ′ and η′.
-    pub(super) fn show_motion(self, state: &State) -> String {
+    #[must_use]
+    pub fn show_motion(self, state: &State) -> String {
         let Symbols { theta_rate, slip, .. } = self.symbols();
         format!(
             "{}  {theta_rate} = {}  {slip} = {}",
@@ -99,7 +136,8 @@ impl<'a> Scale<'a> {
     }
 
     /// θ in radians and in degrees.
-    pub(super) fn show_angle(self, theta: f64) -> String {
+    #[must_use]
+    pub fn show_angle(self, theta: f64) -> String {
         let degrees = brief((theta.to_degrees() * 10.0).round() / 10.0);
         format!("θ = {} ({degrees}°)", self.show(theta, "rad"))
     }
@@ -114,8 +152,11 @@ impl<'a> Scale<'a> {
 
 /// The symbols of the paper, or of their counterparts with dimensions.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Symbols {
-    pub(super) time: &'static str,
-    pub(super) theta_rate: &'static str,
-    pub(super) slip: &'static str,
+pub struct Symbols {
+    /// τ.
+    pub time: &'static str,
+    /// θ′.
+    pub theta_rate: &'static str,
+    /// η′.
+    pub slip: &'static str,
 }

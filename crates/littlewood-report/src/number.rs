@@ -1,7 +1,8 @@
 //! Numbers for a person.
 
 /// Up to six significant digits, without trailing zeros.
-pub(super) fn brief(value: f64) -> String {
+#[must_use]
+pub fn brief(value: f64) -> String {
     if !value.is_finite() {
         return infinite(value);
     }
@@ -16,7 +17,8 @@ pub(super) fn brief(value: f64) -> String {
 }
 
 /// Five decimals, so that the numbers of a column stand under each other; an exact zero is "0".
-pub(super) fn column(value: f64) -> String {
+#[must_use]
+pub fn column(value: f64) -> String {
     if !value.is_finite() {
         return infinite(value);
     }

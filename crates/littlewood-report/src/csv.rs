@@ -6,29 +6,35 @@ use csv::{ErrorKind, Writer};
 use littlewood::{Cause, Mode, Outcome, Phase, State, Trajectory};
 use serde::Serialize;
 
-use super::Sampling;
-use super::record::{EdgeRecord, SampleRecord, SiSampleRecord, SiStateRecord, StateRecord, sign};
-use crate::problem::Problem;
+use crate::record::{EdgeRecord, SampleRecord, SiSampleRecord, SiStateRecord, StateRecord, sign};
+use crate::{Sampling, Subject};
 
 /// A motion. In SI units the columns in SI units follow the dimensionless ones.
-pub(crate) fn motion(
-    writer: &mut dyn Write,
-    problem: &Problem,
+///
+/// # Errors
+/// A failure to write.
+pub fn motion(
+    writer: impl Write,
+    subject: &Subject<'_>,
     trajectory: &Trajectory,
     sampling: Option<Sampling>,
 ) -> io::Result<()> {
     let mut writer = Writer::from_writer(writer);
     match sampling {
-        Some(sampling) => samples(&mut writer, problem, trajectory, sampling),
-        None => events(&mut writer, problem, trajectory),
+        Some(sampling) => samples(&mut writer, subject, trajectory, sampling),
+        None => events(&mut writer, subject, trajectory),
     }
     .map_err(into_io)?;
     writer.flush()
 }
 
 /// The start, the transitions, and the outcome where that is no event.
-fn events<W: Write>(writer: &mut Writer<W>, problem: &Problem, trajectory: &Trajectory) -> csv::Result<()> {
-    let mut row = |state: State, edge: EdgeRecord| match &problem.units {
+fn events<W: Write>(
+    writer: &mut Writer<W>,
+    subject: &Subject<'_>,
+    trajectory: &Trajectory,
+) -> csv::Result<()> {
+    let mut row = |state: State, edge: EdgeRecord| match subject.units {
         Some(units) => writer.serialize((StateRecord::from(state), edge, SiStateRecord::new(units, &state))),
         None => writer.serialize((StateRecord::from(state), edge)),
     };
@@ -75,7 +81,7 @@ struct EventRecord {
 
 fn samples<W: Write>(
     writer: &mut Writer<W>,
-    problem: &Problem,
+    subject: &Subject<'_>,
     trajectory: &Trajectory,
     sampling: Sampling,
 ) -> csv::Result<()> {
@@ -85,7 +91,7 @@ fn samples<W: Write>(
     for sample in trajectory.sample_evenly(sampling.count, sampling.until) {
         let record = SampleRecord::new(hoop, &sample);
         let event = EventRecord { event: names.at(record.time) };
-        match &problem.units {
+        match subject.units {
             Some(units) => writer.serialize((record, event, SiSampleRecord::new(units, hoop, &sample)))?,
             None => writer.serialize((record, event))?,
         }
@@ -95,7 +101,7 @@ fn samples<W: Write>(
         return Ok(());
     }
     // Nothing moves from here, so there is no instant to sample: the event rows say what was found.
-    events(writer, problem, trajectory)
+    events(writer, subject, trajectory)
 }
 
 /// Names the events in the order of the samples. A transition appears as the last instant of the phase that ends,

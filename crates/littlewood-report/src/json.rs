@@ -2,15 +2,14 @@
 
 use std::io::{self, Write};
 
-use littlewood::{CASES, Classification, Phase, Trajectory, Units};
+use littlewood::{CASES, Classification, Hoop, Phase, Trajectory, Units};
 use serde::{Serialize, Serializer};
 
-use super::Sampling;
-use super::record::{
+use crate::record::{
     CaseRecord, ClassificationRecord, HoopRecord, OutcomeRecord, PhaseRecord, SampleRecord, SiRecord,
     SiSampleRecord, StartRecord, TransitionRecord,
 };
-use crate::problem::Problem;
+use crate::{Sampling, Subject};
 
 #[derive(Serialize)]
 struct MotionDocument<'a> {
@@ -59,19 +58,22 @@ impl Serialize for Samples<'_> {
 }
 
 /// A motion.
-pub(crate) fn motion(
-    writer: &mut dyn Write,
-    problem: &Problem,
+///
+/// # Errors
+/// A failure to write.
+pub fn motion(
+    writer: impl Write,
+    subject: &Subject<'_>,
     trajectory: &Trajectory,
     sampling: Option<Sampling>,
 ) -> io::Result<()> {
-    let units = problem.units.as_ref();
+    let units = subject.units;
     let first = trajectory.phases().first();
     let document = MotionDocument {
-        case: problem.case.map(|case| case.name),
+        case: subject.case.map(|case| case.name),
         hoop: trajectory.hoop().parameters().into(),
         start: StartRecord::new(
-            &problem.start,
+            &subject.start,
             first.map(Phase::mode),
             first.and_then(Phase::direction),
             units,
@@ -100,28 +102,39 @@ struct ClassificationDocument {
 }
 
 /// What is known of a start.
-pub(crate) fn classification(
-    writer: &mut dyn Write,
-    problem: &Problem,
+///
+/// # Errors
+/// A failure to write.
+pub fn classification(
+    writer: impl Write,
+    subject: &Subject<'_>,
+    hoop: &Hoop,
     found: &Classification,
 ) -> io::Result<()> {
-    let units = problem.units.as_ref();
+    let units = subject.units;
     let document = ClassificationDocument {
-        case: problem.case.map(|case| case.name),
-        hoop: problem.hoop.parameters().into(),
-        start: StartRecord::new(&problem.start, found.mode, found.direction, units),
+        case: subject.case.map(|case| case.name),
+        hoop: hoop.parameters().into(),
+        start: StartRecord::new(&subject.start, found.mode, found.direction, units),
         classification: found.into(),
-        si: units.map(|units| SiRecord::new(&problem.hoop, units, None)),
+        si: units.map(|units| SiRecord::new(hoop, units, None)),
     };
     write(writer, &document)
 }
 
 /// The named cases.
-pub(crate) fn cases(writer: &mut dyn Write) -> io::Result<()> {
+///
+/// # Errors
+/// A failure to write.
+pub fn cases(writer: impl Write) -> io::Result<()> {
     write(writer, &CASES.iter().map(CaseRecord::from).collect::<Vec<_>>())
 }
 
-pub(super) fn write(writer: &mut dyn Write, document: &impl Serialize) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut *writer, document)?;
+/// Any document, indented, with a newline at the end.
+///
+/// # Errors
+/// A failure to write.
+pub fn write(mut writer: impl Write, document: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut writer, document)?;
     writeln!(writer)
 }

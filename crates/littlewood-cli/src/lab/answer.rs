@@ -1,0 +1,129 @@
+//! What the server answers, apart from how it is sent.
+
+use super::assets::Asset;
+
+/// What the page may do: run its own code and WebAssembly, draw, and ask nobody but this server. The page has the same
+/// line for other hosts, without `frame-ancestors`, which only a header can have.
+const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
+                      img-src 'self' data: blob:; connect-src 'self'; worker-src 'self'; manifest-src 'self'; \
+                      base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// Headers of every answer.
+const HEADERS: [(&str, &str); 6] = [
+    ("Content-Security-Policy", POLICY),
+    ("X-Content-Type-Options", "nosniff"),
+    ("Referrer-Policy", "no-referrer"),
+    ("Cross-Origin-Opener-Policy", "same-origin"),
+    ("Cross-Origin-Embedder-Policy", "require-corp"),
+    ("Cross-Origin-Resource-Policy", "same-origin"),
+];
+
+/// A request, as far as it matters.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Question<'a> {
+    /// Whether it is GET or HEAD.
+    pub(super) reads: bool,
+    /// The header `Host`.
+    pub(super) host: Option<&'a str>,
+    /// Path, with a query if there is one.
+    pub(super) path: &'a str,
+}
+
+/// An answer.
+#[derive(Clone, Debug)]
+pub(super) struct Answer {
+    pub(super) status: u16,
+    pub(super) headers: Vec<(&'static str, String)>,
+    pub(super) body: Vec<u8>,
+}
+
+/// Answers a request to the server on `port`.
+///
+/// The host is checked because a page elsewhere may have its own name point at 127.0.0.1 (DNS rebinding): its requests
+/// carry that name, and are refused.
+pub(super) fn answer(question: &Question<'_>, port: u16, find: impl Fn(&str) -> Option<Asset>) -> Answer {
+    let ours = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
+    if !question.host.is_some_and(|host| ours.iter().any(|name| name.eq_ignore_ascii_case(host))) {
+        return refusal(421, "421: this server answers for 127.0.0.1 and localhost alone\n", &[]);
+    }
+    if !question.reads {
+        return refusal(405, "405: only GET and HEAD\n", &[("Allow", "GET, HEAD")]);
+    }
+    let path = question.path.split(['?', '#']).next().unwrap_or_default();
+    let name = match path.strip_prefix('/') {
+        Some("") => "index.html",
+        Some(name) => name,
+        None => "",
+    };
+    let Some(Asset { content, kind }) = find(name) else {
+        return refusal(404, "404: there is no such file\n", &[]);
+    };
+    // The names of assets change with their content; the other files keep theirs.
+    let lasts = if name.starts_with("assets/") { "max-age=31536000, immutable" } else { "no-cache" };
+    with_headers(200, &[("Content-Type", &kind), ("Cache-Control", lasts)], content.into_owned())
+}
+
+fn refusal(status: u16, text: &str, headers: &[(&'static str, &str)]) -> Answer {
+    let mut all = vec![("Content-Type", "text/plain; charset=utf-8"), ("Cache-Control", "no-store")];
+    all.extend(headers);
+    with_headers(status, &all, text.as_bytes().to_vec())
+}
+
+fn with_headers(status: u16, headers: &[(&'static str, &str)], body: Vec<u8>) -> Answer {
+    let headers = HEADERS.iter().chain(headers).map(|(name, value)| (*name, (*value).to_owned())).collect();
+    Answer { status, headers, body }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn page(name: &str) -> Option<Asset> {
+        let (content, kind) = match name {
+            "index.html" => ("<!doctype html>", "text/html; charset=utf-8"),
+            "assets/a.js" => ("1", "text/javascript; charset=utf-8"),
+            _ => return None,
+        };
+        Some(Asset { content: content.as_bytes().into(), kind: kind.to_owned() })
+    }
+
+    fn ask(host: Option<&str>, path: &str) -> Answer {
+        answer(&Question { reads: true, host, path }, 4000, page)
+    }
+
+    fn header<'a>(answer: &'a Answer, name: &str) -> Option<&'a str> {
+        answer.headers.iter().find(|(known, _)| *known == name).map(|(_, value)| value.as_str())
+    }
+
+    #[test]
+    fn the_page_comes_with_its_policy() {
+        let page = ask(Some("127.0.0.1:4000"), "/?x=1");
+        assert_eq!((page.status, page.body.as_slice()), (200, &b"<!doctype html>"[..]));
+        assert_eq!(header(&page, "Content-Type"), Some("text/html; charset=utf-8"));
+        assert_eq!(header(&page, "X-Content-Type-Options"), Some("nosniff"));
+        assert!(header(&page, "Content-Security-Policy").is_some_and(|it| it.contains("default-src 'none'")));
+        assert_eq!(header(&page, "Cache-Control"), Some("no-cache"));
+        let script = ask(Some("localhost:4000"), "/assets/a.js");
+        assert_eq!(header(&script, "Cache-Control"), Some("max-age=31536000, immutable"));
+    }
+
+    #[test]
+    fn other_hosts_are_refused() {
+        for host in
+            [None, Some("evil.example"), Some("evil.example:4000"), Some("127.0.0.1"), Some("127.0.0.1:4001")]
+        {
+            let answer = ask(host, "/");
+            assert_eq!(answer.status, 421, "{host:?}");
+            assert!(!answer.body.starts_with(b"<"));
+        }
+    }
+
+    #[test]
+    fn only_files_of_the_page_and_only_reading() {
+        let written = answer(&Question { reads: false, host: Some("localhost:4000"), path: "/" }, 4000, page);
+        assert_eq!((written.status, header(&written, "Allow")), (405, Some("GET, HEAD")));
+        for path in ["/etc/passwd", "/../Cargo.toml", "//index.html", "index.html", "*"] {
+            assert_eq!(ask(Some("localhost:4000"), path).status, 404, "{path}");
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! `littlewood lab`: serves the laboratory, the page in which a motion is dragged and watched, to this machine alone.
+
+mod answer;
+mod assets;
+
+use std::env;
+use std::io::{self, Write};
+use std::net::Ipv4Addr;
+use std::sync::atomic::Ordering;
+use std::thread;
+use std::time::Duration;
+
+use clap::Args;
+use tiny_http::{Header, Method, Request, Response, Server};
+
+use crate::error::Error;
+use crate::interrupt;
+
+use answer::{Answer, Question, answer};
+
+/// What `littlewood lab --help` says.
+pub(crate) const ABOUT: &str = "\
+Serve the laboratory on 127.0.0.1 and open it in the browser: drag a start on the phase plane, and watch the hoop roll, \
+slide and jump.
+
+Nothing leaves this machine, and no other machine can ask: requests for another host name are refused. Ctrl-C ends it. \
+The page is part of the program if it was built before the program was (web/build.sh, which needs node).";
+
+/// Threads that answer. A browser asks for a handful of files at once.
+const THREADS: usize = 4;
+
+/// How long a thread waits before it looks whether Ctrl-C has come.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// Arguments of `littlewood lab`.
+#[derive(Debug, Args)]
+pub(crate) struct LabArgs {
+    /// Port to listen on; 0 takes a free one
+    #[arg(long, value_name = "PORT", default_value_t = 0)]
+    port: u16,
+    /// Do not open a browser, only say where the laboratory is
+    #[arg(long)]
+    no_open: bool,
+}
+
+/// Runs the command, until Ctrl-C.
+///
+/// # Errors
+/// The page is not part of this program, the port is taken, or the address cannot be printed.
+pub(crate) fn run(args: &LabArgs) -> Result<(), Error> {
+    if assets::find("index.html").is_none() {
+        return Err(Error::NoLab);
+    }
+    let server = Server::http((Ipv4Addr::LOCALHOST, args.port))
+        .map_err(|source| Error::Port { port: args.port, source: into_io(source) })?;
+    let port = server.server_addr().to_ip().map_or(args.port, |address| address.port());
+    let asked_to_stop = interrupt::listen();
+    let address = format!("http://127.0.0.1:{port}/");
+    announce(&address)?;
+    if !args.no_open && has_browser() {
+        // The address has been printed: without a browser it can be typed.
+        let _ = webbrowser::open(&address);
+    }
+    thread::scope(|scope| {
+        for _ in 0..THREADS {
+            scope.spawn(|| {
+                while !asked_to_stop.load(Ordering::Relaxed) {
+                    if let Ok(Some(request)) = server.recv_timeout(LOOK) {
+                        respond(request, port);
+                    }
+                }
+            });
+        }
+    });
+    Ok(())
+}
+
+fn announce(address: &str) -> Result<(), Error> {
+    let mut out = io::stdout().lock();
+    writeln!(out, "The laboratory is at {address}\nCtrl-C ends it.")
+        .and_then(|()| out.flush())
+        .map_err(|source| Error::Write { target: "the standard output".to_owned(), source })
+}
+
+/// Whether there is a screen to open a browser on. Without one, some systems would start a browser for text here.
+fn has_browser() -> bool {
+    cfg!(any(windows, target_os = "macos"))
+        || ["DISPLAY", "WAYLAND_DISPLAY"]
+            .iter()
+            .any(|name| env::var_os(name).is_some_and(|it| !it.is_empty()))
+}
+
+fn respond(request: Request, port: u16) {
+    let host = request.headers().iter().find(|header| header.field.equiv("Host"));
+    let question = Question {
+        reads: matches!(request.method(), Method::Get | Method::Head),
+        host: host.map(|header| header.value.as_str()),
+        path: request.url(),
+    };
+    let Answer { status, headers, body } = answer(&question, port, assets::find);
+    let mut response = Response::from_data(body).with_status_code(status);
+    for (name, value) in headers {
+        if let Ok(header) = Header::from_bytes(name, value) {
+            response.add_header(header);
+        }
+    }
+    // A browser that has left wants no answer.
+    let _ = request.respond(response);
+}
+
+fn into_io(error: Box<dyn std::error::Error + Send + Sync>) -> io::Error {
+    match error.downcast::<io::Error>() {
+        Ok(error) => *error,
+        Err(error) => io::Error::other(error),
+    }
+}

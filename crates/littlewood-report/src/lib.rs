@@ -1,0 +1,32 @@
+//! The result formats of `littlewood`: a motion as JSON and as CSV.
+//!
+//! The command line, the laboratory in the browser and whatever else shows a motion write it through this crate, so
+//! that the same motion is the same bytes everywhere. Nothing here opens a file: the functions take a
+//! [`std::io::Write`].
+//!
+//! ```
+//! use littlewood::find_case;
+//! use littlewood_report::{Subject, json};
+//!
+//! let case = find_case("figure-3").expect("a named case");
+//! let motion = case.simulate()?;
+//! let mut text = Vec::new();
+//! json::motion(&mut text, &Subject::of_case(case), &motion, None)?;
+//! assert!(text.starts_with(b"{\n  \"case\": \"figure-3\""));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`number`] and [`scale`] write single values for a person, without dimension or in SI units; [`sentence`] says what
+//! happens at an instant.
+
+pub mod csv;
+pub mod json;
+pub mod number;
+mod record;
+mod sampling;
+pub mod scale;
+pub mod sentence;
+mod subject;
+
+pub use sampling::Sampling;
+pub use subject::Subject;

@@ -1,0 +1,46 @@
+//! Which instants of a motion to report.
+
+use littlewood::{Outcome, Recurrence, Trajectory};
+
+/// Time after which a motion without an end and without a period has shown what it does.
+const APERIODIC: f64 = 10.0;
+
+/// Which instants to sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sampling {
+    /// Number of evenly spaced instants.
+    pub count: usize,
+    /// The last instant, τ.
+    pub until: f64,
+}
+
+impl Sampling {
+    /// `count` instants of a motion, to its end. A motion without an end is sampled far enough to see what it does: for
+    /// two periods of the last phase, or ten units of time where that has none.
+    #[must_use]
+    pub fn of(trajectory: &Trajectory, count: usize) -> Self {
+        Self { count, until: horizon(trajectory) }
+    }
+}
+
+fn horizon(trajectory: &Trajectory) -> f64 {
+    let end = trajectory.end_time();
+    if end.is_finite() {
+        return end;
+    }
+    let outcome = trajectory.outcome();
+    let last = match outcome {
+        Outcome::RollsForever { recurrence, .. } | Outcome::SlidesForever { recurrence, .. } => {
+            match recurrence {
+                Recurrence::Libration { period, .. } | Recurrence::Rotation { period }
+                    if period.is_finite() =>
+                {
+                    2.0 * period
+                }
+                _ => APERIODIC,
+            }
+        }
+        _ => APERIODIC,
+    };
+    outcome.state().time + last
+}

@@ -1,0 +1,178 @@
+//! What happens at an instant of a motion, in one sentence.
+
+use littlewood::{
+    Cause, ContactForces, Findings, Mode, Motion, Outcome, Phase, Recurrence, RollingLaw, State, Trajectory,
+    Transition,
+};
+
+use crate::number::brief;
+use crate::scale::Scale;
+
+/// What begins at the start, and why.
+#[must_use]
+pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
+    let state = trajectory.start();
+    let forces = RollingLaw::new(trajectory.hoop()).forces(state.theta, state.theta_rate);
+    let mu_s = trajectory.hoop().mu_s();
+    let Some(phase) = trajectory.phases().first() else {
+        return outcome(trajectory, scale);
+    };
+    match phase.mode() {
+        Mode::Rolling => format!("Rolls: {}.", holds(&forces, mu_s)),
+        Mode::Sliding if state.slip != 0.0 => {
+            format!("Slides: the contact point moves {}.", to_the(state.slip))
+        }
+        Mode::Sliding => format!("Slips: {}.", gives_way(&forces, mu_s)),
+        Mode::Gliding if state.slip != 0.0 => {
+            "Glides: a hoop without inertia feels no force from the plane while it slips.".to_owned()
+        }
+        Mode::Gliding => {
+            format!("Slips, and glides without any force from the plane: {}.", gives_way(&forces, mu_s))
+        }
+        Mode::Flight => {
+            "Leaves the plane at once: the mass centre would have to be pulled down, h cos θ θ′² > 1."
+                .to_owned()
+        }
+    }
+}
+
+/// What happens at transition `index`, and why; none where there is no such transition.
+#[must_use]
+pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
+    let event = trajectory.transitions().get(index)?;
+    let phase = trajectory.phases().get(index)?;
+    let forces = RollingLaw::new(trajectory.hoop()).forces(event.state.theta, event.state.theta_rate);
+    let mu_s = trajectory.hoop().mu_s();
+    Some(match event.cause {
+        Cause::Slip => slip(event, mu_s),
+        Cause::Stick => format!("Sticks and rolls: the slip has died away, and {}.", holds(&forces, mu_s)),
+        Cause::Reversal if event.from == Mode::Gliding => {
+            "The slip of the glide reverses: outside 𝓡 nothing holds the contact point.".to_owned()
+        }
+        Cause::Reversal => {
+            format!("The slip reverses: at rest {}.", gives_way(&forces, mu_s))
+        }
+        Cause::Graze => "The slip touches zero and goes on in the same direction.".to_owned(),
+        Cause::NormalForceZero => {
+            "Glides: the normal force has vanished before friction gave way.".to_owned()
+        }
+        Cause::LiftOff => {
+            let rise = -trajectory.hoop().h() * libm::sin(event.state.theta) * event.state.theta_rate;
+            format!(
+                "Jumps: the normal force has vanished while the mass centre rises at {}.",
+                scale.show_speed(three(rise))
+            )
+        }
+        Cause::Landing => landing(phase, &event.state, scale),
+        Cause::ParticleAtPlane => "The particle reaches the plane: the glide ends (3.20).".to_owned(),
+        Cause::ParticleAtBottom => "The particle reaches its lowest place: the glide ends (3.20).".to_owned(),
+        Cause::ParticleAtTop => {
+            "The particle reaches its highest place with velocity to spare: it would lift the hoop."
+                .to_owned()
+        }
+        Cause::Singularity => {
+            "The slide jams: beyond P = 0 no sliding motion presses on the plane (Painlevé).".to_owned()
+        }
+        other => format!("{other}."),
+    })
+}
+
+/// How the motion ends, or does not.
+#[must_use]
+pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
+    let last = trajectory.transitions().len().checked_sub(1);
+    match trajectory.outcome() {
+        Outcome::RollsForever { recurrence, .. } => {
+            format!("Rolls for ever, {}: friction holds on the whole orbit.", returns(&recurrence, scale))
+        }
+        Outcome::SlidesForever { recurrence, .. } => {
+            format!("Slides for ever without friction, {}.", returns(&recurrence, scale))
+        }
+        Outcome::TimeLimit { .. } => "The time limit ends the motion here.".to_owned(),
+        Outcome::TransitionLimit { transitions, .. } => {
+            format!("Stopped after {transitions} transitions: slips may shrink without end.")
+        }
+        Outcome::Inconsistent { findings, .. } => {
+            format!("No motion is consistent here (Painlevé): {}.", examined(&findings))
+        }
+        Outcome::Ambiguous { findings, .. } => {
+            let several: Vec<String> = findings.consistent().map(|(mode, _)| mode.to_string()).collect();
+            format!("Several motions are consistent here (Painlevé): {}.", several.join(", "))
+        }
+        Outcome::Unresolved { .. } => "The slide changes faster than the clock resolves.".to_owned(),
+        // The other outcomes are events.
+        other => last
+            .and_then(|index| transition(trajectory, index, scale))
+            .unwrap_or_else(|| format!("Ends: {}.", other.kind())),
+    }
+}
+
+/// Static friction suffices.
+fn holds(forces: &ContactForces, mu_s: f64) -> String {
+    format!("friction needs {} N, and up to {} N is there", brief(short(forces.demand())), brief(mu_s))
+}
+
+/// Static friction does not suffice.
+fn gives_way(forces: &ContactForces, mu_s: f64) -> String {
+    if forces.normal > 0.0 {
+        format!("friction needs {} N, only {} N is there", brief(short(forces.demand())), brief(mu_s))
+    } else {
+        "rolling would need a normal force that pulls".to_owned()
+    }
+}
+
+fn slip(event: &Transition, mu_s: f64) -> String {
+    let limit = brief(mu_s);
+    if event.to == Some(Mode::Gliding) {
+        format!(
+            "Slips, and glides: friction needs more than {limit} N, and a hoop without inertia bears no force while it \
+             slips."
+        )
+    } else {
+        format!("Slips: friction needs more than {limit} N, the most that is there.")
+    }
+}
+
+fn landing(phase: &Phase, end: &State, scale: Scale<'_>) -> String {
+    let Motion::Flight(flight) = phase.motion() else {
+        return "Lands.".to_owned();
+    };
+    let start = phase.start();
+    let direction = if end.x < start.x { "to the left" } else { "to the right" };
+    format!(
+        "Lands {} {direction} after {} in the air, at most {} above the plane.",
+        scale.show_length(three((end.x - start.x).abs())),
+        scale.show_duration(three(phase.duration())),
+        scale.show_length(three(flight.apex().1)),
+    )
+}
+
+fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
+    match *recurrence {
+        Recurrence::Rest => "at rest in equilibrium".to_owned(),
+        Recurrence::Libration { period, .. } => {
+            format!("back and forth with the period {}", scale.show_duration(period))
+        }
+        Recurrence::Rotation { period } => format!("one turn in {}", scale.show_duration(period)),
+        Recurrence::Asymptotic { .. } => "towards the unstable equilibrium, never reached".to_owned(),
+    }
+}
+
+fn examined(findings: &Findings) -> String {
+    let [negative, positive] = findings.solvability.map(|p| brief(short(p)));
+    format!("sliding would need P > 0, and P is {negative} for σ = −1, {positive} for σ = +1")
+}
+
+fn to_the(slip: f64) -> &'static str {
+    if slip < 0.0 { "to the left" } else { "to the right" }
+}
+
+/// Two digits say enough about a coefficient of friction.
+fn short(value: f64) -> f64 {
+    format!("{value:.1e}").parse().unwrap_or(value)
+}
+
+/// Three digits are enough for a sentence; all of them are in the tables.
+fn three(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}

@@ -1,0 +1,22 @@
+//! What a report is about, apart from the motion itself.
+
+use littlewood::{NamedCase, Start, Units};
+
+/// What was asked for: the case, the start, and whether results are wanted in SI units too.
+#[derive(Clone, Copy, Debug)]
+pub struct Subject<'a> {
+    /// The case that the problem starts from, if any.
+    pub case: Option<&'static NamedCase>,
+    /// The start as it was given.
+    pub start: Start,
+    /// Units, if results are wanted in SI units too.
+    pub units: Option<&'a Units>,
+}
+
+impl Subject<'_> {
+    /// A named case without dimension.
+    #[must_use]
+    pub const fn of_case(case: &'static NamedCase) -> Self {
+        Self { case: Some(case), start: case.start, units: None }
+    }
+}

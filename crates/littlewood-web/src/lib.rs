@@ -1,0 +1,25 @@
+//! The core of `littlewood` for the browser.
+//!
+//! A thin boundary: numbers cross it as `Float64Array`s, so that not a bit is lost on the way, and texts as the command
+//! line writes them. [`Motion`] is a simulated motion, [`Plane`] the (θ, θ′) plane with its curves, [`OutcomeMap`] what
+//! becomes of every start of that plane, [`Problem`] a hoop and a start in either system of units. A value that has no
+//! physical meaning is a [`Refusal`], which names the quantity.
+
+mod cases;
+mod class;
+mod map;
+mod motion;
+mod panic;
+mod plane;
+mod polyline;
+mod problem;
+mod refusal;
+
+pub use cases::cases;
+pub use class::{Class, class_names};
+pub use map::OutcomeMap;
+pub use motion::{Motion, sample_columns};
+pub use panic::{begin, provoke_panic};
+pub use plane::Plane;
+pub use problem::Problem;
+pub use refusal::Refusal;

@@ -1,0 +1,136 @@
+// Measures the page in Chromium against its budgets: `npm run build && npm run bench`. Prints a table in Markdown.
+//
+// Sizes are those of the files that a first visit loads, compressed as hosts compress them. Times are medians; a machine
+// that has other things to do shows it in them, which is why its load is printed too.
+
+import { spawn } from 'node:child_process';
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { cpus, loadavg } from 'node:os';
+import { brotliCompressSync, gzipSync } from 'node:zlib';
+import { chromium } from '@playwright/test';
+
+const PORT = 4174;
+const ADDRESS = `http://127.0.0.1:${PORT}/lab/`;
+const RUNS = 7;
+const FRAMES = 240;
+
+const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+const at = (values, part) => [...values].sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(part * values.length))];
+
+function files(folder) {
+  return readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
+    entry.isDirectory() ? files(`${folder}/${entry.name}`) : [`${folder}/${entry.name}`]);
+}
+
+function sizes() {
+  const all = files('dist').filter((name) => statSync(name).isFile()).map((name) => readFileSync(name));
+  const sum = (compress) => all.reduce((total, content) => total + compress(content).length, 0) / 1000;
+  return { raw: sum((it) => it), gzip: sum((it) => gzipSync(it, { level: 9 })), brotli: sum((it) => brotliCompressSync(it)) };
+}
+
+async function ready(page) {
+  await page.waitForFunction(() => document.documentElement.dataset.ready === 'true');
+}
+
+/** First paint and ready, from the start of the navigation, in a browser that has never been there. */
+async function startUp(browser) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
+  const page = await context.newPage();
+  await page.goto(ADDRESS);
+  await ready(page);
+  await page.waitForTimeout(200);
+  const times = await page.evaluate(() => ({
+    paint: performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? NaN,
+    ready: performance.getEntriesByName('ready')[0].startTime,
+  }));
+  await context.close();
+  return times;
+}
+
+/** Times of the levels of the outcome map of the Figure 2 hoop, of the worker's own clock. */
+async function map(browser) {
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  await page.goto(`${ADDRESS}#case=figure-3`);
+  await page.waitForFunction(() => document.documentElement.dataset.map === 'done');
+  const levels = await page.evaluate(() =>
+    Object.fromEntries(performance.getEntriesByType('mark').filter((it) => it.name.startsWith('map-'))
+      .map((it) => [it.name, it.detail])));
+  await page.close();
+  return levels;
+}
+
+/** Drags the start along a circle for a number of frames: the times between frames. */
+async function drag(browser) {
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  await page.goto(`${ADDRESS}#case=figure-3`);
+  await page.waitForFunction(() => document.documentElement.dataset.map === 'done');
+  const client = await page.context().newCDPSession(page);
+  await client.send('Performance.enable');
+  const busy = async () => {
+    const { metrics } = await client.send('Performance.getMetrics');
+    return 1000 * metrics.find((it) => it.name === 'ThreadTime').value;
+  };
+  const begin = await busy();
+  const gaps = await page.evaluate(async (count) => {
+    const plane = document.querySelector('#plane');
+    const box = plane.getBoundingClientRect();
+    const send = (type, k) => {
+      const angle = (2 * Math.PI * k) / 120;
+      plane.dispatchEvent(new PointerEvent(type, {
+        bubbles: true, cancelable: true, pointerId: 1, isPrimary: true, button: 0, buttons: 1, pointerType: 'mouse',
+        clientX: box.x + box.width * (0.5 + 0.25 * Math.cos(angle)), clientY: box.y + box.height * (0.5 + 0.35 * Math.sin(angle)),
+      }));
+    };
+    // A pointer that the script makes cannot be captured.
+    plane.setPointerCapture = () => {};
+    plane.hasPointerCapture = () => true;
+    send('pointerdown', 0);
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+    const gaps = [];
+    let before = await frame();
+    for (let k = 1; k <= count; k++) {
+      send('pointermove', k);
+      const now = await frame();
+      gaps.push(now - before);
+      before = now;
+    }
+    return gaps;
+  }, FRAMES);
+  const work = ((await busy()) - begin) / FRAMES;
+  await page.close();
+  return { gaps, work };
+}
+
+const server = spawn(process.execPath, ['tests/serve.mjs', 'dist', String(PORT), '/lab/'], { stdio: 'ignore' });
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+    '--disable-component-update', '--disable-sync'],
+});
+try {
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  const size = sizes();
+  const starts = [];
+  for (let run = 0; run < RUNS; run++) starts.push(await startUp(browser));
+  const maps = [];
+  for (let run = 0; run < RUNS; run++) maps.push(await map(browser));
+  const { gaps, work } = await drag(browser);
+  const ms = (value) => `${Math.round(value)} ms`;
+  const range = (values) => `${ms(median(values))} (${Math.round(Math.min(...values))}–${Math.round(Math.max(...values))})`;
+  const levels = (stride) => maps.map((it) => it[`map-${stride}`]);
+  console.log(`Chromium ${browser.version()}, ${cpus().length} cores of ${cpus()[0].model.trim()}, load ${loadavg()[0].toFixed(1)}`);
+  console.log(`
+| | budget | measured |
+|---|---|---|
+| everything, compressed | < 500 kB | ${size.gzip.toFixed(0)} kB gzip, ${size.brotli.toFixed(0)} kB Brotli |
+| first paint | < 1 s | ${range(starts.map((it) => it.paint))} |
+| ready | < 1 s | ${range(starts.map((it) => it.ready))} |
+| frames while dragging on the Figure 2 hoop | 60 a second | ${(1000 / median(gaps)).toFixed(0)} a second; 95 % within ${at(gaps, 0.95).toFixed(1)} ms |
+| work of the page for such a frame, time of the processor | < 16.7 ms | ${work.toFixed(1)} ms |
+| outcome map, first picture (32 × 32) | | ${range(levels(16))} |
+| outcome map, 256 × 256 | < 200 ms | ${range(levels(2))} |
+| outcome map, 512 × 512 | | ${range(levels(1))} |`);
+} finally {
+  await browser.close();
+  server.kill();
+}

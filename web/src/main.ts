@@ -1,0 +1,160 @@
+// The laboratory: puts the parts together.
+
+import './style.css';
+import { untilName, fieldsOf } from './core/fields';
+import { columnsAgree } from './core/motion';
+import { cases as casesOfCore, load, provokePanic } from './core/wasm';
+import { Lab, type Change } from './state/lab';
+import { problemOfCase, VIEW, type NamedCase, type State, type Theme } from './state/state';
+import { format, parse, type Complaint } from './state/url';
+import { Clock } from './ui/clock';
+import { showDefect, watch } from './ui/defect';
+import { byId } from './ui/dom';
+import { Fields } from './ui/fields';
+import { HoopPane } from './ui/hoop-pane';
+import { PlanePane } from './ui/plane-pane';
+import { ProblemBar } from './ui/problem-bar';
+import { Share } from './ui/share';
+import { Story } from './ui/story';
+import { Transport } from './ui/transport';
+import { readPalette } from './views/palette';
+import { Plots } from './views/plots';
+
+/** How long the address waits, so that a drag does not write it at every step. */
+const ADDRESS_PAUSE = 250;
+
+watch();
+await load(showDefect);
+if (!columnsAgree()) throw new Error('the page and its core are of different versions');
+start(JSON.parse(casesOfCore()) as NamedCase[]);
+
+function start(cases: NamedCase[]): void {
+  if (location.hash === '#panic') provokePanic();
+  const first: State = { problem: problemOfCase(cases[0]!), view: { ...VIEW } };
+  const lab = new Lab(first, cases);
+  setTheme(first.view.theme);
+
+  let palette = readPalette();
+  let frame = 0;
+  const draw = (): void => {
+    if (frame === 0) frame = requestAnimationFrame(paint);
+  };
+  const clock = new Clock(lab, () => transport.showView());
+  const go = (time: number): void => {
+    clock.pause();
+    lab.setTime(time);
+  };
+  const hoop = new HoopPane(lab, palette, draw);
+  const plane = new PlanePane(lab, palette, draw, showDefect);
+  const plots = new Plots(byId('plots', HTMLDivElement), palette, go);
+  const fields = new Fields(byId('fields', HTMLDivElement), lab);
+  const bar = new ProblemBar(lab, () => clock.pause());
+  const transport = new Transport(lab, clock);
+  const story = new Story(lab, go);
+  new Share(lab,
+    { hoop: (c, width, height) => hoop.drawOn(c, width, height), plane: (c, width, height) => plane.drawOn(c, width, height) },
+    () => palette, () => address(lab));
+
+  const stale = { motion: true, time: true };
+  function paint(): void {
+    frame = 0;
+    if (stale.motion) plots.setMotion(lab.motion, lab.scales, lab.state.problem.system === 'si');
+    if (stale.motion || stale.time) plots.setTime(lab.time);
+    stale.motion = false;
+    stale.time = false;
+    plane.paint();
+    hoop.paint();
+  }
+
+  const showTheme = (): void => {
+    setTheme(lab.state.view.theme);
+    palette = readPalette();
+    hoop.setPalette(palette);
+    plane.setPalette(palette);
+    plots.setPalette(palette);
+    draw();
+  };
+  let theme: Theme = lab.state.view.theme;
+
+  lab.onChange((changes: ReadonlySet<Change>) => {
+    if (changes.has('motion')) {
+      stale.motion = true;
+      transport.showMotion();
+      story.showMotion();
+      bar.show();
+    }
+    if (changes.has('complaints')) {
+      fields.show();
+      bar.show();
+      showStrangers(lab.complaints, lab);
+    }
+    if (changes.has('view')) {
+      transport.showView();
+      hoop.viewChanged();
+      plane.viewChanged();
+      if (lab.state.view.theme !== theme) {
+        theme = lab.state.view.theme;
+        showTheme();
+      }
+    }
+    if (changes.has('hoop')) plane.hoopChanged();
+    if (changes.has('time')) {
+      stale.time = true;
+      transport.showTime();
+      story.showTime();
+    }
+    plane.motionChanged();
+    draw();
+    // While it plays, the time in the address would change at every frame.
+    if (!(clock.playing && changes.size === 1 && changes.has('time'))) writeSoon(lab);
+  });
+
+  const read = (): void => {
+    clock.pause();
+    const { state, complaints } = parse(location.hash, lab.state, cases);
+    lab.take(state.problem, state.view, complaints);
+  };
+  byId('theme', HTMLButtonElement).addEventListener('click', () => {
+    const dark = getComputedStyle(document.documentElement).colorScheme.includes('dark');
+    lab.setView({ theme: dark ? 'light' : 'dark' });
+  });
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', showTheme);
+  window.addEventListener('hashchange', () => {
+    if (location.hash.slice(1) !== format(lab.state, cases)) read();
+  });
+  lab.announce();
+  if (location.hash.length > 1) read();
+  document.documentElement.dataset['ready'] = 'true';
+  performance.mark('ready');
+  if ('serviceWorker' in navigator && import.meta.env.PROD) void navigator.serviceWorker.register('./sw.js').catch(() => {
+    // Without it the page needs the network; that is all.
+  });
+}
+
+function setTheme(theme: Theme): void {
+  if (theme === 'auto') delete document.documentElement.dataset['theme'];
+  else document.documentElement.dataset['theme'] = theme;
+}
+
+function address(lab: Lab): string {
+  return `${location.origin}${location.pathname}${location.search}#${format(lab.state, lab.cases)}`;
+}
+
+let timer = 0;
+function writeSoon(lab: Lab): void {
+  window.clearTimeout(timer);
+  // A link that is wrong stays in sight, to be mended.
+  if (lab.complaints.length > 0) return;
+  timer = window.setTimeout(() => history.replaceState(null, '', address(lab)), ADDRESS_PAUSE);
+}
+
+/** Complaints about keys of the address that have no field. */
+function showStrangers(complaints: readonly Complaint[], lab: Lab): void {
+  const { system } = lab.state.problem;
+  const known = new Set([...fieldsOf(system).map((field) => field.name), untilName(system), 'case']);
+  const strangers = complaints.filter((it) => !known.has(it.field));
+  const banner = byId('banner', HTMLParagraphElement);
+  banner.hidden = strangers.length === 0;
+  banner.textContent = strangers.length === 0 ? ''
+    : `The link says ${strangers.map((it) => `${it.field}=${it.given} (${it.message})`).join(', ')}. The rest of it is shown.`;
+}

@@ -1,0 +1,15 @@
+// What the page and the worker of the map say to each other.
+
+export interface MapRequest {
+  /** Dimensionless numbers of the problem. */
+  numbers: Float64Array;
+  rate: number;
+  side: number;
+  /** Tells the answers to one request from those to an older one. */
+  id: number;
+}
+
+export type MapAnswer =
+  | { kind: 'ready' }
+  | { kind: 'level'; id: number; classes: Uint8Array; side: number; stride: number; milliseconds: number; last: boolean }
+  | { kind: 'failed'; message: string };

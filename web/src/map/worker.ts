@@ -1,0 +1,81 @@
+// Computes the outcome map, coarse to fine. A new request ends the work on an older one.
+
+import { load, OutcomeMap, Problem } from '../core/wasm';
+import type { MapAnswer, MapRequest } from './messages';
+
+const STRIDES = [16, 8, 4, 2, 1];
+
+/** Milliseconds of work between two looks at the messages. */
+const SLICE = 12;
+
+let latest: MapRequest | null = null;
+let working = false;
+
+const answer = (it: MapAnswer, transfer: Transferable[] = []): void => self.postMessage(it, { transfer });
+
+/** Lets messages in. A timer would wait for at least four milliseconds. */
+const breathe = (): Promise<void> =>
+  new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+
+async function work(request: MapRequest): Promise<void> {
+  const problem = Problem.dimensionless(request.numbers);
+  const map = new OutcomeMap(problem, request.rate, request.side);
+  problem.free();
+  try {
+    let spent = 0;
+    for (const stride of STRIDES) {
+      const rows = map.rows(stride);
+      for (let row = 0; row < rows; ) {
+        const begin = performance.now();
+        do map.compute(stride, row, ++row);
+        while (row < rows && performance.now() - begin < SLICE);
+        spent += performance.now() - begin;
+        await breathe();
+        if (latest !== request) return;
+      }
+      const classes = map.classes(stride);
+      const last = stride === STRIDES[STRIDES.length - 1];
+      answer({ kind: 'level', id: request.id, classes, side: request.side, stride, milliseconds: spent, last },
+        [classes.buffer]);
+    }
+  } finally {
+    map.free();
+  }
+}
+
+async function workOff(): Promise<void> {
+  if (working) return;
+  working = true;
+  try {
+    for (let done: MapRequest | null = null; latest !== done; ) {
+      done = latest;
+      if (done) await work(done);
+    }
+  } catch (error) {
+    answer({ kind: 'failed', message: String(error) });
+  } finally {
+    working = false;
+  }
+}
+
+self.onmessage = ({ data }: MessageEvent<MapRequest>) => {
+  latest = data;
+  if (loaded) void workOff();
+};
+
+let loaded = false;
+load((message) => answer({ kind: 'failed', message })).then(
+  () => {
+    loaded = true;
+    answer({ kind: 'ready' });
+    void workOff();
+  },
+  (error: unknown) => answer({ kind: 'failed', message: String(error) }),
+);

@@ -1,0 +1,150 @@
+// The state as the fragment of an address, and back. Numbers are written with as many digits as it takes to read the
+// same number again.
+
+import { fieldsOf, untilName, type System } from '../core/fields';
+import { caseOfProblem, problemOfCase, RATES, SPEEDS, VIEW, type NamedCase, type State, type Theme } from './state';
+
+export interface Complaint {
+  /** The field, or the key of the address. */
+  field: string;
+  /** What was given. */
+  given: string;
+  message: string;
+}
+
+export interface Parsed {
+  state: State;
+  complaints: Complaint[];
+}
+
+/** The fragment for a state, without `#`. */
+export function format(state: State, cases: readonly NamedCase[]): string {
+  const { problem, view } = state;
+  const parts: string[] = [];
+  const named = caseOfProblem(problem, cases);
+  if (named) {
+    parts.push(`case=${named.name}`);
+  } else {
+    fieldsOf(problem.system).forEach((field, i) => parts.push(`${field.name}=${problem.numbers[i]}`));
+    if (problem.until !== null) parts.push(`${untilName(problem.system)}=${problem.until}`);
+  }
+  if (view.time !== null) parts.push(`at=${view.time}`);
+  if (view.rate !== VIEW.rate) parts.push(`rate=${view.rate}`);
+  if (view.speed !== VIEW.speed) parts.push(`speed=${view.speed}`);
+  if (view.loop) parts.push('loop=1');
+  if (!view.map) parts.push('map=0');
+  if (!view.follow) parts.push('follow=0');
+  if (view.theme !== 'auto') parts.push(`theme=${view.theme}`);
+  return parts.join('&');
+}
+
+/** Reads a fragment. What it does not say stays as in `base`; what cannot be read is complained of and stays, too. */
+export function parse(fragment: string, base: State, cases: readonly NamedCase[]): Parsed {
+  const given = new Map<string, string>();
+  const complaints: Complaint[] = [];
+  const text = fragment.replace(/^#/, '');
+  for (const part of text === '' ? [] : text.split('&')) {
+    const [key = '', value = ''] = part.split(/=(.*)/s).map(decode);
+    given.set(key, value);
+  }
+  const take = (key: string): string | undefined => {
+    const value = given.get(key);
+    given.delete(key);
+    return value;
+  };
+  const complain = (field: string, value: string, message: string): void => {
+    complaints.push({ field, given: value, message });
+  };
+
+  let problem = base.problem;
+  const name = take('case');
+  if (name !== undefined) {
+    const named = cases.find((it) => it.name === name);
+    if (named) problem = problemOfCase(named);
+    else complain('case', name, `there is no case named '${name}'`);
+  }
+  const system = systemOf(given.keys());
+  if (system !== null) {
+    const fields = fieldsOf(system);
+    const below = system === problem.system ? problem.numbers : fields.map(() => NaN);
+    const numbers = fields.map((field, i) => {
+      const value = take(field.name);
+      if (value === undefined) {
+        if (Number.isNaN(below[i]) && !OPTIONAL.has(field.name)) complain(field.name, '', 'the link does not give it');
+        return below[i] ?? 0;
+      }
+      const number = readNumber(value);
+      if (number === null) complain(field.name, value, `'${value}' is not a number`);
+      return number ?? below[i] ?? 0;
+    });
+    let until: number | null = null;
+    const limit = take(untilName(system));
+    if (limit !== undefined) {
+      until = readNumber(limit);
+      if (until === null) complain(untilName(system), limit, `'${limit}' is not a number`);
+    }
+    problem = { system, numbers: numbers.map((it, i) => (Number.isNaN(it) ? OPTIONAL.get(fields[i]!.name) ?? NaN : it)),
+      until };
+  }
+
+  const view = { ...VIEW, theme: base.view.theme };
+  const number = (key: string, fits: (value: number) => boolean, what: string): number | undefined => {
+    const value = take(key);
+    if (value === undefined) return undefined;
+    const read = readNumber(value);
+    if (read !== null && fits(read)) return read;
+    complain(key, value, what);
+    return undefined;
+  };
+  view.time = number('at', Number.isFinite, 'a time is a number') ?? null;
+  view.rate = number('rate', (it) => (RATES as readonly number[]).includes(it), `one of ${RATES.join(', ')}`) ?? view.rate;
+  view.speed =
+    number('speed', (it) => (SPEEDS as readonly number[]).includes(it), `one of ${SPEEDS.join(', ')}`) ?? view.speed;
+  const flag = (key: string, otherwise: boolean): boolean => {
+    const value = take(key);
+    if (value === undefined) return otherwise;
+    if (value === '0' || value === '1') return value === '1';
+    complain(key, value, '0 or 1');
+    return otherwise;
+  };
+  view.loop = flag('loop', view.loop);
+  view.map = flag('map', view.map);
+  view.follow = flag('follow', view.follow);
+  const theme = take('theme');
+  if (theme === 'light' || theme === 'dark' || theme === 'auto') view.theme = theme satisfies Theme;
+  else if (theme !== undefined) complain('theme', theme, 'light, dark or auto');
+  for (const [key, value] of given) complain(key, value, 'means nothing here');
+  return { state: { problem, view }, complaints };
+}
+
+/** What a link need not say. */
+const OPTIONAL = new Map([
+  ['slip', 0], ['x', 0], ['time', 0], ['slip_m_per_s', 0], ['x_m', 0], ['time_s', 0], ['gravity_m_per_s2', 9.80665],
+]);
+
+/** The system that the keys belong to; none if they say nothing of the problem. */
+function systemOf(keys: Iterable<string>): System | null {
+  const names = new Set(keys);
+  const has = (system: System): boolean =>
+    names.has(untilName(system)) || fieldsOf(system).some((field) => names.has(field.name));
+  const only = (system: System, other: System): boolean =>
+    fieldsOf(system).some((field) => names.has(field.name) && !fieldsOf(other).some((it) => it.name === field.name));
+  if (only('si', 'dimensionless')) return 'si';
+  return has('dimensionless') || has('si') ? 'dimensionless' : null;
+}
+
+/** A number as people and programs write it; none for anything else, also for what is not finite. */
+export function readNumber(text: string): number | null {
+  const plain = text.trim().replace('−', '-');
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) return null;
+  const number = Number(plain);
+  return Number.isFinite(number) ? number : null;
+}
+
+function decode(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}

@@ -1,0 +1,59 @@
+// Data and pictures to keep.
+
+import type { Lab } from '../state/lab';
+import { FONT, type Palette } from '../views/palette';
+import { drawPlots } from '../views/plots-sheet';
+import { VectorContext } from '../views/vector';
+
+export type View = 'hoop' | 'plane' | 'plots';
+
+/** How to draw a view on a context of a size. */
+export type Painter = (c: CanvasRenderingContext2D, width: number, height: number) => void;
+
+const SIZES: Record<View, [number, number]> = { hoop: [900, 600], plane: [900, 600], plots: [900, 1000] };
+
+/** Points of the plots in a picture. */
+const POINTS = 2000;
+
+export function save(name: string, content: Blob): void {
+  const url = URL.createObjectURL(content);
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+export function painterOfPlots(lab: Lab, palette: Palette): Painter {
+  const samples = lab.motion.sample(POINTS);
+  const si = lab.state.problem.system === 'si';
+  return (c, width, height) => drawPlots(c, width, height, lab.motion, samples, palette, lab.time, lab.scales, si);
+}
+
+/** A view as SVG: drawn by the code that draws it on the screen. */
+export function svgOf(view: View, paint: Painter, palette: Palette): string {
+  const [width, height] = SIZES[view];
+  const context = new VectorContext(width, height);
+  context.fillStyle = palette.paper;
+  context.fillRect(0, 0, width, height);
+  context.font = `14px ${FONT}`;
+  paint(context as unknown as CanvasRenderingContext2D, width, height);
+  return context.toString();
+}
+
+/** A view as PNG, twice as fine as it is large. */
+export function pngOf(view: View, paint: Painter, palette: Palette): Promise<Blob> {
+  const [width, height] = SIZES[view];
+  const canvas = document.createElement('canvas');
+  canvas.width = 2 * width;
+  canvas.height = 2 * height;
+  const context = canvas.getContext('2d');
+  if (!context) return Promise.reject(new Error('this browser has no canvas'));
+  context.scale(2, 2);
+  context.fillStyle = palette.paper;
+  context.fillRect(0, 0, width, height);
+  paint(context, width, height);
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the picture could not be made'))), 'image/png');
+  });
+}

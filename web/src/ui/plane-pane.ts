@@ -1,0 +1,173 @@
+// The pane of the phase plane: drawing in layers, and the start that can be dragged.
+
+import { OutcomePicture } from '../map/client';
+import type { Lab } from '../state/lab';
+import { RATES } from '../state/state';
+import { Sheet } from '../views/canvas';
+import type { Palette } from '../views/palette';
+import { curvesOf, drawMotion, drawPlane, Frame, FROM, TO, wrapped, type Curves } from '../views/plane';
+import { brief, byId, make } from './dom';
+
+const CLASS_TEXT: Record<string, string> = {
+  'leaves-at-once': 'leaves at once', 'lifts-off-later': 'jumps later', 'rolls-forever': 'rolls for ever',
+  'slides-forever': 'slides for ever', 'in-contact-at-limit': 'slips without end',
+  'particle-down': 'particle reaches the bottom', 'particle-at-top': 'particle reaches the top',
+  painleve: 'Painlevé paradox', unresolved: 'not resolved',
+};
+
+/** What an arrow key moves the start by; a tenth of it with Shift. */
+const KEY_STEP = 0.05;
+
+export class PlanePane {
+  readonly map: OutcomePicture;
+  private readonly base: Sheet;
+  private readonly top: Sheet;
+  private readonly handle = byId('start-handle', HTMLButtonElement);
+  private readonly legend = byId('legend', HTMLUListElement);
+  private curves: Curves | null = null;
+  /** Whether the map has been asked for the hoop that is shown. */
+  private mapIsRight = false;
+  private stale = { base: true, top: true };
+
+  constructor(private readonly lab: Lab, private palette: Palette, draw: () => void,
+    failed: (message: string) => void) {
+    const resized = (): void => {
+      this.stale = { base: true, top: true };
+      draw();
+    };
+    this.base = new Sheet(byId('plane-base', HTMLCanvasElement), resized);
+    this.top = new Sheet(byId('plane-top', HTMLCanvasElement), resized);
+    this.map = new OutcomePicture(palette, () => {
+      this.stale.base = true;
+      this.showLegend();
+      draw();
+    }, failed);
+    this.listen();
+    this.hoopChanged();
+  }
+
+  private get frame(): Frame {
+    return new Frame(this.base.size, this.lab.state.view.rate);
+  }
+
+  private listen(): void {
+    const pane = byId('plane', HTMLDivElement);
+    const move = (event: PointerEvent): void => {
+      const box = this.top.canvas.getBoundingClientRect();
+      this.moveTo(this.frame.theta(event.clientX - box.left), this.frame.rateAt(event.clientY - box.top));
+    };
+    pane.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0) return;
+      event.preventDefault();
+      pane.setPointerCapture(event.pointerId);
+      this.handle.focus({ preventScroll: true });
+      move(event);
+    });
+    pane.addEventListener('pointermove', (event) => {
+      if (pane.hasPointerCapture(event.pointerId)) move(event);
+    });
+    this.handle.addEventListener('keydown', (event) => {
+      const [right, up] = {
+        ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+      }[event.key] ?? [0, 0];
+      if (!right && !up) return;
+      event.preventDefault();
+      const step = event.shiftKey ? KEY_STEP / 10 : KEY_STEP;
+      const [theta, rate] = this.start;
+      const rounded = (value: number): number => Number(value.toFixed(6));
+      this.moveTo(right ? rounded(theta + right * step) : theta, up ? rounded(rate + up * step) : rate);
+    });
+    byId('zoom-in', HTMLButtonElement).addEventListener('click', () => this.zoom(-1));
+    byId('zoom-out', HTMLButtonElement).addEventListener('click', () => this.zoom(1));
+    const map = byId('map', HTMLInputElement);
+    map.addEventListener('change', () => this.lab.setView({ map: map.checked }));
+  }
+
+  private get start(): [number, number] {
+    const { plain } = this.lab;
+    return [plain[5]!, plain[6]!];
+  }
+
+  private moveTo(theta: number, rate: number): void {
+    const most = this.lab.state.view.rate;
+    const within = (value: number, least: number, last: number): number => Math.min(Math.max(value, least), last);
+    this.lab.setStart(within(theta, FROM, TO), within(rate, -most, most));
+  }
+
+  private zoom(way: number): void {
+    const at = (RATES as readonly number[]).indexOf(this.lab.state.view.rate);
+    const rate = RATES[at + way];
+    if (rate !== undefined) this.lab.setView({ rate });
+  }
+
+  hoopChanged(): void {
+    const { problem, state, plain } = this.lab;
+    this.curves = curvesOf(problem, state.view.rate);
+    this.mapIsRight = state.view.map;
+    if (state.view.map) this.map.ask(plain, state.view.rate);
+    this.stale = { base: true, top: true };
+  }
+
+  motionChanged(): void {
+    this.stale.top = true;
+  }
+
+  viewChanged(): void {
+    const { view } = this.lab.state;
+    const rateChanged = this.curves?.rate !== view.rate;
+    byId('map', HTMLInputElement).checked = view.map;
+    const place = (RATES as readonly number[]).indexOf(view.rate);
+    byId('zoom-in', HTMLButtonElement).disabled = place <= 0;
+    byId('zoom-out', HTMLButtonElement).disabled = place >= RATES.length - 1;
+    if (rateChanged || (view.map && !this.mapIsRight)) this.hoopChanged();
+    if (this.legend.hidden === view.map) {
+      this.legend.hidden = !view.map;
+      this.stale.base = true;
+    }
+  }
+
+  setPalette(palette: Palette): void {
+    this.palette = palette;
+    this.map.setPalette(palette);
+    this.stale = { base: true, top: true };
+  }
+
+  private showLegend(): void {
+    this.legend.replaceChildren(...this.map.present.filter((name) => name in CLASS_TEXT).map((name) => {
+      const swatch = make('span', { class: `swatch ${name}`, 'aria-hidden': 'true' });
+      return make('li', {}, swatch, CLASS_TEXT[name] ?? name);
+    }));
+  }
+
+  /** Draws what is stale. */
+  paint(): void {
+    if (!this.curves || this.base.size.width === 0) return;
+    const { frame, palette } = this;
+    if (this.stale.base) {
+      const map = this.lab.state.view.map ? this.map.picture : null;
+      drawPlane(this.base.clear(), frame, { curves: this.curves, map, mapSize: this.map.side, palette });
+    }
+    if (this.stale.top) {
+      drawMotion(this.top.clear(), frame, this.lab.motion, this.lab.motion.at(this.lab.time), palette);
+      this.placeHandle(frame);
+    }
+    this.stale = { base: false, top: false };
+  }
+
+  private placeHandle(frame: Frame): void {
+    const [theta, rate] = this.start;
+    const shown = Math.min(Math.max(rate, -frame.rate), frame.rate);
+    this.handle.style.transform = `translate(${frame.x(wrapped(theta))}px, ${frame.y(shown)}px)`;
+    this.handle.setAttribute('aria-label',
+      `Start: θ = ${brief(theta)}, θ′ = ${brief(rate)}. The arrow keys move it, with Shift in finer steps.`);
+  }
+
+  /** The whole pane on another context, for export. */
+  drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
+    if (!this.curves) return;
+    const frame = new Frame({ width, height }, this.lab.state.view.rate);
+    const map = this.lab.state.view.map ? this.map.picture : null;
+    drawPlane(c, frame, { curves: this.curves, map, mapSize: this.map.side, palette: this.palette });
+    drawMotion(c, frame, this.lab.motion, this.lab.motion.at(this.lab.time), this.palette);
+  }
+}

@@ -1,0 +1,121 @@
+// The dialogue for links, commands, data and pictures.
+
+import type { Lab } from '../state/lab';
+import type { Palette } from '../views/palette';
+import { pythonLine, shellLine } from './commands';
+import { byId } from './dom';
+import { painterOfPlots, pngOf, save, svgOf, type Painter, type View } from './export';
+
+const VIEWS: readonly View[] = ['hoop', 'plane', 'plots'];
+
+export class Share {
+  private readonly dialog = byId('share', HTMLDialogElement);
+  private readonly samples = byId('samples', HTMLInputElement);
+  private readonly note = byId('toast', HTMLParagraphElement);
+  private timer = 0;
+
+  constructor(private readonly lab: Lab, private readonly painters: Record<'hoop' | 'plane', Painter>,
+    private readonly palette: () => Palette, private readonly address: () => string) {
+    byId('open-share', HTMLButtonElement).addEventListener('click', () => this.open());
+    byId('copy-link', HTMLButtonElement).addEventListener('click', () => void this.shareLink());
+    byId('close-share', HTMLButtonElement).addEventListener('click', () => this.dialog.close());
+    for (const id of ['link', 'shell', 'python']) {
+      const field = byId(`${id}-text`, HTMLTextAreaElement);
+      byId(`copy-${id}-text`, HTMLButtonElement).addEventListener('click', () => void this.copy(field.value, field));
+    }
+    byId('save-csv', HTMLButtonElement).addEventListener('click', () => this.data('csv'));
+    byId('save-json', HTMLButtonElement).addEventListener('click', () => this.data('json'));
+    for (const view of VIEWS) {
+      byId(`svg-${view}`, HTMLButtonElement).addEventListener('click', () => void this.picture(view, 'svg'));
+      byId(`png-${view}`, HTMLButtonElement).addEventListener('click', () => void this.picture(view, 'png'));
+    }
+    this.samples.addEventListener('input', () => this.count());
+  }
+
+  private open(): void {
+    byId('link-text', HTMLTextAreaElement).value = this.address();
+    byId('shell-text', HTMLTextAreaElement).value = shellLine(this.lab.state.problem, this.lab.cases);
+    byId('python-text', HTMLTextAreaElement).value = pythonLine(this.lab.state.problem, this.lab.cases);
+    this.dialog.showModal();
+  }
+
+  /** The system's own way to share where there is one that is meant for fingers; else the clipboard. */
+  private async shareLink(): Promise<void> {
+    const url = this.address();
+    if (matchMedia('(pointer: coarse)').matches && 'share' in navigator) {
+      try {
+        await navigator.share({ title: document.title, url });
+        return;
+      } catch {
+        // Not wanted, or not possible: the clipboard is left.
+      }
+    }
+    await this.copy(url, null);
+  }
+
+  private async copy(text: string, field: HTMLTextAreaElement | null): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(text);
+      this.tell('Copied.');
+    } catch {
+      if (!field) {
+        this.open();
+        byId('link-text', HTMLTextAreaElement).select();
+      } else {
+        field.select();
+      }
+      this.tell('The browser does not allow copying: the text is selected instead.');
+    }
+  }
+
+  private tell(text: string): void {
+    window.clearTimeout(this.timer);
+    this.note.textContent = text;
+    this.note.classList.add('shown');
+    this.timer = window.setTimeout(() => {
+      this.note.classList.remove('shown');
+      this.note.textContent = '';
+    }, 2500);
+  }
+
+  /** Number of samples that is asked for; none for transitions only; undefined where the field makes no sense. */
+  private count(): number | null | undefined {
+    const text = this.samples.value.trim();
+    const message = byId('samples-message', HTMLSpanElement);
+    const count = Number(text);
+    const wrong = text !== '' && !(Number.isInteger(count) && count >= 2 && count <= 1_000_000);
+    message.textContent = wrong ? 'a whole number from 2 to 1000000, or nothing' : '';
+    this.samples.setAttribute('aria-invalid', String(wrong));
+    if (wrong) return undefined;
+    return text === '' ? null : count;
+  }
+
+  private get name(): string {
+    return this.lab.named ?? 'hoop';
+  }
+
+  private data(format: 'csv' | 'json'): void {
+    const count = this.count();
+    if (count === undefined) {
+      this.samples.focus();
+      return;
+    }
+    const { motion } = this.lab;
+    const text = format === 'csv' ? motion.csv(count ?? undefined) : motion.json(count ?? undefined);
+    save(`${this.name}.${format}`, new Blob([text], { type: format === 'csv' ? 'text/csv' : 'application/json' }));
+  }
+
+  private async picture(view: View, format: 'svg' | 'png'): Promise<void> {
+    const palette = this.palette();
+    const painter = view === 'plots' ? painterOfPlots(this.lab, palette) : this.painters[view];
+    try {
+      const content =
+        format === 'svg'
+          ? new Blob([svgOf(view, painter, palette)], { type: 'image/svg+xml' })
+          : await pngOf(view, painter, palette);
+      save(`${this.name}-${view}.${format}`, content);
+    } catch (error) {
+      this.tell(`The picture could not be made: ${String(error)}`);
+    }
+  }
+}

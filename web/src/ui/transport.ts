@@ -1,0 +1,90 @@
+// The time line with its transitions, and the buttons that move along it.
+
+import type { Lab } from '../state/lab';
+import { SPEEDS } from '../state/state';
+import type { Clock } from './clock';
+import { brief, byId, make } from './dom';
+
+export class Transport {
+  private readonly play = byId('play', HTMLButtonElement);
+  private readonly range = byId('time', HTMLInputElement);
+  private readonly track = byId('track', HTMLDivElement);
+  private readonly clockText = byId('now', HTMLOutputElement);
+  private readonly speed = byId('speed', HTMLSelectElement);
+  private readonly loop = byId('loop', HTMLInputElement);
+
+  constructor(private readonly lab: Lab, private readonly clock: Clock) {
+    for (const speed of SPEEDS) this.speed.append(make('option', { value: String(speed) }, `${speed}×`));
+    this.play.addEventListener('click', () => clock.toggle());
+    byId('first', HTMLButtonElement).addEventListener('click', () => this.go(lab.motion.begin));
+    byId('previous', HTMLButtonElement).addEventListener('click', () => this.step(-1));
+    byId('next', HTMLButtonElement).addEventListener('click', () => this.step(1));
+    byId('last', HTMLButtonElement).addEventListener('click', () => this.go(lab.motion.end));
+    this.range.addEventListener('input', () => this.go(this.timeOf(Number(this.range.value))));
+    this.range.addEventListener('keydown', (event) => {
+      if (event.key !== ' ') return;
+      event.preventDefault();
+      clock.toggle();
+    });
+    this.speed.addEventListener('change', () => lab.setView({ speed: Number(this.speed.value) }));
+    this.loop.addEventListener('change', () => lab.setView({ loop: this.loop.checked }));
+  }
+
+  private timeOf(part: number): number {
+    const { begin, end } = this.lab.motion;
+    return begin + (end - begin) * part;
+  }
+
+  private go(time: number): void {
+    this.clock.pause();
+    this.lab.setTime(time);
+  }
+
+  /** To the next or the previous event. */
+  private step(way: 1 | -1): void {
+    const now = this.lab.time;
+    const times = this.lab.motion.events.map((event) => event.time).filter((it) => it <= this.lab.motion.end);
+    const next = way > 0 ? times.find((it) => it > now) : times.findLast((it) => it < now);
+    this.go(next ?? (way > 0 ? this.lab.motion.end : this.lab.motion.begin));
+  }
+
+  showMotion(): void {
+    const { motion } = this.lab;
+    const span = motion.end - motion.begin || 1;
+    const part = (time: number): number => (100 * (Math.min(time, motion.end) - motion.begin)) / span;
+    const children: HTMLElement[] = motion.phases.map((phase) => {
+      const band = make('span', { class: `band ${phase.mode}` });
+      band.style.left = `${part(phase.start)}%`;
+      band.style.width = `${part(phase.end) - part(phase.start)}%`;
+      return band;
+    });
+    for (const event of motion.events.slice(1)) {
+      const tick = make('span', { class: 'tick', title: event.sentence });
+      tick.style.left = `${part(event.time)}%`;
+      children.push(tick);
+    }
+    this.track.replaceChildren(...children);
+    this.showTime();
+  }
+
+  showTime(): void {
+    const { motion, time, timeUnit, state } = this.lab;
+    const si = state.problem.system === 'si';
+    const span = motion.end - motion.begin || 1;
+    this.range.value = String((time - motion.begin) / span);
+    const shown = `${si ? 't' : 'τ'} = ${(time * timeUnit).toFixed(3).replace('-', '−')}${si ? ' s' : ''}`;
+    this.clockText.textContent = shown;
+    const mode = motion.at(time)?.mode;
+    const name = mode === undefined ? 'no motion' : ['rolling', 'sliding', 'gliding', 'flight'][mode];
+    this.range.setAttribute('aria-valuetext', `${shown} of ${brief(motion.end * timeUnit, 4)}, ${name}`);
+  }
+
+  showView(): void {
+    const { view } = this.lab.state;
+    this.speed.value = String(view.speed);
+    this.loop.checked = view.loop;
+    const { playing } = this.clock;
+    this.play.dataset['state'] = playing ? 'playing' : 'paused';
+    this.play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+  }
+}

@@ -1,0 +1,318 @@
+// The phase plane (θ, θ′): outcome map, 𝓡, curves, levels, the motion and its start.
+
+import { MODES, type Motion, type Sample } from '../core/motion';
+import { Plane, type Problem } from '../core/wasm';
+import { label, niceStep, type Size } from './canvas';
+import { DASHES, FONT, type Palette } from './palette';
+
+/** Angles that are shown: one turn and a half, so that neither the top nor the bottom is cut. */
+export const FROM = -Math.PI;
+export const TO = 2 * Math.PI;
+
+/** Points of a curve. */
+const POINTS = 900;
+
+/** Energies over ℓ̂ whose levels are drawn, between the least and the largest that the plane shows. */
+const LEVELS = 9;
+
+const MARGIN = { left: 46, right: 14, top: 12, bottom: 40 };
+
+/** From θ, θ′ to pixels and back. */
+export class Frame {
+  constructor(readonly size: Size, readonly rate: number) {}
+
+  get width(): number {
+    return this.size.width - MARGIN.left - MARGIN.right;
+  }
+
+  get height(): number {
+    return this.size.height - MARGIN.top - MARGIN.bottom;
+  }
+
+  x(theta: number): number {
+    return MARGIN.left + ((theta - FROM) / (TO - FROM)) * this.width;
+  }
+
+  y(rate: number): number {
+    return MARGIN.top + (0.5 - (0.5 * rate) / this.rate) * this.height;
+  }
+
+  theta(x: number): number {
+    return FROM + ((x - MARGIN.left) / this.width) * (TO - FROM);
+  }
+
+  rateAt(y: number): number {
+    return (0.5 - (y - MARGIN.top) / this.height) * 2 * this.rate;
+  }
+
+  /** What one pixel is worth. */
+  get pixel(): { theta: number; rate: number } {
+    return { theta: (TO - FROM) / this.width, rate: (2 * this.rate) / this.height };
+  }
+
+  clip(c: CanvasRenderingContext2D): void {
+    c.beginPath();
+    c.rect(MARGIN.left, MARGIN.top, this.width, this.height);
+    c.clip();
+  }
+}
+
+/** The curves of one hoop, computed once. */
+export interface Curves {
+  friction: Float64Array[];
+  normal: Float64Array;
+  liftOff: Float64Array;
+  separatrix: Float64Array;
+  levels: Float64Array[];
+  region: Float64Array;
+  equilibria: Float64Array;
+  slipAngle: number | undefined;
+  rate: number;
+}
+
+export function curvesOf(problem: Problem, rate: number): Curves {
+  const plane = new Plane(problem);
+  const bottom = plane.energy(Math.PI, 0);
+  const saddle = plane.energy(0, 0);
+  const top = plane.energy(Math.PI, rate);
+  const levels: number[] = [];
+  for (let k = 1; k <= 3; k++) levels.push(bottom + ((saddle - bottom) * k) / 4);
+  for (let k = 1; k <= LEVELS - 3; k++) levels.push(saddle + (Math.max(top, plane.energy(0, rate)) - saddle) * (k / (LEVELS - 2)) ** 2);
+  const curves: Curves = {
+    friction: [plane.friction(true, FROM, TO, POINTS), plane.friction(false, FROM, TO, POINTS)],
+    normal: plane.normal(FROM, TO, POINTS),
+    liftOff: plane.liftOff(FROM, TO, POINTS),
+    separatrix: plane.separatrix(FROM, TO, POINTS),
+    levels: levels.map((energy) => plane.level(energy, FROM, TO, 400)),
+    region: plane.region(FROM, TO, POINTS, rate),
+    equilibria: plane.equilibria(),
+    slipAngle: plane.slipAngle(),
+    rate,
+  };
+  plane.free();
+  return curves;
+}
+
+export interface PlaneScene {
+  curves: Curves;
+  /** One turn of the map, if it is to be shown. */
+  map: CanvasImageSource | null;
+  mapSize: number;
+  palette: Palette;
+}
+
+/** Everything that does not move. */
+export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: PlaneScene): void {
+  const { curves, palette, map, mapSize } = scene;
+  c.save();
+  frame.clip(c);
+  if (map) {
+    c.imageSmoothingEnabled = true;
+    const [left, top] = [frame.x(FROM), frame.y(frame.rate)];
+    const turn = frame.x(Math.PI) - left;
+    c.drawImage(map, 0, 0, mapSize, mapSize, left, top, turn, frame.height);
+    c.drawImage(map, 0, 0, mapSize / 2, mapSize, left + turn, top, turn / 2, frame.height);
+  }
+  fillRegion(c, frame, curves.region, palette);
+  for (const level of curves.levels) stroke(c, frame, level, palette.level, 1, []);
+  stroke(c, frame, curves.separatrix, palette.separatrix, 2, []);
+  stroke(c, frame, curves.liftOff, palette.ink, 1.5, [2, 3]);
+  stroke(c, frame, curves.normal, palette.ink, 1.75, [8, 4]);
+  for (const curve of curves.friction) stroke(c, frame, curve, palette.ink, 2, []);
+  if (curves.slipAngle !== undefined) {
+    for (const theta of [-curves.slipAngle, curves.slipAngle, 2 * Math.PI - curves.slipAngle]) {
+      line(c, frame.x(theta), frame.y(1), frame.x(theta), frame.y(-1), palette.ink, 2);
+    }
+  }
+  for (let i = 0; i < curves.equilibria.length; i += 2) {
+    for (const turn of [-2 * Math.PI, 0, 2 * Math.PI]) {
+      equilibrium(c, frame.x(curves.equilibria[i]! + turn), frame.y(0), curves.equilibria[i + 1]!, palette);
+    }
+  }
+  curveLabels(c, frame, curves, palette);
+  c.restore();
+  axes(c, frame, palette);
+}
+
+function stroke(c: CanvasRenderingContext2D, frame: Frame, points: Float64Array, colour: string, width: number,
+  dash: number[]): void {
+  c.strokeStyle = colour;
+  c.lineWidth = width;
+  c.setLineDash(dash);
+  c.lineJoin = 'round';
+  for (const side of [1, -1]) {
+    c.beginPath();
+    let open = false;
+    for (let i = 0; i < points.length; i += 2) {
+      const [theta, rate] = [points[i]!, points[i + 1]!];
+      if (Number.isNaN(theta)) {
+        open = false;
+        continue;
+      }
+      // Far outside a point is only a direction.
+      const y = frame.y(side * Math.min(rate, 5 * frame.rate));
+      if (open) c.lineTo(frame.x(theta), y);
+      else c.moveTo(frame.x(theta), y);
+      open = true;
+    }
+    c.stroke();
+  }
+  c.setLineDash([]);
+}
+
+function line(c: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number, colour: string, width: number): void {
+  c.strokeStyle = colour;
+  c.lineWidth = width;
+  c.setLineDash([]);
+  c.beginPath();
+  c.moveTo(x0, y0);
+  c.lineTo(x1, y1);
+  c.stroke();
+}
+
+function fillRegion(c: CanvasRenderingContext2D, frame: Frame, region: Float64Array, palette: Palette): void {
+  const count = region.length / 2;
+  const theta = (i: number): number => FROM + ((TO - FROM) * i) / (count - 1);
+  c.fillStyle = palette.region;
+  for (const side of [1, -1]) {
+    for (let from = 0; from < count; from++) {
+      if (Number.isNaN(region[2 * from]!)) continue;
+      let to = from;
+      while (to + 1 < count && !Number.isNaN(region[2 * to + 2]!)) to++;
+      c.beginPath();
+      for (let i = from; i <= to; i++) c.lineTo(frame.x(theta(i)), frame.y(side * region[2 * i + 1]!));
+      for (let i = to; i >= from; i--) c.lineTo(frame.x(theta(i)), frame.y(side * region[2 * i]!));
+      c.closePath();
+      c.fill();
+      from = to;
+    }
+  }
+}
+
+function equilibrium(c: CanvasRenderingContext2D, x: number, y: number, stability: number, palette: Palette): void {
+  c.beginPath();
+  c.arc(x, y, 4.5, 0, 2 * Math.PI);
+  c.fillStyle = stability > 0 ? palette.ink : palette.paper;
+  c.strokeStyle = palette.ink;
+  c.lineWidth = 1.75;
+  c.setLineDash([]);
+  c.fill();
+  c.stroke();
+}
+
+function curveLabels(c: CanvasRenderingContext2D, frame: Frame, curves: Curves, palette: Palette): void {
+  c.font = `italic 15px ${FONT}`;
+  c.textAlign = 'center';
+  c.textBaseline = 'middle';
+  const put = (text: string, points: Float64Array, wanted: number, shift: number): void => {
+    let [best, at] = [Infinity, -1];
+    for (let i = 0; i < points.length; i += 2) {
+      const far = Math.abs(points[i + 1]! - wanted * frame.rate) / frame.rate + 0.05 * Math.abs(points[i]! - 0.5 * Math.PI);
+      if (points[i]! > FROM + 0.2 && points[i]! < TO - 0.2 && far < best) [best, at] = [far, i];
+    }
+    if (at >= 0 && best < 0.6) {
+      label(c, text, frame.x(points[at]!) + shift, frame.y(-points[at + 1]!), palette.ink, palette.paper);
+    }
+  };
+  put('f', curves.friction[0]!, 0.66, 0);
+  put('n', curves.normal, 0.86, 0);
+  if (curves.slipAngle !== undefined) {
+    label(c, 'f', frame.x(curves.slipAngle) + 10, frame.y(0.5), palette.ink, palette.paper);
+  }
+  if (!Number.isNaN(curves.region[2 * Math.round(POINTS / 3)]!)) {
+    c.font = `italic 17px ${FONT}`;
+    label(c, '𝓡', frame.x(0.28), frame.y(0.13 * frame.rate), palette.ink, palette.paper);
+  }
+}
+
+const TURNS: [number, string][] = [
+  [-1, '−π'], [-0.5, '−π/2'], [0, '0'], [0.5, 'π/2'], [1, 'π'], [1.5, '3π/2'], [2, '2π'],
+];
+
+function axes(c: CanvasRenderingContext2D, frame: Frame, palette: Palette): void {
+  const [left, right, top, bottom] = [frame.x(FROM), frame.x(TO), frame.y(frame.rate), frame.y(-frame.rate)];
+  c.strokeStyle = palette.faint;
+  c.fillStyle = palette.ink;
+  c.lineWidth = 1;
+  c.setLineDash([]);
+  c.strokeRect(left, top, right - left, bottom - top);
+  c.font = `12.5px ${FONT}`;
+  c.textAlign = 'center';
+  c.textBaseline = 'top';
+  for (const [half, text] of TURNS) {
+    const x = frame.x(half * Math.PI);
+    line(c, x, bottom, x, bottom + 5, palette.faint, 1);
+    c.fillText(text, x, bottom + 8);
+  }
+  c.textAlign = 'right';
+  c.textBaseline = 'middle';
+  const step = niceStep(2 * frame.rate, Math.max(4, frame.height / 60));
+  for (let k = Math.ceil(-frame.rate / step); k * step <= frame.rate + 1e-9; k++) {
+    const y = frame.y(k * step);
+    line(c, left - 5, y, left, y, palette.faint, 1);
+    c.fillText(String(Number((k * step).toPrecision(6))).replace('-', '−'), left - 8, y);
+  }
+  c.font = `italic 15px ${FONT}`;
+  c.textAlign = 'center';
+  c.fillText('θ', 0.5 * (left + right) + 0.1 * frame.width, bottom + 30);
+  c.fillText('θ′', 12, frame.y(0.12 * frame.rate) - 14);
+}
+
+/** Where an angle is drawn: as it is, or by whole turns into the plane. */
+export function wrapped(theta: number): number {
+  if (theta >= FROM - 1e-9 && theta <= TO + 1e-9) return theta;
+  const turn = 2 * Math.PI;
+  return theta - turn * Math.floor(theta / turn);
+}
+
+/** The motion, and where it is at the cursor. */
+export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Motion, now: Sample | null, palette: Palette): void {
+  c.save();
+  frame.clip(c);
+  const s = motion.samples;
+  c.lineJoin = 'round';
+  for (let from = 0; from < s.length - 1; ) {
+    const mode = MODES[s.mode[from]!] ?? 'rolling';
+    const shift = wrapped(s.theta[from]!) - s.theta[from]!;
+    c.beginPath();
+    c.moveTo(frame.x(s.theta[from]! + shift), frame.y(s.theta_rate[from]!));
+    let to = from + 1;
+    // Over the edge the motion comes in again on the other side, as another line.
+    for (; to < s.length && s.mode[to] === s.mode[from]; to++) {
+      const rate = Math.max(-5 * frame.rate, Math.min(5 * frame.rate, s.theta_rate[to]!));
+      c.lineTo(frame.x(s.theta[to]! + shift), frame.y(rate));
+      if (Math.abs(wrapped(s.theta[to]!) - s.theta[to]! - shift) > 1) break;
+    }
+    const again = Math.abs(shift) > 1;
+    c.setLineDash([]);
+    c.strokeStyle = palette.paper;
+    c.lineWidth = 5.5;
+    if (!again) c.stroke();
+    c.globalAlpha = again ? 0.6 : 1;
+    c.strokeStyle = palette.mode[mode];
+    c.lineWidth = again ? 2 : 3;
+    c.setLineDash(DASHES[mode]);
+    c.stroke();
+    c.globalAlpha = 1;
+    from = to;
+  }
+  c.setLineDash([]);
+  for (const event of motion.events.slice(1)) {
+    dot(c, frame.x(wrapped(event.theta)), frame.y(event.theta_rate), 4, palette.paper, palette.ink);
+  }
+  if (now) {
+    const mode = MODES[now.mode] ?? 'rolling';
+    dot(c, frame.x(wrapped(now.theta)), frame.y(now.theta_rate), 7, palette.mode[mode], palette.paper);
+  }
+  c.restore();
+}
+
+function dot(c: CanvasRenderingContext2D, x: number, y: number, radius: number, fill: string, rim: string): void {
+  c.beginPath();
+  c.arc(x, y, radius, 0, 2 * Math.PI);
+  c.fillStyle = fill;
+  c.strokeStyle = rim;
+  c.lineWidth = 2;
+  c.fill();
+  c.stroke();
+}

@@ -1,0 +1,65 @@
+// The same bits natively, in WebAssembly, and from the command line.
+
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import { expect, test } from '@playwright/test';
+import * as core from '../src/wasm/littlewood_web.js';
+import { open } from './lab';
+
+const MASK = (1n << 64n) - 1n;
+
+function hash(text: string): string {
+  let hash = 0xcbf29ce484222325n;
+  for (const byte of new TextEncoder().encode(text)) hash = ((hash ^ BigInt(byte)) * 0x100000001b3n) & MASK;
+  return hash.toString(16).padStart(16, '0');
+}
+
+function double(bits: string): number {
+  const view = new DataView(new ArrayBuffer(8));
+  view.setBigUint64(0, BigInt(`0x${bits}`));
+  return view.getFloat64(0);
+}
+
+test('a thousand random starts have the same bits natively and in WebAssembly', () => {
+  // Written by `cargo run -p littlewood-web --example bits`.
+  const lines = readFileSync(new URL('../bits.txt', import.meta.url), 'utf8').trim().split('\n');
+  expect(lines).toHaveLength(1000);
+  core.initSync({ module: readFileSync(new URL('../src/wasm/littlewood_web_bg.wasm', import.meta.url)) });
+  for (const line of lines) {
+    const words = line.split(' ');
+    const numbers = words.slice(0, 10).map(double);
+    const problem = core.Problem.dimensionless(Float64Array.from(numbers));
+    const motion = new core.Motion(problem);
+    expect([hash(motion.json(20)), hash(motion.csv())], numbers.join(' ')).toEqual(words.slice(10));
+    motion.free();
+    problem.free();
+  }
+});
+
+const program = process.env['LITTLEWOOD'] ?? '';
+
+test('what the page saves is what the command line prints', async ({ page }) => {
+  test.skip(!existsSync(program), 'LITTLEWOOD names no program');
+  const save = async (button: string): Promise<string> => {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.locator(button).click()]);
+    return readFileSync(await download.path(), 'utf8');
+  };
+  for (const state of [
+    'case=figure-3', 'case=figure-7', 'case=painleve', 'case=stick-slip-no-jump',
+    'mass_ratio=0.3&offset=0.9&inertia=0.2&mu_s=0.45&mu_k=0.31&theta=-1.234567890123456&theta_rate=2.2&slip=0.1&until=5',
+    'disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4&theta=1.2&theta_rate_rad_per_s=6',
+  ]) {
+    await open(page, state);
+    await page.reload();
+    await page.locator('#open-share').click();
+    const line = await page.locator('#shell-text').inputValue();
+    const [name, ...flags] = line.split(' ');
+    expect(name).toBe('littlewood');
+    const run = (...more: string[]): string => execFileSync(program, [...flags, ...more], { encoding: 'utf8' });
+    expect(await save('#save-json')).toBe(run('--format', 'json'));
+    expect(await save('#save-csv')).toBe(run('--format', 'csv'));
+    await page.locator('#samples').fill('50');
+    expect(await save('#save-json')).toBe(run('--format', 'json', '--samples', '50'));
+    expect(await save('#save-csv')).toBe(run('--format', 'csv', '--samples', '50'));
+  }
+});

@@ -1,0 +1,66 @@
+// What the page gives away: the bytes of the command line, pictures, and lines to copy.
+
+import { readFileSync } from 'node:fs';
+import { expect, test, type Download, type Page } from '@playwright/test';
+import { open, type } from './lab';
+
+async function text(page: Page, button: string): Promise<{ name: string; text: string; bytes: Buffer }> {
+  const [download]: [Download, void] = await Promise.all([page.waitForEvent('download'), page.locator(button).click()]);
+  const bytes = readFileSync(await download.path());
+  return { name: download.suggestedFilename(), text: bytes.toString('utf8'), bytes };
+}
+
+test('data have the format of the command line', async ({ page }) => {
+  await open(page, 'case=figure-3');
+  await page.locator('#open-share').click();
+  const json = await text(page, '#save-json');
+  expect(json.name).toBe('figure-3.json');
+  const document = JSON.parse(json.text);
+  expect(document.case).toBe('figure-3');
+  expect(document.transitions).toHaveLength(4);
+  expect(Math.abs(document.transitions[2].time - 1.51867021381943700)).toBeLessThan(1e-14);
+  expect(document.samples).toBeUndefined();
+  const csv = await text(page, '#save-csv');
+  expect(csv.text.split('\n')[0]).toBe('time,theta,theta_rate,slip,x,from,to,direction,cause');
+  expect(csv.text.trim().split('\n')).toHaveLength(6);
+  await page.locator('#samples').fill('100');
+  const sampled = await text(page, '#save-csv');
+  // A hundred instants, and every transition within twice.
+  expect(sampled.text.trim().split('\n')).toHaveLength(1 + 100 + 2 * 3);
+  await page.locator('#samples').fill('1');
+  await expect(page.locator('#samples-message')).not.toBeEmpty();
+});
+
+test('every view is an SVG and a PNG', async ({ page }) => {
+  await open(page, 'case=figure-3&at=2');
+  await expect(page.locator('html[data-map=done]')).toBeAttached();
+  await page.locator('#open-share').click();
+  for (const [view, labels] of [['hoop', ['C', 'm₂']], ['plane', ['3π/2', '𝓡']], ['plots', ['|F|/N', 'E']]] as const) {
+    const svg = await text(page, `#svg-${view}`);
+    expect(svg.name).toBe(`figure-3-${view}.svg`);
+    const problems = await page.evaluate((source) => {
+      const parsed = new DOMParser().parseFromString(source, 'image/svg+xml');
+      return parsed.querySelector('parsererror')?.textContent ?? '';
+    }, svg.text);
+    expect(problems).toBe('');
+    for (const label of labels) expect(svg.text).toContain(label);
+    expect(svg.text).not.toContain('NaN');
+    const png = await text(page, `#png-${view}`);
+    expect(png.bytes.subarray(1, 4).toString()).toBe('PNG');
+    expect(png.bytes.readUInt32BE(16)).toBe(1800);
+  }
+});
+
+test('the lines to copy have every digit', async ({ page }) => {
+  await open(page, 'case=figure-3');
+  await page.locator('#open-share').click();
+  await expect(page.locator('#shell-text')).toHaveValue('littlewood simulate figure-3');
+  await expect(page.locator('#python-text')).toHaveValue('import littlewood as lw; motion = lw.case("figure-3").simulate()');
+  await page.locator('#close-share').click();
+  await type(page, 'theta', '-0.1234567890123456');
+  await page.locator('#open-share').click();
+  await expect(page.locator('#shell-text')).toHaveValue(
+    'littlewood simulate --mass-ratio 1 --offset 1 --inertia 1 --mu-s 0.5 --mu-k 0.4 --theta -0.1234567890123456 --theta-rate 2');
+  await expect(page.locator('#python-text')).toHaveValue(
+    'import littlewood as lw; motion = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4).simulate(theta=-0.1234567890123456, theta_rate=2)');
+});

@@ -1,0 +1,71 @@
+// What the tests do with the page.
+
+import { expect, type Locator, type Page } from '@playwright/test';
+
+/** Opens the page with a state. Any error on the page, and any request to another host, fails the test. */
+export async function open(page: Page, state = ''): Promise<void> {
+  watch(page);
+  await page.goto(`./${state === '' ? '' : `#${state}`}`);
+  await ready(page);
+}
+
+export async function ready(page: Page): Promise<void> {
+  await expect(page.locator('html[data-ready=true]')).toBeAttached();
+}
+
+const watched = new WeakSet<Page>();
+
+function watch(page: Page): void {
+  if (watched.has(page)) return;
+  watched.add(page);
+  page.on('pageerror', (error) => {
+    if (!error.message.startsWith('ResizeObserver loop')) throw error;
+  });
+  page.on('console', (message) => {
+    if (message.type() === 'error') throw new Error(message.text());
+  });
+  page.on('request', (request) => {
+    const { hostname, protocol } = new URL(request.url());
+    if (protocol.startsWith('http') && hostname !== '127.0.0.1') throw new Error(`a request to ${request.url()}`);
+  });
+}
+
+/** The events in the table: cause, mode that begins, time as it is shown. */
+export async function events(page: Page): Promise<{ cause: string; then: string; time: number; theta: number; rate: number; slip: number }[]> {
+  return page.locator('#events tr').evaluateAll((rows) =>
+    rows.map((row) => {
+      const cells = [...row.querySelectorAll('td')].map((cell) => cell.textContent ?? '');
+      const number = (text = ''): number => Number(text.replaceAll('−', '-').replace('∞', 'Infinity'));
+      return {
+        time: number(cells[0]), cause: cells[1] ?? '', then: cells[2] ?? '', theta: number(cells[3]), rate: number(cells[4]),
+        slip: number(cells[5]),
+      };
+    }),
+  );
+}
+
+export const field = (page: Page, name: string): Locator => page.locator(`#field-${name}`);
+
+/** Types into a field as a person does. */
+export async function type(page: Page, name: string, text: string): Promise<void> {
+  await field(page, name).fill(text);
+}
+
+/** The pixel of the plane where a start lies. */
+export async function pixelOf(page: Page, theta: number, rate: number, most = 4): Promise<{ x: number; y: number }> {
+  const box = (await page.locator('#plane').boundingBox())!;
+  // The margins of the plane.
+  const [left, right, top, bottom] = [46, 14, 12, 40];
+  return {
+    x: box.x + left + ((theta + Math.PI) / (3 * Math.PI)) * (box.width - left - right),
+    y: box.y + top + (0.5 - (0.5 * rate) / most) * (box.height - top - bottom),
+  };
+}
+
+/** The events of Figure 3 with 40 digits computed independently (reference/motions.json). */
+export const FIGURE_3 = [
+  { cause: 'stick', time: 0.564107553101996750, theta: 2.91722565678924913, rate: 2.93644326144529653, slip: 0 },
+  { cause: 'slip', time: 0.973223074772405405, theta: 4.06633287423929561, rate: 2.46087950463497717, slip: 0 },
+  { cause: 'lift off', time: 1.51867021381943700, theta: 5.23673577087816789, rate: 1.99870593711413988, slip: 0.607696268534750732 },
+];
+export const FIGURE_3_LANDING = { time: 3.84739555668689420, theta: 9.89117293957551564 };

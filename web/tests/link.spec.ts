@@ -1,0 +1,99 @@
+// The state in the address, and what is said of a wrong one.
+
+import { expect, test } from '@playwright/test';
+import { events, field, open, ready, type } from './lab';
+
+test('a link shows the same motion', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await open(page, 'case=figure-3');
+  await type(page, 'mu_k', '0.37');
+  await type(page, 'theta', '1.234567890123456');
+  await type(page, 'slip', '-0.25');
+  await page.locator('#zoom-out').click();
+  await page.locator('#loop').check();
+  await page.locator('#speed').selectOption('0.25');
+  await page.locator('#follow').uncheck();
+  await page.locator('#next').click();
+  const shown = { events: await events(page), time: await page.locator('#now').textContent() };
+  await page.locator('#copy-link').click();
+  await expect(page.locator('#toast')).toHaveText('Copied.');
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+
+  const other = await context.newPage();
+  await other.goto(link);
+  await ready(other);
+  expect(await events(other)).toEqual(shown.events);
+  await expect(other.locator('#now')).toHaveText(shown.time!);
+  await expect(other.locator('#loop')).toBeChecked();
+  await expect(other.locator('#follow')).not.toBeChecked();
+  await expect(other.locator('#speed')).toHaveValue('0.25');
+  await expect(field(other, 'theta')).toHaveValue('1.234567890123456');
+  expect(new URL(other.url()).hash).toBe(new URL(link).hash);
+});
+
+test('a link in SI units shows the same motion', async ({ page, context }) => {
+  await open(page, 'disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4&theta=1.2&theta_rate_rad_per_s=6');
+  await expect(page.locator('#si')).toBeChecked();
+  await expect(field(page, 'gravity_m_per_s2')).toHaveValue('9.80665');
+  const shown = await events(page);
+  await page.locator('#open-share').click();
+  const link = await page.locator('#link-text').inputValue();
+  const other = await context.newPage();
+  await other.goto(link);
+  await ready(other);
+  expect(await events(other)).toEqual(shown);
+});
+
+test('the address changes with the page, and back brings nothing strange', async ({ page }) => {
+  await open(page, 'case=figure-3');
+  await page.evaluate(() => (location.hash = 'case=rolls-forever'));
+  await expect(page.locator('#case')).toHaveValue('rolls-forever');
+  await page.goBack();
+  await expect(page.locator('#case')).toHaveValue('figure-3');
+});
+
+const BAD: [string, string, RegExp][] = [
+  ['mu_k=7', 'mu_k', /mu_k = 7 must not exceed mu_s = 0.5/],
+  ['theta=nonsense', 'theta', /'nonsense' is not a number/],
+  ['offset=1.5', 'offset', /offset = 1.5 must not exceed 1/],
+  ['theta_rate=1e9', 'theta_rate', /must lie between -1e6 and 1e6/],
+  ['mass_ratio=-1', 'mass_ratio', /must not be negative/],
+  ['theta=NaN', 'theta', /'NaN' is not a number/],
+  ['mu_s=%', 'mu_s', /'%' is not a number/],
+  ['mass_ratio=0&offset=0&inertia=0', 'offset', /no equation of motion/],
+];
+for (const [state, name, message] of BAD) {
+  test(`a bad link, ${state}, is complained of beside the field`, async ({ page }) => {
+    await open(page, state);
+    await expect(page.locator(`#message-${name}`)).toHaveText(message);
+    await expect(field(page, name)).toHaveAttribute('aria-invalid', 'true');
+    // The last good state is there: figure 3.
+    expect((await events(page)).map((it) => it.cause)).toEqual(['start', 'stick', 'slip', 'lift off', 'landing']);
+  });
+}
+
+test('what a link says that means nothing is told', async ({ page }) => {
+  await open(page, 'case=no-such-case&colour=red&at=soon');
+  await expect(page.locator('#case-message')).toHaveText("there is no case named 'no-such-case'");
+  await expect(page.locator('#banner')).toContainText('colour=red');
+  await expect(page.locator('#banner')).toContainText('at=soon');
+  await expect(page.locator('#events tr')).toHaveCount(5);
+});
+
+test('a bad number in a field leaves the last good motion and its address', async ({ page }) => {
+  await open(page, 'case=figure-3');
+  const before = await events(page);
+  for (const [text, message] of [['0.6', /must not exceed mu_s/], ['', /missing/], ['0,4', /not a number/]] as const) {
+    await type(page, 'mu_k', text);
+    await expect(page.locator('#message-mu_k')).toHaveText(message);
+    expect(await events(page)).toEqual(before);
+    expect(page.url()).toContain('#case=figure-3');
+  }
+  await type(page, 'mu_k', '0.4');
+  await expect(page.locator('#message-mu_k')).toBeEmpty();
+  await page.locator('summary').click();
+  await type(page, 'until', '-1');
+  await expect(page.locator('#message-until')).toHaveText(/until = -1/);
+  await type(page, 'until', '1');
+  expect((await events(page)).at(-1)!.cause).toBe('time limit');
+});

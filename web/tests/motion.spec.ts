@@ -1,0 +1,154 @@
+// The motion that the page shows.
+
+import { expect, test } from '@playwright/test';
+import { events, field, FIGURE_3, FIGURE_3_LANDING, open, pixelOf, type } from './lab';
+
+test('a start dragged to that of figure 3 slides, rolls, slides and jumps', async ({ page }) => {
+  await open(page, 'case=rolls-forever');
+  const from = await page.locator('#start-handle').boundingBox();
+  const to = await pixelOf(page, Math.PI / 2, 2);
+  await page.mouse.move(from!.x + from!.width / 2, from!.y + from!.height / 2);
+  await page.mouse.down();
+  for (let step = 1; step <= 10; step++) {
+    await page.mouse.move(from!.x + ((to.x - from!.x) * step) / 10, from!.y + ((to.y - from!.y) * step) / 10);
+  }
+  await page.mouse.move(to.x, to.y);
+  await page.mouse.up();
+  // A pixel is coarser than the start of the paper: the fields take the last digits.
+  expect(Math.abs(Number(await field(page, 'theta').inputValue()) - Math.PI / 2)).toBeLessThan(0.02);
+  expect(Math.abs(Number(await field(page, 'theta_rate').inputValue()) - 2)).toBeLessThan(0.03);
+  expect((await events(page)).map((it) => it.then)).toEqual(['sliding', 'rolling', 'sliding', 'flight', 'ends']);
+  await type(page, 'theta', '1.5707963267948966');
+  await type(page, 'theta_rate', '2');
+
+  const [start, ...found] = await events(page);
+  expect(start!.then).toBe('sliding');
+  expect(found.map((it) => it.cause)).toEqual(['stick', 'slip', 'lift off', 'landing']);
+  FIGURE_3.forEach((expected, i) => {
+    for (const key of ['time', 'theta', 'rate', 'slip'] as const) {
+      expect(Math.abs(found[i]![key] - expected[key]), `${key} of ${expected.cause}`).toBeLessThan(1e-9);
+    }
+  });
+  expect(Math.abs(found[3]!.time - FIGURE_3_LANDING.time)).toBeLessThan(1e-9);
+  expect(Math.abs(found[3]!.theta - FIGURE_3_LANDING.theta)).toBeLessThan(1e-9);
+  await expect(page.locator('#case')).toHaveValue('figure-3');
+  await expect(page.locator('#sentence')).toHaveText('Slips: friction needs 2 N, only 0.5 N is there.');
+});
+
+test('figure 7 has the times of its closed form', async ({ page }) => {
+  await open(page, 'case=figure-7');
+  const found = await events(page);
+  const slip = found.find((it) => it.cause === 'slip')!;
+  const end = found.at(-1)!;
+  expect(Math.abs(slip.time - Math.log(5))).toBeLessThan(1e-9);
+  expect(Math.abs(slip.rate - 0.75)).toBeLessThan(1e-9);
+  expect(end.cause).toBe('particle at plane');
+  expect(Math.abs(end.time - slip.time - (Math.sqrt(89) - 3) / 5)).toBeLessThan(1e-9);
+});
+
+test('every named case is in the menu and shows its motion', async ({ page }) => {
+  await open(page);
+  const names = await page.locator('#case option:not([value=""])').evaluateAll((all) => all.map((it) => (it as HTMLOptionElement).value));
+  expect(names).toHaveLength(14);
+  // What the titles of the cases say.
+  const then: Record<string, string[] | null> = {
+    'figure-3': ['sliding', 'rolling', 'sliding', 'flight', 'ends'],
+    'figure-2-libration': ['rolling', 'rolling'],
+    'footnote-3': ['flight', 'ends'],
+    'slip-then-jump': ['rolling', 'sliding', 'flight', 'ends'],
+    'slide-then-jump': ['sliding', 'flight', 'ends'],
+    'rolls-forever': ['rolling', 'rolling'],
+    'sliding-band': ['sliding', 'flight', 'ends'],
+    'type-1': ['rolling', 'gliding', 'ends'],
+    'type-2': ['rolling', 'gliding', 'ends'],
+    painleve: ['ends', 'ends'],
+  };
+  for (const name of names) {
+    await page.locator('#case').selectOption(name);
+    await expect(page.locator('#sentence')).not.toBeEmpty();
+    await expect(page.locator('#outcome')).not.toBeEmpty();
+    const found = (await events(page)).map((it) => it.then);
+    if (then[name]) expect(found, name).toEqual(then[name]);
+    if (name === 'glide-to-roll') expect(found.slice(0, 3)).toEqual(['gliding', 'rolling', 'gliding']);
+    if (name === 'stick-slip-no-jump') {
+      expect(found).not.toContain('flight');
+      expect(found.length).toBeGreaterThan(4);
+    }
+    await expect(page).toHaveURL(new RegExp(`#case=${name}(&|$)`));
+    // The time line runs to its end, whatever the motion.
+    await page.locator('#last').click();
+    await page.locator('#first').click();
+  }
+});
+
+test('play moves the cursor, the events stop it where they are, and the sentence follows', async ({ page }) => {
+  await open(page, 'case=figure-3&speed=1');
+  await page.evaluate(() => {
+    const mode = document.querySelector('#mode')!;
+    const seen = [mode.textContent];
+    new MutationObserver(() => seen.push(mode.textContent)).observe(mode, { childList: true });
+    Object.assign(window, { seen });
+  });
+  await page.locator('#play').click();
+  await expect(page.locator('#play')).toHaveAttribute('data-state', 'paused', { timeout: 10_000 });
+  await expect(page.locator('#sentence')).toContainText('Lands');
+  const seen = await page.evaluate(() => (window as unknown as { seen: string[] }).seen);
+  expect(seen).toEqual(['sliding', 'rolling', 'sliding', 'flight', 'flight, ends']);
+  await page.locator('#first').click();
+  for (const [mode, text] of [['rolling', 'Sticks'], ['sliding', 'Slips'], ['flight', 'Jumps']] as const) {
+    await page.locator('#next').click();
+    await expect(page.locator('#mode')).toHaveText(mode);
+    await expect(page.locator('#sentence')).toContainText(text);
+  }
+  // All views have the time of the lift-off: the normal force is zero there, and |F|/N is not there any more.
+  await expect(page.locator('output[data-plot=normal]')).toHaveText(/^−?0\.000$/);
+  await page.locator('#previous').click();
+  await expect(page.locator('#mode')).toHaveText('sliding');
+  await page.locator('#events tr[data-cause=stick] button').click();
+  await expect(page.locator('#mode')).toHaveText('rolling');
+  await expect(page).toHaveURL(/at=0\.5641075531/);
+});
+
+test('a plot is a time line too', async ({ page }) => {
+  await open(page, 'case=figure-3');
+  const over = page.locator('.u-over').first();
+  const box = (await over.boundingBox())!;
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await expect(page.locator('#now')).toHaveText(/τ = 1\.9\d\d/);
+});
+
+test('loop starts again', async ({ page }) => {
+  await open(page, 'case=footnote-3&speed=4&loop=1');
+  await page.locator('#play').click();
+  await expect(page.locator('#now')).not.toHaveText('τ = 0.000');
+  await page.waitForTimeout(1200);
+  await expect(page.locator('#play')).toHaveAttribute('data-state', 'playing');
+});
+
+test('the massless switch takes mass and inertia away, and gives them back', async ({ page }) => {
+  await open(page, 'case=figure-3');
+  await type(page, 'mass_ratio', '2');
+  await page.locator('#massless').check();
+  await expect(field(page, 'mass_ratio')).toHaveValue('0');
+  await expect(field(page, 'inertia')).toHaveValue('0');
+  expect((await events(page)).map((it) => it.then)).toContain('gliding');
+  await page.locator('#massless').uncheck();
+  await expect(field(page, 'mass_ratio')).toHaveValue('2');
+  await expect(field(page, 'inertia')).toHaveValue('1');
+});
+
+test('SI units show the same motion in seconds, and come back to the same numbers', async ({ page }) => {
+  await open(page, 'case=slip-then-jump');
+  const plain = await events(page);
+  await page.locator('#si').check();
+  await expect(field(page, 'radius_m')).toHaveValue('0.45');
+  const si = await events(page);
+  const unit = Math.sqrt(0.45 / 9.80665);
+  expect(si.map((it) => it.cause)).toEqual(plain.map((it) => it.cause));
+  si.forEach((it, i) => {
+    expect(Math.abs(it.time - plain[i]!.time * unit)).toBeLessThan(1e-9);
+    expect(Math.abs(it.rate * unit - plain[i]!.rate)).toBeLessThan(1e-9);
+  });
+  await page.locator('#si').uncheck();
+  (await events(page)).forEach((it, i) => expect(Math.abs(it.time - plain[i]!.time)).toBeLessThan(1e-9));
+});

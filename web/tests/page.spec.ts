@@ -1,0 +1,113 @@
+// The page as a page: accessible, offline, small screens, light and dark, and what it shows when it breaks.
+
+import AxeBuilder from '@axe-core/playwright';
+import { expect, test } from '@playwright/test';
+import { events, open, pixelOf, ready } from './lab';
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    for (const state of ['case=figure-3&at=0.7', 'case=figure-7&at=2.4', 'case=painleve', 'mu_k=7']) {
+      await open(page, state);
+      await page.reload();
+      await ready(page);
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      expect(violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.html).join(' ')}`)).toEqual([]);
+    }
+    await page.locator('#open-share').click();
+    const { violations } = await new AxeBuilder({ page }).include('#share').analyze();
+    expect(violations.map((it) => it.id)).toEqual([]);
+  });
+}
+
+test('pictures of the page', async ({ page }, info) => {
+  for (const [theme, width, height] of [['light', 1440, 900], ['dark', 1440, 900], ['light', 1024, 768], ['light', 390, 844]] as const) {
+    await page.setViewportSize({ width, height });
+    await open(page, `case=figure-3&at=1.2&theme=${theme}`);
+    await page.reload();
+    await ready(page);
+    await expect(page.locator('html[data-map=done]')).toBeAttached();
+    await page.screenshot({ path: info.outputPath(`${theme}-${width}.png`), fullPage: width < 1000 });
+    // Something is drawn on every canvas: not all of its pixels are alike.
+    for (const id of ['hoop', 'plane-base', 'plane-top']) {
+      const alike = await page.locator(`#${id}`).evaluate((canvas: HTMLCanvasElement) => {
+        const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
+        const pixels = new Uint32Array(data.buffer);
+        return pixels.every((pixel) => pixel === pixels[0]);
+      });
+      expect(alike, id).toBe(false);
+    }
+    // No part of the page is wider than the screen.
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+  }
+});
+
+test('the theme button turns the page, and the link keeps it', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'light' });
+  await open(page, 'case=figure-3');
+  await page.locator('#theme').click();
+  await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
+  await expect(page).toHaveURL(/theme=dark/);
+  await page.locator('#theme').click();
+  await expect(page.locator('html')).toHaveAttribute('data-theme', 'light');
+});
+
+test('on a phone the start is dragged with a finger', async ({ browser, baseURL }) => {
+  const context = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, baseURL: baseURL! });
+  const page = await context.newPage();
+  await open(page, 'case=rolls-forever');
+  await page.locator('#plane').scrollIntoViewIfNeeded();
+  const to = await pixelOf(page, Math.PI / 2, 2);
+  await page.touchscreen.tap(to.x, to.y);
+  expect((await events(page)).map((it) => it.then)).toEqual(['sliding', 'rolling', 'sliding', 'flight', 'ends']);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  await context.close();
+});
+
+test('it works without a network once it has been there', async ({ page, context }) => {
+  await open(page, 'case=figure-3');
+  await page.evaluate(async () => {
+    await navigator.serviceWorker.ready;
+  });
+  await page.reload();
+  await ready(page);
+  await context.setOffline(true);
+  await page.goto('./#case=figure-7');
+  await page.reload();
+  await ready(page);
+  expect((await events(page)).map((it) => it.cause)).toContain('particle at plane');
+  await expect(page.locator('html[data-map=done]')).toBeAttached();
+  await page.locator('#open-share').click();
+  // The part that is loaded when it is needed is there as well.
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#svg-hoop').click()]);
+  expect(download.suggestedFilename()).toBe('figure-7-hoop.svg');
+});
+
+test('a panic of the core shows what happened, and a way out', async ({ page }) => {
+  await page.goto('./#panic');
+  const defect = page.locator('.defect');
+  await expect(defect).toContainText('Something has broken');
+  await expect(defect).toContainText('asked for');
+  await defect.getByRole('button', { name: 'Start with figure 3' }).click();
+  await ready(page);
+  await expect(page.locator('#case')).toHaveValue('figure-3');
+});
+
+test('a core that does not load is no blank page', async ({ page }) => {
+  await page.route('**/*.wasm', (route) => route.fulfill({ status: 404, body: 'gone' }));
+  await page.goto('./');
+  await expect(page.locator('.defect')).toContainText('the core could not be loaded');
+  await page.unroute('**/*.wasm');
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await ready(page);
+});
+
+test('the outcome map follows the hoop', async ({ page }) => {
+  await open(page, 'case=figure-3');
+  await expect(page.locator('html[data-map=done]')).toBeAttached();
+  await expect(page.locator('#legend li')).toHaveText(['rolls for ever', 'jumps later', 'leaves at once'], { useInnerText: true });
+  await page.locator('#massless').check();
+  await expect(page.locator('#legend')).toContainText('particle reaches the bottom');
+  await page.locator('#map').uncheck();
+  await expect(page.locator('#legend')).toBeHidden();
+});
