@@ -9,6 +9,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use littlewood::Quantity;
 use littlewood_sweep::Axis;
 
+use crate::animate::{self, AnimateArgs};
 use crate::axis::parse_axis;
 use crate::values::{Given, Origin};
 
@@ -52,6 +53,9 @@ pub(crate) enum Command {
     /// Count the sequences of phases that occur on a grid of starts, with an example of each
     #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
     Atlas(Box<AtlasArgs>),
+    /// Make a film of a motion: GIF, APNG or MP4
+    #[command(long_about = animate::ABOUT, after_help = animate::EXAMPLES)]
+    Animate(Box<AnimateArgs>),
 }
 
 const MAP: &str = "\
@@ -472,12 +476,12 @@ fn flags<const N: usize>(pairs: [(Quantity, Option<f64>); N]) -> Vec<Given> {
 }
 
 /// A number after a flag.
-fn number(text: &str) -> Result<f64, String> {
+pub(crate) fn number(text: &str) -> Result<f64, String> {
     text.parse().map_err(|_| "this is not a number".to_owned())
 }
 
 /// A size in pixels, as `1500x1000`.
-fn size(text: &str) -> Result<(u32, u32), String> {
+pub(crate) fn size(text: &str) -> Result<(u32, u32), String> {
     let parse = |side: &str| side.parse().ok();
     text.split_once('x')
         .and_then(|(width, height)| Some((parse(width)?, parse(height)?)))

@@ -1,6 +1,7 @@
-//! The command line of Littlewood's hoop: `littlewood simulate`, `classify`, `cases`, `map`, `sweep` and
-//! `atlas`.
+//! The command line of Littlewood's hoop: `littlewood simulate`, `classify`, `cases`, `map`, `sweep`,
+//! `atlas` and `animate`.
 
+mod animate;
 mod args;
 mod atlas;
 mod axis;
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         Command::Map(args) => map::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Atlas(args) => atlas::run(&args),
+        Command::Animate(args) => animate::run(*args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

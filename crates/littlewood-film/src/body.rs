@@ -80,12 +80,12 @@ pub(crate) fn draw_mass_centre(canvas: &mut Canvas, (x, y): Place, radius: f64) 
 pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit: f64) {
     let style = Style { size: 13.0 * unit, is_bold: true, anchor: 0.5 };
     // The slip velocity begins at the contact point too; it is drawn lower, so that F does not cover it.
-    let lowered = 11.0 * unit;
+    let lowered = 9.0 * unit;
     if let Some(slip) = &scene.slip {
         let (tail, head) = (view.place(slip.tail), view.place(slip.head));
         let (tail, head) = ((tail.0, tail.1 + lowered), (head.0, head.1 + lowered));
         let side = draw_arrow(canvas, tail, head, slip.is_cut, SLIP, unit);
-        canvas.label("η′", (head.0 + 11.0 * unit * side.0, head.1 + 5.0 * unit), style, SLIP);
+        canvas.label("η′", (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit), style, SLIP);
     }
     if let Some(friction) = &scene.friction {
         let (tail, head) = ends(view, friction);

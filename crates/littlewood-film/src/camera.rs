@@ -2,7 +2,7 @@
 
 use littlewood::{Point, Trajectory};
 
-use crate::scene::Scene;
+use crate::scene::{Scale, Scene};
 use crate::schedule::Schedule;
 
 /// What the picture shows of the path.
@@ -17,13 +17,15 @@ pub enum Framing {
     Follow,
 }
 
-/// Space below the plane, beside and above the path, in radii.
-const BELOW: f64 = 0.5;
+/// Thickness of the ground under the plane, in units of lettering.
+pub(crate) const GROUND: f64 = 33.0;
+
+/// Space beside and above the path, in radii.
 const BESIDE: f64 = 0.25;
 const ABOVE: f64 = 0.15;
 
 /// Instants at which the path is examined; it is smooth on their scale.
-const EXAMINED: usize = 4000;
+pub(crate) const EXAMINED: usize = 4000;
 
 /// Smallest radius, in units of lettering, with which `Auto` shows the whole path.
 const SMALLEST: f64 = 34.0;
@@ -67,19 +69,21 @@ impl Camera {
         trajectory: &Trajectory,
         schedule: &Schedule,
         framing: Framing,
-        window: Window,
+        mut window: Window,
         unit: f64,
+        scale: Scale,
     ) -> Self {
+        window.height -= GROUND * unit;
         let mut bounds = [f64::INFINITY, f64::NEG_INFINITY, 2.0];
         for sample in trajectory.sample_evenly(EXAMINED, schedule.end()) {
-            let [left, right, top] = Scene::of(trajectory.hoop(), sample).extent();
+            let [left, right, top] = Scene::of(trajectory.hoop(), sample, scale).extent();
             bounds = [bounds[0].min(left), bounds[1].max(right), bounds[2].max(top)];
         }
         let [left, right, top] = bounds;
-        let upright = window.height / (top + BELOW + ABOVE);
+        let upright = window.height / (top + ABOVE);
         let whole = upright.min(window.width / (right - left + 2.0 * BESIDE));
         let middle = 0.5 * (left + right);
-        let largest = window.height / (2.0 + BELOW + ABOVE);
+        let largest = window.height / (2.0 + ABOVE);
         let is_whole = match framing {
             Framing::Whole => true,
             Framing::Auto => whole >= SMALLEST * unit,
@@ -101,10 +105,10 @@ impl Camera {
     pub(crate) fn view(&self, scene: &Scene) -> View {
         let Window { left, top, width, height } = self.window;
         let across = if self.follows[0] { scene.mass_centre.x } else { self.middle };
-        let floor = top + height - BELOW * self.scale;
+        let floor = top + height;
         // The plane stays where it is as long as the hoop is in sight.
         let lift = if self.follows[1] {
-            let highest = (height / self.scale - BELOW - ABOVE - 2.0).max(0.0);
+            let highest = (height / self.scale - ABOVE - 2.0).max(0.0);
             (scene.sample.gap - highest).max(0.0)
         } else {
             0.0

@@ -3,13 +3,13 @@
 use littlewood::{Trajectory, Units};
 
 use crate::body::{draw_arrows, draw_body, draw_trail};
-use crate::camera::{Camera, Framing, Window};
+use crate::camera::{Camera, EXAMINED, Framing, Window};
 use crate::canvas::Canvas;
 use crate::encoder::Encoder;
 use crate::error::FilmError;
 use crate::ground::{draw_contact, draw_plane};
 use crate::panel::{FOOT, HEAD, Panel, short};
-use crate::scene::Scene;
+use crate::scene::{Scale, Scene};
 use crate::schedule::{Pace, Schedule};
 use crate::size::Size;
 use crate::trail::Trail;
@@ -22,6 +22,7 @@ pub struct Film<'a> {
     trajectory: &'a Trajectory,
     schedule: Schedule,
     camera: Camera,
+    scale: Scale,
     size: Size,
     units: Option<Units>,
     note: String,
@@ -42,14 +43,22 @@ impl<'a> Film<'a> {
         let u = size.unit();
         let (width, height) = (f64::from(size.width()), f64::from(size.height()));
         let window = Window { left: 0.0, top: HEAD * u, width, height: height - (HEAD + FOOT) * u };
-        let camera = Camera::new(trajectory, &schedule, framing, window, u);
-        Ok(Self { trajectory, schedule, camera, size, units: pace.units, note: note(pace) })
+        let samples = trajectory.sample_evenly(EXAMINED, schedule.end());
+        let scale = Scale::fitting(trajectory.hoop(), samples);
+        let camera = Camera::new(trajectory, &schedule, framing, window, u, scale);
+        Ok(Self { trajectory, schedule, camera, scale, size, units: pace.units, note: note(pace) })
     }
 
     /// The instants of the frames.
     #[must_use]
     pub const fn schedule(&self) -> &Schedule {
         &self.schedule
+    }
+
+    /// Lengths of the arrows.
+    #[must_use]
+    pub const fn scale(&self) -> Scale {
+        self.scale
     }
 
     /// Size of the frames.
@@ -65,7 +74,7 @@ impl<'a> Film<'a> {
     pub fn scene(&self, index: u64) -> Result<Scene, FilmError> {
         let sample = self.trajectory.at(self.schedule.time(index));
         let sample = sample.ok_or(FilmError::NoMotion { outcome: self.trajectory.outcome().kind() })?;
-        Ok(Scene::of(self.trajectory.hoop(), sample))
+        Ok(Scene::of(self.trajectory.hoop(), sample, self.scale))
     }
 
     /// Draws all frames and hands them to an encoder. `watch` hears how many are done and says whether to go on.
@@ -126,7 +135,7 @@ impl<'a> Reel<'a> {
         let Self { film, panel, canvas, trail, ground } = self;
         let (scene, unit) = (film.scene(index)?, film.size.unit());
         let view = film.camera.view(&scene);
-        trail.extend(film.trajectory, &film.schedule, scene.time());
+        trail.extend(film.trajectory, &film.schedule, film.scale, scene.time());
         canvas.copy(ground);
         if !film.camera.is_still() {
             draw_plane(canvas, &view, f64::from(film.size.width()), unit);

@@ -12,7 +12,7 @@ use crate::quantise::{Quantiser, TRANSPARENT};
 use crate::schedule::Shown;
 
 /// Most frames per second: programs slow down what is shown for less than two hundredths of a second.
-pub const MOST_FPS: u32 = 50;
+const MOST_FPS: u32 = 50;
 
 /// Writes an endless GIF.
 pub struct GifFilm<W: Write> {

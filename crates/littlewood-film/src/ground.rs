@@ -2,19 +2,16 @@
 
 use littlewood::Point;
 
-use crate::camera::View;
+use crate::camera::{GROUND, View};
 use crate::canvas::Canvas;
 use crate::letters::Style;
-use crate::palette::{EARTH, INK, PALE, PAPER, SOFT};
+use crate::palette::{EARTH, INK, PAPER, SOFT};
 use crate::scene::Scene;
-
-/// Thickness of the ground under the plane, in radii.
-const THICKNESS: f64 = 0.42;
 
 /// The plane with a mark at every radius.
 pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64) {
     let (_, y) = view.place(Point { x: 0.0, y: 0.0 });
-    canvas.rectangle((0.0, y), width, THICKNESS * view.scale, EARTH);
+    canvas.rectangle((0.0, y), width, GROUND * unit, EARTH);
     canvas.rectangle((0.0, y), width, (1.4 * unit).max(1.0), INK);
     let style = Style { size: 9.5 * unit, is_bold: false, anchor: 0.5 };
     let each = label_step(view.scale, unit);
@@ -27,12 +24,12 @@ pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64
         canvas.line(&[(place, y), (place, y + length)], unit, INK);
         if is_labelled && place > 8.0 * unit && place < width - 26.0 * unit {
             let words = format!("{}", x as i64).replace('-', "−");
-            canvas.words(&words, (place, y + THICKNESS * view.scale - 2.5 * unit), style, SOFT);
+            canvas.words(&words, (place, y + (GROUND - 3.5) * unit), style, SOFT);
         }
         x += 1.0;
     }
     let end = Style { anchor: 1.0, ..style };
-    let place = (width - 4.0 * unit, y + THICKNESS * view.scale - 2.5 * unit);
+    let place = (width - 4.0 * unit, y + (GROUND - 3.5) * unit);
     canvas.words("x/R", place, end, SOFT);
 }
 
@@ -70,6 +67,3 @@ pub(crate) fn draw_contact(canvas: &mut Canvas, view: &View, scene: &Scene, gap:
         canvas.label(gap, place, style, INK);
     }
 }
-
-/// The path of the centre, drawn faintly.
-pub(crate) const PATH_OF_CENTRE: [u8; 3] = PALE;

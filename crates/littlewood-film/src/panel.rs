@@ -5,7 +5,7 @@ use littlewood::{Hoop, Mode, Outcome, Trajectory, Units};
 use crate::body::{draw_arrow, draw_mass_centre};
 use crate::canvas::Canvas;
 use crate::letters::Style;
-use crate::palette::{FRICTION, INK, NORMAL, PALE, PAPER, SLIP, SOFT, of_mode, on_mode};
+use crate::palette::{FRICTION, INK, NORMAL, PAPER, SLIP, SOFT, of_mode, on_mode};
 use crate::scene::{Scene, caption};
 use crate::schedule::Schedule;
 use crate::size::Size;
@@ -209,8 +209,8 @@ impl Panel {
 const fn note_of(outcome: Outcome) -> Option<&'static str> {
     match outcome {
         Outcome::Landing { .. } => Some("landing"),
-        Outcome::RollsForever { .. } => Some("… and so on for ever"),
-        Outcome::SlidesForever { .. } => Some("… and so on for ever"),
+        Outcome::RollsForever { .. } => Some("rolls for ever"),
+        Outcome::SlidesForever { .. } => Some("slides for ever"),
         Outcome::ParticleAtPlane { .. } => Some("the particle meets the plane, θ′ → ∞"),
         Outcome::ParticleAtBottom { .. } => Some("the particle is lowest, θ′ → ∞"),
         Outcome::ParticleAtTop { .. } => Some("the particle is highest, θ′ → ∞"),
@@ -255,9 +255,6 @@ fn decimals(size: f64, usual: i32) -> usize {
     let digits = f64::from(usual) - libm::floor(libm::log10(size));
     digits.clamp(0.0, 9.0) as usize
 }
-
-/// Colour of what is only a guide.
-pub(crate) const GUIDE: [u8; 3] = PALE;
 
 #[cfg(test)]
 mod tests {

@@ -2,14 +2,40 @@
 
 use littlewood::{Direction, Hoop, Mode, Point, Sample};
 
-/// Length of an arrow for a force equal to the weight (m1 + m2) g, in radii.
-const WEIGHT: f64 = 0.5;
-
-/// Length of an arrow for the velocity √(gR), in radii.
-const VELOCITY: f64 = 0.5;
-
 /// Longest arrow, in radii. A longer one is cut there and drawn with two heads.
-const LONGEST: f64 = 1.6;
+const LONGEST: f64 = 1.7;
+
+/// Lengths of arrows for a force equal to the weight (m1 + m2) g, and for the velocity √(gR), in radii: as long as the
+/// largest of a motion has room, within these bounds.
+const WEIGHT: [f64; 2] = [0.15, 0.6];
+const VELOCITY: [f64; 2] = [0.1, 1.0];
+
+/// Lengths of arrows: one scale for both forces, so that their sum is the reaction of the plane, and one for the slip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// Radii for the force m2 g.
+    pub force: f64,
+    /// Radii for the velocity √(gR).
+    pub velocity: f64,
+}
+
+impl Scale {
+    /// Scales with which the largest arrow of these instants has room.
+    pub(crate) fn fitting(hoop: &Hoop, samples: impl Iterator<Item = Sample>) -> Self {
+        let (mut force, mut velocity) = (0.0_f64, 0.0_f64);
+        for sample in samples.filter(|sample| sample.mode != Mode::Flight) {
+            force = force.max(sample.normal.abs()).max(sample.friction.abs());
+            if sample.state.slip.is_finite() {
+                velocity = velocity.max(sample.state.slip.abs());
+            }
+        }
+        let weight = LONGEST * hoop.mass() / force;
+        Self {
+            force: weight.clamp(WEIGHT[0], WEIGHT[1]) / hoop.mass(),
+            velocity: (LONGEST / velocity).clamp(VELOCITY[0], VELOCITY[1]),
+        }
+    }
+}
 
 /// A vector at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,11 +90,10 @@ impl Scene {
     /// The scene of an instant. Everything that is drawn is finite: where a gliding particle reaches θ = ±π, θ′ is
     /// infinite, but the body has a place.
     #[must_use]
-    pub fn of(hoop: &Hoop, sample: Sample) -> Self {
+    pub fn of(hoop: &Hoop, sample: Sample, scale: Scale) -> Self {
         let centre = sample.centre();
         let lowest = Point { x: centre.x, y: sample.gap };
         let contact = (sample.mode != Mode::Flight).then_some(lowest);
-        let force = WEIGHT / hoop.mass();
         let arrow = |direction, value, scale| Arrow::along(direction, contact?, value, scale);
         Self {
             sample,
@@ -77,9 +102,9 @@ impl Scene {
             mass_centre: sample.mass_centre(hoop),
             lowest,
             contact,
-            normal: arrow((0.0, 1.0), sample.normal, force),
-            friction: arrow((1.0, 0.0), sample.friction, force),
-            slip: arrow((1.0, 0.0), sample.state.slip, VELOCITY),
+            normal: arrow((0.0, 1.0), sample.normal, scale.force),
+            friction: arrow((1.0, 0.0), sample.friction, scale.force),
+            slip: arrow((1.0, 0.0), sample.state.slip, scale.velocity),
         }
     }
 

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use littlewood::{Mode, Point, Trajectory};
 
-use crate::scene::Scene;
+use crate::scene::{Scale, Scene};
 use crate::schedule::Schedule;
 
 /// Instants of the trail for a frame.
@@ -42,7 +42,7 @@ impl Trail {
     }
 
     /// Extends the trail to a time.
-    pub(crate) fn extend(&mut self, trajectory: &Trajectory, schedule: &Schedule, until: f64) {
+    pub(crate) fn extend(&mut self, trajectory: &Trajectory, schedule: &Schedule, scale: Scale, until: f64) {
         loop {
             let time = schedule.start() + self.next as f64 * (schedule.step() / FINENESS as f64);
             let change = trajectory.transitions().get(self.transition).map(|transition| transition.state.time);
@@ -52,13 +52,13 @@ impl Trail {
                     let before = phases.get(self.transition).and_then(littlewood::Phase::last);
                     let after = phases.get(self.transition + 1).map(littlewood::Phase::first);
                     for sample in before.into_iter().chain(after) {
-                        self.push(Step::of(&Scene::of(trajectory.hoop(), sample)));
+                        self.push(Step::of(&Scene::of(trajectory.hoop(), sample, scale)));
                     }
                     self.transition += 1;
                 }
                 _ if time <= until => {
                     if let Some(sample) = trajectory.at(time) {
-                        self.push(Step::of(&Scene::of(trajectory.hoop(), sample)));
+                        self.push(Step::of(&Scene::of(trajectory.hoop(), sample, scale)));
                     }
                     self.next += 1;
                 }
