@@ -159,10 +159,7 @@ fn play(film: &Film<'_>, encoder: &mut impl Encoder) -> Result<(), FilmError> {
     result
 }
 
-fn write(
-    output: Output,
-    body: impl FnOnce(&mut dyn Write) -> Result<(), FilmError>,
-) -> Result<(), Error> {
+fn write(output: Output, body: impl FnOnce(&mut dyn Write) -> Result<(), FilmError>) -> Result<(), Error> {
     let mut failure = None;
     let result = output.write(|writer| {
         body(writer).map_err(|error| match error {

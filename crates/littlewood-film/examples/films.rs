@@ -8,8 +8,11 @@ use littlewood::find_case;
 use littlewood_film::{Film, Framing, GifFilm, Pace, Size};
 
 /// File, case, seconds of film for a unit of time.
-const FILMS: [(&str, &str, f64); 3] =
-    [("figure-3.gif", "figure-3", 3.0), ("figure-7.gif", "figure-7", 4.0), ("libration.gif", "figure-2-libration", 2.0)];
+const FILMS: [(&str, &str, f64); 3] = [
+    ("figure-3.gif", "figure-3", 3.0),
+    ("figure-7.gif", "figure-7", 4.0),
+    ("libration.gif", "figure-2-libration", 1.25),
+];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).ok_or("name a folder")?);

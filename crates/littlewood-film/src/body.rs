@@ -95,7 +95,9 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
     if let Some(normal) = &scene.normal {
         let (tail, head) = ends(view, normal);
         draw_arrow(canvas, tail, head, normal.is_cut, NORMAL, unit);
-        canvas.label("N", (head.0 + 11.0 * unit, head.1 + 6.0 * unit), style, NORMAL);
+        // On the side where the particle is not.
+        let side = if scene.particle.x > scene.centre.x { -11.0 } else { 11.0 };
+        canvas.label("N", (head.0 + side * unit, head.1 + 6.0 * unit), style, NORMAL);
     }
 }
 

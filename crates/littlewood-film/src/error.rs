@@ -4,7 +4,7 @@ use std::io;
 
 use thiserror::Error;
 
-use crate::size::{Size, SIDES};
+use crate::size::{SIDES, Size};
 
 /// A film that cannot be made, or not be written.
 #[derive(Debug, Error)]
@@ -114,7 +114,9 @@ impl FilmError {
             }
             Self::Hold { .. } => "it is the time for which the last picture stays",
             Self::NoMotion { .. } => "`littlewood classify` tells what was examined",
-            Self::TooLong { .. } => "take fewer frames per second, a smaller factor for --slow, or an earlier --until",
+            Self::TooLong { .. } => {
+                "take fewer frames per second, a smaller factor for --slow, or an earlier --until"
+            }
             Self::Stopped { .. } => "no film has been written",
             Self::Write(_) | Self::Encoding { .. } => "make room, or choose a folder that can be written to",
             Self::NoFfmpeg { .. } => {

@@ -142,8 +142,8 @@ impl<'a> Reel<'a> {
         }
         draw_trail(canvas, &view, trail, &scene, unit);
         draw_body(canvas, &view, &scene, film.trajectory.hoop(), unit);
-        draw_arrows(canvas, &view, &scene, unit);
         draw_contact(canvas, &view, &scene, &panel.gap(&scene), unit);
+        draw_arrows(canvas, &view, &scene, unit);
         let is_last = index + 1 == film.schedule.frames() && !film.schedule.closes();
         let outcome = is_last.then(|| film.trajectory.outcome());
         panel.draw_moving(canvas, &scene, &film.schedule, outcome);

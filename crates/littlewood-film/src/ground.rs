@@ -49,8 +49,8 @@ fn label_step(scale: f64, unit: f64) -> f64 {
 pub(crate) fn draw_contact(canvas: &mut Canvas, view: &View, scene: &Scene, gap: &str, unit: f64) {
     let lowest = view.place(scene.lowest);
     if scene.contact.is_some() {
-        canvas.disc(lowest, 4.2 * unit, PAPER);
-        canvas.disc(lowest, 3.0 * unit, INK);
+        canvas.disc(lowest, 3.8 * unit, PAPER);
+        canvas.disc(lowest, 2.8 * unit, INK);
         return;
     }
     let below = view.place(Point { y: 0.0, ..scene.lowest });

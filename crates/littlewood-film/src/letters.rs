@@ -70,7 +70,9 @@ impl Letters {
     /// Whether the fonts have all letters of these words.
     #[cfg(test)]
     fn has(&self, words: &str) -> bool {
-        [&self.regular, &self.bold].iter().all(|font| words.chars().all(|letter| font.glyph_id(letter).0 != 0))
+        [&self.regular, &self.bold]
+            .iter()
+            .all(|font| words.chars().all(|letter| font.glyph_id(letter).0 != 0))
     }
 }
 
@@ -115,7 +117,11 @@ mod tests {
     #[test]
     fn the_fonts_have_every_letter_that_films_use() {
         let letters = Letters::new().unwrap();
-        assert!(letters.has("rolling sliding ← → gliding flight τ η′ θ ∞ − × ½ √ μₛ μₖ m₁ m₂ ℓ I R² = ≥ · 0123456789"));
+        assert!(
+            letters.has(
+                "rolling sliding ← → gliding flight τ η′ θ ∞ − × ½ √ μₛ μₖ m₁ m₂ ℓ I R² = ≥ · 0123456789"
+            )
+        );
         assert!(!letters.has("\u{e000}"));
     }
 
@@ -125,7 +131,9 @@ mod tests {
         for is_bold in [false, true] {
             let style = Style { size: 20.0, is_bold, anchor: 0.0 };
             let width = letters.width("0", style);
-            assert!(width > 10.0 && ('1'..='9').all(|digit| letters.width(&digit.to_string(), style) == width));
+            assert!(
+                width > 10.0 && ('1'..='9').all(|digit| letters.width(&digit.to_string(), style) == width)
+            );
         }
     }
 

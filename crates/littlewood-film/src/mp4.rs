@@ -46,7 +46,10 @@ impl Mp4Film {
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
             .spawn()
-            .map_err(|source| FilmError::NoFfmpeg { program: program.to_string_lossy().into_owned(), source })?;
+            .map_err(|source| FilmError::NoFfmpeg {
+                program: program.to_string_lossy().into_owned(),
+                source,
+            })?;
         let frames = ffmpeg.stdin.take();
         let messages = ffmpeg.stderr.take().map(|stderr| {
             std::thread::spawn(move || {

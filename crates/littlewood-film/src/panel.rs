@@ -88,7 +88,12 @@ impl Panel {
         for phase in trajectory.phases() {
             let (from, to) = (place(phase.start().time), place(phase.end_time()));
             let from = if bands.is_empty() { left } else { from };
-            bands.push(Band { mode: phase.mode(), words: caption(phase.mode(), phase.direction()), from, to });
+            bands.push(Band {
+                mode: phase.mode(),
+                words: caption(phase.mode(), phase.direction()),
+                from,
+                to,
+            });
             // Beyond thousands of phases there is nothing to tell apart.
             if to >= left + wide {
                 break;
@@ -111,7 +116,11 @@ impl Panel {
             x = place + 4.0 * u + canvas.width_of(words, style) + 13.0 * u;
             from
         };
-        let at = word(canvas, 9.0 * u, if hoop.mass_ratio() > 0.0 { "particle" } else { "particle = mass centre" });
+        let at = word(
+            canvas,
+            9.0 * u,
+            if hoop.mass_ratio() > 0.0 { "particle" } else { "particle = mass centre" },
+        );
         canvas.disc((at + 4.5 * u, middle), 4.0 * u, INK);
         if hoop.mass_ratio() > 0.0 {
             let at = word(canvas, 9.0 * u, "mass centre");
@@ -173,9 +182,10 @@ impl Panel {
 
     fn values(&self, scene: &Scene) -> [(&'static str, String, [u8; 3]); 4] {
         let sample = &scene.sample;
-        let (force, velocity) = (|value| self.value(value, |units| units.force_n(), " N"), |value| {
-            self.value(value, |units| units.velocity_m_per_s(), " m/s")
-        });
+        let (force, velocity) = (
+            |value| self.value(value, |units| units.force_n(), " N"),
+            |value| self.value(value, |units| units.velocity_m_per_s(), " m/s"),
+        );
         let slip = if scene.contact.is_some() { velocity(sample.state.slip) } else { " –".to_owned() };
         [
             ("N", format!(" = {}", force(sample.normal)), NORMAL),

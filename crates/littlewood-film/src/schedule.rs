@@ -194,7 +194,9 @@ fn shown_until(trajectory: &Trajectory) -> (f64, bool) {
     let outcome = trajectory.outcome();
     let since = outcome.state().time;
     match outcome {
-        Outcome::RollsForever { recurrence: Recurrence::Libration { period, .. }, .. } if period.is_finite() => {
+        Outcome::RollsForever { recurrence: Recurrence::Libration { period, .. }, .. }
+            if period.is_finite() =>
+        {
             let is_all = trajectory.phases().len() == 1;
             (since + if is_all { period } else { 2.0 * period }, is_all)
         }

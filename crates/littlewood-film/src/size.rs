@@ -22,7 +22,11 @@ impl Size {
     /// A side outside these bounds.
     pub fn new(width: u32, height: u32) -> Result<Self, FilmError> {
         let size = Self { width, height };
-        if SIDES.contains(&width) && SIDES.contains(&height) { Ok(size) } else { Err(FilmError::Size { size }) }
+        if SIDES.contains(&width) && SIDES.contains(&height) {
+            Ok(size)
+        } else {
+            Err(FilmError::Size { size })
+        }
     }
 
     /// Width.

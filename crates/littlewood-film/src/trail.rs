@@ -45,7 +45,8 @@ impl Trail {
     pub(crate) fn extend(&mut self, trajectory: &Trajectory, schedule: &Schedule, scale: Scale, until: f64) {
         loop {
             let time = schedule.start() + self.next as f64 * (schedule.step() / FINENESS as f64);
-            let change = trajectory.transitions().get(self.transition).map(|transition| transition.state.time);
+            let change =
+                trajectory.transitions().get(self.transition).map(|transition| transition.state.time);
             match change {
                 Some(change) if change <= time && change <= until => {
                     let phases = trajectory.phases();
