@@ -19,6 +19,8 @@ pub struct GifFilm<W: Write> {
     encoder: GifEncoder<W>,
     quantiser: Quantiser,
     width: usize,
+    /// The frame before as it was drawn, and in the colours of the file.
+    drawn: Vec<u8>,
     before: Vec<u8>,
     now: Vec<u8>,
 }
@@ -42,6 +44,7 @@ impl<W: Write> GifFilm<W> {
             encoder,
             quantiser,
             width: usize::from(width),
+            drawn: Vec::new(),
             before: Vec::new(),
             now: Vec::with_capacity(size.area()),
         })
@@ -60,11 +63,18 @@ impl<W: Write> GifFilm<W> {
 
 impl<W: Write> Encoder for GifFilm<W> {
     fn frame(&mut self, pixels: &[u8], shown: Shown) -> Result<(), FilmError> {
-        self.now.clear();
-        for pixel in pixels.chunks_exact(4) {
-            self.now.push(self.quantiser.index([pixel[0], pixel[1], pixel[2]]));
-        }
         let is_first = self.before.is_empty();
+        self.now.clone_from(&self.before);
+        self.now.resize(pixels.len() / 4, TRANSPARENT);
+        self.drawn.resize(pixels.len(), 0);
+        let changes = pixels.as_chunks::<4>().0.iter().zip(self.drawn.as_chunks_mut::<4>().0);
+        for ((pixel, before), index) in changes.zip(&mut self.now) {
+            // Most pixels are as they were, and looking up a colour takes longer than seeing that.
+            if pixel != before {
+                *index = self.quantiser.index([pixel[0], pixel[1], pixel[2]]);
+                *before = *pixel;
+            }
+        }
         let [left, top, width, height] = if is_first {
             [0, 0, self.width, self.now.len() / self.width]
         } else {
