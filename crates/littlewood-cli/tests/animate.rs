@@ -15,7 +15,7 @@ const PRECIOUS: &str = "years of work";
 const SMALL: [&str; 6] = ["--size", "160x160", "--fps", "5", "--slow", "1"];
 
 fn path(folder: &TempDir, name: &str) -> String {
-    folder.path().join(name).to_str().unwrap().to_owned()
+    folder.path().join(name).to_str().expect("it works in a folder for tests").to_owned()
 }
 
 fn animate(motion: &[&str], out: &str) {
@@ -23,10 +23,10 @@ fn animate(motion: &[&str], out: &str) {
 }
 
 fn refused(flags: &[&str], code: i32) -> String {
-    let folder = TempDir::new().unwrap();
+    let folder = TempDir::new().expect("it works in a folder for tests");
     let out = path(&folder, "film.gif");
     let message = complaint(&[&["animate", "figure-3", "--out", &out], flags].concat(), code);
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "{message}");
+    assert_eq!(fs::read_dir(folder.path()).expect("it works in a folder for tests").count(), 0, "{message}");
     message
 }
 
@@ -138,9 +138,10 @@ fn an_mp4_without_ffmpeg_says_what_to_install_and_touches_nothing() {
 fn stand_in(folder: &Path, script: &str) -> std::ffi::OsString {
     use std::os::unix::fs::PermissionsExt as _;
     let bin = folder.join("bin");
-    fs::create_dir(&bin).unwrap();
-    fs::write(bin.join("ffmpeg"), format!("#!/bin/sh\n{script}\n")).unwrap();
-    fs::set_permissions(bin.join("ffmpeg"), fs::Permissions::from_mode(0o755)).unwrap();
+    fs::create_dir(&bin).expect("it works in a folder for tests");
+    fs::write(bin.join("ffmpeg"), format!("#!/bin/sh\n{script}\n")).expect("it works in a folder for tests");
+    fs::set_permissions(bin.join("ffmpeg"), fs::Permissions::from_mode(0o755))
+        .expect("it works in a folder for tests");
     let mut path = bin.into_os_string();
     path.push(":");
     path.push(std::env::var_os("PATH").unwrap_or_default());

@@ -90,7 +90,8 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
     if let Some(friction) = &scene.friction {
         let (tail, head) = ends(view, friction);
         let side = draw_arrow(canvas, tail, head, friction.is_cut, FRICTION, unit);
-        canvas.label("F", (head.0 + 9.0 * unit * side.0, head.1 - 4.0 * unit), style, FRICTION);
+        // Below the plane, where neither the particle nor, on this side, the slip velocity is.
+        canvas.label("F", (head.0 + 7.0 * unit * side.0, head.1 + 15.0 * unit), style, FRICTION);
     }
     if let Some(normal) = &scene.normal {
         let (tail, head) = ends(view, normal);

@@ -183,8 +183,8 @@ impl Panel {
     fn values(&self, scene: &Scene) -> [(&'static str, String, [u8; 3]); 4] {
         let sample = &scene.sample;
         let (force, velocity) = (
-            |value| self.value(value, |units| units.force_n(), " N"),
-            |value| self.value(value, |units| units.velocity_m_per_s(), " m/s"),
+            |value| self.value(value, Units::force_n, " N"),
+            |value| self.value(value, Units::velocity_m_per_s, " m/s"),
         );
         let slip = if scene.contact.is_some() { velocity(sample.state.slip) } else { " –".to_owned() };
         [

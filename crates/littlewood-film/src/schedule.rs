@@ -81,8 +81,7 @@ impl Schedule {
         let (end, closes) = shown_until(trajectory);
         let intervals = libm::ceil((end - start) * pace.seconds() * f64::from(fps) - 1e-9).max(0.0);
         let frames = intervals + if closes { 0.0 } else { 1.0 };
-        // Written so that a number that is not finite is refused as well.
-        if !(frames <= MOST_FRAMES as f64) {
+        if frames > MOST_FRAMES as f64 {
             return Err(FilmError::TooLong { frames, most: MOST_FRAMES });
         }
         let hold_s = pace.hold_s.unwrap_or(if closes { 0.0 } else { 1.5 });
@@ -94,7 +93,7 @@ impl Schedule {
             end,
             step: 1.0 / (pace.seconds() * f64::from(fps)),
             fps,
-            frames: (frames as u64).max(1),
+            frames: frames.max(1.0) as u64,
             hold_ms: libm::round(1e3 * hold_s) as u32,
             closes,
         })

@@ -8,25 +8,26 @@ use littlewood::{Trajectory, find_case};
 use littlewood_film::{ApngFilm, Encoder, Film, FilmError, Framing, GifFilm, Mp4Film, Pace, Size};
 
 fn motion(name: &str) -> Trajectory {
-    find_case(name).unwrap().simulate().unwrap()
+    find_case(name).expect("a named case").simulate().expect("it can be simulated")
 }
 
 fn film(motion: &Trajectory, fps: u32, size: (u32, u32)) -> Film<'_> {
     let pace = Pace { fps, slow: 1.0, units: None, hold_s: None };
-    Film::new(motion, &pace, Size::new(size.0, size.1).unwrap(), Framing::Auto).unwrap()
+    Film::new(motion, &pace, Size::new(size.0, size.1).expect("it can be made"), Framing::Auto)
+        .expect("it can be made")
 }
 
 fn gif(film: &Film<'_>) -> Vec<u8> {
-    let mut encoder = GifFilm::new(Vec::new(), film).unwrap();
-    film.play(&mut encoder, |_| true).unwrap();
-    encoder.finish().unwrap()
+    let mut encoder = GifFilm::new(Vec::new(), film).expect("it can be made");
+    film.play(&mut encoder, |_| true).expect("it can be made");
+    encoder.finish().expect("it can be made")
 }
 
 fn apng(film: &Film<'_>) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let mut encoder = ApngFilm::new(&mut bytes, film).unwrap();
-    film.play(&mut encoder, |_| true).unwrap();
-    encoder.finish().unwrap();
+    let mut encoder = ApngFilm::new(&mut bytes, film).expect("it can be made");
+    film.play(&mut encoder, |_| true).expect("it can be made");
+    encoder.finish().expect("it can be made");
     bytes
 }
 
@@ -200,8 +201,8 @@ fn an_mp4_needs_even_sides_and_ffmpeg() {
 fn stand_in(folder: &Path, script: &str) -> std::path::PathBuf {
     use std::os::unix::fs::PermissionsExt as _;
     let path = folder.join("ffmpeg");
-    fs::write(&path, format!("#!/bin/sh\n{script}\n")).unwrap();
-    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    fs::write(&path, format!("#!/bin/sh\n{script}\n")).expect("it can be made");
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).expect("it can be made");
     path
 }
 

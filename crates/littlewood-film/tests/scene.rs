@@ -4,16 +4,16 @@ use littlewood::{CASES, Mode, Trajectory, find_case};
 use littlewood_film::{Arrow, Film, Framing, Pace, Scene, Size};
 
 fn motion(name: &str) -> Trajectory {
-    find_case(name).unwrap().simulate().unwrap()
+    find_case(name).expect("a named case").simulate().expect("it can be simulated")
 }
 
 fn film(motion: &Trajectory) -> Film<'_> {
     let pace = Pace { fps: 20, slow: 3.0, units: None, hold_s: None };
-    Film::new(motion, &pace, Size::default(), Framing::Auto).unwrap()
+    Film::new(motion, &pace, Size::default(), Framing::Auto).expect("it can be made")
 }
 
 fn scenes<'a>(film: &'a Film<'_>) -> impl Iterator<Item = Scene> + use<'a> {
-    (0..film.schedule().frames()).map(|index| film.scene(index).unwrap())
+    (0..film.schedule().frames()).map(|index| film.scene(index).expect("it can be made"))
 }
 
 /// Horizontal and vertical extent of an arrow.

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 const PACE: Pace = Pace { fps: 25, slow: 3.0, units: None, hold_s: None };
 
 fn motion(name: &str) -> Trajectory {
-    find_case(name).unwrap().simulate().unwrap()
+    find_case(name).expect("a named case").simulate().expect("it can be simulated")
 }
 
 #[test]
