@@ -17,6 +17,9 @@ const RIM: f64 = 0.07;
 /// Marks on the rim, so that its rotation is seen.
 const MARKS: u32 = 24;
 
+/// Shortest arrow that is drawn, in radii.
+const SHORTEST: f64 = 1e-3;
+
 /// The trail of the centre and, in the colour of the mode, that of the mass centre.
 pub(crate) fn draw_trail(canvas: &mut Canvas, view: &View, trail: &Trail, scene: &Scene, unit: f64) {
     let pieces = trail.pieces(Step::of(scene));
@@ -81,25 +84,32 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
     let style = Style { size: 13.0 * unit, is_bold: true, anchor: 0.5 };
     // The slip velocity begins at the contact point too; it is drawn lower, so that F does not cover it.
     let lowered = 9.0 * unit;
-    if let Some(slip) = &scene.slip {
+    if let Some(slip) = visible(&scene.slip) {
         let (tail, head) = (view.place(slip.tail), view.place(slip.head));
         let (tail, head) = ((tail.0, tail.1 + lowered), (head.0, head.1 + lowered));
         let side = draw_arrow(canvas, tail, head, slip.is_cut, SLIP, unit);
         canvas.label("η′", (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit), style, SLIP);
     }
-    if let Some(friction) = &scene.friction {
+    if let Some(friction) = visible(&scene.friction) {
         let (tail, head) = ends(view, friction);
         let side = draw_arrow(canvas, tail, head, friction.is_cut, FRICTION, unit);
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
         canvas.label("F", (head.0 + 7.0 * unit * side.0, head.1 + 15.0 * unit), style, FRICTION);
     }
-    if let Some(normal) = &scene.normal {
+    if let Some(normal) = visible(&scene.normal) {
         let (tail, head) = ends(view, normal);
         draw_arrow(canvas, tail, head, normal.is_cut, NORMAL, unit);
         // On the side where the particle is not.
         let side = if scene.particle.x > scene.centre.x { -11.0 } else { 11.0 };
         canvas.label("N", (head.0 + side * unit, head.1 + 6.0 * unit), style, NORMAL);
     }
+}
+
+/// An arrow that is longer than a rounding error.
+fn visible(arrow: &Option<Arrow>) -> Option<&Arrow> {
+    arrow
+        .as_ref()
+        .filter(|arrow| (arrow.head.x - arrow.tail.x).abs() + (arrow.head.y - arrow.tail.y).abs() > SHORTEST)
 }
 
 fn ends(view: &View, arrow: &Arrow) -> (Place, Place) {
