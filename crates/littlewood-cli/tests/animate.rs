@@ -181,7 +181,7 @@ fn an_mp4_is_what_ffmpeg_has_written_or_nothing() {
 fn ctrl_c_leaves_no_half_a_film() {
     let folder = TempDir::new().unwrap();
     let out = path(&folder, "film.gif");
-    let mut child = Command::new(assert_cmd::cargo::cargo_bin("littlewood"))
+    let mut child = Command::new(env!("CARGO_BIN_EXE_littlewood"))
         .args(["animate", "figure-3", "--slow", "500", "--out", &out])
         .stderr(Stdio::piped())
         .spawn()
