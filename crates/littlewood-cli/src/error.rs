@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use anstyle::{AnsiColor, Style};
 use littlewood::ParameterError;
+use littlewood_film::FilmError;
 use littlewood_sweep::{AxisError, ListError, PictureError, StoreError, SweepError};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use thiserror::Error;
@@ -190,6 +191,10 @@ pub(crate) enum Error {
         /// Why.
         source: io::Error,
     },
+    /// A film that cannot be made, or not be written.
+    #[error("{0}")]
+    #[diagnostic(help("{}", .0.hint()))]
+    Film(FilmError),
     /// The reader of the output has seen enough.
     #[error("the reader has closed the pipe")]
     ClosedPipe,
@@ -204,6 +209,13 @@ impl Error {
                 ExitCode::from(1)
             }
             Self::Interrupted { .. } => ExitCode::from(130),
+            Self::Film(FilmError::Stopped { .. }) => ExitCode::from(130),
+            Self::Film(
+                FilmError::Write(_)
+                | FilmError::Encoding { .. }
+                | FilmError::NoFfmpeg { .. }
+                | FilmError::Ffmpeg { .. },
+            ) => ExitCode::from(1),
             Self::Sweep(error) if is_of_the_system(error) => ExitCode::from(1),
             _ => ExitCode::from(2),
         }

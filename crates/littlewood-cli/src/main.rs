@@ -1,6 +1,6 @@
-//! The command line of Littlewood's hoop: `littlewood simulate`, `classify`, `cases`, `map`, `sweep`,
-//! `atlas` and `lab`.
+//! The command line of Littlewood's hoop: a module for each command.
 
+mod animate;
 mod args;
 mod atlas;
 mod axis;
@@ -45,6 +45,7 @@ fn main() -> ExitCode {
         Command::Sweep(args) => sweep::run(&args),
         Command::Atlas(args) => atlas::run(&args),
         Command::Lab(args) => lab::run(&args),
+        Command::Animate(args) => animate::run(*args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

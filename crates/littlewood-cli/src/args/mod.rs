@@ -6,13 +6,14 @@ mod problem;
 mod sweep;
 
 pub(crate) use negative::join_negative_numbers;
-pub(crate) use problem::{BaseArgs, ProblemArgs, RunArgs};
-pub(crate) use sweep::{AtlasArgs, MapArgs, SweepArgs, WorkArgs};
+pub(crate) use problem::{BaseArgs, ProblemArgs, RunArgs, number};
+pub(crate) use sweep::{AtlasArgs, MapArgs, SweepArgs, WorkArgs, size};
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::animate::{self, AnimateArgs};
 use crate::lab::LabArgs;
 
 use self::sweep::{ATLAS, ATLAS_EXAMPLES, MAP, MAP_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
@@ -57,6 +58,9 @@ pub(crate) enum Command {
     /// Count the sequences of phases that occur on a grid of starts, with an example of each
     #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
     Atlas(Box<AtlasArgs>),
+    /// Make a film of a motion: GIF, APNG or MP4
+    #[command(long_about = animate::ABOUT, after_help = animate::EXAMPLES)]
+    Animate(Box<AnimateArgs>),
     /// Open the laboratory in the browser: drag a start and watch the hoop
     #[command(long_about = crate::lab::ABOUT)]
     Lab(LabArgs),

@@ -200,6 +200,6 @@ fn flags<const N: usize>(pairs: [(Quantity, Option<f64>); N]) -> Vec<Given> {
 }
 
 /// A number after a flag.
-fn number(text: &str) -> Result<f64, String> {
+pub(crate) fn number(text: &str) -> Result<f64, String> {
     text.parse().map_err(|_| "this is not a number".to_owned())
 }

@@ -159,7 +159,7 @@ pub(crate) struct StoreArgs {
 }
 
 /// A size in pixels, as `1500x1000`.
-fn size(text: &str) -> Result<(u32, u32), String> {
+pub(crate) fn size(text: &str) -> Result<(u32, u32), String> {
     let parse = |side: &str| side.parse().ok();
     text.split_once('x')
         .and_then(|(width, height)| Some((parse(width)?, parse(height)?)))

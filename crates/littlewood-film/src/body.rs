@@ -1,0 +1,147 @@
+//! The hoop with its particle, the trails, and the arrows at the contact point.
+
+use core::f64::consts::PI;
+
+use littlewood::{Hoop, Point};
+
+use crate::camera::View;
+use crate::canvas::{Canvas, Place};
+use crate::letters::Style;
+use crate::palette::{FRICTION, INK, NORMAL, PALE, PAPER, Rgb, SLIP, SOFT, of_mode};
+use crate::scene::{Arrow, Scene};
+use crate::trail::{Step, Trail};
+
+/// Width of the rim, in radii. Its outer edge is the circle of radius 1.
+const RIM: f64 = 0.07;
+
+/// Marks on the rim, so that its rotation is seen.
+const MARKS: u32 = 24;
+
+/// Shortest arrow that is drawn, in radii.
+const SHORTEST: f64 = 1e-3;
+
+/// The trail of the centre and, in the colour of the mode, that of the mass centre.
+pub(crate) fn draw_trail(canvas: &mut Canvas, view: &View, trail: &Trail, scene: &Scene, unit: f64) {
+    let pieces = trail.pieces(Step::of(scene));
+    let place = |points: &[Step], which: fn(&Step) -> Point| -> Vec<Place> {
+        points.iter().map(|step| view.place(which(step))).collect()
+    };
+    for (_, steps) in &pieces {
+        canvas.line(&place(steps, |step| step.centre), 1.4 * unit, PALE);
+    }
+    for (mode, steps) in &pieces {
+        canvas.line(&place(steps, |step| step.mass_centre), 2.6 * unit, of_mode(*mode));
+    }
+}
+
+/// The hoop, the particle, the mass centre and the geometric centre.
+pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &Hoop, unit: f64) {
+    let centre = view.place(scene.centre);
+    let radius = view.scale;
+    let rim = (RIM * radius).max(1.5 * unit);
+    canvas.ring(centre, radius - 0.5 * rim, rim, SOFT);
+    canvas.ring(centre, radius - 0.5 * rim, (rim - 1.6 * unit).max(1.0), PALE);
+    let theta = scene.sample.state.theta;
+    for mark in 0..MARKS {
+        let angle = theta + 2.0 * PI * f64::from(mark) / f64::from(MARKS);
+        let is_long = mark % 6 == 0;
+        let inner = radius - rim * if is_long { 2.1 } else { 1.0 };
+        let (sin, cos) = libm::sincos(angle);
+        let at = |r: f64| (centre.0 - r * sin, centre.1 - r * cos);
+        canvas.line(&[at(inner), at(radius - 0.4 * unit)], 1.1 * unit, SOFT);
+    }
+    let particle = view.place(scene.particle);
+    canvas.line(&[centre, particle], 1.4 * unit, SOFT);
+    canvas.disc(centre, 3.0 * unit, SOFT);
+    canvas.disc(centre, 1.6 * unit, PAPER);
+    if hoop.mass_ratio() > 0.0 {
+        draw_mass_centre(canvas, view.place(scene.mass_centre), 4.6 * unit);
+    }
+    canvas.disc(particle, particle_radius(radius, unit) + unit, PAPER);
+    canvas.disc(particle, particle_radius(radius, unit), INK);
+}
+
+fn particle_radius(radius: f64, unit: f64) -> f64 {
+    (0.095 * radius).clamp(3.5 * unit, 9.0 * unit)
+}
+
+/// The sign of a mass centre: a disc with two of its quarters black.
+pub(crate) fn draw_mass_centre(canvas: &mut Canvas, (x, y): Place, radius: f64) {
+    canvas.disc((x, y), radius, INK);
+    canvas.disc((x, y), 0.8 * radius, PAPER);
+    for (from, to) in [(0.0, 0.5 * PI), (PI, 1.5 * PI)] {
+        let mut quarter = vec![(x, y)];
+        for i in 0..=8 {
+            let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / 8.0);
+            quarter.push((x + 0.9 * radius * cos, y - 0.9 * radius * sin));
+        }
+        canvas.polygon(&quarter, INK);
+    }
+}
+
+/// The normal force, the friction and the slip velocity, with their letters.
+pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit: f64) {
+    let style = Style { size: 13.0 * unit, is_bold: true, anchor: 0.5 };
+    // The slip velocity begins at the contact point too; it is drawn lower, so that F does not cover it.
+    let lowered = 9.0 * unit;
+    if let Some(slip) = visible(&scene.slip) {
+        let (tail, head) = (view.place(slip.tail), view.place(slip.head));
+        let (tail, head) = ((tail.0, tail.1 + lowered), (head.0, head.1 + lowered));
+        let side = draw_arrow(canvas, tail, head, slip.is_cut, SLIP, unit);
+        canvas.label("η′", (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit), style, SLIP);
+    }
+    if let Some(friction) = visible(&scene.friction) {
+        let (tail, head) = ends(view, friction);
+        let side = draw_arrow(canvas, tail, head, friction.is_cut, FRICTION, unit);
+        // Below the plane, where neither the particle nor, on this side, the slip velocity is.
+        canvas.label("F", (head.0 + 7.0 * unit * side.0, head.1 + 15.0 * unit), style, FRICTION);
+    }
+    if let Some(normal) = visible(&scene.normal) {
+        let (tail, head) = ends(view, normal);
+        draw_arrow(canvas, tail, head, normal.is_cut, NORMAL, unit);
+        // On the side where the particle is not.
+        let side = if scene.particle.x > scene.centre.x { -11.0 } else { 11.0 };
+        canvas.label("N", (head.0 + side * unit, head.1 + 6.0 * unit), style, NORMAL);
+    }
+}
+
+/// An arrow that is longer than a rounding error.
+fn visible(arrow: &Option<Arrow>) -> Option<&Arrow> {
+    arrow
+        .as_ref()
+        .filter(|arrow| (arrow.head.x - arrow.tail.x).abs() + (arrow.head.y - arrow.tail.y).abs() > SHORTEST)
+}
+
+fn ends(view: &View, arrow: &Arrow) -> (Place, Place) {
+    (view.place(arrow.tail), view.place(arrow.head))
+}
+
+/// An arrow; returns its direction. One that is cut has two heads.
+pub(crate) fn draw_arrow(
+    canvas: &mut Canvas,
+    tail: Place,
+    head: Place,
+    is_cut: bool,
+    colour: Rgb,
+    unit: f64,
+) -> (f64, f64) {
+    let along = (head.0 - tail.0, head.1 - tail.1);
+    let length = libm::hypot(along.0, along.1);
+    if length == 0.0 {
+        return (0.0, 0.0);
+    }
+    let (x, y) = (along.0 / length, along.1 / length);
+    let tip = (9.0 * unit).min(length);
+    let half = 0.42 * tip;
+    let shaft = (head.0 - 0.8 * tip * x, head.1 - 0.8 * tip * y);
+    canvas.line(&[tail, shaft], (0.3 * tip).max(1.2 * unit), colour);
+    for back in [0.0, 0.75 * tip].into_iter().take(if is_cut { 2 } else { 1 }) {
+        let point = (head.0 - back * x, head.1 - back * y);
+        let base = (point.0 - tip * x, point.1 - tip * y);
+        canvas.polygon(
+            &[point, (base.0 - half * y, base.1 + half * x), (base.0 + half * y, base.1 - half * x)],
+            colour,
+        );
+    }
+    (x, y)
+}

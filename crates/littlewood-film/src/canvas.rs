@@ -1,0 +1,139 @@
+//! Shapes and words on pixels. Everything is opaque and of one colour, lines are straight or circular: what is drawn
+//! needs no operation of the rasteriser that differs between processors.
+
+use tiny_skia::{
+    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PremultipliedColorU8, Rect, Stroke,
+    StrokeDash, Transform,
+};
+
+use crate::error::FilmError;
+use crate::letters::{Letters, Style};
+use crate::palette::{PAPER, Rgb};
+use crate::size::Size;
+
+/// A picture that is being drawn.
+#[derive(Debug)]
+pub(crate) struct Canvas {
+    pixels: Pixmap,
+    letters: Letters,
+}
+
+/// A place in the picture, in pixels from its upper left corner.
+pub(crate) type Place = (f64, f64);
+
+impl Canvas {
+    /// A white picture.
+    pub(crate) fn new(size: Size) -> Result<Self, FilmError> {
+        let mut pixels = Pixmap::new(size.width(), size.height()).ok_or(FilmError::Size { size })?;
+        let white = PremultipliedColorU8::from_rgba(PAPER[0], PAPER[1], PAPER[2], 255);
+        if let Some(white) = white {
+            pixels.pixels_mut().fill(white);
+        }
+        Ok(Self { pixels, letters: Letters::new()? })
+    }
+
+    /// Takes over another picture of the same size.
+    pub(crate) fn copy(&mut self, other: &[u8]) {
+        self.pixels.data_mut().copy_from_slice(other);
+    }
+
+    /// Red, green, blue and 255 for each pixel, row by row.
+    pub(crate) fn data(&self) -> &[u8] {
+        self.pixels.data()
+    }
+
+    pub(crate) fn width_of(&self, words: &str, style: Style) -> f64 {
+        self.letters.width(words, style)
+    }
+
+    pub(crate) fn fill(&mut self, path: Option<Path>, colour: Rgb) {
+        if let Some(path) = path {
+            let transform = Transform::identity();
+            self.pixels.fill_path(&path, &paint(colour), FillRule::Winding, transform, None);
+        }
+    }
+
+    fn stroke(&mut self, path: Option<Path>, colour: Rgb, width: f64, dash: Option<f64>) {
+        let Some(path) = path else { return };
+        let dash = dash.and_then(|dash| StrokeDash::new(vec![dash as f32, dash as f32], 0.0));
+        let stroke = Stroke {
+            // A thinner line would be drawn by another method, with less contrast.
+            width: width.max(1.0) as f32,
+            line_cap: LineCap::Butt,
+            line_join: LineJoin::Round,
+            dash,
+            ..Stroke::default()
+        };
+        self.pixels.stroke_path(&path, &paint(colour), &stroke, Transform::identity(), None);
+    }
+
+    pub(crate) fn rectangle(&mut self, (x, y): Place, width: f64, height: f64, colour: Rgb) {
+        let rectangle = Rect::from_xywh(x as f32, y as f32, width as f32, height as f32);
+        self.fill(rectangle.map(PathBuilder::from_rect), colour);
+    }
+
+    /// A rectangle with half circles at its sides.
+    pub(crate) fn pill(&mut self, (x, y): Place, width: f64, height: f64, colour: Rgb) {
+        let radius = 0.5 * height;
+        self.rectangle((x + radius, y), width - height, height, colour);
+        self.disc((x + radius, y + radius), radius, colour);
+        self.disc((x + width - radius, y + radius), radius, colour);
+    }
+
+    pub(crate) fn disc(&mut self, centre: Place, radius: f64, colour: Rgb) {
+        self.fill(circle(centre, radius), colour);
+    }
+
+    /// A circle; its line lies half inside and half outside.
+    pub(crate) fn ring(&mut self, centre: Place, radius: f64, width: f64, colour: Rgb) {
+        self.stroke(circle(centre, radius), colour, width, None);
+    }
+
+    pub(crate) fn line(&mut self, points: &[Place], width: f64, colour: Rgb) {
+        self.stroke(polyline(points, false), colour, width, None);
+    }
+
+    pub(crate) fn dashes(&mut self, points: &[Place], width: f64, dash: f64, colour: Rgb) {
+        self.stroke(polyline(points, false), colour, width, Some(dash));
+    }
+
+    pub(crate) fn polygon(&mut self, points: &[Place], colour: Rgb) {
+        self.fill(polyline(points, true), colour);
+    }
+
+    pub(crate) fn words(&mut self, words: &str, place: Place, style: Style, colour: Rgb) {
+        let outline = self.letters.outline(words, place, style);
+        self.fill(outline, colour);
+    }
+
+    /// Words with a border that sets them off against what is behind them.
+    pub(crate) fn label(&mut self, words: &str, place: Place, style: Style, colour: Rgb) {
+        let outline = self.letters.outline(words, place, style);
+        self.stroke(outline.clone(), PAPER, 0.3 * style.size, None);
+        self.fill(outline, colour);
+    }
+}
+
+fn paint(colour: Rgb) -> Paint<'static> {
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(colour[0], colour[1], colour[2], 255);
+    paint.anti_alias = true;
+    paint
+}
+
+fn circle((x, y): Place, radius: f64) -> Option<Path> {
+    PathBuilder::from_circle(x as f32, y as f32, radius as f32)
+}
+
+fn polyline(points: &[Place], closed: bool) -> Option<Path> {
+    let (first, rest) = points.split_first()?;
+    let mut path = PathBuilder::new();
+    path.move_to(first.0 as f32, first.1 as f32);
+    for point in rest {
+        path.line_to(point.0 as f32, point.1 as f32);
+    }
+    if closed {
+        path.close();
+    }
+    path.finish()
+}

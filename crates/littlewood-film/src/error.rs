@@ -1,0 +1,129 @@
+//! Why a film cannot be made.
+
+use std::io;
+
+use thiserror::Error;
+
+use crate::size::{SIDES, Size};
+
+/// A film that cannot be made, or not be written.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum FilmError {
+    /// A side that is too short to read, or too long.
+    #[error("size = {size} px: both sides must be between {} and {} px", SIDES.start(), SIDES.end())]
+    Size {
+        /// The size that was asked for.
+        size: Size,
+    },
+    /// H.264 halves the resolution of colour.
+    #[error("size = {size} px: both sides of an MP4 must be even")]
+    OddSize {
+        /// The size that was asked for.
+        size: Size,
+    },
+    /// A rate of frames outside the bounds.
+    #[error("fps = {fps} must be between 1 and {most} frames per second in {format}")]
+    FrameRate {
+        /// The rate that was asked for.
+        fps: u32,
+        /// The greatest.
+        most: u32,
+        /// The format that sets the bound.
+        format: &'static str,
+    },
+    /// A slowness that is no duration.
+    #[error("slow = {slow} must be a finite number greater than 0")]
+    Slow {
+        /// The value that was given.
+        slow: f64,
+    },
+    /// A last picture that is shown for no possible time.
+    #[error("hold = {hold_s} s must be between 0 and {most_s} s")]
+    Hold {
+        /// The value that was given.
+        hold_s: f64,
+        /// The greatest.
+        most_s: f64,
+    },
+    /// No motion begins at the start.
+    #[error("there is no motion to show: the start is {outcome}")]
+    NoMotion {
+        /// Name of the outcome.
+        outcome: &'static str,
+    },
+    /// More frames than anyone will look at.
+    #[error("the film would have {frames:.0} frames, the most is {most}")]
+    TooLong {
+        /// The number of frames.
+        frames: f64,
+        /// The greatest.
+        most: u64,
+    },
+    /// The caller has asked to stop.
+    #[error("stopped after {done} of {total} frames")]
+    Stopped {
+        /// Frames that were drawn.
+        done: u64,
+        /// All frames.
+        total: u64,
+    },
+    /// The film cannot be written.
+    #[error("writing failed: {0}")]
+    Write(#[from] io::Error),
+    /// An encoder has refused a frame.
+    #[error("encoding the {format} failed: {message}")]
+    Encoding {
+        /// The format.
+        format: &'static str,
+        /// What it said.
+        message: String,
+    },
+    /// ffmpeg cannot be started.
+    #[error("an MP4 needs ffmpeg, and '{program}' cannot be started: {source}")]
+    NoFfmpeg {
+        /// The program that was tried.
+        program: String,
+        /// Why.
+        source: io::Error,
+    },
+    /// ffmpeg has failed.
+    #[error("ffmpeg failed ({status}): {message}")]
+    Ffmpeg {
+        /// Its exit status.
+        status: String,
+        /// The end of what it said.
+        message: String,
+    },
+}
+
+impl FilmError {
+    /// What to do about it.
+    #[must_use]
+    pub fn hint(&self) -> &'static str {
+        match self {
+            Self::Size { .. } => "a size is WIDTHxHEIGHT in pixels, such as 640x360 or 1920x1080",
+            Self::OddSize { .. } => "add a pixel, or write a GIF or an APNG",
+            Self::FrameRate { format: "GIF", .. } => {
+                "a GIF counts hundredths of a second, and programs slow down what is shown for less than two; take \
+                 fewer frames, or write an APNG or an MP4"
+            }
+            Self::FrameRate { .. } => "25 or 30 is usual, 60 is smooth",
+            Self::Slow { .. } => {
+                "it is the number of seconds of film for a unit of time sqrt(R/g), or in SI units for a second"
+            }
+            Self::Hold { .. } => "it is the time for which the last picture stays",
+            Self::NoMotion { .. } => "`littlewood classify` tells what was examined",
+            Self::TooLong { .. } => {
+                "take fewer frames per second, a smaller factor for --slow, or an earlier --until"
+            }
+            Self::Stopped { .. } => "no film has been written",
+            Self::Write(_) | Self::Encoding { .. } => "make room, or choose a folder that can be written to",
+            Self::NoFfmpeg { .. } => {
+                "install ffmpeg (apt install ffmpeg, brew install ffmpeg, winget install ffmpeg), or write a .gif or \
+                 a .png, which need no other program"
+            }
+            Self::Ffmpeg { .. } => "it must be able to write H.264 (libx264); or write a .gif or a .png",
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! MP4 (H.264), which ffmpeg writes: frames go to it through a pipe.
+
+use std::ffi::OsStr;
+use std::io::{BufRead as _, BufReader, ErrorKind, Write as _};
+use std::path::Path;
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::thread::JoinHandle;
+
+use crate::encoder::Encoder;
+use crate::error::FilmError;
+use crate::film::Film;
+use crate::schedule::Shown;
+
+/// Lines of ffmpeg's messages that are kept.
+const KEPT: usize = 4;
+
+/// Writes an MP4 by way of ffmpeg.
+#[derive(Debug)]
+pub struct Mp4Film {
+    ffmpeg: Child,
+    frames: Option<ChildStdin>,
+    messages: Option<JoinHandle<Vec<String>>>,
+    row: Vec<u8>,
+}
+
+impl Mp4Film {
+    /// Starts ffmpeg, which writes to a file that may be there already. `program` is its name or path.
+    ///
+    /// # Errors
+    /// A side that is odd, or ffmpeg cannot be started.
+    pub fn start(program: &OsStr, path: &Path, film: &Film<'_>) -> Result<Self, FilmError> {
+        let size = film.size();
+        if size.width() % 2 + size.height() % 2 != 0 {
+            return Err(FilmError::OddSize { size });
+        }
+        let mut ffmpeg = Command::new(program)
+            .args(["-hide_banner", "-loglevel", "error", "-nostats", "-y"])
+            .args(["-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", &size.to_string()])
+            .args(["-framerate", &film.schedule().fps().to_string(), "-i", "pipe:0"])
+            .args(["-an", "-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p"])
+            // The same bytes from one version of ffmpeg, whatever the number of cores.
+            .args(["-threads", "2", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"])
+            .args(["-movflags", "+faststart", "-f", "mp4"])
+            .arg(path)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(|source| FilmError::NoFfmpeg {
+                program: program.to_string_lossy().into_owned(),
+                source,
+            })?;
+        let frames = ffmpeg.stdin.take();
+        let messages = ffmpeg.stderr.take().map(|stderr| {
+            std::thread::spawn(move || {
+                let mut kept = Vec::new();
+                for line in BufReader::new(stderr).lines().map_while(Result::ok) {
+                    kept.push(line);
+                    if kept.len() > KEPT {
+                        kept.remove(0);
+                    }
+                }
+                kept
+            })
+        });
+        Ok(Self { ffmpeg, frames, messages, row: Vec::with_capacity(3 * size.area()) })
+    }
+
+    /// Waits until ffmpeg has written the file.
+    ///
+    /// # Errors
+    /// It has failed; the message is its own.
+    pub fn finish(mut self) -> Result<(), FilmError> {
+        self.frames = None;
+        self.wait()
+    }
+
+    fn wait(&mut self) -> Result<(), FilmError> {
+        let status = self.ffmpeg.wait()?;
+        let messages = self.messages.take().and_then(|thread| thread.join().ok()).unwrap_or_default();
+        if status.success() {
+            return Ok(());
+        }
+        let message = if messages.is_empty() { "it gave no reason".to_owned() } else { messages.join("; ") };
+        Err(FilmError::Ffmpeg { status: status.to_string(), message })
+    }
+}
+
+impl Encoder for Mp4Film {
+    fn frame(&mut self, pixels: &[u8], shown: Shown) -> Result<(), FilmError> {
+        self.row.clear();
+        for [red, green, blue, _] in pixels.as_chunks::<4>().0 {
+            self.row.extend([*red, *green, *blue]);
+        }
+        for _ in 0..shown.copies() {
+            let Some(frames) = &mut self.frames else { return Ok(()) };
+            match frames.write_all(&self.row) {
+                // It has ended before all frames were there: its own message says why.
+                Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                    self.frames = None;
+                    self.wait()?;
+                    return Err(FilmError::Write(error));
+                }
+                other => other?,
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Mp4Film {
+    fn drop(&mut self) {
+        // Nobody waits for the rest of a film that is given up. Of one that is finished nothing is left to end.
+        self.frames = None;
+        let _ = self.ffmpeg.kill();
+        let _ = self.ffmpeg.wait();
+    }
+}

@@ -1,0 +1,284 @@
+//! The words around the motion: mode, clock, values, the line of phases, and what the signs mean.
+
+use littlewood::{Hoop, Mode, Outcome, Trajectory, Units};
+
+use crate::body::{draw_arrow, draw_mass_centre};
+use crate::canvas::Canvas;
+use crate::letters::Style;
+use crate::palette::{FRICTION, INK, NORMAL, PAPER, SLIP, SOFT, of_mode, on_mode};
+use crate::scene::{Scene, caption};
+use crate::schedule::Schedule;
+use crate::size::Size;
+
+/// Distance from the edges.
+const MARGIN: f64 = 12.0;
+
+/// Height of what stands above and below the motion.
+pub(crate) const HEAD: f64 = 58.0;
+pub(crate) const FOOT: f64 = 58.0;
+
+/// Writes the words around the motion.
+#[derive(Debug)]
+pub(crate) struct Panel {
+    width: f64,
+    height: f64,
+    unit: f64,
+    units: Option<Units>,
+    /// What a change of the time of a pixel is, for the clock.
+    time_decimals: usize,
+}
+
+/// A part of the line of phases: mode, words, left and right end in pixels.
+struct Band {
+    mode: Mode,
+    words: String,
+    from: f64,
+    to: f64,
+}
+
+impl Panel {
+    pub(crate) fn new(size: Size, units: Option<Units>) -> Self {
+        let time_decimals = decimals(units.map_or(1.0, |units| units.time_s), 3);
+        let (width, height) = (f64::from(size.width()), f64::from(size.height()));
+        Self { width, height, unit: size.unit(), units, time_decimals }
+    }
+
+    const fn style(&self, size: f64, is_bold: bool, anchor: f64) -> Style {
+        Style { size: size * self.unit, is_bold, anchor }
+    }
+
+    /// What does not change: the line of phases, the parameters, the signs.
+    pub(crate) fn draw_still(
+        &self,
+        canvas: &mut Canvas,
+        trajectory: &Trajectory,
+        schedule: &Schedule,
+        note: &str,
+    ) {
+        let u = self.unit;
+        let (top, tall) = (self.height - 52.0 * u, 15.0 * u);
+        for band in self.bands(trajectory, schedule) {
+            canvas.rectangle((band.from, top), band.to - band.from, tall, of_mode(band.mode));
+            let style = self.style(10.5, true, 0.5);
+            if canvas.width_of(&band.words, style) + 6.0 * u < band.to - band.from {
+                let place = (0.5 * (band.from + band.to), top + 11.2 * u);
+                canvas.words(&band.words, place, style, on_mode(band.mode));
+            }
+            if band.from > MARGIN * u + 0.5 {
+                canvas.rectangle((band.from - 0.5 * u, top), u, tall, PAPER);
+            }
+        }
+        let style = self.style(10.0, false, 0.0);
+        let base = self.height - 9.0 * u;
+        canvas.words(&parameters(trajectory.hoop()), (MARGIN * u, base), style, SOFT);
+        let end = Style { anchor: 1.0, ..style };
+        canvas.words(note, (self.width - MARGIN * u, base), end, SOFT);
+        self.draw_signs(canvas, trajectory.hoop());
+    }
+
+    fn bands(&self, trajectory: &Trajectory, schedule: &Schedule) -> Vec<Band> {
+        let left = MARGIN * self.unit;
+        let wide = self.width - 2.0 * left;
+        let span = schedule.end() - schedule.start();
+        let place = |time: f64| {
+            let part = if span > 0.0 { (time - schedule.start()) / span } else { 1.0 };
+            left + wide * part.clamp(0.0, 1.0)
+        };
+        let mut bands = Vec::new();
+        for phase in trajectory.phases() {
+            let (from, to) = (place(phase.start().time), place(phase.end_time()));
+            let from = if bands.is_empty() { left } else { from };
+            bands.push(Band {
+                mode: phase.mode(),
+                words: caption(phase.mode(), phase.direction()),
+                from,
+                to,
+            });
+            // Beyond thousands of phases there is nothing to tell apart.
+            if to >= left + wide {
+                break;
+            }
+        }
+        bands
+    }
+
+    /// The signs and what they stand for, in a row.
+    fn draw_signs(&self, canvas: &mut Canvas, hoop: &Hoop) {
+        let u = self.unit;
+        let base = self.height - 23.0 * u;
+        let style = self.style(10.0, false, 0.0);
+        let middle = base - 3.6 * u;
+        let mut x = MARGIN * u;
+        let mut word = |canvas: &mut Canvas, sign: f64, words: &str| {
+            let place = x + sign;
+            canvas.words(words, (place + 4.0 * u, base), style, SOFT);
+            let from = x;
+            x = place + 4.0 * u + canvas.width_of(words, style) + 13.0 * u;
+            from
+        };
+        let at = word(
+            canvas,
+            9.0 * u,
+            if hoop.mass_ratio() > 0.0 { "particle" } else { "particle = mass centre" },
+        );
+        canvas.disc((at + 4.5 * u, middle), 4.0 * u, INK);
+        if hoop.mass_ratio() > 0.0 {
+            let at = word(canvas, 9.0 * u, "mass centre");
+            draw_mass_centre(canvas, (at + 4.5 * u, middle), 4.2 * u);
+        }
+        let at = word(canvas, 6.0 * u, "centre C");
+        canvas.disc((at + 3.0 * u, middle), 3.0 * u, SOFT);
+        canvas.disc((at + 3.0 * u, middle), 1.6 * u, PAPER);
+        for (words, colour) in
+            [("normal force N", NORMAL), ("friction F", FRICTION), ("slip velocity η′", SLIP)]
+        {
+            let at = word(canvas, 20.0 * u, words);
+            draw_arrow(canvas, (at, middle), (at + 19.0 * u, middle), false, colour, 0.8 * u);
+        }
+    }
+
+    /// What changes from frame to frame.
+    pub(crate) fn draw_moving(
+        &self,
+        canvas: &mut Canvas,
+        scene: &Scene,
+        schedule: &Schedule,
+        outcome: Option<Outcome>,
+    ) {
+        let u = self.unit;
+        let left = MARGIN * u;
+        let words = scene.caption();
+        let style = self.style(14.0, true, 0.5);
+        // Wide enough for the longest, so that it does not change its size.
+        let wide = canvas.width_of("sliding →", style) + 22.0 * u;
+        canvas.pill((left, 9.0 * u), wide, 22.0 * u, of_mode(scene.mode()));
+        canvas.words(&words, (left + 0.5 * wide, 25.2 * u), style, on_mode(scene.mode()));
+        if let Some(note) = outcome.and_then(note_of) {
+            canvas.words(note, (left + wide + 10.0 * u, 25.0 * u), self.style(13.0, true, 0.0), INK);
+        }
+        let clock = self.style(18.0, false, 1.0);
+        canvas.words(&self.clock(scene.time()), (self.width - left, 26.5 * u), clock, INK);
+        for (i, (name, value, colour)) in self.values(scene).into_iter().enumerate() {
+            let x = left + 118.0 * u * i as f64;
+            canvas.words(name, (x, 49.0 * u), self.style(12.0, true, 0.0), colour);
+            let indent = canvas.width_of(name, self.style(12.0, true, 0.0));
+            canvas.words(&value, (x + indent, 49.0 * u), self.style(12.0, false, 0.0), INK);
+        }
+        let span = schedule.end() - schedule.start();
+        let part = if span > 0.0 { ((scene.time() - schedule.start()) / span).clamp(0.0, 1.0) } else { 1.0 };
+        let x = left + (self.width - 2.0 * left) * part;
+        let top = self.height - 52.0 * u;
+        canvas.rectangle((x - 2.2 * u, top - 2.5 * u), 4.4 * u, 20.0 * u, PAPER);
+        canvas.rectangle((x - 1.2 * u, top - 2.5 * u), 2.4 * u, 20.0 * u, INK);
+    }
+
+    fn clock(&self, time: f64) -> String {
+        let decimals = self.time_decimals;
+        match self.units {
+            Some(units) => format!("t = {} s", number(time * units.time_s, decimals)),
+            None => format!("τ = {}", number(time, decimals)),
+        }
+    }
+
+    fn values(&self, scene: &Scene) -> [(&'static str, String, [u8; 3]); 4] {
+        let sample = &scene.sample;
+        let (force, velocity) = (
+            |value| self.value(value, Units::force_n, " N"),
+            |value| self.value(value, Units::velocity_m_per_s, " m/s"),
+        );
+        let slip = if scene.contact.is_some() { velocity(sample.state.slip) } else { " –".to_owned() };
+        [
+            ("N", format!(" = {}", force(sample.normal)), NORMAL),
+            ("F", format!(" = {}", force(sample.friction)), FRICTION),
+            ("η′", if scene.contact.is_some() { format!(" = {slip}") } else { slip }, SLIP),
+            ("gap", format!(" = {}", self.gap(scene)), INK),
+        ]
+    }
+
+    /// The gap in words.
+    pub(crate) fn gap(&self, scene: &Scene) -> String {
+        let gap = scene.sample.gap;
+        match self.units {
+            Some(units) => format!("{} m", number(gap * units.length_m, decimals(units.length_m, 3))),
+            None => format!("{} R", number(gap, 3)),
+        }
+    }
+
+    fn value(&self, value: f64, unit: impl Fn(&Units) -> f64, name: &str) -> String {
+        match &self.units {
+            Some(units) => {
+                let size = unit(units);
+                format!("{}{name}", number(value * size, decimals(size, 2)))
+            }
+            None => number(value, 2),
+        }
+    }
+}
+
+/// How the motion ended, where the film ends with it.
+const fn note_of(outcome: Outcome) -> Option<&'static str> {
+    match outcome {
+        Outcome::Landing { .. } => Some("landing"),
+        Outcome::RollsForever { .. } => Some("rolls for ever"),
+        Outcome::SlidesForever { .. } => Some("slides for ever"),
+        Outcome::ParticleAtPlane { .. } => Some("the particle meets the plane, θ′ → ∞"),
+        Outcome::ParticleAtBottom { .. } => Some("the particle is lowest, θ′ → ∞"),
+        Outcome::ParticleAtTop { .. } => Some("the particle is highest, θ′ → ∞"),
+        Outcome::Inconsistent { .. } => Some("no motion is consistent"),
+        Outcome::Ambiguous { .. } => Some("several motions are consistent"),
+        Outcome::Singular { .. } => Some("sliding is not solvable"),
+        _ => None,
+    }
+}
+
+/// The five numbers that define the hoop.
+fn parameters(hoop: &Hoop) -> String {
+    format!(
+        "m₁/m₂ = {}   ℓ/R = {}   I/m₂R² = {}   μₛ = {}   μₖ = {}",
+        short(hoop.mass_ratio()),
+        short(hoop.offset()),
+        short(hoop.inertia()),
+        short(hoop.mu_s()),
+        short(hoop.mu_k())
+    )
+}
+
+/// A parameter with at most four decimals.
+pub(crate) fn short(value: f64) -> String {
+    let text = format!("{value:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if value != 0.0 && text == "0" { format!("{value:.1e}").replace('-', "−") } else { text.to_owned() }
+}
+
+/// A number with these decimals, with a minus sign and without a negative zero.
+fn number(value: f64, decimals: usize) -> String {
+    if value.is_infinite() {
+        return if value > 0.0 { "∞" } else { "−∞" }.to_owned();
+    }
+    let text = format!("{:.decimals$}", value.abs());
+    let is_zero = text.bytes().all(|byte| matches!(byte, b'0' | b'.'));
+    if value < 0.0 && !is_zero { format!("−{text}") } else { text }
+}
+
+/// Decimals that show a quantity of this size to `usual` decimals of it.
+fn decimals(size: f64, usual: i32) -> usize {
+    let digits = f64::from(usual) - libm::floor(libm::log10(size));
+    digits.clamp(0.0, 9.0) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_set_as_in_print() {
+        assert_eq!(number(-0.001, 2), "0.00");
+        assert_eq!(number(-1.236, 2), "−1.24");
+        assert_eq!(number(f64::NEG_INFINITY, 2), "−∞");
+        assert_eq!(short(0.5), "0.5");
+        assert_eq!(short(2.0), "2");
+        assert_eq!(short(0.0), "0");
+        assert_eq!(short(1e-7), "1.0e−7");
+        assert_eq!([decimals(1.0, 2), decimals(0.03, 2), decimals(250.0, 2)], [2, 4, 0]);
+    }
+}

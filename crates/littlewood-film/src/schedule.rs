@@ -1,0 +1,209 @@
+//! Which instant each frame shows, and for how long.
+
+use littlewood::{Outcome, Recurrence, Trajectory, Units};
+
+use crate::error::FilmError;
+
+/// Most frames of a film: at 25 frames per second more than an hour.
+const MOST_FRAMES: u64 = 100_000;
+
+/// Greatest rate of frames.
+pub(crate) const MOST_FPS: u32 = 240;
+
+/// Longest time that the last picture stays, in seconds.
+const LONGEST_HOLD: f64 = 60.0;
+
+/// Time shown of a motion that lasts for ever and has no period.
+const HORIZON: f64 = 10.0;
+
+/// How a film runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace {
+    /// Frames per second.
+    pub fps: u32,
+    /// Seconds of film for a unit of time √(R/g); with `units`, for a second of the motion.
+    pub slow: f64,
+    /// Units, if the film is to speak of seconds, metres and newtons.
+    pub units: Option<Units>,
+    /// Time for which the last picture stays, in seconds; the default is 1.5, and 0 for a film that closes.
+    pub hold_s: Option<f64>,
+}
+
+impl Pace {
+    /// Seconds of film for a unit of dimensionless time.
+    fn seconds(&self) -> f64 {
+        self.units.map_or(self.slow, |units| self.slow * units.time_s)
+    }
+}
+
+/// The instants of the frames.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Schedule {
+    start: f64,
+    end: f64,
+    /// Dimensionless time from frame to frame.
+    step: f64,
+    fps: u32,
+    frames: u64,
+    hold_ms: u32,
+    closes: bool,
+}
+
+/// When a frame is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shown {
+    /// Number of the frame, from 0.
+    pub index: u64,
+    /// Frames per second.
+    pub fps: u32,
+    /// Time for which the frame stays longer than others, in milliseconds.
+    pub hold_ms: u32,
+}
+
+impl Schedule {
+    /// Frames from the start of a motion to its end. A motion without an end is shown for a whole oscillation, so
+    /// that the film closes, for two turns, or for ten units of time.
+    ///
+    /// # Errors
+    /// A rate, a slowness or a hold out of bounds, no motion, or too many frames.
+    pub fn new(trajectory: &Trajectory, pace: &Pace) -> Result<Self, FilmError> {
+        let Pace { fps, slow, .. } = *pace;
+        if !(1..=MOST_FPS).contains(&fps) {
+            return Err(FilmError::FrameRate { fps, most: MOST_FPS, format: "a film" });
+        }
+        if !(slow.is_finite() && slow > 0.0) {
+            return Err(FilmError::Slow { slow });
+        }
+        if trajectory.phases().is_empty() {
+            return Err(FilmError::NoMotion { outcome: trajectory.outcome().kind() });
+        }
+        let start = trajectory.start().time;
+        let (end, closes) = shown_until(trajectory);
+        let intervals = libm::ceil((end - start) * pace.seconds() * f64::from(fps) - 1e-9).max(0.0);
+        let frames = intervals + if closes { 0.0 } else { 1.0 };
+        if frames > MOST_FRAMES as f64 {
+            return Err(FilmError::TooLong { frames, most: MOST_FRAMES });
+        }
+        let hold_s = pace.hold_s.unwrap_or(if closes { 0.0 } else { 1.5 });
+        if !(0.0..=LONGEST_HOLD).contains(&hold_s) {
+            return Err(FilmError::Hold { hold_s, most_s: LONGEST_HOLD });
+        }
+        Ok(Self {
+            start,
+            end,
+            step: 1.0 / (pace.seconds() * f64::from(fps)),
+            fps,
+            frames: frames.max(1.0) as u64,
+            hold_ms: libm::round(1e3 * hold_s) as u32,
+            closes,
+        })
+    }
+
+    /// Number of frames.
+    #[must_use]
+    pub const fn frames(&self) -> u64 {
+        self.frames
+    }
+
+    /// Frames per second.
+    #[must_use]
+    pub const fn fps(&self) -> u32 {
+        self.fps
+    }
+
+    /// First instant.
+    #[must_use]
+    pub const fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// Last instant of the motion that is shown.
+    #[must_use]
+    pub const fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// Dimensionless time from frame to frame.
+    #[must_use]
+    pub const fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// Whether the film goes on with its first frame after the last, because the motion comes back to its start.
+    #[must_use]
+    pub const fn closes(&self) -> bool {
+        self.closes
+    }
+
+    /// The instant that a frame shows. The last is the end of the motion, to the last bit; it comes less than a frame
+    /// late.
+    #[must_use]
+    pub fn time(&self, index: u64) -> f64 {
+        if index + 1 >= self.frames && !self.closes {
+            return self.end;
+        }
+        (self.start + index as f64 * self.step).min(self.end)
+    }
+
+    /// When a frame is shown.
+    #[must_use]
+    pub const fn shown(&self, index: u64) -> Shown {
+        let is_last = index + 1 == self.frames;
+        Shown { index, fps: self.fps, hold_ms: if is_last { self.hold_ms } else { 0 } }
+    }
+}
+
+impl Shown {
+    /// Duration in hundredths of a second, such that no error adds up over the frames.
+    #[must_use]
+    pub fn centiseconds(&self) -> u64 {
+        let until = |frames: u64| rounded(100 * frames, u64::from(self.fps));
+        until(self.index + 1) - until(self.index) + rounded(u64::from(self.hold_ms), 10)
+    }
+
+    /// Duration as a fraction of seconds.
+    #[must_use]
+    pub fn fraction(&self) -> (u16, u16) {
+        let fps = self.fps.min(u32::from(u16::MAX)) as u16;
+        if self.hold_ms == 0 {
+            return (1, fps);
+        }
+        let milliseconds = rounded(1000, u64::from(self.fps)) + u64::from(self.hold_ms);
+        (u16::try_from(milliseconds).unwrap_or(u16::MAX), 1000)
+    }
+
+    /// How often a film without durations repeats the frame.
+    #[must_use]
+    pub fn copies(&self) -> u64 {
+        1 + rounded(u64::from(self.hold_ms) * u64::from(self.fps), 1000)
+    }
+}
+
+/// The whole number nearest to a fraction.
+const fn rounded(numerator: u64, denominator: u64) -> u64 {
+    (2 * numerator + denominator) / (2 * denominator)
+}
+
+/// Up to when a motion is shown, and whether it is back at its start then.
+fn shown_until(trajectory: &Trajectory) -> (f64, bool) {
+    let end = trajectory.end_time();
+    if end.is_finite() {
+        return (end, false);
+    }
+    let outcome = trajectory.outcome();
+    let since = outcome.state().time;
+    match outcome {
+        Outcome::RollsForever { recurrence: Recurrence::Libration { period, .. }, .. }
+            if period.is_finite() =>
+        {
+            let is_all = trajectory.phases().len() == 1;
+            (since + if is_all { period } else { 2.0 * period }, is_all)
+        }
+        Outcome::RollsForever { recurrence: Recurrence::Rotation { period }, .. }
+        | Outcome::SlidesForever {
+            recurrence: Recurrence::Libration { period, .. } | Recurrence::Rotation { period },
+            ..
+        } if period.is_finite() => (since + 2.0 * period, false),
+        _ => (since + HORIZON, false),
+    }
+}

@@ -1,0 +1,65 @@
+//! The size of a picture.
+
+use core::fmt;
+use core::ops::RangeInclusive;
+
+use crate::error::FilmError;
+
+/// Shortest and longest side.
+pub(crate) const SIDES: RangeInclusive<u32> = 160..=4096;
+
+/// Size in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    width: u32,
+    height: u32,
+}
+
+impl Size {
+    /// A size of 160 to 4096 pixels each way.
+    ///
+    /// # Errors
+    /// A side outside these bounds.
+    pub fn new(width: u32, height: u32) -> Result<Self, FilmError> {
+        let size = Self { width, height };
+        if SIDES.contains(&width) && SIDES.contains(&height) {
+            Ok(size)
+        } else {
+            Err(FilmError::Size { size })
+        }
+    }
+
+    /// Width.
+    #[must_use]
+    pub const fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Height.
+    #[must_use]
+    pub const fn height(self) -> u32 {
+        self.height
+    }
+
+    /// Number of pixels.
+    pub(crate) const fn area(self) -> usize {
+        self.width as usize * self.height as usize
+    }
+
+    /// The unit in which lettering and line widths are measured: a pixel at 640 × 360.
+    pub(crate) fn unit(self) -> f64 {
+        (f64::from(self.width) / 640.0).min(f64::from(self.height) / 360.0)
+    }
+}
+
+impl Default for Size {
+    fn default() -> Self {
+        Self { width: 640, height: 360 }
+    }
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width, self.height)
+    }
+}

@@ -1,0 +1,89 @@
+//! The path behind the body: the latest part of it, sampled more finely than the frames.
+
+use std::collections::VecDeque;
+
+use littlewood::{Mode, Point, Trajectory};
+
+use crate::scene::{Scale, Scene};
+use crate::schedule::Schedule;
+
+/// Instants of the trail for a frame.
+const FINENESS: u64 = 4;
+
+/// Most instants that are kept.
+const MOST: usize = 8192;
+
+/// An instant of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Step {
+    pub(crate) mode: Mode,
+    pub(crate) centre: Point,
+    pub(crate) mass_centre: Point,
+}
+
+impl Step {
+    pub(crate) const fn of(scene: &Scene) -> Self {
+        Self { mode: scene.mode(), centre: scene.centre, mass_centre: scene.mass_centre }
+    }
+}
+
+/// The trail up to an instant.
+#[derive(Debug)]
+pub(crate) struct Trail {
+    steps: VecDeque<Step>,
+    /// Number of the next grid instant and of the next transition.
+    next: u64,
+    transition: usize,
+}
+
+impl Trail {
+    pub(crate) const fn new() -> Self {
+        Self { steps: VecDeque::new(), next: 0, transition: 0 }
+    }
+
+    /// Extends the trail to a time.
+    pub(crate) fn extend(&mut self, trajectory: &Trajectory, schedule: &Schedule, scale: Scale, until: f64) {
+        loop {
+            let time = schedule.start() + self.next as f64 * (schedule.step() / FINENESS as f64);
+            let change =
+                trajectory.transitions().get(self.transition).map(|transition| transition.state.time);
+            match change {
+                Some(change) if change <= time && change <= until => {
+                    let phases = trajectory.phases();
+                    let before = phases.get(self.transition).and_then(littlewood::Phase::last);
+                    let after = phases.get(self.transition + 1).map(littlewood::Phase::first);
+                    for sample in before.into_iter().chain(after) {
+                        self.push(Step::of(&Scene::of(trajectory.hoop(), sample, scale)));
+                    }
+                    self.transition += 1;
+                }
+                _ if time <= until => {
+                    if let Some(sample) = trajectory.at(time) {
+                        self.push(Step::of(&Scene::of(trajectory.hoop(), sample, scale)));
+                    }
+                    self.next += 1;
+                }
+                _ => return,
+            }
+        }
+    }
+
+    fn push(&mut self, step: Step) {
+        if self.steps.len() == MOST {
+            self.steps.pop_front();
+        }
+        self.steps.push_back(step);
+    }
+
+    /// Pieces in one mode each, in order; a piece begins where the one before it ends.
+    pub(crate) fn pieces(&self, last: Step) -> Vec<(Mode, Vec<Step>)> {
+        let mut pieces: Vec<(Mode, Vec<Step>)> = Vec::new();
+        for step in self.steps.iter().copied().chain([last]) {
+            match pieces.last_mut() {
+                Some((mode, piece)) if *mode == step.mode => piece.push(step),
+                _ => pieces.push((step.mode, vec![step])),
+            }
+        }
+        pieces
+    }
+}

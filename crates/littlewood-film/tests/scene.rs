@@ -1,0 +1,123 @@
+//! Scenes against the geometry of the body and the forces of the motion.
+
+use littlewood::{CASES, Mode, Trajectory, find_case};
+use littlewood_film::{Arrow, Film, Framing, Pace, Scene, Size};
+
+fn motion(name: &str) -> Trajectory {
+    find_case(name).expect("a named case").simulate().expect("it can be simulated")
+}
+
+fn film(motion: &Trajectory) -> Film<'_> {
+    let pace = Pace { fps: 20, slow: 3.0, units: None, hold_s: None };
+    Film::new(motion, &pace, Size::default(), Framing::Auto).expect("it can be made")
+}
+
+fn scenes<'a>(film: &'a Film<'_>) -> impl Iterator<Item = Scene> + use<'a> {
+    (0..film.schedule().frames()).map(|index| film.scene(index).expect("it can be made"))
+}
+
+/// Horizontal and vertical extent of an arrow.
+fn extent(arrow: Option<Arrow>) -> (f64, f64) {
+    arrow.map_or((0.0, 0.0), |arrow| (arrow.head.x - arrow.tail.x, arrow.head.y - arrow.tail.y))
+}
+
+#[test]
+fn the_body_keeps_its_shape_in_all_modes() {
+    for case in CASES.iter().filter(|case| case.name != "painleve") {
+        let motion = motion(case.name);
+        let hoop = motion.hoop();
+        for scene in scenes(&film(&motion)) {
+            let to = |point: littlewood::Point| (point.x - scene.centre.x, point.y - scene.centre.y);
+            let (sin, cos) = libm::sincos(scene.sample.state.theta);
+            for (point, distance) in [(scene.particle, hoop.offset()), (scene.mass_centre, hoop.h())] {
+                // e2 of (2.2) is (−sin θ, cos θ).
+                let (x, y) = to(point);
+                let at = 1e-14 * scene.centre.x.abs().max(1.0);
+                assert!((x + distance * sin).abs() < at && (y - distance * cos).abs() < at, "{}", case.name);
+            }
+            assert_eq!(scene.lowest.x, scene.centre.x);
+            assert!((to(scene.lowest).1 + 1.0).abs() < 1e-15);
+            // The particle never goes through the plane.
+            assert!(scene.particle.y > -1e-14, "{}", case.name);
+        }
+    }
+}
+
+#[test]
+fn the_contact_point_is_on_the_plane_and_there_is_none_in_flight() {
+    let mut modes = [0; 4];
+    for case in CASES.iter().filter(|case| case.name != "painleve") {
+        let motion = motion(case.name);
+        for scene in scenes(&film(&motion)) {
+            modes[scene.mode() as usize] += 1;
+            if scene.mode() == Mode::Flight {
+                // The gap of the landing itself is zero up to rounding.
+                assert!(scene.sample.gap > -1e-14 && scene.contact.is_none(), "{}", scene.sample.gap);
+                assert!(scene.normal.is_none() && scene.friction.is_none() && scene.slip.is_none());
+            } else {
+                assert_eq!(scene.contact.unwrap().y, 0.0);
+                assert_eq!(scene.centre.y, 1.0);
+            }
+        }
+    }
+    assert!(modes.iter().all(|&count| count > 50), "{modes:?}");
+}
+
+#[test]
+fn arrows_are_proportional_to_the_forces_of_the_motion() {
+    for name in ["figure-3", "figure-7", "figure-2-libration", "stick-slip-no-jump"] {
+        let motion = motion(name);
+        let film = film(&motion);
+        let scale = film.scale();
+        for (index, scene) in scenes(&film).enumerate() {
+            let sample = motion.at(film.schedule().time(index as u64)).unwrap();
+            let near = |found: f64, expected: f64| (found - expected).abs() < 1e-13;
+            let (normal, friction, slip) = (extent(scene.normal), extent(scene.friction), extent(scene.slip));
+            assert!(normal.0 == 0.0 && near(normal.1, scale.force * sample.normal), "{name} {index}");
+            assert!(friction.1 == 0.0 && near(friction.0, scale.force * sample.friction), "{name} {index}");
+            if sample.mode != Mode::Flight {
+                assert!(slip.1 == 0.0 && near(slip.0, scale.velocity * sample.state.slip), "{name} {index}");
+            }
+            match sample.mode {
+                // (2.15): kinetic friction is against the slip.
+                Mode::Sliding if index > 0 => {
+                    assert!(friction.0 * slip.0 <= 0.0);
+                    assert!(near(friction.0.abs(), motion.hoop().mu_k() * normal.1));
+                }
+                // (2.13)
+                Mode::Rolling => assert!(
+                    slip.0.abs() < 1e-13 && friction.0.abs() <= motion.hoop().mu_s() * normal.1 + 1e-13
+                ),
+                // (3.16)
+                Mode::Gliding => assert_eq!((normal, friction), ((0.0, 0.0), (0.0, 0.0))),
+                _ => {}
+            }
+        }
+    }
+}
+
+#[test]
+fn a_particle_that_meets_the_plane_is_drawn_there() {
+    let motion = motion("figure-7");
+    let film = film(&motion);
+    let last = film.scene(film.schedule().frames() - 1).unwrap();
+    assert!(last.sample.state.theta_rate.is_infinite());
+    assert!(last.particle.y.abs() < 1e-15);
+    assert!((last.particle.x - last.centre.x).abs() < 1e-15);
+    // τ_s = ln 5, τ_g − τ_s = (√89 − 3)/5.
+    assert!((last.time() - libm::log(5.0) - (89.0_f64.sqrt() - 3.0) / 5.0).abs() < 1e-14);
+}
+
+#[test]
+fn an_infinite_slip_is_cut() {
+    // A particle inside the rim: η′ grows without bound towards θ = π.
+    let case = find_case("figure-7").unwrap();
+    let hoop = littlewood::Hoop::new(littlewood::HoopParameters { offset: 0.8, ..case.hoop }).unwrap();
+    let motion = hoop.simulate(case.start, littlewood::Limits::default()).unwrap();
+    let film = film(&motion);
+    let last = film.scene(film.schedule().frames() - 1).unwrap();
+    let slip = last.slip.unwrap();
+    assert!(slip.value.is_infinite() && slip.is_cut);
+    assert!((slip.head.x - slip.tail.x).abs() < 2.0);
+    assert!(!film.still(film.schedule().frames() - 1).unwrap().is_empty());
+}
