@@ -1,0 +1,56 @@
+//! All figures by name.
+
+use crate::error::FigureError;
+use crate::figure::Figure;
+use crate::paper;
+use crate::subject::{Subject, of_case};
+
+/// A figure that can be made.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Name, as the command line takes it.
+    pub name: &'static str,
+    /// What it shows.
+    pub title: &'static str,
+    /// The named case that it is made of unless another hoop or start is asked for.
+    pub case: &'static str,
+    make: fn(&Subject) -> Result<Figure, FigureError>,
+}
+
+impl Entry {
+    /// The figure of a subject.
+    ///
+    /// # Errors
+    /// A subject that the figure cannot show, or a start that is out of bounds.
+    pub fn figure(&self, subject: &Subject) -> Result<Figure, FigureError> {
+        (self.make)(subject)
+    }
+
+    /// The figure as the paper has it.
+    ///
+    /// # Errors
+    /// None is known.
+    pub fn of_the_paper(&self) -> Result<Figure, FigureError> {
+        self.figure(&of_case(self.case)?)
+    }
+}
+
+const fn entry(
+    name: &'static str,
+    title: &'static str,
+    case: &'static str,
+    make: fn(&Subject) -> Result<Figure, FigureError>,
+) -> Entry {
+    Entry { name, title, case, make }
+}
+
+/// All figures, in the order of the paper, then those that it does not have.
+pub const FIGURES: &[Entry] = &[
+    entry("figure-2a", "where static friction gives way, for four coefficients", "figure-3", paper::loci::figure),
+];
+
+/// The figure of this name.
+#[must_use]
+pub fn find_figure(name: &str) -> Option<&'static Entry> {
+    FIGURES.iter().find(|entry| entry.name == name)
+}

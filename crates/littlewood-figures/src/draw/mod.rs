@@ -1,0 +1,12 @@
+//! Drawing: the panels by the plotting library, the letters and the file by our backend of it.
+
+mod canvas;
+mod chart;
+mod face;
+mod markup;
+mod marks;
+mod raster;
+mod ruler;
+
+pub use markup::{markdown, plain};
+pub use raster::{LEAST_SCALE, MOST_SCALE};

@@ -1,0 +1,3 @@
+//! The figures of the paper, one after the other.
+
+pub(crate) mod loci;
