@@ -47,6 +47,12 @@ const fn entry(
 /// All figures, in the order of the paper, then those that it does not have.
 pub const FIGURES: &[Entry] = &[
     entry("figure-2a", "where static friction gives way, for four coefficients", "figure-3", paper::loci::figure),
+    entry("figure-2b", "phase portrait of rolling", "figure-3", paper::portrait::with_inertia),
+    entry("figure-4", "phase portrait of the rolling massless hoop", "figure-7", paper::portrait::massless),
+    entry("figure-5a", "the region R of the massless hoop and its boundaries", "figure-7", paper::types::regions),
+    entry("figure-5b", "rolling motions of Types I, II and III", "figure-7", paper::types::motions),
+    entry("figure-6a", "phase portrait of gliding", "figure-7", paper::gliding::alone),
+    entry("figure-6b", "rolling and gliding in one portrait", "figure-7", paper::gliding::combined),
 ];
 
 /// The figure of this name.

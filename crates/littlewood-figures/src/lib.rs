@@ -7,6 +7,7 @@ mod draw;
 mod error;
 mod figure;
 mod paper;
+mod motion;
 mod plane;
 mod style;
 mod subject;

@@ -40,10 +40,14 @@ impl Portrait {
 
     /// The graphs ±rate(θ).
     fn graph(&self, rate: &dyn Fn(f64) -> Option<f64>) -> Vec<Vec<[f64; 2]>> {
+        // Where D = 0, at θ = ±π without inertia, nothing is defined.
+        let inside = |theta: f64| self.law.denominator(theta) > 1e-12;
         [1.0, -1.0]
             .into_iter()
             .flat_map(|sign| {
-                self.window.pieces(self.window.x, CELLS, &|theta| Some([theta, sign * rate(theta)?]))
+                self.window.pieces(self.window.x, CELLS, &|theta| {
+                    Some([theta, sign * rate(theta).filter(|_| inside(theta))?])
+                })
             })
             .collect()
     }
@@ -217,6 +221,16 @@ impl Portrait {
             .collect();
         Series::new("flow", &PLANE, pieces)
     }
+}
+
+/// The row of a series nearest to a place, measured in parts of the window.
+pub(crate) fn nearest(series: &Series, at: [f64; 2], window: Window) -> Option<[f64; 2]> {
+    let distance = |row: &[f64]| {
+        let dx = (row[0] - at[0]) / (window.x[1] - window.x[0]);
+        let dy = (row[1] - at[1]) / (window.y[1] - window.y[0]);
+        dx * dx + dy * dy
+    };
+    series.rows().min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|row| [row[0], row[1]])
 }
 
 /// For names.

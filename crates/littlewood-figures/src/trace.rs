@@ -49,7 +49,21 @@ impl Window {
             }
             last = s;
         }
-        pieces
+        pieces.iter().map(|piece| self.thinned(piece)).collect()
+    }
+
+    /// The same piece without the points that lie on the chords between the others.
+    fn thinned(&self, piece: &[Point]) -> Vec<Point> {
+        let mut kept: Vec<Point> = piece.first().copied().into_iter().collect();
+        let mut from = 0;
+        for to in 2..piece.len() {
+            if (from + 1..to).any(|i| self.sagitta(piece[from], piece[i], piece[to]) > FLAT) {
+                from = to - 1;
+                kept.push(piece[from]);
+            }
+        }
+        kept.extend(piece.get(1..).and_then(<[Point]>::last));
+        kept
     }
 
     fn refine(
