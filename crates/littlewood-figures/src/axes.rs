@@ -32,3 +32,8 @@ pub(crate) fn plane_window(hoop: &Hoop) -> Window {
     let most = (0.5 * libm::ceil(2.0 * needed)).clamp(0.5, 8.0);
     Window { x: [-0.5 * PI, 2.5 * PI], y: [-most, most] }
 }
+
+/// τ.
+pub(crate) fn time(range: [f64; 2]) -> Axis {
+    plain("time", "*τ*  (√(*R*/*g*))", range)
+}

@@ -134,8 +134,8 @@ pub enum Mark {
         /// Colour of the rim.
         rim: Stroke,
     },
-    /// Nothing: the data stand behind another layer.
-    None,
+    /// A rectangle of these sides, in units of the axes, about each row; rows side by side make one.
+    Cell(Colour, [f64; 2]),
 }
 
 /// A text in a panel.

@@ -2,6 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use littlewood::closed_form::slip_angle;
 use littlewood::{Body, Direction, Hoop, HoopParameters, ParameterError, PhasePlane, RollingLaw, Stability};
 
 use crate::figure::{Label, Layer, Mark, Series};
@@ -96,6 +97,11 @@ impl Portrait {
 
     /// The rates |θ′| between which static friction holds at an angle, at most `most`.
     fn holding(&self, theta: f64, most: f64) -> Option<[f64; 2]> {
+        if let Body::Massless(body) = self.hoop.body() {
+            // N and F vanish together, at one rate: the angle alone decides.
+            let holds = slip_angle(&body, self.hoop.mu_s()).is_none_or(|limit| theta.abs() <= limit);
+            return self.plane.normal_force_rate(theta).filter(|_| holds).map(|rate| [0.0, rate.min(most)]);
+        }
         let mu = self.hoop.mu_s();
         let (at_rest, at_one) = (self.plane.forces(theta, 0.0), self.plane.forces(theta, 1.0));
         let (mut low, mut high) = (0.0, most * most);

@@ -60,6 +60,11 @@ fn multiples(a: f64, b: f64, step: f64) -> impl Iterator<Item = f64> {
     (0..count).map(move |i| first + i as f64 + 0.0)
 }
 
+/// A multiple of a fraction of π, with the minus sign of print.
+pub(crate) fn of_pi(over: i64, under: i64) -> String {
+    minus(&fraction_of_pi(over, under))
+}
+
 fn fraction_of_pi(over: i64, under: i64) -> String {
     let divisor = greatest_divisor(over.unsigned_abs(), under.unsigned_abs()).max(1) as i64;
     match (over / divisor, under / divisor) {

@@ -4,6 +4,7 @@ use std::convert::Infallible;
 
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::ValueFormatter as _;
 use plotters::coord::ranged3d::ProjectionMatrixBuilder;
 use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea as _};
 use plotters::element::{Rectangle, Text};
@@ -15,7 +16,7 @@ use super::face::FAMILY;
 use super::marks::Pen;
 use super::ruler::Ruler;
 use crate::error::FigureError;
-use crate::figure::{Anchor, Axis, Figure, Mark, Panel, View};
+use crate::figure::{Anchor, Axis, Figure, Mark, Panel, Series, View};
 use crate::style::{Colour, FINE, INK, LETTER, SMALL, Stroke};
 
 /// The sheet.
@@ -91,7 +92,7 @@ fn draw_panel(root: &Area, canvas: &Canvas, panel: &Panel) -> Result<(), FigureE
 }
 
 /// Room for the labels of the two axes, in pixels.
-pub(crate) const ROOM: [f64; 2] = [56.0, 46.0];
+pub(crate) const ROOM: [f64; 2] = [62.0, 46.0];
 
 fn draw_plane(
     root: &Area,
@@ -112,14 +113,18 @@ fn draw_plane(
     let unit = f64::from(place(&[x.range[1], y.range[0]]).0 - place(&[x.range[0], y.range[0]]).0) / (x.range[1] - x.range[0]);
     let pen = Pen::new(root, canvas);
     for layer in &panel.layers {
-        if layer.mark == Mark::None {
-            continue;
-        }
         let columns = [x.column, y.column].map(|name| layer.series.column(name));
         let [Some(a), Some(b)] = columns else { continue };
         if let Mark::Hoop { offset, h, rim } = layer.mark {
             for row in layer.series.rows() {
                 pen.hoop(place(&[row[a], row[b]]), row[row.len() - 1], unit, [offset, h], rim)?;
+            }
+            continue;
+        }
+        if let Mark::Cell(colour, sides) = layer.mark {
+            for ([left, right], y) in runs_of_cells(&layer.series, [a, b], sides[0]) {
+                let (from, to) = (place(&[left, y - 0.5 * sides[1]]), place(&[right, y + 0.5 * sides[1]]));
+                root.draw(&Rectangle::new([(from.0, to.1), (to.0, from.1)], rgb(colour).filled()))?;
             }
             continue;
         }
@@ -153,6 +158,19 @@ fn draw_plane(
     Ok(())
 }
 
+/// Cells that lie side by side, in rows of one y after another: from where to where, and their y.
+fn runs_of_cells(series: &Series, [a, b]: [usize; 2], side: f64) -> Vec<([f64; 2], f64)> {
+    let mut runs: Vec<([f64; 2], f64)> = Vec::new();
+    for row in series.rows() {
+        let (left, right, y) = (row[a] - 0.5 * side, row[a] + 0.5 * side, row[b]);
+        match runs.last_mut() {
+            Some(([_, end], at)) if *at == y && (*end - left).abs() < 0.1 * side => *end = right,
+            _ => runs.push(([left, right], y)),
+        }
+    }
+    runs
+}
+
 fn draw_labels(
     root: &Area,
     canvas: &Canvas,
@@ -183,10 +201,11 @@ fn draw_space(
     [x, y, z]: [&Axis; 3],
     [yaw, pitch]: [f64; 2],
 ) -> Result<(), FigureError> {
+    let rulers = [x, y, z].map(Ruler::from);
     let mut chart = ChartBuilder::on(area).margin(steps(16.0)).build_cartesian_3d(
-        Ruler::from(x),
-        Ruler::from(y),
-        Ruler::from(z),
+        rulers[0].clone(),
+        rulers[1].clone(),
+        rulers[2].clone(),
     )?;
     chart.with_projection(|mut builder: ProjectionMatrixBuilder| {
         builder.yaw = yaw;
@@ -201,6 +220,9 @@ fn draw_space(
         .bold_grid_style(line(Stroke::solid(Colour(0xd0, 0xd0, 0xd0), 0.6)))
         .light_grid_style(plotters::style::TRANSPARENT)
         .label_style(letters(SMALL, INK, HPos::Center))
+        .x_formatter(&|value: &f64| rulers[0].format_ext(value))
+        .y_formatter(&|value: &f64| rulers[1].format_ext(value))
+        .z_formatter(&|value: &f64| rulers[2].format_ext(value))
         .draw()?;
     let place = |at: &[f64]| chart.plotting_area().map_coordinate(&(at[0], at[1], at[2]));
     let pen = Pen::new(root, canvas);

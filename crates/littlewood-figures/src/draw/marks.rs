@@ -67,7 +67,7 @@ impl<'a> Pen<'a> {
                         self.hoop(*point, 0.0, unit, [offset, h], rim)?;
                     }
                 }
-                Mark::None => {}
+                Mark::Cell(colour, _) => self.area(piece, colour, false)?,
             }
         }
         Ok(())
@@ -93,7 +93,9 @@ impl<'a> Pen<'a> {
         self.root.draw(&Circle::new(centre, libm::round(unit) as i32, line(rim)))?;
         self.path(&[centre, along(offset)], Stroke { width: 1.0, ..rim })?;
         self.dot(along(offset), INK, 5.0)?;
-        self.mark(Mark::Ring(INK, 3.0), &[vec![along(h)]], unit)?;
+        if h < offset {
+            self.mark(Mark::Ring(INK, 3.0), &[vec![along(h)]], unit)?;
+        }
         self.dot(centre, INK, 1.8)
     }
 

@@ -8,5 +8,6 @@ mod marks;
 mod raster;
 mod ruler;
 
+pub(crate) use chart::ROOM;
 pub use markup::{markdown, plain};
 pub use raster::{LEAST_SCALE, MOST_SCALE};

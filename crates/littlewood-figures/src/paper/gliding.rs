@@ -93,8 +93,8 @@ pub(crate) fn alone(subject: &Subject) -> Result<Figure, FigureError> {
     let singular = Series::of_rows("singular", &["theta", "theta_rate"], vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]]);
     layers.push(singular.drawn(Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed))));
     let labels = vec![
-        Label::new("*w* = 1", &[0.0, 1.0]).shifted(0.0, 0.0),
-        Label::new("*w* = 1", &[0.0, -1.0]).shifted(0.0, 0.0),
+        Label::new("*w* = 1", &[0.0, 1.0]).shifted(32.0, -11.0),
+        Label::new("*w* = 1", &[0.0, -1.0]).shifted(32.0, 11.0),
         Label::new("*w* = 0", &[0.5 * PI, 0.0]),
         Label::new("*w* = 0", &[-0.5 * PI, 0.0]),
         Label::new("*w* > 1", &[0.16 * PI, 2.3]).left(),
