@@ -1,5 +1,5 @@
-//! The command line of Littlewood's hoop: `littlewood simulate`, `classify`, `cases`, `map`, `sweep` and
-//! `atlas`.
+//! The command line of Littlewood's hoop: `littlewood simulate`, `classify`, `cases`, `map`, `sweep`,
+//! `atlas` and `figures`.
 
 mod args;
 mod atlas;
@@ -7,6 +7,7 @@ mod axis;
 mod cases;
 mod classify;
 mod error;
+mod figures;
 mod interrupt;
 mod map;
 mod output;
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         Command::Map(args) => map::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Atlas(args) => atlas::run(&args),
+        Command::Figures(args) => figures::run(&args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -30,10 +30,12 @@ pub(crate) struct Ink {
     pub(crate) dash: Dash,
     pub(crate) hatch: bool,
     pub(crate) halo: bool,
+    /// Edges on whole pixels, so that areas side by side leave no seam.
+    pub(crate) crisp: bool,
 }
 
 /// Plain lines, filled areas, texts without a halo.
-pub(crate) const PLAIN: Ink = Ink { dash: Dash::Solid, hatch: false, halo: false };
+pub(crate) const PLAIN: Ink = Ink { dash: Dash::Solid, hatch: false, halo: false, crisp: false };
 
 /// A sheet to draw on.
 #[derive(Clone, Debug)]
@@ -168,7 +170,10 @@ impl DrawingBackend for Canvas {
         style: &S,
         fill: bool,
     ) -> Drawn {
-        let paint = if fill { self.fill(style) } else { self.stroke(style) };
+        let mut paint = if fill { self.fill(style) } else { self.stroke(style) };
+        if self.ink.get().crisp {
+            paint += " shape-rendering=\"crispEdges\"";
+        }
         self.write(&format!(
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {paint}/>",
             number(left),

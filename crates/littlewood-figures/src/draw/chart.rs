@@ -122,10 +122,12 @@ fn draw_plane(
             continue;
         }
         if let Mark::Cell(colour, sides) = layer.mark {
+            canvas.take(Ink { crisp: true, ..PLAIN });
             for ([left, right], y) in runs_of_cells(&layer.series, [a, b], sides[0]) {
                 let (from, to) = (place(&[left, y - 0.5 * sides[1]]), place(&[right, y + 0.5 * sides[1]]));
                 root.draw(&Rectangle::new([(from.0, to.1), (to.0, from.1)], rgb(colour).filled()))?;
             }
+            canvas.take(PLAIN);
             continue;
         }
         let pieces: Vec<Vec<(i32, i32)>> = layer

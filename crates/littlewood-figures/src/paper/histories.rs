@@ -4,7 +4,7 @@ use littlewood::{Hoop, Mode, Phase, Sample, Trajectory};
 
 use crate::axes::{plain, time};
 use crate::error::FigureError;
-use crate::figure::{Axis, Figure, Key, Label, Layer, Mark, Panel, Series, View};
+use crate::figure::{Axis, Figure, Key, Label, Layer, Mark, Panel, Series, Tick, View};
 use crate::motion::{bounds, horizon, instants};
 use crate::style::{BLUE, CURVE, Dash, FINE, GREEN, GREY, INK, PURPLE, SMALL, Stroke, VERMILION};
 use crate::subject::Subject;
@@ -71,9 +71,12 @@ fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
         let at = transition.state.time;
         if at <= until && pixels(at) - last > 40.0 {
             last = pixels(at);
-            labels.push(
-                Label::new(cause_in_words(transition.cause), &[at, top]).shifted(0.0, -27.0).sized(SMALL).coloured(GREY),
-            );
+            let label = Label::new(cause_in_words(transition.cause), &[at, top]).sized(SMALL).coloured(GREY);
+            labels.push(if width - pixels(at) < 24.0 {
+                label.shifted(0.0, -27.0).right()
+            } else {
+                label.shifted(0.0, -27.0)
+            });
         }
     }
     labels
@@ -111,7 +114,10 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
     let hoop = motion.hoop();
     let range = [motion.start().time, horizon(&motion)];
     let x = || time(range);
-    let bare = || Axis { title: String::new(), ..x() };
+    let bare = || {
+        let ticks = x().ticks.into_iter().map(|tick| Tick { label: String::new(), ..tick }).collect();
+        Axis { title: String::new(), ticks, ..x() }
+    };
 
     let normal = history(&motion, "normal force", "normal", &|_, sample| Some(sample.normal));
     let weight = hoop.mass();
@@ -141,12 +147,12 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
     ]);
     top.labels = names(&motion, normal_axis.range[1], INNER - 62.0);
     top.labels.push(Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(GREY));
-    let middle = panel("friction force", 202.0, 190.0, bare(), friction_axis.clone(), vec![
+    let middle = panel("friction force", 196.0, 190.0, bare(), friction_axis.clone(), vec![
         transitions(&motion, &friction_axis),
         zero("friction"),
         friction.drawn(Mark::Line(Stroke::solid(VERMILION, 2.0))),
     ]);
-    let mut bottom = panel("friction over normal force", 366.0, 190.0, x(), demand_axis.clone(), vec![
+    let mut bottom = panel("friction over normal force", 354.0, 190.0, x(), demand_axis.clone(), vec![
         transitions(&motion, &demand_axis),
         level("mu_s", "demand", mu_s, Stroke::solid(INK, 1.0).dashed(Dash::Dashed)),
         level("mu_k", "demand", mu_k, Stroke::solid(INK, 1.0).dashed(Dash::Dotted)),
@@ -166,7 +172,7 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
             in_words(subject, hoop)
         ),
         width: WIDTH,
-        height: 562.0,
+        height: 550.0,
         panels: vec![top, middle, bottom],
     })
 }

@@ -10,15 +10,17 @@ use crate::words::hoop_in_words;
 
 const NAME: &str = "figure-1";
 const COLUMNS: [&str; 2] = ["x", "y"];
+/// Intervals of an arc.
+const ARC: u32 = 180;
 /// The angle at which the body is shown.
 const THETA: f64 = 0.8;
 /// Where its centre stands.
 const X: f64 = 2.1;
 
 fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Vec<Vec<f64>> {
-    (0..=40)
+    (0..=ARC)
         .map(|i| {
-            let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / 40.0);
+            let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / f64::from(ARC));
             vec![centre[0] - radius * sin, centre[1] + radius * cos]
         })
         .collect()
@@ -36,7 +38,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     let axis = Mark::Arrow(Stroke::solid(INK, CURVE));
     let dotted = Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed));
 
-    let (x_range, y_range) = ([-0.45, 4.4], [-0.62, 2.5]);
+    let (x_range, y_range) = ([-0.45, 3.75], [-0.62, 2.5]);
     let centre = [X, 1.0];
     let particle = along(hoop.offset());
     let mass_centre = along(hoop.h());
@@ -52,7 +54,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
         segment("E1", [0.0, 0.0], [0.62, 0.0]).drawn(axis),
         segment("E2", [0.0, 0.0], [0.0, 0.62]).drawn(axis),
         Series::of_rows("theta", &COLUMNS, arc(centre, 0.62, 0.0, THETA - 0.04)).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
-        segment("gravity", [3.95, 2.1], [3.95, 1.5]).drawn(axis),
+        segment("gravity", [3.45, 2.1], [3.45, 1.5]).drawn(axis),
         segment("x", [0.0, -0.36], [X, -0.36]).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
         segment("x foot", [X, 0.0], [X, -0.46]).drawn(thin),
         segment("x origin", [0.0, 0.0], [0.0, -0.46]).drawn(thin),
@@ -87,7 +89,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     let half = arc(centre, 0.62, 0.5 * THETA, 0.5 * THETA);
     let mut labels = vec![
         Label::new("*C*", &centre).shifted(13.0, 10.0),
-        Label::new("*m*_{2}", &particle).shifted(6.0, -16.0),
+        Label::new("*m*_{2}", &particle).shifted(-18.0, -2.0),
         Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73]).shifted(8.0, -6.0).left().coloured(BLUE),
         Label::new("*X*_{P}", &[X, 0.0]).shifted(14.0, 17.0),
         Label::new("*θ*", &half[0]).shifted(-3.0, -11.0),
@@ -96,7 +98,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
         Label::new("*E*_{1}", &[0.62, 0.0]).shifted(4.0, -13.0),
         Label::new("*E*_{2}", &[0.0, 0.62]).shifted(0.0, -12.0),
         Label::new("*O*", &[0.0, 0.0]).shifted(-12.0, 12.0),
-        Label::new("*g*", &[3.95, 1.8]).shifted(11.0, 0.0),
+        Label::new("*g*", &[3.45, 1.8]).shifted(11.0, 0.0),
         Label::new("*x*", &[0.5 * X, -0.36]),
         Label::new("*ℓ*", &middle(hoop.offset(), 0.4)).shifted(-9.0, 7.0),
         Label::new("*R*", &[X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)]).shifted(6.0, -10.0),

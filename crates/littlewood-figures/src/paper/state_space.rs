@@ -91,7 +91,7 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
         Series::of_rows("start", &COLUMNS, vec![vec![start.time, start.theta, start.theta_rate, start.slip]])
             .drawn(Mark::Ring(INK, 3.6)),
     );
-    labels.push(Label::new("*θ*  (rad)", &[0.5 * (x[0] + x[1]), y[0], z[0]]).shifted(-6.0, 36.0));
+    labels.push(Label::new("*θ*  (rad)", &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0));
     labels.push(Label::new("*θ*′  (√(*g*/*R*))", &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0));
     labels.push(Label::new("*η*′  (√(*gR*))", &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
     let caption = format!(
