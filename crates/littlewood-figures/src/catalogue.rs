@@ -1,5 +1,6 @@
 //! All figures by name.
 
+use crate::draw::{markdown, plain};
 use crate::error::FigureError;
 use crate::figure::Figure;
 use crate::paper;
@@ -69,8 +70,88 @@ pub const FIGURES: &[Entry] = &[
     entry("outcomes", "what becomes of the starts of the plane", "figure-3", paper::outcomes::figure),
 ];
 
+/// Pixels of the pictures of the gallery to one of the drawing.
+pub const GALLERY_SCALE: f64 = 1.5;
+
+const PREFACE: &str = "\
+# Gallery
+
+Every figure of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of Littlewood's
+rolling hoop* (Proc. R. Soc. A 475, 2019), and four that it does not have, made from the library's results:
+
+```sh
+littlewood figures --out figures
+```
+
+Beside each drawing come a picture, the data drawn (CSV) and the caption. With `--mass-ratio` and its like the same
+figures show any other hoop; `littlewood figures --help` has examples. Lengths are in *R*, masses in *m*<sub>2</sub>,
+times in √(*R*/*g*). This page and its images are made by
+`cargo run -p littlewood-figures --example gallery -- docs`; a test compares them.
+";
+
+/// The page of the gallery: every figure as the paper has it, with its caption.
+///
+/// # Errors
+/// None is known.
+pub fn gallery_page() -> Result<String, FigureError> {
+    let mut page = PREFACE.to_owned();
+    for entry in FIGURES {
+        let figure = entry.of_the_paper()?;
+        page += &format!(
+            "\n## {}\n\n![{}](gallery/{}.svg)\n\n{} `littlewood figures {}`\n",
+            markdown(&figure.title),
+            plain(&figure.title),
+            entry.name,
+            markdown(&figure.caption),
+            entry.name
+        );
+    }
+    Ok(page)
+}
+
 /// The figure of this name.
 #[must_use]
 pub fn find_figure(name: &str) -> Option<&'static Entry> {
     FIGURES.iter().find(|entry| entry.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::missing;
+    use crate::figure::View;
+
+    #[test]
+    fn names_are_told_apart_and_found() {
+        for (i, entry) in FIGURES.iter().enumerate() {
+            assert!(FIGURES[..i].iter().all(|other| other.name != entry.name));
+            assert_eq!(find_figure(entry.name).map(|found| found.title), Some(entry.title));
+            assert!(littlewood::find_case(entry.case).is_some(), "{}", entry.case);
+        }
+        assert!(find_figure("figure-8").is_none());
+    }
+
+    #[test]
+    fn the_faces_have_all_letters() {
+        for entry in FIGURES {
+            let figure = entry.of_the_paper().expect("the figure can be made");
+            assert_eq!(figure.name, entry.name);
+            for panel in &figure.panels {
+                for label in &panel.labels {
+                    assert_eq!(missing(&label.text), "", "{}", label.text);
+                }
+                for key in &panel.keys {
+                    assert_eq!(missing(&key.text), "", "{}", key.text);
+                }
+                let axes = match &panel.view {
+                    View::Plane { x, y, .. } => vec![x, y],
+                    View::Space { x, y, z, .. } => vec![x, y, z],
+                };
+                for axis in axes {
+                    assert_eq!(missing(&axis.title), "", "{}", axis.title);
+                    assert!(axis.ticks.iter().all(|tick| missing(&tick.label).is_empty()));
+                }
+            }
+        }
+    }
 }

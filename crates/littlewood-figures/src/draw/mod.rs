@@ -9,5 +9,7 @@ mod raster;
 mod ruler;
 
 pub(crate) use chart::ROOM;
+#[cfg(test)]
+pub(crate) use face::missing;
 pub use markup::{markdown, plain};
 pub use raster::{LEAST_SCALE, MOST_SCALE};

@@ -7,7 +7,7 @@ use littlewood::{PhasePlane, RollingLaw};
 use crate::axes::{angle, plain};
 use crate::error::FigureError;
 use crate::figure::{Axis, Figure, Key, Label, Mark, Panel, Series, View};
-use crate::style::{BLUE, Dash, FINE, GREEN, GREY, INK, PURPLE, Stroke, VERMILION};
+use crate::style::{BLUE, Dash, GREEN, INK, PURPLE, Stroke, VERMILION};
 use crate::subject::Subject;
 use crate::trace::Window;
 use crate::words::{hoop_in_words, short, start_in_words};
@@ -69,7 +69,6 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
             Series::of_rows("start", &["theta", "demand", "energy"], vec![row]).drawn(Mark::Ring(INK, 3.6)),
         );
     }
-    let _ = (FINE, GREY);
     let label = Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0).coloured(PURPLE);
     let y = Axis { ticks: crate::ticks::round(0.0, most, 6), ..plain("demand", "|*F*|/*N*", [0.0, most]) };
     Ok(Figure {

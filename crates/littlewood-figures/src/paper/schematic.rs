@@ -93,7 +93,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
         Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73]).shifted(8.0, -6.0).left().coloured(BLUE),
         Label::new("*X*_{P}", &[X, 0.0]).shifted(14.0, 17.0),
         Label::new("*θ*", &half[0]).shifted(-3.0, -11.0),
-        Label::new("**e**_{2}".replace("**", "*"), &tip).shifted(-4.0, -10.0),
+        Label::new("*e*_{2}", &tip).shifted(-4.0, -10.0),
         Label::new("*e*_{1}", &across(centre, 0.62)).shifted(12.0, -5.0),
         Label::new("*E*_{1}", &[0.62, 0.0]).shifted(4.0, -13.0),
         Label::new("*E*_{2}", &[0.0, 0.62]).shifted(0.0, -12.0),

@@ -67,10 +67,10 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
             Mode::Gliding | Mode::Flight => continue,
         };
         let middle = phase.sample(0.5 * f64::min(phase.duration(), until - phase.start().time)).state;
-        let up = if middle.slip < 0.0 { 13.0 } else { -13.0 };
+        let shift = if middle.slip < 0.0 { [2.0, 15.0] } else { [-14.0, -6.0] };
         labels.push(
             Label::new(letter, &[middle.theta, middle.slip, middle.theta_rate])
-                .shifted(0.0, up)
+                .shifted(shift[0], shift[1])
                 .coloured(stroke(phase.mode()).colour),
         );
     }
