@@ -18,6 +18,8 @@ from fontTools.ttLib import TTFont
 GREEK = "αβγδεηθλμνπρστφψωΓΔΘΛΣΦΨΩ"
 SYMBOLS = "−±×·°′″ℓ√∞≤≥≈≠→←↑↓½–—‘’…§\u0304\u0302"
 SCRIPT = "𝓡𝓝"
+# Heights of capital and small letters, in thousandths of the size.
+CAPITAL, SMALL = 656, 473
 ASCII = "".join(map(chr, range(0x20, 0x7F)))
 
 
@@ -54,6 +56,11 @@ def face(source: str, characters: list[int], places: dict[int, int], style: str,
     for table in font["cmap"].tables:
         wide = table.format == 12
         table.cmap = {code: glyph for code, glyph in full.items() if wide or code <= 0xFFFF}
+    # The bar stands over a capital, X, and not every renderer lifts it there.
+    bar = full.get(0x0304)
+    if bar is not None:
+        font["glyf"][bar].coordinates.translate((20, CAPITAL - SMALL))
+        font["glyf"][bar].recalcBounds(font["glyf"])
     names = font["name"]
     names.names = []
     for identifier, text in {

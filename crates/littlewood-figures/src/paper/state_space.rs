@@ -61,13 +61,17 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
         layers.push(series.drawn(Mark::Line(Stroke { width: BOLD, ..stroke(mode) })));
     }
     for phase in motion.phases() {
-        let letter = match phase.mode() {
-            Mode::Sliding => "*s*",
-            Mode::Rolling => "*r*",
+        let (letter, share) = match phase.mode() {
+            Mode::Sliding => ("*s*", 0.5),
+            Mode::Rolling => ("*r*", 0.75),
             Mode::Gliding | Mode::Flight => continue,
         };
-        let middle = phase.sample(0.5 * f64::min(phase.duration(), until - phase.start().time)).state;
-        let shift = if middle.slip < 0.0 { [2.0, 15.0] } else { [-14.0, -6.0] };
+        let middle = phase.sample(share * f64::min(phase.duration(), until - phase.start().time)).state;
+        let shift = match middle.slip {
+            slip if slip < 0.0 => [-4.0, 16.0],
+            0.0 => [4.0, 14.0],
+            _ => [-14.0, -6.0],
+        };
         labels.push(
             Label::new(letter, &[middle.theta, middle.slip, middle.theta_rate])
                 .shifted(shift[0], shift[1])

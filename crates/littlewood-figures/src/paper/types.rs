@@ -99,7 +99,7 @@ pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
         .collect();
     let mut layers = vec![
         portrait.rolling_region().drawn(Mark::Fill(SHADE)),
-        Series::new("Type I", &PLANE, rows(unloaded_first)).drawn(Mark::Fill(Colour(0xf6, 0xd9, 0xc0))),
+        Series::new("Type I", &PLANE, rows(unloaded_first)).drawn(Mark::Fill(Colour(0xee, 0xc0, 0x98))),
         Series::new("Type II", &["theta", "theta_rate"], rows(border))
             .drawn(Mark::Line(Stroke::solid(INK, CURVE).dashed(Dash::DashDot))),
     ];
