@@ -67,6 +67,12 @@ impl Portrait {
 
     /// The locus N = 0.
     pub(crate) fn unloading_locus(&self) -> Series {
+        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) {
+            // N = cos²(θ/2) (1 − θ′²) (3.8).
+            let [from, to] = self.window.x;
+            let lines = [1.0, -1.0].map(|rate| vec![vec![from, rate], vec![to, rate]]);
+            return Series::new("n", &PLANE, lines.to_vec());
+        }
         Series::new("n", &PLANE, rows(self.graph(&|theta| self.plane.normal_force_rate(theta))))
     }
 
