@@ -277,7 +277,13 @@ pub(crate) struct FiguresArgs {
     #[arg(long, value_name = "DIR", required_unless_present = "list", help_heading = "Output")]
     pub(crate) out: Option<PathBuf>,
     /// Formats, with commas between them
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "svg,png,csv,txt", help_heading = "Output")]
+    #[arg(
+        long,
+        value_enum,
+        value_delimiter = ',',
+        default_value = "svg,png,csv,txt",
+        help_heading = "Output"
+    )]
     pub(crate) format: Vec<FigureFormat>,
     /// Pixels of a PNG to one of the drawing (1/96 inch): 3.125 makes 300 dpi, 6.25 makes 600
     #[arg(long, value_name = "FACTOR", value_parser = number, default_value_t = 2.0, help_heading = "Output")]

@@ -227,7 +227,9 @@ const fn hint_of_figure(error: &FigureError) -> &'static str {
         FigureError::NeedsMassless { .. } => "give --mass-ratio 0 and --inertia 0, or leave the figure out",
         FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
         FigureError::NeedsOffset { .. } => "give --offset above 0",
-        FigureError::NoMotion { .. } => "give another start; `littlewood classify` says what there is at this one",
+        FigureError::NoMotion { .. } => {
+            "give another start; `littlewood classify` says what there is at this one"
+        }
         FigureError::Scale { .. } => "give another --scale, such as 2",
         _ => "this is a defect of the program: please report it",
     }

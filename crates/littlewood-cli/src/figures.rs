@@ -4,7 +4,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use littlewood_figures::{Entry, FIGURES, Figure, FigureError, LEAST_SCALE, MOST_SCALE, Subject, find_figure, plain};
+use littlewood_figures::{
+    Entry, FIGURES, Figure, FigureError, LEAST_SCALE, MOST_SCALE, Subject, find_figure, plain,
+};
 
 use crate::args::{FigureFormat, FiguresArgs};
 use crate::error::Error;
@@ -32,7 +34,10 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
         match entry.figure(&subject(args, entry)?) {
             Ok(figure) => {
                 for format in &args.format {
-                    files.push((folder.join(file_name(entry, *format)), content(&figure, *format, args.scale)?));
+                    files.push((
+                        folder.join(file_name(entry, *format)),
+                        content(&figure, *format, args.scale)?,
+                    ));
                 }
             }
             // Without names all figures are meant that this hoop has.
@@ -89,8 +94,11 @@ fn nearest(name: &str) -> String {
         // "3b" is figure-3b.
         if entry.name.ends_with(&wanted) && !wanted.is_empty() { 1.0 } else { whole }
     };
-    let mut ranked: Vec<(f64, &str)> =
-        FIGURES.iter().map(|entry| (likeness(entry), entry.name)).filter(|(likeness, _)| *likeness > 0.75).collect();
+    let mut ranked: Vec<(f64, &str)> = FIGURES
+        .iter()
+        .map(|entry| (likeness(entry), entry.name))
+        .filter(|(likeness, _)| *likeness > 0.75)
+        .collect();
     ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
     let names: Vec<String> = ranked.iter().take(3).map(|(_, name)| format!("'{name}'")).collect();
     if names.is_empty() {
@@ -151,8 +159,6 @@ fn content(figure: &Figure, format: FigureFormat, scale: f64) -> Result<Vec<u8>,
         FigureFormat::Svg => figure.svg().map_err(Error::of_figure)?.into_bytes(),
         FigureFormat::Png => figure.png(scale).map_err(Error::of_figure)?,
         FigureFormat::Csv => figure.csv().into_bytes(),
-        FigureFormat::Txt => {
-            format!("{}\n\n{}\n", plain(&figure.title), plain(&figure.caption)).into_bytes()
-        }
+        FigureFormat::Txt => format!("{}\n\n{}\n", plain(&figure.title), plain(&figure.caption)).into_bytes(),
     })
 }

@@ -10,7 +10,12 @@ use crate::trace::Window;
 
 /// θ.
 pub(crate) fn angle([from, to]: [f64; 2]) -> Axis {
-    Axis { column: "theta", title: "*θ*  (rad)".to_owned(), range: [from, to], ticks: ticks::angular(from, to, 7) }
+    Axis {
+        column: "theta",
+        title: "*θ*  (rad)".to_owned(),
+        range: [from, to],
+        ticks: ticks::angular(from, to, 7),
+    }
 }
 
 /// θ′.

@@ -48,12 +48,22 @@ const fn entry(
 /// All figures, in the order of the paper, then those that it does not have.
 pub const FIGURES: &[Entry] = &[
     entry("figure-1", "the body and its symbols", "figure-3", paper::schematic::figure),
-    entry("figure-2a", "where static friction gives way, for four coefficients", "figure-3", paper::loci::figure),
+    entry(
+        "figure-2a",
+        "where static friction gives way, for four coefficients",
+        "figure-3",
+        paper::loci::figure,
+    ),
     entry("figure-2b", "phase portrait of rolling", "figure-3", paper::portrait::with_inertia),
     entry("figure-3a", "a motion in the space of states", "figure-3", paper::state_space::space),
     entry("figure-3b", "paths of the centre and of the mass centre", "figure-3", paper::paths::centres),
     entry("figure-4", "phase portrait of the rolling massless hoop", "figure-7", paper::portrait::massless),
-    entry("figure-5a", "the region R of the massless hoop and its boundaries", "figure-7", paper::types::regions),
+    entry(
+        "figure-5a",
+        "the region R of the massless hoop and its boundaries",
+        "figure-7",
+        paper::types::regions,
+    ),
     entry("figure-5b", "rolling motions of Types I, II and III", "figure-7", paper::types::motions),
     entry("figure-6a", "phase portrait of gliding", "figure-7", paper::gliding::alone),
     entry("figure-6b", "rolling and gliding in one portrait", "figure-7", paper::gliding::combined),
@@ -64,7 +74,12 @@ pub const FIGURES: &[Entry] = &[
         paper::state_space::rolling_then_gliding,
     ),
     entry("figure-7b", "path of the particle, a cycloid and a parabola", "figure-7", paper::paths::particle),
-    entry("forces", "normal and friction force of a motion against time", "figure-3", paper::histories::forces),
+    entry(
+        "forces",
+        "normal and friction force of a motion against time",
+        "figure-3",
+        paper::histories::forces,
+    ),
     entry("energy", "energies of a motion against time", "figure-3", paper::histories::energy),
     entry("friction-demand", "friction that rolling demands along orbits", "figure-3", paper::demand::figure),
     entry("outcomes", "what becomes of the starts of the plane", "figure-3", paper::outcomes::figure),

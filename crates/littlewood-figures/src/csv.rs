@@ -10,7 +10,8 @@ impl Figure {
     #[must_use]
     pub fn csv(&self) -> String {
         let mut columns: Vec<&str> = Vec::new();
-        let layers = || self.panels.iter().flat_map(|panel| panel.layers.iter().map(move |layer| (panel, layer)));
+        let layers =
+            || self.panels.iter().flat_map(|panel| panel.layers.iter().map(move |layer| (panel, layer)));
         for (_, layer) in layers() {
             for column in &layer.series.columns {
                 if !columns.contains(column) {
@@ -20,13 +21,15 @@ impl Figure {
         }
         let mut out = format!("panel,series,piece,{}\n", columns.join(","));
         for (panel, layer) in layers() {
-            let places: Vec<Option<usize>> = columns.iter().map(|column| layer.series.column(column)).collect();
+            let places: Vec<Option<usize>> =
+                columns.iter().map(|column| layer.series.column(column)).collect();
             for (number, piece) in layer.series.pieces.iter().enumerate() {
                 for row in piece {
                     let _ = write!(out, "{},{},{number}", panel.name, layer.series.name);
                     for place in &places {
                         out.push(',');
-                        if let Some(value) = place.and_then(|place| row.get(place)).filter(|v| v.is_finite()) {
+                        if let Some(value) = place.and_then(|place| row.get(place)).filter(|v| v.is_finite())
+                        {
                             let _ = write!(out, "{value}");
                         }
                     }

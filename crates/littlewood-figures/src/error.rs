@@ -48,7 +48,9 @@ pub enum FigureError {
         outcome: &'static str,
     },
     /// A scale out of bounds.
-    #[error("scale is {scale}, but must be from {least} to {most} pixels of the picture to one of the drawing")]
+    #[error(
+        "scale is {scale}, but must be from {least} to {most} pixels of the picture to one of the drawing"
+    )]
     Scale {
         /// The scale.
         scale: f64,

@@ -209,7 +209,10 @@ impl Portrait {
         let most = self.plane.separatrix_rate(PI);
         let within = (1..=librations).map(|i| most * f64::from(i) / f64::from(librations + 1));
         let beyond = (1..=rotations).map(|i| self.window.y[1] * (f64::from(i) - 0.35) / f64::from(rotations));
-        within.map(|rate| self.law.energy(PI, rate)).chain(beyond.map(|rate| self.law.energy(0.0, rate))).collect()
+        within
+            .map(|rate| self.law.energy(PI, rate))
+            .chain(beyond.map(|rate| self.law.energy(0.0, rate)))
+            .collect()
     }
 
     /// Where the flow goes: places on the orbits of these energies over an angle, each with the next place.
@@ -258,12 +261,12 @@ impl Portrait {
         let Some(least) = self.plane.normal_force_rate(0.0).filter(|rate| *rate < 0.8 * most) else {
             return Vec::new();
         };
-        let turns = (libm::ceil(self.window.x[0] / TAU) as i32)..=(libm::floor(self.window.x[1] / TAU) as i32);
+        let turns =
+            (libm::ceil(self.window.x[0] / TAU) as i32)..=(libm::floor(self.window.x[1] / TAU) as i32);
         turns
             .flat_map(|turn| {
-                [1.0, -1.0].map(|sign| {
-                    Label::new("*N* < 0", &[TAU * f64::from(turn), sign * 0.5 * (least + most)])
-                })
+                [1.0, -1.0]
+                    .map(|sign| Label::new("*N* < 0", &[TAU * f64::from(turn), sign * 0.5 * (least + most)]))
             })
             .collect()
     }

@@ -4,7 +4,6 @@ use core::f64::consts::PI;
 
 use crate::figure::Tick;
 
-
 /// Ticks at round numbers from `a` to `b` > `a`, at most about `most` of them.
 pub(crate) fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let least = (b - a) / most as f64;

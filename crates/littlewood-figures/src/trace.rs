@@ -83,7 +83,14 @@ impl Window {
         }
     }
 
-    fn halve(&self, piece: &mut Vec<Point>, curve: Curve<'_>, [a, b]: [f64; 2], [p, q]: [Point; 2], depth: u32) {
+    fn halve(
+        &self,
+        piece: &mut Vec<Point>,
+        curve: Curve<'_>,
+        [a, b]: [f64; 2],
+        [p, q]: [Point; 2],
+        depth: u32,
+    ) {
         let middle = 0.5 * (a + b);
         match curve(middle).filter(|point| self.holds(*point)) {
             Some(m) if depth > 0 && self.sagitta(p, m, q) > FLAT => {
@@ -105,7 +112,12 @@ impl Window {
 }
 
 /// The last place that is seen between one that is and one that is not.
-fn border(mut seen_at: f64, mut unseen_at: f64, mut point: Point, seen: &dyn Fn(f64) -> Option<Point>) -> (f64, Point) {
+fn border(
+    mut seen_at: f64,
+    mut unseen_at: f64,
+    mut point: Point,
+    seen: &dyn Fn(f64) -> Option<Point>,
+) -> (f64, Point) {
     loop {
         let middle = 0.5 * (seen_at + unseen_at);
         if middle == seen_at || middle == unseen_at {

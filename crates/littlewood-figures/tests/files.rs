@@ -12,7 +12,9 @@ fn texts(svg: &str) -> Vec<String> {
     document
         .descendants()
         .filter(|node| node.has_tag_name("text"))
-        .map(|node| node.descendants().filter(roxmltree::Node::is_text).filter_map(|node| node.text()).collect())
+        .map(|node| {
+            node.descendants().filter(roxmltree::Node::is_text).filter_map(|node| node.text()).collect()
+        })
         .collect()
 }
 
@@ -91,7 +93,8 @@ fn the_table_holds_what_is_drawn() {
         let mut lines = table.lines();
         let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
         assert_eq!(header[..3], ["panel", "series", "piece"]);
-        let layers = figure.panels.iter().flat_map(|panel| panel.layers.iter().map(move |layer| (panel.name, layer)));
+        let layers =
+            figure.panels.iter().flat_map(|panel| panel.layers.iter().map(move |layer| (panel.name, layer)));
         for (panel, layer) in layers {
             for (number, piece) in layer.series.pieces.iter().enumerate() {
                 for row in piece {

@@ -28,8 +28,10 @@ fn nothing_else_is_in_the_gallery() {
         .expect("the gallery")
         .map(|file| file.expect("a file").file_name().to_string_lossy().into_owned())
         .collect();
-    let mut wanted: Vec<String> =
-        FIGURES.iter().flat_map(|entry| ["png", "svg"].map(|ending| format!("{}.{ending}", entry.name))).collect();
+    let mut wanted: Vec<String> = FIGURES
+        .iter()
+        .flat_map(|entry| ["png", "svg"].map(|ending| format!("{}.{ending}", entry.name)))
+        .collect();
     found.sort();
     wanted.sort();
     assert_eq!(found, wanted);

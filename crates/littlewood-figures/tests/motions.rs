@@ -55,7 +55,8 @@ fn assert_parabola(series: &Series) {
 fn figure_3b_ends_in_a_parabola_and_shows_the_hoop_at_each_transition() {
     let figure = figure("figure-3b");
     assert_parabola(series(&figure, "mass centre, flight")[0]);
-    let times: Vec<f64> = columns(series(&figure, "hoop")[0], ["time"]).into_iter().map(|[time]| time).collect();
+    let times: Vec<f64> =
+        columns(series(&figure, "hoop")[0], ["time"]).into_iter().map(|[time]| time).collect();
     let wanted = [0.0, EVENTS[0][0], EVENTS[1][0], EVENTS[2][0], LANDING];
     assert_eq!(times.len(), wanted.len());
     for (a, b) in times.iter().zip(wanted) {

@@ -29,10 +29,8 @@ fn static_friction_gives_way_on_the_loci_of_figure_2() {
 #[test]
 fn the_loci_have_the_coefficients_of_the_paper() {
     let figure = figure("figure-2a");
-    let mut found: Vec<f64> = series(&figure, "f mu_s=")
-        .iter()
-        .map(|locus| columns(locus, ["mu_s"])[0][0])
-        .collect();
+    let mut found: Vec<f64> =
+        series(&figure, "f mu_s=").iter().map(|locus| columns(locus, ["mu_s"])[0][0]).collect();
     found.sort_by(f64::total_cmp);
     assert_eq!(found, [0.1, 0.25, 0.5, 1.0]);
 }
@@ -112,7 +110,9 @@ fn the_body_leaves_the_plane_beyond_the_curve_of_figure_outcomes() {
     for [theta, rate] in columns(series(&figure, "lift-off")[0], PLANE) {
         assert_near(h * libm::cos(theta) * rate * rate, 1.0, EXACT, "lift-off");
     }
-    for (name, sign) in [("leaves the plane at once", -1.0), ("lifts off later", 1.0), ("rolls for ever", 1.0)] {
+    for (name, sign) in
+        [("leaves the plane at once", -1.0), ("lifts off later", 1.0), ("rolls for ever", 1.0)]
+    {
         for [theta, rate] in columns(series(&figure, name)[0], PLANE) {
             assert!(sign * (1.0 - h * libm::cos(theta) * rate * rate) > 0.0, "{name} at ({theta}, {rate})");
         }
@@ -125,7 +125,9 @@ fn classes_are_those_of_the_simulation() {
     let figure = figure("outcomes");
     let hoop = Hoop::figure_2(0.5, 0.4).expect("a hoop");
     let mut seen = 0;
-    for (name, stride) in [("leaves the plane at once", 701), ("lifts off later", 397), ("rolls for ever", 701)] {
+    for (name, stride) in
+        [("leaves the plane at once", 701), ("lifts off later", 397), ("rolls for ever", 701)]
+    {
         for [theta, rate] in columns(series(&figure, name)[0], PLANE).into_iter().step_by(stride) {
             let motion = hoop.simulate(Start::at(theta, rate), Limits::default()).expect("a motion");
             let flies_first = motion.phases()[0].mode() == Mode::Flight;
@@ -169,14 +171,16 @@ fn the_massless_hoop_slips_at_theta_s_and_unloads_at_rate_one() {
             assert!(theta.abs() <= theta_s() + 1e-12 && rate.abs() <= 1.0 + EXACT, "{name}");
         }
         // Four corners of a rectangle at least reach the border.
-        let widest = columns(series(&figure, "R")[0], PLANE).into_iter().map(|[theta, _]| theta).fold(0.0, f64::max);
+        let widest =
+            columns(series(&figure, "R")[0], PLANE).into_iter().map(|[theta, _]| theta).fold(0.0, f64::max);
         assert_near(widest, theta_s(), 1e-9, name);
     }
 }
 
 #[test]
 fn massless_orbits_conserve_e() {
-    for (name, prefix) in [("figure-4", "orbit E="), ("figure-5b", "Type "), ("figure-5b", "end of rolling")] {
+    for (name, prefix) in [("figure-4", "orbit E="), ("figure-5b", "Type "), ("figure-5b", "end of rolling")]
+    {
         let figure = figure(name);
         for orbit in series(&figure, prefix) {
             for [theta, rate, energy] in columns(orbit, ["theta", "theta_rate", "energy"]) {
@@ -232,13 +236,17 @@ fn gliding_conserves_the_corrected_integral_and_not_the_printed_one() {
         let mut spread = 0.0_f64;
         for lines in series(&figure, prefix) {
             for piece in &lines.pieces {
-                let printed: Vec<f64> = piece.iter().map(|row| {
-                    let (theta, rate, w) = (row[0], row[1], row[2]);
-                    let (sin, cos) = libm::sincos(theta);
-                    assert_near(0.5 * sin * sin * rate * rate + cos, w, EXACT, name);
-                    0.5 * sin * rate * rate - theta
-                }).collect();
-                let (low, high) = printed.iter().fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(*v), b.max(*v)));
+                let printed: Vec<f64> = piece
+                    .iter()
+                    .map(|row| {
+                        let (theta, rate, w) = (row[0], row[1], row[2]);
+                        let (sin, cos) = libm::sincos(theta);
+                        assert_near(0.5 * sin * sin * rate * rate + cos, w, EXACT, name);
+                        0.5 * sin * rate * rate - theta
+                    })
+                    .collect();
+                let (low, high) =
+                    printed.iter().fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(*v), b.max(*v)));
                 spread = spread.max(high - low);
             }
         }

@@ -8,7 +8,8 @@ use std::rc::Rc;
 
 use plotters_backend::text_anchor::{HPos, VPos};
 use plotters_backend::{
-    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind, FontTransform,
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+    FontTransform,
 };
 
 use super::face::{FAMILY, SCRIPT_SIZE, rules, width};
@@ -155,7 +156,11 @@ impl DrawingBackend for Canvas {
         self.draw_path([from, to], style)
     }
 
-    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Drawn {
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
         if style.color().alpha > 0.0 {
             let data = outline(path);
             self.write(&format!("<path d=\"{data}\" {}/>", self.stroke(style)));
@@ -240,7 +245,8 @@ impl DrawingBackend for Canvas {
             let _ = write!(attributes, " transform=\"rotate({turn} {} {})\"", decimal(x), decimal(y));
         }
         if self.ink.get().halo {
-            attributes += " stroke=\"#fff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+            attributes +=
+                " stroke=\"#fff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
         }
         self.write(&format!("<text {attributes}>{}</text>", spans(text, size)));
         Ok(())

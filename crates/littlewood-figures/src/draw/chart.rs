@@ -110,7 +110,8 @@ fn draw_plane(
 
     let place = |at: &[f64]| chart.backend_coord(&(at[0], at[1]));
     // How many steps a unit is: hoops are drawn only where both axes have one scale.
-    let unit = f64::from(place(&[x.range[1], y.range[0]]).0 - place(&[x.range[0], y.range[0]]).0) / (x.range[1] - x.range[0]);
+    let unit = f64::from(place(&[x.range[1], y.range[0]]).0 - place(&[x.range[0], y.range[0]]).0)
+        / (x.range[1] - x.range[0]);
     let pen = Pen::new(root, canvas);
     for layer in &panel.layers {
         let columns = [x.column, y.column].map(|name| layer.series.column(name));

@@ -40,7 +40,7 @@ impl<'a> Pen<'a> {
                         self.head(to, from, colour, true)?;
                     }
                 }
-                Mark::Fill(colour) => self.area(piece, colour, false)?,
+                Mark::Fill(colour) | Mark::Cell(colour, _) => self.area(piece, colour, false)?,
                 Mark::Hatch(colour) => self.area(piece, colour, true)?,
                 Mark::Dot(colour, radius) => {
                     for point in piece {
@@ -67,7 +67,6 @@ impl<'a> Pen<'a> {
                         self.hoop(*point, 0.0, unit, [offset, h], rim)?;
                     }
                 }
-                Mark::Cell(colour, _) => self.area(piece, colour, false)?,
             }
         }
         Ok(())

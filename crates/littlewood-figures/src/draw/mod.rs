@@ -3,8 +3,8 @@
 mod canvas;
 mod chart;
 mod face;
-mod markup;
 mod marks;
+mod markup;
 mod raster;
 mod ruler;
 

@@ -39,8 +39,8 @@ impl Figure {
         let options = Options { font_family: FAMILY.to_owned(), fontdb: faces(), ..Options::default() };
         let tree = Tree::from_str(&self.svg()?, &options).map_err(|error| failed(&error))?;
         let side = |length: f64| libm::ceil(length * scale) as u32;
-        let mut pixels =
-            Pixmap::new(side(self.width), side(self.height)).ok_or_else(|| failed(&"no room for the picture"))?;
+        let mut pixels = Pixmap::new(side(self.width), side(self.height))
+            .ok_or_else(|| failed(&"no room for the picture"))?;
         resvg::render(&tree, Transform::from_scale(scale as f32, scale as f32), &mut pixels.as_mut());
         pixels.encode_png().map_err(|error| failed(&error))
     }

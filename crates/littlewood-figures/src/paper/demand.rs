@@ -55,7 +55,11 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
         layers.push(series.drawn(Mark::Line(stroke)));
         let what = if name == "start" { "orbit of the start" } else { name };
         let text = format!("{what}, *E* = {}", short(libm::round(energy * 100.0) / 100.0));
-        keys.push(Key { mark: Mark::Line(stroke), text, at: [70.0 + 260.0 * (i % 2) as f64, 15.0 + 19.0 * (i / 2) as f64] });
+        keys.push(Key {
+            mark: Mark::Line(stroke),
+            text,
+            at: [70.0 + 260.0 * (i % 2) as f64, 15.0 + 19.0 * (i / 2) as f64],
+        });
     }
     layers.reverse();
     let limit = Series::of_rows("mu_s", &["theta", "demand"], turn.map(|theta| vec![theta, mu_s]).to_vec());

@@ -90,7 +90,11 @@ pub(crate) fn alone(subject: &Subject) -> Result<Figure, FigureError> {
         layers.push(Series::new("w=1", &COLUMNS, pieces).drawn(Mark::Line(Stroke::solid(INK, CURVE))));
     }
     layers.push(Series::new("flow", &COLUMNS, flow).drawn(Mark::Head(INK)));
-    let singular = Series::of_rows("singular", &["theta", "theta_rate"], vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]]);
+    let singular = Series::of_rows(
+        "singular",
+        &["theta", "theta_rate"],
+        vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]],
+    );
     layers.push(singular.drawn(Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed))));
     let labels = vec![
         Label::new("*w* = 1", &[0.0, 1.0]).shifted(32.0, -11.0),
@@ -129,7 +133,13 @@ fn needs(subject: &Subject, figure: &'static str) -> FigureError {
     }
 }
 
-fn figure(name: &'static str, title: &str, caption: String, layers: Vec<Layer>, labels: Vec<Label>) -> Figure {
+fn figure(
+    name: &'static str,
+    title: &str,
+    caption: String,
+    layers: Vec<Layer>,
+    labels: Vec<Label>,
+) -> Figure {
     Figure {
         name,
         title: title.to_owned(),
@@ -161,7 +171,9 @@ pub(crate) fn combined(subject: &Subject) -> Result<Figure, FigureError> {
     let resting = [0.4, 0.75].map(|share| Start::at(share * theta_s, 0.0));
     for start in over.into_iter().chain(resting) {
         let motion = subject.hoop.simulate(start, Limits::default())?;
-        let Some(phase) = motion.phases().first().filter(|phase| phase.mode() == Mode::Rolling) else { continue };
+        let Some(phase) = motion.phases().first().filter(|phase| phase.mode() == Mode::Rolling) else {
+            continue;
+        };
         let (Some(end), duration) = (phase.end(), phase.duration()) else { continue };
         let half: Vec<[f64; 2]> = (0..=80)
             .map(|i| phase.sample(duration * f64::from(i) / 80.0).state)
@@ -175,16 +187,20 @@ pub(crate) fn combined(subject: &Subject) -> Result<Figure, FigureError> {
         let images: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
         for [a, b] in images {
             rolling.push(half.iter().map(|[x, y]| vec![a * x, b * y]).collect::<Vec<_>>());
-            gliding.extend(onward.iter().map(|piece| {
-                piece.iter().map(|row| vec![a * row[0], b * row[1], w]).collect::<Vec<_>>()
-            }));
+            gliding.extend(
+                onward
+                    .iter()
+                    .map(|piece| piece.iter().map(|row| vec![a * row[0], b * row[1], w]).collect::<Vec<_>>()),
+            );
             changes.push(vec![a * end.theta, b * end.theta_rate]);
         }
     }
     let flow_g = gliding
         .iter()
         .filter_map(|piece: &Vec<Vec<f64>>| {
-            let at = piece.windows(2).find(|pair| (pair[1][0].abs() - 0.62 * PI) * (pair[0][0].abs() - 0.62 * PI) <= 0.0)?;
+            let at = piece
+                .windows(2)
+                .find(|pair| (pair[1][0].abs() - 0.62 * PI) * (pair[0][0].abs() - 0.62 * PI) <= 0.0)?;
             let (a, b) = (at[0].clone(), at[1].clone());
             Some(if (b[0] - a[0]) * a[1] > 0.0 { vec![a, b] } else { vec![b, a] })
         })
@@ -196,7 +212,9 @@ pub(crate) fn combined(subject: &Subject) -> Result<Figure, FigureError> {
         let v = fastest(&body, w);
         for side in [1.0, -1.0] {
             for piece in line_of(&body, w, side, [-v, v]) {
-                elsewhere.extend(piece.split(|row| !outside(row)).filter(|part| part.len() > 1).map(<[_]>::to_vec));
+                elsewhere.extend(
+                    piece.split(|row| !outside(row)).filter(|part| part.len() > 1).map(<[_]>::to_vec),
+                );
             }
         }
     }
@@ -208,9 +226,11 @@ pub(crate) fn combined(subject: &Subject) -> Result<Figure, FigureError> {
             .drawn(Mark::Line(Stroke::solid(GREEN, CURVE).dashed(Dash::Short))),
     );
     layers.push(
-        Series::new("rolling", &["theta", "theta_rate"], rolling).drawn(Mark::Line(Stroke::solid(BLUE, CURVE))),
+        Series::new("rolling", &["theta", "theta_rate"], rolling)
+            .drawn(Mark::Line(Stroke::solid(BLUE, CURVE))),
     );
-    let manifolds = Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
+    let manifolds =
+        Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
     layers.push(manifolds.drawn(Mark::Line(Stroke::solid(INK, CURVE))));
     if let Some((_, limit)) = massless_limit(&portrait) {
         layers.push(limit.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed))));

@@ -135,29 +135,53 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
     };
     let demand_axis = Axis { ticks: crate::ticks::round(0.0, demand_axis.range[1], 5), ..demand_axis };
     let level = |name: &str, column: &'static str, value: f64, stroke: Stroke| {
-        Series::of_rows(name, &["time", column], range.map(|time| vec![time, value]).to_vec()).drawn(Mark::Line(stroke))
+        Series::of_rows(name, &["time", column], range.map(|time| vec![time, value]).to_vec())
+            .drawn(Mark::Line(stroke))
     };
     let zero = |column| level("zero", column, 0.0, Stroke::solid(GREY, FINE));
 
-    let mut top = panel("normal force", 38.0, 190.0, bare(), normal_axis.clone(), vec![
-        transitions(&motion, &normal_axis),
-        zero("normal"),
-        level("weight", "normal", weight, Stroke::solid(GREY, 1.0).dashed(Dash::Dotted)),
-        normal.drawn(Mark::Line(Stroke::solid(BLUE, 2.0))),
-    ]);
+    let mut top = panel(
+        "normal force",
+        38.0,
+        190.0,
+        bare(),
+        normal_axis.clone(),
+        vec![
+            transitions(&motion, &normal_axis),
+            zero("normal"),
+            level("weight", "normal", weight, Stroke::solid(GREY, 1.0).dashed(Dash::Dotted)),
+            normal.drawn(Mark::Line(Stroke::solid(BLUE, 2.0))),
+        ],
+    );
     top.labels = names(&motion, normal_axis.range[1], INNER - 62.0);
-    top.labels.push(Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(GREY));
-    let middle = panel("friction force", 196.0, 190.0, bare(), friction_axis.clone(), vec![
-        transitions(&motion, &friction_axis),
-        zero("friction"),
-        friction.drawn(Mark::Line(Stroke::solid(VERMILION, 2.0))),
-    ]);
-    let mut bottom = panel("friction over normal force", 354.0, 190.0, x(), demand_axis.clone(), vec![
-        transitions(&motion, &demand_axis),
-        level("mu_s", "demand", mu_s, Stroke::solid(INK, 1.0).dashed(Dash::Dashed)),
-        level("mu_k", "demand", mu_k, Stroke::solid(INK, 1.0).dashed(Dash::Dotted)),
-        demand.drawn(Mark::Line(Stroke::solid(PURPLE, 2.0))),
-    ]);
+    top.labels.push(
+        Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(GREY),
+    );
+    let middle = panel(
+        "friction force",
+        196.0,
+        190.0,
+        bare(),
+        friction_axis.clone(),
+        vec![
+            transitions(&motion, &friction_axis),
+            zero("friction"),
+            friction.drawn(Mark::Line(Stroke::solid(VERMILION, 2.0))),
+        ],
+    );
+    let mut bottom = panel(
+        "friction over normal force",
+        354.0,
+        190.0,
+        x(),
+        demand_axis.clone(),
+        vec![
+            transitions(&motion, &demand_axis),
+            level("mu_s", "demand", mu_s, Stroke::solid(INK, 1.0).dashed(Dash::Dashed)),
+            level("mu_k", "demand", mu_k, Stroke::solid(INK, 1.0).dashed(Dash::Dotted)),
+            demand.drawn(Mark::Line(Stroke::solid(PURPLE, 2.0))),
+        ],
+    );
     bottom.labels.push(Label::new("*μ*_{s}", &[range[1], mu_s]).shifted(-14.0, -11.0));
     if mu_k < mu_s {
         bottom.labels.push(Label::new("*μ*_{k}", &[range[1], mu_k]).shifted(-14.0, 11.0));
@@ -186,7 +210,8 @@ pub(crate) fn energy(subject: &Subject) -> Result<Figure, FigureError> {
     let potential_of =
         |sample: &Sample| hoop.offset() * libm::cos(sample.state.theta) + hoop.mass() * sample.gap;
     let total = history(&motion, "total energy", "energy", &|_, sample| Some(sample.energy));
-    let kinetic = history(&motion, "kinetic energy", "energy", &|_, sample| Some(sample.energy - potential_of(sample)));
+    let kinetic =
+        history(&motion, "kinetic energy", "energy", &|_, sample| Some(sample.energy - potential_of(sample)));
     let potential = history(&motion, "potential energy", "energy", &|_, sample| Some(potential_of(sample)));
     let axis = axis_of("energy", "energy/(*m*_{2}*gR*)", &[&total, &kinetic, &potential], &[0.0]);
     let marks = [
@@ -195,13 +220,20 @@ pub(crate) fn energy(subject: &Subject) -> Result<Figure, FigureError> {
         Mark::Line(Stroke::solid(GREEN, CURVE).dashed(Dash::DashDot)),
     ];
     let zero = Series::of_rows("zero", &["time", "energy"], range.map(|time| vec![time, 0.0]).to_vec());
-    let mut panel = panel("energy", 62.0, 340.0, time(range), axis.clone(), vec![
-        transitions(&motion, &axis),
-        zero.drawn(Mark::Line(Stroke::solid(GREY, FINE))),
-        potential.drawn(marks[2]),
-        kinetic.drawn(marks[1]),
-        total.drawn(marks[0]),
-    ]);
+    let mut panel = panel(
+        "energy",
+        62.0,
+        340.0,
+        time(range),
+        axis.clone(),
+        vec![
+            transitions(&motion, &axis),
+            zero.drawn(Mark::Line(Stroke::solid(GREY, FINE))),
+            potential.drawn(marks[2]),
+            kinetic.drawn(marks[1]),
+            total.drawn(marks[0]),
+        ],
+    );
     panel.labels = names(&motion, axis.range[1], INNER - 62.0);
     panel.keys = ["total *E*", "kinetic *T*", "potential *U*"]
         .into_iter()

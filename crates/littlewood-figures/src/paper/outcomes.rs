@@ -48,7 +48,9 @@ fn class_of(summary: &Summary) -> Class {
         }
         OutcomeCode::RollsForever => Class::Rolls,
         OutcomeCode::SlidesForever => Class::Slides,
-        OutcomeCode::ParticleAtPlane | OutcomeCode::ParticleAtBottom | OutcomeCode::ParticleAtTop => Class::AtPlane,
+        OutcomeCode::ParticleAtPlane | OutcomeCode::ParticleAtBottom | OutcomeCode::ParticleAtTop => {
+            Class::AtPlane
+        }
         OutcomeCode::TimeLimit | OutcomeCode::TransitionLimit => Class::Limit,
         _ => Class::Paradox,
     }
@@ -82,7 +84,11 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
         let share = libm::round(1000.0 * rows.len() as f64 / total) / 10.0;
         let text = format!("{name}, {}%", short(share));
         let n = keys.len();
-        keys.push(Key { mark: Mark::Fill(colour), text, at: [70.0 + 240.0 * (n % 2) as f64, 16.0 + 20.0 * (n / 2) as f64] });
+        keys.push(Key {
+            mark: Mark::Fill(colour),
+            text,
+            at: [70.0 + 240.0 * (n % 2) as f64, 16.0 + 20.0 * (n / 2) as f64],
+        });
         layers.push(Series::of_rows(name, &["theta", "theta_rate"], rows).drawn(Mark::Cell(colour, cell)));
     }
     let portrait = Portrait::new(hoop, window);

@@ -109,11 +109,7 @@ impl Picture {
             panels: vec![Panel {
                 name: "plane of motion",
                 frame: [8.0, top, inner + ROOM[0], height + ROOM[1]],
-                view: View::Plane {
-                    x: plain("x", "*x*/*R*", x),
-                    y: upwards,
-                    axes: true,
-                },
+                view: View::Plane { x: plain("x", "*x*/*R*", x), y: upwards, axes: true },
                 layers,
                 labels,
                 keys,

@@ -2,8 +2,8 @@
 
 use core::f64::consts::PI;
 
-use littlewood::closed_form::slip_angle;
 use littlewood::Body;
+use littlewood::closed_form::slip_angle;
 
 use crate::axes::{angle, plane_window, rate};
 use crate::error::FigureError;
@@ -35,12 +35,14 @@ pub(crate) fn with_inertia(subject: &Subject) -> Result<Figure, FigureError> {
     let unloading = portrait.unloading_locus();
     let mut labels = portrait.mark_of_unloading();
     let high = 0.72 * window.y[1];
-    labels.extend(nearest(&slip, [0.62 * PI, high], window).map(|at| {
-        Label::new("*f*", &at).shifted(11.0, 0.0).coloured(BLUE)
-    }));
-    labels.extend(nearest(&unloading, [0.45 * PI, high], window).map(|at| {
-        Label::new("*n*", &at).shifted(-10.0, 0.0).coloured(PURPLE)
-    }));
+    labels.extend(
+        nearest(&slip, [0.62 * PI, high], window)
+            .map(|at| Label::new("*f*", &at).shifted(11.0, 0.0).coloured(BLUE)),
+    );
+    labels.extend(
+        nearest(&unloading, [0.45 * PI, high], window)
+            .map(|at| Label::new("*n*", &at).shifted(-10.0, 0.0).coloured(PURPLE)),
+    );
     labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
     layers.push(slip.drawn(Mark::Line(Stroke::solid(BLUE, CURVE).dashed(Dash::Dashed))));
     layers.push(unloading.drawn(Mark::Line(Stroke::solid(PURPLE, CURVE))));

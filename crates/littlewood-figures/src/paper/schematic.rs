@@ -32,7 +32,8 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     let (sin, cos) = libm::sincos(THETA);
     let along = |distance: f64| [X - distance * sin, 1.0 + distance * cos];
     let across = |base: [f64; 2], distance: f64| [base[0] + distance * cos, base[1] + distance * sin];
-    let segment = |name: &str, a: [f64; 2], b: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec(), b.to_vec()]);
+    let segment =
+        |name: &str, a: [f64; 2], b: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec(), b.to_vec()]);
     let point = |name: &str, a: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec()]);
     let thin = Mark::Line(Stroke::solid(INK, FINE));
     let axis = Mark::Arrow(Stroke::solid(INK, CURVE));
@@ -53,14 +54,16 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
         segment("e1", centre, across(centre, 0.62)).drawn(axis),
         segment("E1", [0.0, 0.0], [0.62, 0.0]).drawn(axis),
         segment("E2", [0.0, 0.0], [0.0, 0.62]).drawn(axis),
-        Series::of_rows("theta", &COLUMNS, arc(centre, 0.62, 0.0, THETA - 0.04)).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
+        Series::of_rows("theta", &COLUMNS, arc(centre, 0.62, 0.0, THETA - 0.04))
+            .drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
         segment("gravity", [3.45, 2.1], [3.45, 1.5]).drawn(axis),
         segment("x", [0.0, -0.36], [X, -0.36]).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
         segment("x foot", [X, 0.0], [X, -0.46]).drawn(thin),
         segment("x origin", [0.0, 0.0], [0.0, -0.46]).drawn(thin),
     ];
     layers.push(
-        Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI)).drawn(Mark::Line(Stroke::solid(BLUE, 2.4))),
+        Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI))
+            .drawn(Mark::Line(Stroke::solid(BLUE, 2.4))),
     );
     // Lengths beside the radius, on the side away from the angle.
     let beside = |distance: f64, away: f64| across(along(distance), -away);
@@ -109,7 +112,12 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     }
     let scale = 118.0;
     let (width, height) = (scale * (x_range[1] - x_range[0]), scale * (y_range[1] - y_range[0]));
-    let bare = |column: &'static str, range: [f64; 2]| Axis { column, title: String::new(), range, ticks: Vec::new() };
+    let bare = |column: &'static str, range: [f64; 2]| Axis {
+        column,
+        title: String::new(),
+        range,
+        ticks: Vec::new(),
+    };
     Ok(Figure {
         name: NAME,
         title: "Figure 1: the body".to_owned(),

@@ -48,9 +48,8 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
     // The shadow of the motion on the plane of rolling.
     for (mode, series) in &on_ground {
         if *mode == Mode::Sliding {
-            let pieces = series.pieces.iter().map(|piece| {
-                piece.iter().map(|row| vec![row[1], row[2], 0.0]).collect()
-            });
+            let pieces =
+                series.pieces.iter().map(|piece| piece.iter().map(|row| vec![row[1], row[2], 0.0]).collect());
             layers.push(
                 Series::new("shadow", &names, pieces.collect()).drawn(Mark::Line(Stroke::solid(GREY, 1.0))),
             );
@@ -149,8 +148,12 @@ pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureEr
         plane.push(limit.drawn(Mark::Line(Stroke::solid(BLUE, 1.2).dashed(Dash::Dashed))));
     }
     let mut trace = vec![
-        Series::of_rows("zero", &["time", "slip"], vec![vec![motion.start().time, 0.0], vec![horizon(&motion), 0.0]])
-            .drawn(Mark::Line(Stroke::solid(GREY, FINE))),
+        Series::of_rows(
+            "zero",
+            &["time", "slip"],
+            vec![vec![motion.start().time, 0.0], vec![horizon(&motion), 0.0]],
+        )
+        .drawn(Mark::Line(Stroke::solid(GREY, FINE))),
     ];
     let mut labels = vec![Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0)];
     for (mode, series) in &modes {
@@ -205,11 +208,9 @@ pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureEr
             .drawn(Mark::Ring(INK, 3.4)),
     );
     let times = match (changes.first(), motion.end_time()) {
-        (Some(change), end) if end.is_finite() => format!(
-            " *τ*_{{s}} = {}, *τ*_{{g}} = *τ*_{{s}} + {}.",
-            short(change[0]),
-            short(end - change[0])
-        ),
+        (Some(change), end) if end.is_finite() => {
+            format!(" *τ*_{{s}} = {}, *τ*_{{g}} = *τ*_{{s}} + {}.", short(change[0]), short(end - change[0]))
+        }
         _ => String::new(),
     };
     let caption = format!(

@@ -7,9 +7,7 @@ use crate::axes::{angle, rate};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
 use crate::plane::{PLANE, Portrait, rows};
-use crate::style::{
-    BLUE, BOLD, CURVE, Colour, Dash, FINE, GREEN, INK, PURPLE, SHADE, Stroke, VERMILION,
-};
+use crate::style::{BLUE, BOLD, CURVE, Colour, Dash, FINE, GREEN, INK, PURPLE, SHADE, Stroke, VERMILION};
 use crate::subject::Subject;
 use crate::trace::Window;
 use crate::words::short;
@@ -28,10 +26,7 @@ fn type_two_energy(theta_s: f64) -> f64 {
 
 /// An orbit as far as it runs in 𝓡.
 fn in_region(portrait: &Portrait, theta_s: f64, energy: f64) -> Vec<Vec<[f64; 2]>> {
-    let inner = Portrait {
-        window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] },
-        ..*portrait
-    };
+    let inner = Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..*portrait };
     inner
         .orbit(energy)
         .pieces
@@ -44,7 +39,8 @@ fn frame(portrait: &Portrait, theta_s: f64) -> Vec<crate::figure::Layer> {
     let limit = massless_limit(portrait).map(|(_, series)| series);
     let unloading = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
     let mut layers = Vec::new();
-    layers.extend(limit.map(|series| series.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed)))));
+    layers
+        .extend(limit.map(|series| series.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed)))));
     layers.push(Series::new("n", &PLANE, unloading).drawn(Mark::Line(Stroke::solid(PURPLE, BOLD))));
     layers
 }
@@ -130,8 +126,14 @@ pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
         Label::new("Type III", &[0.0, -0.42]),
         Label::new("Type III", &[0.68 * theta_s, 0.0]),
         Label::new("Type III", &[-0.68 * theta_s, 0.0]),
-        Label::new("Type II", &[0.56 * theta_s, libm::sqrt((two - libm::cos(0.56 * theta_s)) / (1.0 + libm::cos(0.56 * theta_s)))])
-            .sized(12.5),
+        Label::new(
+            "Type II",
+            &[
+                0.56 * theta_s,
+                libm::sqrt((two - libm::cos(0.56 * theta_s)) / (1.0 + libm::cos(0.56 * theta_s))),
+            ],
+        )
+        .sized(12.5),
         Label::new("*W*^{s}", &[-0.8 * theta_s, stable_manifold_rate(-0.8 * theta_s)]).shifted(8.0, -10.0),
         Label::new("*W*^{u}", &[0.8 * theta_s, unstable_manifold_rate(0.8 * theta_s)]).shifted(-8.0, -10.0),
         Label::new("*n*: *N* = 0, *θ*′ = 1", &[0.0, 1.0]).shifted(0.0, -14.0).coloured(PURPLE),
@@ -148,7 +150,15 @@ pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
         short(theta_s.to_degrees()),
         short(subject.hoop.mu_s())
     );
-    Ok(figure(NAME, "Figure 5(a): the region 𝓡 and its boundaries", caption, &portrait, layers, labels, Vec::new()))
+    Ok(figure(
+        NAME,
+        "Figure 5(a): the region 𝓡 and its boundaries",
+        caption,
+        &portrait,
+        layers,
+        labels,
+        Vec::new(),
+    ))
 }
 
 /// Figure 5(b).
@@ -183,7 +193,8 @@ pub(crate) fn motions(subject: &Subject) -> Result<Figure, FigureError> {
             let orbit: Vec<Vec<[f64; 2]>> = in_region(&portrait, theta_s, energy);
             for piece in &orbit {
                 // Orbits run to the right where θ′ > 0.
-                let exit = piece.iter().copied().reduce(|a, b| if a[0] * a[1] >= b[0] * b[1] { a } else { b });
+                let exit =
+                    piece.iter().copied().reduce(|a, b| if a[0] * a[1] >= b[0] * b[1] { a } else { b });
                 exits.extend(exit.map(|[theta, rate]| vec![theta, rate, energy]));
                 heads.extend(head(piece, stroke.colour));
             }
@@ -191,7 +202,9 @@ pub(crate) fn motions(subject: &Subject) -> Result<Figure, FigureError> {
                 .into_iter()
                 .map(|piece| piece.into_iter().map(|[theta, rate]| vec![theta, rate, energy]).collect())
                 .collect();
-            layers.push(Series::new(name, &["theta", "theta_rate", "energy"], pieces).drawn(Mark::Line(stroke)));
+            layers.push(
+                Series::new(name, &["theta", "theta_rate", "energy"], pieces).drawn(Mark::Line(stroke)),
+            );
         }
     }
     let manifolds = Series::new("manifolds", &PLANE, rows(in_region(&portrait, theta_s, 1.0)));
@@ -201,7 +214,8 @@ pub(crate) fn motions(subject: &Subject) -> Result<Figure, FigureError> {
         layers.push(Series::new("flow", &PLANE, vec![piece]).drawn(Mark::Head(colour)));
     }
     layers.push(
-        Series::of_rows("end of rolling", &["theta", "theta_rate", "energy"], exits).drawn(Mark::Dot(INK, 3.0)),
+        Series::of_rows("end of rolling", &["theta", "theta_rate", "energy"], exits)
+            .drawn(Mark::Dot(INK, 3.0)),
     );
     layers.extend(portrait.equilibria());
     let labels = vec![

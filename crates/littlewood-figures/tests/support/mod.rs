@@ -24,7 +24,7 @@ pub(crate) fn series<'a>(figure: &'a Figure, prefix: &'a str) -> Vec<&'a Series>
 
 /// The rows of these columns.
 pub(crate) fn columns<const N: usize>(series: &Series, names: [&str; N]) -> Vec<[f64; N]> {
-    let places = names.map(|name| series.column(name).unwrap_or_else(|| panic!("{}: {name}", series.name)));
+    let places = names.map(|name| series.column(name).expect("a column of the series"));
     series.rows().map(|row| places.map(|place| row[place])).collect()
 }
 
