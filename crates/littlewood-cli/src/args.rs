@@ -281,7 +281,7 @@ pub(crate) struct FiguresArgs {
         long,
         value_enum,
         value_delimiter = ',',
-        default_value = "svg,png,csv,txt",
+        default_values = ["svg", "png", "csv", "txt"],
         help_heading = "Output"
     )]
     pub(crate) format: Vec<FigureFormat>,

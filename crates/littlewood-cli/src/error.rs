@@ -175,8 +175,9 @@ impl Error {
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::ClosedPipe => ExitCode::SUCCESS,
-            Self::Write { .. } | Self::WriteFile { .. } => ExitCode::from(1),
-            Self::Figure(FigureError::Drawing(_)) => ExitCode::from(1),
+            Self::Write { .. } | Self::WriteFile { .. } | Self::Figure(FigureError::Drawing(_)) => {
+                ExitCode::from(1)
+            }
             Self::Interrupted { .. } => ExitCode::from(130),
             Self::Sweep(error) if is_of_the_system(error) => ExitCode::from(1),
             _ => ExitCode::from(2),

@@ -20,10 +20,16 @@ pub(crate) fn instants(phase: &Phase, until: f64) -> Vec<Sample> {
         .collect()
 }
 
-/// Where the figures of a motion stop: at its end, or a while after the last phase has begun if that lasts for ever.
+/// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns after the last phase
+/// has begun.
 pub(crate) fn horizon(motion: &Trajectory) -> f64 {
     let end = motion.end_time();
-    if end.is_finite() { end } else { motion.outcome().state().time + 12.0 }
+    let Some(last) = motion.phases().last() else { return end };
+    if end.is_finite() && motion.outcome().is_final() {
+        return end;
+    }
+    let turns = 14.0 / f64::max(last.start().theta_rate.abs(), 14.0 / 12.0);
+    f64::min(end, last.start().time + turns)
 }
 
 /// How a mode is drawn.

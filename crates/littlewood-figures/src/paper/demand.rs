@@ -33,7 +33,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     let (plane, law) = (PhasePlane::new(hoop), RollingLaw::new(hoop));
     let mu_s = hoop.mu_s();
     let turn = if subject.is_massless() { [-PI + 1e-3, PI - 1e-3] } else { [0.0, TAU] };
-    let most = f64::max(2.4 * mu_s, 1.0);
+    let most = f64::max(2.4 * mu_s, 0.1);
     let window = Window { x: turn, y: [0.0, most] };
     let separatrix = law.separatrix_energy();
     let start = law.energy(subject.start.theta, subject.start.theta_rate);

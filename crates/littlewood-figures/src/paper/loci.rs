@@ -48,7 +48,9 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
             .reduce(f64::max)
     };
     let mut labels = portrait.mark_of_unloading();
-    if let [Some(least), Some(greatest)] = [&loci[0], &loci[3]].map(reach) {
+    if let [Some(least), Some(greatest)] = [&loci[0], &loci[3]].map(reach)
+        && least > greatest + 0.3
+    {
         let ends = [least + 0.14, greatest - 0.1];
         let rows = ends.iter().map(|theta| vec![*theta, height]).collect();
         let arrow = Series::of_rows("increasing mu_s", &PLANE, rows);

@@ -67,7 +67,7 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
         };
         let middle = phase.sample(share * f64::min(phase.duration(), until - phase.start().time)).state;
         let shift = match middle.slip {
-            slip if slip < 0.0 => [-4.0, 16.0],
+            slip if slip < 0.0 => [13.0, 12.0],
             0.0 => [4.0, 14.0],
             _ => [-14.0, -6.0],
         };
