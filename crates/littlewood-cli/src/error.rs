@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use anstyle::{AnsiColor, Style};
 use littlewood::ParameterError;
+use littlewood_figures::FigureError;
 use littlewood_film::FilmError;
 use littlewood_sweep::{AxisError, ListError, PictureError, StoreError, SweepError};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
@@ -165,6 +166,19 @@ pub(crate) enum Error {
         /// All names.
         known: String,
     },
+    /// No figure has this name.
+    #[error("there is no figure named '{name}'")]
+    #[diagnostic(help("{hint}"))]
+    UnknownFigure {
+        /// The name that was given.
+        name: String,
+        /// The nearest names.
+        hint: String,
+    },
+    /// A figure that cannot be made.
+    #[error("{0}")]
+    #[diagnostic(help("{}", hint_of_figure(.0)))]
+    Figure(FigureError),
     /// Ctrl-C.
     #[error("stopped after {done} of {total} starts")]
     #[diagnostic(help("{hint}"))]
@@ -205,9 +219,11 @@ impl Error {
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::ClosedPipe => ExitCode::SUCCESS,
-            Self::Write { .. } | Self::WriteFile { .. } | Self::NoLab | Self::Port { .. } => {
-                ExitCode::from(1)
-            }
+            Self::Write { .. }
+            | Self::WriteFile { .. }
+            | Self::NoLab
+            | Self::Port { .. }
+            | Self::Figure(FigureError::Drawing(_)) => ExitCode::from(1),
             Self::Interrupted { .. } => ExitCode::from(130),
             Self::Film(FilmError::Stopped { .. }) => ExitCode::from(130),
             Self::Film(
@@ -245,6 +261,31 @@ impl Error {
             text.push_str(&format!("\n{cyan}hint:{cyan:#} {hint}\n"));
         }
         text
+    }
+}
+
+impl Error {
+    /// Of a figure.
+    pub(crate) fn of_figure(error: FigureError) -> Self {
+        match error {
+            FigureError::Parameter(error) => Self::Value { error },
+            other => Self::Figure(other),
+        }
+    }
+}
+
+/// What to do about a figure that cannot be made.
+const fn hint_of_figure(error: &FigureError) -> &'static str {
+    match error {
+        FigureError::NeedsInertia { .. } => "give --mass-ratio or --inertia above 0, or leave the figure out",
+        FigureError::NeedsMassless { .. } => "give --mass-ratio 0 and --inertia 0, or leave the figure out",
+        FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
+        FigureError::NeedsOffset { .. } => "give --offset above 0",
+        FigureError::NoMotion { .. } => {
+            "give another start; `littlewood classify` says what there is at this one"
+        }
+        FigureError::Scale { .. } => "give another --scale, such as 2",
+        _ => "this is a defect of the program: please report it",
     }
 }
 

@@ -7,6 +7,7 @@ mod axis;
 mod cases;
 mod classify;
 mod error;
+mod figures;
 mod interrupt;
 mod lab;
 mod list;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Atlas(args) => atlas::run(&args),
         Command::Lab(args) => lab::run(&args),
         Command::Animate(args) => animate::run(*args),
+        Command::Figures(args) => figures::run(&args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

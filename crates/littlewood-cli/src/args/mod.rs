@@ -1,10 +1,12 @@
 //! The command line as it is typed. What it means, together with a case and a scenario file, is decided in
 //! [`crate::problem`].
 
+mod figures;
 mod negative;
 mod problem;
 mod sweep;
 
+pub(crate) use figures::{FigureFormat, FiguresArgs};
 pub(crate) use negative::join_negative_numbers;
 pub(crate) use problem::{BaseArgs, ProblemArgs, RunArgs, number};
 pub(crate) use sweep::{AtlasArgs, MapArgs, SweepArgs, WorkArgs, size};
@@ -16,6 +18,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::animate::{self, AnimateArgs};
 use crate::lab::LabArgs;
 
+use self::figures::{FIGURES, FIGURES_EXAMPLES};
 use self::sweep::{ATLAS, ATLAS_EXAMPLES, MAP, MAP_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
 
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
@@ -58,6 +61,9 @@ pub(crate) enum Command {
     /// Count the sequences of phases that occur on a grid of starts, with an example of each
     #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
     Atlas(Box<AtlasArgs>),
+    /// Draw the figures of the paper, and more, of its hoops or of any other
+    #[command(long_about = FIGURES, after_help = FIGURES_EXAMPLES)]
+    Figures(Box<FiguresArgs>),
     /// Make a film of a motion: GIF, APNG or MP4
     #[command(long_about = animate::ABOUT, after_help = animate::EXAMPLES)]
     Animate(Box<AnimateArgs>),

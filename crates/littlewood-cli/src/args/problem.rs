@@ -17,11 +17,11 @@ pub(crate) struct ProblemArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) scenario: Option<PathBuf>,
     #[command(flatten)]
-    hoop: HoopArgs,
+    pub(super) hoop: HoopArgs,
     #[command(flatten)]
-    start: StartArgs,
+    pub(super) start: StartArgs,
     #[command(flatten)]
-    place: PlaceArgs,
+    pub(super) place: PlaceArgs,
     #[command(flatten)]
     pub(crate) si: SiArgs,
 }
@@ -83,7 +83,7 @@ impl ProblemArgs {
 /// The hoop, without dimensions (2.9).
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Hoop (dimensionless, 2.9)")]
-struct HoopArgs {
+pub(super) struct HoopArgs {
     /// Mass of the disc over that of the particle, m1/m2 >= 0
     #[arg(long, value_name = "RATIO", value_parser = number)]
     mass_ratio: Option<f64>,
@@ -105,7 +105,7 @@ struct HoopArgs {
 /// The start, without dimensions (2.9).
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Start (dimensionless, 2.9)")]
-struct StartArgs {
+pub(super) struct StartArgs {
     /// Angle theta of the particle from the upward vertical, counterclockwise, with SI parameters too
     #[arg(long, visible_alias = "theta-rad", value_name = "RAD", value_parser = number)]
     theta: Option<f64>,
@@ -120,7 +120,7 @@ struct StartArgs {
 /// Where and when the start is, which no motion depends on.
 #[derive(Debug, Default, Args)]
 #[command(next_help_heading = "Start (dimensionless, 2.9)")]
-struct PlaceArgs {
+pub(super) struct PlaceArgs {
     /// Horizontal position of the centre in R [default: 0]
     #[arg(long, value_name = "LENGTH", value_parser = number)]
     x: Option<f64>,

@@ -1,0 +1,96 @@
+//! Arguments of `littlewood figures`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use super::problem::{HoopArgs, PlaceArgs, ProblemArgs, RunArgs, SiArgs, StartArgs, number};
+
+pub(super) const FIGURES: &str = "\
+Draw the figures of the paper, and more, of its hoops or of any other.
+
+Every figure is computed from the library's results. It is made of its own case (figure-3 for a hoop with inertia, \
+figure-7 for the massless one) unless --case, --scenario or flags ask for another hoop or start. Without names all \
+figures are drawn that the hoop has; figures 4 to 7 show the massless hoop.
+
+Each figure is written as SVG, PNG, CSV (the data drawn) and TXT (the caption) into --out. Nothing is written unless \
+all can be drawn; a file is replaced only once it is complete.";
+
+pub(super) const FIGURES_EXAMPLES: &str = "\
+Examples:
+  littlewood figures --out figures
+  littlewood figures figure-3b outcomes --out figures --format svg,csv
+  littlewood figures --mass-ratio 2 --inertia 2 --mu-s 0.7 --out heavier
+  littlewood figures figure-2b --out print --format png --scale 6.25";
+
+/// Arguments of `littlewood figures`.
+#[derive(Debug, Args)]
+pub(crate) struct FiguresArgs {
+    /// Figures to draw, see --list [default: all that the hoop has]
+    #[arg(value_name = "NAME")]
+    pub(crate) names: Vec<String>,
+    /// List the figures: name, the case each is made of, what it shows
+    #[arg(long, exclusive = true)]
+    pub(crate) list: bool,
+    /// Named case to take instead of each figure's own, see `littlewood cases`
+    #[arg(long, value_name = "CASE", conflicts_with = "scenario")]
+    case: Option<String>,
+    /// Scenario file (TOML): case, [hoop], [start], [run], or [si.hoop] and [si.start]
+    #[arg(long, value_name = "FILE")]
+    scenario: Option<PathBuf>,
+    #[command(flatten)]
+    hoop: HoopArgs,
+    #[command(flatten)]
+    start: StartArgs,
+    #[command(flatten)]
+    si: SiArgs,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    /// Folder for the files; it is made if it is not there
+    #[arg(long, value_name = "DIR", required_unless_present = "list", help_heading = "Output")]
+    pub(crate) out: Option<PathBuf>,
+    /// Formats, with commas between them
+    #[arg(
+        long,
+        value_enum,
+        value_delimiter = ',',
+        default_values = ["svg", "png", "csv", "txt"],
+        help_heading = "Output"
+    )]
+    pub(crate) format: Vec<FigureFormat>,
+    /// Pixels of a PNG to one of the drawing (1/96 inch): 3.125 makes 300 dpi, 6.25 makes 600
+    #[arg(long, value_name = "FACTOR", value_parser = number, default_value_t = 2.0, help_heading = "Output")]
+    pub(crate) scale: f64,
+}
+
+impl FiguresArgs {
+    /// The same as `simulate` has it, with a case if none is asked for.
+    pub(crate) fn to_problem(&self, case: &str) -> ProblemArgs {
+        let case = match (&self.case, &self.scenario) {
+            (Some(case), _) => Some(case.clone()),
+            (None, Some(_)) => None,
+            (None, None) => Some(case.to_owned()),
+        };
+        ProblemArgs {
+            case,
+            scenario: self.scenario.clone(),
+            hoop: self.hoop.clone(),
+            start: self.start.clone(),
+            place: PlaceArgs::default(),
+            si: self.si.clone(),
+        }
+    }
+}
+
+/// A format of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FigureFormat {
+    /// Drawing
+    Svg,
+    /// Picture of that drawing
+    Png,
+    /// Data that it shows
+    Csv,
+    /// Caption
+    Txt,
+}

@@ -1,0 +1,101 @@
+//! `littlewood figures`: what it writes, what it leaves out, what it refuses.
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+
+use support::{littlewood, text};
+
+/// Names of the files in a folder.
+fn files(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|file| file.expect("a file").file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+/// The complaint of a run that is refused, with exit code 2.
+fn refusal(arguments: &[&str]) -> String {
+    let output = littlewood().args(arguments).assert().code(2).stdout("").get_output().stderr.clone();
+    String::from_utf8(output).expect("the output is UTF-8")
+}
+
+#[test]
+fn a_figure_is_written_as_drawing_picture_data_and_caption() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("new").join("figures");
+    let printed = text(&["figures", "figure-3b", "figure-1", "--out", out.to_str().expect("UTF-8")]);
+    let wanted: Vec<String> = ["figure-1", "figure-3b"]
+        .iter()
+        .flat_map(|name| ["csv", "png", "svg", "txt"].map(|ending| format!("{name}.{ending}")))
+        .collect();
+    assert_eq!(files(&out), wanted);
+    for name in &wanted {
+        assert!(printed.contains(name.as_str()), "{printed}");
+    }
+    let drawn = fs::read(out.join("figure-3b.svg")).expect("a drawing");
+    let gallery = [env!("CARGO_MANIFEST_DIR"), "..", "..", "docs", "gallery", "figure-3b.svg"];
+    let committed = fs::read(gallery.iter().collect::<std::path::PathBuf>()).expect("the gallery");
+    assert!(drawn == committed, "the drawing of the gallery");
+    let caption = fs::read_to_string(out.join("figure-3b.txt")).expect("a caption");
+    assert!(caption.starts_with("Figure 3(b)") && caption.contains("μs = 0.5"), "{caption}");
+    let data = fs::read_to_string(out.join("figure-3b.csv")).expect("data");
+    assert!(data.starts_with("panel,series,piece,"));
+}
+
+#[test]
+fn without_names_a_hoop_has_all_figures_that_can_show_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let printed = text(&["figures", "--out", out, "--format", "txt", "--mass-ratio", "2"]);
+    assert!(printed.contains("left out figure-4: figure-4 shows the massless hoop"), "{printed}");
+    let found = files(folder.path());
+    assert!(found.contains(&"figure-2a.txt".to_owned()) && found.contains(&"forces.txt".to_owned()));
+    assert!(!found.iter().any(|name| name.starts_with("figure-4")));
+    let caption = fs::read_to_string(folder.path().join("figure-2b.txt")).expect("a caption");
+    assert!(caption.contains("m1/m2 = 2,"), "{caption}");
+}
+
+#[test]
+fn a_figure_that_cannot_show_the_hoop_is_refused_and_nothing_is_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let message = refusal(&["figures", "figure-1", "figure-4", "--mass-ratio", "2", "--out", out]);
+    assert!(message.contains("mass ratio 2") && message.contains("--mass-ratio 0"), "{message}");
+    assert_eq!(files(folder.path()), Vec::<String>::new());
+}
+
+#[test]
+fn names_are_listed_and_unknown_ones_refused() {
+    let list = text(&["figures", "--list"]);
+    for name in ["figure-1", "figure-2a", "figure-7b", "forces", "energy", "friction-demand", "outcomes"] {
+        assert!(list.lines().any(|line| line.starts_with(name)), "{list}");
+    }
+    let message = refusal(&["figures", "3b", "--out", "unused"]);
+    assert!(message.contains("did you mean 'figure-3b'"), "{message}");
+    assert!(!Path::new("unused").exists());
+}
+
+#[test]
+fn bad_values_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("file");
+    fs::write(&file, "kept").expect("a file");
+    let out = folder.path().to_str().expect("UTF-8");
+    for (arguments, words) in [
+        (vec!["figures", "figure-1", "--scale", "nan", "--out", out], "scale is NaN"),
+        (vec!["figures", "figure-1", "--scale", "100", "--out", out], "from 0.25 to 16"),
+        (vec!["figures", "figure-2a", "--mu-k", "0.9", "--out", out], "0.9"),
+        (vec!["figures", "figure-2a", "--case", "figure-33", "--out", out], "figure-33"),
+        (vec!["figures", "figure-1", "--out", file.to_str().expect("UTF-8")], "not a folder"),
+        (vec!["figures", "figure-1"], "--out"),
+    ] {
+        let message = refusal(&arguments);
+        assert!(message.contains(words), "{message}");
+    }
+    assert_eq!(fs::read_to_string(&file).expect("a file"), "kept");
+    assert_eq!(files(folder.path()), ["file"]);
+}

@@ -1,0 +1,172 @@
+//! All figures by name.
+
+use crate::draw::{markdown, plain};
+use crate::error::FigureError;
+use crate::figure::Figure;
+use crate::paper;
+use crate::subject::{Subject, of_case};
+
+/// A figure that can be made.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Name, as the command line takes it.
+    pub name: &'static str,
+    /// What it shows.
+    pub title: &'static str,
+    /// The named case that it is made of unless another hoop or start is asked for.
+    pub case: &'static str,
+    make: fn(&Subject) -> Result<Figure, FigureError>,
+}
+
+impl Entry {
+    /// The figure of a subject.
+    ///
+    /// # Errors
+    /// A subject that the figure cannot show, or a start that is out of bounds.
+    pub fn figure(&self, subject: &Subject) -> Result<Figure, FigureError> {
+        (self.make)(subject)
+    }
+
+    /// The figure as the paper has it.
+    ///
+    /// # Errors
+    /// None is known.
+    pub fn of_the_paper(&self) -> Result<Figure, FigureError> {
+        self.figure(&of_case(self.case)?)
+    }
+}
+
+const fn entry(
+    name: &'static str,
+    title: &'static str,
+    case: &'static str,
+    make: fn(&Subject) -> Result<Figure, FigureError>,
+) -> Entry {
+    Entry { name, title, case, make }
+}
+
+/// All figures, in the order of the paper, then those that it does not have.
+pub const FIGURES: &[Entry] = &[
+    entry("figure-1", "the body and its symbols", "figure-3", paper::schematic::figure),
+    entry(
+        "figure-2a",
+        "where static friction gives way, for four coefficients",
+        "figure-3",
+        paper::loci::figure,
+    ),
+    entry("figure-2b", "phase portrait of rolling", "figure-3", paper::portrait::with_inertia),
+    entry("figure-3a", "a motion in the space of states", "figure-3", paper::state_space::space),
+    entry("figure-3b", "paths of the centre and of the mass centre", "figure-3", paper::paths::centres),
+    entry("figure-4", "phase portrait of the rolling massless hoop", "figure-7", paper::portrait::massless),
+    entry(
+        "figure-5a",
+        "the region R of the massless hoop and its boundaries",
+        "figure-7",
+        paper::types::regions,
+    ),
+    entry("figure-5b", "rolling motions of Types I, II and III", "figure-7", paper::types::motions),
+    entry("figure-6a", "phase portrait of gliding", "figure-7", paper::gliding::alone),
+    entry("figure-6b", "rolling and gliding in one portrait", "figure-7", paper::gliding::combined),
+    entry(
+        "figure-7a",
+        "rolling, then gliding, in the phase plane and in time",
+        "figure-7",
+        paper::state_space::rolling_then_gliding,
+    ),
+    entry("figure-7b", "path of the particle, a cycloid and a parabola", "figure-7", paper::paths::particle),
+    entry(
+        "forces",
+        "normal and friction force of a motion against time",
+        "figure-3",
+        paper::histories::forces,
+    ),
+    entry("energy", "energies of a motion against time", "figure-3", paper::histories::energy),
+    entry("friction-demand", "friction that rolling demands along orbits", "figure-3", paper::demand::figure),
+    entry("outcomes", "what becomes of the starts of the plane", "figure-3", paper::outcomes::figure),
+];
+
+/// Pixels of the pictures of the gallery to one of the drawing.
+pub const GALLERY_SCALE: f64 = 1.5;
+
+const PREFACE: &str = "\
+# Gallery
+
+Every figure of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of Littlewood's
+rolling hoop* (Proc. R. Soc. A 475, 2019), and four that it does not have, made from the library's results:
+
+```sh
+littlewood figures --out figures
+```
+
+Beside each drawing come a picture, the data drawn (CSV) and the caption. With `--mass-ratio` and its like the same
+figures show any other hoop; `littlewood figures --help` has examples. Lengths are in *R*, masses in *m*<sub>2</sub>,
+times in √(*R*/*g*). This page and its images are made by
+`cargo run -p littlewood-figures --example gallery -- docs`; a test compares them.
+";
+
+/// The page of the gallery: every figure as the paper has it, with its caption.
+///
+/// # Errors
+/// None is known.
+pub fn gallery_page() -> Result<String, FigureError> {
+    let mut page = PREFACE.to_owned();
+    for entry in FIGURES {
+        let figure = entry.of_the_paper()?;
+        page += &format!(
+            "\n## {}\n\n![{}](gallery/{}.svg)\n\n{} `littlewood figures {}`\n",
+            markdown(&figure.title),
+            plain(&figure.title),
+            entry.name,
+            markdown(&figure.caption),
+            entry.name
+        );
+    }
+    Ok(page)
+}
+
+/// The figure of this name.
+#[must_use]
+pub fn find_figure(name: &str) -> Option<&'static Entry> {
+    FIGURES.iter().find(|entry| entry.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::draw::missing;
+    use crate::figure::View;
+
+    #[test]
+    fn names_are_told_apart_and_found() {
+        for (i, entry) in FIGURES.iter().enumerate() {
+            assert!(FIGURES[..i].iter().all(|other| other.name != entry.name));
+            assert_eq!(find_figure(entry.name).map(|found| found.title), Some(entry.title));
+            assert!(littlewood::find_case(entry.case).is_some(), "{}", entry.case);
+        }
+        assert!(find_figure("figure-8").is_none());
+    }
+
+    #[test]
+    fn the_faces_have_all_letters() {
+        for entry in FIGURES {
+            let figure = entry.of_the_paper().expect("the figure can be made");
+            assert_eq!(figure.name, entry.name);
+            for panel in &figure.panels {
+                for label in &panel.labels {
+                    assert_eq!(missing(&label.text), "", "{}", label.text);
+                }
+                for key in &panel.keys {
+                    assert_eq!(missing(&key.text), "", "{}", key.text);
+                }
+                let axes = match &panel.view {
+                    View::Plane { x, y, .. } => vec![x, y],
+                    View::Space { x, y, z, .. } => vec![x, y, z],
+                };
+                for axis in axes {
+                    assert_eq!(missing(&axis.title), "", "{}", axis.title);
+                    assert!(axis.ticks.iter().all(|tick| missing(&tick.label).is_empty()));
+                }
+            }
+        }
+    }
+}

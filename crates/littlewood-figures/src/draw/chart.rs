@@ -1,0 +1,245 @@
+//! A figure on a sheet: axes and projection are the plotting library's, the marks are placed by its coordinates.
+
+use std::convert::Infallible;
+
+use plotters::chart::{ChartBuilder, LabelAreaPosition};
+use plotters::coord::Shift;
+use plotters::coord::ranged1d::ValueFormatter as _;
+use plotters::coord::ranged3d::ProjectionMatrixBuilder;
+use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea as _};
+use plotters::element::{Rectangle, Text};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color as _, IntoFont as _, RGBColor, ShapeStyle, TextStyle};
+
+use super::canvas::{Canvas, Ink, PLAIN, STEPS, steps};
+use super::face::FAMILY;
+use super::marks::Pen;
+use super::ruler::Ruler;
+use crate::error::FigureError;
+use crate::figure::{Anchor, Axis, Figure, Mark, Panel, Series, View};
+use crate::style::{Colour, FINE, INK, LETTER, SMALL, Stroke};
+
+/// The sheet.
+pub(crate) type Area = DrawingArea<Canvas, Shift>;
+/// What the library says when it fails.
+pub(crate) type Failure = DrawingAreaErrorKind<Infallible>;
+
+impl From<Failure> for FigureError {
+    fn from(error: Failure) -> Self {
+        Self::Drawing(error.to_string())
+    }
+}
+
+impl Figure {
+    /// The figure as SVG: text as text, in two faces that the file carries.
+    ///
+    /// # Errors
+    /// None is known; the plotting library may have its reasons.
+    pub fn svg(&self) -> Result<String, FigureError> {
+        let canvas = Canvas::new(self.width, self.height);
+        let root = canvas.clone().into_drawing_area();
+        for panel in &self.panels {
+            draw_panel(&root, &canvas, panel)?;
+        }
+        Ok(canvas.finish(self))
+    }
+}
+
+/// A colour of the library.
+pub(crate) const fn rgb(Colour(r, g, b): Colour) -> RGBColor {
+    RGBColor(r, g, b)
+}
+
+/// A line style of the library.
+pub(crate) fn line(stroke: Stroke) -> ShapeStyle {
+    rgb(stroke.colour).stroke_width(steps(stroke.width).unsigned_abs())
+}
+
+/// A text style of the library.
+pub(crate) fn letters(size: f64, colour: Colour, across: HPos) -> TextStyle<'static> {
+    let font = (FAMILY, size * STEPS).into_font();
+    let pos = Pos::new(across, VPos::Center);
+    TextStyle { font, color: rgb(colour).to_backend_color(), pos }
+}
+
+fn draw_panel(root: &Area, canvas: &Canvas, panel: &Panel) -> Result<(), FigureError> {
+    let [left, top, width, height] = panel.frame.map(steps);
+    let area = root.clone().shrink((left, top), (width, height));
+    match &panel.view {
+        View::Plane { x, y, axes } => draw_plane(root, &area, canvas, panel, [x, y], *axes)?,
+        View::Space { x, y, z, yaw, pitch } => {
+            draw_space(root, &area, canvas, panel, [x, y, z], [*yaw, *pitch])?;
+        }
+    }
+    for key in &panel.keys {
+        let [x, y] = key.at.map(steps);
+        let pen = Pen::new(root, canvas);
+        let end = (x + steps(26.0), y);
+        match key.mark {
+            Mark::Fill(colour) | Mark::Hatch(colour) => {
+                let corners = [(x, y - steps(6.0)), (x + steps(20.0), y + steps(6.0))];
+                canvas.take(Ink { hatch: matches!(key.mark, Mark::Hatch(_)), ..PLAIN });
+                root.draw(&Rectangle::new(corners, rgb(colour).filled()))?;
+                canvas.take(PLAIN);
+                root.draw(&Rectangle::new(corners, line(Stroke::solid(INK, 0.6))))?;
+            }
+            Mark::Line(_) => pen.mark(key.mark, &[vec![(x, y), end]], 1.0)?,
+            _ => pen.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0)?,
+        }
+        root.draw(&Text::new(key.text.clone(), (x + steps(32.0), y), letters(SMALL, INK, HPos::Left)))?;
+    }
+    Ok(())
+}
+
+/// Room for the labels of the two axes, in pixels.
+pub(crate) const ROOM: [f64; 2] = [62.0, 46.0];
+
+fn draw_plane(
+    root: &Area,
+    area: &Area,
+    canvas: &Canvas,
+    panel: &Panel,
+    [x, y]: [&Axis; 2],
+    axes: bool,
+) -> Result<(), FigureError> {
+    let [room_y, room_x] = if axes { ROOM.map(steps) } else { [0, 0] };
+    let mut chart = ChartBuilder::on(area)
+        .set_label_area_size(LabelAreaPosition::Left, room_y)
+        .set_label_area_size(LabelAreaPosition::Bottom, room_x)
+        .build_cartesian_2d(Ruler::from(x), Ruler::from(y))?;
+
+    let place = |at: &[f64]| chart.backend_coord(&(at[0], at[1]));
+    // How many steps a unit is: hoops are drawn only where both axes have one scale.
+    let unit = f64::from(place(&[x.range[1], y.range[0]]).0 - place(&[x.range[0], y.range[0]]).0)
+        / (x.range[1] - x.range[0]);
+    let pen = Pen::new(root, canvas);
+    for layer in &panel.layers {
+        let columns = [x.column, y.column].map(|name| layer.series.column(name));
+        let [Some(a), Some(b)] = columns else { continue };
+        if let Mark::Hoop { offset, h, rim } = layer.mark {
+            for row in layer.series.rows() {
+                pen.hoop(place(&[row[a], row[b]]), row[row.len() - 1], unit, [offset, h], rim)?;
+            }
+            continue;
+        }
+        if let Mark::Cell(colour, sides) = layer.mark {
+            canvas.take(Ink { crisp: true, ..PLAIN });
+            for ([left, right], y) in runs_of_cells(&layer.series, [a, b], sides[0]) {
+                let (from, to) = (place(&[left, y - 0.5 * sides[1]]), place(&[right, y + 0.5 * sides[1]]));
+                root.draw(&Rectangle::new([(from.0, to.1), (to.0, from.1)], rgb(colour).filled()))?;
+            }
+            canvas.take(PLAIN);
+            continue;
+        }
+        let pieces: Vec<Vec<(i32, i32)>> = layer
+            .series
+            .pieces
+            .iter()
+            .map(|piece| piece.iter().map(|row| place(&[row[a], row[b]])).collect())
+            .collect();
+        pen.mark(layer.mark, &pieces, unit)?;
+    }
+    draw_labels(root, canvas, panel, place)?;
+    canvas.take(PLAIN);
+    if axes {
+        let (pixels_x, pixels_y) = chart.plotting_area().get_pixel_range();
+        let corners = [(pixels_x.start, pixels_y.start), (pixels_x.end, pixels_y.end)];
+        root.draw(&Rectangle::new(corners, line(Stroke::solid(INK, FINE))))?;
+        chart
+            .configure_mesh()
+            .disable_mesh()
+            .axis_style(line(Stroke::solid(INK, FINE)))
+            .set_all_tick_mark_size(steps(4.0))
+            .label_style(letters(SMALL, INK, HPos::Center))
+            .axis_desc_style(letters(LETTER, INK, HPos::Center))
+            .x_labels(x.ticks.len())
+            .y_labels(y.ticks.len())
+            .x_desc(x.title.clone())
+            .y_desc(y.title.clone())
+            .draw()?;
+    }
+    Ok(())
+}
+
+/// Cells that lie side by side, in rows of one y after another: from where to where, and their y.
+fn runs_of_cells(series: &Series, [a, b]: [usize; 2], side: f64) -> Vec<([f64; 2], f64)> {
+    let mut runs: Vec<([f64; 2], f64)> = Vec::new();
+    for row in series.rows() {
+        let (left, right, y) = (row[a] - 0.5 * side, row[a] + 0.5 * side, row[b]);
+        match runs.last_mut() {
+            Some(([_, end], at)) if *at == y && (*end - left).abs() < 0.1 * side => *end = right,
+            _ => runs.push(([left, right], y)),
+        }
+    }
+    runs
+}
+
+fn draw_labels(
+    root: &Area,
+    canvas: &Canvas,
+    panel: &Panel,
+    place: impl Fn(&[f64]) -> (i32, i32),
+) -> Result<(), FigureError> {
+    canvas.take(Ink { halo: true, ..PLAIN });
+    for label in &panel.labels {
+        let (x, y) = place(&label.at);
+        let [right, down] = label.shift.map(steps);
+        let across = match label.anchor {
+            Anchor::Left => HPos::Left,
+            Anchor::Middle => HPos::Center,
+            Anchor::Right => HPos::Right,
+        };
+        let style = letters(label.size, label.colour, across);
+        root.draw(&Text::new(label.text.clone(), (x + right, y + down), style))?;
+    }
+    canvas.take(PLAIN);
+    Ok(())
+}
+
+fn draw_space(
+    root: &Area,
+    area: &Area,
+    canvas: &Canvas,
+    panel: &Panel,
+    [x, y, z]: [&Axis; 3],
+    [yaw, pitch]: [f64; 2],
+) -> Result<(), FigureError> {
+    let rulers = [x, y, z].map(Ruler::from);
+    let mut chart = ChartBuilder::on(area).margin(steps(16.0)).build_cartesian_3d(
+        rulers[0].clone(),
+        rulers[1].clone(),
+        rulers[2].clone(),
+    )?;
+    chart.with_projection(|mut builder: ProjectionMatrixBuilder| {
+        builder.yaw = yaw;
+        builder.pitch = pitch;
+        builder.scale = 0.78;
+        builder.into_matrix()
+    });
+    chart
+        .configure_axes()
+        .tick_size(steps(4.0))
+        .axis_panel_style(rgb(crate::style::WHITE))
+        .bold_grid_style(line(Stroke::solid(Colour(0xd0, 0xd0, 0xd0), 0.6)))
+        .light_grid_style(plotters::style::TRANSPARENT)
+        .label_style(letters(SMALL, INK, HPos::Center))
+        .x_formatter(&|value: &f64| rulers[0].format_ext(value))
+        .y_formatter(&|value: &f64| rulers[1].format_ext(value))
+        .z_formatter(&|value: &f64| rulers[2].format_ext(value))
+        .draw()?;
+    let place = |at: &[f64]| chart.plotting_area().map_coordinate(&(at[0], at[1], at[2]));
+    let pen = Pen::new(root, canvas);
+    for layer in &panel.layers {
+        let columns = [x.column, y.column, z.column].map(|name| layer.series.column(name));
+        let [Some(a), Some(b), Some(c)] = columns else { continue };
+        let pieces: Vec<Vec<(i32, i32)>> = layer
+            .series
+            .pieces
+            .iter()
+            .map(|piece| piece.iter().map(|row| place(&[row[a], row[b], row[c]])).collect())
+            .collect();
+        pen.mark(layer.mark, &pieces, 1.0)?;
+    }
+    draw_labels(root, canvas, panel, place)?;
+    Ok(())
+}

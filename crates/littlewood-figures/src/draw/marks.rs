@@ -1,0 +1,147 @@
+//! The marks: lines, heads of arrows, areas, dots, hoops, in steps of the sheet.
+
+use plotters::element::{Circle, PathElement, Polygon};
+use plotters::style::Color as _;
+
+use super::canvas::{Canvas, Ink, PLAIN, steps};
+use super::chart::{Area, Failure, line, rgb};
+use crate::figure::Mark;
+use crate::style::{Colour, Dash, INK, Stroke, WHITE};
+
+/// Length and half width of a head of an arrow in pixels.
+const HEAD: [f64; 2] = [9.0, 3.4];
+
+/// Draws marks on a sheet.
+pub(crate) struct Pen<'a> {
+    root: &'a Area,
+    canvas: &'a Canvas,
+}
+
+type Point = (i32, i32);
+
+impl<'a> Pen<'a> {
+    pub(crate) const fn new(root: &'a Area, canvas: &'a Canvas) -> Self {
+        Self { root, canvas }
+    }
+
+    /// Draws pieces of points; `unit` is the number of steps to a unit of the axes.
+    pub(crate) fn mark(&self, mark: Mark, pieces: &[Vec<Point>], unit: f64) -> Result<(), Failure> {
+        for piece in pieces {
+            match mark {
+                Mark::Line(stroke) => self.path(piece, stroke)?,
+                Mark::Arrow(stroke) => {
+                    self.path(piece, stroke)?;
+                    if let [.., from, to] = piece[..] {
+                        self.head(from, to, stroke.colour, false)?;
+                    }
+                }
+                Mark::Head(colour) => {
+                    if let [from, to, ..] = piece[..] {
+                        self.head(to, from, colour, true)?;
+                    }
+                }
+                Mark::Fill(colour) | Mark::Cell(colour, _) => self.area(piece, colour, false)?,
+                Mark::Hatch(colour) => self.area(piece, colour, true)?,
+                Mark::Dot(colour, radius) => {
+                    for point in piece {
+                        self.dot(*point, colour, radius)?;
+                    }
+                }
+                Mark::Ring(colour, radius) => {
+                    for point in piece {
+                        self.dot(*point, WHITE, radius)?;
+                        let style = line(Stroke::solid(colour, 1.4));
+                        self.root.draw(&Circle::new(*point, steps(radius), style))?;
+                    }
+                }
+                Mark::Cross(colour, radius) => {
+                    let r = steps(radius);
+                    for (x, y) in piece {
+                        let stroke = Stroke::solid(colour, 1.6);
+                        self.path(&[(x - r, y - r), (x + r, y + r)], stroke)?;
+                        self.path(&[(x - r, y + r), (x + r, y - r)], stroke)?;
+                    }
+                }
+                Mark::Hoop { offset, h, rim } => {
+                    for point in piece {
+                        self.hoop(*point, 0.0, unit, [offset, h], rim)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A hoop of radius one about its centre, its particle at an angle.
+    pub(crate) fn hoop(
+        &self,
+        centre: Point,
+        theta: f64,
+        unit: f64,
+        [offset, h]: [f64; 2],
+        rim: Stroke,
+    ) -> Result<(), Failure> {
+        let (sin, cos) = libm::sincos(theta);
+        let along = |distance: f64| {
+            (
+                centre.0 - libm::round(distance * sin * unit) as i32,
+                centre.1 - libm::round(distance * cos * unit) as i32,
+            )
+        };
+        self.canvas.take(PLAIN);
+        self.root.draw(&Circle::new(centre, libm::round(unit) as i32, line(rim)))?;
+        self.path(&[centre, along(offset)], Stroke { width: 1.0, ..rim })?;
+        self.dot(along(offset), INK, 5.0)?;
+        if h < offset {
+            self.mark(Mark::Ring(INK, 3.0), &[vec![along(h)]], unit)?;
+        }
+        self.dot(centre, INK, 1.8)
+    }
+
+    fn path(&self, points: &[Point], stroke: Stroke) -> Result<(), Failure> {
+        if points.len() < 2 {
+            return Ok(());
+        }
+        self.canvas.take(Ink { dash: stroke.dash, ..PLAIN });
+        self.root.draw(&PathElement::new(points.to_vec(), line(stroke)))?;
+        self.canvas.take(PLAIN);
+        Ok(())
+    }
+
+    fn area(&self, points: &[Point], colour: Colour, hatch: bool) -> Result<(), Failure> {
+        self.canvas.take(Ink { hatch, ..PLAIN });
+        self.root.draw(&Polygon::new(points.to_vec(), rgb(colour)))?;
+        self.canvas.take(PLAIN);
+        Ok(())
+    }
+
+    fn dot(&self, point: Point, colour: Colour, radius: f64) -> Result<(), Failure> {
+        self.root.draw(&Circle::new(point, steps(radius), rgb(colour).filled()))
+    }
+
+    /// A head that points from one point to another: its tip there, or its middle at the second.
+    fn head(&self, from: Point, to: Point, colour: Colour, centred: bool) -> Result<(), Failure> {
+        let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
+        let length = libm::sqrt(dx * dx + dy * dy);
+        if length == 0.0 {
+            return Ok(());
+        }
+        let (ux, uy) = if centred { (-dx / length, -dy / length) } else { (dx / length, dy / length) };
+        let [long, wide] = HEAD.map(|size| f64::from(steps(size)));
+        let forward = if centred { 0.5 * long } else { 0.0 };
+        let corner = |along: f64, across: f64| {
+            (
+                to.0 + libm::round(along * ux - across * uy) as i32,
+                to.1 + libm::round(along * uy + across * ux) as i32,
+            )
+        };
+        let corners = [
+            corner(forward, 0.0),
+            corner(forward - long, wide),
+            corner(forward - 0.75 * long, 0.0),
+            corner(forward - long, -wide),
+        ];
+        self.canvas.take(Ink { dash: Dash::Solid, ..PLAIN });
+        self.root.draw(&Polygon::new(corners.to_vec(), rgb(colour)))
+    }
+}

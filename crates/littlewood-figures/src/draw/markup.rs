@@ -1,0 +1,98 @@
+//! Text with symbols: `*θ*` is italic, `_{s}` below the line, `^{2}` above it.
+
+/// Where a run stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Script {
+    /// On the line.
+    Line,
+    /// Below it.
+    Sub,
+    /// Above it.
+    Super,
+}
+
+/// Letters of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Run<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) italic: bool,
+    pub(crate) script: Script,
+}
+
+/// The runs of a text.
+pub(crate) fn runs(text: &str) -> Vec<Run<'_>> {
+    let mut runs = Vec::new();
+    let (mut italic, mut script, mut begin, mut at) = (false, Script::Line, 0, 0);
+    while at < text.len() {
+        let rest = &text[at..];
+        let (marks, next_italic, next_script) = if rest.starts_with('*') {
+            (1, !italic, script)
+        } else if rest.starts_with("_{") {
+            (2, italic, Script::Sub)
+        } else if rest.starts_with("^{") {
+            (2, italic, Script::Super)
+        } else if rest.starts_with('}') && script != Script::Line {
+            (1, italic, Script::Line)
+        } else {
+            at += rest.chars().next().map_or(1, char::len_utf8);
+            continue;
+        };
+        if begin < at {
+            runs.push(Run { text: &text[begin..at], italic, script });
+        }
+        (italic, script) = (next_italic, next_script);
+        at += marks;
+        begin = at;
+    }
+    if begin < text.len() {
+        runs.push(Run { text: &text[begin..], italic, script });
+    }
+    runs
+}
+
+/// The letters alone.
+#[must_use]
+pub fn plain(text: &str) -> String {
+    runs(text).into_iter().map(|run| run.text).collect()
+}
+
+/// As Markdown.
+#[must_use]
+pub fn markdown(text: &str) -> String {
+    let mut out = String::new();
+    for Run { text, italic, script } in runs(text) {
+        let (open, close) = match script {
+            Script::Line => ("", ""),
+            Script::Sub => ("<sub>", "</sub>"),
+            Script::Super => ("<sup>", "</sup>"),
+        };
+        let star = if italic { "*" } else { "" };
+        out.extend([open, star, text, star, close]);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_are_taken_off() {
+        assert_eq!(plain("|*F*| = *μ*_{s}*N*, *θ*′^{2}"), "|F| = μsN, θ′2");
+        assert_eq!(markdown("*μ*_{s} = ½"), "*μ*<sub>s</sub> = ½");
+        assert_eq!(plain("{x}"), "{x}");
+    }
+
+    #[test]
+    fn a_run_knows_how_it_is_set() {
+        let found = runs("*m*_{1}*R*");
+        assert_eq!(
+            found,
+            [
+                Run { text: "m", italic: true, script: Script::Line },
+                Run { text: "1", italic: false, script: Script::Sub },
+                Run { text: "R", italic: true, script: Script::Line },
+            ]
+        );
+    }
+}

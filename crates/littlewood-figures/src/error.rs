@@ -1,0 +1,65 @@
+//! What can go wrong with a figure.
+
+use littlewood::ParameterError;
+
+/// A figure that cannot be made.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FigureError {
+    /// A hoop or a start out of bounds.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// A figure of §2 asked for a hoop without inertia.
+    #[error("{figure} shows a hoop with inertia; this one has mass ratio 0 and inertia 0")]
+    NeedsInertia {
+        /// Name of the figure.
+        figure: &'static str,
+    },
+    /// A figure of §3 asked for a hoop with inertia.
+    #[error("{figure} shows the massless hoop; this one has mass ratio {mass_ratio} and inertia {inertia}")]
+    NeedsMassless {
+        /// Name of the figure.
+        figure: &'static str,
+        /// m̂1.
+        mass_ratio: f64,
+        /// Î_zz.
+        inertia: f64,
+    },
+    /// A figure of §3 asked for a particle inside the rim.
+    #[error("{figure} shows the particle on the rim, offset 1; this one has offset {offset}")]
+    NeedsRim {
+        /// Name of the figure.
+        figure: &'static str,
+        /// ℓ̂.
+        offset: f64,
+    },
+    /// A figure of angles asked for a body whose mass centre is the geometric centre.
+    #[error("{figure} shows a loaded hoop; this one has offset 0, and nothing depends on the angle")]
+    NeedsOffset {
+        /// Name of the figure.
+        figure: &'static str,
+    },
+    /// A figure of a motion that does not begin: no motion, or more than one, is consistent at the start.
+    #[error("{figure} shows a motion, but from this start there is none: {outcome}")]
+    NoMotion {
+        /// Name of the figure.
+        figure: &'static str,
+        /// Kind of outcome.
+        outcome: &'static str,
+    },
+    /// A scale out of bounds.
+    #[error(
+        "scale is {scale}, but must be from {least} to {most} pixels of the picture to one of the drawing"
+    )]
+    Scale {
+        /// The scale.
+        scale: f64,
+        /// Least.
+        least: f64,
+        /// Most.
+        most: f64,
+    },
+    /// The plotting library has failed.
+    #[error("drawing failed: {0}")]
+    Drawing(String),
+}

@@ -1,0 +1,55 @@
+//! The figures of the loaded hoop: as SVG, as PNG, and as the data that they show.
+//!
+//! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. It is made by name from
+//! [`FIGURES`], of a hoop and a start ([`Subject`]), by functions that ask the library `littlewood` and nothing else;
+//! nothing is drawn by hand or from stored data. [`Figure::svg`] and [`Figure::png`] draw it, [`Figure::csv`] writes the
+//! rows that are drawn. No file is touched here.
+//!
+//! ```
+//! use littlewood_figures::{find_figure, plain};
+//!
+//! let figure = find_figure("figure-3b").expect("a name of the catalogue").of_the_paper()?;
+//! assert!(figure.svg()?.starts_with("<svg"));
+//! assert!(figure.csv().starts_with("panel,series,piece,"));
+//! assert!(plain(&figure.caption).contains("the hoop at the start and at each transition"));
+//! # Ok::<(), littlewood_figures::FigureError>(())
+//! ```
+//!
+//! Any other hoop:
+//!
+//! ```
+//! use littlewood::{Hoop, HoopParameters, Limits, Start};
+//! use littlewood_figures::{Subject, find_figure};
+//!
+//! let hoop = Hoop::new(HoopParameters { mass_ratio: 2.0, offset: 0.8, inertia: 2.0, mu_s: 0.7, mu_k: 0.5 })?;
+//! let subject = Subject { hoop, start: Start::at(1.0, 2.0), limits: Limits::default() };
+//! let portrait = find_figure("figure-2b").expect("a name of the catalogue").figure(&subject)?;
+//! assert_eq!(portrait.panels.len(), 1);
+//! # Ok::<(), littlewood_figures::FigureError>(())
+//! ```
+//!
+//! Texts carry marks, `*θ*` for a symbol, `_{s}` below and `^{2}` above the line: [`plain`] takes them off,
+//! [`markdown`] translates them. Every SVG carries its two faces along, so that it looks the same everywhere, and the
+//! PNG is that SVG drawn by resvg with the same faces.
+
+mod axes;
+mod catalogue;
+mod csv;
+mod draw;
+mod error;
+mod figure;
+mod motion;
+mod paper;
+mod plane;
+pub mod style;
+mod subject;
+mod ticks;
+mod trace;
+mod words;
+
+pub use catalogue::{Entry, FIGURES, GALLERY_SCALE, find_figure, gallery_page};
+pub use draw::{LEAST_SCALE, MOST_SCALE, markdown, plain};
+pub use error::FigureError;
+pub use figure::{Anchor, Axis, Figure, Key, Label, Layer, Mark, Panel, Series, Tick, View};
+pub use style::{Colour, Dash, Stroke};
+pub use subject::Subject;

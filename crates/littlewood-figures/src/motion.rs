@@ -1,0 +1,79 @@
+//! A motion as series: one piece for each phase of a mode.
+
+use littlewood::{Mode, Phase, Sample, Trajectory};
+
+use crate::figure::Series;
+use crate::style::{BLUE, CURVE, Dash, GREEN, INK, Stroke, VERMILION};
+
+/// Instants of a phase.
+const INSTANTS: u32 = 160;
+
+/// The instants of a phase, evenly spaced; one that lasts for ever is cut at `until`.
+pub(crate) fn instants(phase: &Phase, until: f64) -> Vec<Sample> {
+    let duration = f64::min(phase.duration(), until - phase.start().time);
+    if duration <= 0.0 {
+        return Vec::new();
+    }
+    (0..=INSTANTS)
+        .map(|i| phase.sample(duration * f64::from(i) / f64::from(INSTANTS)))
+        .filter(|sample| sample.state.theta_rate.is_finite())
+        .collect()
+}
+
+/// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns after the last phase
+/// has begun.
+pub(crate) fn horizon(motion: &Trajectory) -> f64 {
+    let end = motion.end_time();
+    let Some(last) = motion.phases().last() else { return end };
+    if end.is_finite() && motion.outcome().is_final() {
+        return end;
+    }
+    let turns = 14.0 / f64::max(last.start().theta_rate.abs(), 14.0 / 12.0);
+    f64::min(end, last.start().time + turns)
+}
+
+/// How a mode is drawn.
+pub(crate) const fn stroke(mode: Mode) -> Stroke {
+    match mode {
+        Mode::Rolling => Stroke::solid(BLUE, CURVE),
+        Mode::Sliding => Stroke::solid(VERMILION, CURVE).dashed(Dash::Dashed),
+        Mode::Gliding => Stroke::solid(GREEN, CURVE).dashed(Dash::DashDot),
+        Mode::Flight => Stroke::solid(INK, CURVE).dashed(Dash::Dotted),
+    }
+}
+
+/// The modes of a motion, each with the series of its phases.
+pub(crate) fn by_mode(
+    motion: &Trajectory,
+    prefix: &str,
+    columns: &[&'static str],
+    row: &dyn Fn(&Sample) -> Vec<f64>,
+) -> Vec<(Mode, Series)> {
+    let until = horizon(motion);
+    Mode::ALL
+        .into_iter()
+        .filter_map(|mode| {
+            let pieces: Vec<Vec<Vec<f64>>> = motion
+                .phases()
+                .iter()
+                .filter(|phase| phase.mode() == mode)
+                .map(|phase| instants(phase, until).iter().map(row).collect())
+                .collect();
+            (!pieces.is_empty()).then(|| (mode, Series::new(format!("{prefix}{mode}"), columns, pieces)))
+        })
+        .collect()
+}
+
+/// The lowest and the highest of some values, a share of the span added on either side.
+pub(crate) fn bounds(values: impl IntoIterator<Item = f64>, share: f64) -> [f64; 2] {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for value in values.into_iter().filter(|value| value.is_finite()) {
+        low = low.min(value);
+        high = high.max(value);
+    }
+    if low > high {
+        return [-1.0, 1.0];
+    }
+    let pad = if high > low { share * (high - low) } else { f64::max(0.5 * share, 1e-3 * high.abs()) };
+    [low - pad, high + pad]
+}

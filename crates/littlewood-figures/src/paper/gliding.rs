@@ -1,0 +1,259 @@
+//! Figure 6: gliding of the massless hoop, alone and together with rolling.
+
+use core::f64::consts::PI;
+
+use littlewood::{Body, GlidingIntegrals, Limits, Massless, Mode, Start};
+
+use super::portrait::massless_limit;
+use crate::axes::{angle, rate};
+use crate::error::FigureError;
+use crate::figure::{Figure, Label, Layer, Mark, Panel, Series, View};
+use crate::plane::Portrait;
+use crate::style::{BLUE, BOLD, CURVE, Dash, FAINT, FINE, GREEN, GREY, INK, PURPLE, SHADE, Stroke};
+use crate::subject::Subject;
+use crate::trace::Window;
+use crate::words::short;
+
+const WINDOW: Window = Window { x: [-PI, PI], y: [-2.6, 2.6] };
+const COLUMNS: [&str; 3] = ["theta", "theta_rate", "w"];
+
+/// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical velocity V as the
+/// parameter, ℓ̂ cos θ = w − ½ V² and θ′ = −V/(ℓ̂ sin θ).
+fn line_of(body: &Massless, w: f64, side: f64, velocities: [f64; 2]) -> Vec<Vec<Vec<f64>>> {
+    let l = body.offset;
+    WINDOW
+        .pieces(velocities, 600, &|v| {
+            // 1 − cos θ and 1 + cos θ, without cancellation at the top.
+            let (below_top, above_bottom) = ((l - w + 0.5 * v * v) / l, (l + w - 0.5 * v * v) / l);
+            if below_top <= 0.0 || above_bottom <= 0.0 {
+                return None;
+            }
+            let theta = 2.0 * libm::atan2(below_top.sqrt(), above_bottom.sqrt());
+            Some([side * theta, -side * v / (l * (below_top * above_bottom).sqrt())])
+        })
+        .into_iter()
+        .map(|piece| piece.into_iter().map(|[theta, rate]| vec![theta, rate, w]).collect())
+        .collect()
+}
+
+/// The greatest speed of a fall with this w: to the lowest place.
+fn fastest(body: &Massless, w: f64) -> f64 {
+    (2.0 * (w + body.offset)).sqrt()
+}
+
+fn massless(subject: &Subject) -> Option<Massless> {
+    match subject.hoop.body() {
+        Body::Massless(body) => Some(body),
+        Body::Heavy(_) => None,
+    }
+}
+
+fn heads(pieces: &[Vec<Vec<f64>>], rates: &[f64]) -> Vec<Vec<Vec<f64>>> {
+    let mut heads = Vec::new();
+    for piece in pieces {
+        for wanted in rates {
+            let at = piece.windows(2).find(|pair| (pair[0][1] - wanted) * (pair[1][1] - wanted) <= 0.0);
+            if let Some([a, b]) = at {
+                let forward = (b[0] - a[0]) * a[1] > 0.0;
+                heads.push(if forward { vec![a.clone(), b.clone()] } else { vec![b.clone(), a.clone()] });
+            }
+        }
+    }
+    heads
+}
+
+/// Figure 6(a).
+pub(crate) fn alone(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-6a";
+    subject.littlewood(NAME)?;
+    let Some(body) = massless(subject) else { return Err(needs(subject, NAME)) };
+    let mut layers: Vec<Layer> = Vec::new();
+    let mut flow = Vec::new();
+    for w in [-0.75, -0.4, 0.0, 0.4, 0.75, 1.25, 1.75, 2.5, 3.5, 5.0] {
+        let v = fastest(&body, w);
+        for side in [1.0, -1.0] {
+            let pieces = line_of(&body, w, side, [-v, v]);
+            let at = if w < 1.0 { vec![0.9, -0.9] } else { vec![] };
+            flow.extend(heads(&pieces, &at));
+            if w > 1.0 {
+                flow.extend(heads_at_angle(&pieces, side * 0.5 * PI));
+            }
+            let name = format!("w={w}");
+            layers.push(Series::new(name, &COLUMNS, pieces).drawn(Mark::Line(Stroke::solid(GREEN, CURVE))));
+        }
+    }
+    for side in [1.0, -1.0] {
+        // With w = 1 the particle comes to the top, θ = 0, with V = 0, and passes over it.
+        let v = fastest(&body, 1.0);
+        let pieces = [line_of(&body, 1.0, side, [-v, -1e-6]), line_of(&body, 1.0, side, [1e-6, v])].concat();
+        flow.extend(heads_at_angle(&pieces, side * 0.5 * PI));
+        layers.push(Series::new("w=1", &COLUMNS, pieces).drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    }
+    layers.push(Series::new("flow", &COLUMNS, flow).drawn(Mark::Head(INK)));
+    let singular = Series::of_rows(
+        "singular",
+        &["theta", "theta_rate"],
+        vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]],
+    );
+    layers.push(singular.drawn(Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed))));
+    let labels = vec![
+        Label::new("*w* = 1", &[0.0, 1.0]).shifted(32.0, -11.0),
+        Label::new("*w* = 1", &[0.0, -1.0]).shifted(32.0, 11.0),
+        Label::new("*w* = 0", &[0.5 * PI, 0.0]),
+        Label::new("*w* = 0", &[-0.5 * PI, 0.0]),
+        Label::new("*w* > 1", &[0.16 * PI, 2.3]).left(),
+        Label::new("*w* > 1", &[-0.16 * PI, -2.3]).right(),
+    ];
+    let caption = "Phase portrait of gliding (3.17)_{1}: lines of constant *w* = ½ sin^{2}*θ* *θ*′^{2} + cos *θ*, the \
+                   vertical energy of the freely falling particle. (The *w* printed in (3.18), ½ sin *θ* *θ*′^{2} − *θ*, \
+                   is not conserved by (3.17), and its lines are not the orbits.) On the black lines *w* = 1: they alone \
+                   pass through *θ* = 0, with *θ*′ = ±1. *θ*′ is unbounded as *θ* → ±π, which is reached in a finite time."
+        .to_owned();
+    Ok(figure(NAME, "Figure 6(a): phase portrait of gliding", caption, layers, labels))
+}
+
+/// The place on each piece over an angle, pointing along the flow.
+fn heads_at_angle(pieces: &[Vec<Vec<f64>>], theta: f64) -> Vec<Vec<Vec<f64>>> {
+    pieces
+        .iter()
+        .flat_map(|piece| piece.windows(2).filter(|pair| (pair[0][0] - theta) * (pair[1][0] - theta) < 0.0))
+        .filter(|pair| pair[0][1].abs() < 2.4)
+        .map(|pair| {
+            let (a, b) = (pair[0].clone(), pair[1].clone());
+            if (b[0] - a[0]) * a[1] > 0.0 { vec![a, b] } else { vec![b, a] }
+        })
+        .collect()
+}
+
+fn needs(subject: &Subject, figure: &'static str) -> FigureError {
+    FigureError::NeedsMassless {
+        figure,
+        mass_ratio: subject.hoop.mass_ratio(),
+        inertia: subject.hoop.inertia(),
+    }
+}
+
+fn figure(
+    name: &'static str,
+    title: &str,
+    caption: String,
+    layers: Vec<Layer>,
+    labels: Vec<Label>,
+) -> Figure {
+    Figure {
+        name,
+        title: title.to_owned(),
+        caption,
+        width: 580.0,
+        height: 420.0,
+        panels: vec![Panel {
+            name: "plane",
+            frame: [6.0, 12.0, 552.0, 402.0],
+            view: View::Plane { x: angle(WINDOW.x), y: rate(WINDOW.y), axes: true },
+            layers,
+            labels,
+            keys: Vec::new(),
+        }],
+    }
+}
+
+/// Figure 6(b).
+pub(crate) fn combined(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-6b";
+    subject.littlewood(NAME)?;
+    let Some(body) = massless(subject) else { return Err(needs(subject, NAME)) };
+    let portrait = Portrait::new(&subject.hoop, WINDOW);
+    let theta_s = 2.0 * libm::atan(subject.hoop.mu_s());
+    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(SHADE))];
+    let (mut rolling, mut gliding, mut changes) = (Vec::new(), Vec::new(), Vec::new());
+    // Starts in 𝓡: over the top by their rate there, and at rest at an angle.
+    let over = [0.25, 0.5, 0.75, 0.92].map(|rate| Start::at(0.0, rate));
+    let resting = [0.4, 0.75].map(|share| Start::at(share * theta_s, 0.0));
+    for start in over.into_iter().chain(resting) {
+        let motion = subject.hoop.simulate(start, Limits::default())?;
+        let Some(phase) = motion.phases().first().filter(|phase| phase.mode() == Mode::Rolling) else {
+            continue;
+        };
+        let (Some(end), duration) = (phase.end(), phase.duration()) else { continue };
+        let half: Vec<[f64; 2]> = (0..=80)
+            .map(|i| phase.sample(duration * f64::from(i) / 80.0).state)
+            .map(|state| [state.theta, state.theta_rate])
+            .collect();
+        let w = GlidingIntegrals::at(&body, end.theta, end.theta_rate, 0.0).w;
+        let falling = -libm::sin(end.theta) * end.theta_rate;
+        let onward = line_of(&body, w, 1.0, [falling, -fastest(&body, w)]);
+        // The other half of each orbit, and the other three, by symmetry: through the top (θ, θ′) → (−θ, θ′) with time
+        // reversed, otherwise (θ, −θ′); and (−θ, −θ′).
+        let images: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
+        for [a, b] in images {
+            rolling.push(half.iter().map(|[x, y]| vec![a * x, b * y]).collect::<Vec<_>>());
+            gliding.extend(
+                onward
+                    .iter()
+                    .map(|piece| piece.iter().map(|row| vec![a * row[0], b * row[1], w]).collect::<Vec<_>>()),
+            );
+            changes.push(vec![a * end.theta, b * end.theta_rate]);
+        }
+    }
+    let flow_g = gliding
+        .iter()
+        .filter_map(|piece: &Vec<Vec<f64>>| {
+            let at = piece
+                .windows(2)
+                .find(|pair| (pair[1][0].abs() - 0.62 * PI) * (pair[0][0].abs() - 0.62 * PI) <= 0.0)?;
+            let (a, b) = (at[0].clone(), at[1].clone());
+            Some(if (b[0] - a[0]) * a[1] > 0.0 { vec![a, b] } else { vec![b, a] })
+        })
+        .collect();
+    // Gliding elsewhere: the lines of Figure 6(a), as far as they run outside 𝓡.
+    let outside = |row: &Vec<f64>| row[0].abs() > theta_s || row[1].abs() > 1.0;
+    let mut elsewhere = Vec::new();
+    for w in [-0.75, -0.4, 0.0, 0.4, 0.75, 1.25, 1.75, 2.5, 3.5] {
+        let v = fastest(&body, w);
+        for side in [1.0, -1.0] {
+            for piece in line_of(&body, w, side, [-v, v]) {
+                elsewhere.extend(
+                    piece.split(|row| !outside(row)).filter(|part| part.len() > 1).map(<[_]>::to_vec),
+                );
+            }
+        }
+    }
+    layers.push(
+        Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
+    );
+    layers.push(
+        Series::new("gliding", &COLUMNS, gliding)
+            .drawn(Mark::Line(Stroke::solid(GREEN, CURVE).dashed(Dash::Short))),
+    );
+    layers.push(
+        Series::new("rolling", &["theta", "theta_rate"], rolling)
+            .drawn(Mark::Line(Stroke::solid(BLUE, CURVE))),
+    );
+    let manifolds =
+        Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
+    layers.push(manifolds.drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    if let Some((_, limit)) = massless_limit(&portrait) {
+        layers.push(limit.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed))));
+    }
+    let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
+    layers.push(
+        Series::new("n", &["theta", "theta_rate"], edges).drawn(Mark::Line(Stroke::solid(PURPLE, BOLD))),
+    );
+    layers.push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(GREEN)));
+    layers.push(Series::of_rows("transition", &["theta", "theta_rate"], changes).drawn(Mark::Dot(INK, 2.4)));
+    layers.extend(portrait.equilibria());
+    let labels = vec![
+        Label::new("rolls", &[0.0, 0.63]).coloured(BLUE),
+        Label::new("glides", &[0.72 * PI, 1.3]).coloured(GREEN),
+        Label::new("glides", &[-0.72 * PI, -1.3]).coloured(GREEN),
+        Label::new("𝓡", &[-0.72 * theta_s, 0.0]).sized(20.0),
+    ];
+    let caption = format!(
+        "Rolling (blue, in 𝓡, shaded) and gliding (green) of the massless hoop together. Motions leave 𝓡 where static \
+         friction gives way or the normal force vanishes (dots) and glide on along a line of constant *w* to *θ* = ±π. \
+         Gliding motions that enter 𝓡 become rolling ones only if *η*′ = 0 there. Black: stable and unstable manifolds of \
+         the equilibrium. *μ*_{{s}} = {}. Gliding by the corrected integral, see Figure 6(a); grey: other gliding motions, outside 𝓡.",
+        short(subject.hoop.mu_s())
+    );
+    Ok(figure(NAME, "Figure 6(b): combined phase portrait", caption, layers, labels))
+}

@@ -1,0 +1,257 @@
+//! Forces and energy of a motion against time, with its transitions.
+
+use littlewood::{Hoop, Mode, Phase, Sample, Trajectory};
+
+use crate::axes::{plain, time};
+use crate::error::FigureError;
+use crate::figure::{Axis, Figure, Key, Label, Layer, Mark, Panel, Series, Tick, View};
+use crate::motion::{bounds, horizon, instants};
+use crate::style::{BLUE, CURVE, Dash, FINE, GREEN, GREY, INK, PURPLE, SMALL, Stroke, VERMILION};
+use crate::subject::Subject;
+use crate::words::{cause_in_words, hoop_in_words, short, start_in_words};
+
+/// A quantity along a motion, a piece for each phase where it is defined.
+fn history(
+    motion: &Trajectory,
+    name: &str,
+    column: &'static str,
+    value: &dyn Fn(&Phase, &Sample) -> Option<f64>,
+) -> Series {
+    let until = horizon(motion);
+    let pieces = motion
+        .phases()
+        .iter()
+        .map(|phase| {
+            instants(phase, until)
+                .iter()
+                .filter_map(|sample| Some(vec![sample.state.time, value(phase, sample)?]))
+                .collect::<Vec<_>>()
+        })
+        .filter(|piece| piece.len() > 1)
+        .collect();
+    Series::new(name, &["time", column], pieces)
+}
+
+fn axis_of(column: &'static str, title: &str, series: &[&Series], also: &[f64]) -> Axis {
+    let values = series.iter().flat_map(|series| series.rows().map(|row| row[1]));
+    let mut axis = plain(column, title, bounds(values.chain(also.iter().copied()), 0.12));
+    axis.ticks = crate::ticks::round(axis.range[0], axis.range[1], 5);
+    axis
+}
+
+/// Verticals at the transitions.
+fn transitions(motion: &Trajectory, axis: &Axis) -> Layer {
+    let until = horizon(motion);
+    let pieces = motion
+        .transitions()
+        .iter()
+        .map(|transition| transition.state.time)
+        .filter(|time| *time < until)
+        .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
+        .collect();
+    Series::new("transition", &["time", axis.column], pieces)
+        .drawn(Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed)))
+}
+
+/// The names of the phases over a panel, and of the transitions above them.
+fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
+    let (from, until) = (motion.start().time, horizon(motion));
+    let pixels = |time: f64| (time - from) / (until - from) * width;
+    let mut labels: Vec<Label> = Vec::new();
+    let mut last = f64::NEG_INFINITY;
+    for phase in motion.phases() {
+        let (begin, end) = (phase.start().time, f64::min(phase.end_time(), until));
+        if pixels(end) - pixels(begin) > 46.0 {
+            labels.push(
+                Label::new(phase.mode().name(), &[0.5 * (begin + end), top]).shifted(0.0, -11.0).sized(SMALL),
+            );
+        }
+    }
+    for transition in motion.transitions() {
+        let at = transition.state.time;
+        if at <= until && pixels(at) - last > 40.0 {
+            last = pixels(at);
+            let label = Label::new(cause_in_words(transition.cause), &[at, top]).sized(SMALL).coloured(GREY);
+            labels.push(if width - pixels(at) < 24.0 {
+                label.shifted(0.0, -27.0).right()
+            } else {
+                label.shifted(0.0, -27.0)
+            });
+        }
+    }
+    labels
+}
+
+fn in_words(subject: &Subject, hoop: &Hoop) -> String {
+    format!(
+        "{}, *μ*_{{s}} = {}, *μ*_{{k}} = {}; {}",
+        hoop_in_words(hoop),
+        short(hoop.mu_s()),
+        short(hoop.mu_k()),
+        start_in_words(&subject.start)
+    )
+}
+
+const WIDTH: f64 = 640.0;
+const LEFT: f64 = 6.0;
+const INNER: f64 = WIDTH - LEFT - 20.0;
+
+fn panel(name: &'static str, top: f64, height: f64, x: Axis, y: Axis, layers: Vec<Layer>) -> Panel {
+    Panel {
+        name,
+        frame: [LEFT, top, INNER, height],
+        view: View::Plane { x, y, axes: true },
+        layers,
+        labels: Vec::new(),
+        keys: Vec::new(),
+    }
+}
+
+/// Forces and the share of friction against time.
+pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "forces";
+    let motion = subject.motion(NAME)?;
+    let hoop = motion.hoop();
+    let range = [motion.start().time, horizon(&motion)];
+    let x = || time(range);
+    let bare = || {
+        let ticks = x().ticks.into_iter().map(|tick| Tick { label: String::new(), ..tick }).collect();
+        Axis { title: String::new(), ticks, ..x() }
+    };
+
+    let normal = history(&motion, "normal force", "normal", &|_, sample| Some(sample.normal));
+    let weight = hoop.mass();
+    let normal_axis = axis_of("normal", "*N*/(*m*_{2}*g*)", &[&normal], &[0.0]);
+    let friction = history(&motion, "friction force", "friction", &|_, sample| Some(sample.friction));
+    let friction_axis = axis_of("friction", "*F*/(*m*_{2}*g*)", &[&friction], &[0.0]);
+    let demand = history(&motion, "friction over normal force", "demand", &|phase, sample| {
+        let in_contact = matches!(phase.mode(), Mode::Rolling | Mode::Sliding);
+        (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
+    });
+    let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
+    let demand_axis = Axis {
+        range: [0.0, 1.25 * bounds(demand.rows().map(|row| row[1]).chain([mu_s]), 0.0)[1]],
+        ..axis_of("demand", "|*F*|/*N*", &[&demand], &[0.0, mu_s])
+    };
+    let demand_axis = Axis { ticks: crate::ticks::round(0.0, demand_axis.range[1], 5), ..demand_axis };
+    let level = |name: &str, column: &'static str, value: f64, stroke: Stroke| {
+        Series::of_rows(name, &["time", column], range.map(|time| vec![time, value]).to_vec())
+            .drawn(Mark::Line(stroke))
+    };
+    let zero = |column| level("zero", column, 0.0, Stroke::solid(GREY, FINE));
+
+    let mut top = panel(
+        "normal force",
+        38.0,
+        190.0,
+        bare(),
+        normal_axis.clone(),
+        vec![
+            transitions(&motion, &normal_axis),
+            zero("normal"),
+            level("weight", "normal", weight, Stroke::solid(GREY, 1.0).dashed(Dash::Dotted)),
+            normal.drawn(Mark::Line(Stroke::solid(BLUE, 2.0))),
+        ],
+    );
+    top.labels = names(&motion, normal_axis.range[1], INNER - 62.0);
+    top.labels.push(
+        Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(GREY),
+    );
+    let middle = panel(
+        "friction force",
+        196.0,
+        190.0,
+        bare(),
+        friction_axis.clone(),
+        vec![
+            transitions(&motion, &friction_axis),
+            zero("friction"),
+            friction.drawn(Mark::Line(Stroke::solid(VERMILION, 2.0))),
+        ],
+    );
+    let mut bottom = panel(
+        "friction over normal force",
+        354.0,
+        190.0,
+        x(),
+        demand_axis.clone(),
+        vec![
+            transitions(&motion, &demand_axis),
+            level("mu_s", "demand", mu_s, Stroke::solid(INK, 1.0).dashed(Dash::Dashed)),
+            level("mu_k", "demand", mu_k, Stroke::solid(INK, 1.0).dashed(Dash::Dotted)),
+            demand.drawn(Mark::Line(Stroke::solid(PURPLE, 2.0))),
+        ],
+    );
+    bottom.labels.push(Label::new("*μ*_{s}", &[range[1], mu_s]).shifted(-14.0, -11.0));
+    if mu_k < mu_s {
+        bottom.labels.push(Label::new("*μ*_{k}", &[range[1], mu_k]).shifted(-14.0, 11.0));
+    }
+    Ok(Figure {
+        name: NAME,
+        title: "Forces of a motion".to_owned(),
+        caption: format!(
+            "Normal force *N*, friction force *F* (positive along *E*_{{1}}) and |*F*|/*N* against time; dashed verticals: \
+             transitions. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
+             jump where a slide begins or ends. {}.",
+            in_words(subject, hoop)
+        ),
+        width: WIDTH,
+        height: 550.0,
+        panels: vec![top, middle, bottom],
+    })
+}
+
+/// Energies against time.
+pub(crate) fn energy(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "energy";
+    let motion = subject.motion(NAME)?;
+    let hoop = motion.hoop();
+    let range = [motion.start().time, horizon(&motion)];
+    let potential_of =
+        |sample: &Sample| hoop.offset() * libm::cos(sample.state.theta) + hoop.mass() * sample.gap;
+    let total = history(&motion, "total energy", "energy", &|_, sample| Some(sample.energy));
+    let kinetic =
+        history(&motion, "kinetic energy", "energy", &|_, sample| Some(sample.energy - potential_of(sample)));
+    let potential = history(&motion, "potential energy", "energy", &|_, sample| Some(potential_of(sample)));
+    let axis = axis_of("energy", "energy/(*m*_{2}*gR*)", &[&total, &kinetic, &potential], &[0.0]);
+    let marks = [
+        Mark::Line(Stroke::solid(INK, 2.2)),
+        Mark::Line(Stroke::solid(VERMILION, CURVE).dashed(Dash::Dashed)),
+        Mark::Line(Stroke::solid(GREEN, CURVE).dashed(Dash::DashDot)),
+    ];
+    let zero = Series::of_rows("zero", &["time", "energy"], range.map(|time| vec![time, 0.0]).to_vec());
+    let mut panel = panel(
+        "energy",
+        62.0,
+        340.0,
+        time(range),
+        axis.clone(),
+        vec![
+            transitions(&motion, &axis),
+            zero.drawn(Mark::Line(Stroke::solid(GREY, FINE))),
+            potential.drawn(marks[2]),
+            kinetic.drawn(marks[1]),
+            total.drawn(marks[0]),
+        ],
+    );
+    panel.labels = names(&motion, axis.range[1], INNER - 62.0);
+    panel.keys = ["total *E*", "kinetic *T*", "potential *U*"]
+        .into_iter()
+        .zip(marks)
+        .enumerate()
+        .map(|(i, (text, mark))| Key { mark, text: text.to_owned(), at: [70.0 + 130.0 * i as f64, 15.0] })
+        .collect();
+    Ok(Figure {
+        name: NAME,
+        title: "Energy of a motion".to_owned(),
+        caption: format!(
+            "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
+             against time; dashed verticals: transitions. Only sliding costs energy: {} in all. {}.",
+            short(motion.energy_lost()),
+            in_words(subject, hoop)
+        ),
+        width: WIDTH,
+        height: 410.0,
+        panels: vec![panel],
+    })
+}

@@ -1,0 +1,84 @@
+//! Figure 2(a): where static friction gives way in rolling, for four coefficients.
+
+use core::f64::consts::PI;
+
+use crate::axes::{angle, plane_window, rate};
+use crate::error::FigureError;
+use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
+use crate::plane::{PLANE, Portrait};
+use crate::style::{BLUE, CURVE, Dash, FAINT, FINE, GREY, HATCH, INK, PURPLE, Stroke};
+use crate::subject::Subject;
+use crate::words::{hoop_in_words, short};
+
+const NAME: &str = "figure-2a";
+
+/// The coefficients of the paper, and how their curves are drawn.
+const COEFFICIENTS: [(f64, Dash); 4] =
+    [(0.1, Dash::Dotted), (0.25, Dash::Short), (0.5, Dash::Dashed), (1.0, Dash::Solid)];
+
+pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
+    subject.with_inertia(NAME)?;
+    let portrait = Portrait::new(&subject.hoop, plane_window(&subject.hoop));
+    let window = portrait.window;
+    let mut layers = vec![portrait.unloaded().drawn(Mark::Hatch(HATCH))];
+    for energy in portrait.energies(3, 6) {
+        layers.push(portrait.orbit(energy).drawn(Mark::Line(Stroke::solid(FAINT, FINE))));
+    }
+    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::solid(GREY, 1.2))));
+    let (mut keys, mut loci) = (Vec::new(), Vec::new());
+    for (i, (mu_s, dash)) in COEFFICIENTS.into_iter().enumerate() {
+        let mark = Mark::Line(Stroke::solid(BLUE, CURVE).dashed(dash));
+        let text = format!("*μ*_{{s}} = {}", short(mu_s));
+        keys.push(Key { mark, text, at: [62.0 + 108.0 * i as f64, 17.0] });
+        let locus = portrait.slip_locus(mu_s)?;
+        loci.push(locus.clone());
+        layers.push(locus.drawn(mark));
+    }
+    let unloading = portrait.unloading_locus();
+    let mark = Mark::Line(Stroke::solid(PURPLE, CURVE));
+    keys.push(Key { mark, text: "*n*: *N* = 0".to_owned(), at: [62.0 + 4.0 * 108.0, 17.0] });
+
+    // The arrow crosses the curves at one height, from the least coefficient to the greatest.
+    let height = 0.78 * window.y[1];
+    let reach = |series: &Series| {
+        series
+            .rows()
+            .filter(|row| (row[1] - height).abs() < 0.03 * window.y[1] && (0.0..PI).contains(&row[0]))
+            .map(|row| row[0])
+            .reduce(f64::max)
+    };
+    let mut labels = portrait.mark_of_unloading();
+    if let [Some(least), Some(greatest)] = [&loci[0], &loci[3]].map(reach)
+        && least > greatest + 0.3
+    {
+        let ends = [least + 0.14, greatest - 0.1];
+        let rows = ends.iter().map(|theta| vec![*theta, height]).collect();
+        let arrow = Series::of_rows("increasing mu_s", &PLANE, rows);
+        layers.push(arrow.drawn(Mark::Arrow(Stroke::solid(INK, 1.2))));
+        labels.push(Label::new("*μ*_{s}", &[ends[0], height]).shifted(5.0, 0.0).left());
+    }
+    layers.push(unloading.drawn(mark));
+    layers.extend(portrait.equilibria());
+    Ok(Figure {
+        name: NAME,
+        title: "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling".to_owned(),
+        caption: format!(
+            "Where static friction gives way in rolling: loci |*F*| = *μ*_{{s}}*N* (2.13) for four coefficients. As \
+             *μ*_{{s}} grows (arrow) they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
+             < 0. Grey: orbits of constant energy, the darker one the separatrix; ring and dot: unstable and stable \
+             equilibrium. The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
+             rest. {}.",
+            hoop_in_words(&subject.hoop)
+        ),
+        width: 580.0,
+        height: 440.0,
+        panels: vec![Panel {
+            name: "plane",
+            frame: [6.0, 32.0, 552.0, 402.0],
+            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
+            layers,
+            labels,
+            keys,
+        }],
+    })
+}

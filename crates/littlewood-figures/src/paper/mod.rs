@@ -1,0 +1,12 @@
+//! The figures: those of the paper, one after the other, then more of the same hoop.
+
+pub(crate) mod demand;
+pub(crate) mod gliding;
+pub(crate) mod histories;
+pub(crate) mod loci;
+pub(crate) mod outcomes;
+pub(crate) mod paths;
+pub(crate) mod portrait;
+pub(crate) mod schematic;
+pub(crate) mod state_space;
+pub(crate) mod types;

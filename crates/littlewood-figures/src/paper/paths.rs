@@ -1,0 +1,214 @@
+//! Figures 3(b) and 7(b): where the centre, the mass centre or the particle go, with the hoop at each transition.
+
+use littlewood::{Cause, Mode, Sample, Trajectory};
+
+use crate::axes::plain;
+use crate::draw::ROOM;
+use crate::error::FigureError;
+use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, Series, View};
+use crate::motion::{bounds, by_mode, horizon, stroke};
+use crate::style::{BOLD, FINE, GREY, HATCH, INK, SMALL, Stroke};
+use crate::subject::Subject;
+use crate::words::{cause_in_words, hoop_in_words, short, start_in_words};
+
+const COLUMNS: [&str; 3] = ["time", "x", "y"];
+/// Most hoops of a picture.
+const HOOPS: usize = 8;
+/// Width of the picture in pixels.
+const WIDTH: f64 = 760.0;
+/// Most rows of names under the hoops.
+const ROWS: usize = 3;
+
+/// The instants at which the hoop is drawn, each with its name: the start and the transitions, the first and the last
+/// where there are too many.
+fn instants(motion: &Trajectory) -> Vec<(String, Sample)> {
+    let mut found: Vec<(String, Sample)> = Vec::new();
+    found.extend(motion.phases().first().map(|phase| ("start".to_owned(), phase.first())));
+    for (transition, phase) in motion.transitions().iter().zip(motion.phases()) {
+        if let Some(sample) = phase.last() {
+            found.push((cause_in_words(transition.cause).to_owned(), sample));
+        }
+    }
+    if found.len() > HOOPS {
+        let last = found.split_off(found.len() - 1);
+        found.truncate(HOOPS - 1);
+        found.extend(last);
+    }
+    found
+}
+
+/// What a picture shows: the hoops, their labels, the ground.
+struct Picture {
+    x: [f64; 2],
+    y: [f64; 2],
+    layers: Vec<Layer>,
+    labels: Vec<Label>,
+}
+
+impl Picture {
+    fn new(motion: &Trajectory) -> Self {
+        let until = horizon(motion);
+        let samples: Vec<Sample> = motion.sample_evenly(400, until).collect();
+        let [left, right] = bounds(samples.iter().map(|sample| sample.centre().x), 0.0);
+        let [_, top] = bounds(samples.iter().map(|sample| sample.centre().y), 0.0);
+        let x = [left - 1.2, right + 1.2];
+        let mut y = [0.0, top + 1.15];
+        let depth = 8.0 * (x[1] - x[0]) / WIDTH;
+        let ground = [[x[0], 0.0], [x[1], 0.0], [x[1], -depth], [x[0], -depth]];
+        let mut layers = vec![
+            Series::of_rows("ground", &["x", "y"], ground.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
+            Series::of_rows("ground", &["x", "y"], vec![vec![x[0], 0.0], vec![x[1], 0.0]])
+                .drawn(Mark::Line(Stroke::solid(INK, 1.4))),
+        ];
+        let instants = instants(motion);
+        let hoop = motion.hoop();
+        let rows = instants
+            .iter()
+            .map(|(_, sample)| {
+                let centre = sample.centre();
+                vec![sample.state.time, centre.x, centre.y, sample.state.theta]
+            })
+            .collect();
+        layers.push(Series::of_rows("hoop", &["time", "x", "y", "theta"], rows).drawn(Mark::Hoop {
+            offset: hoop.offset(),
+            h: hoop.h(),
+            rim: Stroke::solid(GREY, 1.2),
+        }));
+        // Names under the hoops; one that is close to another stands further down.
+        let unit = (WIDTH - 24.0 - ROOM[0]) / (x[1] - x[0]);
+        let mut labels: Vec<Label> = Vec::new();
+        let mut taken: Vec<(f64, usize)> = Vec::new();
+        for (name, sample) in &instants {
+            let at = sample.centre().x;
+            let is_free = |row: &usize| taken.iter().all(|(x, r)| r != row || (x - at).abs() * unit > 60.0);
+            let row = (0..ROWS).find(is_free).unwrap_or(ROWS - 1);
+            taken.push((at, row));
+            let down = 21.0 + 34.0 * row as f64;
+            labels.push(Label::new(name.clone(), &[at, 0.0]).shifted(0.0, down).sized(SMALL));
+            let time = format!("*τ* = {}", short(sample.state.time));
+            labels.push(Label::new(time, &[at, 0.0]).shifted(0.0, down + 15.0).sized(SMALL));
+        }
+        let rows = 1 + taken.iter().map(|(_, row)| *row).max().unwrap_or(0);
+        y[0] = -(14.0 + 34.0 * rows as f64) / unit;
+        Self { x, y, layers, labels }
+    }
+
+    fn figure(self, name: &'static str, title: &str, caption: String, keys: Vec<Key>) -> Figure {
+        let Self { x, y, layers, labels } = self;
+        let inner = WIDTH - 24.0 - ROOM[0];
+        let mut upwards = plain("y", "*y*/*R*", y);
+        upwards.ticks.retain(|tick| tick.value >= 0.0);
+        let height = inner * (y[1] - y[0]) / (x[1] - x[0]);
+        let top = 34.0;
+        Figure {
+            name,
+            title: title.to_owned(),
+            caption,
+            width: WIDTH,
+            height: height + top + 52.0,
+            panels: vec![Panel {
+                name: "plane of motion",
+                frame: [8.0, top, inner + ROOM[0], height + ROOM[1]],
+                view: View::Plane { x: plain("x", "*x*/*R*", x), y: upwards, axes: true },
+                layers,
+                labels,
+                keys,
+            }],
+        }
+    }
+}
+
+fn path_keys(modes: &[(Mode, Series)]) -> Vec<Key> {
+    modes
+        .iter()
+        .enumerate()
+        .map(|(i, (mode, _))| Key {
+            mark: Mark::Line(Stroke { width: BOLD, ..stroke(*mode) }),
+            text: mode.name().to_owned(),
+            at: [70.0 + 95.0 * i as f64, 17.0],
+        })
+        .collect()
+}
+
+/// Figure 3(b).
+pub(crate) fn centres(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-3b";
+    let motion = subject.motion(NAME)?;
+    let hoop = motion.hoop();
+    let mut picture = Picture::new(&motion);
+    let of_centre = by_mode(&motion, "centre, ", &COLUMNS, &|sample| {
+        let centre = sample.centre();
+        vec![sample.state.time, centre.x, centre.y]
+    });
+    let of_mass_centre = by_mode(&motion, "mass centre, ", &COLUMNS, &|sample| {
+        let centre = sample.mass_centre(hoop);
+        vec![sample.state.time, centre.x, centre.y]
+    });
+    let mut keys = path_keys(&of_centre);
+    let next = 70.0 + 95.0 * keys.len() as f64;
+    keys.push(Key {
+        mark: Mark::Line(Stroke::solid(INK, BOLD)),
+        text: "thick: mass centre *X̄*".to_owned(),
+        at: [next, 17.0],
+    });
+    keys.push(Key {
+        mark: Mark::Line(Stroke::solid(INK, FINE)),
+        text: "thin: centre *C*".to_owned(),
+        at: [next + 175.0, 17.0],
+    });
+    for (mode, series) in of_centre {
+        picture.layers.push(series.drawn(Mark::Line(Stroke { width: 1.2, ..stroke(mode) })));
+    }
+    for (mode, series) in of_mass_centre {
+        picture.layers.push(series.drawn(Mark::Line(Stroke { width: BOLD, ..stroke(mode) })));
+    }
+    let flight = motion.phases().iter().any(|phase| phase.mode() == Mode::Flight);
+    let caption = format!(
+        "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at each \
+         transition. Black dot: particle; ring: mass centre.{} {}, *μ*_{{s}} = {}, *μ*_{{k}} = {}; {}. *m*_{{2}} = \
+         *R* = *g* = 1.",
+        if flight { " In flight the mass centre follows a parabola." } else { "" },
+        hoop_in_words(hoop),
+        short(hoop.mu_s()),
+        short(hoop.mu_k()),
+        start_in_words(&subject.start)
+    );
+    let title = "Figure 3(b): paths of the centre and of the mass centre";
+    Ok(picture.figure(NAME, title, caption, keys))
+}
+
+/// Figure 7(b).
+pub(crate) fn particle(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-7b";
+    subject.littlewood(NAME)?;
+    let motion = subject.motion(NAME)?;
+    let hoop = motion.hoop();
+    let mut picture = Picture::new(&motion);
+    let paths = by_mode(&motion, "", &COLUMNS, &|sample| {
+        let particle = sample.particle(hoop);
+        vec![sample.state.time, particle.x, particle.y]
+    });
+    let mut keys = path_keys(&paths);
+    for key in &mut keys {
+        key.text = match key.text.as_str() {
+            "rolling" => "rolling: a cycloid".to_owned(),
+            "gliding" => "gliding: a parabola".to_owned(),
+            other => other.to_owned(),
+        };
+    }
+    for (i, key) in keys.iter_mut().enumerate() {
+        key.at[0] = 70.0 + 175.0 * i as f64;
+    }
+    for (mode, series) in paths {
+        picture.layers.push(series.drawn(Mark::Line(Stroke { width: BOLD, ..stroke(mode) })));
+    }
+    let reaches = motion.transitions().iter().any(|transition| transition.cause == Cause::ParticleAtPlane);
+    let caption = format!(
+        "Path of the particle *m*_{{2}}: on a cycloid while the massless hoop rolls, on a parabola while it glides, \
+         *N* = 0.{} *μ*_{{s}} = {}; {}.",
+        if reaches { " At the end the particle reaches the plane, *θ* = ±π." } else { "" },
+        short(hoop.mu_s()),
+        start_in_words(&subject.start)
+    );
+    Ok(picture.figure(NAME, "Figure 7(b): path of the particle", caption, keys))
+}

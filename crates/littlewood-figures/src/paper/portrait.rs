@@ -1,0 +1,147 @@
+//! Figures 2(b) and 4: phase portraits of rolling, with inertia and without.
+
+use core::f64::consts::PI;
+
+use littlewood::Body;
+use littlewood::closed_form::slip_angle;
+
+use crate::axes::{angle, plane_window, rate};
+use crate::error::FigureError;
+use crate::figure::{Figure, Label, Mark, Panel, Series, View};
+use crate::plane::{PLANE, Portrait, nearest};
+use crate::style::{BLUE, BOLD, CURVE, Dash, FINE, GREY, HATCH, INK, PURPLE, SHADE, Stroke};
+use crate::subject::Subject;
+use crate::trace::Window;
+use crate::words::{hoop_in_words, short};
+
+/// Figure 2(b).
+pub(crate) fn with_inertia(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-2b";
+    subject.with_inertia(NAME)?;
+    let hoop = &subject.hoop;
+    let portrait = Portrait::new(hoop, plane_window(hoop));
+    let window = portrait.window;
+    let energies = portrait.energies(3, 6);
+
+    let mut layers = vec![
+        portrait.rolling_region().drawn(Mark::Fill(SHADE)),
+        portrait.unloaded().drawn(Mark::Hatch(HATCH)),
+    ];
+    for energy in &energies {
+        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::solid(GREY, FINE))));
+    }
+    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    let slip = portrait.slip_locus(hoop.mu_s())?;
+    let unloading = portrait.unloading_locus();
+    let mut labels = portrait.mark_of_unloading();
+    let high = 0.72 * window.y[1];
+    labels.extend(
+        nearest(&slip, [0.62 * PI, high], window)
+            .map(|at| Label::new("*f*", &at).shifted(11.0, 0.0).coloured(BLUE)),
+    );
+    labels.extend(
+        nearest(&unloading, [0.45 * PI, high], window)
+            .map(|at| Label::new("*n*", &at).shifted(-10.0, 0.0).coloured(PURPLE)),
+    );
+    labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
+    layers.push(slip.drawn(Mark::Line(Stroke::solid(BLUE, CURVE).dashed(Dash::Dashed))));
+    layers.push(unloading.drawn(Mark::Line(Stroke::solid(PURPLE, CURVE))));
+    layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(GREY)));
+    layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 0.62 * PI).drawn(Mark::Head(INK)));
+    layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 1.38 * PI).drawn(Mark::Head(INK)));
+    layers.extend(portrait.equilibria());
+    Ok(Figure {
+        name: NAME,
+        title: "Figure 2(b): phase portrait of rolling".to_owned(),
+        caption: format!(
+            "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium, the \
+             particle on top, with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
+             gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
+             where the hoop can roll. Hatched: *N* < 0. The paper has the hoop lose contact there at once; in truth it \
+             only cannot roll: between *n* and *h* cos *θ* *θ*′^{{2}} = 1 it slides. {}, *μ*_{{s}} = {}.",
+            hoop_in_words(hoop),
+            short(hoop.mu_s())
+        ),
+        width: 580.0,
+        height: 420.0,
+        panels: vec![Panel {
+            name: "plane",
+            frame: [6.0, 12.0, 552.0, 402.0],
+            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
+            layers,
+            labels,
+            keys: Vec::new(),
+        }],
+    })
+}
+
+/// The locus |F| = μs N of a massless hoop: the verticals ±θ_s between the lines N = 0.
+pub(crate) fn massless_limit(portrait: &Portrait) -> Option<(f64, Series)> {
+    let Body::Massless(body) = portrait.hoop.body() else { return None };
+    let theta = slip_angle(&body, portrait.hoop.mu_s())?;
+    let most = portrait.plane.normal_force_rate(theta)?;
+    let pieces = [-theta, theta].map(|at| vec![vec![at, -most], vec![at, most]]);
+    Some((theta, Series::new("f", &PLANE, pieces.to_vec())))
+}
+
+/// Energies of orbits of Littlewood's hoop that fill the plane: those that pass over the top by their rate there, those
+/// that turn by the angle at which they turn.
+pub(crate) fn massless_energies(rates: &[f64], angles: &[f64]) -> Vec<f64> {
+    let over = rates.iter().map(|rate| 2.0 * rate * rate + 1.0);
+    over.chain(angles.iter().map(|theta| libm::cos(*theta))).collect()
+}
+
+/// Figure 4.
+pub(crate) fn massless(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-4";
+    subject.littlewood(NAME)?;
+    let window = Window { x: [-PI, PI], y: [-2.0, 2.0] };
+    let portrait = Portrait::new(&subject.hoop, window);
+    let energies =
+        massless_energies(&[0.3, 0.6, 0.9, 1.2, 1.5, 1.8], &[0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI]);
+    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(SHADE))];
+    for energy in &energies {
+        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::solid(GREY, FINE))));
+    }
+    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    let unloading = portrait.unloading_locus();
+    let mut labels = vec![
+        Label::new("*n*", &[0.8 * PI, 1.0]).shifted(0.0, -11.0).coloured(PURPLE),
+        Label::new("*n*", &[0.8 * PI, -1.0]).shifted(0.0, 11.0).coloured(PURPLE),
+    ];
+    layers.push(unloading.drawn(Mark::Line(Stroke::solid(PURPLE, CURVE))));
+    if let Some((theta, limit)) = massless_limit(&portrait) {
+        layers.push(limit.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed))));
+        labels.push(Label::new("*f*", &[theta, -0.72]).shifted(10.0, 0.0).coloured(BLUE));
+        labels.push(Label::new("*f*", &[-theta, -0.72]).shifted(-10.0, 0.0).coloured(BLUE));
+        labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0));
+    }
+    let separatrix = [portrait.law.separatrix_energy()];
+    for theta in [-0.5 * PI, 0.5 * PI] {
+        layers.push(portrait.flow(&separatrix, theta).drawn(Mark::Head(INK)));
+    }
+    layers.push(portrait.flow(&energies[..6], 0.0).drawn(Mark::Head(GREY)));
+    layers.extend(portrait.equilibria());
+    Ok(Figure {
+        name: NAME,
+        title: "Figure 4: phase portrait of the rolling massless hoop".to_owned(),
+        caption: format!(
+            "Phase portrait of the rolling massless hoop (3.1), lines of constant *e* (3.2). There is no equilibrium at \
+             *θ* = ±π, where the equation is singular. Shaded: region 𝓡 (3.10), bounded by *f*, where static friction \
+             gives way (*θ* = ±*θ*_{{s}}, *θ*_{{s}} = 2 atan *μ*_{{s}}), and by *n*, where the normal force vanishes \
+             (*θ*′ = ±1). 𝓡 shrinks to nothing as *μ*_{{s}} → 0. Black: stable and unstable manifolds of the \
+             equilibrium. *μ*_{{s}} = {}.",
+            short(subject.hoop.mu_s())
+        ),
+        width: 580.0,
+        height: 420.0,
+        panels: vec![Panel {
+            name: "plane",
+            frame: [6.0, 12.0, 552.0, 402.0],
+            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
+            layers,
+            labels,
+            keys: Vec::new(),
+        }],
+    })
+}

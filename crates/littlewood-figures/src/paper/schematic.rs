@@ -1,0 +1,143 @@
+//! Figure 1: the body and its symbols.
+
+use core::f64::consts::PI;
+
+use crate::error::FigureError;
+use crate::figure::{Axis, Figure, Label, Mark, Panel, Series, View};
+use crate::style::{BLUE, CURVE, Dash, FINE, GREY, HATCH, INK, Stroke};
+use crate::subject::Subject;
+use crate::words::hoop_in_words;
+
+const NAME: &str = "figure-1";
+const COLUMNS: [&str; 2] = ["x", "y"];
+/// Intervals of an arc.
+const ARC: u32 = 180;
+/// The angle at which the body is shown.
+const THETA: f64 = 0.8;
+/// Where its centre stands.
+const X: f64 = 2.1;
+
+fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Vec<Vec<f64>> {
+    (0..=ARC)
+        .map(|i| {
+            let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / f64::from(ARC));
+            vec![centre[0] - radius * sin, centre[1] + radius * cos]
+        })
+        .collect()
+}
+
+pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
+    subject.loaded(NAME)?;
+    let hoop = &subject.hoop;
+    let (sin, cos) = libm::sincos(THETA);
+    let along = |distance: f64| [X - distance * sin, 1.0 + distance * cos];
+    let across = |base: [f64; 2], distance: f64| [base[0] + distance * cos, base[1] + distance * sin];
+    let segment =
+        |name: &str, a: [f64; 2], b: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec(), b.to_vec()]);
+    let point = |name: &str, a: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec()]);
+    let thin = Mark::Line(Stroke::solid(INK, FINE));
+    let axis = Mark::Arrow(Stroke::solid(INK, CURVE));
+    let dotted = Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed));
+
+    let (x_range, y_range) = ([-0.45, 3.75], [-0.62, 2.5]);
+    let centre = [X, 1.0];
+    let particle = along(hoop.offset());
+    let mass_centre = along(hoop.h());
+    let ground = [[x_range[0], 0.0], [x_range[1], 0.0], [x_range[1], -0.09], [x_range[0], -0.09]];
+    let tip = along(1.55);
+    let mut layers = vec![
+        Series::of_rows("ground", &COLUMNS, ground.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
+        segment("ground", [x_range[0], 0.0], [x_range[1], 0.0]).drawn(Mark::Line(Stroke::solid(INK, 1.4))),
+        segment("vertical", [X, 0.0], [X, 2.38]).drawn(dotted),
+        segment("radius", centre, particle).drawn(Mark::Line(Stroke::solid(INK, CURVE))),
+        segment("e2", centre, tip).drawn(axis),
+        segment("e1", centre, across(centre, 0.62)).drawn(axis),
+        segment("E1", [0.0, 0.0], [0.62, 0.0]).drawn(axis),
+        segment("E2", [0.0, 0.0], [0.0, 0.62]).drawn(axis),
+        Series::of_rows("theta", &COLUMNS, arc(centre, 0.62, 0.0, THETA - 0.04))
+            .drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
+        segment("gravity", [3.45, 2.1], [3.45, 1.5]).drawn(axis),
+        segment("x", [0.0, -0.36], [X, -0.36]).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
+        segment("x foot", [X, 0.0], [X, -0.46]).drawn(thin),
+        segment("x origin", [0.0, 0.0], [0.0, -0.46]).drawn(thin),
+    ];
+    layers.push(
+        Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI))
+            .drawn(Mark::Line(Stroke::solid(BLUE, 2.4))),
+    );
+    // Lengths beside the radius, on the side away from the angle.
+    let beside = |distance: f64, away: f64| across(along(distance), -away);
+    let length = |name: &str, to: f64, away: f64| {
+        vec![
+            segment(name, beside(0.0, away), beside(to, away)).drawn(Mark::Line(Stroke::solid(INK, 0.8))),
+            segment(name, beside(0.0, away - 0.05), beside(0.0, away + 0.05)).drawn(thin),
+            segment(name, beside(to, away - 0.05), beside(to, away + 0.05)).drawn(thin),
+        ]
+    };
+    let has_two = hoop.h() < hoop.offset();
+    layers.extend(length("l", hoop.offset(), 0.4));
+    if has_two {
+        layers.extend(length("h", hoop.h(), 0.18));
+    }
+    // The radius R, to the right.
+    let rim = [X + libm::sin(2.0), 1.0 + libm::cos(2.0)];
+    layers.push(segment("R", centre, rim).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))));
+    layers.push(point("C", centre).drawn(Mark::Dot(INK, 2.8)));
+    layers.push(point("particle", particle).drawn(Mark::Dot(INK, 6.5)));
+    layers.push(point("contact", [X, 0.0]).drawn(Mark::Dot(INK, 2.8)));
+    if has_two {
+        layers.push(point("mass centre", mass_centre).drawn(Mark::Ring(INK, 3.6)));
+    }
+    let middle = |to: f64, away: f64| beside(0.5 * to, away);
+    let half = arc(centre, 0.62, 0.5 * THETA, 0.5 * THETA);
+    let mut labels = vec![
+        Label::new("*C*", &centre).shifted(13.0, 10.0),
+        Label::new("*m*_{2}", &particle).shifted(-18.0, -2.0),
+        Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73]).shifted(8.0, -6.0).left().coloured(BLUE),
+        Label::new("*X*_{P}", &[X, 0.0]).shifted(14.0, 17.0),
+        Label::new("*θ*", &half[0]).shifted(-3.0, -11.0),
+        Label::new("*e*_{2}", &tip).shifted(-4.0, -10.0),
+        Label::new("*e*_{1}", &across(centre, 0.62)).shifted(12.0, -5.0),
+        Label::new("*E*_{1}", &[0.62, 0.0]).shifted(4.0, -13.0),
+        Label::new("*E*_{2}", &[0.0, 0.62]).shifted(0.0, -12.0),
+        Label::new("*O*", &[0.0, 0.0]).shifted(-12.0, 12.0),
+        Label::new("*g*", &[3.45, 1.8]).shifted(11.0, 0.0),
+        Label::new("*x*", &[0.5 * X, -0.36]),
+        Label::new("*ℓ*", &middle(hoop.offset(), 0.4)).shifted(-9.0, 7.0),
+        Label::new("*R*", &[X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)]).shifted(6.0, -10.0),
+    ];
+    if has_two {
+        labels.push(Label::new("*X̄*", &mass_centre).shifted(14.0, 2.0));
+        labels.push(Label::new("*h*", &middle(hoop.h(), 0.18)).shifted(-7.0, 7.0));
+    }
+    let scale = 118.0;
+    let (width, height) = (scale * (x_range[1] - x_range[0]), scale * (y_range[1] - y_range[0]));
+    let bare = |column: &'static str, range: [f64; 2]| Axis {
+        column,
+        title: String::new(),
+        range,
+        ticks: Vec::new(),
+    };
+    Ok(Figure {
+        name: NAME,
+        title: "Figure 1: the body".to_owned(),
+        caption: format!(
+            "A hoop or disc of mass *m*_{{1}}, radius *R* and moment of inertia *I*_{{zz}} about its centre *C* carries a \
+             particle of mass *m*_{{2}} at the distance *ℓ*. The mass centre *X̄* of the whole lies at *h* = \
+             *m*_{{2}}*ℓ*/(*m*_{{1}} + *m*_{{2}}) from *C* (2.4). *θ* is the angle of the particle from the upward \
+             vertical, counterclockwise; *X*_{{P}} is the point of contact, whose velocity is *η*′ *E*_{{1}} with *η* = \
+             *x* + *Rθ* (2.6, 2.7). Drawn to scale for {}.",
+            hoop_in_words(hoop)
+        ),
+        width,
+        height,
+        panels: vec![Panel {
+            name: "body",
+            frame: [0.0, 0.0, width, height],
+            view: View::Plane { x: bare("x", x_range), y: bare("y", y_range), axes: false },
+            layers,
+            labels,
+            keys: Vec::new(),
+        }],
+    })
+}

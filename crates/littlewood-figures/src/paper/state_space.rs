@@ -1,0 +1,253 @@
+//! Figures 3(a) and 7(a): a motion in the space of states.
+
+use core::f64::consts::PI;
+
+use littlewood::{Cause, Mode, Sample};
+
+use super::portrait::massless_limit;
+use crate::axes::{angle, plain, rate, time};
+use crate::error::FigureError;
+use crate::figure::{Figure, Label, Mark, Panel, Series, View};
+use crate::motion::{bounds, by_mode, horizon, stroke};
+use crate::plane::Portrait;
+use crate::style::{BLUE, BOLD, Colour, Dash, FINE, GREY, INK, PURPLE, SHADE, Stroke};
+use crate::subject::Subject;
+use crate::trace::Window;
+use crate::words::{hoop_in_words, short, start_in_words};
+
+const COLUMNS: [&str; 4] = ["time", "theta", "theta_rate", "slip"];
+
+fn row(sample: &Sample) -> Vec<f64> {
+    let state = sample.state;
+    vec![state.time, state.theta, state.theta_rate, state.slip]
+}
+
+/// Figure 3(a).
+pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-3a";
+    subject.with_inertia(NAME)?;
+    let motion = subject.motion(NAME)?;
+    let until = horizon(&motion);
+    // Before the lift-off only, as in the paper.
+    let on_ground: Vec<(Mode, Series)> =
+        by_mode(&motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| *mode != Mode::Flight).collect();
+    let all = || on_ground.iter().flat_map(|(_, series)| series.rows());
+    let x = bounds(all().map(|row| row[1]), 0.06);
+    let z = bounds(all().map(|row| row[2]), 0.12);
+    let y = bounds(all().map(|row| row[3]).chain([0.0]), 0.12);
+
+    let floor = [[x[0], z[0]], [x[1], z[0]], [x[1], z[1]], [x[0], z[1]]];
+    let floor = floor.map(|[theta, rate]| vec![theta, rate, 0.0]).to_vec();
+    let mut outline = floor.clone();
+    outline.push(floor[0].clone());
+    let names = ["theta", "theta_rate", "slip"];
+    let mut layers = vec![
+        Series::of_rows("plane of rolling", &names, floor).drawn(Mark::Fill(Colour(0xee, 0xf3, 0xf8))),
+        Series::of_rows("plane of rolling", &names, outline).drawn(Mark::Line(Stroke::solid(GREY, FINE))),
+    ];
+    // The shadow of the motion on the plane of rolling.
+    for (mode, series) in &on_ground {
+        if *mode == Mode::Sliding {
+            let pieces =
+                series.pieces.iter().map(|piece| piece.iter().map(|row| vec![row[1], row[2], 0.0]).collect());
+            layers.push(
+                Series::new("shadow", &names, pieces.collect()).drawn(Mark::Line(Stroke::solid(GREY, 1.0))),
+            );
+        }
+    }
+    let mut labels = vec![Label::new("*η*′ = 0", &[x[1], 0.0, z[1]]).shifted(-34.0, 14.0).coloured(GREY)];
+    for (mode, series) in on_ground {
+        layers.push(series.drawn(Mark::Line(Stroke { width: BOLD, ..stroke(mode) })));
+    }
+    for phase in motion.phases() {
+        let (letter, share) = match phase.mode() {
+            Mode::Sliding => ("*s*", 0.5),
+            Mode::Rolling => ("*r*", 0.75),
+            Mode::Gliding | Mode::Flight => continue,
+        };
+        let middle = phase.sample(share * f64::min(phase.duration(), until - phase.start().time)).state;
+        let shift = match middle.slip {
+            slip if slip < 0.0 => [13.0, 12.0],
+            0.0 => [4.0, 14.0],
+            _ => [-14.0, -6.0],
+        };
+        labels.push(
+            Label::new(letter, &[middle.theta, middle.slip, middle.theta_rate])
+                .shifted(shift[0], shift[1])
+                .coloured(stroke(phase.mode()).colour),
+        );
+    }
+    let mut changes = Vec::new();
+    for transition in motion.transitions() {
+        let state = transition.state;
+        if matches!(transition.cause, Cause::Landing) {
+            continue;
+        }
+        changes.push(vec![state.time, state.theta, state.theta_rate, state.slip]);
+        if transition.to == Some(Mode::Flight) {
+            labels.push(Label::new("*L*", &[state.theta, state.slip, state.theta_rate]).shifted(13.0, -3.0));
+        }
+    }
+    layers.push(Series::of_rows("transition", &COLUMNS, changes).drawn(Mark::Dot(INK, 3.6)));
+    let start = motion.start();
+    layers.push(
+        Series::of_rows("start", &COLUMNS, vec![vec![start.time, start.theta, start.theta_rate, start.slip]])
+            .drawn(Mark::Ring(INK, 3.6)),
+    );
+    labels.push(Label::new("*θ*  (rad)", &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0));
+    labels.push(Label::new("*θ*′  (√(*g*/*R*))", &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0));
+    labels.push(Label::new("*η*′  (√(*gR*))", &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
+    let caption = format!(
+        "The motion in the space of *θ*, *θ*′ and the slip velocity *η*′: sliding (*s*), rolling (*r*) in the plane \
+         *η*′ = 0, lift-off (*L*). Ring: start; dots: transitions; grey: shadow of the sliding parts on the plane of \
+         rolling. {}, *μ*_{{s}} = {}, *μ*_{{k}} = {}; {}. The zeros of *η*′ are located, not found by a threshold of \
+         10^{{−9}} as in §2(c) of the paper.",
+        hoop_in_words(motion.hoop()),
+        short(motion.hoop().mu_s()),
+        short(motion.hoop().mu_k()),
+        start_in_words(&subject.start)
+    );
+    Ok(Figure {
+        name: NAME,
+        title: "Figure 3(a): the motion in the space of states".to_owned(),
+        caption,
+        width: 620.0,
+        height: 480.0,
+        panels: vec![Panel {
+            name: "space of states",
+            frame: [0.0, 0.0, 620.0, 480.0],
+            view: View::Space {
+                x: angle(x),
+                y: plain("slip", "*η*′", y),
+                z: plain("theta_rate", "*θ*′", z),
+                yaw: 0.55,
+                pitch: 0.32,
+            },
+            layers,
+            labels,
+            keys: Vec::new(),
+        }],
+    })
+}
+
+/// Figure 7(a).
+pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-7a";
+    subject.littlewood(NAME)?;
+    let motion = subject.motion(NAME)?;
+    let window = Window { x: [-PI, PI], y: [-2.5, 2.5] };
+    let portrait = Portrait::new(&subject.hoop, window);
+    let theta_s = 2.0 * libm::atan(subject.hoop.mu_s());
+    let modes = by_mode(&motion, "", &COLUMNS, &row);
+    let mut plane = vec![portrait.rolling_region().drawn(Mark::Fill(SHADE))];
+    let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
+    plane.push(
+        Series::new("n", &["theta", "theta_rate"], edges).drawn(Mark::Line(Stroke::solid(PURPLE, 1.2))),
+    );
+    if let Some((_, limit)) = massless_limit(&portrait) {
+        plane.push(limit.drawn(Mark::Line(Stroke::solid(BLUE, 1.2).dashed(Dash::Dashed))));
+    }
+    let mut trace = vec![
+        Series::of_rows(
+            "zero",
+            &["time", "slip"],
+            vec![vec![motion.start().time, 0.0], vec![horizon(&motion), 0.0]],
+        )
+        .drawn(Mark::Line(Stroke::solid(GREY, FINE))),
+    ];
+    let mut labels = vec![Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0)];
+    for (mode, series) in &modes {
+        let mark = Mark::Line(Stroke { width: BOLD, ..stroke(*mode) });
+        let inside = Series {
+            pieces: series
+                .pieces
+                .iter()
+                .map(|piece| piece.iter().filter(|row| row[2].abs() <= window.y[1]).cloned().collect())
+                .collect(),
+            ..series.clone()
+        };
+        plane.push(inside.drawn(mark));
+        trace.push(series.clone().drawn(mark));
+        if let Some(middle) = series.pieces.first().and_then(|piece| piece.get(piece.len() / 2)) {
+            let label = Label::new(mode.name(), &[middle[1], middle[2]]).coloured(stroke(*mode).colour);
+            labels.push(match mode {
+                Mode::Rolling => label.shifted(-4.0, 14.0),
+                _ => label.shifted(-10.0, -8.0).right(),
+            });
+        }
+    }
+    let changes: Vec<Vec<f64>> = motion
+        .transitions()
+        .iter()
+        .filter(|transition| transition.state.theta_rate.is_finite())
+        .map(|transition| {
+            let state = transition.state;
+            vec![state.time, state.theta, state.theta_rate, state.slip]
+        })
+        .collect();
+    let range = bounds(modes.iter().flat_map(|(_, series)| series.rows().map(|row| row[3])), 0.1);
+    let mut trace_labels = Vec::new();
+    for (i, change) in changes.iter().enumerate() {
+        let vertical = vec![vec![change[0], range[0]], vec![change[0], range[1]]];
+        trace.push(
+            Series::of_rows("time of transition", &["time", "slip"], vertical)
+                .drawn(Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed))),
+        );
+        if i == 0 {
+            trace_labels.push(
+                Label::new(format!("*τ*_{{s}} = {}", short(change[0])), &[change[0], range[1]])
+                    .shifted(-6.0, 14.0)
+                    .right(),
+            );
+        }
+    }
+    plane.push(Series::of_rows("transition", &COLUMNS, changes.clone()).drawn(Mark::Dot(INK, 3.4)));
+    let start = motion.start();
+    plane.push(
+        Series::of_rows("start", &COLUMNS, vec![vec![start.time, start.theta, start.theta_rate, start.slip]])
+            .drawn(Mark::Ring(INK, 3.4)),
+    );
+    let times = match (changes.first(), motion.end_time()) {
+        (Some(change), end) if end.is_finite() => {
+            format!(" *τ*_{{s}} = {}, *τ*_{{g}} = *τ*_{{s}} + {}.", short(change[0]), short(end - change[0]))
+        }
+        _ => String::new(),
+    };
+    let caption = format!(
+        "A motion that rolls, then glides. Left: in the phase plane, with 𝓡 shaded. Right: slip velocity *η*′, zero while \
+         the hoop rolls.{times} As *τ* → *τ*_{{g}}, *θ* → π and *θ*′ → ∞. *μ*_{{s}} = {}; {}. Gliding follows (3.17) with \
+         the corrected integral.",
+        short(subject.hoop.mu_s()),
+        start_in_words(&subject.start)
+    );
+    let from = motion.start().time;
+    Ok(Figure {
+        name: NAME,
+        title: "Figure 7(a): rolling, then gliding".to_owned(),
+        caption,
+        width: 860.0,
+        height: 380.0,
+        panels: vec![
+            Panel {
+                name: "phase plane",
+                frame: [6.0, 12.0, 420.0, 362.0],
+                view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
+                layers: plane,
+                labels,
+                keys: Vec::new(),
+            },
+            Panel {
+                name: "slip velocity",
+                frame: [440.0, 12.0, 400.0, 362.0],
+                view: View::Plane {
+                    x: time([from, horizon(&motion)]),
+                    y: plain("slip", "*η*′  (√(*gR*))", range),
+                    axes: true,
+                },
+                layers: trace,
+                labels: trace_labels,
+                keys: Vec::new(),
+            },
+        ],
+    })
+}

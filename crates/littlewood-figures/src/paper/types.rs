@@ -1,0 +1,244 @@
+//! Figure 5: the region 𝓡 of the massless hoop and the three types of motion in it.
+
+use littlewood::closed_form::{rolling_energy, stable_manifold_rate, unstable_manifold_rate};
+
+use super::portrait::massless_limit;
+use crate::axes::{angle, rate};
+use crate::error::FigureError;
+use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
+use crate::plane::{PLANE, Portrait, rows};
+use crate::style::{BLUE, BOLD, CURVE, Colour, Dash, FINE, GREEN, INK, PURPLE, SHADE, Stroke, VERMILION};
+use crate::subject::Subject;
+use crate::trace::Window;
+use crate::words::short;
+
+/// The part of the plane with 𝓡 in it, and θ_s.
+fn portrait_of(subject: &Subject) -> (Portrait, f64) {
+    let theta_s = 2.0 * libm::atan(subject.hoop.mu_s());
+    let side = f64::min(1.45 * theta_s, 3.1);
+    (Portrait::new(&subject.hoop, Window { x: [-side, side], y: [-1.35, 1.35] }), theta_s)
+}
+
+/// Energy at the corners of 𝓡, where N and the static friction give way together: Type II.
+fn type_two_energy(theta_s: f64) -> f64 {
+    rolling_energy(theta_s, 1.0)
+}
+
+/// An orbit as far as it runs in 𝓡.
+fn in_region(portrait: &Portrait, theta_s: f64, energy: f64) -> Vec<Vec<[f64; 2]>> {
+    let inner = Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..*portrait };
+    inner
+        .orbit(energy)
+        .pieces
+        .into_iter()
+        .map(|piece| piece.into_iter().map(|row| [row[0], row[1]]).collect())
+        .collect()
+}
+
+fn frame(portrait: &Portrait, theta_s: f64) -> Vec<crate::figure::Layer> {
+    let limit = massless_limit(portrait).map(|(_, series)| series);
+    let unloading = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
+    let mut layers = Vec::new();
+    layers
+        .extend(limit.map(|series| series.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed)))));
+    layers.push(Series::new("n", &PLANE, unloading).drawn(Mark::Line(Stroke::solid(PURPLE, BOLD))));
+    layers
+}
+
+const NOTE: &str = "The caption of the paper has *θ*_{s} = 26.5651°, which is half of *θ*_{s} by (3.9).";
+
+fn figure(
+    name: &'static str,
+    title: &str,
+    caption: String,
+    portrait: &Portrait,
+    layers: Vec<crate::figure::Layer>,
+    labels: Vec<Label>,
+    keys: Vec<Key>,
+) -> Figure {
+    let key_room = if keys.is_empty() { 0.0 } else { 20.0 };
+    let window = portrait.window;
+    Figure {
+        name,
+        title: title.to_owned(),
+        caption,
+        width: 580.0,
+        height: 420.0 + key_room,
+        panels: vec![Panel {
+            name: "plane",
+            frame: [6.0, 12.0 + key_room, 552.0, 402.0],
+            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
+            layers,
+            labels,
+            keys,
+        }],
+    }
+}
+
+/// Figure 5(a).
+pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-5a";
+    subject.littlewood(NAME)?;
+    let (portrait, theta_s) = portrait_of(subject);
+    let two = type_two_energy(theta_s);
+    // Type I is between the orbit of Type II and the lines n.
+    let border = in_region(&portrait, theta_s, two);
+    let unloaded_first = border
+        .iter()
+        .map(|piece| {
+            let edge = if piece.iter().all(|[_, rate]| *rate >= 0.0) { 1.0 } else { -1.0 };
+            let mut polygon = piece.clone();
+            polygon.push([theta_s, edge]);
+            polygon.push([-theta_s, edge]);
+            polygon
+        })
+        .collect();
+    let mut layers = vec![
+        portrait.rolling_region().drawn(Mark::Fill(SHADE)),
+        Series::new("Type I", &PLANE, rows(unloaded_first)).drawn(Mark::Fill(Colour(0xee, 0xc0, 0x98))),
+        Series::new("Type II", &["theta", "theta_rate"], rows(border))
+            .drawn(Mark::Line(Stroke::solid(INK, CURVE).dashed(Dash::DashDot))),
+    ];
+    let window = Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] };
+    let stable = window.pieces(window.x, 200, &|theta| Some([theta, stable_manifold_rate(theta)]));
+    let unstable = window.pieces(window.x, 200, &|theta| Some([theta, unstable_manifold_rate(theta)]));
+    layers.push(Series::new("Ws", &PLANE, rows(stable)).drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    layers.push(Series::new("Wu", &PLANE, rows(unstable)).drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    layers.extend(frame(&portrait, theta_s));
+    layers.extend(portrait.equilibria());
+    // Towards the equilibrium on W^s, away from it on W^u.
+    let heads = [0.6, -0.6].map(|share: f64| {
+        let (theta, inward) = (share * theta_s, 0.98 * share * theta_s);
+        vec![vec![theta, stable_manifold_rate(theta)], vec![inward, stable_manifold_rate(inward)]]
+    });
+    layers.push(Series::new("flow on Ws", &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
+    let heads = [0.6, -0.6].map(|share: f64| {
+        let (theta, outward) = (share * theta_s, 1.02 * share * theta_s);
+        vec![vec![theta, unstable_manifold_rate(theta)], vec![outward, unstable_manifold_rate(outward)]]
+    });
+    layers.push(Series::new("flow on Wu", &PLANE, heads.to_vec()).drawn(Mark::Head(INK)));
+
+    let middle = 0.5 * (1.0 + libm::sqrt((two - 1.0) / 2.0));
+    let labels = vec![
+        Label::new("Type I", &[0.0, middle]),
+        Label::new("Type I", &[0.0, -middle]),
+        Label::new("Type III", &[0.0, 0.42]),
+        Label::new("Type III", &[0.0, -0.42]),
+        Label::new("Type III", &[0.68 * theta_s, 0.0]),
+        Label::new("Type III", &[-0.68 * theta_s, 0.0]),
+        Label::new(
+            "Type II",
+            &[
+                0.56 * theta_s,
+                libm::sqrt((two - libm::cos(0.56 * theta_s)) / (1.0 + libm::cos(0.56 * theta_s))),
+            ],
+        )
+        .sized(12.5),
+        Label::new("*W*^{s}", &[-0.8 * theta_s, stable_manifold_rate(-0.8 * theta_s)]).shifted(8.0, -10.0),
+        Label::new("*W*^{u}", &[0.8 * theta_s, unstable_manifold_rate(0.8 * theta_s)]).shifted(-8.0, -10.0),
+        Label::new("*n*: *N* = 0, *θ*′ = 1", &[0.0, 1.0]).shifted(0.0, -14.0).coloured(PURPLE),
+        Label::new("*n*: *N* = 0, *θ*′ = −1", &[0.0, -1.0]).shifted(0.0, 14.0).coloured(PURPLE),
+        Label::new("*f*: *θ* = *θ*_{s}", &[theta_s, 0.0]).shifted(10.0, 0.0).left().coloured(BLUE),
+        Label::new("*f*: *θ* = −*θ*_{s}", &[-theta_s, 0.0]).shifted(-10.0, 0.0).right().coloured(BLUE),
+        Label::new("𝓡", &[-0.88 * theta_s, -0.86]).sized(20.0),
+    ];
+    let caption = format!(
+        "The region 𝓡 of the rolling massless hoop and what ends a motion in it. On *n* the normal force vanishes; on \
+         *f* static friction gives way, at *θ* = ±*θ*_{{s}} with *θ*_{{s}} = 2 atan *μ*_{{s}} = {}° (3.9). Type I, 1 + \
+         2 cos *θ*_{{s}} < *e* < 3: *N* vanishes first. Type II, dash-dotted: both at once. Type III: static friction \
+         gives way first, unless the motion lies on the stable manifold *W*^{{s}}. *μ*_{{s}} = {}. {NOTE}",
+        short(theta_s.to_degrees()),
+        short(subject.hoop.mu_s())
+    );
+    Ok(figure(
+        NAME,
+        "Figure 5(a): the region 𝓡 and its boundaries",
+        caption,
+        &portrait,
+        layers,
+        labels,
+        Vec::new(),
+    ))
+}
+
+/// Figure 5(b).
+pub(crate) fn motions(subject: &Subject) -> Result<Figure, FigureError> {
+    const NAME: &str = "figure-5b";
+    subject.littlewood(NAME)?;
+    let (portrait, theta_s) = portrait_of(subject);
+    let two = type_two_energy(theta_s);
+    let top = libm::cos(theta_s);
+    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(SHADE))];
+    let share = |from: f64, to: f64, part: f64| from + (to - from) * part;
+    let kinds: [(&str, Vec<f64>, Stroke); 3] = [
+        ("Type I", vec![share(two, 3.0, 0.35), share(two, 3.0, 0.72)], Stroke::solid(VERMILION, CURVE)),
+        ("Type II", vec![two], Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
+        (
+            "Type III",
+            vec![
+                share(1.0, two, 0.2),
+                share(1.0, two, 0.6),
+                share(top, 1.0, 0.3),
+                share(top, 1.0, 0.62),
+                share(top, 1.0, 0.88),
+            ],
+            Stroke::solid(GREEN, CURVE).dashed(Dash::Short),
+        ),
+    ];
+    let (mut exits, mut heads, mut keys) = (Vec::new(), Vec::new(), Vec::new());
+    for (name, energies, stroke) in kinds {
+        let at = [150.0 + 130.0 * keys.len() as f64, 17.0];
+        keys.push(Key { mark: Mark::Line(stroke), text: name.to_owned(), at });
+        for energy in energies {
+            let orbit: Vec<Vec<[f64; 2]>> = in_region(&portrait, theta_s, energy);
+            for piece in &orbit {
+                // Orbits run to the right where θ′ > 0.
+                let exit =
+                    piece.iter().copied().reduce(|a, b| if a[0] * a[1] >= b[0] * b[1] { a } else { b });
+                exits.extend(exit.map(|[theta, rate]| vec![theta, rate, energy]));
+                heads.extend(head(piece, stroke.colour));
+            }
+            let pieces = orbit
+                .into_iter()
+                .map(|piece| piece.into_iter().map(|[theta, rate]| vec![theta, rate, energy]).collect())
+                .collect();
+            layers.push(
+                Series::new(name, &["theta", "theta_rate", "energy"], pieces).drawn(Mark::Line(stroke)),
+            );
+        }
+    }
+    let manifolds = Series::new("manifolds", &PLANE, rows(in_region(&portrait, theta_s, 1.0)));
+    layers.push(manifolds.drawn(Mark::Line(Stroke::solid(INK, FINE))));
+    layers.extend(frame(&portrait, theta_s));
+    for (colour, piece) in heads {
+        layers.push(Series::new("flow", &PLANE, vec![piece]).drawn(Mark::Head(colour)));
+    }
+    layers.push(
+        Series::of_rows("end of rolling", &["theta", "theta_rate", "energy"], exits)
+            .drawn(Mark::Dot(INK, 3.0)),
+    );
+    layers.extend(portrait.equilibria());
+    let labels = vec![
+        Label::new("*n*", &[0.0, 1.0]).shifted(0.0, -12.0).coloured(PURPLE),
+        Label::new("*n*", &[0.0, -1.0]).shifted(0.0, 12.0).coloured(PURPLE),
+        Label::new("*f*", &[theta_s, 0.0]).shifted(12.0, 0.0).coloured(BLUE),
+        Label::new("*f*", &[-theta_s, 0.0]).shifted(-12.0, 0.0).coloured(BLUE),
+    ];
+    let caption = format!(
+        "Rolling motions of the massless hoop in 𝓡, each to the place where rolling ends (dots). Type I ends on *n*, \
+         where the normal force vanishes; Type III on *f*, where static friction gives way; Type II in a corner, where \
+         both happen. Thin: the stable and unstable manifolds of the equilibrium. *μ*_{{s}} = {}, *θ*_{{s}} = {}°. \
+         {NOTE}",
+        short(subject.hoop.mu_s()),
+        short(theta_s.to_degrees())
+    );
+    Ok(figure(NAME, "Figure 5(b): motions of Types I, II and III", caption, &portrait, layers, labels, keys))
+}
+
+/// Where an orbit goes, on its way.
+fn head(piece: &[[f64; 2]], colour: Colour) -> Option<(Colour, Vec<Vec<f64>>)> {
+    let i = piece.len() * 2 / 3;
+    let (a, b) = (piece.get(i)?, piece.get(i + 1)?);
+    let (from, to) = if (b[0] - a[0]) * a[1] > 0.0 { (a, b) } else { (b, a) };
+    Some((colour, vec![from.to_vec(), to.to_vec()]))
+}

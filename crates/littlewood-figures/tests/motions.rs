@@ -1,0 +1,163 @@
+//! The motions of the figures against the reference table, the parabola, the cycloid and the laws of friction.
+
+mod support;
+
+use littlewood_figures::Series;
+use support::{assert_near, columns, figure, series};
+
+/// Stick, slip and lift-off of Figure 3, computed elsewhere with 40 digits: τ, θ, θ′, η′.
+const EVENTS: [[f64; 4]; 3] = [
+    [0.564_107_553_101_996_7, 2.917_225_656_789_249, 2.936_443_261_445_296_5, 0.0],
+    [0.973_223_074_772_405_4, 4.066_332_874_239_296, 2.460_879_504_634_977, 0.0],
+    [1.518_670_213_819_437, 5.236_735_770_878_168, 1.998_705_937_114_14, 0.607_696_268_534_750_7],
+];
+const LANDING: f64 = 3.847_395_556_686_894;
+
+#[test]
+fn figure_3a_has_the_transitions_of_the_table() {
+    let figure = figure("figure-3a");
+    let found = columns(series(&figure, "transition")[0], ["time", "theta", "theta_rate", "slip"]);
+    assert_eq!(found.len(), 3);
+    for (found, event) in found.iter().zip(EVENTS) {
+        for (a, b) in found.iter().zip(event) {
+            assert_near(*a, b, 1e-13, "transition");
+        }
+    }
+    for [slip] in columns(series(&figure, "rolling")[0], ["slip"]) {
+        assert_eq!(slip, 0.0);
+    }
+    let sliding = series(&figure, "sliding")[0];
+    assert_eq!(sliding.pieces.len(), 2);
+    let slip = sliding.column("slip").expect("a column");
+    assert!(sliding.pieces[0].iter().all(|row| row[slip] <= 0.0));
+    assert!(sliding.pieces[1].iter().all(|row| row[slip] >= 0.0));
+}
+
+/// Divided differences of a column against time with respect to the first row, after adding a multiple of τ².
+fn slopes(series: &Series, column: &str, square: f64) -> Vec<f64> {
+    let rows = columns(series, ["time", column]);
+    let value = |row: &[f64; 2]| row[1] + square * (row[0] - rows[0][0]) * (row[0] - rows[0][0]);
+    rows[1..].iter().map(|row| (value(row) - value(&rows[0])) / (row[0] - rows[0][0])).collect()
+}
+
+fn assert_parabola(series: &Series) {
+    for (column, square) in [("x", 0.0), ("y", 0.5)] {
+        let slopes = slopes(series, column, square);
+        // The first differences are those of small numbers.
+        let last = slopes[slopes.len() - 1];
+        for slope in &slopes[10..] {
+            assert_near(*slope, last, 1e-10, &series.name);
+        }
+    }
+}
+
+#[test]
+fn figure_3b_ends_in_a_parabola_and_shows_the_hoop_at_each_transition() {
+    let figure = figure("figure-3b");
+    assert_parabola(series(&figure, "mass centre, flight")[0]);
+    let times: Vec<f64> =
+        columns(series(&figure, "hoop")[0], ["time"]).into_iter().map(|[time]| time).collect();
+    let wanted = [0.0, EVENTS[0][0], EVENTS[1][0], EVENTS[2][0], LANDING];
+    assert_eq!(times.len(), wanted.len());
+    for (a, b) in times.iter().zip(wanted) {
+        assert_near(*a, b, 1e-13, "hoop");
+    }
+    for name in ["centre, rolling", "centre, sliding"] {
+        for [y] in columns(series(&figure, name)[0], ["y"]) {
+            assert_eq!(y, 1.0, "on the plane the centre is a radius above it");
+        }
+    }
+}
+
+#[test]
+fn figure_7_rolls_on_a_cycloid_and_glides_on_a_parabola() {
+    let path = figure("figure-7b");
+    for [x, y] in columns(series(&path, "rolling")[0], ["x", "y"]) {
+        // From the top: θ with y = 1 + cos θ, x = −θ − sin θ.
+        let theta = libm::acos((y - 1.0).clamp(-1.0, 1.0));
+        if theta > 1e-3 {
+            assert_near(x, -theta - libm::sin(theta), 1e-10, "cycloid");
+        }
+    }
+    assert_parabola(series(&path, "gliding")[0]);
+
+    let plane = figure("figure-7a");
+    let changes = columns(series(&plane, "transition")[0], ["time", "theta", "theta_rate", "slip"]);
+    let slip_at = changes[0];
+    assert_near(slip_at[0], libm::log(5.0), 1e-14, "τ_s");
+    assert_near(libm::cos(slip_at[1]), 0.6, 1e-14, "cos θ_s");
+    assert_near(slip_at[2], 0.75, 1e-14, "θ′(τ_s)");
+    let times = columns(series(&path, "hoop")[0], ["time"]);
+    let end = libm::log(5.0) + (89.0_f64.sqrt() - 3.0) / 5.0;
+    assert_near(times[times.len() - 1][0], end, 1e-14, "τ_g");
+    // η′ = θ′(1 + cos θ) + v with the momentum v that the hoop has when it slips.
+    let v = -0.75 * 1.6;
+    for series in series(&plane, "gliding") {
+        if series.columns.len() == 4 {
+            for [theta, rate, slip] in columns(series, ["theta", "theta_rate", "slip"]) {
+                assert_near(slip, v + rate * (1.0 + libm::cos(theta)), 1e-9, "v of (3.18)");
+            }
+        }
+    }
+}
+
+#[test]
+fn forces_obey_the_laws_of_friction() {
+    let figure = figure("forces");
+    let [normal, friction] = ["normal force", "friction force"].map(|name| series(&figure, name)[0].clone());
+    assert_eq!(normal.pieces.len(), 4, "sliding, rolling, sliding, flight");
+    for (phase, (n, f)) in normal.pieces.iter().zip(&friction.pieces).enumerate() {
+        for (n, f) in n.iter().zip(f) {
+            let (n, f) = (n[1], f[1]);
+            match phase {
+                // Friction opposes the slip: to the left first.
+                0 => assert_near(f, 0.4 * n, 1e-12, "slide"),
+                1 => assert!(f.abs() <= 0.5 * n * (1.0 + 1e-12)),
+                2 => assert_near(f, -0.4 * n, 1e-12, "slide"),
+                _ => assert!(n == 0.0 && f == 0.0),
+            }
+        }
+    }
+    let rolled = &normal.pieces[1];
+    let (n, f) = (rolled[rolled.len() - 1][1], friction.pieces[1][rolled.len() - 1][1]);
+    assert_near(f.abs(), 0.5 * n, 1e-12, "rolling ends where static friction gives way");
+    let lift_off = normal.pieces[2].last().expect("rows")[1];
+    assert_near(lift_off, 0.0, 1e-12, "N at lift-off");
+}
+
+#[test]
+fn energy_is_lost_in_slides_alone() {
+    let figure = figure("energy");
+    let [total, kinetic, potential] =
+        ["total energy", "kinetic energy", "potential energy"].map(|name| series(&figure, name)[0].clone());
+    for (phase, piece) in total.pieces.iter().enumerate() {
+        for (row, total) in piece.iter().enumerate() {
+            let sum = kinetic.pieces[phase][row][1] + potential.pieces[phase][row][1];
+            assert_near(total[1], sum, 1e-13, "T + U");
+            assert!(kinetic.pieces[phase][row][1] >= 0.0);
+            match phase {
+                1 | 3 => assert_near(total[1], piece[0][1], 1e-12, "conserved"),
+                _ => assert!(row == 0 || total[1] < piece[row - 1][1] + 1e-14, "falls"),
+            }
+        }
+    }
+    assert_near(total.pieces[0][0][1], 8.0, 1e-14, "E at the start: ½·4·4 + 0");
+}
+
+#[test]
+fn the_demand_for_friction_is_that_of_2_12() {
+    let figure = figure("friction-demand");
+    for name in ["separatrix", "libration", "rotation", "start"] {
+        for series in series(&figure, name) {
+            for [theta, demand, energy] in columns(series, ["theta", "demand", "energy"]) {
+                let (sin, cos) = libm::sincos(theta);
+                let d = 4.0 + 2.0 * cos;
+                let square = 2.0 * (energy - cos) / d;
+                let acceleration = (sin * square + sin) / d;
+                let normal = 2.0 - (sin * acceleration + cos * square);
+                let friction = -(2.0 + cos) * acceleration + sin * square;
+                assert_near(demand, friction.abs() / normal, 1e-10, name);
+            }
+        }
+    }
+}
