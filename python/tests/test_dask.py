@@ -102,13 +102,13 @@ def test_a_worker_that_is_killed_costs_nothing(hoop, local, client, tmp_path):
         time.sleep(0.005)
     os.kill(victim, signal.SIGKILL)
     assert done < total
-    wait(future, timeout=120)
+    wait(future, timeout=300)
     assert future.status == "finished"
     stored = xarray.open_zarr(path, consolidated=False, mask_and_scale=False).load()
     assert bits(stored) == bits(local)
     assert stored.outcome.attrs["flag_meanings"].split()[0] == "landing"
     assert stored.theta.attrs["units"] == "rad"
-    client.wait_for_workers(2, timeout=60)
+    client.wait_for_workers(2, timeout=300)
     assert victim not in client.run(os.getpid).values()
 
 

@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 
 use crate::error::refuse;
-use crate::waiting::{self, Signals};
+use crate::waiting::{self, Cancelled, Signals};
 
 /// Outcome of a hoop whose parameters contradict each other, such as μk > μs, as the stores of the command line have it.
 const INVALID: u8 = 255;
@@ -47,13 +47,14 @@ impl Points {
     }
 
     /// The places of the points of each hoop, hoops in the order in which they first occur.
-    fn groups(&self) -> Vec<Vec<usize>> {
+    fn groups(&self, signals: &Signals) -> Result<Vec<Vec<usize>>, Cancelled> {
         if self.count > 0 && self.columns[..5].iter().all(|column| column.0.len() == 1) {
-            return vec![(0..self.count).collect()];
+            return Ok(vec![(0..self.count).collect()]);
         }
         let mut groups: Vec<Vec<usize>> = Vec::new();
         let mut places: HashMap<[u64; 5], usize> = HashMap::new();
         for i in 0..self.count {
+            signals.check()?;
             let bits = core::array::from_fn(|k| self.columns[k].get(i).to_bits());
             let place = *places.entry(bits).or_insert_with(|| {
                 groups.push(Vec::new());
@@ -61,18 +62,18 @@ impl Points {
             });
             groups[place].push(i);
         }
-        groups
+        Ok(groups)
     }
 }
 
-/// Why there is no result.
-enum Stop {
-    Cancelled,
-    Refused(usize, ParameterError),
-}
+/// A point that was refused, by its place.
+struct Refused(usize, ParameterError);
 
 /// A summary, or nothing for an invalid hoop, with its place.
 type Row = (usize, Option<Summary>);
+
+/// Rows, unless a point among them was refused; nothing if the work was cancelled.
+type Rows<T> = Result<Result<Vec<T>, Refused>, Cancelled>;
 
 fn rows_of_hoop(
     points: &Points,
@@ -80,35 +81,29 @@ fn rows_of_hoop(
     limits: Limits,
     prepare: bool,
     signals: &Signals,
-) -> Result<Vec<Vec<Row>>, Stop> {
+) -> Rows<Vec<Row>> {
+    signals.check()?;
     let first = indices[0];
     let hoop = match Hoop::new(points.hoop(first)) {
         Ok(hoop) => Some(hoop),
         Err(error) if is_relation(&error) => None,
-        Err(error) => return Err(Stop::Refused(first, error)),
+        Err(error) => return Ok(Err(Refused(first, error))),
     };
     let engine = hoop.map(|hoop| if prepare { Engine::new(&hoop) } else { Engine::unprepared(&hoop) });
-    let tasks: Vec<Result<Vec<Row>, Stop>> = indices
-        .par_chunks(TASK)
-        .map(|task| {
-            let mut rows = Vec::with_capacity(task.len());
-            for &i in task {
-                if signals.is_cancelled() {
-                    return Err(Stop::Cancelled);
-                }
-                let summary = match &engine {
-                    Some(engine) => Some(
-                        engine.summary(points.start(i), limits).map_err(|error| Stop::Refused(i, error))?,
-                    ),
-                    None => None,
-                };
-                rows.push((i, summary));
+    let rows_of_task = |task: &[usize]| {
+        let mut rows = Vec::with_capacity(task.len());
+        for &i in task {
+            signals.check()?;
+            match engine.as_ref().map(|engine| engine.summary(points.start(i), limits)).transpose() {
+                Ok(summary) => rows.push((i, summary)),
+                Err(error) => return Ok(Err(Refused(i, error))),
             }
-            signals.add(task.len());
-            Ok(rows)
-        })
-        .collect();
-    gather(tasks)
+        }
+        signals.add(task.len());
+        Ok(Ok(rows))
+    };
+    let tasks = indices.par_chunks(TASK).map(rows_of_task).collect::<Result<Vec<_>, Cancelled>>()?;
+    Ok(gather(tasks))
 }
 
 /// Whether two values contradict each other that have a meaning each by itself.
@@ -121,19 +116,18 @@ const fn is_relation(error: &ParameterError) -> bool {
 }
 
 /// All results, or of several refusals that of the first point, whichever thread met it first.
-fn gather<T>(results: Vec<Result<T, Stop>>) -> Result<Vec<T>, Stop> {
+fn gather<T>(results: Vec<Result<T, Refused>>) -> Result<Vec<T>, Refused> {
     let mut all = Vec::with_capacity(results.len());
-    let mut stop = None;
+    let mut first: Option<Refused> = None;
     for result in results {
-        match (result, &stop) {
+        match (result, &first) {
             (Ok(one), None) => all.push(one),
             (Ok(_), Some(_)) => {}
-            (Err(Stop::Cancelled), _) => return Err(Stop::Cancelled),
-            (Err(Stop::Refused(i, _)), Some(Stop::Refused(earlier, _))) if *earlier <= i => {}
-            (Err(refused), _) => stop = Some(refused),
+            (Err(Refused(i, _)), Some(Refused(earlier, _))) if *earlier <= i => {}
+            (Err(refused), _) => first = Some(refused),
         }
     }
-    stop.map_or(Ok(all), Err)
+    first.map_or(Ok(all), Err)
 }
 
 /// One NaN for all: the sign and payload of a NaN that arithmetic makes are not specified.
@@ -208,19 +202,26 @@ impl Columns {
     }
 }
 
-fn compute(points: &Points, limits: Limits, prepare: bool, signals: &Signals) -> Result<Columns, Stop> {
-    let results: Vec<Result<Vec<Vec<Row>>, Stop>> = points
-        .groups()
+fn compute(
+    points: &Points,
+    limits: Limits,
+    prepare: bool,
+    signals: &Signals,
+) -> Result<Result<Columns, Refused>, Cancelled> {
+    let results = points
+        .groups(signals)?
         .par_iter()
         .map(|indices| rows_of_hoop(points, indices, limits, prepare, signals))
-        .collect();
-    let mut columns = Columns::new(points.count);
-    for (i, summary) in gather(results)?.into_iter().flatten().flatten() {
-        if let Some(summary) = summary {
-            columns.set(i, &summary);
+        .collect::<Result<Vec<_>, Cancelled>>()?;
+    Ok(gather(results).map(|rows| {
+        let mut columns = Columns::new(points.count);
+        for (i, summary) in rows.into_iter().flatten().flatten() {
+            if let Some(summary) = summary {
+                columns.set(i, &summary);
+            }
         }
-    }
-    Ok(columns)
+        columns
+    }))
 }
 
 /// Summaries of many motions.
@@ -249,8 +250,7 @@ fn summaries<'py>(
         waiting::run(py, threads, progress.as_ref(), |signals| compute(&points, limits, prepare, signals))?;
     match result {
         Ok(columns) => columns.into_dict(py),
-        Err(Stop::Refused(i, error)) => Err(refuse(py, &error, Some(i))),
-        Err(Stop::Cancelled) => Err(PyRuntimeError::new_err("cancelled")),
+        Err(Refused(i, error)) => Err(refuse(py, &error, Some(i))),
     }
 }
 

@@ -17,10 +17,14 @@ pub(crate) struct Signals {
     done: AtomicUsize,
 }
 
+/// The work has stopped before its end.
+#[derive(Debug)]
+pub(crate) struct Cancelled;
+
 impl Signals {
-    /// Whether the work should stop.
-    pub(crate) fn is_cancelled(&self) -> bool {
-        self.cancelled.load(Ordering::Relaxed)
+    /// An error if the work should stop.
+    pub(crate) fn check(&self) -> Result<(), Cancelled> {
+        if self.cancelled.load(Ordering::Relaxed) { Err(Cancelled) } else { Ok(()) }
     }
 
     /// Tells of this much more work done.
@@ -37,7 +41,7 @@ pub(crate) fn run<T: Send>(
     py: Python<'_>,
     threads: usize,
     progress: Option<&Py<PyAny>>,
-    work: impl FnOnce(&Signals) -> T + Send,
+    work: impl FnOnce(&Signals) -> Result<T, Cancelled> + Send,
 ) -> PyResult<T> {
     let signals = Signals::default();
     py.detach(|| {
@@ -64,7 +68,8 @@ pub(crate) fn run<T: Send>(
                     })
                 };
                 match result {
-                    Ok(result) => return raised.map_or_else(look, Err).map(|()| result),
+                    Ok(Ok(result)) => return raised.map_or_else(look, Err).map(|()| result),
+                    Ok(Err(Cancelled)) => return raised.map_or_else(look, Err).and_then(|()| Err(stopped())),
                     Err(RecvTimeoutError::Timeout) => {
                         if let (None, Err(error)) = (&raised, look()) {
                             signals.cancelled.store(true, Ordering::Relaxed);
@@ -72,10 +77,14 @@ pub(crate) fn run<T: Send>(
                         }
                     }
                     Err(RecvTimeoutError::Disconnected) => {
-                        return Err(PyRuntimeError::new_err("a thread of the simulation has died"));
+                        return Err(stopped());
                     }
                 }
             }
         })
     })
+}
+
+fn stopped() -> PyErr {
+    PyRuntimeError::new_err("the simulation has stopped before its end")
 }
