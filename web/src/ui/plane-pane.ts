@@ -5,7 +5,7 @@ import type { Lab } from '../state/lab';
 import { RATES } from '../state/state';
 import { Sheet } from '../views/canvas';
 import type { Palette } from '../views/palette';
-import { curvesOf, drawMotion, drawPlane, Frame, FROM, TO, wrapped, type Curves } from '../views/plane';
+import { curvesOf, drawMotion, drawPlane, drawStart, Frame, FROM, TO, wrapped, type Curves } from '../views/plane';
 import { brief, byId, make } from './dom';
 
 const CLASS_TEXT: Record<string, string> = {
@@ -169,5 +169,8 @@ export class PlanePane {
     const map = this.lab.state.view.map ? this.map.picture : null;
     drawPlane(c, frame, { curves: this.curves, map, mapSize: this.map.side, palette: this.palette });
     drawMotion(c, frame, this.lab.motion, this.lab.motion.at(this.lab.time), this.palette);
+    // On the screen the start is a button.
+    const [theta, rate] = this.start;
+    drawStart(c, frame, theta, rate, this.palette);
   }
 }

@@ -307,6 +307,18 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
   c.restore();
 }
 
+/** The start as a ring. */
+export function drawStart(c: CanvasRenderingContext2D, frame: Frame, theta: number, rate: number, palette: Palette): void {
+  if (Math.abs(rate) > frame.rate) return;
+  for (const [colour, width] of [[palette.paper, 6], [palette.ink, 3]] as const) {
+    c.beginPath();
+    c.arc(frame.x(wrapped(theta)), frame.y(rate), 10, 0, 2 * Math.PI);
+    c.strokeStyle = colour;
+    c.lineWidth = width;
+    c.stroke();
+  }
+}
+
 function dot(c: CanvasRenderingContext2D, x: number, y: number, radius: number, fill: string, rim: string): void {
   c.beginPath();
   c.arc(x, y, radius, 0, 2 * Math.PI);
