@@ -223,15 +223,14 @@ impl Error {
             | Self::WriteFile { .. }
             | Self::NoLab
             | Self::Port { .. }
-            | Self::Figure(FigureError::Drawing(_)) => ExitCode::from(1),
-            Self::Interrupted { .. } => ExitCode::from(130),
-            Self::Film(FilmError::Stopped { .. }) => ExitCode::from(130),
-            Self::Film(
+            | Self::Figure(FigureError::Drawing(_))
+            | Self::Film(
                 FilmError::Write(_)
                 | FilmError::Encoding { .. }
                 | FilmError::NoFfmpeg { .. }
                 | FilmError::Ffmpeg { .. },
             ) => ExitCode::from(1),
+            Self::Interrupted { .. } | Self::Film(FilmError::Stopped { .. }) => ExitCode::from(130),
             Self::Sweep(error) if is_of_the_system(error) => ExitCode::from(1),
             _ => ExitCode::from(2),
         }

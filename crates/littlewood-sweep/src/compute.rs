@@ -15,9 +15,6 @@ use crate::point::Point;
 /// Points that one task computes: long enough to pay for the task, short enough to share a chunk among many cores.
 const TASK: usize = 512;
 
-/// Starts of a hoop in one call from which on its tables repay the time they take.
-const REPAYS: usize = 24;
-
 /// Hoops whose engines are kept for the next call.
 const KEPT: usize = 8;
 
@@ -37,7 +34,7 @@ struct Prepared {
 
 impl Prepared {
     fn new(point: &Point, starts: usize) -> Result<Self, ParameterError> {
-        let prepare = if starts >= REPAYS { Engine::new } else { Engine::unprepared };
+        let prepare = if starts >= Engine::REPAYS { Engine::new } else { Engine::unprepared };
         let engine = match Hoop::new(point.hoop) {
             Ok(hoop) => Some(Arc::new(prepare(&hoop))),
             Err(error) if is_relation(&error) => None,
@@ -135,7 +132,7 @@ impl Workers {
                         let first = &points[indices[0] as usize];
                         let bits = first.hoop_bits();
                         // What was prepared earlier must not change the digits of a hoop with few points.
-                        let repays = indices.len() >= REPAYS;
+                        let repays = indices.len() >= Engine::REPAYS;
                         let prepared = match known.iter().find(|prepared| repays && prepared.bits == bits) {
                             Some(prepared) => prepared.clone(),
                             None => Prepared::new(first, indices.len())

@@ -25,7 +25,7 @@ pub struct ZarrStore {
 }
 
 impl ZarrStore {
-    /// Opens a store that [`grid_to_zarr`] has made, complete or not.
+    /// Opens a store that [`sweep_grid`](crate::sweep_grid) has made, complete or not.
     ///
     /// # Errors
     /// If there is none, or its metadata make no sense.

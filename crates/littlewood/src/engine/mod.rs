@@ -71,8 +71,10 @@ impl Engine {
         Self { hoop: *hoop, tables }
     }
 
-    /// A hoop without tables, whose motions are simulated one by one: for a few starts, which would not repay the
-    /// half millisecond that the tables take.
+    /// Number of starts of one hoop from which on the tables repay the time that they take, some milliseconds.
+    pub const REPAYS: usize = 96;
+
+    /// A hoop without tables, whose motions are simulated one by one: for fewer starts than [`Engine::REPAYS`].
     #[must_use]
     pub const fn unprepared(hoop: &Hoop) -> Self {
         Self { hoop: *hoop, tables: None }
