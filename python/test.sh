@@ -13,10 +13,14 @@ mkdir -p "$work"
 python="$work/venv/bin/python"
 "$python" -m pip install --quiet --disable-pip-version-check -r requirements-test.txt
 
-rm -rf "$work/dist"
-# The wheel is built from the source distribution, which proves that this builds. Its workspace has fewer members than
-# ours, so that its lock file is ours without what they need: `--locked` would refuse that.
-CARGO_TARGET_DIR="$target" "$work/venv/bin/maturin" build --release --sdist --out "$work/dist"
+# The wheel is built from the source distribution, which proves that this builds: unpacked with the time of now (`-m`),
+# because Cargo goes by it, and in a target folder of its own. Its workspace has fewer members than ours, so that its lock
+# file is ours without what they need: `--locked` would refuse that.
+rm -rf "$work/dist" "$work/source"
+mkdir "$work/source"
+"$work/venv/bin/maturin" sdist --out "$work/dist"
+tar -xzmf "$work"/dist/littlewood-*.tar.gz -C "$work/source" --strip-components 1
+(cd "$work/source" && CARGO_TARGET_DIR="$work/target" "$work/venv/bin/maturin" build --release --out "$work/dist")
 "$python" -m pip install --quiet --disable-pip-version-check --no-deps "$work"/dist/littlewood-*.whl
 
 if [ -z "${LITTLEWOOD_BIN:-}" ]; then

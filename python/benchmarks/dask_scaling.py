@@ -1,7 +1,8 @@
 """Scaling of an outcome map over workers of Dask, side by side with the threads of one process.
 
-Every worker is a process with one thread. Each line is the median of some runs of the same map, written to Zarr by the
-workers. Run it on an idle machine:
+Every worker is a process with one thread, and the workers write to Zarr. Runs alternate, so that whatever else the
+machine does disturbs all of them alike; shown are medians, and the median of the ratios within a round. On an idle
+machine:
 
     python benchmarks/dask_scaling.py --starts 4000000 --workers 1 2
 """
@@ -17,48 +18,51 @@ from distributed import Client, LocalCluster
 
 import littlewood as lw
 
+HOOP = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
+
+
+def local(axes: dict[str, np.ndarray]) -> float:
+    began = time.perf_counter()
+    lw.outcome_map(HOOP, **axes)
+    return time.perf_counter() - began
+
+
+def on_workers(count: int, axes: dict[str, np.ndarray]) -> float:
+    with (
+        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None) as cluster,
+        Client(cluster),
+        tempfile.TemporaryDirectory() as folder,
+    ):
+        # Imports and the first connections are not what is measured.
+        few = {name: axis[:64] for name, axis in axes.items()}
+        lw.outcome_map(HOOP, **few, chunks=16).to_zarr(Path(folder) / "few.zarr", consolidated=False)
+        began = time.perf_counter()
+        lw.outcome_map(HOOP, **axes, chunks=500).to_zarr(Path(folder) / "map.zarr", consolidated=False)
+        return time.perf_counter() - began
+
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--starts", type=int, default=4_000_000, help="number of starts")
     parser.add_argument("--workers", type=int, nargs="+", default=[1, 2], help="numbers of workers")
-    parser.add_argument("--runs", type=int, default=3, help="runs of each")
+    parser.add_argument("--rounds", type=int, default=5, help="runs of each")
     arguments = parser.parse_args()
     side = round(arguments.starts**0.5)
-    hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
     axes = {"theta": np.linspace(-np.pi, np.pi, side), "theta_rate": np.linspace(-4, 4, side)}
 
-    def show(name: str, seconds: list[float], base: float | None = None) -> float:
-        median = statistics.median(seconds)
-        ratio = "" if base is None else f"   {base / median:.2f} times 1 worker"
-        print(f"{name:<28}{median:8.2f} s   {side * side / median / 1e6:6.2f} million starts/s{ratio}", flush=True)
-        return median
-
-    seconds = []
-    for _ in range(arguments.runs):
-        began = time.perf_counter()
-        lw.outcome_map(hoop, **axes)
-        seconds.append(time.perf_counter() - began)
-    show("one process, all cores", seconds)
-
-    base = None
-    for count in arguments.workers:
-        with (
-            LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None) as cluster,
-            Client(cluster) as client,
-        ):
-            client.run(lambda: lw.__version__)
-            # Imports and the first connections are not what is measured.
-            lw.outcome_map(hoop, theta=axes["theta"][:64], theta_rate=axes["theta_rate"][:64], chunks=16).compute()
-            seconds = []
-            for _ in range(arguments.runs):
-                with tempfile.TemporaryDirectory() as folder:
-                    began = time.perf_counter()
-                    lazy = lw.outcome_map(hoop, **axes, chunks=500)
-                    lazy.to_zarr(Path(folder) / "map.zarr", consolidated=False)
-                    seconds.append(time.perf_counter() - began)
-            median = show(f"Dask, {count} worker{'s' if count > 1 else ''}, to Zarr", seconds, base)
-            base = median if base is None else base
+    rounds = [
+        {0: local(axes)} | {count: on_workers(count, axes) for count in arguments.workers}
+        for _ in range(arguments.rounds)
+    ]
+    base = arguments.workers[0]
+    for count in (0, *arguments.workers):
+        seconds = statistics.median(one[count] for one in rounds)
+        ratio = statistics.median(one[base] / one[count] for one in rounds)
+        name = f"Dask to Zarr, {count} worker{'s' if count > 1 else ''}" if count else "one process, all cores"
+        print(
+            f"{name:<26}{seconds:8.2f} s{side * side / seconds / 1e6:8.2f} million starts/s"
+            f"{ratio:8.2f} times {base} worker{'s' if base > 1 else ''}"
+        )
 
 
 if __name__ == "__main__":
