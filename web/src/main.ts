@@ -122,6 +122,11 @@ function start(cases: NamedCase[]): void {
     lab.setView({ theme: dark ? 'light' : 'dark' });
   });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', showTheme);
+  byId('skip', HTMLAnchorElement).addEventListener('click', (event) => {
+    // The part after # is the state, not a place on the page.
+    event.preventDefault();
+    byId('start-handle', HTMLButtonElement).focus();
+  });
   window.addEventListener('hashchange', () => {
     if (location.hash.slice(1) !== format(lab.state, cases)) read();
   });
