@@ -1,6 +1,11 @@
 // The laboratory: puts the parts together.
 
-import './style.css';
+import './style/theme.css';
+import './style/base.css';
+import './style/page.css';
+import './style/panes.css';
+import './style/dialogue.css';
+import './style/screens.css';
 import { columnsAgree } from './core/motion';
 import { cases as casesOfCore, load, provokePanic } from './core/wasm';
 import { Lab, type Change } from './state/lab';
