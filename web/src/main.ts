@@ -1,7 +1,11 @@
 // The laboratory: puts the parts together.
 
-import './style.css';
-import { untilName, fieldsOf } from './core/fields';
+import './style/theme.css';
+import './style/base.css';
+import './style/page.css';
+import './style/panes.css';
+import './style/dialogue.css';
+import './style/screens.css';
 import { columnsAgree } from './core/motion';
 import { cases as casesOfCore, load, provokePanic } from './core/wasm';
 import { Lab, type Change } from './state/lab';
@@ -75,6 +79,7 @@ function start(cases: NamedCase[]): void {
     draw();
   };
   let theme: Theme = lab.state.view.theme;
+  let reading = false;
 
   lab.onChange((changes: ReadonlySet<Change>) => {
     if (changes.has('motion')) {
@@ -86,7 +91,7 @@ function start(cases: NamedCase[]): void {
     if (changes.has('complaints')) {
       fields.show();
       bar.show();
-      showStrangers(lab.complaints, lab);
+      if (!reading) showLinkComplaints([]);
     }
     if (changes.has('view')) {
       transport.showView();
@@ -112,13 +117,21 @@ function start(cases: NamedCase[]): void {
   const read = (): void => {
     clock.pause();
     const { state, complaints } = parse(location.hash, lab.state, cases);
+    reading = true;
     lab.take(state.problem, state.view, complaints);
+    reading = false;
+    showLinkComplaints(lab.complaints);
   };
   byId('theme', HTMLButtonElement).addEventListener('click', () => {
     const dark = getComputedStyle(document.documentElement).colorScheme.includes('dark');
     lab.setView({ theme: dark ? 'light' : 'dark' });
   });
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', showTheme);
+  byId('skip', HTMLAnchorElement).addEventListener('click', (event) => {
+    // The part after # is the state, not a place on the page.
+    event.preventDefault();
+    byId('start-handle', HTMLButtonElement).focus();
+  });
   window.addEventListener('hashchange', () => {
     if (location.hash.slice(1) !== format(lab.state, cases)) read();
   });
@@ -148,13 +161,10 @@ function writeSoon(lab: Lab): void {
   timer = window.setTimeout(() => history.replaceState(null, '', address(lab)), ADDRESS_PAUSE);
 }
 
-/** Complaints about keys of the address that have no field. */
-function showStrangers(complaints: readonly Complaint[], lab: Lab): void {
-  const { system } = lab.state.problem;
-  const known = new Set([...fieldsOf(system).map((field) => field.name), untilName(system), 'case']);
-  const strangers = complaints.filter((it) => !known.has(it.field));
+/** What a link has wrong is told at the top, too: its field may be out of sight, or there may be none. */
+function showLinkComplaints(complaints: readonly Complaint[]): void {
   const banner = byId('banner', HTMLParagraphElement);
-  banner.hidden = strangers.length === 0;
-  banner.textContent = strangers.length === 0 ? ''
-    : `The link says ${strangers.map((it) => `${it.field}=${it.given} (${it.message})`).join(', ')}. The rest of it is shown.`;
+  banner.hidden = complaints.length === 0;
+  const list = complaints.map((it) => `${it.field}=${it.given}: ${it.message}`).join('; ');
+  banner.textContent = banner.hidden ? '' : `The link cannot be shown as it is. ${list}.`;
 }

@@ -10,6 +10,7 @@ test('the start moves with the arrow keys', async ({ page }) => {
   await expect(page.locator('.skip')).toBeFocused();
   await page.keyboard.press('Enter');
   await expect(page.locator('#start-handle')).toBeFocused();
+  await expect(page.locator('#banner')).toBeHidden();
   for (let i = 0; i < 30; i++) await page.keyboard.press('ArrowUp');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Shift+ArrowLeft');

@@ -125,8 +125,7 @@ fn slip(event: &Transition, mu_s: f64) -> String {
     let limit = brief(mu_s);
     if event.to == Some(Mode::Gliding) {
         format!(
-            "Slips, and glides: friction needs more than {limit} N, and a hoop without inertia bears no force while it \
-             slips."
+            "Slips and glides: friction needs more than {limit} N; without inertia a slip bears no force."
         )
     } else {
         format!("Slips: friction needs more than {limit} N, the most that is there.")

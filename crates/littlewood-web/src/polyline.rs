@@ -1,7 +1,8 @@
 //! A curve θ′(θ) that exists on some arcs only, as points close enough to draw.
 
-/// Halvings of an interval that one end of an arc lies in.
-const HALVINGS: usize = 48;
+/// Halvings of an interval that one end of an arc lies in: to a thousandth of a pixel. Nearer to the end of an arc of the
+/// massless hoop, where N and its slope both vanish, rounding would be drawn.
+const HALVINGS: usize = 12;
 
 /// Rates beyond this one are off every plane that is drawn.
 const FARTHEST: f64 = 1e4;
@@ -53,9 +54,9 @@ mod tests {
     fn an_arc_reaches_its_ends() {
         // The upper half of the unit circle, which meets the axis at a right angle.
         let points = trace(-2.0, 2.0, 41, |x| (x * x <= 1.0).then(|| (1.0 - x * x).sqrt()));
-        assert!((points[0] + 1.0).abs() < 1e-12 && points[1] < 1e-5);
+        assert!((points[0] + 1.0).abs() < 3e-5 && points[1] < 8e-3);
         let end = points.len() - 4;
-        assert!((points[end] - 1.0).abs() < 1e-12 && points[end + 1] < 1e-5);
+        assert!((points[end] - 1.0).abs() < 3e-5 && points[end + 1] < 8e-3);
         assert!(points[end + 2].is_nan());
     }
 }

@@ -45,8 +45,10 @@ interface Document {
 /** Outcomes that are the last transition. */
 const EVENTS = new Set(['landing', 'particle_at_plane', 'particle_at_bottom', 'particle_at_top', 'singular']);
 
-/** Samples for the views. */
+/** Samples for the views: for a motion of few phases, and for each phase of one with many. */
 const COUNT = 400;
+const PER_PHASE = 40;
+const MOST = 8000;
 
 export class Motion {
   readonly phases: Phase[];
@@ -71,7 +73,7 @@ export class Motion {
       end: phase.duration === null ? Infinity : phase.start_time + phase.duration,
     }));
     this.events = eventsOf(document, core.startSentence(), core.transitionSentences(), this.outcomeSentence);
-    this.samples = this.sample(COUNT);
+    this.samples = this.sample(Math.min(Math.max(COUNT, PER_PHASE * this.phases.length), MOST));
   }
 
   /** Simulates. Throws a refusal of the core. */

@@ -55,7 +55,8 @@ pub(super) fn answer(question: &Question<'_>, port: u16, find: impl Fn(&str) -> 
         Some(name) => name,
         None => "",
     };
-    let Some(Asset { content, kind }) = find(name) else {
+    // The service worker would stay in the browser, with its files, for every port that was ever taken.
+    let Some(Asset { content, kind }) = find(name).filter(|_| name != "sw.js") else {
         return refusal(404, "404: there is no such file\n", &[]);
     };
     // The names of assets change with their content; the other files keep theirs.
@@ -81,7 +82,7 @@ mod tests {
     fn page(name: &str) -> Option<Asset> {
         let (content, kind) = match name {
             "index.html" => ("<!doctype html>", "text/html; charset=utf-8"),
-            "assets/a.js" => ("1", "text/javascript; charset=utf-8"),
+            "sw.js" | "assets/a.js" => ("1", "text/javascript; charset=utf-8"),
             _ => return None,
         };
         Some(Asset { content: content.as_bytes().into(), kind: kind.to_owned() })
@@ -122,7 +123,7 @@ mod tests {
     fn only_files_of_the_page_and_only_reading() {
         let written = answer(&Question { reads: false, host: Some("localhost:4000"), path: "/" }, 4000, page);
         assert_eq!((written.status, header(&written, "Allow")), (405, Some("GET, HEAD")));
-        for path in ["/etc/passwd", "/../Cargo.toml", "//index.html", "index.html", "*"] {
+        for path in ["/etc/passwd", "/../Cargo.toml", "//index.html", "index.html", "*", "/sw.js"] {
             assert_eq!(ask(Some("localhost:4000"), path).status, 404, "{path}");
         }
     }

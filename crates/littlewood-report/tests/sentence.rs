@@ -1,0 +1,53 @@
+//! What the sentences say, against numbers worked out by hand from the equations of the paper.
+
+use littlewood::{CASES, Hoop, Limits, Start, Units, find_case};
+use littlewood_report::scale::Scale;
+use littlewood_report::sentence;
+
+const PLAIN: Scale<'_> = Scale::new(None);
+
+#[test]
+fn figure_3_begins_with_too_little_friction() {
+    // At θ = π/2, θ′ = 2: D = 4, f_R = 5/4, N = 2 − 5/4 = 3/4, F = 4 − 2·5/4 = 3/2 (2.11, 2.12), so |F| = 2 N.
+    let motion = find_case("figure-3").unwrap().simulate().unwrap();
+    assert_eq!(sentence::start(&motion, PLAIN), "Slips: friction needs 2 N, only 0.5 N is there.");
+    let told: Vec<String> = (0..4).map(|i| sentence::transition(&motion, i, PLAIN).unwrap()).collect();
+    for (text, begin) in
+        told.iter().zip(["Sticks and rolls", "Slips: friction needs more than 0.5 N", "Jumps", "Lands"])
+    {
+        assert!(text.starts_with(begin), "{text}");
+    }
+    // The mass centre rises at −h sin θ θ′ = 0.865 (2.7), from the state at the lift-off to 18 digits.
+    let rise = -0.5 * libm::sin(5.236_735_770_878_168) * 1.998_705_937_114_139_9;
+    assert!(told[2].contains(&format!("rises at {rise:.3} √(g R)")), "{}", told[2]);
+    assert_eq!(sentence::transition(&motion, 4, PLAIN), None);
+    assert_eq!(sentence::outcome(&motion, PLAIN), told[3]);
+}
+
+#[test]
+fn lengths_and_times_have_the_units_that_are_asked_for() {
+    let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+    let motion = hoop.simulate(Start::at(0.0, 4.0), Limits::default()).unwrap();
+    let units = Units::new(0.14, 0.45, 9.806_65).unwrap();
+    let plain = sentence::outcome(&motion, PLAIN);
+    let si = sentence::outcome(&motion, Scale::new(Some(&units)));
+    assert!(plain.contains(" R to the left after ") && plain.contains(" √(R/g) in the air"), "{plain}");
+    assert!(si.contains(" m to the left after ") && si.contains(" s in the air"), "{si}");
+}
+
+#[test]
+fn every_case_has_a_sentence_for_each_of_its_events() {
+    for case in CASES {
+        let motion = case.simulate().unwrap();
+        let told = (0..motion.transitions().len()).filter_map(|i| sentence::transition(&motion, i, PLAIN));
+        let all = [sentence::start(&motion, PLAIN), sentence::outcome(&motion, PLAIN)];
+        for text in all.into_iter().chain(told) {
+            assert!(
+                text.ends_with('.') && text.chars().next().is_some_and(char::is_uppercase),
+                "{}: {text}",
+                case.name
+            );
+            assert!(!text.contains("NaN") && !text.contains('_'), "{}: {text}", case.name);
+        }
+    }
+}
