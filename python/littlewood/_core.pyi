@@ -48,6 +48,7 @@ MODES: list[str]
 OUTCOMES: list[str]
 REGIONS: list[str]
 INVALID: int
+REPAYS: int
 
 class ParameterError(ValueError):
     quantity: str

@@ -9,15 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _core
 from .extras import require
 from .hoop import Hoop
 from .variables import HOOP, QUANTITIES, START, quantity_attributes
 
 if TYPE_CHECKING:
     import xarray
-
-# Starts of a hoop from which on its tables repay the time they take.
-_REPAYS = 24
 
 
 @dataclass(frozen=True)
@@ -58,7 +56,7 @@ class Points:
         """
         of_hoops = {dimension for name in HOOP for dimension in self.variables[name].dims}
         starts = math.prod(size for dimension, size in self.sizes.items() if dimension not in of_hoops)
-        return starts >= _REPAYS
+        return starts >= _core.REPAYS
 
     @property
     def is_lazy(self) -> bool:

@@ -227,7 +227,7 @@ fn compute(
 /// Summaries of many motions.
 ///
 /// `columns` are mass_ratio, offset, inertia, mu_s, mu_k, theta, theta_rate and slip, each of one value or of
-/// `count` values. `prepare` makes tables of each hoop first, which pays from about 24 starts of it.
+/// `count` values. `prepare` makes tables of each hoop first, which pays from `REPAYS` starts of it.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "they are named where a person writes them, in the package")]
 fn summaries<'py>(
@@ -256,5 +256,6 @@ fn summaries<'py>(
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("INVALID", INVALID)?;
+    module.add("REPAYS", Engine::REPAYS)?;
     module.add_function(wrap_pyfunction!(summaries, module)?)
 }
