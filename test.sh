@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Passes all tests on a fresh machine that has Rust: format, lints, documentation, tests, and generated files.
+# Passes all tests on a fresh machine that has Rust, Python 3.11 and node 20: format, lints, documentation, tests of the
+# crates, of the Python package and of the web page. On Debian, as root, it installs Chromium.
 set -euo pipefail
 cd "$(dirname "$0")"
 export RUSTDOCFLAGS="-D warnings"
@@ -10,4 +11,5 @@ cargo fmt --all --check
 cargo clippy --workspace --all-targets --locked -- -D warnings
 cargo doc --workspace --no-deps --locked
 cargo test --workspace --locked --no-fail-fast
-cargo run --quiet --locked -p littlewood --example figure_3_svg | diff - docs/figure-3.svg
+python/test.sh
+web/test.sh
