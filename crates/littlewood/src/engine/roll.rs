@@ -272,8 +272,10 @@ impl RollTable {
             let fold = |(value, slope): (f64, f64), c: &f64| (value * t + c, slope * t + value);
             if steep { form.iter().fold((0.0, 0.0), fold) } else { form.iter().rev().fold((0.0, 0.0), fold) }
         };
-        let sign = if horner(high).0 < 0.0 { 1.0 } else { -1.0 };
-        let mut t = 0.5 * (low + high);
+        let (at_low, at_high) = (horner(low).0, horner(high).0);
+        let sign = if at_high < 0.0 { 1.0 } else { -1.0 };
+        let secant = (low * at_high - high * at_low) / (at_high - at_low);
+        let mut t = if at_low * at_high < 0.0 { secant } else { 0.5 * (low + high) };
         for _ in 0..60 {
             let (value, slope) = horner(t);
             if sign * value > 0.0 {
@@ -300,9 +302,10 @@ impl RollTable {
     fn time(&self, k: f64, from: f64, to: f64) -> Option<f64> {
         let mean = 0.5 * (self.top + self.bottom);
         let two_l = 2.0 * self.offset;
-        // K − D vanishes over the top, at ± i acosh((K − mean)/2ℓ̂).
-        let above_top = libm::acosh(((k - mean) / two_l.max(1e-300)).max(1.0));
-        let width = self.width.min(above_top).min(2.0);
+        // K − D vanishes over the top, at ± i acosh(1 + y), y = (K − top)/2ℓ̂, and acosh(1 + y) > √2y (1 − y/12).
+        let y = (k - self.top) / two_l.max(1e-300);
+        let above_top = if y < 2.7 { (2.0 * y).sqrt() * (1.0 - y / 12.0) } else { 1.97 };
+        let width = self.width.min(above_top);
         let panels = ((to - from) / (2.0 * PANEL * width)).ceil().max(1.0);
         if panels > MOST_PANELS || panels.is_nan() {
             return None;
