@@ -270,8 +270,8 @@ impl Ramps {
         // φ³/3! − φ⁵/5! + … and φ⁴/4! − φ⁶/6! + …; the terms left out are below 1/23!.
         let (mut odd, mut even) = (1.0, 1.0);
         for (a, b) in RECIPROCALS {
-            odd = 1.0 - odd * square * a;
-            even = 1.0 - even * square * b;
+            odd = 1.0 - odd * (square * a);
+            even = 1.0 - even * (square * b);
         }
         let (odd, even) = (phi * square / 6.0 * odd, square * square / 24.0 * even);
         Self { sine: phi - odd, versine: 0.5 * square - even, odd, even }

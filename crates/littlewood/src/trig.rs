@@ -36,6 +36,17 @@ const fn series<const N: usize>(odd: f64) -> [f64; N] {
 const SINE: [f64; 8] = series(1.0);
 const COSINE: [f64; 9] = series(0.0);
 
+/// A polynomial, the highest power first; even and odd powers apart, two short chains instead of a long one.
+#[inline(always)]
+fn polynomial(coefficients: &[f64], x: f64) -> f64 {
+    let square = x * x;
+    let (mut this, mut other) = (coefficients[0], 0.0);
+    for c in &coefficients[1..] {
+        (this, other) = (other * square + c, this);
+    }
+    other * x + this
+}
+
 /// (sin x, cos x).
 #[inline]
 pub(crate) fn sincos(x: f64) -> (f64, f64) {
@@ -63,14 +74,8 @@ pub(crate) fn sincos(x: f64) -> (f64, f64) {
 #[inline]
 fn core_sincos(r: f64, rest: f64) -> (f64, f64) {
     let square = r * r;
-    let mut sine = SINE[0];
-    for c in &SINE[1..] {
-        sine = sine * square + c;
-    }
-    let mut cosine = COSINE[0];
-    for c in &COSINE[1..COSINE.len() - 1] {
-        cosine = cosine * square + c;
-    }
+    let sine = polynomial(&SINE, square);
+    let cosine = polynomial(&COSINE[..COSINE.len() - 1], square);
     // 1 − r²/2 exactly, as a sum of two.
     let half = 0.5 * square;
     let one = 1.0 - half;
@@ -82,14 +87,8 @@ fn core_sincos(r: f64, rest: f64) -> (f64, f64) {
 #[inline]
 pub(crate) fn sincos_small(r: f64) -> (f64, f64) {
     let square = r * r;
-    let mut sine = SINE[2];
-    for c in &SINE[3..] {
-        sine = sine * square + c;
-    }
-    let mut cosine = COSINE[2];
-    for c in &COSINE[3..] {
-        cosine = cosine * square + c;
-    }
+    let sine = polynomial(&SINE[2..], square);
+    let cosine = polynomial(&COSINE[2..], square);
     (r + r * (square * sine), 1.0 + square * cosine)
 }
 

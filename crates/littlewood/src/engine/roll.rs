@@ -37,6 +37,8 @@ struct Stop {
     y: f64,
     /// A and B of the margins of friction to the negative and to the positive side.
     margins: [[f64; 2]; 2],
+    /// Constants K of the orbits that surely hold here on both sides.
+    holds: (f64, f64),
 }
 
 /// The rolling orbits of one body.
@@ -90,6 +92,28 @@ fn evaluate(form: &Form, x: f64, y: f64) -> f64 {
     sum
 }
 
+impl Stop {
+    fn surely_holds(&self, k: f64) -> bool {
+        k > self.holds.0 && k < self.holds.1
+    }
+}
+
+/// The constants K for which both margins A + K B are positive, narrowed by what is in doubt.
+fn holds(margins: &[[f64; 2]; 2]) -> (f64, f64) {
+    let mut bounds = (0.0, f64::INFINITY);
+    for [a, b] in margins {
+        let level = -a / b;
+        if *b > 0.0 {
+            bounds.0 = f64::max(bounds.0, level + 4.0 * DOUBT * level.abs());
+        } else if *b < 0.0 {
+            bounds.1 = f64::min(bounds.1, level - 4.0 * DOUBT * level.abs());
+        } else if *a <= 0.0 {
+            bounds.1 = 0.0;
+        }
+    }
+    bounds
+}
+
 impl RollTable {
     /// Prepares the orbits of a heavy hoop.
     pub(super) fn new(hoop: &Hoop) -> Option<Self> {
@@ -121,7 +145,7 @@ impl RollTable {
                 let (y, x) = sincos(0.5 * angle);
                 let margins =
                     [0, 1].map(|i: usize| [evaluate(&forms[i][0], x, y), evaluate(&forms[i][1], x, y)]);
-                Stop { angle, x, y, margins }
+                Stop { angle, x, y, margins, holds: holds(&margins) }
             })
             .collect();
         let (m, h) = (body.mass, body.h);
@@ -189,7 +213,10 @@ impl RollTable {
         let laps =
             (first..self.stops.len()).map(|stop| (stop, 0.0)).chain((0..first).map(|stop| (stop, TAU)));
         for (stop, lap) in laps {
-            if let Some(side) = self.breaks(orbit.k, &self.stops[stop])? {
+            if self.stops[stop].surely_holds(orbit.k) {
+                continue;
+            }
+            if let Some(side) = Self::breaks(orbit.k, &self.stops[stop].margins)? {
                 let (found, direction, elapsed) = match ahead {
                     Some(ahead) if ahead.stop == stop && ahead.side == side => {
                         let found = orbit.angle + ahead.turned - lap;
@@ -227,13 +254,14 @@ impl RollTable {
         for x in [x, -x] {
             let margins =
                 [0, 1].map(|i: usize| [evaluate(&self.forms[i][0], x, y), evaluate(&self.forms[i][1], x, y)]);
-            if self.breaks(k, &Stop { angle: 0.0, x, y, margins })?.is_some() {
+            if Self::breaks(k, &margins)?.is_some() {
                 return None;
             }
         }
         // The arc between the turning points is where cos ϑ is below that of them.
         for stop in &self.stops {
-            if stop.x * stop.x < x * x && self.breaks(k, stop)?.is_some() {
+            let inside = stop.x * stop.x < x * x;
+            if inside && !stop.surely_holds(k) && Self::breaks(k, &stop.margins)?.is_some() {
                 return None;
             }
         }
@@ -241,9 +269,9 @@ impl RollTable {
     }
 
     /// The margin that is negative at a stop, if any.
-    fn breaks(&self, k: f64, stop: &Stop) -> Option<Option<usize>> {
+    fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
         let mut broken = None;
-        for (side, [a, b]) in stop.margins.iter().enumerate() {
+        for (side, [a, b]) in margins.iter().enumerate() {
             let margin = a + k * b;
             if margin.abs() <= DOUBT * (a.abs() + (k * b).abs()) {
                 return None;
