@@ -221,14 +221,28 @@ impl Picture {
 
 /// The cell of a place on an axis, if the axis has not been thinned there.
 fn cell(index: usize, count: usize, cells: usize) -> Option<usize> {
-    if cells == count {
-        return Some(index);
-    }
-    // Cell j shows the place in the middle of its share of the axis.
-    let j = index * cells / count;
-    ((2 * j + 1) * count / (2 * cells) == index).then_some(j)
+    // Cell j shows the place in the middle of its share of the axis. Where cells are hardly wider than places, that place
+    // may begin in the share before.
+    let shown = |j: usize| (2 * j + 1) * count / (2 * cells);
+    let share = index * cells / count;
+    [share, share + 1].into_iter().find(|&j| j < cells && shown(j) == index)
 }
 
 fn drawing<E: core::fmt::Display>(error: E) -> PictureError {
     PictureError::Drawing(error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cell;
+
+    #[test]
+    fn every_cell_shows_one_place_in_order() {
+        for count in (1..900).step_by(7) {
+            for cells in (1..=count).step_by(3).chain([count]) {
+                let shown: Vec<usize> = (0..count).filter_map(|index| cell(index, count, cells)).collect();
+                assert_eq!(shown, (0..cells).collect::<Vec<usize>>(), "{count} places in {cells} cells");
+            }
+        }
+    }
 }
