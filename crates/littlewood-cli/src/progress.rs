@@ -1,12 +1,13 @@
 //! A bar with rate and time left on the standard error, if that is a terminal.
 
+use std::fmt;
 use std::io::{self, IsTerminal};
 use std::sync::Once;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanCount, ProgressBar, ProgressState, ProgressStyle};
 use littlewood_sweep::Progress;
 
-const TEMPLATE: &str = "{bar:32} {percent:>3}%  {human_pos} of {human_len} starts  {per_sec}  {eta} left";
+const TEMPLATE: &str = "{bar:32} {percent:>3}%  {human_pos} of {human_len} starts  {rate}  {eta} left";
 
 /// A bar, or nothing.
 pub(crate) struct Bar {
@@ -19,7 +20,11 @@ impl Bar {
     pub(crate) fn new() -> Self {
         let bar = if io::stderr().is_terminal() { ProgressBar::new(0) } else { ProgressBar::hidden() };
         if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
-            bar.set_style(style);
+            // Whole starts: the rate of the library has four decimals.
+            let rate = |state: &ProgressState, writer: &mut dyn fmt::Write| {
+                let _ = write!(writer, "{}/s", HumanCount(state.per_sec() as u64));
+            };
+            bar.set_style(style.with_key("rate", rate));
         }
         Self { bar, begun: Once::new() }
     }

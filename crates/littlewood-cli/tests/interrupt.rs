@@ -18,11 +18,11 @@ use support::{complaint, tree};
 const PLANE: [&str; 8] = [
     "figure-3",
     "--x",
-    "theta=-pi:pi:300",
+    "theta=-pi:pi:600",
     "--y",
-    "theta_rate=-4:4:300",
+    "theta_rate=-4:4:600",
     "--until=50",
-    "--chunk=500",
+    "--chunk=2000",
     "--threads=2",
 ];
 
@@ -84,7 +84,7 @@ fn ctrl_c_leaves_what_is_finished_and_resume_ends_as_if_nothing_had_been() {
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
     let message = text(&output.stderr);
-    assert!(message.contains("of 90000 starts") && message.contains("--resume goes on"), "{message}");
+    assert!(message.contains("of 360000 starts") && message.contains("--resume goes on"), "{message}");
     assert!(text(&output.stdout).contains("not computed"), "{}", text(&output.stdout));
 
     // What there is can be read.
@@ -133,8 +133,9 @@ fn a_picture_that_is_not_complete_does_not_replace_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let png = folder.path().join("map.png");
     fs::write(&png, "an older picture").expect("written");
-    let mut command = map(&[&png], &[]);
-    let child = command.args(["--max-transitions", "9999"]).spawn().expect("it runs");
+    // So many starts that it cannot be over before the signal.
+    let axes = ["map", "figure-3", "--x", "theta=-pi:pi:20000", "--y", "theta_rate=-4:4:20000", "--out"];
+    let child = littlewood(&axes).arg(&png).spawn().expect("it runs");
     // The new picture is begun beside the old one before the work begins.
     wait_until(|| fs::read_dir(folder.path()).expect("a folder").count() > 1);
     sleep(Duration::from_millis(300));
@@ -295,7 +296,7 @@ fn progress_is_shown_on_a_terminal() {
         .expect("it runs");
     assert!(output.status.success(), "{}", text(&output.stdout));
     let shown = text(&output.stdout);
-    for word in ["%", "of 90,000 starts", "/s", " left", "Written"] {
+    for word in ["%", "of 360,000 starts", "/s", " left", "Written"] {
         assert!(shown.contains(word), "no {word:?} in {shown}");
     }
     // Into a pipe nothing but the result is written.
