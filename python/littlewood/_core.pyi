@@ -12,6 +12,7 @@ __all__ = [
     "INVALID",
     "MODES",
     "OUTCOMES",
+    "REPAYS",
     "REGIONS",
     "ParameterError",
     "PhasePlane",
