@@ -93,7 +93,7 @@ def simulate_many(
     Notes
     -----
     Hoops with at least 96 starts, by the dimensions that the parameters of the hoop do not have, are prepared with
-    tables, which makes a start about 50 times as fast and changes times by a few units in the last digits. The choice
+    tables, which makes a start about 30 times as fast and changes times by a few units in the last digits. The choice
     does not depend on blocks or threads; neither do the results.
 
     Examples

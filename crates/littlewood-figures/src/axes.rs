@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::{Hoop, PhasePlane};
 
 use crate::figure::Axis;
-use crate::ticks;
 use crate::trace::Window;
+use littlewood_report::ticks;
 
 /// θ.
 pub(crate) fn angle([from, to]: [f64; 2]) -> Axis {

@@ -1,5 +1,7 @@
 //! What a figure is: panels with series of data, and how each is drawn.
 
+pub use littlewood_report::ticks::Tick;
+
 use crate::style::{Colour, Stroke};
 
 /// A figure, complete: [`Figure::svg`], [`Figure::png`] and [`Figure::csv`] only write it down.
@@ -74,15 +76,6 @@ pub struct Axis {
     pub range: [f64; 2],
     /// Ticks.
     pub ticks: Vec<Tick>,
-}
-
-/// A tick.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Tick {
-    /// Where.
-    pub value: f64,
-    /// What it says.
-    pub label: String,
 }
 
 /// Data and how they are drawn.

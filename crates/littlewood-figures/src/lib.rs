@@ -43,7 +43,6 @@ mod paper;
 mod plane;
 pub mod style;
 mod subject;
-mod ticks;
 mod trace;
 mod words;
 

@@ -74,7 +74,10 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
         );
     }
     let label = Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0).coloured(PURPLE);
-    let y = Axis { ticks: crate::ticks::round(0.0, most, 6), ..plain("demand", "|*F*|/*N*", [0.0, most]) };
+    let y = Axis {
+        ticks: littlewood_report::ticks::round(0.0, most, 6),
+        ..plain("demand", "|*F*|/*N*", [0.0, most])
+    };
     Ok(Figure {
         name: NAME,
         title: "Friction that rolling demands".to_owned(),

@@ -5,7 +5,6 @@ mod names;
 mod palette;
 mod pen;
 mod scale;
-mod ticks;
 
 pub use frame::Size;
 
@@ -17,7 +16,6 @@ use self::frame::{FINE, Frame, SIDES, encode, reduce};
 use self::palette::{NOTHING, of_class};
 use self::pen::Pen;
 use self::scale::Scale;
-use self::ticks::minus;
 use crate::axis::Coordinate;
 use crate::chunk::Chunk;
 use crate::columns::{Columns, Real};
@@ -29,6 +27,7 @@ use crate::run::Options;
 use crate::sweep::sweep_grid;
 use crate::tally::Tally;
 use crate::zarr::ZarrStore;
+use littlewood_report::ticks::minus;
 
 /// What the colours show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

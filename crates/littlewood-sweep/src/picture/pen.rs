@@ -12,11 +12,11 @@ use super::frame::{FINE, Frame};
 use super::names::{along, axis_name, pretty_unit, ticks_of};
 use super::palette::{NOTHING, Rgb, of_class, of_fraction};
 use super::scale::Scale;
-use super::ticks::{self, Tick};
 use super::{Picture, Shade, drawing};
 use crate::axis::Axis;
 use crate::error::PictureError;
 use crate::outcome::Class;
+use littlewood_report::ticks::{self, Tick};
 
 const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
 const FAINT: RGBColor = RGBColor(0x66, 0x66, 0x66);

@@ -4,13 +4,16 @@ use core::f64::consts::PI;
 
 /// A tick.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Tick {
-    pub(crate) value: f64,
-    pub(crate) label: String,
+pub struct Tick {
+    /// Where.
+    pub value: f64,
+    /// What it says.
+    pub label: String,
 }
 
 /// Ticks at round numbers from `a` to `b` > `a`, at most about `most` of them.
-pub(crate) fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
+#[must_use]
+pub fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let least = (b - a) / most as f64;
     let decade = libm::floor(libm::log10(least));
     let unit = libm::pow(10.0, decade);
@@ -35,7 +38,8 @@ pub(crate) fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
 }
 
 /// Ticks at multiples of a fraction of π, for angles.
-pub(crate) fn angular(a: f64, b: f64, most: usize) -> Vec<Tick> {
+#[must_use]
+pub fn angular(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let least = (b - a) / most as f64;
     if least < PI / 24.0 {
         return round(a, b, most);
@@ -64,6 +68,12 @@ fn multiples(a: f64, b: f64, step: f64) -> impl Iterator<Item = f64> {
     (0..count).map(move |i| first + i as f64 + 0.0)
 }
 
+/// A multiple of a fraction of π, with the minus sign of print.
+#[must_use]
+pub fn of_pi(over: i64, under: i64) -> String {
+    minus(&fraction_of_pi(over, under))
+}
+
 fn fraction_of_pi(over: i64, under: i64) -> String {
     let divisor = greatest_divisor(over.unsigned_abs(), under.unsigned_abs()).max(1) as i64;
     match (over / divisor, under / divisor) {
@@ -85,7 +95,8 @@ const fn greatest_divisor(mut a: u64, mut b: u64) -> u64 {
 }
 
 /// With the minus sign of print.
-pub(crate) fn minus(text: &str) -> String {
+#[must_use]
+pub fn minus(text: &str) -> String {
     text.replace('-', "−")
 }
 

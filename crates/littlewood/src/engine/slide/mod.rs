@@ -1,0 +1,246 @@
+//! Sliding of one body in one direction, for every motion at once.
+//!
+//! u = θ′² obeys the linear equation du/dϑ = a(ϑ) (1 − h cos ϑ u), a = 2 m q/P, whatever the motion. On a cell of
+//! angles every slide is u = p(z) + u_c h(z), with two polynomials in z that belong to the body and one number u_c that
+//! belongs to the motion. The cells end where the signs that matter can change whatever the motion: at multiples of π,
+//! at the zeros of q, at the poles and at the extrema of the level on which η″ = 0. Within a cell, therefore,
+//!
+//! - u is monotone;
+//! - 1 − h cos ϑ u falls through zero at most once, and then stays (its derivative there is h sin ϑ u);
+//! - η″ changes sign at most once, so that η′ has at most one extremum.
+//!
+//! The ends of a cell then tell what happens inside; the one doubtful shape, η′ with a minimum inside, is handed back.
+//! The time is a Gauss sum of dϑ/√u, and η′ follows from it by the first integral of sliding.
+//!
+//! Everything is seen in the frame in which σ = +1 (mirrored for σ = −1).
+
+mod cell;
+mod follow;
+mod law;
+
+use core::f64::consts::{PI, TAU};
+
+use crate::hoop::Heavy;
+use crate::state::Direction;
+use crate::trig::sincos;
+
+use self::cell::Cell;
+use self::law::Law;
+
+/// Widest cell; a cell whose series has not converged is halved.
+const WIDEST: f64 = PI / 16.0;
+
+/// With more cells than this the preparation is given up: a body of very small inertia.
+const MOST_CELLS: usize = 600;
+
+/// The slides of one body with one coefficient of friction.
+#[derive(Clone, Debug)]
+pub(super) struct SlideTable {
+    law: Law,
+    cells: Vec<Cell>,
+    /// Index of the cell that holds the left end of each slot of a turn.
+    slots: Vec<u16>,
+}
+
+/// A slide that begins, in the frame with σ = +1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlideStart {
+    pub(super) theta: f64,
+    pub(super) theta_rate: f64,
+    pub(super) slip: f64,
+    /// sin ϑ and cos ϑ.
+    pub(super) direction: (f64, f64),
+}
+
+/// The event that ends a slide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SlideEvent {
+    pub(super) elapsed: f64,
+    pub(super) theta: f64,
+    pub(super) theta_rate: f64,
+    pub(super) slip: f64,
+    /// sin ϑ and cos ϑ.
+    pub(super) direction: (f64, f64),
+    pub(super) lifts_off: bool,
+}
+
+/// What a slide meets at the end of a cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passing {
+    /// The end of the cell, reduced to a turn.
+    pub(super) angle: f64,
+    /// Angle since the start.
+    pub(super) turned: f64,
+    /// η″.
+    pub(super) slip_acceleration: f64,
+    /// 1 − h cos ϑ u.
+    pub(super) contact: f64,
+}
+
+/// Whether P > 0 at every angle.
+pub(super) fn solvable(body: &Heavy, mu: f64) -> bool {
+    let law = Law { body: *body, mu };
+    let p = |theta: f64| {
+        let (sin, cos) = sincos(theta);
+        law.p(sin, cos)
+    };
+    p(0.0) > 0.0 && sign_changes(p).is_empty()
+}
+
+/// Sign changes of a smooth function on a turn, to rounding.
+pub(super) fn sign_changes(function: impl Fn(f64) -> f64) -> Vec<f64> {
+    const SAMPLES: u32 = 2880;
+    let mut roots = Vec::new();
+    let mut low = 0.0;
+    let mut at_low = function(low);
+    for i in 1..=SAMPLES {
+        let high = TAU * f64::from(i) / f64::from(SAMPLES);
+        let at_high = function(high);
+        if at_low * at_high < 0.0 {
+            let (mut a, mut b) = (low, high);
+            while b - a > 4.0 * f64::EPSILON * b {
+                let middle = 0.5 * (a + b);
+                if function(middle) * at_low > 0.0 { a = middle } else { b = middle }
+            }
+            roots.push(0.5 * (a + b));
+        }
+        (low, at_low) = (high, at_high);
+    }
+    roots
+}
+
+impl SlideTable {
+    /// Prepares the slides of a body; none where P is not positive everywhere or the cells would be too many.
+    pub(super) fn new(body: &Heavy, mu: f64) -> Option<Self> {
+        let law = Law { body: *body, mu };
+        let mut bounds = vec![0.0, PI, TAU];
+        let trigonometric = |f: &dyn Fn(f64, f64) -> f64| {
+            sign_changes(|theta| {
+                let (sin, cos) = sincos(theta);
+                f(sin, cos)
+            })
+        };
+        if !solvable(body, mu) {
+            return None;
+        }
+        bounds.extend(trigonometric(&|sin, cos| law.q(sin, cos)));
+        bounds.extend(trigonometric(&|sin, cos| law.slip_acceleration(sin, cos).1));
+        bounds.extend(sign_changes(|theta| law.level_slope(theta)));
+        bounds.sort_by(f64::total_cmp);
+        bounds.dedup_by(|a, b| *a - *b < 1e-12);
+        let mut cells: Vec<Cell> = Vec::new();
+        for pair in bounds.windows(2) {
+            let parts = ((pair[1] - pair[0]) / WIDEST).ceil().max(1.0);
+            let mut part = 0.0;
+            let mut left = pair[0];
+            while part < parts {
+                part += 1.0;
+                let right =
+                    if part == parts { pair[1] } else { pair[0] + (pair[1] - pair[0]) * part / parts };
+                Self::fill(&law, left, right, &mut cells)?;
+                left = right;
+            }
+        }
+        let count = 4 * cells.len();
+        let mut slots = Vec::with_capacity(count);
+        for slot in 0..count {
+            let angle = TAU * slot as f64 / count as f64;
+            let index = cells.partition_point(|cell| cell.left <= angle).saturating_sub(1);
+            slots.push(u16::try_from(index).ok()?);
+        }
+        Some(Self { law, cells, slots })
+    }
+
+    fn fill(law: &Law, left: f64, right: f64, cells: &mut Vec<Cell>) -> Option<()> {
+        if let Some(cell) = law.cell(left, right) {
+            cells.push(cell);
+            return Some(());
+        }
+        if cells.len() >= MOST_CELLS || right - left < 1e-6 {
+            return None;
+        }
+        let middle = 0.5 * (left + right);
+        Self::fill(law, left, middle, cells)?;
+        Self::fill(law, middle, right, cells)
+    }
+
+    /// Number of cells of a turn.
+    pub(super) fn cells(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// Index of the cell in which a motion from this angle, reduced to a turn, goes on in `travel`.
+    fn find(&self, angle: f64, travel: f64) -> usize {
+        let slot = (angle / TAU * self.slots.len() as f64) as usize;
+        let mut index = usize::from(self.slots[slot.min(self.slots.len() - 1)]);
+        while index + 1 < self.cells.len() && self.cells[index + 1].left <= angle {
+            index += 1;
+        }
+        if travel < 0.0 && self.cells[index].left == angle {
+            index = if index == 0 { self.cells.len() - 1 } else { index - 1 };
+        }
+        index
+    }
+
+    /// The angles at which cells end, in the frame of a direction of slip, over a turn.
+    pub(super) fn bounds(&self, direction: Direction) -> Vec<f64> {
+        let lefts = self.cells.iter().map(|cell| cell.left);
+        match direction {
+            Direction::Positive => lefts.collect(),
+            Direction::Negative => lefts.rev().map(|left| TAU - left).collect(),
+        }
+    }
+
+    /// u_c in the first cell of a slide: it orders the slides from one cell.
+    pub(super) fn level(&self, start: &SlideStart) -> f64 {
+        let (index, offset) = self.entrance(start);
+        let cell = &self.cells[index];
+        cell.level(start.theta_rate * start.theta_rate, (start.theta - offset - cell.centre) / cell.half)
+    }
+
+    /// What a slide, continued beyond its end, would meet at the ends of cells until it has turned by `reach`.
+    pub(super) fn passings(&self, start: &SlideStart, reach: f64) -> Vec<Passing> {
+        let forward = start.theta_rate > 0.0;
+        let (mut index, mut offset) = self.entrance(start);
+        let mut level = self.level(start);
+        let mut passings = Vec::new();
+        loop {
+            let cell = &self.cells[index];
+            let exit = &cell.edges[usize::from(forward)];
+            let u = exit.p + level * exit.h;
+            let end = cell.centre + if forward { cell.half } else { -cell.half };
+            let turned = (end + offset - start.theta).abs();
+            passings.push(Passing {
+                angle: end,
+                turned,
+                slip_acceleration: exit.alpha + exit.beta * u,
+                contact: 1.0 - self.law.body.h * exit.cos * u,
+            });
+            if turned >= reach || passings.len() > self.cells.len() {
+                return passings;
+            }
+            (index, offset) = self.neighbour(index, offset, forward);
+            let entry = &self.cells[index].edges[usize::from(!forward)];
+            level = (u - entry.p) / entry.h;
+        }
+    }
+
+    /// The cell in which a slide begins, and the multiple of a turn that its angles stand for.
+    fn entrance(&self, start: &SlideStart) -> (usize, f64) {
+        let turns = (start.theta / TAU).floor();
+        let angle = start.theta - TAU * turns;
+        let backward = start.theta_rate < 0.0;
+        let index = self.find(angle, start.theta_rate);
+        (index, if backward && angle == 0.0 { TAU * (turns - 1.0) } else { TAU * turns })
+    }
+
+    /// The next cell.
+    fn neighbour(&self, index: usize, offset: f64, forward: bool) -> (usize, f64) {
+        match (forward, index) {
+            (true, index) if index + 1 == self.cells.len() => (0, offset + TAU),
+            (true, index) => (index + 1, offset),
+            (false, 0) => (self.cells.len() - 1, offset - TAU),
+            (false, index) => (index - 1, offset),
+        }
+    }
+}
