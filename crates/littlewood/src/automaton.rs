@@ -3,71 +3,65 @@
 //! [`crate::Hoop::simulate`] takes no other edge; the tests hold every simulated transition against this table, and
 //! the table against the motions, so that no edge is there for show.
 
-use core::fmt;
+use crate::mode::Mode;
+use crate::named::named;
 
-use crate::state::Mode;
-
-/// What ends a phase of motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum Cause {
-    /// Rolling: static friction gives way, |F| = μs N (2.13, 3.9).
-    Slip,
-    /// Rolling of a massless hoop: N = 0 before static friction gives way (3.8).
-    NormalForceZero,
-    /// Sliding or gliding: η′ = 0, and static friction holds.
-    Stick,
-    /// Sliding or gliding: η′ = 0, and the slip goes on in the other direction.
-    Reversal,
-    /// Sliding or gliding: η′ = 0 is touched, and the slip goes on in the same direction.
-    Graze,
-    /// Sliding: N = 0 with the mass centre rising (§2d).
-    LiftOff,
-    /// Flight: the rim touches the plane; the instant before the impact (§2e).
-    Landing,
-    /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
-    ParticleAtPlane,
-    /// Gliding: a particle inside the rim reaches its lowest place, θ = ±π.
-    ParticleAtBottom,
-    /// Gliding: the particle reaches θ = 0 with velocity to spare.
-    ParticleAtTop,
-    /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
-    Singularity,
+named! {
+    /// What ends a phase of motion.
+    pub enum Cause, "cause of a transition" {
+        /// Rolling: static friction gives way, |F| = μs N (2.13, 3.9).
+        Slip = 0, "slip";
+        /// Rolling of a massless hoop: N = 0 before static friction gives way (3.8).
+        NormalForceZero = 1, "normal_force_zero";
+        /// Sliding or gliding: η′ = 0, and static friction holds.
+        Stick = 2, "stick";
+        /// Sliding or gliding: η′ = 0, and the slip goes on in the other direction.
+        Reversal = 3, "reversal";
+        /// Sliding or gliding: η′ = 0 is touched, and the slip goes on in the same direction.
+        Graze = 4, "graze";
+        /// Sliding: N = 0 with the mass centre rising (§2d).
+        LiftOff = 5, "lift_off";
+        /// Flight: the rim touches the plane; the instant before the impact (§2e).
+        Landing = 6, "landing";
+        /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
+        ParticleAtPlane = 7, "particle_at_plane";
+        /// Gliding: a particle inside the rim reaches its lowest place, θ = ±π.
+        ParticleAtBottom = 8, "particle_at_bottom";
+        /// Gliding: the particle reaches θ = 0 with velocity to spare.
+        ParticleAtTop = 9, "particle_at_top";
+        /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
+        Singularity = 10, "singularity";
+    }
 }
 
 impl Cause {
-    /// Lower-case name, as files and the command line write it.
+    /// In words, for tables and pictures.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub const fn label(self) -> &'static str {
         match self {
             Self::Slip => "slip",
-            Self::NormalForceZero => "normal_force_zero",
+            Self::NormalForceZero => "N = 0",
             Self::Stick => "stick",
             Self::Reversal => "reversal",
             Self::Graze => "graze",
-            Self::LiftOff => "lift_off",
+            Self::LiftOff => "lift-off",
             Self::Landing => "landing",
-            Self::ParticleAtPlane => "particle_at_plane",
-            Self::ParticleAtBottom => "particle_at_bottom",
-            Self::ParticleAtTop => "particle_at_top",
-            Self::Singularity => "singularity",
+            Self::ParticleAtPlane => "particle at the plane",
+            Self::ParticleAtBottom => "particle at the bottom",
+            Self::ParticleAtTop => "particle at the top",
+            Self::Singularity => "P = 0",
         }
     }
 }
 
-impl fmt::Display for Cause {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+named! {
+    /// A class of bodies.
+    pub enum BodyClass, "class of bodies" {
+        /// Î > 0.
+        Heavy = 0, "heavy";
+        /// Î = 0.
+        Massless = 1, "massless";
     }
-}
-
-/// A class of bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BodyClass {
-    /// Î > 0.
-    Heavy,
-    /// Î = 0.
-    Massless,
 }
 
 /// An edge of the automaton.

@@ -4,6 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use crate::error::ParameterError;
 use crate::hoop::{Hoop, HoopParameters};
+use crate::quantity::Setup;
 use crate::simulate::Limits;
 use crate::state::Start;
 use crate::trajectory::Trajectory;
@@ -17,10 +18,8 @@ pub struct NamedCase {
     pub title: &'static str,
     /// Where the paper has it.
     pub source: &'static str,
-    /// Hoop.
-    pub hoop: HoopParameters,
-    /// Start.
-    pub start: Start,
+    /// Hoop and start.
+    pub setup: Setup,
 }
 
 impl NamedCase {
@@ -29,7 +28,7 @@ impl NamedCase {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn simulate(&self) -> Result<Trajectory, ParameterError> {
-        Hoop::new(self.hoop)?.simulate(self.start, Limits::default())
+        Hoop::new(self.setup.hoop)?.simulate(self.setup.start, Limits::default())
     }
 }
 
@@ -39,20 +38,16 @@ pub fn find_case(name: &str) -> Option<&'static NamedCase> {
     CASES.iter().find(|case| case.name == name)
 }
 
-const fn thin_hoop(mu_s: f64, mu_k: f64) -> HoopParameters {
-    HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s, mu_k }
-}
+const THIN_HOOP: HoopParameters = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
 
-const fn littlewood_hoop(mu_s: f64, mu_k: f64) -> HoopParameters {
-    HoopParameters { mass_ratio: 0.0, offset: 1.0, inertia: 0.0, mu_s, mu_k }
-}
+const LITTLEWOOD_HOOP: HoopParameters = HoopParameters::thin(0.0).with_friction(0.5, 0.4);
 
 const fn case(
     (name, title, source): (&'static str, &'static str, &'static str),
     hoop: HoopParameters,
     start: Start,
 ) -> NamedCase {
-    NamedCase { name, title, source, hoop, start }
+    NamedCase { name, title, source, setup: Setup::new(hoop, start) }
 }
 
 /// √(3/5): from the top, θ′² = cos θ_s for μs = ½, so that N and the static friction give way together.
@@ -63,7 +58,7 @@ const TYPE_II_RATE: f64 = 0.774_596_669_241_483_4;
 pub const CASES: &[NamedCase] = &[
     case(
         ("figure-3", "slides, rolls, slides, then jumps", "Figure 3, section 2(f)"),
-        thin_hoop(0.5, 0.4),
+        THIN_HOOP,
         Start::at(FRAC_PI_2, 2.0),
     ),
     case(
@@ -72,63 +67,51 @@ pub const CASES: &[NamedCase] = &[
             "rolls back and forth about the stable equilibrium for ever",
             "footnote 4, third video",
         ),
-        thin_hoop(0.5, 0.4),
+        THIN_HOOP,
         Start::at(2.5, 0.0),
     ),
-    case(("footnote-3", "loses contact at once", "footnote 3"), thin_hoop(0.5, 0.4), Start::at(0.0, 4.0)),
-    case(
-        ("slip-then-jump", "rolls, slips once, then jumps", "section 2(f)"),
-        thin_hoop(0.5, 0.4),
-        Start::at(2.5, 3.0),
-    ),
-    case(
-        ("slide-then-jump", "slides once, then jumps", "section 2(f)"),
-        thin_hoop(0.5, 0.4),
-        Start::at(4.6, 2.4),
-    ),
-    case(
-        ("rolls-forever", "rolls over the top for ever", "section 2(f)"),
-        thin_hoop(0.5, 0.4),
-        Start::at(0.0, 0.5),
-    ),
+    case(("footnote-3", "loses contact at once", "footnote 3"), THIN_HOOP, Start::at(0.0, 4.0)),
+    case(("slip-then-jump", "rolls, slips once, then jumps", "section 2(f)"), THIN_HOOP, Start::at(2.5, 3.0)),
+    case(("slide-then-jump", "slides once, then jumps", "section 2(f)"), THIN_HOOP, Start::at(4.6, 2.4)),
+    case(("rolls-forever", "rolls over the top for ever", "section 2(f)"), THIN_HOOP, Start::at(0.0, 0.5)),
     case(
         ("stick-slip-no-jump", "rolls and slides in turn, never jumps, and rolls for ever", "section 2(f)"),
-        thin_hoop(0.5, 0.4),
+        THIN_HOOP,
         Start::at(-2.6, -2.15),
     ),
     case(
         ("sliding-band", "slides at once where rolling would need N < 0", "section 2(a), corrected"),
-        thin_hoop(0.5, 0.4),
+        THIN_HOOP,
         Start::at(-1.2, 2.0),
     ),
     case(
         ("figure-7", "massless: rolls, then glides until the particle reaches the plane", "Figure 7"),
-        littlewood_hoop(0.5, 0.4),
+        LITTLEWOOD_HOOP,
         Start::at(0.0, 0.5),
     ),
     case(
         ("type-1", "massless, Type I: the normal force vanishes before friction gives way", "Figure 5(b)"),
-        littlewood_hoop(0.5, 0.4),
+        LITTLEWOOD_HOOP,
         Start::at(0.0, 0.9),
     ),
     case(
         ("type-2", "massless, Type II: the normal force vanishes just as friction gives way", "Figure 5(b)"),
-        littlewood_hoop(0.5, 0.4),
+        LITTLEWOOD_HOOP,
         Start::at(0.0, TYPE_II_RATE),
     ),
     case(
         ("type-3", "massless, Type III: friction gives way under a normal force", "Figure 5(b)"),
-        littlewood_hoop(0.5, 0.4),
+        LITTLEWOOD_HOOP,
         Start::at(0.3, 0.2),
     ),
     case(
         ("glide-to-roll", "massless: glides, sticks inside R, rolls, and glides again", "section 3(e)"),
-        littlewood_hoop(0.5, 0.4),
+        LITTLEWOOD_HOOP,
         Start::at(1.0, -0.8).with_slip(-0.5),
     ),
     case(
         ("painleve", "no motion is consistent: sliding is not solvable there", "beyond the paper"),
-        HoopParameters { mass_ratio: 1.0 / 3.0, offset: 1.0, inertia: 1.0 / 3.0, mu_s: 1.0, mu_k: 1.0 },
+        HoopParameters::thin(1.0 / 3.0).with_friction(1.0, 1.0),
         Start::at(0.7, 0.5).with_slip(1.0),
     ),
 ];

@@ -1,53 +1,40 @@
 //! Where a start lies in the plane of the paper, and what follows at once.
 
+use crate::candidates::{Arrival, Candidates, Next, next_motion};
 use crate::closed_form::{RollingType, rolling_energy};
-use crate::contact::{Arrival, Findings, Next, next_motion};
 use crate::error::ParameterError;
 use crate::hoop::{Body, Hoop};
-use crate::rolling::{ContactForces, Limit, Recurrence, RollingEnd, RollingLaw, RollingOrbit};
-use crate::state::{Direction, Mode, Start, energy};
+use crate::mode::{Direction, Mode};
+use crate::named::named;
+use crate::rolling::{ContactForces, Recurrence, RollingEnd, RollingLaw, RollingLimit, RollingOrbit};
+use crate::state::{Start, energy};
 
-/// The part of the state space that a start lies in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum StartRegion {
-    /// 𝓡 of (2.14), (3.10): rolls.
-    Rolling,
-    /// 𝓝 but not 𝓡: N > 0, static friction does not suffice.
-    BeyondFriction,
-    /// N ≤ 0 in rolling, yet 1 − h cos θ θ′² > 0: slides in contact. The paper calls it loss of contact.
-    SlidingBand,
-    /// 1 − h cos θ θ′² < 0, or zero and falling: leaves the plane.
-    LossOfContact,
-    /// η′ ≠ 0 and in contact.
-    Slipping,
-    /// Massless hoop outside 𝓡, or with η′ ≠ 0: glides.
-    Gliding,
-    /// No motion is consistent.
-    Inconsistent,
-    /// Several motions are consistent.
-    Ambiguous,
-}
-
-impl StartRegion {
-    /// Lower-case name, as files and the command line write it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rolling => "rolling_region",
-            Self::BeyondFriction => "beyond_friction",
-            Self::SlidingBand => "sliding_band",
-            Self::LossOfContact => "loss_of_contact",
-            Self::Slipping => "slipping",
-            Self::Gliding => "gliding",
-            Self::Inconsistent => "inconsistent",
-            Self::Ambiguous => "ambiguous",
-        }
+named! {
+    /// The part of the state space that a start lies in.
+    pub enum StartRegion, "region of starts" {
+        /// 𝓡 of (2.14), (3.10): rolls.
+        Rolling = 0, "rolling_region";
+        /// 𝓝 but not 𝓡: N > 0, static friction does not suffice.
+        BeyondFriction = 1, "beyond_friction";
+        /// N ≤ 0 in rolling, yet 1 − h cos θ θ′² > 0: slides in contact. The paper calls it loss of contact.
+        SlidingBand = 2, "sliding_band";
+        /// 1 − h cos θ θ′² < 0, or zero and falling: leaves the plane.
+        LossOfContact = 3, "loss_of_contact";
+        /// η′ ≠ 0 and in contact.
+        Slipping = 4, "slipping";
+        /// Massless hoop outside 𝓡, or with η′ ≠ 0: glides.
+        Gliding = 5, "gliding";
+        /// No motion is consistent.
+        Inconsistent = 6, "inconsistent";
+        /// Several motions are consistent.
+        Ambiguous = 7, "ambiguous";
     }
 }
 
 /// What is known of a start without simulating it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Classification {
     /// Region.
     pub region: StartRegion,
@@ -69,7 +56,7 @@ pub struct Classification {
     /// For Littlewood's hoop in 𝓡: Type I, II or III. None on the stable manifold.
     pub rolling_type: Option<RollingType>,
     /// What was examined, where no motion or several are consistent.
-    pub findings: Option<Findings>,
+    pub candidates: Option<Candidates>,
 }
 
 impl Hoop {
@@ -87,7 +74,7 @@ impl Hoop {
     /// # Errors
     /// A start that is not finite.
     pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
-        let state = start.checked()?;
+        let state = start.check()?;
         let (theta, theta_rate) = (state.theta, state.theta_rate);
         let forces = RollingLaw::new(self).forces(theta, theta_rate);
         let contact = 1.0 - self.h() * (libm::cos(theta) * (theta_rate * theta_rate));
@@ -101,7 +88,7 @@ impl Hoop {
             rolling_end: None,
             recurrence: None,
             rolling_type: None,
-            findings: None,
+            candidates: None,
         };
         match next_motion(self, &state, Arrival::Open) {
             Next::Roll => {
@@ -124,19 +111,19 @@ impl Hoop {
             Next::Glide { .. } => {
                 found.region = StartRegion::Gliding;
                 found.mode = Some(Mode::Gliding);
-                found.direction = Direction::of(state.slip);
+                found.direction = Direction::of_sign(state.slip);
             }
             Next::Fly { .. } => {
                 found.region = StartRegion::LossOfContact;
                 found.mode = Some(Mode::Flight);
             }
-            Next::None(findings) => {
+            Next::None(candidates) => {
                 found.region = StartRegion::Inconsistent;
-                found.findings = Some(findings);
+                found.candidates = Some(candidates);
             }
-            Next::Several(findings) => {
+            Next::Several(candidates) => {
                 found.region = StartRegion::Ambiguous;
-                found.findings = Some(findings);
+                found.candidates = Some(candidates);
             }
         }
         Ok(found)
@@ -149,8 +136,8 @@ impl Hoop {
                 // Near e = 1 + 2 cos θ_s the energy may round to either side; the end of rolling decides.
                 match (end?.limit, by_energy) {
                     (_, RollingType::II) => Some(RollingType::II),
-                    (Limit::NormalForce, _) => Some(RollingType::I),
-                    (Limit::Friction(_), _) => Some(RollingType::III),
+                    (RollingLimit::NormalForce, _) => Some(RollingType::I),
+                    (RollingLimit::Friction(_), _) => Some(RollingType::III),
                 }
             }
             _ => None,

@@ -4,6 +4,7 @@
 //! stands here, and the documentation says what is printed.
 
 use crate::hoop::Massless;
+use crate::named::named;
 
 /// Conserved energy of rolling, e = (1 + cos θ) θ′² + cos θ (3.2).
 #[must_use]
@@ -103,15 +104,16 @@ pub fn in_rolling_region(theta: f64, theta_rate: f64, mu_s: f64) -> bool {
     theta.abs() < 2.0 * libm::atan(mu_s) && theta_rate.abs() < 1.0
 }
 
-/// The three types of motion that start in 𝓡 (§3a).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum RollingType {
-    /// N vanishes before static friction gives way: 1 + 2 cos θ_s < e < 3.
-    I,
-    /// Both at once: e = 1 + 2 cos θ_s.
-    II,
-    /// Static friction gives way with N > 0: cos θ_s < e < 1 + 2 cos θ_s.
-    III,
+named! {
+    /// The three types of motion that start in 𝓡 (§3a).
+    pub enum RollingType, "type of rolling" {
+        /// N vanishes before static friction gives way: 1 + 2 cos θ_s < e < 3.
+        I = 1, "I";
+        /// Both at once: e = 1 + 2 cos θ_s.
+        II = 2, "II";
+        /// Static friction gives way with N > 0: cos θ_s < e < 1 + 2 cos θ_s.
+        III = 3, "III";
+    }
 }
 
 impl RollingType {
@@ -130,16 +132,6 @@ impl RollingType {
             Some(Self::III)
         } else {
             Some(Self::II)
-        }
-    }
-
-    /// Roman numeral.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::I => "I",
-            Self::II => "II",
-            Self::III => "III",
         }
     }
 }

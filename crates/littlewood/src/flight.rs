@@ -14,7 +14,8 @@ use core::f64::consts::{PI, TAU};
 
 use crate::bernstein::Bracket;
 use crate::hoop::{Heavy, Hoop};
-use crate::state::{Mode, Sample, State, energy};
+use crate::mode::Mode;
+use crate::state::{Instant, Sample, State};
 use crate::trig::sincos;
 
 /// A phase of flight.
@@ -365,17 +366,13 @@ impl Flight {
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State, gap: (f64, f64)) -> Sample {
         let rate = state.theta_rate;
-        Sample {
-            state,
+        let instant = Instant {
             mode: Mode::Flight,
             direction: None,
-            theta_acceleration: 0.0,
-            slip_acceleration: -self.h * libm::sin(state.theta) * rate * rate,
-            normal: 0.0,
-            friction: 0.0,
-            gap: gap.0,
-            gap_rate: gap.1,
-            energy: energy(hoop, &state, gap.0, gap.1),
-        }
+            accelerations: (0.0, -self.h * libm::sin(state.theta) * rate * rate),
+            forces: (0.0, 0.0),
+            gap,
+        };
+        instant.sample(hoop, state)
     }
 }

@@ -14,7 +14,8 @@ use core::f64::consts::{PI, TAU};
 
 use crate::bernstein::{Bernstein, Bracket};
 use crate::hoop::{Hoop, Massless};
-use crate::state::{Direction, Mode, Sample, State, energy};
+use crate::mode::{Direction, Mode};
+use crate::state::{Instant, Sample, State};
 
 /// A phase of gliding in one direction of slip.
 #[derive(Clone, Copy, Debug)]
@@ -333,19 +334,14 @@ impl Gliding {
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
         let body = Massless { offset: self.offset };
-        let (theta, slip) = gliding_accelerations(&body, state.theta, state.theta_rate);
-        Sample {
-            state,
+        let instant = Instant {
             mode: Mode::Gliding,
             direction: self.direction,
-            theta_acceleration: theta,
-            slip_acceleration: slip,
-            normal: 0.0,
-            friction: 0.0,
-            gap: 0.0,
-            gap_rate: 0.0,
-            energy: energy(hoop, &state, 0.0, 0.0),
-        }
+            accelerations: gliding_accelerations(&body, state.theta, state.theta_rate),
+            forces: (0.0, 0.0),
+            gap: (0.0, 0.0),
+        };
+        instant.sample(hoop, state)
     }
 }
 
@@ -358,13 +354,13 @@ struct Rest {
 impl Rest {
     /// η′ is monotone between the zeros of η″, and its sign at the end is known.
     fn find(particle: &Particle, slip: f64, from_extremum: bool, end: f64, to_top: bool) -> Self {
-        let mut direction = Direction::of(slip);
+        let mut direction = Direction::of_sign(slip);
         let mut from = 0.0;
         let extrema = particle.slip_extrema(end, from_extremum);
         for to in extrema.into_iter().chain([end]) {
             let value = if to < end { particle.position(to).2 } else { particle.final_slip(to_top) };
             match direction {
-                None => direction = Direction::of(value),
+                None => direction = Direction::of_sign(value),
                 Some(known) if value * known.sign() < 0.0 => {
                     let at = Bracket { low: from, high: to }.refine(|elapsed| {
                         let (theta, theta_rate, slip) = particle.position(elapsed);

@@ -1,20 +1,21 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
-use crate::error::{Bound, ParameterError, Quantity, check, moderate, non_negative};
+use crate::error::{Bound, ParameterError, within};
+use crate::quantity::Quantity;
 
-/// Largest parameter of a hoop: beyond it products of parameters leave the range in which they are exact to rounding.
-const LARGEST: f64 = 1e9;
-
-/// The five numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
+/// The numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
 ///
 /// ```
 /// use littlewood::{Hoop, HoopParameters};
 ///
-/// let hoop = Hoop::new(HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s: 0.5, mu_k: 0.4 })?;
+/// // m̂1 = ℓ̂ = Î_zz = 1, μs = 0.5, μk = 0.4.
+/// let hoop = Hoop::new(HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4))?;
 /// assert_eq!(hoop.offset(), 1.0);
 /// # Ok::<(), littlewood::ParameterError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct HoopParameters {
     /// Mass of the disc over that of the particle, m̂1 = m1/m2 ≥ 0.
     pub mass_ratio: f64,
@@ -26,6 +27,26 @@ pub struct HoopParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction, μk ≥ 0.
     pub mu_k: f64,
+}
+
+impl HoopParameters {
+    /// Mass ratio m̂1, offset ℓ̂ and moment of inertia Î_zz, without friction.
+    #[must_use]
+    pub const fn new(mass_ratio: f64, offset: f64, inertia: f64) -> Self {
+        Self { mass_ratio, offset, inertia, mu_s: 0.0, mu_k: 0.0 }
+    }
+
+    /// A thin hoop with the particle on its rim, without friction: ℓ = R, I_zz = m1 R².
+    #[must_use]
+    pub const fn thin(mass_ratio: f64) -> Self {
+        Self::new(mass_ratio, 1.0, mass_ratio)
+    }
+
+    /// The same hoop with these coefficients of static and kinetic friction.
+    #[must_use]
+    pub const fn with_friction(self, mu_s: f64, mu_k: f64) -> Self {
+        Self { mu_s, mu_k, ..self }
+    }
 }
 
 /// A hoop whose parameters have been checked.
@@ -72,18 +93,10 @@ impl Hoop {
     /// [`ParameterError::NoMotion`].
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
         let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k } = parameters;
-        for (quantity, value) in [
-            (Quantity::MassRatio, mass_ratio),
-            (Quantity::Inertia, inertia),
-            (Quantity::MuS, mu_s),
-            (Quantity::MuK, mu_k),
-        ] {
-            non_negative(quantity, value)?;
-            moderate(quantity, value, LARGEST)?;
+        for (quantity, value) in Quantity::HOOP.into_iter().zip([mass_ratio, offset, inertia, mu_s, mu_k]) {
+            quantity.check(value)?;
         }
-        non_negative(Quantity::Offset, offset)?;
-        check(offset <= 1.0, Quantity::Offset, offset, Bound::AtMostConstant(1.0))?;
-        check(mu_k <= mu_s, Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
+        within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
 
         let mass = 1.0 + mass_ratio;
         let about_mass_centre = inertia + mass_ratio * offset * offset / mass;
@@ -102,7 +115,7 @@ impl Hoop {
     /// # Errors
     /// As [`Hoop::new`].
     pub fn littlewood(mu_s: f64, mu_k: f64) -> Result<Self, ParameterError> {
-        Self::new(HoopParameters { mass_ratio: 0.0, offset: 1.0, inertia: 0.0, mu_s, mu_k })
+        Self::new(HoopParameters::thin(0.0).with_friction(mu_s, mu_k))
     }
 
     /// The thin hoop of Figures 2 and 3: m1 = m2, ℓ = R, I_zz = m1 R².
@@ -110,7 +123,7 @@ impl Hoop {
     /// # Errors
     /// As [`Hoop::new`].
     pub fn figure_2(mu_s: f64, mu_k: f64) -> Result<Self, ParameterError> {
-        Self::new(HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s, mu_k })
+        Self::new(HoopParameters::thin(1.0).with_friction(mu_s, mu_k))
     }
 
     /// The parameters as they were given.

@@ -13,7 +13,7 @@
 //! ```
 //! use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Start};
 //!
-//! let hoop = Hoop::new(HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s: 0.5, mu_k: 0.4 })?;
+//! let hoop = Hoop::new(HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4))?;
 //! let motion = hoop.simulate(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
 //!
 //! let causes: Vec<Cause> = motion.transitions().iter().map(|transition| transition.cause).collect();
@@ -51,18 +51,25 @@
 
 mod automaton;
 mod bernstein;
+mod candidates;
 mod carlson;
 mod cases;
 mod classify;
 pub mod closed_form;
-mod contact;
+mod columns;
+mod dimension;
 mod engine;
 mod error;
 mod flight;
 mod gliding;
 mod hoop;
+mod mode;
+mod named;
+mod outcome;
+mod quantity;
 mod region;
 mod rolling;
+mod sequence;
 mod si;
 mod simulate;
 mod sliding;
@@ -72,20 +79,29 @@ mod trajectory;
 mod trig;
 
 pub use automaton::{BodyClass, Cause, EDGES, Edge, find_edge};
+pub use candidates::Candidates;
 pub use cases::{CASES, NamedCase, find_case};
 pub use classify::{Classification, StartRegion};
 pub use closed_form::RollingType;
-pub use contact::Findings;
+pub use columns::{ColumnType, SampleColumn, SampleValue, SummaryColumn, SummaryValue};
+pub use dimension::{Dimension, System, Units};
 pub use engine::Engine;
-pub use error::{Bound, ParameterError, Quantity};
+pub use error::{Bound, ParameterError};
 pub use flight::Flight;
 pub use gliding::{Gliding, GlidingIntegrals, gliding_accelerations};
 pub use hoop::{Body, Heavy, Hoop, HoopParameters, Massless};
+pub use mode::{Direction, Mode};
+pub use named::{UnknownCode, UnknownName};
+pub use outcome::{Class, Detail, Outcome, OutcomeKind};
+pub use quantity::{Group, Quantity, QuantityRow, STANDARD_GRAVITY, Setup};
 pub use region::{Equilibrium, PhasePlane, Stability};
-pub use rolling::{ContactForces, Limit, Recurrence, Rolling, RollingEnd, RollingLaw, RollingOrbit};
-pub use si::{SiParameters, SiState, Units};
+pub use rolling::{
+    ContactForces, Recurrence, RecurrenceKind, Rolling, RollingEnd, RollingLaw, RollingLimit, RollingOrbit,
+};
+pub use sequence::{PhaseCode, PhaseSequence};
+pub use si::{SiParameters, SiSetup, SiState};
 pub use simulate::Limits;
 pub use sliding::{Accelerations, Sliding, SlidingLaw};
-pub use state::{Direction, Mode, Point, Sample, Start, State};
-pub use summary::{OutcomeCode, PhaseSequence, Summary};
-pub use trajectory::{Motion, Outcome, Phase, Trajectory, Transition};
+pub use state::{Position, Sample, Start, State};
+pub use summary::Summary;
+pub use trajectory::{Impulse, Phase, PhaseSolution, Trajectory, Transition};

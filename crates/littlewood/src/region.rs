@@ -1,8 +1,8 @@
 //! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundary curves, separatrix and equilibria.
 
 use crate::hoop::{Body, Hoop};
+use crate::mode::Direction;
 use crate::rolling::{ContactForces, RollingLaw};
-use crate::state::Direction;
 
 /// The phase plane of the rolling motions of one hoop.
 ///

@@ -1,7 +1,9 @@
 //! Conversion between SI units and the dimensionless quantities of (2.9), both ways.
 
-use crate::error::{Bound, ParameterError, Quantity, check, finite, non_negative, positive};
+use crate::dimension::{Dimension, Units};
+use crate::error::{Bound, ParameterError, within};
 use crate::hoop::{Hoop, HoopParameters};
+use crate::quantity::{Quantity, Setup};
 use crate::state::{Start, State};
 
 /// A hoop in SI units.
@@ -45,19 +47,6 @@ pub struct SiParameters {
     pub mu_k: f64,
 }
 
-/// The units of (2.9): SI value = dimensionless value × unit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Units {
-    /// Mass m2, kg.
-    pub mass_kg: f64,
-    /// Length R, m.
-    pub length_m: f64,
-    /// Time √(R/g), s.
-    pub time_s: f64,
-    /// Gravitational acceleration g, m/s².
-    pub gravity_m_per_s2: f64,
-}
-
 /// A start, or a state, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SiState {
@@ -79,110 +68,163 @@ impl SiParameters {
     /// # Errors
     /// m2, R, g > 0; m1, `I_zz` ≥ 0; 0 ≤ ℓ ≤ R; 0 ≤ μk ≤ μs; all finite; and as [`Hoop::new`].
     pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
-        non_negative(Quantity::DiscMassKg, self.disc_mass_kg)?;
-        let radius = positive(Quantity::RadiusM, self.radius_m)?;
-        non_negative(Quantity::OffsetM, self.offset_m)?;
-        let bound = Bound::AtMost(Quantity::RadiusM, radius);
-        check(self.offset_m <= radius, Quantity::OffsetM, self.offset_m, bound)?;
-        non_negative(Quantity::InertiaKgM2, self.inertia_kg_m2)?;
+        let mass = Quantity::DiscMassKg.check(self.disc_mass_kg)?;
+        let radius = Quantity::RadiusM.check(self.radius_m)?;
+        let offset = Quantity::OffsetM.check(self.offset_m)?;
+        within(Quantity::OffsetM, offset, Bound::AtMost(Quantity::RadiusM, radius))?;
+        let inertia = Quantity::InertiaKgM2.check(self.inertia_kg_m2)?;
         let units = Units::new(self.particle_mass_kg, radius, self.gravity_m_per_s2)?;
-        let hoop = Hoop::new(HoopParameters {
-            mass_ratio: self.disc_mass_kg / units.mass_kg,
-            offset: self.offset_m / units.length_m,
-            inertia: self.inertia_kg_m2 / units.inertia_kg_m2(),
-            mu_s: self.mu_s,
-            mu_k: self.mu_k,
-        })?;
+        let plain = |quantity: Quantity, value| units.from_si(quantity.dimension(), value);
+        let hoop = Hoop::new(
+            HoopParameters::new(
+                plain(Quantity::DiscMassKg, mass),
+                plain(Quantity::OffsetM, offset),
+                plain(Quantity::InertiaKgM2, inertia),
+            )
+            .with_friction(self.mu_s, self.mu_k),
+        )?;
         Ok((hoop, units))
     }
 
-    /// The hoop in SI units.
+    /// The parameters of a hoop, which need not have been checked, in SI units.
     #[must_use]
-    pub fn from_hoop(hoop: &Hoop, units: &Units) -> Self {
+    pub fn new(hoop: &HoopParameters, units: &Units) -> Self {
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k } = *hoop;
+        let si = |quantity: Quantity, value| units.to_si(quantity.dimension(), value);
         Self {
-            disc_mass_kg: hoop.mass_ratio() * units.mass_kg,
+            disc_mass_kg: si(Quantity::DiscMassKg, mass_ratio),
             particle_mass_kg: units.mass_kg,
             radius_m: units.length_m,
-            offset_m: hoop.offset() * units.length_m,
-            inertia_kg_m2: hoop.inertia() * units.inertia_kg_m2(),
+            offset_m: si(Quantity::OffsetM, offset),
+            inertia_kg_m2: si(Quantity::InertiaKgM2, inertia),
             gravity_m_per_s2: units.gravity_m_per_s2,
-            mu_s: hoop.mu_s(),
-            mu_k: hoop.mu_k(),
+            mu_s,
+            mu_k,
         }
     }
 }
 
-impl Units {
-    /// From m2, R and g.
+/// A hoop and a start in SI units, by the quantities of the table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SiSetup {
+    /// The hoop.
+    pub hoop: SiParameters,
+    /// The start.
+    pub start: SiState,
+}
+
+impl SiSetup {
+    /// A setup in SI units.
+    #[must_use]
+    pub fn new(setup: &Setup, units: &Units) -> Self {
+        Self { hoop: SiParameters::new(&setup.hoop, units), start: units.state(&setup.start.into()) }
+    }
+
+    /// From the value of each quantity of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`].
+    #[must_use]
+    pub fn from_values(value: impl Fn(Quantity) -> f64) -> Self {
+        Self {
+            hoop: SiParameters {
+                disc_mass_kg: value(Quantity::DiscMassKg),
+                particle_mass_kg: value(Quantity::ParticleMassKg),
+                radius_m: value(Quantity::RadiusM),
+                offset_m: value(Quantity::OffsetM),
+                inertia_kg_m2: value(Quantity::InertiaKgM2),
+                gravity_m_per_s2: value(Quantity::GravityMPerS2),
+                mu_s: value(Quantity::MuS),
+                mu_k: value(Quantity::MuK),
+            },
+            start: SiState {
+                time_s: value(Quantity::TimeS),
+                theta_rad: value(Quantity::Theta),
+                theta_rate_rad_per_s: value(Quantity::ThetaRateRadPerS),
+                slip_m_per_s: value(Quantity::SlipMPerS),
+                x_m: value(Quantity::XM),
+            },
+        }
+    }
+
+    /// The value of a quantity; none for what is dimensionless only, and for a limit.
+    #[must_use]
+    pub const fn get(&self, quantity: Quantity) -> Option<f64> {
+        let Self { hoop, start } = self;
+        Some(match quantity {
+            Quantity::DiscMassKg => hoop.disc_mass_kg,
+            Quantity::ParticleMassKg => hoop.particle_mass_kg,
+            Quantity::RadiusM => hoop.radius_m,
+            Quantity::OffsetM => hoop.offset_m,
+            Quantity::InertiaKgM2 => hoop.inertia_kg_m2,
+            Quantity::GravityMPerS2 => hoop.gravity_m_per_s2,
+            Quantity::MuS => hoop.mu_s,
+            Quantity::MuK => hoop.mu_k,
+            Quantity::Theta => start.theta_rad,
+            Quantity::ThetaRateRadPerS => start.theta_rate_rad_per_s,
+            Quantity::SlipMPerS => start.slip_m_per_s,
+            Quantity::XM => start.x_m,
+            Quantity::TimeS => start.time_s,
+            Quantity::MassRatio
+            | Quantity::Offset
+            | Quantity::Inertia
+            | Quantity::ThetaRate
+            | Quantity::Slip
+            | Quantity::X
+            | Quantity::Time
+            | Quantity::Until
+            | Quantity::UntilS => return None,
+        })
+    }
+
+    /// The checked hoop, the start, and the units to convert the motion with.
     ///
     /// # Errors
-    /// All three must be finite and greater than zero.
-    pub fn new(particle_mass_kg: f64, radius_m: f64, gravity_m_per_s2: f64) -> Result<Self, ParameterError> {
-        let mass_kg = positive(Quantity::ParticleMassKg, particle_mass_kg)?;
-        let length_m = positive(Quantity::RadiusM, radius_m)?;
-        let gravity = positive(Quantity::GravityMPerS2, gravity_m_per_s2)?;
-        Ok(Self { mass_kg, length_m, time_s: (length_m / gravity).sqrt(), gravity_m_per_s2: gravity })
+    /// As [`SiParameters::to_hoop`] and [`Units::start`].
+    pub fn to_setup(&self) -> Result<(Setup, Units), ParameterError> {
+        let (hoop, units) = self.hoop.to_hoop()?;
+        Ok((Setup::new(hoop.parameters(), units.start(&self.start)?), units))
     }
+}
 
-    /// Velocity √(g R), m/s.
-    #[must_use]
-    pub fn velocity_m_per_s(&self) -> f64 {
-        self.length_m / self.time_s
-    }
-
-    /// Force m2 g, N.
-    #[must_use]
-    pub fn force_n(&self) -> f64 {
-        self.mass_kg * self.gravity_m_per_s2
-    }
-
-    /// Energy m2 g R, J.
-    #[must_use]
-    pub fn energy_j(&self) -> f64 {
-        self.force_n() * self.length_m
-    }
-
-    /// Moment of inertia m2 R², kg m².
-    #[must_use]
-    pub fn inertia_kg_m2(&self) -> f64 {
-        self.mass_kg * self.length_m * self.length_m
-    }
-
+impl Units {
     /// A start given in SI units.
     ///
     /// # Errors
     /// All values must be finite.
     pub fn start(&self, si: &SiState) -> Result<Start, ParameterError> {
+        let plain = |quantity: Quantity, value: f64| -> Result<f64, ParameterError> {
+            Ok(self.from_si(quantity.dimension(), within(quantity, value, Bound::Finite)?))
+        };
         Ok(Start {
-            time: self.time(Quantity::TimeS, si.time_s)?,
-            theta: finite(Quantity::Theta, si.theta_rad)?,
-            theta_rate: finite(Quantity::ThetaRateRadPerS, si.theta_rate_rad_per_s)? * self.time_s,
-            slip: finite(Quantity::SlipMPerS, si.slip_m_per_s)? / self.velocity_m_per_s(),
-            x: finite(Quantity::XM, si.x_m)? / self.length_m,
+            time: plain(Quantity::TimeS, si.time_s)?,
+            theta: plain(Quantity::Theta, si.theta_rad)?,
+            theta_rate: plain(Quantity::ThetaRateRadPerS, si.theta_rate_rad_per_s)?,
+            slip: plain(Quantity::SlipMPerS, si.slip_m_per_s)?,
+            x: plain(Quantity::XM, si.x_m)?,
         })
     }
 
-    /// A time limit given in seconds.
+    /// A time limit given in seconds, for a motion that starts at `start`, dimensionless.
     ///
     /// # Errors
-    /// It must be finite.
-    pub fn until(&self, until_s: f64) -> Result<f64, ParameterError> {
-        self.time(Quantity::UntilS, until_s)
-    }
-
-    fn time(&self, quantity: Quantity, seconds: f64) -> Result<f64, ParameterError> {
-        Ok(finite(quantity, seconds)? / self.time_s)
+    /// It must be finite and not before the start: said in seconds.
+    pub fn until(&self, until_s: f64, start: &Start) -> Result<f64, ParameterError> {
+        let until = self.from_si(Dimension::Time, Quantity::UntilS.check(until_s)?);
+        if until < start.time {
+            let bound = Bound::AtLeast(Quantity::TimeS, self.to_si(Dimension::Time, start.time));
+            return Err(ParameterError::OutOfBounds { quantity: Quantity::UntilS, value: until_s, bound });
+        }
+        Ok(until)
     }
 
     /// A state in SI units.
     #[must_use]
     pub fn state(&self, state: &State) -> SiState {
+        let si = |quantity: Quantity, value| self.to_si(quantity.dimension(), value);
         SiState {
-            time_s: state.time * self.time_s,
+            time_s: si(Quantity::TimeS, state.time),
             theta_rad: state.theta,
-            theta_rate_rad_per_s: state.theta_rate / self.time_s,
-            slip_m_per_s: state.slip * self.velocity_m_per_s(),
-            x_m: state.x * self.length_m,
+            theta_rate_rad_per_s: si(Quantity::ThetaRateRadPerS, state.theta_rate),
+            slip_m_per_s: si(Quantity::SlipMPerS, state.slip),
+            x_m: si(Quantity::XM, state.x),
         }
     }
 }
@@ -203,7 +245,7 @@ mod tests {
                 inertia_kg_m2: inertia, gravity_m_per_s2: g, mu_s: 0.5, mu_k: 0.25,
             };
             let (hoop, units) = si.to_hoop().unwrap();
-            let back = SiParameters::from_hoop(&hoop, &units);
+            let back = SiParameters::new(&hoop.parameters(), &units);
             for (a, b) in [
                 (si.disc_mass_kg, back.disc_mass_kg), (si.offset_m, back.offset_m),
                 (si.inertia_kg_m2, back.inertia_kg_m2), (si.radius_m, back.radius_m),
@@ -212,7 +254,7 @@ mod tests {
             }
             let state = SiState { time_s: time, theta_rad: 1.0, theta_rate_rad_per_s: -time, slip_m_per_s: slip, x_m: slip };
             let start = units.start(&state).unwrap();
-            let again = units.state(&start.checked().unwrap());
+            let again = units.state(&start.check().unwrap());
             for (a, b) in [
                 (state.time_s, again.time_s), (state.theta_rate_rad_per_s, again.theta_rate_rad_per_s),
                 (state.slip_m_per_s, again.slip_m_per_s), (state.x_m, again.x_m),

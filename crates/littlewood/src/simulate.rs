@@ -3,21 +3,26 @@
 use core::f64::consts::TAU;
 
 use crate::automaton::Cause;
-use crate::contact::{Arrival, Next, next_motion};
-use crate::error::{Bound, ParameterError, Quantity, check, finite};
+use crate::candidates::{Arrival, Next, next_motion};
+use crate::error::{Bound, ParameterError, within};
 use crate::flight::Flight;
 use crate::gliding::{Gliding, GlidingEnd};
 use crate::hoop::{Heavy, Hoop, Massless};
-use crate::rolling::{Limit, Recurrence, Rolling};
+use crate::mode::{Direction, Mode};
+use crate::outcome::Outcome;
+use crate::quantity::Quantity;
+use crate::rolling::{Recurrence, Rolling};
 use crate::sliding::{Entry, Sliding, SlidingEnd, SlidingLaw};
-use crate::state::{Direction, Mode, Start, State};
-use crate::trajectory::{Motion, Outcome, Phase, Trajectory, Transition};
+use crate::state::{Start, State};
+use crate::trajectory::{Phase, PhaseSolution, Trajectory, Transition};
 
 /// Two states of a conservative orbit that differ by no more are the same but for rounding.
 const RETURN: f64 = 1e-9;
 
 /// When to stop a motion that has not come to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Limits {
     /// Time τ at which to stop, if any. A motion that is proved to roll for ever is reported as such all the same.
     pub until: Option<f64>,
@@ -35,8 +40,8 @@ impl Default for Limits {
 impl Limits {
     pub(crate) fn check(&self, start: &Start) -> Result<(), ParameterError> {
         if let Some(until) = self.until {
-            finite(Quantity::Until, until)?;
-            check(until >= start.time, Quantity::Until, until, Bound::AtLeast(Quantity::Time, start.time))?;
+            Quantity::Until.check(until)?;
+            within(Quantity::Until, until, Bound::AtLeast(Quantity::Time, start.time))?;
         }
         Ok(())
     }
@@ -44,7 +49,19 @@ impl Limits {
     /// Stops at the time τ.
     #[must_use]
     pub fn until(time: f64) -> Self {
-        Self { until: Some(time), ..Self::default() }
+        Self::default().with_until(Some(time))
+    }
+
+    /// The same limits with a time limit, or without one.
+    #[must_use]
+    pub const fn with_until(self, until: Option<f64>) -> Self {
+        Self { until, ..self }
+    }
+
+    /// The same limits with a largest number of transitions.
+    #[must_use]
+    pub const fn with_transitions(self, transitions: usize) -> Self {
+        Self { transitions, ..self }
     }
 }
 
@@ -80,7 +97,7 @@ impl Hoop {
     /// # Errors
     /// A start or a limit that is not finite, or a time limit before the start.
     pub fn simulate(&self, start: Start, limits: Limits) -> Result<Trajectory, ParameterError> {
-        let checked = start.checked()?;
+        let checked = start.check()?;
         limits.check(&start)?;
         let start = checked;
         let mut trajectory = Trajectory {
@@ -107,8 +124,8 @@ impl Run<'_> {
         let mut next = next_motion(&self.hoop, &state, Arrival::Open);
         loop {
             let (motion, end, follow) = match next {
-                Next::None(findings) => return Outcome::Inconsistent { state, findings },
-                Next::Several(findings) => return Outcome::Ambiguous { state, findings },
+                Next::None(candidates) => return Outcome::Inconsistent { state, candidates },
+                Next::Several(candidates) => return Outcome::Ambiguous { state, candidates },
                 Next::Roll => self.roll(state),
                 Next::Slide { body, direction, slip_acceleration } => {
                     self.slide(&body, state, direction, slip_acceleration)
@@ -168,31 +185,39 @@ impl Run<'_> {
         }
         let same = |a: f64, b: f64| (a - b).abs() <= RETURN * (1.0 + a.abs());
         let back = earlier.iter().rev().take_while(|t| t.cause == Cause::Reversal).find(|t| {
-            let turned = (latest.state.theta - t.state.theta) / TAU;
+            let turned = (latest.before.theta - t.before.theta) / TAU;
             t.direction == latest.direction
-                && same(t.state.theta_rate, latest.state.theta_rate)
-                && same(turned.round() * TAU + t.state.theta, latest.state.theta)
+                && same(t.before.theta_rate, latest.before.theta_rate)
+                && same(turned.round() * TAU + t.before.theta, latest.before.theta)
         })?;
-        let period = latest.state.time - back.state.time;
-        let gained = latest.state.theta - back.state.theta;
+        let period = latest.before.time - back.before.time;
+        let gained = latest.before.theta - back.before.theta;
         let recurrence = if gained.abs() > 1.0 {
             Recurrence::Rotation { period }
         } else {
-            let cycle = self.trajectory.phases.iter().filter(|phase| phase.start().time >= back.state.time);
+            let cycle = self.trajectory.phases.iter().filter(|phase| phase.start().time >= back.before.time);
             let (theta_min, theta_max) =
                 cycle.fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), phase| {
-                    let Motion::Sliding(slide) = phase.motion() else { return (min, max) };
+                    let PhaseSolution::Sliding(slide) = phase.motion() else { return (min, max) };
                     let (low, high) = slide.theta_range();
                     (min.min(low), max.max(high))
                 });
             Recurrence::Libration { period, theta_min, theta_max }
         };
-        Some(Outcome::SlidesForever { since: back.state, recurrence })
+        Some(Outcome::SlidesForever { since: back.before, recurrence })
     }
 
     fn record(&mut self, state: State, from: Mode, begins: Option<(Mode, Option<Direction>)>, cause: Cause) {
         let (to, direction) = begins.map_or((None, None), |(mode, direction)| (Some(mode), direction));
-        self.trajectory.transitions.push(Transition { state, from, to, direction, cause });
+        self.trajectory.transitions.push(Transition {
+            before: state,
+            after: state,
+            impulse: None,
+            from,
+            to,
+            direction,
+            cause,
+        });
     }
 
     /// Time left until the limit.
@@ -205,17 +230,13 @@ impl Run<'_> {
         State { time: self.limits.until.unwrap_or(state.time), ..state }
     }
 
-    fn roll(&self, state: State) -> (Motion, Option<State>, Follow) {
+    fn roll(&self, state: State) -> (PhaseSolution, Option<State>, Follow) {
         let rolling = Rolling::new(&self.hoop, state);
         let allowed = self.allowed(&state);
         let (end, follow) = match (rolling.orbit().end(), allowed) {
             (Some(end), allowed) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => {
-                let cause = match end.limit {
-                    Limit::Friction(_) => Cause::Slip,
-                    Limit::NormalForce => Cause::NormalForceZero,
-                };
                 let state = rolling.state_at(end.theta, end.theta_rate, end.elapsed);
-                (Some(state), Follow::Event(state, cause, Arrival::RollingLimit(end.limit)))
+                (Some(state), Follow::Event(state, end.limit.cause(), Arrival::RollingLimit(end.limit)))
             }
             (Some(_), allowed) => {
                 let end = self.stopped(rolling.state(allowed.unwrap_or(0.0)));
@@ -227,7 +248,7 @@ impl Run<'_> {
                 (end, Follow::End(None, Outcome::RollsForever { since: state, recurrence }))
             }
         };
-        (Motion::Rolling(rolling), end, follow)
+        (PhaseSolution::Rolling(rolling), end, follow)
     }
 
     fn slide(
@@ -236,7 +257,7 @@ impl Run<'_> {
         state: State,
         direction: Direction,
         slip_acceleration: Option<f64>,
-    ) -> (Motion, Option<State>, Follow) {
+    ) -> (PhaseSolution, Option<State>, Follow) {
         let entry = slip_acceleration
             .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
         let (slide, end) = Sliding::run(&self.hoop, body, state, direction, entry, self.allowed(&state));
@@ -260,10 +281,10 @@ impl Run<'_> {
                 (end, Follow::End(None, Outcome::SlidesForever { since: state, recurrence }))
             }
         };
-        (Motion::Sliding(Box::new(slide)), end, follow)
+        (PhaseSolution::Sliding(Box::new(slide)), end, follow)
     }
 
-    fn fly(&self, body: &Heavy, state: State, grazing: bool) -> (Motion, Option<State>, Follow) {
+    fn fly(&self, body: &Heavy, state: State, grazing: bool) -> (PhaseSolution, Option<State>, Follow) {
         let flight = Flight::new(body, state, grazing);
         let duration = flight.duration();
         let (end, follow) = match self.allowed(&state) {
@@ -277,10 +298,15 @@ impl Run<'_> {
                 (Some(end), Follow::End(Some(Cause::Landing), Outcome::Landing { state: end, gap_rate }))
             }
         };
-        (Motion::Flight(flight), end, follow)
+        (PhaseSolution::Flight(flight), end, follow)
     }
 
-    fn glide(&self, body: &Massless, state: State, from_extremum: bool) -> (Motion, Option<State>, Follow) {
+    fn glide(
+        &self,
+        body: &Massless,
+        state: State,
+        from_extremum: bool,
+    ) -> (PhaseSolution, Option<State>, Follow) {
         let (glide, end) = Gliding::run(body, self.hoop.mu_k(), state, from_extremum, self.allowed(&state));
         let (end, follow) = match end {
             GlidingEnd::Rest(end) => (Some(end), Follow::Event(end, Cause::Stick, Arrival::Open)),
@@ -300,7 +326,7 @@ impl Run<'_> {
                 (Some(end), Follow::End(None, Outcome::TimeLimit { state: end }))
             }
         };
-        (Motion::Gliding(glide), end, follow)
+        (PhaseSolution::Gliding(glide), end, follow)
     }
 }
 

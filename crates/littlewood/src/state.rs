@@ -1,15 +1,10 @@
-//! Where the body is: the state, the mode it moves in, and what an instant of a motion looks like.
+//! Starts, states, and all that is known of an instant.
 
-use core::fmt;
-
-use crate::error::{ParameterError, Quantity, moderate};
+use crate::columns::SampleColumn;
+use crate::error::ParameterError;
 use crate::hoop::Hoop;
-
-/// Largest time, angle and position of a start: there doubles still resolve 1e-7.
-const FARTHEST: f64 = 1e9;
-
-/// Largest rate and slip velocity of a start: a flight at this rate turns 1e11 times.
-const FASTEST: f64 = 1e6;
+use crate::mode::{Direction, Mode};
+use crate::quantity::Quantity;
 
 /// A start in contact with the plane: dimensionless time, angle, rate, slip velocity and position.
 ///
@@ -17,7 +12,9 @@ const FASTEST: f64 = 1e6;
 /// let start = littlewood::Start::at(0.5, -1.0).with_slip(0.25);
 /// assert_eq!(start.slip, 0.25);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Start {
     /// Time τ.
     pub time: f64,
@@ -56,20 +53,32 @@ impl Start {
         Self { x, ..self }
     }
 
-    pub(crate) fn checked(self) -> Result<State, ParameterError> {
+    /// Refuses what is not finite, and what a double no longer resolves.
+    ///
+    /// # Errors
+    /// Names the first value that breaks a bound of [`Quantity::START`].
+    pub fn check(self) -> Result<State, ParameterError> {
         Ok(State {
-            time: moderate(Quantity::Time, self.time, FARTHEST)?,
-            theta: moderate(Quantity::Theta, self.theta, FARTHEST)?,
-            theta_rate: moderate(Quantity::ThetaRate, self.theta_rate, FASTEST)?,
-            slip: moderate(Quantity::Slip, self.slip, FASTEST)?,
-            x: moderate(Quantity::X, self.x, FARTHEST)?,
+            time: Quantity::Time.check(self.time)?,
+            theta: Quantity::Theta.check(self.theta)?,
+            theta_rate: Quantity::ThetaRate.check(self.theta_rate)?,
+            slip: Quantity::Slip.check(self.slip)?,
+            x: Quantity::X.check(self.x)?,
         })
+    }
+}
+
+impl From<State> for Start {
+    fn from(state: State) -> Self {
+        let State { time, theta, theta_rate, slip, x } = state;
+        Self { time, theta, theta_rate, slip, x }
     }
 }
 
 /// The state of the body at an instant. In flight `slip` is the horizontal velocity of the lowest point of the
 /// rim, which is the slip velocity that a landing there would have.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
     /// Time τ.
     pub time: f64,
@@ -83,84 +92,36 @@ pub struct State {
     pub x: f64,
 }
 
-/// The four modes of motion of the paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Mode {
-    /// η′ = 0, static friction (2.10).
-    Rolling,
-    /// η′ ≠ 0, kinetic friction (2.16).
-    Sliding,
-    /// In contact without any contact force, N = 0 (3.17).
-    Gliding,
-    /// Off the plane (§2e).
-    Flight,
-}
+impl State {
+    /// The columns that make a state, in the order of records.
+    pub const COLUMNS: [SampleColumn; 5] = [
+        SampleColumn::Time,
+        SampleColumn::Theta,
+        SampleColumn::ThetaRate,
+        SampleColumn::Slip,
+        SampleColumn::X,
+    ];
 
-impl Mode {
-    /// All modes.
-    pub const ALL: [Self; 4] = [Self::Rolling, Self::Sliding, Self::Gliding, Self::Flight];
-
-    /// Lower-case name, as files and the command line write it.
+    /// The numbers, in the order of [`State::COLUMNS`].
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rolling => "rolling",
-            Self::Sliding => "sliding",
-            Self::Gliding => "gliding",
-            Self::Flight => "flight",
-        }
+    pub const fn numbers(&self) -> [f64; 5] {
+        let Self { time, theta, theta_rate, slip, x } = *self;
+        [time, theta, theta_rate, slip, x]
     }
 }
 
-impl fmt::Display for Mode {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-/// Direction of slip, σ = sign(η′).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Direction {
-    /// σ = −1.
-    Negative,
-    /// σ = +1.
-    Positive,
-}
-
-impl Direction {
-    /// σ as a number.
-    #[must_use]
-    pub const fn sign(self) -> f64 {
-        match self {
-            Self::Negative => -1.0,
-            Self::Positive => 1.0,
-        }
-    }
-
-    /// The sign of a number; none for zero (and NaN).
-    #[must_use]
-    pub fn of(value: f64) -> Option<Self> {
-        if value > 0.0 {
-            Some(Self::Positive)
-        } else if value < 0.0 {
-            Some(Self::Negative)
-        } else {
-            None
-        }
-    }
-
-    /// The other direction.
-    #[must_use]
-    pub const fn reversed(self) -> Self {
-        match self {
-            Self::Negative => Self::Positive,
-            Self::Positive => Self::Negative,
-        }
+/// A start that has not been checked, as a state.
+impl From<Start> for State {
+    fn from(start: Start) -> Self {
+        let Start { time, theta, theta_rate, slip, x } = start;
+        Self { time, theta, theta_rate, slip, x }
     }
 }
 
 /// Everything about one instant of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Sample {
     /// State.
     pub state: State,
@@ -182,40 +143,59 @@ pub struct Sample {
     pub gap_rate: f64,
     /// Total energy E = T + U over m2 g R (2.8); the potential energy is ℓ̂ cos θ + m gap.
     pub energy: f64,
+    /// Geometric centre C.
+    pub centre: Position,
+    /// Mass centre X̄ = C + h e2.
+    pub mass_centre: Position,
+    /// Particle, C + ℓ̂ e2.
+    pub particle: Position,
 }
 
 /// A point of the plane of motion, in radii.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Position {
     /// Horizontal coordinate along E1.
     pub x: f64,
     /// Height over the plane.
     pub y: f64,
 }
 
-impl Sample {
-    /// Geometric centre C.
-    #[must_use]
-    pub fn centre(&self) -> Point {
-        Point { x: self.state.x, y: 1.0 + self.gap }
-    }
+/// What a mode of motion knows of an instant besides the state; the rest follows for all modes alike.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Instant {
+    pub(crate) mode: Mode,
+    pub(crate) direction: Option<Direction>,
+    /// θ″ and η″.
+    pub(crate) accelerations: (f64, f64),
+    /// N and F.
+    pub(crate) forces: (f64, f64),
+    /// The gap and its rate.
+    pub(crate) gap: (f64, f64),
+}
 
-    /// Mass centre X̄ = C + h e2.
-    #[must_use]
-    pub fn mass_centre(&self, hoop: &Hoop) -> Point {
-        self.along_radius(hoop.h())
-    }
-
-    /// Particle, C + ℓ̂ e2.
-    #[must_use]
-    pub fn particle(&self, hoop: &Hoop) -> Point {
-        self.along_radius(hoop.offset())
-    }
-
-    fn along_radius(&self, distance: f64) -> Point {
-        let (sin, cos) = libm::sincos(self.state.theta);
-        let centre = self.centre();
-        Point { x: centre.x - distance * sin, y: centre.y + distance * cos }
+impl Instant {
+    pub(crate) fn sample(self, hoop: &Hoop, state: State) -> Sample {
+        let (gap, gap_rate) = self.gap;
+        let (sin, cos) = libm::sincos(state.theta);
+        let centre = Position { x: state.x, y: 1.0 + gap };
+        let along_radius =
+            |distance: f64| Position { x: centre.x - distance * sin, y: centre.y + distance * cos };
+        Sample {
+            state,
+            mode: self.mode,
+            direction: self.direction,
+            theta_acceleration: self.accelerations.0,
+            slip_acceleration: self.accelerations.1,
+            normal: self.forces.0,
+            friction: self.forces.1,
+            gap,
+            gap_rate,
+            energy: energy(hoop, &state, gap, gap_rate),
+            centre,
+            mass_centre: along_radius(hoop.h()),
+            particle: along_radius(hoop.offset()),
+        }
     }
 }
 

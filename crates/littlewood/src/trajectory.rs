@@ -1,26 +1,27 @@
 //! A motion as a whole: its phases, the transitions between them, how it ends, and the state at any time.
 
 use crate::automaton::Cause;
-use crate::contact::Findings;
 use crate::flight::Flight;
 use crate::gliding::Gliding;
 use crate::hoop::Hoop;
-use crate::rolling::{Recurrence, Rolling};
+use crate::mode::{Direction, Mode};
+use crate::outcome::Outcome;
+use crate::rolling::Rolling;
 use crate::sliding::Sliding;
-use crate::state::{Direction, Mode, Sample, State};
+use crate::state::{Sample, State};
 
 /// A phase of motion in one mode.
 #[derive(Clone, Debug)]
 pub struct Phase {
     pub(crate) hoop: Hoop,
-    pub(crate) motion: Motion,
+    pub(crate) motion: PhaseSolution,
     pub(crate) start: State,
     pub(crate) end: Option<State>,
 }
 
 /// The exact solution during a phase.
 #[derive(Clone, Debug)]
-pub enum Motion {
+pub enum PhaseSolution {
     /// Rolling along an orbit.
     Rolling(Rolling),
     /// Sliding in one direction.
@@ -36,10 +37,10 @@ impl Phase {
     #[must_use]
     pub const fn mode(&self) -> Mode {
         match self.motion {
-            Motion::Rolling(_) => Mode::Rolling,
-            Motion::Sliding(_) => Mode::Sliding,
-            Motion::Gliding(_) => Mode::Gliding,
-            Motion::Flight(_) => Mode::Flight,
+            PhaseSolution::Rolling(_) => Mode::Rolling,
+            PhaseSolution::Sliding(_) => Mode::Sliding,
+            PhaseSolution::Gliding(_) => Mode::Gliding,
+            PhaseSolution::Flight(_) => Mode::Flight,
         }
     }
 
@@ -47,15 +48,15 @@ impl Phase {
     #[must_use]
     pub fn direction(&self) -> Option<Direction> {
         match &self.motion {
-            Motion::Sliding(slide) => Some(slide.direction()),
-            Motion::Gliding(glide) => glide.direction(),
-            Motion::Rolling(_) | Motion::Flight(_) => None,
+            PhaseSolution::Sliding(slide) => Some(slide.direction()),
+            PhaseSolution::Gliding(glide) => glide.direction(),
+            PhaseSolution::Rolling(_) | PhaseSolution::Flight(_) => None,
         }
     }
 
     /// The solution itself.
     #[must_use]
-    pub const fn motion(&self) -> &Motion {
+    pub const fn motion(&self) -> &PhaseSolution {
         &self.motion
     }
 
@@ -88,7 +89,9 @@ impl Phase {
     #[must_use]
     pub fn energy_lost(&self) -> f64 {
         match (&self.motion, self.last()) {
-            (Motion::Sliding(_), Some(last)) if self.hoop.mu_k() > 0.0 => self.first().energy - last.energy,
+            (PhaseSolution::Sliding(_), Some(last)) if self.hoop.mu_k() > 0.0 => {
+                self.first().energy - last.energy
+            }
             _ => 0.0,
         }
     }
@@ -97,8 +100,8 @@ impl Phase {
     #[must_use]
     pub const fn is_outside_small_inertia_limit(&self) -> bool {
         match &self.motion {
-            Motion::Gliding(glide) => !glide.is_small_inertia_limit(),
-            Motion::Rolling(_) | Motion::Sliding(_) | Motion::Flight(_) => false,
+            PhaseSolution::Gliding(glide) => !glide.is_small_inertia_limit(),
+            PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Flight(_) => false,
         }
     }
 
@@ -109,16 +112,16 @@ impl Phase {
         let state = match (self.end, &self.motion) {
             _ if elapsed <= 0.0 => self.start,
             (Some(end), _) if elapsed >= duration => end,
-            (_, Motion::Rolling(rolling)) => rolling.state(elapsed),
-            (_, Motion::Sliding(slide)) => slide.state(elapsed),
-            (_, Motion::Gliding(glide)) => glide.state(elapsed),
-            (_, Motion::Flight(flight)) => flight.state(elapsed),
+            (_, PhaseSolution::Rolling(rolling)) => rolling.state(elapsed),
+            (_, PhaseSolution::Sliding(slide)) => slide.state(elapsed),
+            (_, PhaseSolution::Gliding(glide)) => glide.state(elapsed),
+            (_, PhaseSolution::Flight(flight)) => flight.state(elapsed),
         };
         match &self.motion {
-            Motion::Rolling(rolling) => rolling.sample(&self.hoop, state),
-            Motion::Sliding(slide) => slide.sample(&self.hoop, state),
-            Motion::Gliding(glide) => glide.sample(&self.hoop, state),
-            Motion::Flight(flight) => {
+            PhaseSolution::Rolling(rolling) => rolling.sample(&self.hoop, state),
+            PhaseSolution::Sliding(slide) => slide.sample(&self.hoop, state),
+            PhaseSolution::Gliding(glide) => glide.sample(&self.hoop, state),
+            PhaseSolution::Flight(flight) => {
                 flight.sample(&self.hoop, state, flight.gap(elapsed.clamp(0.0, duration)))
             }
         }
@@ -137,11 +140,27 @@ impl Phase {
     }
 }
 
+/// The impulse of the plane on the body at a transition, over m2 √(gR).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Impulse {
+    /// Upwards.
+    pub normal: f64,
+    /// Along E1.
+    pub friction: f64,
+}
+
 /// A change of the mode of motion, or the event that ends the simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Transition {
-    /// State at the transition; continuous through it.
-    pub state: State,
+    /// State just before.
+    pub before: State,
+    /// State just after: the same, unless there is an impulse.
+    pub after: State,
+    /// The impulse, if the velocities jump.
+    pub impulse: Option<Impulse>,
     /// Mode that ends.
     pub from: Mode,
     /// Mode that begins; none where the motion is not followed further.
@@ -152,129 +171,11 @@ pub struct Transition {
     pub cause: Cause,
 }
 
-/// How a simulation ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Outcome {
-    /// The body has come down from a flight; the state is that just before the impact.
-    Landing {
-        /// State.
-        state: State,
-        /// Rate at which the gap closes, negative.
-        gap_rate: f64,
-    },
-    /// Static friction holds on the whole orbit ahead.
-    RollsForever {
-        /// State at the start of the last phase.
-        since: State,
-        /// How the motion comes back.
-        recurrence: Recurrence,
-    },
-    /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period has passed without
-    /// an event.
-    SlidesForever {
-        /// State at the start of the last phase.
-        since: State,
-        /// How θ and θ′ come back.
-        recurrence: Recurrence,
-    },
-    /// The particle on the rim of a massless hoop has reached the plane, θ = ±π.
-    ParticleAtPlane {
-        /// State, with an infinite rate.
-        state: State,
-    },
-    /// The particle inside the rim of a massless hoop has reached its lowest place, θ = ±π.
-    ParticleAtBottom {
-        /// State, with an infinite rate.
-        state: State,
-    },
-    /// The particle of a massless hoop has reached its highest place with velocity to spare.
-    ParticleAtTop {
-        /// State, with an infinite rate.
-        state: State,
-    },
-    /// The time limit was reached.
-    TimeLimit {
-        /// State.
-        state: State,
-    },
-    /// The largest number of transitions was reached.
-    TransitionLimit {
-        /// State.
-        state: State,
-        /// The limit.
-        transitions: usize,
-    },
-    /// No motion is consistent with the laws of friction and contact.
-    Inconsistent {
-        /// State.
-        state: State,
-        /// What was examined.
-        findings: Findings,
-    },
-    /// Several motions are consistent.
-    Ambiguous {
-        /// State.
-        state: State,
-        /// What was examined.
-        findings: Findings,
-    },
-    /// A slide has run into P = 0 with N > 0, beyond which it has no solution (Painlevé).
-    Singular {
-        /// State.
-        state: State,
-        /// P there.
-        solvability: f64,
-    },
-    /// A slide changes faster than the clock resolves: a hoop of next to no inertia, its particle passing the bottom.
-    Unresolved {
-        /// State.
-        state: State,
-    },
-}
-
-impl Outcome {
-    /// Lower-case name, as files and the command line write it.
+impl Transition {
+    /// Time.
     #[must_use]
-    pub const fn kind(&self) -> &'static str {
-        match self {
-            Self::Landing { .. } => "landing",
-            Self::RollsForever { .. } => "rolls_forever",
-            Self::SlidesForever { .. } => "slides_forever",
-            Self::ParticleAtPlane { .. } => "particle_at_plane",
-            Self::ParticleAtBottom { .. } => "particle_at_bottom",
-            Self::ParticleAtTop { .. } => "particle_at_top",
-            Self::TimeLimit { .. } => "time_limit",
-            Self::TransitionLimit { .. } => "transition_limit",
-            Self::Inconsistent { .. } => "inconsistent",
-            Self::Ambiguous { .. } => "ambiguous",
-            Self::Singular { .. } => "singular",
-            Self::Unresolved { .. } => "unresolved",
-        }
-    }
-
-    /// The state that decides: at the end, or where the phase begins that lasts for ever.
-    #[must_use]
-    pub const fn state(&self) -> State {
-        match self {
-            Self::RollsForever { since, .. } | Self::SlidesForever { since, .. } => *since,
-            Self::Landing { state, .. }
-            | Self::ParticleAtPlane { state }
-            | Self::ParticleAtBottom { state }
-            | Self::ParticleAtTop { state }
-            | Self::TimeLimit { state }
-            | Self::TransitionLimit { state, .. }
-            | Self::Inconsistent { state, .. }
-            | Self::Ambiguous { state, .. }
-            | Self::Singular { state, .. }
-            | Self::Unresolved { state } => *state,
-        }
-    }
-
-    /// Whether the motion has been followed to its end, and not only to a limit.
-    #[must_use]
-    pub const fn is_final(&self) -> bool {
-        !matches!(self, Self::TimeLimit { .. } | Self::TransitionLimit { .. } | Self::Unresolved { .. })
+    pub const fn time(&self) -> f64 {
+        self.before.time
     }
 }
 

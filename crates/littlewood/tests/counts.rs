@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use littlewood::{Hoop, Limits, Mode, Motion, OutcomeCode, Start, find_case};
+use littlewood::{Hoop, Limits, Mode, OutcomeKind, PhaseSolution, Start, find_case};
 
 /// Starts (θ, θ′) of the Figure 2 hoop on a 200 × 200 grid over [−π, π] × [−4, 4], ends included, to τ = 50. The counts
 /// were obtained with a Taylor integrator and with fixed-step Runge–Kutta, both event-driven, which agree.
@@ -50,7 +50,7 @@ fn a_slide_takes_few_steps() {
         .phases()
         .iter()
         .filter_map(|phase| match phase.motion() {
-            Motion::Sliding(slide) => Some(slide.steps()),
+            PhaseSolution::Sliding(slide) => Some(slide.steps()),
             _ => None,
         })
         .collect();
@@ -65,7 +65,7 @@ fn a_phase_of_rolling_costs_the_same_whatever_its_length() {
     // One orbit evaluation, however far: the state at τ = 10⁶ agrees with the state whole periods earlier.
     let motion = find_case("rolls-forever").expect("a case").simulate().expect("a valid case");
     let summary = motion.summary();
-    assert_eq!(summary.outcome, OutcomeCode::RollsForever);
+    assert_eq!(summary.outcome, OutcomeKind::RollsForever);
     assert_eq!(motion.phases().len(), 1);
     let littlewood::Outcome::RollsForever { recurrence: littlewood::Recurrence::Rotation { period }, .. } =
         motion.outcome()

@@ -6,7 +6,7 @@ mod common;
 
 use common::{heavy_hoop, heavy_motion, instants, massless_hoop, moderate_hoop, simulate, start};
 use littlewood::{
-    Body, Direction, Hoop, Motion, PhasePlane, RollingLaw, RollingOrbit, SlidingLaw, Start,
+    Body, Direction, Hoop, PhasePlane, PhaseSolution, RollingLaw, RollingOrbit, SlidingLaw, Start,
     gliding_accelerations,
 };
 use proptest::prelude::*;
@@ -193,7 +193,7 @@ fn check_derivatives(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
                 );
             }
         }
-        if let Motion::Rolling(_) = phase.motion() {
+        if let PhaseSolution::Rolling(_) = phase.motion() {
             prop_assert_eq!(phase.first().slip_acceleration, 0.0);
         }
     }

@@ -7,8 +7,8 @@ mod common;
 
 use common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start};
 use littlewood::{
-    Body, Cause, Direction, GlidingIntegrals, Hoop, Mode, Motion, Outcome, Phase, Sample, SlidingLaw, Start,
-    Trajectory,
+    Body, Cause, Direction, GlidingIntegrals, Hoop, Mode, Outcome, Phase, PhaseSolution, Sample, SlidingLaw,
+    Start, Trajectory,
 };
 use proptest::prelude::*;
 
@@ -43,7 +43,7 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
         size = size.max(self::size(hoop, &now));
         prop_assert_eq!(now.mode, phase.mode());
         match phase.motion() {
-            Motion::Rolling(_) => {
+            PhaseSolution::Rolling(_) => {
                 prop_assert!((now.energy - first.energy).abs() < 1e-13 * size, "energy in rolling");
                 prop_assert_eq!(now.state.slip, 0.0);
                 let excess = now.friction.abs() - hoop.mu_s() * now.normal;
@@ -52,7 +52,7 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
                 let held = now.state.x + now.state.theta - first.state.x - first.state.theta;
                 prop_assert!(held.abs() < 1e-13 * (1.0 + now.state.theta.abs()), "rolling constraint");
             }
-            Motion::Sliding(_) => {
+            PhaseSolution::Sliding(_) => {
                 let Body::Heavy(body) = hoop.body() else { unreachable!() };
                 let Some(direction) = phase.direction() else { unreachable!() };
                 let law = SlidingLaw::new(hoop, &body, direction);
@@ -74,7 +74,7 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
                 let drift = integral(&now, elapsed) - integral(&first, 0.0);
                 prop_assert!(drift.abs() < 1e-12 * size, "momentum integral: {drift}");
             }
-            Motion::Gliding(_) => {
+            PhaseSolution::Gliding(_) => {
                 let Body::Massless(body) = hoop.body() else { unreachable!() };
                 let integrals =
                     |s: &Sample| GlidingIntegrals::at(&body, s.state.theta, s.state.theta_rate, s.state.slip);
@@ -85,7 +85,7 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
                 let slipping = sign(phase.direction()) * now.state.slip;
                 prop_assert!(slipping > -1e-10 * size, "direction of slip at {elapsed}: {now:?}");
             }
-            Motion::Flight(flight) => {
+            PhaseSolution::Flight(flight) => {
                 prop_assert!((now.energy - first.energy).abs() < 1e-12 * size, "energy in flight");
                 prop_assert_eq!(now.state.theta_rate, first.state.theta_rate);
                 let momentum = |s: &Sample| {

@@ -1,13 +1,16 @@
 //! The walk of a motion along the automaton, by tables where they are sure and by the exact solvers where not.
 
-use crate::contact::{Arrival, Next, next_motion};
+use crate::candidates::{Arrival, Next, next_motion};
 use crate::flight::Flight;
 use crate::hoop::Hoop;
-use crate::rolling::{Limit, Rolling};
+use crate::mode::{Direction, Mode};
+use crate::outcome::OutcomeKind;
+use crate::rolling::{Rolling, RollingLimit};
+use crate::sequence::PhaseSequence;
 use crate::simulate::Limits;
 use crate::sliding::{Entry, Sliding, SlidingEnd};
-use crate::state::{Direction, Mode, State, energy};
-use crate::summary::{OutcomeCode, PhaseSequence, Summary};
+use crate::state::{State, energy};
+use crate::summary::Summary;
 use crate::trig::sincos;
 
 use super::Tables;
@@ -48,7 +51,7 @@ enum Step {
     /// In an event; the state there and what follows, if that is known already.
     Event { here: Here, slip: bool, next: Option<Next>, arrival: Arrival },
     /// In the outcome of the motion.
-    End { outcome: OutcomeCode, state: State },
+    End { outcome: OutcomeKind, state: State },
 }
 
 impl<'a> Walk<'a> {
@@ -58,7 +61,7 @@ impl<'a> Walk<'a> {
 
     pub(super) fn summary(&self, start: State) -> Summary {
         let mut summary = Summary {
-            outcome: OutcomeCode::TimeLimit,
+            outcome: OutcomeKind::TimeLimit,
             sequence: PhaseSequence::default(),
             transitions: 0,
             end: start,
@@ -76,9 +79,9 @@ impl<'a> Walk<'a> {
                 Next::None(_) | Next::Several(_) => {
                     summary.painleve = true;
                     summary.outcome = if matches!(next, Next::None(_)) {
-                        OutcomeCode::Inconsistent
+                        OutcomeKind::Inconsistent
                     } else {
-                        OutcomeCode::Ambiguous
+                        OutcomeKind::Ambiguous
                     };
                     summary.end = here.state;
                     if !summary.sequence.is_empty() {
@@ -101,7 +104,7 @@ impl<'a> Walk<'a> {
                 }
                 Next::Glide { .. } => {
                     // Only a massless hoop glides, and it has no tables.
-                    summary.outcome = OutcomeCode::Inconsistent;
+                    summary.outcome = OutcomeKind::Inconsistent;
                     return summary;
                 }
             };
@@ -110,7 +113,7 @@ impl<'a> Walk<'a> {
                     summary.outcome = outcome;
                     summary.end = state;
                     summary.energy = energy(self.hoop, &state, 0.0, 0.0);
-                    summary.painleve = outcome == OutcomeCode::Singular;
+                    summary.painleve = outcome == OutcomeKind::Singular;
                     if summary.painleve {
                         summary.transitions += 1;
                     }
@@ -125,7 +128,7 @@ impl<'a> Walk<'a> {
                     next = known.unwrap_or_else(|| self.decide(&here, arrival));
                     let ends = matches!(next, Next::None(_) | Next::Several(_));
                     if summary.transitions as usize >= self.limits.transitions && !ends {
-                        summary.outcome = OutcomeCode::TransitionLimit;
+                        summary.outcome = OutcomeKind::TransitionLimit;
                         summary.end = here.state;
                         summary.energy = energy(self.hoop, &here.state, 0.0, 0.0);
                         return summary;
@@ -151,7 +154,7 @@ impl<'a> Walk<'a> {
             if w < 0.0 {
                 return Next::Fly { body, grazing: false };
             }
-            if let Some(direction) = Direction::of(state.slip) {
+            if let Some(direction) = Direction::of_sign(state.slip) {
                 return Next::Slide { body, direction, slip_acceleration: None };
             }
             let m = body.mass;
@@ -163,8 +166,8 @@ impl<'a> Walk<'a> {
             let clear = excess.abs() > DOUBT * (m + friction.abs() + u);
             // At the limit of rolling the slip acceleration follows from the difference of the coefficients.
             let (direction, excess) = match arrival {
-                Arrival::RollingLimit(Limit::Friction(direction)) => (Some(direction), 0.0),
-                _ => (Direction::of(-friction), excess),
+                Arrival::RollingLimit(RollingLimit::Friction(direction)) => (Some(direction), 0.0),
+                _ => (Direction::of_sign(-friction), excess),
             };
             if arrival == Arrival::Open && clear && excess < 0.0 && state.theta_rate != 0.0 {
                 return Next::Roll;
@@ -193,7 +196,7 @@ impl<'a> Walk<'a> {
             table.follow(travel * state.theta, travel * state.theta_rate, here.direction.1, ahead)
         };
         match known {
-            Some(RollEnd::Never) => Step::End { outcome: OutcomeCode::RollsForever, state },
+            Some(RollEnd::Never) => Step::End { outcome: OutcomeKind::RollsForever, state },
             Some(RollEnd::Slip { elapsed, theta, theta_rate, point, direction: (sin, cos), .. })
                 if state.time + elapsed <= self.until =>
             {
@@ -216,7 +219,7 @@ impl<'a> Walk<'a> {
                     slip: Some(point),
                     ahead: Ahead::Open,
                 };
-                let arrival = Arrival::RollingLimit(Limit::Friction(towards));
+                let arrival = Arrival::RollingLimit(RollingLimit::Friction(towards));
                 Step::Event { here, slip: true, next: None, arrival }
             }
             _ => self.roll_exactly(state),
@@ -226,7 +229,7 @@ impl<'a> Walk<'a> {
     fn roll_exactly(&self, state: State) -> Step {
         let rolling = Rolling::new(self.hoop, state);
         match rolling.orbit().end() {
-            None => Step::End { outcome: OutcomeCode::RollsForever, state },
+            None => Step::End { outcome: OutcomeKind::RollsForever, state },
             Some(end) if end.elapsed <= self.until - state.time => Step::Event {
                 here: Here::new(rolling.state_at(end.theta, end.theta_rate, end.elapsed)),
                 slip: true,
@@ -238,7 +241,7 @@ impl<'a> Walk<'a> {
     }
 
     fn stopped(&self, state: State) -> Step {
-        Step::End { outcome: OutcomeCode::TimeLimit, state: State { time: self.until, ..state } }
+        Step::End { outcome: OutcomeKind::TimeLimit, state: State { time: self.until, ..state } }
     }
 
     fn slide(&self, here: &Here, direction: Direction, slip_acceleration: Option<f64>) -> Step {
@@ -302,10 +305,10 @@ impl<'a> Walk<'a> {
                 next: Some(Next::Fly { body, grazing: true }),
                 arrival: Arrival::Open,
             },
-            SlidingEnd::Singular(state) => Step::End { outcome: OutcomeCode::Singular, state },
-            SlidingEnd::Unresolved(state) => Step::End { outcome: OutcomeCode::Unresolved, state },
+            SlidingEnd::Singular(state) => Step::End { outcome: OutcomeKind::Singular, state },
+            SlidingEnd::Unresolved(state) => Step::End { outcome: OutcomeKind::Unresolved, state },
             SlidingEnd::TimeLimit(state) => self.stopped(state),
-            SlidingEnd::Endless(_) => Step::End { outcome: OutcomeCode::SlidesForever, state },
+            SlidingEnd::Endless(_) => Step::End { outcome: OutcomeKind::SlidesForever, state },
         }
     }
 
@@ -329,7 +332,7 @@ impl<'a> Walk<'a> {
             summary.energy = energy(self.hoop, &summary.end, gap, gap_rate);
         } else {
             let (gap, gap_rate) = flight.gap(duration);
-            summary.outcome = OutcomeCode::Landing;
+            summary.outcome = OutcomeKind::Landing;
             summary.transitions += 1;
             summary.end = flight.state(duration);
             summary.energy = energy(self.hoop, &summary.end, gap, gap_rate);

@@ -72,11 +72,11 @@ impl Engine {
     }
 
     /// Number of starts of one hoop from which on the tables repay the time that they take, some milliseconds.
-    pub const REPAYS: usize = 96;
+    pub const MIN_STARTS_FOR_TABLES: usize = 96;
 
-    /// A hoop without tables, whose motions are simulated one by one: for fewer starts than [`Engine::REPAYS`].
+    /// A hoop without tables, whose motions are simulated one by one: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`].
     #[must_use]
-    pub const fn unprepared(hoop: &Hoop) -> Self {
+    pub const fn without_tables(hoop: &Hoop) -> Self {
         Self { hoop: *hoop, tables: None }
     }
 
@@ -88,7 +88,7 @@ impl Engine {
 
     /// Whether motions are walks through tables; otherwise they are simulated one by one.
     #[must_use]
-    pub const fn is_prepared(&self) -> bool {
+    pub const fn has_tables(&self) -> bool {
         self.tables.is_some()
     }
 
@@ -111,7 +111,7 @@ impl Engine {
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
         match &self.tables {
             Some(tables) => {
-                let state = start.checked()?;
+                let state = start.check()?;
                 limits.check(&start)?;
                 Ok(Walk::new(&self.hoop, tables, limits).summary(state))
             }

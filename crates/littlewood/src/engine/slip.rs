@@ -14,7 +14,7 @@
 use core::f64::consts::TAU;
 
 use crate::hoop::Heavy;
-use crate::state::Direction;
+use crate::mode::Direction;
 use crate::trig::sincos;
 
 use super::interpolant::{Basis, Interpolant, NODES, Slots};

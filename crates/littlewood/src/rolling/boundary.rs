@@ -13,19 +13,41 @@
 //! crossing [`crate::bernstein`] isolates. For a massless hoop the resultant of N and F points at the particle,
 //! F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
 
+use crate::automaton::Cause;
 use crate::bernstein::Bernstein;
 use crate::hoop::{Body, Hoop};
-use crate::state::Direction;
+use crate::mode::Direction;
 
 use super::RollingLaw;
 
 /// What gives way where rolling ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Limit {
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum RollingLimit {
     /// |F| = μs N: the body begins to slip in this direction (opposite to the friction force).
     Friction(Direction),
     /// N = 0 before static friction gives way: only a massless hoop, where N and F vanish together.
     NormalForce,
+}
+
+impl RollingLimit {
+    /// The event.
+    #[must_use]
+    pub const fn cause(self) -> Cause {
+        match self {
+            Self::Friction(_) => Cause::Slip,
+            Self::NormalForce => Cause::NormalForceZero,
+        }
+    }
+
+    /// The direction in which the body begins to slip; none where the normal force gives way.
+    #[must_use]
+    pub const fn direction(self) -> Option<Direction> {
+        match self {
+            Self::Friction(direction) => Some(direction),
+            Self::NormalForce => None,
+        }
+    }
 }
 
 /// A homogeneous polynomial Σ g_k X^{n−k} Y^k.
@@ -142,15 +164,15 @@ impl Boundary {
         &self,
         from: HalfAngle,
         to: HalfAngle,
-    ) -> impl Iterator<Item = (Bernstein, Limit)> + use<> {
-        let negative = Limit::Friction(Direction::Negative);
-        let positive = Limit::Friction(Direction::Positive);
+    ) -> impl Iterator<Item = (Bernstein, RollingLimit)> + use<> {
+        let negative = RollingLimit::Friction(Direction::Negative);
+        let positive = RollingLimit::Friction(Direction::Positive);
         match self {
             Self::Heavy([minus, plus]) => {
                 [Some((minus.on_arc(from, to), negative)), Some((plus.on_arc(from, to), positive)), None]
             }
             Self::Massless([minus, plus], normal) => [
-                Some((normal.on_arc(from, to), Limit::NormalForce)),
+                Some((normal.on_arc(from, to), RollingLimit::NormalForce)),
                 Some((minus.on_arc(from, to), negative)),
                 Some((plus.on_arc(from, to), positive)),
             ],

@@ -11,14 +11,17 @@
 
 mod boundary;
 mod orbit;
+mod recurrence;
 mod rim;
 
-pub use boundary::Limit;
+pub use boundary::RollingLimit;
 pub(crate) use orbit::Hold;
-pub use orbit::{Recurrence, RollingEnd, RollingOrbit};
+pub use orbit::{RollingEnd, RollingOrbit};
+pub use recurrence::{Recurrence, RecurrenceKind};
 
 use crate::hoop::{Body, Hoop};
-use crate::state::{Mode, Sample, State, energy};
+use crate::mode::Mode;
+use crate::state::{Instant, Sample, State};
 
 /// The equation of rolling of one body, massless or not: what (2.10) to (2.12) depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +36,7 @@ pub struct RollingLaw {
 
 /// Contact forces, over m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactForces {
     /// Normal force N.
     pub normal: f64,
@@ -157,17 +161,13 @@ impl Rolling {
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
         let forces = self.law.forces(state.theta, state.theta_rate);
-        Sample {
-            state,
+        let instant = Instant {
             mode: Mode::Rolling,
             direction: None,
-            theta_acceleration: self.law.theta_acceleration(state.theta, state.theta_rate),
-            slip_acceleration: 0.0,
-            normal: forces.normal,
-            friction: forces.friction,
-            gap: 0.0,
-            gap_rate: 0.0,
-            energy: energy(hoop, &state, 0.0, 0.0),
-        }
+            accelerations: (self.law.theta_acceleration(state.theta, state.theta_rate), 0.0),
+            forces: (forces.normal, forces.friction),
+            gap: (0.0, 0.0),
+        };
+        instant.sample(hoop, state)
     }
 }

@@ -17,40 +17,16 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use crate::bernstein::Bernstein;
 use crate::carlson::{rf, rj};
 use crate::hoop::Hoop;
-use crate::state::Direction;
+use crate::mode::Direction;
 
 use super::RollingLaw;
-use super::boundary::{Boundary, HalfAngle, Limit};
+use super::boundary::{Boundary, HalfAngle, RollingLimit};
+use super::recurrence::Recurrence;
 use super::rim::RimOrbit;
-
-/// How a motion that rolls for ever comes back.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Recurrence {
-    /// At rest in an equilibrium (or a homogeneous disc at rest anywhere).
-    Rest,
-    /// Back and forth about the stable equilibrium.
-    Libration {
-        /// Time of one oscillation.
-        period: f64,
-        /// Smallest angle.
-        theta_min: f64,
-        /// Largest angle.
-        theta_max: f64,
-    },
-    /// Over the top, always in the same direction.
-    Rotation {
-        /// Time of one turn.
-        period: f64,
-    },
-    /// On the separatrix towards the unstable equilibrium, which is not reached in finite time.
-    Asymptotic {
-        /// Angle of that equilibrium.
-        theta: f64,
-    },
-}
 
 /// The end of rolling: where and when static friction or the normal force gives way.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RollingEnd {
     /// Time since the orbit was entered.
     pub elapsed: f64,
@@ -59,10 +35,10 @@ pub struct RollingEnd {
     /// Rate.
     pub theta_rate: f64,
     /// What gives way.
-    pub limit: Limit,
+    pub limit: RollingLimit,
 }
 
-/// What static friction makes of a state with η′ = 0.
+/// Whether static friction can sustain rolling at a state with η′ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Hold {
     /// Rolling holds, now and for some time.
@@ -90,7 +66,7 @@ struct Elliptic {
     boundary: Boundary,
     /// Direction of motion at the start: ϑ = travel·θ grows.
     travel: f64,
-    motion: Motion,
+    motion: Swing,
     /// ϑ and D ϑ′² at the start.
     angle: f64,
     kinetic: f64,
@@ -108,7 +84,7 @@ struct Elliptic {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Motion {
+enum Swing {
     Rest,
     Libration,
     Rotation,
@@ -154,7 +130,7 @@ impl RollingOrbit {
         }
     }
 
-    /// How the orbit comes back if nothing gives way.
+    /// How the orbit recurs if nothing gives way.
     #[must_use]
     pub fn recurrence(&self) -> Recurrence {
         match &self.0 {
@@ -174,7 +150,7 @@ impl RollingOrbit {
 impl Elliptic {
     fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
         // At a turning point gravity decides where the body goes.
-        let travel = match Direction::of(theta_rate).or_else(|| Direction::of(libm::sin(theta))) {
+        let travel = match Direction::of_sign(theta_rate).or_else(|| Direction::of_sign(libm::sin(theta))) {
             Some(direction) => direction.sign(),
             None => 1.0,
         };
@@ -187,9 +163,9 @@ impl Elliptic {
         let over_bottom = kinetic + four_l * z * z;
         let rotates = over_top >= 0.0;
         let motion = match (rotates, theta_rate == 0.0 && libm::sin(theta) * law.offset == 0.0) {
-            (_, true) => Motion::Rest,
-            (true, false) => Motion::Rotation,
-            (false, false) => Motion::Libration,
+            (_, true) => Swing::Rest,
+            (true, false) => Swing::Rotation,
+            (false, false) => Swing::Libration,
         };
         let mut orbit = Self {
             law,
@@ -206,14 +182,14 @@ impl Elliptic {
             entered: 0.0,
             quarter: f64::INFINITY,
         };
-        if motion == Motion::Libration && orbit.amplitude() <= 0.5 * f64::EPSILON * theta.abs() {
+        if motion == Swing::Libration && orbit.amplitude() <= 0.5 * f64::EPSILON * theta.abs() {
             // Both turning points round to the angle of the start: no double lies between them.
-            orbit.motion = Motion::Rest;
+            orbit.motion = Swing::Rest;
         }
-        if orbit.motion != Motion::Rest {
+        if orbit.motion != Swing::Rest {
             orbit.entered = match orbit.motion {
-                Motion::Libration if kinetic == 0.0 => -orbit.time_from_bottom(1.0, 0.0),
-                Motion::Libration => {
+                Swing::Libration if kinetic == 0.0 => -orbit.time_from_bottom(1.0, 0.0),
+                Swing::Libration => {
                     orbit.time_from_bottom(orbit.phase_sine(z), (kinetic / orbit.swing).sqrt())
                 }
                 _ => orbit.time_from_bottom(z, y),
@@ -257,14 +233,14 @@ impl Elliptic {
         2.0 * (bottom / gamma).sqrt() * sine * (first + third)
     }
 
-    /// Rate of ψ, from dτ/dψ.
+    /// dτ/dψ.
     fn phase_slowness(&self, sine: f64, cosine: f64) -> f64 {
         let d = self.law.bottom + self.swing * sine * sine;
         2.0 * (d / (self.excess + self.swing * cosine * cosine)).sqrt()
     }
 
     fn position(&self, elapsed: f64) -> (f64, f64) {
-        if self.motion == Motion::Rest {
+        if self.motion == Swing::Rest {
             return (self.travel * self.angle_of(self.lap, self.z, self.y), 0.0);
         }
         let total = self.entered + elapsed;
@@ -277,7 +253,7 @@ impl Elliptic {
         };
         let (sine, cosine) = self.phase_at(local);
         let d = self.law.bottom + self.swing * sine * sine;
-        if self.motion == Motion::Rotation {
+        if self.motion == Swing::Rotation {
             let theta = self.angle_of(self.lap + turns, sine, cosine);
             let rate = ((self.excess + self.swing * cosine * cosine) / d).sqrt();
             (self.travel * theta, self.travel * rate)
@@ -294,13 +270,13 @@ impl Elliptic {
     fn time_to(&self, theta: f64) -> Option<f64> {
         let (lap, z, y) = reduce(self.travel * theta);
         let elapsed = match self.motion {
-            Motion::Rest => (theta == self.travel * self.angle_of(self.lap, self.z, self.y)).then_some(0.0),
-            Motion::Rotation => {
+            Swing::Rest => (theta == self.travel * self.angle_of(self.lap, self.z, self.y)).then_some(0.0),
+            Swing::Rotation => {
                 let laps = lap - self.lap;
                 let turns = if laps == 0.0 { 0.0 } else { 2.0 * self.quarter * laps };
                 Some(turns + self.time_from_bottom(z, y) - self.entered)
             }
-            Motion::Libration => {
+            Swing::Libration => {
                 let left = self.kinetic_at(self.travel * theta, z);
                 (lap == self.lap && left >= 0.0).then(|| {
                     let from_bottom = self.time_from_bottom(self.phase_sine(z), (left / self.swing).sqrt());
@@ -346,14 +322,14 @@ impl Elliptic {
 
     fn recurrence(&self) -> Recurrence {
         match self.motion {
-            Motion::Rest => Recurrence::Rest,
-            Motion::Rotation if self.quarter.is_finite() => {
+            Swing::Rest => Recurrence::Rest,
+            Swing::Rotation if self.quarter.is_finite() => {
                 Recurrence::Rotation { period: 2.0 * self.quarter }
             }
-            Motion::Rotation => {
+            Swing::Rotation => {
                 Recurrence::Asymptotic { theta: self.travel * self.angle_of(self.lap, 1.0, 0.0) }
             }
-            Motion::Libration => {
+            Swing::Libration => {
                 let bottom = self.travel * self.angle_of(self.lap, 0.0, 1.0);
                 let amplitude = self.amplitude();
                 Recurrence::Libration {
@@ -375,8 +351,8 @@ impl Elliptic {
             [(!past_bottom).then_some(Arc { from: here, to: bottom, pass: Pass::First }), Some(ahead)]
         };
         let arcs = match self.motion {
-            Motion::Rest => [None; 4],
-            Motion::Rotation => {
+            Swing::Rest => [None; 4],
+            Swing::Rotation => {
                 let [a, b] = first([-1.0, 0.0]);
                 let again = |from, to| Arc { from, to, pass: Pass::NextTurn };
                 let next = if self.quarter.is_finite() {
@@ -387,7 +363,7 @@ impl Elliptic {
                 };
                 [a, b, next[0], next[1]]
             }
-            Motion::Libration => {
+            Swing::Libration => {
                 let four_l = 4.0 * self.law.offset;
                 let (k, y) = ((self.swing / four_l).sqrt(), (self.excess / four_l).sqrt());
                 let [a, b] = first([-k, y]);
@@ -409,7 +385,7 @@ impl Elliptic {
         })
     }
 
-    fn end_at(&self, arc: &Arc, at: f64, limit: Limit) -> RollingEnd {
+    fn end_at(&self, arc: &Arc, at: f64, limit: RollingLimit) -> RollingEnd {
         let x = (1.0 - at) * arc.from[0] + at * arc.to[0];
         let y = (1.0 - at) * arc.from[1] + at * arc.to[1];
         let length = (x * x + y * y).sqrt();
@@ -417,7 +393,7 @@ impl Elliptic {
         let four_l = 4.0 * self.law.offset;
         let d = self.law.bottom + four_l * z * z;
         let angle = self.angle_of(self.lap, z, y);
-        let (from_bottom, speed) = if self.motion == Motion::Rotation {
+        let (from_bottom, speed) = if self.motion == Swing::Rotation {
             (self.time_from_bottom(z, y), ((self.excess + four_l * y * y) / d).sqrt())
         } else {
             let left = self.kinetic_at(angle, z).max(0.0);
@@ -448,10 +424,10 @@ impl Elliptic {
             }
             hold = match (hold, turned(limit, self.travel)) {
                 // Both cones are left at once only where N < 0.
-                (Hold::Slips { .. } | Hold::NoNormalForce, _) | (_, Limit::NormalForce) => {
+                (Hold::Slips { .. } | Hold::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
                     Hold::NoNormalForce
                 }
-                (Hold::Holds, Limit::Friction(direction)) => {
+                (Hold::Holds, RollingLimit::Friction(direction)) => {
                     Hold::Slips { direction, excess: -start_value(&margin) / (d * d) }
                 }
             };
@@ -465,9 +441,9 @@ fn start_value(margin: &Bernstein) -> f64 {
 }
 
 /// A limit seen in the frame of the body instead of the direction of motion.
-pub(super) fn turned(limit: Limit, travel: f64) -> Limit {
+pub(super) fn turned(limit: RollingLimit, travel: f64) -> RollingLimit {
     match limit {
-        Limit::Friction(direction) if travel < 0.0 => Limit::Friction(direction.reversed()),
+        RollingLimit::Friction(direction) if travel < 0.0 => RollingLimit::Friction(direction.reversed()),
         other => other,
     }
 }

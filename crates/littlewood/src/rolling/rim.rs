@@ -11,10 +11,11 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::state::Direction;
+use crate::mode::Direction;
 
-use super::boundary::Limit;
-use super::orbit::{Hold, Recurrence, RollingEnd};
+use super::boundary::RollingLimit;
+use super::orbit::{Hold, RollingEnd};
+use super::recurrence::Recurrence;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RimOrbit {
@@ -83,12 +84,12 @@ impl RimOrbit {
     }
 
     pub(super) fn end(&self) -> Option<RollingEnd> {
-        let outward = Direction::of(self.a + self.b)?;
+        let outward = Direction::of_sign(self.a + self.b)?;
         let unloaded = self.unloaded();
         let (square, limit) = if unloaded <= self.slip {
-            (unloaded, Limit::NormalForce)
+            (unloaded, RollingLimit::NormalForce)
         } else {
-            (self.slip, Limit::Friction(outward))
+            (self.slip, RollingLimit::Friction(outward))
         };
         let z = outward.sign() * square.sqrt();
         let twice_rate = outward.sign() * (square - self.a * self.a + self.b * self.b).max(0.0).sqrt();
@@ -115,7 +116,7 @@ impl RimOrbit {
         if margin > 0.0 || (margin == 0.0 && (inward || (self.a == 0.0 && self.b == 0.0))) {
             Hold::Holds
         } else {
-            match Direction::of(self.a).or_else(|| Direction::of(self.b)) {
+            match Direction::of_sign(self.a).or_else(|| Direction::of_sign(self.b)) {
                 Some(direction) => Hold::Slips { direction, excess: -margin },
                 None => Hold::Holds,
             }

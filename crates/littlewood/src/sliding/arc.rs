@@ -4,8 +4,9 @@ use core::f64::consts::TAU;
 
 use crate::bernstein::{Bernstein, Bracket};
 use crate::hoop::{Heavy, Hoop};
+use crate::mode::{Direction, Mode};
 use crate::rolling::Recurrence;
-use crate::state::{Direction, Mode, Sample, State, energy};
+use crate::state::{Instant, Sample, State};
 
 use super::SlidingLaw;
 use super::series::{DEGREE, Series, SlideSeries, value, value_and_slope};
@@ -281,18 +282,14 @@ impl Sliding {
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
         let forces = self.law.forces(state.theta, state.theta_rate);
         let accelerations = self.law.accelerations(state.theta, state.theta_rate);
-        Sample {
-            state,
+        let instant = Instant {
             mode: Mode::Sliding,
             direction: Some(self.direction),
-            theta_acceleration: accelerations.theta,
-            slip_acceleration: accelerations.slip,
-            normal: forces.normal,
-            friction: forces.friction,
-            gap: 0.0,
-            gap_rate: 0.0,
-            energy: energy(hoop, &state, 0.0, 0.0),
-        }
+            accelerations: (accelerations.theta, accelerations.slip),
+            forces: (forces.normal, forces.friction),
+            gap: (0.0, 0.0),
+        };
+        instant.sample(hoop, state)
     }
 }
 

@@ -23,8 +23,8 @@ pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlidingEnd};
 
 use crate::hoop::{Heavy, Hoop};
+use crate::mode::Direction;
 use crate::rolling::ContactForces;
-use crate::state::Direction;
 
 /// The equations of sliding of a heavy hoop in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]

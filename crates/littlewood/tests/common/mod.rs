@@ -36,7 +36,8 @@ pub(crate) fn heavy_hoop() -> impl Strategy<Value = Hoop> {
     (masses, offset(), friction()).prop_filter_map(
         "a body that can move",
         |((mass_ratio, inertia), offset, (mu_s, mu_k))| {
-            let hoop = Hoop::new(HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k }).ok()?;
+            let hoop =
+                Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k)).ok()?;
             matches!(hoop.body(), Body::Heavy(_)).then_some(hoop)
         },
     )
@@ -47,7 +48,7 @@ pub(crate) fn moderate_hoop() -> impl Strategy<Value = Hoop> {
     (0.2..4.0_f64, 0.1..=1.0_f64, 0.2..4.0_f64, 0.05..0.7_f64, 0.0..=1.0_f64).prop_filter_map(
         "a body that can move",
         |(mass_ratio, offset, inertia, mu_s, part)| {
-            Hoop::new(HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k: mu_s * part }).ok()
+            Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_s * part)).ok()
         },
     )
 }
@@ -57,7 +58,7 @@ pub(crate) fn massless_hoop() -> impl Strategy<Value = Hoop> {
     (prop_oneof![2 => Just(1.0), 1 => 0.05..1.0_f64], friction()).prop_filter_map(
         "a massless hoop",
         |(offset, (mu_s, mu_k))| {
-            Hoop::new(HoopParameters { mass_ratio: 0.0, offset, inertia: 0.0, mu_s, mu_k }).ok()
+            Hoop::new(HoopParameters::new(0.0, offset, 0.0).with_friction(mu_s, mu_k)).ok()
         },
     )
 }
@@ -111,7 +112,7 @@ pub(crate) fn heavy_motion() -> impl Strategy<Value = (Hoop, Start)> {
 
 /// Few transitions and a short time are enough for a law that must hold at every instant.
 pub(crate) fn simulate(hoop: &Hoop, start: Start) -> Trajectory {
-    let limits = Limits { until: Some(start.time + 20.0), transitions: 60 };
+    let limits = Limits::default().with_until(Some(start.time + 20.0)).with_transitions(60);
     hoop.simulate(start, limits).expect("a valid start")
 }
 

@@ -21,7 +21,7 @@ mod law;
 use core::f64::consts::{PI, TAU};
 
 use crate::hoop::Heavy;
-use crate::state::Direction;
+use crate::mode::Direction;
 use crate::trig::sincos;
 
 use self::cell::Cell;

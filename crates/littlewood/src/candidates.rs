@@ -14,14 +14,19 @@
 //!
 //! One candidate is taken. None or several (Painlevé: P ≤ 0) is an answer of its own.
 
+use crate::dimension::Dimension;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
-use crate::rolling::{ContactForces, Hold, Limit, RollingLaw, RollingOrbit};
+use crate::mode::{Direction, Mode};
+use crate::outcome::Detail;
+use crate::rolling::{ContactForces, Hold, RollingLaw, RollingLimit, RollingOrbit};
 use crate::sliding::SlidingLaw;
-use crate::state::{Direction, Mode, State};
+use crate::state::State;
 
-/// What was found where the motion that follows is not unique.
+/// The motions that might follow at a state, and what decides between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Findings {
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Candidates {
     /// Rolling is consistent.
     pub rolling: bool,
     /// Sliding with σ = −1 is consistent.
@@ -40,7 +45,7 @@ pub struct Findings {
     pub solvability: [f64; 2],
 }
 
-impl Findings {
+impl Candidates {
     /// Number of motions that are consistent.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -48,6 +53,19 @@ impl Findings {
             .into_iter()
             .filter(|consistent| *consistent)
             .count()
+    }
+
+    /// The numbers that decide, with the names that records use.
+    #[must_use]
+    pub const fn details(&self) -> [(&'static str, Detail); 5] {
+        let [negative, positive] = self.solvability;
+        [
+            ("rolling_normal", Detail::Real(self.rolling_forces.normal, Dimension::Force)),
+            ("rolling_friction", Detail::Real(self.rolling_forces.friction, Dimension::Force)),
+            ("contact", Detail::Real(self.contact, Dimension::Ratio)),
+            ("solvability_negative", Detail::Real(negative, Dimension::Ratio)),
+            ("solvability_positive", Detail::Real(positive, Dimension::Ratio)),
+        ]
     }
 
     /// The consistent motions, with their direction of slip.
@@ -84,17 +102,17 @@ pub(crate) enum Next {
         body: Heavy,
         grazing: bool,
     },
-    None(Findings),
-    Several(Findings),
+    None(Candidates),
+    Several(Candidates),
 }
 
-/// What is known of the state beyond its numbers.
+/// How the state was reached, which resolves ties on a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Arrival {
     /// Nothing: a start, or a slide or glide that came to rest.
     Open,
     /// Rolling has just reached this limit.
-    RollingLimit(Limit),
+    RollingLimit(RollingLimit),
 }
 
 /// Decides which motion follows at `state`.
@@ -111,7 +129,7 @@ fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
         [Direction::Negative, Direction::Positive].map(|direction| SlidingLaw::new(hoop, body, direction));
     let rolling = RollingLaw::new(hoop);
     let contact = laws[0].contact(theta, theta_rate);
-    let mut findings = Findings {
+    let mut candidates = Candidates {
         rolling: false,
         sliding_negative: false,
         sliding_positive: false,
@@ -122,21 +140,21 @@ fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
         solvability: laws.map(|law| law.solvability(theta)),
     };
     // N = Î m w/P > 0; with w = 0 the normal force grows from zero if the body does not leave the plane.
-    let w = if contact == 0.0 && !findings.flight { 1.0 } else { contact };
-    let pressed_on = findings.solvability.map(|p| p != 0.0 && w / p > 0.0);
+    let w = if contact == 0.0 && !candidates.flight { 1.0 } else { contact };
+    let pressed_on = candidates.solvability.map(|p| p != 0.0 && w / p > 0.0);
     let pressed = |direction: Direction| pressed_on[usize::from(direction == Direction::Positive)];
 
     let mut slip_acceleration = None;
-    if let Some(direction) = Direction::of(state.slip) {
-        *sliding_flag(&mut findings, direction) = pressed(direction);
+    if let Some(direction) = Direction::of_sign(state.slip) {
+        *sliding_flag(&mut candidates, direction) = pressed(direction);
     } else {
-        let forces = findings.rolling_forces;
+        let forces = candidates.rolling_forces;
         let slip = match arrival {
-            Arrival::RollingLimit(Limit::Friction(direction)) => Some((direction, 0.0)),
-            Arrival::RollingLimit(Limit::NormalForce) => opposing(&forces, hoop.mu_s()),
+            Arrival::RollingLimit(RollingLimit::Friction(direction)) => Some((direction, 0.0)),
+            Arrival::RollingLimit(RollingLimit::NormalForce) => opposing(&forces, hoop.mu_s()),
             Arrival::Open => match RollingOrbit::new(hoop, theta, theta_rate).hold() {
                 Hold::Holds => {
-                    findings.rolling = true;
+                    candidates.rolling = true;
                     None
                 }
                 Hold::Slips { direction, excess } => Some((direction, excess)),
@@ -152,39 +170,39 @@ fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
                 } else {
                     -forces.friction.abs() - hoop.mu_k() * forces.normal
                 };
-                let p = findings.solvability[usize::from(direction == Direction::Positive)];
+                let p = candidates.solvability[usize::from(direction == Direction::Positive)];
                 let acceleration = rolling.denominator(theta) * drive / (body.mass * p);
                 // On the static limit with μs = μk it is 0, and η‴ has the sign of `against`.
                 if pressed(direction) && (acceleration > 0.0 || (acceleration == 0.0 && direction == against))
                 {
-                    *sliding_flag(&mut findings, direction) = true;
+                    *sliding_flag(&mut candidates, direction) = true;
                     slip_acceleration = Some(direction.sign() * acceleration);
                 }
             }
         }
     }
 
-    match (findings.count(), findings.consistent().next()) {
+    match (candidates.count(), candidates.consistent().next()) {
         (1, Some((Mode::Rolling, _))) => Next::Roll,
         (1, Some((Mode::Sliding, Some(direction)))) => {
             Next::Slide { body: *body, direction, slip_acceleration }
         }
         (1, Some((Mode::Flight, _))) => Next::Fly { body: *body, grazing: contact == 0.0 },
-        (0, _) => Next::None(findings),
-        _ => Next::Several(findings),
+        (0, _) => Next::None(candidates),
+        _ => Next::Several(candidates),
     }
 }
 
-fn sliding_flag(findings: &mut Findings, direction: Direction) -> &mut bool {
+fn sliding_flag(candidates: &mut Candidates, direction: Direction) -> &mut bool {
     match direction {
-        Direction::Negative => &mut findings.sliding_negative,
-        Direction::Positive => &mut findings.sliding_positive,
+        Direction::Negative => &mut candidates.sliding_negative,
+        Direction::Positive => &mut candidates.sliding_positive,
     }
 }
 
 /// The direction against the friction force that rolling would need, and by how much it exceeds μs N.
 fn opposing(forces: &ContactForces, mu_s: f64) -> Option<(Direction, f64)> {
-    let direction = Direction::of(forces.friction)?.reversed();
+    let direction = Direction::of_sign(forces.friction)?.reversed();
     Some((direction, forces.friction.abs() - mu_s * forces.normal))
 }
 
@@ -208,10 +226,10 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     let contact = 1.0 - body.offset * (libm::cos(theta) * (theta_rate * theta_rate));
     // At the top the particle must have just the acceleration of free fall: ℓ̂ θ′² = 1.
     if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
-        let unloaded = arrival == Arrival::RollingLimit(Limit::NormalForce);
+        let unloaded = arrival == Arrival::RollingLimit(RollingLimit::NormalForce);
         return Next::Glide { body: *body, from_extremum: at_rest && unloaded };
     }
-    Next::None(Findings {
+    Next::None(Candidates {
         rolling: false,
         sliding_negative: false,
         sliding_positive: false,

@@ -1,0 +1,400 @@
+//! How a motion ends: as a number for arrays ([`OutcomeKind`]), with all that is known ([`Outcome`]), and as the coarser
+//! division that maps show ([`Class`]).
+
+use crate::automaton::Cause;
+use crate::candidates::Candidates;
+use crate::dimension::Dimension;
+use crate::mode::Mode;
+use crate::named::named;
+use crate::rolling::Recurrence;
+use crate::state::State;
+use crate::summary::Summary;
+
+named! {
+    /// How a motion ended, as a number. The last two are those of points in an array that have no motion.
+    pub enum OutcomeKind, "outcome" {
+        /// [`Outcome::Landing`].
+        Landing = 0, "landing";
+        /// [`Outcome::RollsForever`].
+        RollsForever = 1, "rolls_forever";
+        /// [`Outcome::SlidesForever`].
+        SlidesForever = 2, "slides_forever";
+        /// [`Outcome::ParticleAtPlane`].
+        ParticleAtPlane = 3, "particle_at_plane";
+        /// [`Outcome::ParticleAtBottom`].
+        ParticleAtBottom = 4, "particle_at_bottom";
+        /// [`Outcome::ParticleAtTop`].
+        ParticleAtTop = 5, "particle_at_top";
+        /// [`Outcome::TimeLimit`].
+        TimeLimit = 6, "time_limit";
+        /// [`Outcome::TransitionLimit`].
+        TransitionLimit = 7, "transition_limit";
+        /// [`Outcome::Inconsistent`].
+        Inconsistent = 8, "inconsistent";
+        /// [`Outcome::Ambiguous`].
+        Ambiguous = 9, "ambiguous";
+        /// [`Outcome::Singular`].
+        Singular = 10, "singular";
+        /// [`Outcome::Unresolved`].
+        Unresolved = 11, "unresolved";
+        /// A point that has not been computed: what a partial grid holds where chunks are missing.
+        NotComputed = 254, "not_computed";
+        /// A point whose hoop has no physical meaning because two parameters contradict each other, such as μk > μs.
+        Invalid = 255, "invalid";
+    }
+}
+
+impl OutcomeKind {
+    /// In words, for tables and pictures.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Landing => "lands",
+            Self::RollsForever => "rolls for ever",
+            Self::SlidesForever => "slides for ever",
+            Self::ParticleAtPlane => "particle at the plane",
+            Self::ParticleAtBottom => "particle at the bottom",
+            Self::ParticleAtTop => "particle at the top",
+            Self::TimeLimit => "time limit",
+            Self::TransitionLimit => "transition limit",
+            Self::Inconsistent => "no motion is consistent",
+            Self::Ambiguous => "several motions are consistent",
+            Self::Singular => "sliding is not solvable",
+            Self::Unresolved => "unresolved",
+            Self::NotComputed => "not computed",
+            Self::Invalid => "invalid parameters",
+        }
+    }
+
+    /// Whether the motion has been followed to its end, and not only to a limit.
+    #[must_use]
+    pub const fn is_final(self) -> bool {
+        match self {
+            Self::Landing
+            | Self::RollsForever
+            | Self::SlidesForever
+            | Self::ParticleAtPlane
+            | Self::ParticleAtBottom
+            | Self::ParticleAtTop
+            | Self::Inconsistent
+            | Self::Ambiguous
+            | Self::Singular => true,
+            Self::TimeLimit
+            | Self::TransitionLimit
+            | Self::Unresolved
+            | Self::NotComputed
+            | Self::Invalid => false,
+        }
+    }
+
+    /// Whether the last phase lasts for ever.
+    #[must_use]
+    pub const fn is_forever(self) -> bool {
+        matches!(self, Self::RollsForever | Self::SlidesForever)
+    }
+
+    /// Whether the motion met P ≤ 0 (Painlevé): no motion, several, or a slide that runs into P = 0.
+    #[must_use]
+    pub const fn is_painleve(self) -> bool {
+        matches!(self, Self::Inconsistent | Self::Ambiguous | Self::Singular)
+    }
+
+    /// The event that is this outcome, the last transition of the motion; none where the motion ends without one.
+    #[must_use]
+    pub const fn last_event(self) -> Option<Cause> {
+        match self {
+            Self::Landing => Some(Cause::Landing),
+            Self::ParticleAtPlane => Some(Cause::ParticleAtPlane),
+            Self::ParticleAtBottom => Some(Cause::ParticleAtBottom),
+            Self::ParticleAtTop => Some(Cause::ParticleAtTop),
+            Self::Singular => Some(Cause::Singularity),
+            Self::RollsForever
+            | Self::SlidesForever
+            | Self::TimeLimit
+            | Self::TransitionLimit
+            | Self::Inconsistent
+            | Self::Ambiguous
+            | Self::Unresolved
+            | Self::NotComputed
+            | Self::Invalid => None,
+        }
+    }
+}
+
+/// How a simulation ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub enum Outcome {
+    /// The body has come down from a flight; the state is that just before the impact.
+    Landing {
+        /// State.
+        state: State,
+        /// Rate at which the gap closes, negative.
+        gap_rate: f64,
+    },
+    /// Static friction holds on the whole orbit ahead.
+    RollsForever {
+        /// State at the start of the last phase.
+        since: State,
+        /// How the motion recurs.
+        recurrence: Recurrence,
+    },
+    /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period has passed without
+    /// an event.
+    SlidesForever {
+        /// State at the start of the last phase.
+        since: State,
+        /// How θ and θ′ recur.
+        recurrence: Recurrence,
+    },
+    /// The particle on the rim of a massless hoop has reached the plane, θ = ±π.
+    ParticleAtPlane {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The particle inside the rim of a massless hoop has reached its lowest place, θ = ±π.
+    ParticleAtBottom {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The particle of a massless hoop has reached its highest place with velocity to spare.
+    ParticleAtTop {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The time limit was reached.
+    TimeLimit {
+        /// State.
+        state: State,
+    },
+    /// The largest number of transitions was reached.
+    TransitionLimit {
+        /// State.
+        state: State,
+        /// The limit.
+        transitions: usize,
+    },
+    /// No motion is consistent with the laws of friction and contact.
+    Inconsistent {
+        /// State.
+        state: State,
+        /// The candidates, none of which is consistent.
+        candidates: Candidates,
+    },
+    /// Several motions are consistent.
+    Ambiguous {
+        /// State.
+        state: State,
+        /// The candidates.
+        candidates: Candidates,
+    },
+    /// A slide has run into P = 0 with N > 0, beyond which it has no solution (Painlevé).
+    Singular {
+        /// State.
+        state: State,
+        /// P there.
+        solvability: f64,
+    },
+    /// A slide changes faster than the clock resolves: a hoop of next to no inertia, its particle passing the bottom.
+    Unresolved {
+        /// State.
+        state: State,
+    },
+}
+
+/// A number or a word that belongs to an outcome, under its name in records.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Detail {
+    /// A number with its dimension.
+    Real(f64, Dimension),
+    /// A count.
+    Count(usize),
+    /// A word.
+    Word(&'static str),
+}
+
+impl Outcome {
+    /// The kind, which has a name, a number and a label.
+    #[must_use]
+    pub const fn kind(&self) -> OutcomeKind {
+        match self {
+            Self::Landing { .. } => OutcomeKind::Landing,
+            Self::RollsForever { .. } => OutcomeKind::RollsForever,
+            Self::SlidesForever { .. } => OutcomeKind::SlidesForever,
+            Self::ParticleAtPlane { .. } => OutcomeKind::ParticleAtPlane,
+            Self::ParticleAtBottom { .. } => OutcomeKind::ParticleAtBottom,
+            Self::ParticleAtTop { .. } => OutcomeKind::ParticleAtTop,
+            Self::TimeLimit { .. } => OutcomeKind::TimeLimit,
+            Self::TransitionLimit { .. } => OutcomeKind::TransitionLimit,
+            Self::Inconsistent { .. } => OutcomeKind::Inconsistent,
+            Self::Ambiguous { .. } => OutcomeKind::Ambiguous,
+            Self::Singular { .. } => OutcomeKind::Singular,
+            Self::Unresolved { .. } => OutcomeKind::Unresolved,
+        }
+    }
+
+    /// The state that decides: at the end, or where the phase begins that lasts for ever.
+    #[must_use]
+    pub const fn state(&self) -> State {
+        match self {
+            Self::RollsForever { since, .. } | Self::SlidesForever { since, .. } => *since,
+            Self::Landing { state, .. }
+            | Self::ParticleAtPlane { state }
+            | Self::ParticleAtBottom { state }
+            | Self::ParticleAtTop { state }
+            | Self::TimeLimit { state }
+            | Self::TransitionLimit { state, .. }
+            | Self::Inconsistent { state, .. }
+            | Self::Ambiguous { state, .. }
+            | Self::Singular { state, .. }
+            | Self::Unresolved { state } => *state,
+        }
+    }
+
+    /// Whether the motion has been followed to its end, and not only to a limit.
+    #[must_use]
+    pub const fn is_final(&self) -> bool {
+        self.kind().is_final()
+    }
+
+    /// How a motion that lasts for ever recurs; none for the other outcomes.
+    #[must_use]
+    pub const fn recurrence(&self) -> Option<Recurrence> {
+        match self {
+            Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } => {
+                Some(*recurrence)
+            }
+            Self::Landing { .. }
+            | Self::ParticleAtPlane { .. }
+            | Self::ParticleAtBottom { .. }
+            | Self::ParticleAtTop { .. }
+            | Self::TimeLimit { .. }
+            | Self::TransitionLimit { .. }
+            | Self::Inconsistent { .. }
+            | Self::Ambiguous { .. }
+            | Self::Singular { .. }
+            | Self::Unresolved { .. } => None,
+        }
+    }
+
+    /// The candidates that were examined where no motion, or more than one, is consistent.
+    #[must_use]
+    pub const fn candidates(&self) -> Option<Candidates> {
+        match self {
+            Self::Inconsistent { candidates, .. } | Self::Ambiguous { candidates, .. } => Some(*candidates),
+            Self::Landing { .. }
+            | Self::RollsForever { .. }
+            | Self::SlidesForever { .. }
+            | Self::ParticleAtPlane { .. }
+            | Self::ParticleAtBottom { .. }
+            | Self::ParticleAtTop { .. }
+            | Self::TimeLimit { .. }
+            | Self::TransitionLimit { .. }
+            | Self::Singular { .. }
+            | Self::Unresolved { .. } => None,
+        }
+    }
+
+    /// What is known besides kind, state and candidates, with the names that records use.
+    #[must_use]
+    pub fn details(&self) -> Vec<(&'static str, Detail)> {
+        match *self {
+            Self::Landing { gap_rate, .. } => vec![("gap_rate", Detail::Real(gap_rate, Dimension::Velocity))],
+            Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } => {
+                recurrence.details()
+            }
+            Self::TransitionLimit { transitions, .. } => vec![("transitions", Detail::Count(transitions))],
+            Self::Singular { solvability, .. } => {
+                vec![("solvability", Detail::Real(solvability, Dimension::Ratio))]
+            }
+            Self::ParticleAtPlane { .. }
+            | Self::ParticleAtBottom { .. }
+            | Self::ParticleAtTop { .. }
+            | Self::TimeLimit { .. }
+            | Self::Inconsistent { .. }
+            | Self::Ambiguous { .. }
+            | Self::Unresolved { .. } => Vec::new(),
+        }
+    }
+}
+
+named! {
+    /// What a map shows of a motion: a coarser division than the outcome, which tells the jumps apart by when they begin.
+    pub enum Class, "class of outcomes" {
+        /// In flight from the start.
+        LeavesAtOnce = 0, "leaves_at_once";
+        /// Lifts off after some time in contact. A motion in flight at the time limit counts as lifted off.
+        LiftsOffLater = 1, "lifts_off_later";
+        /// Rolls for ever, which is proved.
+        RollsForever = 2, "rolls_forever";
+        /// Slides for ever, without kinetic friction, which is proved.
+        SlidesForever = 3, "slides_forever";
+        /// Still in contact when a limit of time or of transitions stopped it.
+        InContactAtLimit = 4, "in_contact_at_limit";
+        /// The particle has reached the plane.
+        ParticleAtPlane = 5, "particle_at_plane";
+        /// The particle has reached its lowest place inside a massless rim.
+        ParticleAtBottom = 6, "particle_at_bottom";
+        /// The particle has reached the top with velocity to spare.
+        ParticleAtTop = 7, "particle_at_top";
+        /// A Painlevé paradox: no motion, several motions, or a slide that runs into a singularity.
+        Painleve = 8, "painleve";
+        /// Faster than the clock resolves.
+        Unresolved = 9, "unresolved";
+        /// Parameters that contradict each other.
+        Invalid = 10, "invalid";
+        /// Not computed.
+        NotComputed = 11, "not_computed";
+    }
+}
+
+impl Class {
+    /// The class of a motion.
+    #[must_use]
+    pub fn of(summary: &Summary) -> Self {
+        if let Some((Mode::Flight, _)) = summary.sequence.first() {
+            return Self::LeavesAtOnce;
+        }
+        if !summary.lift_off_time.is_nan() {
+            return Self::LiftsOffLater;
+        }
+        match summary.outcome {
+            OutcomeKind::Landing => Self::LiftsOffLater,
+            OutcomeKind::RollsForever => Self::RollsForever,
+            OutcomeKind::SlidesForever => Self::SlidesForever,
+            OutcomeKind::TimeLimit | OutcomeKind::TransitionLimit => Self::InContactAtLimit,
+            OutcomeKind::ParticleAtPlane => Self::ParticleAtPlane,
+            OutcomeKind::ParticleAtBottom => Self::ParticleAtBottom,
+            OutcomeKind::ParticleAtTop => Self::ParticleAtTop,
+            OutcomeKind::Inconsistent | OutcomeKind::Ambiguous | OutcomeKind::Singular => Self::Painleve,
+            OutcomeKind::Unresolved => Self::Unresolved,
+            OutcomeKind::NotComputed => Self::NotComputed,
+            OutcomeKind::Invalid => Self::Invalid,
+        }
+    }
+
+    /// In words, for legends.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::LeavesAtOnce => "leaves at once",
+            Self::LiftsOffLater => "lifts off later",
+            Self::RollsForever => "rolls for ever",
+            Self::SlidesForever => "slides for ever",
+            Self::InContactAtLimit => "in contact at the limit",
+            Self::ParticleAtPlane => "particle at the plane",
+            Self::ParticleAtBottom => "particle at the bottom",
+            Self::ParticleAtTop => "particle at the top",
+            Self::Painleve => "Painlevé paradox",
+            Self::Unresolved => "unresolved",
+            Self::Invalid => "invalid parameters",
+            Self::NotComputed => "not computed",
+        }
+    }
+
+    /// Whether the body stays in contact, as far as it was followed.
+    #[must_use]
+    pub const fn stays_in_contact(self) -> bool {
+        matches!(self, Self::RollsForever | Self::SlidesForever | Self::InContactAtLimit)
+    }
+}
