@@ -1,11 +1,10 @@
 //! The closed forms of §3 over arrays of equal length. What is not there is NaN.
 
-use littlewood::{Body, Hoop, RollingType, closed_form};
+use littlewood::{Body, Hoop, HoopParameters, RollingType, closed_form};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::error::refuse;
-use crate::record::parameters;
 
 type Reals<'py> = Bound<'py, PyArray1<f64>>;
 
@@ -50,11 +49,8 @@ elementwise! {
     rolling_normal(theta, theta_rate) -> f64 = closed_form::rolling_normal;
     rolling_friction(theta, theta_rate) -> f64 = closed_form::rolling_friction;
     in_rolling_region(theta, theta_rate, mu_s) -> bool = closed_form::in_rolling_region;
-    rolling_type(energy, mu_s) -> u8 = |energy, mu_s| match RollingType::of_energy(energy, mu_s) {
-        None => 0,
-        Some(RollingType::I) => 1,
-        Some(RollingType::II) => 2,
-        Some(RollingType::III) => 3,
+    rolling_type(energy, mu_s) -> u8 = |energy, mu_s| {
+        RollingType::of_energy(energy, mu_s).map_or(0, RollingType::code)
     };
     slip_time_from_top(theta_rate, mu_s) -> f64 = closed_form::slip_time_from_top;
     unloading_time_from_top(theta_rate) -> f64 = closed_form::unloading_time_from_top;
@@ -70,7 +66,7 @@ fn slip_angle<'py>(
 ) -> PyResult<Reals<'py>> {
     let mut angles = Vec::with_capacity(mu_s.as_array().len());
     for (i, (&mu_s, &offset)) in mu_s.as_array().iter().zip(offset.as_array()).enumerate() {
-        let hoop = Hoop::new(parameters((0.0, offset, 0.0, mu_s, 0.0)))
+        let hoop = Hoop::new(HoopParameters::new(0.0, offset, 0.0).with_friction(mu_s, 0.0))
             .map_err(|error| refuse(py, &error, Some(i)))?;
         angles.push(match hoop.body() {
             Body::Massless(body) => closed_form::slip_angle(&body, mu_s).unwrap_or(f64::NAN),

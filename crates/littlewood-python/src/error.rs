@@ -8,19 +8,15 @@ pyo3::create_exception!(
     littlewood,
     ParameterError,
     PyValueError,
-    "A parameter without physical meaning.\n\nThe message names the value, the bound it breaks and the unit; it is that of the command line.\n\nAttributes\n----------\nquantity : str\n    Name of the parameter.\nhint : str\n    What to do about it."
+    "A parameter without physical meaning.\n\nThe message names the value, the bound it breaks and the unit; it is that of the command line.\n\nAttributes\n----------\nquantity : str\n    Name of the parameter.\nhint : str\n    What to do about it.\nindex : int or None\n    Place of the start among many."
 );
 
 /// The exception of an error, with the sentence of the command line; `index` is the place of the start in an array.
 pub(crate) fn refuse(py: Python<'_>, error: &Refusal, index: Option<usize>) -> PyErr {
     let exception = ParameterError::new_err(error.to_string());
-    let quantity = match error {
-        Refusal::OutOfBounds { quantity, .. } => quantity.name(),
-        _ => "offset",
-    };
     let value = exception.value(py);
     let told = value
-        .setattr("quantity", quantity)
+        .setattr("quantity", error.quantity().name())
         .and_then(|()| value.setattr("hint", error.hint()))
         .and_then(|()| value.setattr("index", index))
         .and_then(|()| {

@@ -1,17 +1,20 @@
 //! The module `littlewood._core` of the Python package: the core behind NumPy arrays.
 //!
-//! It is thin on purpose. Arrays and tuples of numbers come in, arrays, dictionaries and tuples go out; names, classes,
-//! broadcasting and documentation are those of the package `python/littlewood`, which nobody else calls this for.
-//! Arrays that are computed here are handed over, not copied.
+//! It is thin on purpose. Arrays and lists of numbers come in, arrays, dictionaries and tuples go out; classes,
+//! broadcasting and documentation are those of the package `python/littlewood`, its only caller. Names, codes, labels,
+//! units and colours come from the tables of the core and of `littlewood-style`. Arrays that are computed here are
+//! handed over, not copied.
 
 mod closed_form;
 mod error;
 mod many;
 mod motion;
+mod palette;
 mod plane;
 mod record;
 mod samples;
 mod table;
+mod units;
 mod waiting;
 
 use pyo3::prelude::*;
@@ -22,8 +25,10 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     error::register(module)?;
     motion::register(module)?;
+    units::register(module)?;
     many::register(module)?;
     plane::register(module)?;
     closed_form::register(module)?;
+    palette::register(module)?;
     table::register(module)
 }

@@ -3,24 +3,26 @@
 use std::collections::HashMap;
 
 use littlewood::{
-    Bound as Limit, Engine, Hoop, HoopParameters, Limits, ParameterError, Quantity, Start, Summary,
+    Class, Engine, Group, Hoop, Limits, OutcomeKind, ParameterError, PhaseSequence, Quantity, Setup, Summary,
+    SummaryColumn, SummaryValue,
 };
-use numpy::{IntoPyArray, PyReadonlyArray1};
-use pyo3::exceptions::PyRuntimeError;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
 use crate::error::refuse;
+use crate::record::setup;
 use crate::waiting::{self, Cancelled, Signals};
-
-/// Outcome of a hoop whose parameters contradict each other, such as μk > μs, as the stores of the command line have it.
-const INVALID: u8 = 255;
 
 /// Starts of a task: short enough to share the work evenly, long enough to pay for the task.
 const TASK: usize = 256;
 
-/// One of the eight quantities of a point: one value for all points, or one for each.
+/// What a point is given by.
+const AXES: [Quantity; Quantity::AXES.len()] = Quantity::AXES;
+
+/// One quantity of all points: one value for all, or one for each.
 struct Column(Vec<f64>);
 
 impl Column {
@@ -29,33 +31,34 @@ impl Column {
     }
 }
 
-/// The points: mass_ratio, offset, inertia, mu_s, mu_k; theta, theta_rate, slip.
+/// The points, by their [`AXES`].
 struct Points {
-    columns: [Column; 8],
+    columns: [Column; AXES.len()],
     count: usize,
 }
 
 impl Points {
-    fn hoop(&self, i: usize) -> HoopParameters {
-        let [mass_ratio, offset, inertia, mu_s, mu_k] = core::array::from_fn(|k| self.columns[k].get(i));
-        HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k }
+    fn setup(&self, i: usize) -> Setup {
+        setup(AXES.into_iter().zip(self.columns.iter().map(|column| column.get(i))))
     }
 
-    fn start(&self, i: usize) -> Start {
-        let [theta, theta_rate, slip] = core::array::from_fn(|k| self.columns[5 + k].get(i));
-        Start::at(theta, theta_rate).with_slip(slip)
+    fn have_one_hoop(&self) -> bool {
+        AXES.iter()
+            .zip(&self.columns)
+            .filter(|(axis, _)| axis.group() == Group::Hoop)
+            .all(|(_, column)| column.0.len() == 1)
     }
 
     /// The places of the points of each hoop, hoops in the order in which they first occur.
     fn groups(&self, signals: &Signals) -> Result<Vec<Vec<usize>>, Cancelled> {
-        if self.count > 0 && self.columns[..5].iter().all(|column| column.0.len() == 1) {
+        if self.count > 0 && self.have_one_hoop() {
             return Ok(vec![(0..self.count).collect()]);
         }
         let mut groups: Vec<Vec<usize>> = Vec::new();
-        let mut places: HashMap<[u64; 5], usize> = HashMap::new();
+        let mut places: HashMap<[u64; Quantity::HOOP.len()], usize> = HashMap::new();
         for i in 0..self.count {
             signals.check()?;
-            let bits = core::array::from_fn(|k| self.columns[k].get(i).to_bits());
+            let bits = self.setup(i).values(Quantity::HOOP).map(f64::to_bits);
             let place = *places.entry(bits).or_insert_with(|| {
                 groups.push(Vec::new());
                 groups.len() - 1
@@ -69,8 +72,8 @@ impl Points {
 /// A point that was refused, by its place.
 struct Refused(usize, ParameterError);
 
-/// A summary, or nothing for an invalid hoop, with its place.
-type Row = (usize, Option<Summary>);
+/// A summary with its place.
+type Row = (usize, Summary);
 
 /// Rows, unless a point among them was refused; nothing if the work was cancelled.
 type Rows<T> = Result<Result<Vec<T>, Refused>, Cancelled>;
@@ -79,22 +82,26 @@ fn rows_of_hoop(
     points: &Points,
     indices: &[usize],
     limits: Limits,
-    prepare: bool,
+    tables: bool,
     signals: &Signals,
 ) -> Rows<Vec<Row>> {
     signals.check()?;
     let first = indices[0];
-    let hoop = match Hoop::new(points.hoop(first)) {
+    let hoop = match Hoop::new(points.setup(first).hoop) {
         Ok(hoop) => Some(hoop),
-        Err(error) if is_relation(&error) => None,
+        Err(error) if error.is_contradiction() => None,
         Err(error) => return Ok(Err(Refused(first, error))),
     };
-    let engine = hoop.map(|hoop| if prepare { Engine::new(&hoop) } else { Engine::unprepared(&hoop) });
+    let engine = hoop.map(|hoop| if tables { Engine::new(&hoop) } else { Engine::without_tables(&hoop) });
     let rows_of_task = |task: &[usize]| {
         let mut rows = Vec::with_capacity(task.len());
         for &i in task {
             signals.check()?;
-            match engine.as_ref().map(|engine| engine.summary(points.start(i), limits)).transpose() {
+            let summary = match &engine {
+                Some(engine) => engine.summary(points.setup(i).start, limits),
+                None => Ok(Summary::INVALID),
+            };
+            match summary {
                 Ok(summary) => rows.push((i, summary)),
                 Err(error) => return Ok(Err(Refused(i, error))),
             }
@@ -104,15 +111,6 @@ fn rows_of_hoop(
     };
     let tasks = indices.par_chunks(TASK).map(rows_of_task).collect::<Result<Vec<_>, Cancelled>>()?;
     Ok(gather(tasks))
-}
-
-/// Whether two values contradict each other that have a meaning each by itself.
-const fn is_relation(error: &ParameterError) -> bool {
-    matches!(
-        error,
-        ParameterError::NoMotion { .. }
-            | ParameterError::OutOfBounds { quantity: Quantity::MuK, bound: Limit::AtMost(..), .. }
-    )
 }
 
 /// All results, or of several refusals that of the first point, whichever thread met it first.
@@ -130,113 +128,85 @@ fn gather<T>(results: Vec<Result<T, Refused>>) -> Result<Vec<T>, Refused> {
     first.map_or(Ok(all), Err)
 }
 
-/// One NaN for all: the sign and payload of a NaN that arithmetic makes are not specified.
-const fn quiet(value: f64) -> f64 {
-    if value.is_nan() { f64::NAN } else { value }
+/// The values of a column of the result.
+enum Values {
+    U8(Vec<u8>),
+    U32(Vec<u32>),
+    U64(Vec<u64>),
+    F64(Vec<f64>),
 }
 
-/// The columns of the result, by the names that the stores of the command line have.
-struct Columns {
-    outcome: Vec<u8>,
-    sequence: Vec<u64>,
-    transitions: Vec<u32>,
-    painleve: Vec<u8>,
-    reals: [(&'static str, Vec<f64>); 10],
-}
-
-impl Columns {
-    fn new(count: usize) -> Self {
-        let names = [
-            "end_time",
-            "end_theta",
-            "end_theta_rate",
-            "end_slip",
-            "end_x",
-            "energy",
-            "first_slip_time",
-            "lift_off_time",
-            "jump_length",
-            "jump_height",
-        ];
-        Self {
-            outcome: vec![INVALID; count],
-            sequence: vec![0; count],
-            transitions: vec![0; count],
-            painleve: vec![0; count],
-            reals: names.map(|name| (name, vec![f64::NAN; count])),
+impl Values {
+    fn new(value: SummaryValue, count: usize) -> Self {
+        match value {
+            SummaryValue::U8(value) => Self::U8(vec![value; count]),
+            SummaryValue::U32(value) => Self::U32(vec![value; count]),
+            SummaryValue::U64(value) => Self::U64(vec![value; count]),
+            SummaryValue::F64(value) => Self::F64(vec![value; count]),
         }
     }
 
-    fn set(&mut self, i: usize, summary: &Summary) {
-        self.outcome[i] = summary.outcome as u8;
-        self.sequence[i] = summary.sequence.bits();
-        self.transitions[i] = summary.transitions;
-        self.painleve[i] = u8::from(summary.painleve);
-        let values = [
-            summary.end.time,
-            summary.end.theta,
-            summary.end.theta_rate,
-            summary.end.slip,
-            summary.end.x,
-            summary.energy,
-            summary.first_slip_time,
-            summary.lift_off_time,
-            summary.jump_length,
-            summary.jump_height,
-        ];
-        for ((_, column), value) in self.reals.iter_mut().zip(values) {
-            column[i] = quiet(value);
+    /// A column has values of one type: one of another is not taken.
+    fn set(&mut self, i: usize, value: SummaryValue) {
+        match (self, value) {
+            (Self::U8(values), SummaryValue::U8(value)) => values[i] = value,
+            (Self::U32(values), SummaryValue::U32(value)) => values[i] = value,
+            (Self::U64(values), SummaryValue::U64(value)) => values[i] = value,
+            (Self::F64(values), SummaryValue::F64(value)) => values[i] = value,
+            (Self::U8(_) | Self::U32(_) | Self::U64(_) | Self::F64(_), _) => {}
         }
     }
 
-    fn into_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
-        let dict = PyDict::new(py);
-        dict.set_item("outcome", self.outcome.into_pyarray(py))?;
-        dict.set_item("sequence", self.sequence.into_pyarray(py))?;
-        dict.set_item("transitions", self.transitions.into_pyarray(py))?;
-        dict.set_item("painleve", self.painleve.into_pyarray(py))?;
-        for (name, column) in self.reals {
-            dict.set_item(name, column.into_pyarray(py))?;
+    fn put(self, dict: &Bound<'_, PyDict>, name: &str) -> PyResult<()> {
+        let py = dict.py();
+        match self {
+            Self::U8(values) => dict.set_item(name, values.into_pyarray(py)),
+            Self::U32(values) => dict.set_item(name, values.into_pyarray(py)),
+            Self::U64(values) => dict.set_item(name, values.into_pyarray(py)),
+            Self::F64(values) => dict.set_item(name, values.into_pyarray(py)),
         }
-        Ok(dict)
     }
 }
+
+/// The columns of the result, in the order of the table.
+type Columns = Vec<(SummaryColumn, Values)>;
 
 fn compute(
     points: &Points,
     limits: Limits,
-    prepare: bool,
+    tables: bool,
     signals: &Signals,
 ) -> Result<Result<Columns, Refused>, Cancelled> {
     let results = points
         .groups(signals)?
         .par_iter()
-        .map(|indices| rows_of_hoop(points, indices, limits, prepare, signals))
+        .map(|indices| rows_of_hoop(points, indices, limits, tables, signals))
         .collect::<Result<Vec<_>, Cancelled>>()?;
-    Ok(gather(results).map(|rows| {
-        let mut columns = Columns::new(points.count);
-        for (i, summary) in rows.into_iter().flatten().flatten() {
-            if let Some(summary) = summary {
-                columns.set(i, &summary);
+    Ok(gather(results).map(|hoops| {
+        let spread = |column: SummaryColumn| {
+            let mut values = Values::new(column.of(&Summary::NOT_COMPUTED), points.count);
+            for (i, summary) in hoops.iter().flatten().flatten() {
+                values.set(*i, column.of(summary));
             }
-        }
-        columns
+            (column, values)
+        };
+        SummaryColumn::ALL.into_par_iter().map(spread).collect()
     }))
 }
 
 /// Summaries of many motions.
 ///
-/// `columns` are mass_ratio, offset, inertia, mu_s, mu_k, theta, theta_rate and slip, each of one value or of
-/// `count` values. `prepare` makes tables of each hoop first, which pays from `REPAYS` starts of it.
+/// `columns` are the axes of the table, each of one value or of `count` values. `tables` makes tables of each hoop
+/// first, which pays from `MIN_STARTS_FOR_TABLES` starts of it.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "they are named where a person writes them, in the package")]
 fn summaries<'py>(
     py: Python<'py>,
-    columns: [PyReadonlyArray1<'py, f64>; 8],
+    columns: [PyReadonlyArray1<'py, f64>; AXES.len()],
     count: usize,
     until: Option<f64>,
     max_transitions: usize,
-    prepare: bool,
+    tables: bool,
     threads: usize,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -245,17 +215,45 @@ fn summaries<'py>(
         return Err(PyRuntimeError::new_err("columns of unequal length"));
     }
     let points = Points { columns, count };
-    let limits = Limits { until, transitions: max_transitions };
+    let limits = Limits::default().with_until(until).with_transitions(max_transitions);
     let result =
-        waiting::run(py, threads, progress.as_ref(), |signals| compute(&points, limits, prepare, signals))?;
+        waiting::run(py, threads, progress.as_ref(), |signals| compute(&points, limits, tables, signals))?;
     match result {
-        Ok(columns) => columns.into_dict(py),
+        Ok(columns) => {
+            let dict = PyDict::new(py);
+            for (column, values) in columns {
+                values.put(&dict, column.name())?;
+            }
+            Ok(dict)
+        }
         Err(Refused(i, error)) => Err(refuse(py, &error, Some(i))),
     }
 }
 
+/// The class of each motion, from the columns of its summary that decide it.
+#[pyfunction]
+fn classes<'py>(
+    py: Python<'py>,
+    outcome: PyReadonlyArray1<'py, u8>,
+    sequence: PyReadonlyArray1<'py, u64>,
+    lift_off_time: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Bound<'py, PyArray1<u8>>> {
+    let (outcome, sequence, lift_off_time) =
+        (outcome.as_array(), sequence.as_array(), lift_off_time.as_array());
+    let mut codes = Vec::with_capacity(outcome.len());
+    for ((&outcome, &sequence), &lift_off_time) in outcome.iter().zip(sequence).zip(lift_off_time) {
+        let mut summary = Summary::NOT_COMPUTED;
+        summary.outcome =
+            OutcomeKind::try_from(outcome).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        summary.sequence = PhaseSequence::from_bits(sequence);
+        summary.lift_off_time = lift_off_time;
+        codes.push(Class::of(&summary).code());
+    }
+    Ok(codes.into_pyarray(py))
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("INVALID", INVALID)?;
-    module.add("REPAYS", Engine::REPAYS)?;
-    module.add_function(wrap_pyfunction!(summaries, module)?)
+    module.add("MIN_STARTS_FOR_TABLES", Engine::MIN_STARTS_FOR_TABLES)?;
+    module.add_function(wrap_pyfunction!(summaries, module)?)?;
+    module.add_function(wrap_pyfunction!(classes, module)?)
 }

@@ -1,17 +1,15 @@
 //! One hoop, one start, one motion.
 
 use littlewood::{
-    Bound as Limited, Classification, Findings, Limit, Limits, Mode, Outcome, ParameterError, Quantity,
-    Recurrence, RollingType, SiParameters, SiState, Trajectory as Core, Units,
+    Candidates, Classification, Detail, Direction, Hoop, HoopParameters, Limits, Mode, RollingType, Start,
+    Trajectory as Core,
 };
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::refuse;
-use crate::record::{
-    HoopNumbers, StateNumbers, hoop, hoop_numbers, sign, start, start_numbers, state_numbers,
-};
+use crate::record::{HoopNumbers, StartNumbers, StateNumbers, hoop, start};
 use crate::samples::Samples;
 
 /// Checks the parameters of a hoop; returns its mass m, h and its moment of inertia about the mass centre.
@@ -21,60 +19,14 @@ fn check_hoop(py: Python<'_>, numbers: HoopNumbers) -> PyResult<(f64, f64, f64)>
     Ok((hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre()))
 }
 
-/// From m1, m2, R, ℓ, I_zz, g in SI units and the coefficients of friction: the hoop, and m2, R, √(R/g), g.
+/// Checks a time limit for a start at τ = 0, before anything is computed.
 #[pyfunction]
-#[pyo3(signature = (disc_mass_kg, particle_mass_kg, radius_m, offset_m, inertia_kg_m2, gravity_m_per_s2, mu_s, mu_k))]
-#[expect(clippy::too_many_arguments, reason = "they are named where a person writes them, in the package")]
-fn hoop_from_si(
-    py: Python<'_>,
-    disc_mass_kg: f64,
-    particle_mass_kg: f64,
-    radius_m: f64,
-    offset_m: f64,
-    inertia_kg_m2: f64,
-    gravity_m_per_s2: f64,
-    mu_s: f64,
-    mu_k: f64,
-) -> PyResult<(HoopNumbers, (f64, f64, f64, f64))> {
-    let (hoop, units) = SiParameters {
-        disc_mass_kg,
-        particle_mass_kg,
-        radius_m,
-        offset_m,
-        inertia_kg_m2,
-        gravity_m_per_s2,
-        mu_s,
-        mu_k,
-    }
-    .to_hoop()
-    .map_err(|error| refuse(py, &error, None))?;
-    let Units { mass_kg, length_m, time_s, gravity_m_per_s2 } = units;
-    Ok((hoop_numbers(&hoop.parameters()), (mass_kg, length_m, time_s, gravity_m_per_s2)))
-}
-
-/// A start, and a time limit if there is one, from SI units. `units` are m2, R and g.
-#[pyfunction]
-fn start_from_si(
-    py: Python<'_>,
-    units: (f64, f64, f64),
-    state: StateNumbers,
-    until_s: Option<f64>,
-) -> PyResult<(StateNumbers, Option<f64>)> {
-    let (time_s, theta_rad, theta_rate_rad_per_s, slip_m_per_s, x_m) = state;
-    let convert = || {
-        let units = Units::new(units.0, units.1, units.2)?;
-        let start = units.start(&SiState { time_s, theta_rad, theta_rate_rad_per_s, slip_m_per_s, x_m })?;
-        let until = until_s.map(|until_s| units.until(until_s)).transpose()?;
-        if let (Some(until), Some(value)) = (until, until_s)
-            && until < start.time
-        {
-            // Said here in seconds, before it would be said without dimension.
-            let bound = Limited::AtLeast(Quantity::TimeS, start.time * units.time_s);
-            return Err(ParameterError::OutOfBounds { quantity: Quantity::UntilS, value, bound });
-        }
-        Ok((start_numbers(&start), until))
-    };
-    convert().map_err(|error| refuse(py, &error, None))
+fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
+    // The simulation has the rule: a thin hoop at rest is soon simulated.
+    Hoop::new(HoopParameters::thin(1.0))
+        .and_then(|hoop| hoop.simulate(Start::default(), Limits::until(until).with_transitions(0)))
+        .map(drop)
+        .map_err(|error| refuse(py, &error, None))
 }
 
 /// A simulated motion.
@@ -86,15 +38,26 @@ struct Trajectory(Core);
 fn simulate(
     py: Python<'_>,
     hoop_numbers: HoopNumbers,
-    start_numbers: StateNumbers,
+    start_numbers: StartNumbers,
     until: Option<f64>,
     max_transitions: usize,
 ) -> PyResult<Trajectory> {
     let hoop = hoop(py, hoop_numbers)?;
-    let limits = Limits { until, transitions: max_transitions };
+    let limits = Limits::default().with_until(until).with_transitions(max_transitions);
     let motion = py.detach(|| hoop.simulate(start(start_numbers), limits));
     motion.map(Trajectory).map_err(|error| refuse(py, &error, None))
 }
+
+/// Before, after, the impulse upwards and along E1, mode that ends, mode that begins, its direction, cause.
+type TransitionRow = (
+    StateNumbers,
+    StateNumbers,
+    Option<(f64, f64)>,
+    &'static str,
+    Option<&'static str>,
+    i8,
+    &'static str,
+);
 
 #[pymethods]
 impl Trajectory {
@@ -108,9 +71,9 @@ impl Trajectory {
             .map(|phase| {
                 (
                     phase.mode().name(),
-                    sign(phase.direction()),
-                    state_numbers(&phase.start()),
-                    phase.end().map(|end| state_numbers(&end)),
+                    Direction::code(phase.direction()),
+                    phase.start().numbers(),
+                    phase.end().map(|end| end.numbers()),
                     phase.first().energy,
                     phase.energy_lost(),
                     !phase.is_outside_small_inertia_limit(),
@@ -119,42 +82,32 @@ impl Trajectory {
             .collect()
     }
 
-    /// The transitions: state, mode that ends, mode that begins, its direction, cause.
-    fn transitions(&self) -> Vec<(StateNumbers, &'static str, Option<&'static str>, i8, &'static str)> {
+    /// The transitions.
+    fn transitions(&self) -> Vec<TransitionRow> {
         self.0
             .transitions()
             .iter()
             .map(|transition| {
                 (
-                    state_numbers(&transition.state),
+                    transition.before.numbers(),
+                    transition.after.numbers(),
+                    transition.impulse.map(|impulse| (impulse.normal, impulse.friction)),
                     transition.from.name(),
                     transition.to.map(Mode::name),
-                    sign(transition.direction),
+                    Direction::code(transition.direction),
                     transition.cause.name(),
                 )
             })
             .collect()
     }
 
-    /// How the motion ended: kind, state, whether it is final, and what is known besides.
-    fn outcome<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(&'static str, StateNumbers, bool, Bound<'py, PyDict>)> {
+    /// How the motion ended: kind, state, and what is known besides.
+    fn outcome<'py>(&self, py: Python<'py>) -> PyResult<(&'static str, StateNumbers, Bound<'py, PyDict>)> {
         let outcome = self.0.outcome();
         let details = PyDict::new(py);
-        match &outcome {
-            Outcome::Landing { gap_rate, .. } => details.set_item("gap_rate", gap_rate)?,
-            Outcome::RollsForever { recurrence, .. } | Outcome::SlidesForever { recurrence, .. } => {
-                recur(&details, recurrence)?;
-            }
-            Outcome::Inconsistent { findings, .. } | Outcome::Ambiguous { findings, .. } => {
-                find(&details, findings)?;
-            }
-            Outcome::Singular { solvability, .. } => details.set_item("solvability", solvability)?,
-            _ => {}
-        }
-        Ok((outcome.kind(), state_numbers(&outcome.state()), outcome.is_final(), details))
+        add_details(&details, outcome.details())?;
+        add_candidates(&details, outcome.candidates())?;
+        Ok((outcome.kind().name(), outcome.state().numbers(), details))
     }
 
     fn end_time(&self) -> f64 {
@@ -176,7 +129,7 @@ impl Trajectory {
             let mut samples = Samples::with_capacity(times.len());
             for time in times {
                 match self.0.at(time) {
-                    Some(sample) => samples.push(self.0.hoop(), &sample),
+                    Some(sample) => samples.push(&sample),
                     None => samples.push_nothing(time),
                 }
             }
@@ -190,7 +143,7 @@ impl Trajectory {
         let samples = py.detach(|| {
             let mut samples = Samples::with_capacity(count + 2 * self.0.transitions().len());
             for sample in self.0.sample_evenly(count, until) {
-                samples.push(self.0.hoop(), &sample);
+                samples.push(&sample);
             }
             samples
         });
@@ -198,35 +151,29 @@ impl Trajectory {
     }
 }
 
-fn recur(details: &Bound<'_, PyDict>, recurrence: &Recurrence) -> PyResult<()> {
-    match *recurrence {
-        Recurrence::Rest => details.set_item("recurrence", "rest"),
-        Recurrence::Libration { period, theta_min, theta_max } => {
-            details.set_item("recurrence", "libration")?;
-            details.set_item("period", period)?;
-            details.set_item("theta_min", theta_min)?;
-            details.set_item("theta_max", theta_max)
-        }
-        Recurrence::Rotation { period } => {
-            details.set_item("recurrence", "rotation")?;
-            details.set_item("period", period)
-        }
-        Recurrence::Asymptotic { theta } => {
-            details.set_item("recurrence", "asymptotic")?;
-            details.set_item("theta_limit", theta)
+fn add_details(
+    dict: &Bound<'_, PyDict>,
+    details: impl IntoIterator<Item = (&'static str, Detail)>,
+) -> PyResult<()> {
+    for (name, detail) in details {
+        match detail {
+            Detail::Real(value, _) => dict.set_item(name, value)?,
+            Detail::Count(count) => dict.set_item(name, count)?,
+            Detail::Word(word) => dict.set_item(name, word)?,
         }
     }
+    Ok(())
 }
 
-fn find(details: &Bound<'_, PyDict>, findings: &Findings) -> PyResult<()> {
-    let consistent: Vec<(&str, i8)> =
-        findings.consistent().map(|(mode, direction)| (mode.name(), sign(direction))).collect();
-    details.set_item("consistent", consistent)?;
-    details.set_item("rolling_normal", findings.rolling_forces.normal)?;
-    details.set_item("rolling_friction", findings.rolling_forces.friction)?;
-    details.set_item("contact", findings.contact)?;
-    details.set_item("solvability_negative", findings.solvability[0])?;
-    details.set_item("solvability_positive", findings.solvability[1])
+/// The motions that are consistent, and the numbers that decide.
+fn add_candidates(dict: &Bound<'_, PyDict>, candidates: Option<Candidates>) -> PyResult<()> {
+    let Some(candidates) = candidates else { return Ok(()) };
+    let consistent: Vec<(&str, i8)> = candidates
+        .consistent()
+        .map(|(mode, direction)| (mode.name(), Direction::code(direction)))
+        .collect();
+    dict.set_item("consistent", consistent)?;
+    add_details(dict, candidates.details())
 }
 
 /// Where a start lies, as a dictionary.
@@ -234,34 +181,28 @@ fn find(details: &Bound<'_, PyDict>, findings: &Findings) -> PyResult<()> {
 fn classify(
     py: Python<'_>,
     hoop_numbers: HoopNumbers,
-    start_numbers: StateNumbers,
+    start_numbers: StartNumbers,
 ) -> PyResult<Bound<'_, PyDict>> {
     let found: Classification =
         hoop(py, hoop_numbers)?.classify(start(start_numbers)).map_err(|error| refuse(py, &error, None))?;
     let dict = PyDict::new(py);
     dict.set_item("region", found.region.name())?;
     dict.set_item("mode", found.mode.map(Mode::name))?;
-    dict.set_item("direction", sign(found.direction))?;
+    dict.set_item("direction", Direction::code(found.direction))?;
     dict.set_item("energy", found.energy)?;
     dict.set_item("rolling_normal", found.rolling_forces.normal)?;
     dict.set_item("rolling_friction", found.rolling_forces.friction)?;
     dict.set_item("contact", found.contact)?;
     dict.set_item("rolling_type", found.rolling_type.map(RollingType::name))?;
-    let end = found.rolling_end.map(|end| {
-        let cause = match end.limit {
-            Limit::Friction(_) => "slip",
-            Limit::NormalForce => "normal_force_zero",
-        };
-        (end.elapsed, end.theta, end.theta_rate, cause)
-    });
+    let end = found
+        .rolling_end
+        .map(|end| (end.elapsed, end.theta, end.theta_rate, end.limit.cause().name()));
     dict.set_item("rolling_end", end)?;
     let details = PyDict::new(py);
     if let Some(recurrence) = &found.recurrence {
-        recur(&details, recurrence)?;
+        add_details(&details, recurrence.details())?;
     }
-    if let Some(findings) = &found.findings {
-        find(&details, findings)?;
-    }
+    add_candidates(&details, found.candidates)?;
     dict.set_item("details", details)?;
     Ok(dict)
 }
@@ -269,8 +210,7 @@ fn classify(
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Trajectory>()?;
     module.add_function(wrap_pyfunction!(check_hoop, module)?)?;
-    module.add_function(wrap_pyfunction!(hoop_from_si, module)?)?;
-    module.add_function(wrap_pyfunction!(start_from_si, module)?)?;
+    module.add_function(wrap_pyfunction!(check_until, module)?)?;
     module.add_function(wrap_pyfunction!(simulate, module)?)?;
     module.add_function(wrap_pyfunction!(classify, module)?)
 }

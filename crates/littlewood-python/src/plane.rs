@@ -1,23 +1,11 @@
 //! The (θ, θ′) plane of rolling over arrays. What is not there is NaN.
 
-use littlewood::{Direction, Hoop, PhasePlane as Core, Stability, Start, StartRegion};
+use littlewood::{Direction, Hoop, PhasePlane as Core, RollingLaw, Stability, Start};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::error::refuse;
 use crate::record::{HoopNumbers, hoop};
-
-/// Regions in the order of their codes.
-pub(crate) const REGIONS: [StartRegion; 8] = [
-    StartRegion::Rolling,
-    StartRegion::BeyondFriction,
-    StartRegion::SlidingBand,
-    StartRegion::LossOfContact,
-    StartRegion::Slipping,
-    StartRegion::Gliding,
-    StartRegion::Inconsistent,
-    StartRegion::Ambiguous,
-];
 
 type Reals<'py> = Bound<'py, PyArray1<f64>>;
 
@@ -73,6 +61,16 @@ impl PhasePlane {
         over_two(py, &theta, &theta_rate, |theta, rate| self.plane.forces(theta, rate).friction)
     }
 
+    fn energy<'py>(
+        &self,
+        py: Python<'py>,
+        theta: PyReadonlyArray1<'py, f64>,
+        theta_rate: PyReadonlyArray1<'py, f64>,
+    ) -> Reals<'py> {
+        let law = RollingLaw::new(&self.hoop);
+        over_two(py, &theta, &theta_rate, |theta, rate| law.energy(theta, rate))
+    }
+
     fn in_contact_region<'py>(
         &self,
         py: Python<'py>,
@@ -102,7 +100,7 @@ impl PhasePlane {
         theta: PyReadonlyArray1<'py, f64>,
         direction: f64,
     ) -> Reals<'py> {
-        let direction = Direction::of(direction);
+        let direction = Direction::of_sign(direction);
         over(py, &theta, |theta| {
             direction.and_then(|direction| self.plane.slip_rate(theta, direction)).unwrap_or(f64::NAN)
         })
@@ -154,8 +152,7 @@ impl PhasePlane {
         for (i, ((&theta, &rate), &slip)) in starts.iter().zip(others).zip(slip.as_array()).enumerate() {
             let start = Start::at(theta, rate).with_slip(slip);
             let found = self.hoop.classify(start).map_err(|error| refuse(py, &error, Some(i)))?;
-            let code = (0_u8..).zip(REGIONS).find(|(_, region)| *region == found.region);
-            codes.push(code.map_or(u8::MAX, |(code, _)| code));
+            codes.push(found.region.code());
         }
         Ok(codes.into_pyarray(py))
     }

@@ -1,50 +1,49 @@
-//! Numbers of a hoop, a start and a state as Python has them.
+//! Numbers of a hoop, a start, a state and a setup in SI units, in the order of the tables of the core.
 
-use littlewood::{Direction, Hoop, HoopParameters, Start, State};
+use littlewood::{Hoop, HoopParameters, Quantity, Setup, SiSetup, Start, State};
 use pyo3::prelude::*;
 
 use crate::error::refuse;
 
-/// mass_ratio, offset, inertia, mu_s, mu_k.
-pub(crate) type HoopNumbers = (f64, f64, f64, f64, f64);
+/// The values of [`Quantity::HOOP`].
+pub(crate) type HoopNumbers = [f64; Quantity::HOOP.len()];
 
-/// time, theta, theta_rate, slip, x.
-pub(crate) type StateNumbers = (f64, f64, f64, f64, f64);
+/// The values of [`Quantity::START`].
+pub(crate) type StartNumbers = [f64; Quantity::START.len()];
 
-pub(crate) const fn parameters(numbers: HoopNumbers) -> HoopParameters {
-    let (mass_ratio, offset, inertia, mu_s, mu_k) = numbers;
-    HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k }
+/// The values of [`State::COLUMNS`].
+pub(crate) type StateNumbers = [f64; State::COLUMNS.len()];
+
+/// The values of [`Quantity::SI_HOOP`].
+pub(crate) type SiHoopNumbers = [f64; Quantity::SI_HOOP.len()];
+
+/// The values of [`Quantity::SI_START`].
+pub(crate) type SiStartNumbers = [f64; Quantity::SI_START.len()];
+
+/// A setup with these values; the quantities that are not among them are zero.
+pub(crate) fn setup(values: impl IntoIterator<Item = (Quantity, f64)>) -> Setup {
+    let mut setup = Setup::new(HoopParameters::default(), Start::default());
+    for (quantity, value) in values {
+        setup.set(quantity, value);
+    }
+    setup
 }
 
-pub(crate) const fn hoop_numbers(hoop: &HoopParameters) -> HoopNumbers {
-    let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k } = *hoop;
-    (mass_ratio, offset, inertia, mu_s, mu_k)
+pub(crate) fn parameters(numbers: HoopNumbers) -> HoopParameters {
+    setup(Quantity::HOOP.into_iter().zip(numbers)).hoop
 }
 
 pub(crate) fn hoop(py: Python<'_>, numbers: HoopNumbers) -> PyResult<Hoop> {
     Hoop::new(parameters(numbers)).map_err(|error| refuse(py, &error, None))
 }
 
-pub(crate) const fn start(numbers: StateNumbers) -> Start {
-    let (time, theta, theta_rate, slip, x) = numbers;
-    Start { time, theta, theta_rate, slip, x }
+pub(crate) fn start(numbers: StartNumbers) -> Start {
+    setup(Quantity::START.into_iter().zip(numbers)).start
 }
 
-pub(crate) const fn start_numbers(start: &Start) -> StateNumbers {
-    let Start { time, theta, theta_rate, slip, x } = *start;
-    (time, theta, theta_rate, slip, x)
-}
-
-pub(crate) const fn state_numbers(state: &State) -> StateNumbers {
-    let State { time, theta, theta_rate, slip, x } = *state;
-    (time, theta, theta_rate, slip, x)
-}
-
-/// σ as a number; 0 where there is no slip.
-pub(crate) const fn sign(direction: Option<Direction>) -> i8 {
-    match direction {
-        Some(Direction::Negative) => -1,
-        Some(Direction::Positive) => 1,
-        None => 0,
-    }
+/// A setup in SI units; the quantities that are not among the values are zero.
+pub(crate) fn si_setup(values: &[(Quantity, f64)]) -> SiSetup {
+    SiSetup::from_values(|wanted| {
+        values.iter().find(|(quantity, _)| *quantity == wanted).map_or(0.0, |(_, value)| *value)
+    })
 }

@@ -1,27 +1,103 @@
-//! Tables of the core: named cases, edges of the automaton, codes.
+//! Tables of the core: quantities, modes, causes, outcomes, classes, regions, phases, columns, cases, edges.
 
-use littlewood::{BodyClass, CASES, EDGES, Mode, OutcomeCode, PhaseSequence};
+use littlewood::{
+    CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, Mode, OutcomeKind, PhaseCode, PhaseSequence, Quantity,
+    RollingType, STANDARD_GRAVITY, SampleColumn, StartRegion, State, SummaryColumn,
+};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
-use crate::plane::REGIONS;
-use crate::record::{HoopNumbers, StateNumbers, hoop_numbers, start_numbers};
+use crate::record::{HoopNumbers, StartNumbers};
+use crate::samples::OUTSIDE;
 
-/// The named cases: name, title, source, hoop, start.
+/// The quantities that a user can set, one dictionary each.
 #[pyfunction]
-fn cases() -> Vec<(&'static str, &'static str, &'static str, HoopNumbers, StateNumbers)> {
-    CASES
-        .iter()
-        .map(|case| {
-            (case.name, case.title, case.source, hoop_numbers(&case.hoop), start_numbers(&case.start))
+fn quantities(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+    Quantity::ALL
+        .into_iter()
+        .map(|quantity| {
+            let row = quantity.row();
+            let dict = PyDict::new(py);
+            dict.set_item("name", quantity.name())?;
+            dict.set_item("group", row.group.name())?;
+            dict.set_item("is_si", quantity.is_si())?;
+            dict.set_item("twin", row.twin.map(Quantity::name))?;
+            dict.set_item("symbol", row.symbol)?;
+            dict.set_item("sign", row.sign)?;
+            dict.set_item("unit", quantity.unit())?;
+            dict.set_item("unit_sign", quantity.unit_sign())?;
+            dict.set_item("cf_unit", row.dimension.cf_unit())?;
+            dict.set_item("scale", row.dimension.scale())?;
+            dict.set_item("long_name", row.long_name)?;
+            dict.set_item("help", row.help)?;
+            dict.set_item("bounds", row.bounds.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+            dict.set_item("default", row.default)?;
+            Ok(dict)
         })
         .collect()
 }
 
-/// The edges of the automaton: body, from, cause, guard, reset, to, source.
+/// The columns of a sample, one dictionary each. Those of codes have no unit.
 #[pyfunction]
-#[expect(clippy::type_complexity, reason = "a row of a table, read in one place of the package")]
-fn edges() -> Vec<(
+fn sample_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+    SampleColumn::ALL
+        .into_iter()
+        .map(|column| {
+            let dimension = column.dimension();
+            let dict = PyDict::new(py);
+            dict.set_item("name", column.name())?;
+            dict.set_item("sign", column.sign())?;
+            dict.set_item("long_name", column.long_name())?;
+            dict.set_item("unit_sign", dimension.map(Dimension::scale_sign))?;
+            dict.set_item("cf_unit", dimension.map(Dimension::cf_unit))?;
+            dict.set_item("scale", dimension.map(Dimension::scale))?;
+            dict.set_item("si_name", column.si_name())?;
+            dict.set_item("si_unit", dimension.map(Dimension::si_unit))?;
+            Ok(dict)
+        })
+        .collect()
+}
+
+/// The columns of a summary, one dictionary each.
+#[pyfunction]
+fn summary_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
+    SummaryColumn::ALL
+        .into_iter()
+        .map(|column| {
+            let (kind, dtype) = match column.column_type() {
+                ColumnType::Outcome => ("outcome", "uint8"),
+                ColumnType::Sequence => ("sequence", "uint64"),
+                ColumnType::Count => ("count", "uint32"),
+                ColumnType::Flag => ("flag", "uint8"),
+                ColumnType::Real => ("real", "float64"),
+            };
+            let dict = PyDict::new(py);
+            dict.set_item("name", column.name())?;
+            dict.set_item("kind", kind)?;
+            dict.set_item("dtype", dtype)?;
+            dict.set_item("cf_unit", column.dimension().cf_unit())?;
+            dict.set_item("scale", column.dimension().scale())?;
+            dict.set_item("long_name", column.long_name())?;
+            Ok(dict)
+        })
+        .collect()
+}
+
+/// The named cases: name, title, source, hoop, start.
+#[pyfunction]
+fn cases() -> Vec<(&'static str, &'static str, &'static str, HoopNumbers, StartNumbers)> {
+    CASES
+        .iter()
+        .map(|case| {
+            let (hoop, start) = (case.setup.values(Quantity::HOOP), case.setup.values(Quantity::START));
+            (case.name, case.title, case.source, hoop, start)
+        })
+        .collect()
+}
+
+/// An edge of the automaton: body, from, cause, guard, reset, to, source.
+type EdgeRow = (
     &'static str,
     &'static str,
     &'static str,
@@ -29,16 +105,16 @@ fn edges() -> Vec<(
     &'static str,
     Option<&'static str>,
     &'static str,
-)> {
+);
+
+/// The edges of the automaton.
+#[pyfunction]
+fn edges() -> Vec<EdgeRow> {
     EDGES
         .iter()
         .map(|edge| {
-            let body = match edge.body {
-                BodyClass::Heavy => "heavy",
-                BodyClass::Massless => "massless",
-            };
             let to = edge.to.map(Mode::name);
-            (body, edge.from.name(), edge.cause.name(), edge.guard, edge.reset, to, edge.source)
+            (edge.body.name(), edge.from.name(), edge.cause.name(), edge.guard, edge.reset, to, edge.source)
         })
         .collect()
 }
@@ -49,10 +125,37 @@ fn sequence_names(bits: PyReadonlyArray1<'_, u64>) -> Vec<String> {
     bits.as_array().iter().map(|&bits| PhaseSequence::from_bits(bits).to_string()).collect()
 }
 
+fn names<const N: usize>(quantities: [Quantity; N]) -> Vec<&'static str> {
+    quantities.map(Quantity::name).to_vec()
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("MODES", Mode::ALL.map(Mode::name).to_vec())?;
-    module.add("OUTCOMES", OutcomeCode::ALL.map(OutcomeCode::name).to_vec())?;
-    module.add("REGIONS", REGIONS.map(littlewood::StartRegion::name).to_vec())?;
+    module.add("HOOP", names(Quantity::HOOP))?;
+    module.add("START", names(Quantity::START))?;
+    module.add("AXES", names(Quantity::AXES))?;
+    module.add("SI_HOOP", names(Quantity::SI_HOOP))?;
+    module.add("SI_START", names(Quantity::SI_START))?;
+    module.add("STATE", State::COLUMNS.map(SampleColumn::name).to_vec())?;
+    module.add("STANDARD_GRAVITY", STANDARD_GRAVITY)?;
+    module.add("OUTSIDE", OUTSIDE)?;
+    module.add("MODES", Mode::ALL.map(|mode| (mode.code(), mode.name())).to_vec())?;
+    let arrows = Direction::ALL.map(|direction| (Direction::code(Some(direction)), direction.arrow()));
+    module.add("DIRECTIONS", arrows.to_vec())?;
+    let causes = Cause::ALL.map(|cause| (cause.code(), cause.name(), cause.label()));
+    module.add("CAUSES", causes.to_vec())?;
+    let outcomes = OutcomeKind::ALL.map(|kind| (kind.code(), kind.name(), kind.label(), kind.is_final()));
+    module.add("OUTCOMES", outcomes.to_vec())?;
+    let classes = Class::ALL.map(|class| (class.code(), class.name(), class.label()));
+    module.add("CLASSES", classes.to_vec())?;
+    module.add("REGIONS", StartRegion::ALL.map(|region| (region.code(), region.name())).to_vec())?;
+    module.add("ROLLING_TYPES", RollingType::ALL.map(|kind| (kind.code(), kind.name())).to_vec())?;
+    module.add("PHASES", PhaseCode::ALL.map(|code| (code.code(), code.name(), code.meaning())).to_vec())?;
+    module.add("SEQUENCE_CAPACITY", PhaseSequence::CAPACITY)?;
+    module.add("SEQUENCE_VERSION", PhaseSequence::VERSION)?;
+    module.add("SEQUENCE_ENCODING", PhaseSequence::ENCODING)?;
+    module.add_function(wrap_pyfunction!(quantities, module)?)?;
+    module.add_function(wrap_pyfunction!(sample_columns, module)?)?;
+    module.add_function(wrap_pyfunction!(summary_columns, module)?)?;
     module.add_function(wrap_pyfunction!(cases, module)?)?;
     module.add_function(wrap_pyfunction!(edges, module)?)?;
     module.add_function(wrap_pyfunction!(sequence_names, module)?)

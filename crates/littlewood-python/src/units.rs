@@ -1,0 +1,81 @@
+//! SI units: hoops and starts into the dimensionless system of (2.9), samples out of it.
+
+use littlewood::{Dimension, Quantity, SampleColumn, Setup, Start, Units};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::error::refuse;
+use crate::record::{HoopNumbers, SiHoopNumbers, SiStartNumbers, StartNumbers, si_setup};
+
+/// m2, R and g in SI units.
+type Scales = (f64, f64, f64);
+
+fn units(py: Python<'_>, (mass_kg, length_m, gravity): Scales) -> PyResult<Units> {
+    Units::new(mass_kg, length_m, gravity).map_err(|error| refuse(py, &error, None))
+}
+
+/// A hoop in SI units: the dimensionless one, and m2, R, √(R/g), g.
+#[pyfunction]
+fn hoop_from_si(py: Python<'_>, numbers: SiHoopNumbers) -> PyResult<(HoopNumbers, (f64, f64, f64, f64))> {
+    let values: Vec<_> = Quantity::SI_HOOP.into_iter().zip(numbers).collect();
+    let (hoop, units) = si_setup(&values).hoop.to_hoop().map_err(|error| refuse(py, &error, None))?;
+    let numbers = Setup::new(hoop.parameters(), Start::default()).values(Quantity::HOOP);
+    Ok((numbers, (units.mass_kg, units.length_m, units.time_s, units.gravity_m_per_s2)))
+}
+
+/// A start, and a time limit if there is one, from SI units.
+#[pyfunction]
+fn start_from_si(
+    py: Python<'_>,
+    scales: Scales,
+    numbers: SiStartNumbers,
+    until_s: Option<f64>,
+) -> PyResult<(StartNumbers, Option<f64>)> {
+    let units = units(py, scales)?;
+    let values: Vec<_> = Quantity::SI_START.into_iter().zip(numbers).collect();
+    let si = si_setup(&values);
+    let convert = || {
+        let start = units.start(&si.start)?;
+        let until = until_s.map(|until_s| units.until(until_s, &start)).transpose()?;
+        Ok((Setup::new(Default::default(), start).values(Quantity::START), until))
+    };
+    convert().map_err(|error| refuse(py, &error, None))
+}
+
+/// Values of a column of the samples in SI units. A column of codes has none.
+#[pyfunction]
+fn sample_in_si<'py>(
+    py: Python<'py>,
+    scales: Scales,
+    column: &str,
+    values: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let column: SampleColumn = column.parse().map_err(|error| PyValueError::new_err(format!("{error}")))?;
+    let Some(dimension) = column.dimension() else {
+        return Err(PyValueError::new_err(format!("{column} is a code, which has no unit")));
+    };
+    let units = units(py, scales)?;
+    let values: Vec<f64> = values.as_array().iter().map(|&value| units.to_si(dimension, value)).collect();
+    Ok(values.into_pyarray(py))
+}
+
+/// The SI values of √(g/R), √(gR), m2 g, m2 g R and m2 R².
+#[pyfunction]
+fn derived_units(py: Python<'_>, scales: Scales) -> PyResult<(f64, f64, f64, f64, f64)> {
+    let units = units(py, scales)?;
+    Ok((
+        units.unit(Dimension::AngularRate),
+        units.unit(Dimension::Velocity),
+        units.unit(Dimension::Force),
+        units.unit(Dimension::Energy),
+        units.unit(Dimension::Inertia),
+    ))
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(hoop_from_si, module)?)?;
+    module.add_function(wrap_pyfunction!(start_from_si, module)?)?;
+    module.add_function(wrap_pyfunction!(sample_in_si, module)?)?;
+    module.add_function(wrap_pyfunction!(derived_units, module)?)
+}
