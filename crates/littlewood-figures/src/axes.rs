@@ -6,7 +6,7 @@ use littlewood::{Hoop, PhasePlane};
 
 use crate::figure::Axis;
 use crate::trace::Window;
-use littlewood_report::ticks;
+use littlewood_style::ticks;
 
 /// θ.
 pub(crate) fn angle([from, to]: [f64; 2]) -> Axis {

@@ -1,6 +1,6 @@
 //! What a figure is: panels with series of data, and how each is drawn.
 
-pub use littlewood_report::ticks::Tick;
+pub use littlewood_style::ticks::Tick;
 
 use crate::style::{Colour, Stroke};
 

@@ -18,7 +18,7 @@ pub(crate) fn hoop_in_words(hoop: &Hoop) -> String {
 pub(crate) fn short(value: f64) -> String {
     let text = format!("{value:.4}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    littlewood_report::ticks::minus(if text == "-0" { "0" } else { text })
+    littlewood_style::ticks::minus(if text == "-0" { "0" } else { text })
 }
 
 /// A start, with marks.
@@ -31,7 +31,7 @@ pub(crate) fn start_in_words(start: &Start) -> String {
 fn fraction_of_pi(value: f64) -> Option<String> {
     let twelfths = libm::round(12.0 * value / PI);
     let is_one = twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;
-    is_one.then(|| littlewood_report::ticks::of_pi(twelfths as i64, 12))
+    is_one.then(|| littlewood_style::ticks::of_pi(twelfths as i64, 12))
 }
 
 /// An event.

@@ -75,7 +75,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     }
     let label = Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0).coloured(PURPLE);
     let y = Axis {
-        ticks: littlewood_report::ticks::round(0.0, most, 6),
+        ticks: littlewood_style::ticks::round(0.0, most, 6),
         ..plain("demand", "|*F*|/*N*", [0.0, most])
     };
     Ok(Figure {

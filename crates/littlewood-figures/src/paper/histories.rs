@@ -35,7 +35,7 @@ fn history(
 fn axis_of(column: &'static str, title: &str, series: &[&Series], also: &[f64]) -> Axis {
     let values = series.iter().flat_map(|series| series.rows().map(|row| row[1]));
     let mut axis = plain(column, title, bounds(values.chain(also.iter().copied()), 0.12));
-    axis.ticks = littlewood_report::ticks::round(axis.range[0], axis.range[1], 5);
+    axis.ticks = littlewood_style::ticks::round(axis.range[0], axis.range[1], 5);
     axis
 }
 
@@ -134,7 +134,7 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
         ..axis_of("demand", "|*F*|/*N*", &[&demand], &[0.0, mu_s])
     };
     let demand_axis =
-        Axis { ticks: littlewood_report::ticks::round(0.0, demand_axis.range[1], 5), ..demand_axis };
+        Axis { ticks: littlewood_style::ticks::round(0.0, demand_axis.range[1], 5), ..demand_axis };
     let level = |name: &str, column: &'static str, value: f64, stroke: Stroke| {
         Series::of_rows(name, &["time", column], range.map(|time| vec![time, value]).to_vec())
             .drawn(Mark::Line(stroke))

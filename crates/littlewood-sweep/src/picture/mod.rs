@@ -27,7 +27,7 @@ use crate::run::Options;
 use crate::sweep::sweep_grid;
 use crate::tally::Tally;
 use crate::zarr::ZarrStore;
-use littlewood_report::ticks::minus;
+use littlewood_style::ticks::minus;
 
 /// What the colours show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! The ticks and the names of axes, and units as print has them.
 
 use crate::axis::{Axis, Coordinate};
-use littlewood_report::ticks::{self, Tick};
+use littlewood_style::ticks::{self, Tick};
 
 /// The lowest and the highest value that a picture shows: half a cell beyond the ends.
 fn span(axis: &Axis, cells: usize) -> (f64, f64) {

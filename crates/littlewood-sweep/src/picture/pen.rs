@@ -16,7 +16,7 @@ use super::{Picture, Shade, drawing};
 use crate::axis::Axis;
 use crate::error::PictureError;
 use crate::outcome::Class;
-use littlewood_report::ticks::{self, Tick};
+use littlewood_style::ticks::{self, Tick};
 
 const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
 const FAINT: RGBColor = RGBColor(0x66, 0x66, 0x66);
