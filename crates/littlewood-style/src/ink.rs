@@ -1,0 +1,74 @@
+//! Colours of what is not data: paper, letters, axes, the ground.
+
+use crate::rgb::Rgb;
+use crate::theme::Theme;
+
+/// A colour without a meaning of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Ink {
+    /// What everything stands on.
+    Paper,
+    /// Letters, axes, the body.
+    Ink,
+    /// Letters and lines of less weight.
+    Soft,
+    /// Lines behind others.
+    Faint,
+    /// Grids, frames, hoops of the past.
+    Line,
+    /// Hatches of what cannot be.
+    Hatch,
+    /// The region where the hoop can roll.
+    Region,
+    /// The ground under the plane.
+    Ground,
+    /// A point of a map of numbers that has none.
+    NoValue,
+}
+
+impl Ink {
+    /// All, in order.
+    pub const ALL: [Self; 9] = [
+        Self::Paper,
+        Self::Ink,
+        Self::Soft,
+        Self::Faint,
+        Self::Line,
+        Self::Hatch,
+        Self::Region,
+        Self::Ground,
+        Self::NoValue,
+    ];
+
+    /// Lower-case name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::Ink => "ink",
+            Self::Soft => "soft",
+            Self::Faint => "faint",
+            Self::Line => "line",
+            Self::Hatch => "hatch",
+            Self::Region => "region",
+            Self::Ground => "ground",
+            Self::NoValue => "no_value",
+        }
+    }
+
+    /// Colour.
+    #[must_use]
+    pub const fn colour(self, theme: Theme) -> Rgb {
+        match self {
+            Self::Paper => theme.pick(0xffffff, 0x14171d),
+            Self::Ink => theme.pick(0x222222, 0xeceef2),
+            Self::Soft => theme.pick(0x6b6b6b, 0xaab0bd),
+            Self::Faint => theme.pick(0x9a9a9a, 0x7d8594),
+            Self::Line => theme.pick(0xc4c4c4, 0x3b414d),
+            Self::Hatch => theme.pick(0xc2c2c2, 0x444b58),
+            Self::Region => theme.pick(0xe3ecf2, 0x232b36),
+            Self::Ground => theme.pick(0xeceae4, 0x24231f),
+            Self::NoValue => theme.pick(0xe4e4e4, 0x292929),
+        }
+    }
+}

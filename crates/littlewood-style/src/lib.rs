@@ -1,0 +1,30 @@
+//! The look of all pictures of `littlewood`: figures, maps, films, the page and the pictures of the Python package.
+//!
+//! A colour means one thing. Modes, classes of outcomes, forces and curves each have their own; what has none (the
+//! parts of an energy, the types of motion of one figure) takes an [`Accent`]. Colours are told apart by the
+//! colour-blind, and in grey: modes and classes that meet in one picture differ in lightness, and lines in their dashes
+//! too. Each colour has a variant for a light and for a dark paper.
+
+mod accent;
+mod arrow;
+mod class;
+mod curve;
+mod dash;
+mod ink;
+mod mode;
+mod rgb;
+mod swatch;
+mod theme;
+pub mod ticks;
+pub mod width;
+
+pub use accent::Accent;
+pub use arrow::Arrow;
+pub use class::of_class;
+pub use curve::Curve;
+pub use dash::Dash;
+pub use ink::Ink;
+pub use mode::{dash_of, of_mode};
+pub use rgb::Rgb;
+pub use swatch::{Swatch, swatches};
+pub use theme::Theme;

@@ -1,0 +1,29 @@
+//! Modes of motion.
+
+use littlewood::Mode;
+
+use crate::dash::Dash;
+use crate::rgb::Rgb;
+use crate::theme::Theme;
+
+/// Colour of a mode.
+#[must_use]
+pub const fn of_mode(mode: Mode, theme: Theme) -> Rgb {
+    match mode {
+        Mode::Rolling => theme.pick(0x004b87, 0x018de9),
+        Mode::Sliding => theme.pick(0xbf5300, 0xfb9d52),
+        Mode::Gliding => theme.pick(0xc66d9e, 0xec98d6),
+        Mode::Flight => theme.pick(0x2e9dd4, 0xa2ebfe),
+    }
+}
+
+/// Dashes of a line that shows a mode.
+#[must_use]
+pub const fn dash_of(mode: Mode) -> Dash {
+    match mode {
+        Mode::Rolling => Dash::Solid,
+        Mode::Sliding => Dash::Dashed,
+        Mode::Gliding => Dash::DashDot,
+        Mode::Flight => Dash::Dotted,
+    }
+}
