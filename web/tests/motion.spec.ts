@@ -32,7 +32,7 @@ test('a start dragged to that of figure 3 slides, rolls, slides and jumps', asyn
   expect(Math.abs(found[3]!.time - FIGURE_3_LANDING.time)).toBeLessThan(1e-9);
   expect(Math.abs(found[3]!.theta - FIGURE_3_LANDING.theta)).toBeLessThan(1e-9);
   await expect(page.locator('#case')).toHaveValue('figure-3');
-  await expect(page.locator('#sentence')).toHaveText('Slips: friction needs 2 N, only 0.5 N is there.');
+  await expect(page.locator('#sentence')).toHaveText('Slips: rolling would need a friction coefficient of 2; there is 0.5.');
 });
 
 test('figure 7 has the times of its closed form', async ({ page }) => {

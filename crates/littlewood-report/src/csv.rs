@@ -2,11 +2,10 @@
 
 use std::io::{self, Write};
 
-use csv::{ErrorKind, Writer};
-use littlewood::{Cause, Mode, Outcome, Phase, State, Trajectory};
-use serde::Serialize;
+use csv::{ErrorKind, Writer, WriterBuilder};
+use littlewood::{Phase, Trajectory};
 
-use crate::record::{EdgeRecord, SampleRecord, SiSampleRecord, SiStateRecord, StateRecord, sign};
+use crate::record::{Fields, Value, edge, edge_of, sample, si_sample, si_state, state};
 use crate::{Sampling, Subject};
 
 /// A motion. In SI units the columns in SI units follow the dimensionless ones.
@@ -19,7 +18,7 @@ pub fn motion(
     trajectory: &Trajectory,
     sampling: Option<Sampling>,
 ) -> io::Result<()> {
-    let mut writer = Writer::from_writer(writer);
+    let mut writer = WriterBuilder::new().has_headers(false).from_writer(writer);
     match sampling {
         Some(sampling) => samples(&mut writer, subject, trajectory, sampling),
         None => events(&mut writer, subject, trajectory),
@@ -34,49 +33,25 @@ fn events<W: Write>(
     subject: &Subject<'_>,
     trajectory: &Trajectory,
 ) -> csv::Result<()> {
-    let mut row = |state: State, edge: EdgeRecord| match subject.units {
-        Some(units) => writer.serialize((StateRecord::from(state), edge, SiStateRecord::new(units, &state))),
-        None => writer.serialize((StateRecord::from(state), edge)),
-    };
     let first = trajectory.phases().first();
-    row(
+    let mut rows = vec![(
         trajectory.start(),
-        EdgeRecord {
-            from: None,
-            to: first.map(|phase| phase.mode().name()),
-            direction: sign(first.and_then(Phase::direction)),
-            cause: "start",
-        },
-    )?;
-    for transition in trajectory.transitions() {
-        row(transition.state, transition.into())?;
-    }
+        edge(None, first.map(Phase::mode), first.and_then(Phase::direction), START),
+    )];
+    rows.extend(trajectory.transitions().iter().map(|transition| (transition.after, edge_of(transition))));
     let outcome = trajectory.outcome();
-    if is_event(&outcome) {
-        return Ok(());
+    if outcome.kind().last_event().is_none() {
+        let last = trajectory.phases().last().map(Phase::mode);
+        rows.push((outcome.state(), edge(last, None, None, outcome.kind().name())));
     }
-    let last = trajectory.phases().last().map(Phase::mode);
-    row(
-        outcome.state(),
-        EdgeRecord { from: last.map(Mode::name), to: None, direction: 0, cause: outcome.kind() },
-    )
-}
-
-/// Whether the outcome is the last transition.
-const fn is_event(outcome: &Outcome) -> bool {
-    matches!(
-        outcome,
-        Outcome::Landing { .. }
-            | Outcome::ParticleAtPlane { .. }
-            | Outcome::ParticleAtBottom { .. }
-            | Outcome::ParticleAtTop { .. }
-            | Outcome::Singular { .. }
-    )
-}
-
-#[derive(Serialize)]
-struct EventRecord {
-    event: &'static str,
+    let mut rows = rows.into_iter().map(|(at, edge)| {
+        let row = state(&at).followed_by(edge);
+        match subject.units {
+            Some(units) => row.followed_by(si_state(units, &at)),
+            None => row,
+        }
+    });
+    write_rows(writer, &mut rows).map(drop)
 }
 
 fn samples<W: Write>(
@@ -86,23 +61,40 @@ fn samples<W: Write>(
     sampling: Sampling,
 ) -> csv::Result<()> {
     let mut names = Events::new(trajectory);
-    let hoop = trajectory.hoop();
-    let mut any = false;
-    for sample in trajectory.sample_evenly(sampling.count, sampling.until) {
-        let record = SampleRecord::new(hoop, &sample);
-        let event = EventRecord { event: names.at(record.time) };
+    let mut rows = trajectory.sample_evenly(sampling.count, sampling.until).map(|instant| {
+        let event = [("event", Value::Word(Some(names.at(instant.state.time))))];
+        let row = sample(&instant).followed_by(event.into_iter().collect());
         match subject.units {
-            Some(units) => writer.serialize((record, event, SiSampleRecord::new(units, hoop, &sample)))?,
-            None => writer.serialize((record, event))?,
+            Some(units) => row.followed_by(si_sample(units, &instant)),
+            None => row,
         }
-        any = true;
-    }
-    if any {
+    });
+    if write_rows(writer, &mut rows)? {
         return Ok(());
     }
     // Nothing moves from here, so there is no instant to sample: the event rows say what was found.
+    drop(rows);
     events(writer, subject, trajectory)
 }
+
+/// A line with the names, and one for each row: whether there was any.
+fn write_rows<W: Write>(
+    writer: &mut Writer<W>,
+    rows: &mut impl Iterator<Item = Fields>,
+) -> csv::Result<bool> {
+    let mut any = false;
+    for row in rows {
+        if !any {
+            writer.write_record(row.names())?;
+            any = true;
+        }
+        writer.serialize(row.values().collect::<Vec<_>>())?;
+    }
+    Ok(any)
+}
+
+/// What stands for an event in the first row.
+const START: &str = "start";
 
 /// Names the events in the order of the samples. A transition appears as the last instant of the phase that ends,
 /// where it is named, and as the first of the phase that begins.
@@ -120,14 +112,14 @@ impl<'a> Events<'a> {
     fn at(&mut self, time: f64) -> &'static str {
         if !self.started {
             self.started = true;
-            return "start";
+            return START;
         }
         match self.trajectory.transitions().get(self.next) {
-            Some(transition) if transition.state.time == time => {
+            Some(transition) if transition.time() == time => {
                 self.next += 1;
-                Cause::name(transition.cause)
+                transition.cause.name()
             }
-            _ => "",
+            Some(_) | None => "",
         }
     }
 }

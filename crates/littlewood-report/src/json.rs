@@ -6,8 +6,8 @@ use littlewood::{CASES, Classification, Hoop, Phase, Trajectory, Units};
 use serde::{Serialize, Serializer};
 
 use crate::record::{
-    CaseRecord, ClassificationRecord, HoopRecord, OutcomeRecord, PhaseRecord, SampleRecord, SiRecord,
-    SiSampleRecord, StartRecord, TransitionRecord,
+    CaseRecord, ClassificationRecord, Fields, OutcomeRecord, PhaseRecord, SiRecord, StartRecord,
+    TransitionRecord, hoop, sample, si_sample,
 };
 use crate::{Sampling, Subject};
 
@@ -15,7 +15,7 @@ use crate::{Sampling, Subject};
 struct MotionDocument<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     case: Option<&'static str>,
-    hoop: HoopRecord,
+    hoop: Fields,
     start: StartRecord,
     transitions: Vec<TransitionRecord>,
     outcome: OutcomeRecord,
@@ -29,7 +29,7 @@ struct MotionDocument<'a> {
     samples: Option<Samples<'a>>,
 }
 
-/// The samples, written one after the other as they are made.
+/// The samples, written one after the other as they are computed.
 struct Samples<'a> {
     trajectory: &'a Trajectory,
     sampling: Sampling,
@@ -39,20 +39,18 @@ struct Samples<'a> {
 #[derive(Serialize)]
 struct SampleEntry {
     #[serde(flatten)]
-    sample: SampleRecord,
+    sample: Fields,
     #[serde(skip_serializing_if = "Option::is_none")]
-    si: Option<SiSampleRecord>,
+    si: Option<Fields>,
 }
 
 impl Serialize for Samples<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self { trajectory, sampling, units } = self;
-        let hoop = trajectory.hoop();
-        serializer.collect_seq(trajectory.sample_evenly(sampling.count, sampling.until).map(|sample| {
-            SampleEntry {
-                sample: SampleRecord::new(hoop, &sample),
-                si: units.map(|units| SiSampleRecord::new(units, hoop, &sample)),
-            }
+        let instants = trajectory.sample_evenly(sampling.count, sampling.until);
+        serializer.collect_seq(instants.map(|instant| SampleEntry {
+            sample: sample(&instant),
+            si: units.map(|units| si_sample(units, &instant)),
         }))
     }
 }
@@ -71,9 +69,9 @@ pub fn motion(
     let first = trajectory.phases().first();
     let document = MotionDocument {
         case: subject.case.map(|case| case.name),
-        hoop: trajectory.hoop().parameters().into(),
+        hoop: hoop(trajectory.hoop().parameters()),
         start: StartRecord::new(
-            &subject.start,
+            subject.start,
             first.map(Phase::mode),
             first.and_then(Phase::direction),
             units,
@@ -82,7 +80,9 @@ pub fn motion(
         outcome: OutcomeRecord::new(&trajectory.outcome(), units),
         phases: trajectory.phases().iter().map(|phase| PhaseRecord::new(phase, units)).collect(),
         energy_lost: trajectory.energy_lost(),
-        si: units.map(|units| SiRecord::new(trajectory.hoop(), units, Some(trajectory.energy_lost()))),
+        si: units.map(|units| {
+            SiRecord::new(trajectory.hoop().parameters(), units, Some(trajectory.energy_lost()))
+        }),
         sampled_until: sampling.map(|sampling| sampling.until),
         samples: sampling.map(|sampling| Samples { trajectory, sampling, units }),
     };
@@ -93,7 +93,7 @@ pub fn motion(
 struct ClassificationDocument {
     #[serde(skip_serializing_if = "Option::is_none")]
     case: Option<&'static str>,
-    hoop: HoopRecord,
+    hoop: Fields,
     start: StartRecord,
     #[serde(flatten)]
     classification: ClassificationRecord,
@@ -108,16 +108,16 @@ struct ClassificationDocument {
 pub fn classification(
     writer: impl Write,
     subject: &Subject<'_>,
-    hoop: &Hoop,
+    body: &Hoop,
     found: &Classification,
 ) -> io::Result<()> {
     let units = subject.units;
     let document = ClassificationDocument {
         case: subject.case.map(|case| case.name),
-        hoop: hoop.parameters().into(),
-        start: StartRecord::new(&subject.start, found.mode, found.direction, units),
+        hoop: hoop(body.parameters()),
+        start: StartRecord::new(subject.start, found.mode, found.direction, units),
         classification: found.into(),
-        si: units.map(|units| SiRecord::new(hoop, units, None)),
+        si: units.map(|units| SiRecord::new(body.parameters(), units, None)),
     };
     write(writer, &document)
 }

@@ -17,7 +17,7 @@
 //! ```
 //!
 //! [`number`] and [`scale`] write single values for a person, without dimension or in SI units; [`sentence`] says what
-//! happens at an instant. [`ticks`] are those of all pictures, whichever crate draws them.
+//! happens at an instant.
 
 pub mod csv;
 pub mod json;
@@ -27,7 +27,6 @@ mod sampling;
 pub mod scale;
 pub mod sentence;
 mod subject;
-pub mod ticks;
 
 pub use sampling::Sampling;
 pub use subject::Subject;

@@ -1,6 +1,6 @@
 //! Which instants of a motion to report.
 
-use littlewood::{Outcome, Recurrence, Trajectory};
+use littlewood::Trajectory;
 
 /// Time after which a motion without an end and without a period has shown what it does.
 const APERIODIC: f64 = 10.0;
@@ -29,18 +29,7 @@ fn horizon(trajectory: &Trajectory) -> f64 {
         return end;
     }
     let outcome = trajectory.outcome();
-    let last = match outcome {
-        Outcome::RollsForever { recurrence, .. } | Outcome::SlidesForever { recurrence, .. } => {
-            match recurrence {
-                Recurrence::Libration { period, .. } | Recurrence::Rotation { period }
-                    if period.is_finite() =>
-                {
-                    2.0 * period
-                }
-                _ => APERIODIC,
-            }
-        }
-        _ => APERIODIC,
-    };
+    let period = outcome.recurrence().and_then(|recurrence| recurrence.period());
+    let last = period.filter(|period| period.is_finite()).map_or(APERIODIC, |period| 2.0 * period);
     outcome.state().time + last
 }

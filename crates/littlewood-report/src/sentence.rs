@@ -1,8 +1,8 @@
 //! What happens at an instant of a motion, in one sentence.
 
 use littlewood::{
-    Cause, ContactForces, Findings, Mode, Motion, Outcome, Phase, Recurrence, RollingLaw, State, Trajectory,
-    Transition,
+    Candidates, Cause, ContactForces, Dimension, Mode, Outcome, Phase, PhaseSolution, Recurrence, RollingLaw,
+    State, Trajectory, Transition,
 };
 
 use crate::number::brief;
@@ -41,7 +41,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
 pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
     let event = trajectory.transitions().get(index)?;
     let phase = trajectory.phases().get(index)?;
-    let forces = RollingLaw::new(trajectory.hoop()).forces(event.state.theta, event.state.theta_rate);
+    let forces = RollingLaw::new(trajectory.hoop()).forces(event.before.theta, event.before.theta_rate);
     let mu_s = trajectory.hoop().mu_s();
     Some(match event.cause {
         Cause::Slip => slip(event, mu_s),
@@ -50,20 +50,20 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
             "The slip of the glide reverses: outside 𝓡 nothing holds the contact point.".to_owned()
         }
         Cause::Reversal => {
-            format!("The slip reverses: at rest {}.", gives_way(&forces, mu_s))
+            format!("The slip reverses: {}.", gives_way(&forces, mu_s))
         }
         Cause::Graze => "The slip touches zero and goes on in the same direction.".to_owned(),
         Cause::NormalForceZero => {
             "Glides: the normal force has vanished before friction gave way.".to_owned()
         }
         Cause::LiftOff => {
-            let rise = -trajectory.hoop().h() * libm::sin(event.state.theta) * event.state.theta_rate;
+            let rise = -trajectory.hoop().h() * libm::sin(event.before.theta) * event.before.theta_rate;
             format!(
                 "Jumps: the normal force has vanished while the mass centre rises at {}.",
-                scale.show_speed(three(rise))
+                scale.show_with_unit(Dimension::Velocity, three(rise))
             )
         }
-        Cause::Landing => landing(phase, &event.state, scale),
+        Cause::Landing => landing(phase, &event.before, scale),
         Cause::ParticleAtPlane => "The particle reaches the plane: the glide ends (3.20).".to_owned(),
         Cause::ParticleAtBottom => "The particle reaches its lowest place: the glide ends (3.20).".to_owned(),
         Cause::ParticleAtTop => {
@@ -73,7 +73,6 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
         Cause::Singularity => {
             "The slide jams: beyond P = 0 no sliding motion presses on the plane (Painlevé).".to_owned()
         }
-        other => format!("{other}."),
     })
 }
 
@@ -92,57 +91,64 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Outcome::TransitionLimit { transitions, .. } => {
             format!("Stopped after {transitions} transitions: slips may shrink without end.")
         }
-        Outcome::Inconsistent { findings, .. } => {
-            format!("No motion is consistent here (Painlevé): {}.", examined(&findings))
+        Outcome::Inconsistent { candidates, .. } => {
+            format!("No motion is consistent here (Painlevé): {}.", examined(&candidates))
         }
-        Outcome::Ambiguous { findings, .. } => {
-            let several: Vec<String> = findings.consistent().map(|(mode, _)| mode.to_string()).collect();
+        Outcome::Ambiguous { candidates, .. } => {
+            let several: Vec<String> = candidates.consistent().map(|(mode, _)| mode.to_string()).collect();
             format!("Several motions are consistent here (Painlevé): {}.", several.join(", "))
         }
         Outcome::Unresolved { .. } => "The slide changes faster than the clock resolves.".to_owned(),
-        // The other outcomes are events.
-        other => last
+        // These are events.
+        event @ (Outcome::Landing { .. }
+        | Outcome::ParticleAtPlane { .. }
+        | Outcome::ParticleAtBottom { .. }
+        | Outcome::ParticleAtTop { .. }
+        | Outcome::Singular { .. }) => last
             .and_then(|index| transition(trajectory, index, scale))
-            .unwrap_or_else(|| format!("Ends: {}.", other.kind())),
+            .unwrap_or_else(|| format!("Ends: {}.", event.kind().label())),
     }
 }
 
 /// Static friction suffices.
 fn holds(forces: &ContactForces, mu_s: f64) -> String {
-    format!("friction needs {} N, and up to {} N is there", brief(short(forces.demand())), brief(mu_s))
+    format!("rolling needs a friction coefficient of {}; there is {}", demand(forces), brief(mu_s))
 }
 
 /// Static friction does not suffice.
 fn gives_way(forces: &ContactForces, mu_s: f64) -> String {
     if forces.normal > 0.0 {
-        format!("friction needs {} N, only {} N is there", brief(short(forces.demand())), brief(mu_s))
+        format!("rolling would need a friction coefficient of {}; there is {}", demand(forces), brief(mu_s))
     } else {
         "rolling would need a normal force that pulls".to_owned()
     }
 }
 
+/// |F|/N of rolling.
+fn demand(forces: &ContactForces) -> String {
+    brief(short(forces.demand()))
+}
+
 fn slip(event: &Transition, mu_s: f64) -> String {
-    let limit = brief(mu_s);
+    let beyond = format!("rolling would need a friction coefficient above {}", brief(mu_s));
     if event.to == Some(Mode::Gliding) {
-        format!(
-            "Slips and glides: friction needs more than {limit} N; without inertia a slip bears no force."
-        )
+        format!("Slips and glides: {beyond}; without inertia a slip bears no force.")
     } else {
-        format!("Slips: friction needs more than {limit} N, the most that is there.")
+        format!("Slips: {beyond}, which is all there is.")
     }
 }
 
 fn landing(phase: &Phase, end: &State, scale: Scale<'_>) -> String {
-    let Motion::Flight(flight) = phase.motion() else {
+    let PhaseSolution::Flight(flight) = phase.motion() else {
         return "Lands.".to_owned();
     };
     let start = phase.start();
     let direction = if end.x < start.x { "to the left" } else { "to the right" };
     format!(
         "Lands {} {direction} after {} in the air, at most {} above the plane.",
-        scale.show_length(three((end.x - start.x).abs())),
-        scale.show_duration(three(phase.duration())),
-        scale.show_length(three(flight.apex().1)),
+        scale.show_with_unit(Dimension::Length, three((end.x - start.x).abs())),
+        scale.show_with_unit(Dimension::Time, three(phase.duration())),
+        scale.show_with_unit(Dimension::Length, three(flight.apex().1)),
     )
 }
 
@@ -150,15 +156,17 @@ fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
     match *recurrence {
         Recurrence::Rest => "at rest in equilibrium".to_owned(),
         Recurrence::Libration { period, .. } => {
-            format!("back and forth with the period {}", scale.show_duration(period))
+            format!("back and forth with the period {}", scale.show_with_unit(Dimension::Time, period))
         }
-        Recurrence::Rotation { period } => format!("one turn in {}", scale.show_duration(period)),
+        Recurrence::Rotation { period } => {
+            format!("one turn in {}", scale.show_with_unit(Dimension::Time, period))
+        }
         Recurrence::Asymptotic { .. } => "towards the unstable equilibrium, never reached".to_owned(),
     }
 }
 
-fn examined(findings: &Findings) -> String {
-    let [negative, positive] = findings.solvability.map(|p| brief(short(p)));
+fn examined(candidates: &Candidates) -> String {
+    let [negative, positive] = candidates.solvability.map(|p| brief(short(p)));
     format!("sliding would need P > 0, and P is {negative} for σ = −1, {positive} for σ = +1")
 }
 

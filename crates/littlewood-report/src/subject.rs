@@ -17,6 +17,6 @@ impl Subject<'_> {
     /// A named case without dimension.
     #[must_use]
     pub const fn of_case(case: &'static NamedCase) -> Self {
-        Self { case: Some(case), start: case.start, units: None }
+        Self { case: Some(case), start: case.setup.start, units: None }
     }
 }

@@ -8,18 +8,24 @@ const PLAIN: Scale<'_> = Scale::new(None);
 
 #[test]
 fn figure_3_begins_with_too_little_friction() {
-    // At θ = π/2, θ′ = 2: D = 4, f_R = 5/4, N = 2 − 5/4 = 3/4, F = 4 − 2·5/4 = 3/2 (2.11, 2.12), so |F| = 2 N.
+    // At θ = π/2, θ′ = 2: D = 4, f_R = 5/4, N = 2 − 5/4 = 3/4, F = 4 − 2·5/4 = 3/2 (2.11, 2.12), so |F|/N = 2.
     let motion = find_case("figure-3").unwrap().simulate().unwrap();
-    assert_eq!(sentence::start(&motion, PLAIN), "Slips: friction needs 2 N, only 0.5 N is there.");
+    assert_eq!(
+        sentence::start(&motion, PLAIN),
+        "Slips: rolling would need a friction coefficient of 2; there is 0.5."
+    );
     let told: Vec<String> = (0..4).map(|i| sentence::transition(&motion, i, PLAIN).unwrap()).collect();
-    for (text, begin) in
-        told.iter().zip(["Sticks and rolls", "Slips: friction needs more than 0.5 N", "Jumps", "Lands"])
-    {
+    for (text, begin) in told.iter().zip([
+        "Sticks and rolls",
+        "Slips: rolling would need a friction coefficient above 0.5",
+        "Jumps",
+        "Lands",
+    ]) {
         assert!(text.starts_with(begin), "{text}");
     }
     // The mass centre rises at −h sin θ θ′ = 0.865 (2.7), from the state at the lift-off to 18 digits.
     let rise = -0.5 * libm::sin(5.236_735_770_878_168) * 1.998_705_937_114_139_9;
-    assert!(told[2].contains(&format!("rises at {rise:.3} √(g R)")), "{}", told[2]);
+    assert!(told[2].contains(&format!("rises at {rise:.3} √(gR)")), "{}", told[2]);
     assert_eq!(sentence::transition(&motion, 4, PLAIN), None);
     assert_eq!(sentence::outcome(&motion, PLAIN), told[3]);
 }

@@ -3,8 +3,9 @@
 use littlewood::NamedCase;
 use serde::Serialize;
 
-use super::hoop::HoopRecord;
-use super::state::StateRecord;
+use super::fields::Fields;
+use super::instant::state;
+use super::setup::hoop;
 
 /// A named case.
 #[derive(Debug, Serialize)]
@@ -12,13 +13,13 @@ pub(crate) struct CaseRecord {
     name: &'static str,
     title: &'static str,
     source: &'static str,
-    hoop: HoopRecord,
-    start: StateRecord,
+    hoop: Fields,
+    start: Fields,
 }
 
-impl From<&'static NamedCase> for CaseRecord {
-    fn from(case: &'static NamedCase) -> Self {
-        let NamedCase { name, title, source, hoop, start } = *case;
-        Self { name, title, source, hoop: hoop.into(), start: start.into() }
+impl From<&NamedCase> for CaseRecord {
+    fn from(case: &NamedCase) -> Self {
+        let NamedCase { name, title, source, setup } = *case;
+        Self { name, title, source, hoop: hoop(setup.hoop), start: state(&setup.start.into()) }
     }
 }

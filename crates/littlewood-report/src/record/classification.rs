@@ -1,11 +1,10 @@
 //! What is known of a start.
 
-use littlewood::{Classification, Limit, RollingEnd, RollingType};
+use littlewood::{Classification, RollingEnd, RollingType};
 use serde::Serialize;
 
-use super::direction::sign;
-use super::findings::FindingsRecord;
-use super::recurrence::RecurrenceRecord;
+use super::candidates::CandidatesRecord;
+use super::fields::{Fields, Value};
 
 /// What is known of a start.
 #[derive(Debug, Serialize)]
@@ -18,34 +17,22 @@ pub(crate) struct ClassificationRecord {
     friction_demand: f64,
     contact: f64,
     rolling_type: Option<&'static str>,
-    rolling_end: Option<RollingEndRecord>,
-    rolls_forever: Option<RecurrenceRecord>,
-    findings: Option<FindingsRecord>,
+    rolling_end: Option<Fields>,
+    rolls_forever: Option<Fields>,
+    #[serde(rename = "findings")]
+    candidates: Option<CandidatesRecord>,
 }
 
-#[derive(Debug, Serialize)]
-struct RollingEndRecord {
-    elapsed: f64,
-    theta: f64,
-    theta_rate: f64,
-    cause: &'static str,
-    direction: i8,
-}
-
-impl From<&RollingEnd> for RollingEndRecord {
-    fn from(end: &RollingEnd) -> Self {
-        let (cause, direction) = match end.limit {
-            Limit::Friction(direction) => ("slip", Some(direction)),
-            Limit::NormalForce => ("normal_force_zero", None),
-        };
-        Self {
-            elapsed: end.elapsed,
-            theta: end.theta,
-            theta_rate: end.theta_rate,
-            cause,
-            direction: sign(direction),
-        }
-    }
+fn rolling_end(end: RollingEnd) -> Fields {
+    [
+        ("elapsed", Value::Real(end.elapsed)),
+        ("theta", Value::Real(end.theta)),
+        ("theta_rate", Value::Real(end.theta_rate)),
+        ("cause", Value::Word(Some(end.limit.cause().name()))),
+        ("direction", end.limit.direction().into()),
+    ]
+    .into_iter()
+    .collect()
 }
 
 impl From<&Classification> for ClassificationRecord {
@@ -58,9 +45,9 @@ impl From<&Classification> for ClassificationRecord {
             friction_demand: found.rolling_forces.demand(),
             contact: found.contact,
             rolling_type: found.rolling_type.map(RollingType::name),
-            rolling_end: found.rolling_end.as_ref().map(RollingEndRecord::from),
-            rolls_forever: found.recurrence.as_ref().map(RecurrenceRecord::from),
-            findings: found.findings.as_ref().map(FindingsRecord::from),
+            rolling_end: found.rolling_end.map(rolling_end),
+            rolls_forever: found.recurrence.map(|recurrence| Fields::of_details(recurrence.details())),
+            candidates: found.candidates.map(CandidatesRecord::from),
         }
     }
 }

@@ -1,25 +1,21 @@
-//! The records that programs read, with their fixed names. A number that is not finite becomes `null` in JSON.
+//! The records that programs read, with the names of the core's tables. A number that is not finite becomes `null` in
+//! JSON.
 
+mod candidates;
 mod case;
 mod classification;
-mod direction;
-mod findings;
-mod hoop;
+mod fields;
+mod instant;
 mod outcome;
 mod phase;
-mod recurrence;
-mod sample;
-mod state;
+mod setup;
 mod transition;
-mod units;
 
 pub(crate) use case::CaseRecord;
 pub(crate) use classification::ClassificationRecord;
-pub(crate) use direction::sign;
-pub(crate) use hoop::HoopRecord;
+pub(crate) use fields::{Fields, Value};
+pub(crate) use instant::{sample, si_sample, si_state, state};
 pub(crate) use outcome::OutcomeRecord;
 pub(crate) use phase::PhaseRecord;
-pub(crate) use sample::{SampleRecord, SiSampleRecord};
-pub(crate) use state::{SiStateRecord, StartRecord, StateRecord};
-pub(crate) use transition::{EdgeRecord, TransitionRecord};
-pub(crate) use units::SiRecord;
+pub(crate) use setup::{SiRecord, StartRecord, hoop};
+pub(crate) use transition::{TransitionRecord, edge, edge_of};

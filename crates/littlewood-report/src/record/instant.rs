@@ -1,0 +1,51 @@
+//! States and samples, dimensionless and in SI units: the columns of the core.
+
+use std::sync::LazyLock;
+
+use littlewood::{Sample, SampleColumn, SampleValue, State, Units};
+
+use super::fields::{Fields, Value};
+
+/// The names of the columns in SI units; none for a code.
+static SI_NAMES: LazyLock<Vec<Option<String>>> =
+    LazyLock::new(|| SampleColumn::ALL.into_iter().map(SampleColumn::si_name).collect());
+
+impl From<SampleValue> for Value {
+    fn from(value: SampleValue) -> Self {
+        match value {
+            SampleValue::Mode(mode) => Some(mode).into(),
+            SampleValue::Direction(direction) => direction.into(),
+            SampleValue::Real(value) => Self::Real(value),
+        }
+    }
+}
+
+/// A state.
+pub(crate) fn state(state: &State) -> Fields {
+    let columns = State::COLUMNS.into_iter().zip(state.numbers());
+    columns.map(|(column, value)| (column.name(), Value::Real(value))).collect()
+}
+
+/// A state in SI units.
+pub(crate) fn si_state(units: &Units, state: &State) -> Fields {
+    let columns = State::COLUMNS.into_iter().zip(state.numbers());
+    columns.filter_map(|(column, value)| in_si(units, column, value)).collect()
+}
+
+/// An instant of a motion.
+pub(crate) fn sample(sample: &Sample) -> Fields {
+    SampleColumn::ALL.into_iter().map(|column| (column.name(), column.of(sample).into())).collect()
+}
+
+/// An instant of a motion in SI units, without what has none.
+pub(crate) fn si_sample(units: &Units, sample: &Sample) -> Fields {
+    SampleColumn::ALL
+        .into_iter()
+        .filter_map(|column| in_si(units, column, column.of(sample).number()))
+        .collect()
+}
+
+fn in_si(units: &Units, column: SampleColumn, value: f64) -> Option<(&'static str, Value)> {
+    let name = SI_NAMES.get(usize::from(column.code()))?.as_deref()?;
+    Some((name, Value::Real(units.to_si(column.dimension()?, value))))
+}
