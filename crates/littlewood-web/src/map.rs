@@ -2,13 +2,12 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Engine, Limits, Start};
+use littlewood::{Class, Engine, Limits, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::class::Class;
 use crate::problem::Problem;
 
-/// Transitions after which a map gives up. Only with μs = μk can there be more.
+/// Largest number of transitions that a map follows. Only with μs = μk can there be more.
 const TRANSITIONS: usize = 200;
 
 /// A square map of one turn, −π < θ < π, and of −r < θ′ < r, row by row from the top.
@@ -38,7 +37,7 @@ impl OutcomeMap {
             slip,
             rate,
             side,
-            cells: vec![Class::Unknown as u8; side * side],
+            cells: vec![Class::NotComputed.code(); side * side],
             symmetric: slip == 0.0 && side.is_multiple_of(2),
         }
     }
@@ -57,10 +56,10 @@ impl OutcomeMap {
             for column in 0..self.side.div_ceil(stride) {
                 let (x, y) = (column * stride, row * stride);
                 let cell = y * self.side + x;
-                if self.cells[cell] != Class::Unknown as u8 {
+                if self.cells[cell] != Class::NotComputed.code() {
                     continue;
                 }
-                let class = self.class_at(x, y) as u8;
+                let class = self.class_at(x, y).code();
                 self.cells[cell] = class;
                 if self.symmetric {
                     let mirrored = self.side * self.side - 1 - cell;
@@ -70,7 +69,7 @@ impl OutcomeMap {
         }
     }
 
-    /// The classes of all cells, each as the nearest start of this level has it.
+    /// The codes of the classes of all cells, each as the nearest start of this level has it.
     #[must_use]
     pub fn classes(&self, stride: usize) -> Vec<u8> {
         let stride = stride.max(1);
@@ -92,8 +91,8 @@ impl OutcomeMap {
         // Odd numbers over the side: exactly opposite for opposite cells.
         let centre = |i: usize| ((2 * i + 1) as f64 - self.side as f64) / self.side as f64;
         let start = Start::at(PI * centre(x), -self.rate * centre(y)).with_slip(self.slip);
-        let limits = Limits { until: None, transitions: TRANSITIONS };
-        self.engine.summary(start, limits).map_or(Class::Unresolved, |summary| Class::of(&summary))
+        let limits = Limits::default().with_transitions(TRANSITIONS);
+        self.engine.summary(start, limits).map_or(Class::Invalid, |summary| Class::of(&summary))
     }
 }
 
@@ -116,7 +115,7 @@ mod tests {
         whole.symmetric = false;
         whole.compute(1, 0, 64);
         assert_eq!(folded.classes(1), whole.classes(1));
-        assert!(!whole.classes(1).contains(&(Class::Unknown as u8)));
+        assert!(!whole.classes(1).contains(&Class::NotComputed.code()));
     }
 
     #[test]
@@ -124,7 +123,7 @@ mod tests {
         for slip in [0.0, 0.5] {
             let mut map = OutcomeMap::new(&figure_2(slip), 4.0, 32);
             map.compute(8, 0, map.rows(8));
-            assert!(!map.classes(8).contains(&(Class::Unknown as u8)));
+            assert!(!map.classes(8).contains(&Class::NotComputed.code()));
         }
     }
 
@@ -133,7 +132,7 @@ mod tests {
         let mut map = OutcomeMap::new(&figure_2(0.0), 4.2, 101);
         map.compute(1, 0, 101);
         let classes = map.classes(1);
-        assert_eq!(classes[2 * 101 + 50], Class::LeavesAtOnce as u8);
-        assert_eq!(classes[50 * 101], Class::RollsForever as u8);
+        assert_eq!(classes[2 * 101 + 50], Class::LeavesAtOnce.code());
+        assert_eq!(classes[50 * 101], Class::RollsForever.code());
     }
 }

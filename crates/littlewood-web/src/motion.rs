@@ -2,43 +2,13 @@
 
 use core::fmt;
 
-use littlewood::{Direction, Mode, NamedCase, Sample, Trajectory, find_case};
+use littlewood::{NamedCase, Sample, SampleColumn, Trajectory, find_case};
 use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, Subject, csv, json, sentence};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::problem::Problem;
 use crate::refusal::Refusal;
-
-/// Names of the columns of a sample, in order.
-const COLUMNS: [&str; 19] = [
-    "time",
-    "mode",
-    "direction",
-    "theta",
-    "theta_rate",
-    "slip",
-    "x",
-    "theta_acceleration",
-    "slip_acceleration",
-    "normal",
-    "friction",
-    "gap",
-    "gap_rate",
-    "energy",
-    "centre_y",
-    "mass_centre_x",
-    "mass_centre_y",
-    "particle_x",
-    "particle_y",
-];
-
-/// Names of the columns of a sample, in order. The mode is a number: rolling 0, sliding 1, gliding 2, flight 3.
-#[wasm_bindgen(js_name = sampleColumns)]
-#[must_use]
-pub fn sample_columns() -> Vec<String> {
-    COLUMNS.map(str::to_owned).to_vec()
-}
 
 /// A motion from its start to its end, or to a limit.
 #[wasm_bindgen]
@@ -73,18 +43,23 @@ impl Motion {
         Sampling::of(&self.trajectory, 2).until
     }
 
-    /// `count` instants evenly spaced in time up to `until`, and every transition twice, column after column.
+    /// `count` instants evenly spaced in time up to `until`, and every transition twice: the columns of
+    /// [`SampleColumn::ALL`] one after the other.
     #[must_use]
     pub fn samples(&self, count: usize, until: f64) -> Vec<f64> {
-        let rows: Vec<[f64; COLUMNS.len()]> =
-            self.trajectory.sample_evenly(count, until).map(|sample| self.row(&sample)).collect();
-        (0..COLUMNS.len()).flat_map(|column| rows.iter().map(move |row| row[column])).collect()
+        let samples: Vec<Sample> = self.trajectory.sample_evenly(count, until).collect();
+        SampleColumn::ALL
+            .into_iter()
+            .flat_map(|column| samples.iter().map(move |sample| column.of(sample).number()))
+            .collect()
     }
 
-    /// One instant; empty outside the motion.
+    /// One instant, in the columns of [`SampleColumn::ALL`]; empty outside the motion.
     #[must_use]
     pub fn at(&self, time: f64) -> Vec<f64> {
-        self.trajectory.at(time).map_or_else(Vec::new, |sample| self.row(&sample).to_vec())
+        self.trajectory.at(time).map_or_else(Vec::new, |sample| {
+            SampleColumn::ALL.into_iter().map(|column| column.of(&sample).number()).collect()
+        })
     }
 
     /// What happens at the start.
@@ -124,38 +99,6 @@ impl Motion {
 }
 
 impl Motion {
-    fn row(&self, sample: &Sample) -> [f64; COLUMNS.len()] {
-        let hoop = self.trajectory.hoop();
-        let (mass_centre, particle) = (sample.mass_centre(hoop), sample.particle(hoop));
-        let mode = match sample.mode {
-            Mode::Rolling => 0.0,
-            Mode::Sliding => 1.0,
-            Mode::Gliding => 2.0,
-            Mode::Flight => 3.0,
-        };
-        [
-            sample.state.time,
-            mode,
-            sample.direction.map_or(0.0, Direction::sign),
-            sample.state.theta,
-            sample.state.theta_rate,
-            sample.state.slip,
-            sample.state.x,
-            sample.theta_acceleration,
-            sample.slip_acceleration,
-            sample.normal,
-            sample.friction,
-            sample.gap,
-            sample.gap_rate,
-            sample.energy,
-            sample.centre().y,
-            mass_centre.x,
-            mass_centre.y,
-            particle.x,
-            particle.y,
-        ]
-    }
-
     const fn scale(&self) -> Scale<'_> {
         Scale::new(self.problem.units.as_ref())
     }

@@ -1,0 +1,135 @@
+//! Colours and lines as TypeScript, for what is drawn, and as a style sheet, for the document.
+
+use core::fmt::Write;
+
+use littlewood::Mode;
+use littlewood_style::{Accent, Arrow, Curve, Dash, Ink, Rgb, Swatch, Theme, dash_of, swatches};
+
+use crate::source::{Source, WRITTEN, object, quoted, quoted_or_null};
+
+/// How much of the colour of a class a map shows that lies behind curves and letters.
+const MAP_OPACITY: f64 = 0.45;
+
+/// `palette.ts`.
+pub(crate) fn typescript() -> String {
+    let mut source = Source::new("Colours and lines of the style crate.");
+    source.lines("import type { Class, Mode } from './tables';");
+    source.names("INKS", "Ink", "Colours of what is not data.", Ink::ALL.map(Ink::name));
+    source.names("ARROWS", "Arrow", "Vectors that are drawn at the hoop.", Arrow::ALL.map(Arrow::name));
+    source.names("CURVES", "Curve", "Curves of the phase plane.", Curve::ALL.map(Curve::name));
+    source.names("ACCENTS", "Accent", "Colours for what has none of its own.", Accent::ALL.map(Accent::name));
+    source.lines(
+        "export interface Palette {
+  ink: Readonly<Record<Ink, string>>;
+  mode: Readonly<Record<Mode, string>>;
+  /** A class in a map that lies behind curves. */
+  class: Readonly<Record<Class, string>>;
+  arrow: Readonly<Record<Arrow, string>>;
+  curve: Readonly<Record<Curve, string>>;
+  accent: Readonly<Record<Accent, string>>;
+  /** The region where the hoop can roll, over whatever is below. */
+  region: string;
+}",
+    );
+    let palettes = Theme::ALL.map(|theme| (theme.name(), palette(theme)));
+    source.record("PALETTES", ("'light' | 'dark'", "Palette"), "The colours on each paper.", palettes);
+    let dashes = Mode::ALL.map(|mode| (mode.name(), pattern(dash_of(mode))));
+    let doc = "Dashes of a line that shows a mode, in units of its width.";
+    source.record("MODE_DASHES", ("Mode", "readonly number[]"), doc, dashes);
+    source.lines(
+        "export interface CurveRow {
+  label: string;
+  /** The letter of the paper. */
+  letter: string | null;
+  /** In units of the width. */
+  dash: readonly number[];
+  width: number;
+}",
+    );
+    let curves = Curve::ALL.map(|curve| {
+        let fields = [
+            ("label", quoted(curve.label())),
+            ("letter", quoted_or_null(curve.letter())),
+            ("dash", pattern(curve.dash())),
+            ("width", curve.width().to_string()),
+        ];
+        (curve.name(), object(&fields))
+    });
+    source.record("CURVE_ROWS", ("Curve", "CurveRow"), "The table of curves.", curves);
+    source.text()
+}
+
+fn palette(theme: Theme) -> String {
+    let mut text = "{".to_owned();
+    for swatches in swatches(theme).chunk_by(|a, b| a.group == b.group) {
+        let _ = write!(text, "\n    {}: {{", swatches[0].group);
+        for swatch in swatches {
+            let _ = write!(text, "\n      {}: {},", swatch.name, quoted(&shown(swatch, theme).hex()));
+        }
+        text.push_str("\n    },");
+    }
+    let _ = write!(text, "\n    region: {},\n  }}", quoted(&region(theme)));
+    text
+}
+
+fn pattern(dash: Dash) -> String {
+    format!("{:?}", dash.pattern())
+}
+
+/// `palette.css`: inks and accents as variables of the document; the colour of a mode, a class, an arrow or a curve as a
+/// variable of the element that names it in an attribute, with a colour for letters on it.
+pub(crate) fn css() -> String {
+    let mut variables = String::new();
+    let mut rules = String::new();
+    for (light, dark) in swatches(Theme::Light).iter().zip(&swatches(Theme::Dark)) {
+        let Swatch { group, name, .. } = light;
+        let [on_light, on_dark] = [shown(light, Theme::Light), shown(dark, Theme::Dark)];
+        let colour = light_dark(on_light.hex(), on_dark.hex());
+        if ["ink", "accent"].contains(group) && *name != Ink::Region.name() {
+            let _ = writeln!(variables, "  --{}: {colour};", name.replace('_', "-"));
+        } else if *group != "ink" {
+            let letters = light_dark(letters(on_light, Theme::Light), letters(on_dark, Theme::Dark));
+            let _ = write!(
+                rules,
+                "\n[data-{group}='{name}'] {{\n  --{group}: {colour};\n  --on-{group}: {letters};\n}}\n"
+            );
+        }
+    }
+    let region = light_dark(region(Theme::Light), region(Theme::Dark));
+    format!(
+        "/* Colours of the style crate. {WRITTEN} */\n:root {{\n{variables}  --region: {region};\n}}\n{rules}"
+    )
+}
+
+fn light_dark(light: String, dark: String) -> String {
+    format!("light-dark({light}, {dark})")
+}
+
+/// A colour as the page shows it.
+fn shown(swatch: &Swatch, theme: Theme) -> Rgb {
+    if swatch.group == "class" {
+        swatch.colour.over(Ink::Paper.colour(theme), MAP_OPACITY)
+    } else {
+        swatch.colour
+    }
+}
+
+/// The more legible colour for letters on a colour.
+fn letters(ground: Rgb, theme: Theme) -> String {
+    ground.more_legible(Ink::Paper.colour(theme), Ink::Ink.colour(theme)).hex()
+}
+
+/// A colour with the least opacity that makes the colour of the region on bare paper, so that a map shows through it.
+fn region(theme: Theme) -> String {
+    let (Rgb(wanted), Rgb(paper)) = (Ink::Region.colour(theme), Ink::Paper.colour(theme));
+    let pairs = || wanted.into_iter().zip(paper).map(|(wanted, paper)| (f64::from(wanted), f64::from(paper)));
+    let needed = |(wanted, paper): (f64, f64)| {
+        if wanted < paper { (paper - wanted) / paper } else { (wanted - paper) / (255.0 - paper).max(1.0) }
+    };
+    let opacity = (100.0 * pairs().map(needed).fold(0.01, f64::max)).ceil() / 100.0;
+    let [red, green, blue] = [0, 1, 2].map(|i| {
+        let (wanted, paper) = (f64::from(wanted[i]), f64::from(paper[i]));
+        ((wanted - (1.0 - opacity) * paper) / opacity).round().clamp(0.0, 255.0)
+    });
+    format!("rgb({red} {green} {blue} / {opacity})")
+}

@@ -1,0 +1,187 @@
+// Colours and lines of the style crate. Written by `LITTLEWOOD_WRITE=1 cargo test -p littlewood-web --test generated`; do not edit.
+
+import type { Class, Mode } from './tables';
+
+/** Colours of what is not data. */
+export const INKS = [
+  'paper',
+  'ink',
+  'soft',
+  'faint',
+  'line',
+  'hatch',
+  'region',
+  'ground',
+  'no_value',
+] as const;
+export type Ink = (typeof INKS)[number];
+
+/** Vectors that are drawn at the hoop. */
+export const ARROWS = [
+  'normal_force',
+  'friction_force',
+  'slip',
+] as const;
+export type Arrow = (typeof ARROWS)[number];
+
+/** Curves of the phase plane. */
+export const CURVES = [
+  'slip_limit',
+  'normal_force_zero',
+  'separatrix',
+  'lift_off',
+  'level',
+] as const;
+export type Curve = (typeof CURVES)[number];
+
+/** Colours for what has none of its own. */
+export const ACCENTS = [
+  'violet',
+  'teal',
+  'brown',
+] as const;
+export type Accent = (typeof ACCENTS)[number];
+
+export interface Palette {
+  ink: Readonly<Record<Ink, string>>;
+  mode: Readonly<Record<Mode, string>>;
+  /** A class in a map that lies behind curves. */
+  class: Readonly<Record<Class, string>>;
+  arrow: Readonly<Record<Arrow, string>>;
+  curve: Readonly<Record<Curve, string>>;
+  accent: Readonly<Record<Accent, string>>;
+  /** The region where the hoop can roll, over whatever is below. */
+  region: string;
+}
+
+/** The colours on each paper. */
+export const PALETTES: Readonly<Record<'light' | 'dark', Palette>> = {
+  light: {
+    ink: {
+      paper: '#ffffff',
+      ink: '#222222',
+      soft: '#6b6b6b',
+      faint: '#9a9a9a',
+      line: '#c4c4c4',
+      hatch: '#c2c2c2',
+      region: '#e3ecf2',
+      ground: '#eceae4',
+      no_value: '#e4e4e4',
+    },
+    mode: {
+      rolling: '#004b87',
+      sliding: '#bf5300',
+      gliding: '#c66d9e',
+      flight: '#2e9dd4',
+    },
+    class: {
+      leaves_at_once: '#9898b2',
+      lifts_off_later: '#f1d28d',
+      rolls_forever: '#e0eaef',
+      slides_forever: '#8cadab',
+      in_contact_at_limit: '#c0c8d2',
+      particle_at_plane: '#ded3e7',
+      particle_at_bottom: '#ba9fb3',
+      particle_at_top: '#bbb98c',
+      painleve: '#8c8c8c',
+      unresolved: '#b8b8b8',
+      invalid: '#f3f3f3',
+      not_computed: '#ffffff',
+    },
+    arrow: {
+      normal_force: '#006d4e',
+      friction_force: '#9a1b6a',
+      slip: '#7f6100',
+    },
+    curve: {
+      slip_limit: '#9a1b6a',
+      normal_force_zero: '#006d4e',
+      separatrix: '#222222',
+      lift_off: '#006d4e',
+      level: '#9a9a9a',
+    },
+    accent: {
+      violet: '#693c99',
+      teal: '#08828e',
+      brown: '#b08163',
+    },
+    region: 'rgb(0 82 137 / 0.11)',
+  },
+  dark: {
+    ink: {
+      paper: '#14171d',
+      ink: '#eceef2',
+      soft: '#aab0bd',
+      faint: '#7d8594',
+      line: '#3b414d',
+      hatch: '#444b58',
+      region: '#232b36',
+      ground: '#24231f',
+      no_value: '#292929',
+    },
+    mode: {
+      rolling: '#018de9',
+      sliding: '#fb9d52',
+      gliding: '#ec98d6',
+      flight: '#a2ebfe',
+    },
+    class: {
+      leaves_at_once: '#736d83',
+      lifts_off_later: '#413110',
+      rolls_forever: '#0b2a39',
+      slides_forever: '#356867',
+      in_contact_at_limit: '#3a4350',
+      particle_at_plane: '#393146',
+      particle_at_bottom: '#625b83',
+      particle_at_top: '#545210',
+      painleve: '#7e7f83',
+      unresolved: '#4f5154',
+      invalid: '#1d1f22',
+      not_computed: '#14171d',
+    },
+    arrow: {
+      normal_force: '#4fd1a1',
+      friction_force: '#fe79b7',
+      slip: '#f0c44c',
+    },
+    curve: {
+      slip_limit: '#fe79b7',
+      normal_force_zero: '#4fd1a1',
+      separatrix: '#eceef2',
+      lift_off: '#4fd1a1',
+      level: '#7d8594',
+    },
+    accent: {
+      violet: '#9a7fd1',
+      teal: '#35aab5',
+      brown: '#dcc0ae',
+    },
+    region: 'rgb(145 190 237 / 0.12)',
+  },
+};
+
+/** Dashes of a line that shows a mode, in units of its width. */
+export const MODE_DASHES: Readonly<Record<Mode, readonly number[]>> = {
+  rolling: [],
+  sliding: [5.0, 2.5],
+  gliding: [6.0, 2.0, 1.0, 2.0],
+  flight: [1.0, 1.8],
+};
+
+export interface CurveRow {
+  label: string;
+  /** The letter of the paper. */
+  letter: string | null;
+  /** In units of the width. */
+  dash: readonly number[];
+  width: number;
+}
+
+/** The table of curves. */
+export const CURVE_ROWS: Readonly<Record<Curve, CurveRow>> = {
+  slip_limit: { label: 'f: |F| = μs N in rolling', letter: 'f', dash: [5.0, 2.5], width: 2.4 },
+  normal_force_zero: { label: 'n: N = 0 in rolling', letter: 'n', dash: [], width: 2.4 },
+  separatrix: { label: 'separatrix', letter: null, dash: [], width: 1.6 },
+  lift_off: { label: 'lift-off: h cos θ θ′² = 1', letter: null, dash: [2.5, 1.8], width: 1.6 },
+  level: { label: 'constant energy', letter: null, dash: [], width: 0.8 },
+};
