@@ -24,15 +24,18 @@ from .fit_result import Estimate, FitResult, IdentifiabilityWarning
 from .fitting import fit
 from .hoop import STANDARD_GRAVITY, Hoop
 from .many import outcome_map, sequence_names, simulate_many
-from .motion import EDGES, MODES, OUTCOMES, Classification, Edge, Outcome, Phase, State, Transition
-from .phase_plane import REGIONS, Equilibrium, PhasePlane
+from .motion import EDGES, Classification, Edge, Impulse, Outcome, Phase, State, Transition
+from .phase_plane import Equilibrium, PhasePlane
 from .samples import Samples
+from .tables import CAUSES, CLASSES, MODES, OUTCOMES, REGIONS
 from .track import Track
 from .trajectory import Trajectory
 from .units import Units
 
 __all__ = [
     "CASES",
+    "CAUSES",
+    "CLASSES",
     "EDGES",
     "MODES",
     "OUTCOMES",
@@ -46,6 +49,7 @@ __all__ = [
     "FitResult",
     "Hoop",
     "IdentifiabilityWarning",
+    "Impulse",
     "Outcome",
     "ParameterError",
     "Phase",

@@ -1,19 +1,35 @@
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, final
 
 import numpy as np
 import numpy.typing as npt
 
-_Hoop = tuple[float, float, float, float, float]
-_State = tuple[float, float, float, float, float]
+# Numbers in the order of HOOP, START, SI_HOOP, SI_START; those of a state come in that of STATE.
+_Numbers = Sequence[float]
+_Scales = tuple[float, float, float]
 _Reals = npt.NDArray[np.float64]
 
 __all__ = [
-    "INVALID",
+    "AXES",
+    "CAUSES",
+    "CLASSES",
+    "DIRECTIONS",
+    "HOOP",
+    "MIN_STARTS_FOR_TABLES",
     "MODES",
     "OUTCOMES",
+    "OUTSIDE",
+    "PHASES",
     "REGIONS",
-    "REPAYS",
+    "ROLLING_TYPES",
+    "SEQUENCE_CAPACITY",
+    "SEQUENCE_ENCODING",
+    "SEQUENCE_VERSION",
+    "SI_HOOP",
+    "SI_START",
+    "STANDARD_GRAVITY",
+    "START",
+    "STATE",
     "ParameterError",
     "PhasePlane",
     "Trajectory",
@@ -21,12 +37,18 @@ __all__ = [
     "alpha",
     "cases",
     "check_hoop",
+    "check_until",
+    "classes",
     "classify",
+    "curves",
+    "dashes",
+    "derived_units",
     "edges",
     "gliding_path",
     "gliding_time_to_plane",
     "hoop_from_si",
     "in_rolling_region",
+    "quantities",
     "rolling_angle",
     "rolling_energy",
     "rolling_friction",
@@ -34,6 +56,8 @@ __all__ = [
     "rolling_normal",
     "rolling_time_to_plane",
     "rolling_type",
+    "sample_columns",
+    "sample_in_si",
     "sequence_names",
     "simulate",
     "slip_angle",
@@ -41,15 +65,32 @@ __all__ = [
     "stable_manifold_rate",
     "start_from_si",
     "summaries",
+    "summary_columns",
+    "swatches",
     "unloading_time_from_top",
     "unstable_manifold_rate",
 ]
 __version__: str
-MODES: list[str]
-OUTCOMES: list[str]
-REGIONS: list[str]
-INVALID: int
-REPAYS: int
+AXES: list[str]
+CAUSES: list[tuple[int, str, str]]
+CLASSES: list[tuple[int, str, str]]
+DIRECTIONS: list[tuple[int, str]]
+HOOP: list[str]
+MIN_STARTS_FOR_TABLES: int
+MODES: list[tuple[int, str]]
+OUTCOMES: list[tuple[int, str, str, bool]]
+OUTSIDE: int
+PHASES: list[tuple[int, str, str]]
+REGIONS: list[tuple[int, str]]
+ROLLING_TYPES: list[tuple[int, str]]
+SEQUENCE_CAPACITY: int
+SEQUENCE_ENCODING: str
+SEQUENCE_VERSION: int
+SI_HOOP: list[str]
+SI_START: list[str]
+STANDARD_GRAVITY: float
+START: list[str]
+STATE: list[str]
 
 class ParameterError(ValueError):
     quantity: str
@@ -58,9 +99,11 @@ class ParameterError(ValueError):
 
 @final
 class Trajectory:
-    def phases(self) -> list[tuple[str, int, _State, _State | None, float, float, bool]]: ...
-    def transitions(self) -> list[tuple[_State, str, str | None, int, str]]: ...
-    def outcome(self) -> tuple[str, _State, bool, dict[str, Any]]: ...
+    def phases(self) -> list[tuple[str, int, list[float], list[float] | None, float, float, bool]]: ...
+    def transitions(
+        self,
+    ) -> list[tuple[list[float], list[float], tuple[float, float] | None, str, str | None, int, str]]: ...
+    def outcome(self) -> tuple[str, list[float], dict[str, Any]]: ...
     def end_time(self) -> float: ...
     def energy_lost(self) -> float: ...
     def sequence(self) -> str: ...
@@ -69,9 +112,10 @@ class Trajectory:
 
 @final
 class PhasePlane:
-    def __new__(cls, numbers: _Hoop) -> PhasePlane: ...
+    def __new__(cls, numbers: _Numbers) -> PhasePlane: ...
     def normal(self, theta: _Reals, theta_rate: _Reals) -> _Reals: ...
     def friction(self, theta: _Reals, theta_rate: _Reals) -> _Reals: ...
+    def energy(self, theta: _Reals, theta_rate: _Reals) -> _Reals: ...
     def in_contact_region(self, theta: _Reals, theta_rate: _Reals) -> npt.NDArray[np.bool_]: ...
     def in_rolling_region(self, theta: _Reals, theta_rate: _Reals) -> npt.NDArray[np.bool_]: ...
     def normal_force_rate(self, theta: _Reals) -> _Reals: ...
@@ -82,32 +126,35 @@ class PhasePlane:
     def equilibria(self) -> list[tuple[float, str, float]]: ...
     def regions(self, theta: _Reals, theta_rate: _Reals, slip: _Reals) -> npt.NDArray[np.uint8]: ...
 
-def check_hoop(numbers: _Hoop) -> tuple[float, float, float]: ...
-def hoop_from_si(
-    disc_mass_kg: float,
-    particle_mass_kg: float,
-    radius_m: float,
-    offset_m: float,
-    inertia_kg_m2: float,
-    gravity_m_per_s2: float,
-    mu_s: float,
-    mu_k: float,
-) -> tuple[_Hoop, tuple[float, float, float, float]]: ...
-def start_from_si(
-    units: tuple[float, float, float], state: _State, until_s: float | None
-) -> tuple[_State, float | None]: ...
-def simulate(hoop_numbers: _Hoop, start_numbers: _State, until: float | None, max_transitions: int) -> Trajectory: ...
-def classify(hoop_numbers: _Hoop, start_numbers: _State) -> dict[str, Any]: ...
+def check_hoop(numbers: _Numbers) -> tuple[float, float, float]: ...
+def check_until(until: float) -> None: ...
+def hoop_from_si(numbers: _Numbers) -> tuple[list[float], tuple[float, float, float, float]]: ...
+def start_from_si(scales: _Scales, numbers: _Numbers, until_s: float | None) -> tuple[list[float], float | None]: ...
+def sample_in_si(scales: _Scales, column: str, values: _Reals) -> _Reals: ...
+def derived_units(scales: _Scales) -> tuple[float, float, float, float, float]: ...
+def simulate(
+    hoop_numbers: _Numbers, start_numbers: _Numbers, until: float | None, max_transitions: int
+) -> Trajectory: ...
+def classify(hoop_numbers: _Numbers, start_numbers: _Numbers) -> dict[str, Any]: ...
 def summaries(
     columns: list[_Reals],
     count: int,
     until: float | None,
     max_transitions: int,
-    prepare: bool,
+    tables: bool,
     threads: int,
     progress: Callable[[int], object] | None,
 ) -> dict[str, npt.NDArray[Any]]: ...
-def cases() -> list[tuple[str, str, str, _Hoop, _State]]: ...
+def classes(
+    outcome: npt.NDArray[np.uint8], sequence: npt.NDArray[np.uint64], lift_off_time: _Reals
+) -> npt.NDArray[np.uint8]: ...
+def quantities() -> list[dict[str, Any]]: ...
+def sample_columns() -> list[dict[str, Any]]: ...
+def summary_columns() -> list[dict[str, Any]]: ...
+def swatches(dark: bool) -> list[tuple[str, str, str]]: ...
+def dashes() -> list[tuple[str, str, list[float]]]: ...
+def curves() -> list[tuple[str, str | None, str, float]]: ...
+def cases() -> list[tuple[str, str, str, list[float], list[float]]]: ...
 def edges() -> list[tuple[str, str, str, str, str, str | None, str]]: ...
 def sequence_names(bits: npt.NDArray[np.uint64]) -> list[str]: ...
 def rolling_energy(theta: _Reals, theta_rate: _Reals) -> _Reals: ...

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .variables import HOOP, START
+from .tables import AXES
 
 
 class Limits(NamedTuple):
@@ -26,8 +26,8 @@ class Limits(NamedTuple):
         if transitions < 0:
             raise ValueError(f"max_transitions = {transitions} must not be negative")
         limits = cls(None if until is None else float(until), transitions)
-        # The core has the rule and the words: a motion at rest is soon simulated.
-        _core.simulate((1.0, 1.0, 1.0, 1.0, 1.0), (0.0, 0.0, 0.0, 0.0, 0.0), limits.until, 0)
+        if limits.until is not None:
+            _core.check_until(limits.until)
         return limits
 
 
@@ -35,7 +35,7 @@ def compute(
     arrays: Mapping[str, npt.NDArray[np.float64]],
     axes: Mapping[str, tuple[int, ...]],
     limits: Limits,
-    prepare: bool,
+    tables: bool,
     threads: int,
     progress: Callable[[int], object] | None = None,
 ) -> dict[str, npt.NDArray[Any]]:
@@ -44,12 +44,12 @@ def compute(
     Parameters
     ----------
     arrays : mapping of str to ndarray
-        The eight quantities, each over its own axes.
+        The quantities that a sweep can vary, each over its own axes.
     axes : mapping of str to tuple of int
         The places of those axes among the axes of the result.
     limits : Limits
         When to stop.
-    prepare : bool
+    tables : bool
         Whether to make tables of each hoop.
     threads : int
         Number of threads; 0 for all cores.
@@ -74,11 +74,11 @@ def compute(
         return np.broadcast_to(spread, shape).ravel()
 
     columns = _core.summaries(
-        [column(name) for name in (*HOOP, *START)],
+        [column(name) for name in AXES],
         int(np.prod(shape, dtype=np.int64)),
         limits.until,
         limits.max_transitions,
-        prepare,
+        tables,
         threads,
         progress,
     )

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
 from . import _core
 from .hoop import Hoop
 from .motion import State
+from .tables import HOOP, START
 from .trajectory import Trajectory
 
 __all__ = ["CASES", "Case", "case"]
@@ -51,27 +52,12 @@ class Case:
         -------
         Trajectory
         """
-        start = self.start
-        return self.hoop.simulate(
-            theta=start.theta,
-            theta_rate=start.theta_rate,
-            slip=start.slip,
-            x=start.x,
-            time=start.time,
-            until=until,
-        )
+        return self.hoop.simulate(**vars(self.start), until=until)
 
 
-def _case(
-    name: str,
-    title: str,
-    source: str,
-    hoop: tuple[float, float, float, float, float],
-    start: tuple[float, float, float, float, float],
-) -> Case:
-    mass_ratio, offset, inertia, mu_s, mu_k = hoop
-    body = Hoop(mass_ratio=mass_ratio, offset=offset, inertia=inertia, mu_s=mu_s, mu_k=mu_k)
-    return Case(name, title, source, body, State(*start))
+def _case(name: str, title: str, source: str, hoop: Sequence[float], start: Sequence[float]) -> Case:
+    body = Hoop(**dict(zip(HOOP, hoop, strict=True)), units=None)
+    return Case(name, title, source, body, State(**dict(zip(START, start, strict=True))))
 
 
 CASES: Mapping[str, Case] = MappingProxyType({row[0]: _case(*row) for row in _core.cases()})

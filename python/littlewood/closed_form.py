@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from . import _core
 from .elementwise import broadcast
+from .tables import ROLLING_TYPES
 
 __all__ = [
     "ROLLING_TYPES",
@@ -34,9 +35,6 @@ __all__ = [
     "unloading_time_from_top",
     "unstable_manifold_rate",
 ]
-
-ROLLING_TYPES: tuple[str, ...] = ("", "I", "II", "III")
-"""Names of the codes of :func:`rolling_type`."""
 
 
 def rolling_energy(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from .extras import require
 from .hoop import Hoop
 from .motion import State
-from .style import INK, MODE_COLOURS, PALE
+from .style import FAINT, INK, LINE, MODE_COLOURS, MODE_DASHES
 from .track import Track
 from .trajectory import Trajectory
 
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Estimate", "FitResult", "IdentifiabilityWarning"]
 
-_LABELS = {"theta": "θ  (rad)", "x": "x  (R)", "y": "y  (R)"}
+# Columns of samples by the channels of a track.
+_COLUMNS = {"theta": "theta", "x": "x", "y": "centre_y"}
 
 
 class IdentifiabilityWarning(UserWarning):
@@ -156,24 +157,26 @@ class FitResult:
         samples = self.motion.sample(1001, end)
         for k, (name, measured) in enumerate(channels.items()):
             above, below = axes[0, k], axes[1, k]
-            above.plot(self.track.time, measured, "o", ms=2.6, mfc="none", mec=PALE, label="measured")
-            fitted = samples["centre_y" if name == "y" else name]
+            above.plot(self.track.time, measured, "o", ms=2.6, mfc="none", mec=FAINT, label="measured")
+            fitted = samples[_COLUMNS[name]]
             for mode, part in canvas.phase_slices(samples):
-                above.plot(samples.time[part], fitted[part], color=MODE_COLOURS[mode], lw=1.8, label=mode)
-            above.set_ylabel(_LABELS[name])
+                above.plot(
+                    samples.time[part], fitted[part], color=MODE_COLOURS[mode], ls=MODE_DASHES[mode], lw=1.8, label=mode
+                )
+            above.set_ylabel(canvas.axis_label(_COLUMNS[name]))
             if name == "theta":
                 canvas.pi_ticks(above, "y", most=7)
-                above.set_ylabel("θ")
-            below.axhspan(-self.sigma[name], self.sigma[name], color="#e4e4e4", lw=0)
+                above.set_ylabel(canvas.sign(name))
+            below.axhspan(-self.sigma[name], self.sigma[name], color=LINE, alpha=0.5, lw=0)
             below.axhline(0.0, color=INK, lw=0.8)
             below.plot(self.track.time, self.residuals[name], "o", ms=2.6, color=INK)
-            below.set_ylabel(f"residual {_LABELS[name]}" if name != "theta" else "residual of θ  (rad)")
-            below.set_xlabel("τ  (√(R/g))")
+            below.set_ylabel(f"residual of {canvas.axis_label(_COLUMNS[name])}")
+            below.set_xlabel(canvas.axis_label("time"))
             for one in (above, below):
                 one.spines[["top", "right"]].set_visible(False)
                 for transition in self.motion.transitions:
                     if transition.time <= end:
-                        one.axvline(transition.time, color=PALE, lw=0.6, zorder=0)
+                        one.axvline(transition.time, color=FAINT, lw=0.6, zorder=0)
         handles, labels = axes[0, 0].get_legend_handles_labels()
         unique = dict(zip(labels, handles, strict=True))
         figure.legend(unique.values(), unique.keys(), loc="outside upper center", ncols=5, frameon=False)

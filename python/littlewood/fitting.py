@@ -192,7 +192,7 @@ class _Problem:
         motion = self.motion(unknowns)
         samples = motion.at(self.track.time)
         found = {"theta": samples.theta, "x": samples.x, "y": samples.centre_y}
-        late = samples["mode"] < 0
+        late = samples.is_outside
         if np.any(late):
             # Beyond the end of the motion it goes on evenly: the optimiser needs a number there.
             end = motion.outcome.state
@@ -345,5 +345,5 @@ def _demand(motion: Trajectory) -> float:
     if not motion.phases:
         return 0.0
     samples = motion.sample(2001, min(motion.end_time, motion.shown_until))
-    rolls = (samples["mode"] == 0) & (samples.normal > 0.0)
+    rolls = samples.is_in("rolling") & (samples.normal > 0.0)
     return float(np.max(np.abs(samples.friction[rolls]) / samples.normal[rolls], initial=0.0))

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 from . import _core
 from .html import hoop_html
-from .motion import Classification, _frozen
+from .motion import Classification, State, _frozen
 from .phase_plane import PhasePlane
+from .tables import HOOP, SI_HOOP, SI_START, START
 from .trajectory import Trajectory
 from .units import Units
 
 __all__ = ["STANDARD_GRAVITY", "Hoop"]
 
-STANDARD_GRAVITY = 9.80665
+STANDARD_GRAVITY = _core.STANDARD_GRAVITY
 """Standard acceleration of free fall, m/s²."""
 
 
@@ -61,7 +62,7 @@ class Hoop:
     units: Units | None = None
 
     def __post_init__(self) -> None:
-        for name in _NUMBERS:
+        for name in HOOP:
             object.__setattr__(self, name, float(getattr(self, name)))
         _core.check_hoop(self._numbers)
 
@@ -107,14 +108,22 @@ class Hoop:
         ParameterError
             For a value without physical meaning.
         """
-        numbers, units = _core.hoop_from_si(
-            disc_mass_kg, particle_mass_kg, radius_m, offset_m, inertia_kg_m2, gravity_m_per_s2, mu_s, mu_k
-        )
-        return cls(**dict(zip(_NUMBERS, numbers, strict=True)), units=Units(*units))
+        given = {
+            "disc_mass_kg": disc_mass_kg,
+            "particle_mass_kg": particle_mass_kg,
+            "radius_m": radius_m,
+            "offset_m": offset_m,
+            "inertia_kg_m2": inertia_kg_m2,
+            "gravity_m_per_s2": gravity_m_per_s2,
+            "mu_s": mu_s,
+            "mu_k": mu_k,
+        }
+        numbers, units = _core.hoop_from_si([given[name] for name in SI_HOOP])
+        return cls(**dict(zip(HOOP, numbers, strict=True)), units=Units(*units))
 
     @property
-    def _numbers(self) -> tuple[float, float, float, float, float]:
-        return (self.mass_ratio, self.offset, self.inertia, self.mu_s, self.mu_k)
+    def _numbers(self) -> list[float]:
+        return [getattr(self, name) for name in HOOP]
 
     @property
     def mass(self) -> float:
@@ -177,7 +186,8 @@ class Hoop:
         ParameterError
             For a start or a limit without physical meaning.
         """
-        return Trajectory(self, (time, theta, theta_rate, slip, x), until, max_transitions)
+        start = State(time=time, theta=theta, theta_rate=theta_rate, slip=slip, x=x)
+        return Trajectory(self, start, until, max_transitions)
 
     def simulate_si(
         self,
@@ -219,12 +229,15 @@ class Hoop:
         ParameterError
             For a start or a limit without physical meaning.
         """
-        units = self.require_units()
-        start, until = _core.start_from_si(
-            (units.mass_kg, units.length_m, units.gravity_m_per_s2),
-            (time_s, theta_rad, theta_rate_rad_per_s, slip_m_per_s, x_m),
-            until_s,
-        )
+        given = {
+            "theta": theta_rad,
+            "theta_rate_rad_per_s": theta_rate_rad_per_s,
+            "slip_m_per_s": slip_m_per_s,
+            "x_m": x_m,
+            "time_s": time_s,
+        }
+        numbers, until = _core.start_from_si(self.require_units().scales, [given[name] for name in SI_START], until_s)
+        start = State(**dict(zip(START, numbers, strict=True)))
         return Trajectory(self, start, until, max_transitions)
 
     def classify(self, *, theta: float, theta_rate: float, slip: float = 0.0) -> Classification:
@@ -244,7 +257,8 @@ class Hoop:
         ParameterError
             For a start without physical meaning.
         """
-        found = _core.classify(self._numbers, (0.0, theta, theta_rate, slip, 0.0))
+        start = State(time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, x=0.0)
+        found = _core.classify(self._numbers, start.numbers)
         return Classification(**{**found, "details": _frozen(found["details"])})
 
     def require_units(self) -> Units:
@@ -255,6 +269,3 @@ class Hoop:
 
     def _repr_html_(self) -> str:
         return hoop_html(self)
-
-
-_NUMBERS = tuple(field.name for field in fields(Hoop) if field.name != "units")

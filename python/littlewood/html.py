@@ -6,22 +6,14 @@ import math
 from html import escape
 from typing import TYPE_CHECKING
 
-from .motion import in_words
-from .style import MODE_COLOURS
+from .style import FAINT, MODE_COLOURS
+from .tables import ARROWS, CAUSE_LABELS, HOOP, QUANTITIES, SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
     from .hoop import Hoop
     from .motion import Phase
     from .trajectory import Trajectory
 
-_ARROWS = {-1: "←", 0: "", 1: "→"}
-_SYMBOLS = {
-    "mass_ratio": ("m₁/m₂", "mass of the disc over mass of the particle"),
-    "offset": ("ℓ/R", "distance of the particle from the centre over the radius"),
-    "inertia": ("I/(m₂R²)", "moment of inertia of the disc"),
-    "mu_s": ("μₛ", "static friction"),
-    "mu_k": ("μₖ", "kinetic friction"),
-}
 # Colours follow the page, so that dark themes stay readable.
 _CELL = "padding:2px 10px;text-align:{};border:none;background:none"
 
@@ -32,19 +24,22 @@ def _number(value: float) -> str:
 
 def _ends(motion: Trajectory, i: int) -> str:
     if i < len(motion.transitions):
-        return in_words(motion.transitions[i].cause)
-    return in_words(motion.outcome.kind)
+        return CAUSE_LABELS[motion.transitions[i].cause]
+    return motion.outcome.label
 
 
-_HEADINGS = ("#", "motion", "from τ", "duration", "θ", "θ′", "η′", "lost", "ends by")
+_TIME = SAMPLE_COLUMNS["time"]
+# What is told of the start of a phase besides the time.
+_TOLD = [SAMPLE_COLUMNS[name] for name in ("theta", "theta_rate", "slip")]
+_HEADINGS = ("#", "motion", f"from {_TIME.sign}", "duration", *(one.sign for one in _TOLD), "lost", "ends by")
 
 
 def _row(motion: Trajectory, i: int, phase: Phase) -> tuple[str, ...]:
     start = phase.start
     return (
         str(i + 1),
-        f"{phase.mode} {_ARROWS[phase.direction]}".strip(),
-        *(_number(value) for value in (start.time, phase.duration, start.theta, start.theta_rate, start.slip)),
+        f"{phase.mode} {ARROWS[phase.direction]}".strip(),
+        *(_number(value) for value in (start.time, phase.duration, *(getattr(start, one.name) for one in _TOLD))),
         _number(phase.energy_lost),
         _ends(motion, i),
     )
@@ -64,7 +59,7 @@ def trajectory_text(motion: Trajectory) -> str:
     ]
     lines.insert(1, "─" * max(len(line) for line in lines))
     if not motion.phases:
-        lines.append(f"no phase: {motion.outcome.kind}")
+        lines.append(f"no phase: {motion.outcome.label}")
     return "\n".join(lines)
 
 
@@ -90,19 +85,21 @@ def trajectory_html(motion: Trajectory) -> str:
         number, mode, *rest = _row(motion, i, phase)
         mark = (
             f'<span style="display:inline-block;width:0.7em;height:0.7em;margin-right:0.5em;'
-            f'background:{MODE_COLOURS[phase.mode]};border:1px solid #888"></span>'
+            f'background:{MODE_COLOURS[phase.mode]};border:1px solid {FAINT}"></span>'
         )
         rows.append((number, mark + escape(mode), *(escape(cell) for cell in rest)))
     start = motion.start
-    hoop = ", ".join(f"{symbol} = {getattr(motion.hoop, name):.6g}" for name, (symbol, _) in _SYMBOLS.items())
-    state = f"θ = {start.theta:.6g}, θ′ = {start.theta_rate:.6g}, η′ = {start.slip:.6g}"
+    hoop = ", ".join(f"{QUANTITIES[name].sign} = {getattr(motion.hoop, name):.6g}" for name in HOOP)
+    state = ", ".join(f"{one.sign} = {getattr(start, one.name):.6g}" for one in _TOLD)
     outcome = motion.outcome
     final = "" if outcome.is_final else ", not its end"
-    units = "<small>τ in √(R/g), θ in rad, θ′ in √(g/R), η′ in √(gR), energy lost in m₂gR</small>"
+    measured = [f"{one.sign} in {one.unit_sign or 'rad'}" for one in (_TIME, *_TOLD)]
+    units = f"<small>{', '.join(measured)}, energy lost in {SAMPLE_COLUMNS['energy'].unit_sign}</small>"
     table = _table(_HEADINGS, rows, (0, 1, 8)) if rows else ""
     return (
         f"<div><div><b>Motion of a hoop</b> with {escape(hoop)}</div><div>from {escape(state)}</div>{table}"
-        f"<div>Outcome: <b>{escape(str(outcome))}</b> at τ = {outcome.state.time:.6g}{final}</div>{units}</div>"
+        f"<div>Outcome: <b>{escape(str(outcome))}</b> at {_TIME.sign} = {outcome.state.time:.6g}{final}</div>"
+        f"{units}</div>"
     )
 
 
@@ -117,9 +114,9 @@ def _sketch(hoop: Hoop) -> str:
         '<svg width="100" height="100" viewBox="0 0 100 100" role="img" aria-label="the hoop" '
         'style="vertical-align:middle">'
         '<line x1="4" y1="90.7" x2="96" y2="90.7" stroke="currentColor" stroke-width="1.4"/>'
-        '<circle cx="50" cy="50" r="40" fill="none" stroke="#888" stroke-width="1.6"/>'
-        f'<line x1="50" y1="50" x2="{end:.2f}" y2="{end:.2f}" stroke="#888" stroke-width="1.2"/>'
-        f'<circle {along(hoop.offset)} r="5" fill="{MODE_COLOURS["sliding"]}"/>'
+        f'<circle cx="50" cy="50" r="40" fill="none" stroke="{FAINT}" stroke-width="1.6"/>'
+        f'<line x1="50" y1="50" x2="{end:.2f}" y2="{end:.2f}" stroke="{FAINT}" stroke-width="1.2"/>'
+        f'<circle {along(hoop.offset)} r="5" fill="currentColor"/>'
         f'<circle {along(hoop.h)} r="2.8" fill="none" stroke="currentColor" stroke-width="1.4"/></svg>'
     )
 
@@ -127,10 +124,11 @@ def _sketch(hoop: Hoop) -> str:
 def hoop_html(hoop: Hoop) -> str:
     """Return a hoop as a sketch and a table for a notebook."""
     rows: list[tuple[str, ...]] = [
-        (symbol, f"{getattr(hoop, name):.6g}", escape(text)) for name, (symbol, text) in _SYMBOLS.items()
+        (QUANTITIES[name].sign, f"{getattr(hoop, name):.6g}", escape(QUANTITIES[name].long_name)) for name in HOOP
     ]
     if hoop.units is not None:
-        rows.append(("R", f"{hoop.units.length_m:.6g} m", "radius"))
-        rows.append(("m₂", f"{hoop.units.mass_kg:.6g} kg", "mass of the particle"))
-        rows.append(("√(R/g)", f"{hoop.units.time_s:.6g} s", "unit of time"))
+        for name, value in (("radius_m", hoop.units.length_m), ("particle_mass_kg", hoop.units.mass_kg)):
+            quantity = QUANTITIES[name]
+            rows.append((quantity.sign, f"{value:.6g} {quantity.unit_sign}", escape(quantity.long_name)))
+        rows.append((str(_TIME.unit_sign), f"{hoop.units.time_s:.6g} {_TIME.si_unit}", "unit of time"))
     return f'<div style="display:flex;align-items:center;gap:16px">{_sketch(hoop)}{_table((), rows, (0, 2))}</div>'

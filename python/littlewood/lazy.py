@@ -40,7 +40,7 @@ def lazy_columns(points: Points, limits: Limits) -> dict[str, Any]:
         axes=axes,
         fixed=fixed,
         limits=tuple(limits),
-        prepare=points.prepare,
+        tables=points.tables,
         dtype=DTYPE,
         meta=np.empty((0,) * len(points.sizes), dtype=DTYPE),
     )
@@ -56,12 +56,12 @@ def _records(
     axes: Mapping[str, tuple[int, ...]],
     fixed: Mapping[str, float],
     limits: tuple[float | None, int],
-    prepare: bool,
+    tables: bool,
 ) -> npt.NDArray[Any]:
     arrays = dict(zip(names, blocks, strict=True))
     arrays.update((name, np.asarray(value)) for name, value in fixed.items())
     # A worker of Dask runs as many blocks at a time as it has threads: one thread for each.
-    columns = compute(arrays, axes, Limits(*limits), prepare, threads=1)
+    columns = compute(arrays, axes, Limits(*limits), tables, threads=1)
     records = np.empty(columns["outcome"].shape, dtype=DTYPE)
     for name, values in columns.items():
         records[name] = values

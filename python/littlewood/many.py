@@ -16,7 +16,7 @@ from .extras import require
 from .hoop import Hoop
 from .lazy import lazy_columns
 from .points import Points, broadcast, check_hoop, fill, grid
-from .variables import HOOP, RESULTS, START, result_attributes
+from .variables import CONVENTIONS, RESULTS, result_attributes
 
 if TYPE_CHECKING:
     import xarray
@@ -104,7 +104,7 @@ def simulate_many(
     >>> lw.sequence_names(result.sequence).tolist()
     ['R', 'F']
     """
-    values = fill(hoop, quantities, (*START, *HOOP))
+    values = fill(hoop, quantities)
     check_hoop(values)
     return _simulate(broadcast(values), until, max_transitions, chunks, threads, progress)
 
@@ -147,7 +147,7 @@ def outcome_map(
     >>> dict(plane.sizes)
     {'theta': 7, 'theta_rate': 9}
     """
-    values = fill(hoop, quantities, (*START, *HOOP))
+    values = fill(hoop, quantities)
     check_hoop(values)
     return _simulate(grid(values, [*quantities]), until, max_transitions, chunks, threads, progress)
 
@@ -163,7 +163,7 @@ def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
     Returns
     -------
     ndarray of str
-        Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; … where there are more than 20.
+        Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; … where there are more than 15.
     """
     bits = np.asarray(sequence, dtype=np.uint64)
     return np.array(_core.sequence_names(bits.ravel()), dtype=np.str_).reshape(bits.shape)
@@ -190,12 +190,13 @@ def _simulate(
     else:
         arrays = {name: variable.data for name, variable in points.variables.items()}
         with _bar(points.count, progress) as show:
-            data = compute(arrays, points.axes, limits, points.prepare, threads or 0, show)
+            data = compute(arrays, points.axes, limits, points.tables, threads or 0, show)
     dimensions = tuple(points.sizes)
     dataset: xarray.Dataset = require("xarray").Dataset(
         {name: (dimensions, data[name], result_attributes(name)) for name in RESULTS},
         coords=points.coordinates,
         attrs={
+            "Conventions": CONVENTIONS,
             "title": "sweep of Littlewood's hoop",
             "source": f"littlewood {_core.__version__}",
             "max_transitions": limits.max_transitions,

@@ -6,17 +6,12 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 from . import _core
+from .tables import FINAL_OUTCOMES, OUTCOME_LABELS, START
 
-__all__ = ["EDGES", "MODES", "OUTCOMES", "Classification", "Edge", "Outcome", "Phase", "State", "Transition"]
-
-MODES: tuple[str, ...] = tuple(_core.MODES)
-"""Names of the modes of motion; their places are the codes in arrays. Outside a motion the code is -1."""
-
-OUTCOMES: tuple[str, ...] = tuple(_core.OUTCOMES)
-"""Kinds of outcomes; their places are the codes in arrays."""
+__all__ = ["EDGES", "Classification", "Edge", "Impulse", "Outcome", "Phase", "State", "Transition"]
 
 
 @dataclass(frozen=True)
@@ -43,6 +38,11 @@ class State:
     slip: float
     x: float
 
+    @property
+    def numbers(self) -> list[float]:
+        """The numbers of a start, as the core takes them."""
+        return [float(getattr(self, name)) for name in START]
+
 
 @dataclass(frozen=True)
 class Phase:
@@ -50,8 +50,8 @@ class Phase:
 
     Attributes
     ----------
-    mode : {"rolling", "sliding", "gliding", "flight"}
-        Mode of motion.
+    mode : str
+        Mode of motion, one of :data:`littlewood.MODES`.
     direction : {-1, 0, 1}
         Sign of the slip velocity; 0 for rolling and flight.
     start : State
@@ -90,6 +90,13 @@ class Phase:
         return self.end_time - self.start_time
 
 
+class Impulse(NamedTuple):
+    """The impulse of the plane on the body at a transition, m2 √(gR): `normal` upwards, `friction` along E1."""
+
+    normal: float
+    friction: float
+
+
 @dataclass(frozen=True)
 class Transition:
     """A change of the mode of motion, or the event that ends the simulation.
@@ -97,7 +104,11 @@ class Transition:
     Attributes
     ----------
     state : State
-        State at the transition; continuous through it.
+        State just before.
+    after : State
+        State just after: the same, unless there is an impulse.
+    impulse : Impulse or None
+        The impulse, if the velocities jump.
     from_mode : str
         Mode that ends.
     to_mode : str or None
@@ -105,11 +116,12 @@ class Transition:
     direction : {-1, 0, 1}
         Sign of the slip velocity of the motion that begins.
     cause : str
-        Event: slip, normal_force_zero, stick, reversal, graze, lift_off, landing, particle_at_plane,
-        particle_at_bottom, particle_at_top or singularity.
+        Event, one of :data:`littlewood.CAUSES`.
     """
 
     state: State
+    after: State
+    impulse: Impulse | None
     from_mode: str
     to_mode: str | None
     direction: int
@@ -119,11 +131,6 @@ class Transition:
     def time(self) -> float:
         """Time τ, √(R/g)."""
         return self.state.time
-
-
-def in_words(name: str) -> str:
-    """Write the name of a cause or an outcome as words."""
-    return {"lift_off": "lift-off", "normal_force_zero": "N = 0"}.get(name, name.replace("_", " "))
 
 
 def _frozen(details: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -137,22 +144,29 @@ class Outcome:
     Attributes
     ----------
     kind : str
-        One of :data:`OUTCOMES`.
+        Name, one of those of :data:`littlewood.OUTCOMES`.
     state : State
         State at the end, or where the phase begins that lasts for ever.
-    is_final : bool
-        Whether the motion was followed to its end, and not only to a limit.
     details : mapping
         What is known besides: `gap_rate` of a landing; `recurrence`, `period`, `theta_min`, `theta_max`, `theta_limit`
-        of a motion that lasts for ever; `consistent`, `rolling_normal`, `rolling_friction`, `contact`,
-        `solvability_negative`, `solvability_positive` where no motion or several are consistent; `solvability` of a
-        singular slide.
+        of a motion that lasts for ever; `transitions` where their limit was reached; `consistent`, `rolling_normal`,
+        `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive` where no motion or several are
+        consistent; `solvability` of a singular slide.
     """
 
     kind: str
     state: State
-    is_final: bool
     details: Mapping[str, Any] = field(default_factory=lambda: _frozen({}))
+
+    @property
+    def is_final(self) -> bool:
+        """Whether the motion was followed to its end, and not only to a limit."""
+        return self.kind in FINAL_OUTCOMES
+
+    @property
+    def label(self) -> str:
+        """The kind in words."""
+        return OUTCOME_LABELS[self.kind]
 
     @property
     def period(self) -> float | None:
@@ -161,7 +175,7 @@ class Outcome:
         return period
 
     def __str__(self) -> str:
-        words = in_words(self.kind)
+        words = self.label
         if "recurrence" in self.details:
             words += f" ({self.details['recurrence']}"
             words += f", period {self.period:.6g})" if self.period is not None else ")"
@@ -189,7 +203,7 @@ class Classification:
     rolling_type : str or None
         "I", "II" or "III" for Littlewood's hoop in R (section 3a).
     rolling_end : tuple of (float, float, float, str) or None
-        Time until rolling ends, θ and θ′ there, and "slip" or "normal_force_zero".
+        Time until rolling ends, θ and θ′ there, and the cause.
     details : mapping
         As those of :class:`Outcome`, for a start that rolls for ever or is undecided.
     """

@@ -14,10 +14,7 @@ from .elementwise import broadcast
 if TYPE_CHECKING:
     from .hoop import Hoop
 
-__all__ = ["REGIONS", "Equilibrium", "PhasePlane"]
-
-REGIONS: tuple[str, ...] = tuple(_core.REGIONS)
-"""Names of the codes of :meth:`PhasePlane.region`."""
+__all__ = ["Equilibrium", "PhasePlane"]
 
 
 @dataclass(frozen=True)
@@ -73,6 +70,10 @@ class PhasePlane:
         """Friction force F along E1 that rolling needs (2.12)."""
         return broadcast(self._core.friction, theta, theta_rate)
 
+    def energy(self, theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
+        """Energy E of rolling (2.8), which is constant along an orbit."""
+        return broadcast(self._core.energy, theta, theta_rate)
+
     def in_contact_region(self, theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
         """Region N of (2.14): N > 0."""
         return broadcast(self._core.in_contact_region, theta, theta_rate, dtype=np.bool_)
@@ -92,7 +93,7 @@ class PhasePlane:
         Returns
         -------
         ndarray of uint8, or scalar
-            Codes, the places of the names in :data:`REGIONS`.
+            Codes, the places of the names in :data:`littlewood.REGIONS`.
 
         Raises
         ------

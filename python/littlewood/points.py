@@ -12,7 +12,8 @@ import numpy as np
 from . import _core
 from .extras import require
 from .hoop import Hoop
-from .variables import HOOP, QUANTITIES, START, quantity_attributes
+from .tables import AXES, HOOP, QUANTITIES
+from .variables import quantity_attributes
 
 if TYPE_CHECKING:
     import xarray
@@ -27,7 +28,7 @@ class Points:
     sizes : mapping of str to int
         Sizes of the dimensions, in order.
     variables : mapping of str to xarray.Variable
-        The eight quantities, each over some of the dimensions; in memory, or arrays of Dask.
+        The quantities that a sweep can vary, each over some of the dimensions; in memory, or arrays of Dask.
     coordinates : mapping of str to xarray.Variable
         Coordinates of the result.
     """
@@ -48,7 +49,7 @@ class Points:
         return {name: tuple(place[str(d)] for d in one.dims) for name, one in self.variables.items()}
 
     @property
-    def prepare(self) -> bool:
+    def tables(self) -> bool:
         """Whether hoops have starts enough for tables.
 
         It is decided by the dimensions alone, not by the values nor by blocks, so that the digits of a result do not
@@ -56,7 +57,7 @@ class Points:
         """
         of_hoops = {dimension for name in HOOP for dimension in self.variables[name].dims}
         starts = math.prod(size for dimension, size in self.sizes.items() if dimension not in of_hoops)
-        return starts >= _core.REPAYS
+        return starts >= _core.MIN_STARTS_FOR_TABLES
 
     @property
     def is_lazy(self) -> bool:
@@ -97,22 +98,22 @@ def _real(name: str, value: Any) -> Any:
         raise type(error)(f"{name} must hold real numbers: {error}") from None
 
 
-def fill(hoop: Hoop | None, given: Mapping[str, Any], required: Iterable[str]) -> dict[str, Any]:
-    """Return the eight quantities: what is given, over the hoop, over no slip.
+def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return all quantities that a sweep can vary: what is given, over the hoop, over the defaults of the table.
 
     Raises
     ------
     TypeError
         For an unknown name, or if a quantity is missing.
     """
-    unknown = [name for name in given if name not in QUANTITIES]
+    unknown = [name for name in given if name not in AXES]
     if unknown:
-        raise TypeError(f"there is no quantity {', '.join(unknown)}; there are {', '.join(QUANTITIES)}")
-    values: dict[str, Any] = {"slip": 0.0}
+        raise TypeError(f"there is no quantity {', '.join(unknown)}; there are {', '.join(AXES)}")
+    values: dict[str, Any] = {name: QUANTITIES[name].default for name in AXES if QUANTITIES[name].default is not None}
     if hoop is not None:
         values.update(zip(HOOP, hoop._numbers, strict=True))
     values.update((name, value) for name, value in given.items() if value is not None)
-    missing = [name for name in required if name not in values]
+    missing = [name for name in AXES if name not in values]
     if missing:
         raise TypeError(f"missing: {', '.join(missing)}" + ("; give a hoop" if hoop is None else ""))
     return values
@@ -125,7 +126,8 @@ _RELATED = (("mu_s", "mu_k"), ("mass_ratio", "offset", "inertia"))
 def check_hoop(values: Mapping[str, Any]) -> None:
     """Refuse a hoop without physical meaning, as far as it does not lie in a combination of two that vary."""
     fixed = {name for name in HOOP if np.ndim(values[name]) == 0 and not is_lazy(values[name])}
-    harmless = {"mass_ratio": 1.0, "offset": 1.0, "inertia": 1.0, "mu_s": 0.0, "mu_k": 0.0}
+    # The parameters that are not looked at are those of a hoop that has a meaning.
+    harmless = dict.fromkeys(HOOP, 1.0)
     for related in _RELATED:
         varying = [name for name in related if name not in fixed]
         if len(varying) > 1 or any(is_lazy(values[name]) for name in varying):
@@ -133,9 +135,7 @@ def check_hoop(values: Mapping[str, Any]) -> None:
         known = {name: _real(name, values[name]) for name in related}
         if varying:
             known[varying[0]] = _worst(varying[0], known)
-        numbers = {**harmless, **{name: float(value) for name, value in known.items()}}
-        mass_ratio, offset, inertia, mu_s, mu_k = (numbers[name] for name in HOOP)
-        Hoop(mass_ratio=mass_ratio, offset=offset, inertia=inertia, mu_s=mu_s, mu_k=mu_k)
+        Hoop(**{**harmless, **{name: float(value) for name, value in known.items()}}, units=None)
 
 
 def _worst(name: str, known: Mapping[str, Any]) -> Any:
@@ -214,9 +214,9 @@ def _with_coordinates(sizes: Mapping[str, int], variables: Mapping[str, Any], co
         raise ValueError(f"{', '.join(empty)} is empty: there is nothing to simulate")
     described: dict[str, Any] = {name: one.copy(deep=False) for name, one in coordinates.items()}
     for name, one in described.items():
-        if name in QUANTITIES and not one.attrs:
+        if name in AXES and not one.attrs:
             one.attrs = quantity_attributes(name)
-    for name in (*START, *HOOP):
+    for name in AXES:
         # An index that came with the arrays stays; so does a dimension that only has the name of a quantity.
         if name in sizes and (name in described or variables[name].dims != (name,)):
             continue

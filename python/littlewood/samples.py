@@ -3,61 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from .motion import MODES
+from . import _core
+from .tables import MODE_CODES, MODES, SAMPLE_COLUMNS
 from .units import Units
 
-__all__ = ["COLUMNS", "Samples"]
+__all__ = ["Samples"]
 
 
-class Column(NamedTuple):
-    """What a column holds: in words, as a symbol, its unit, its SI name, and which of the units it is measured in."""
-
-    long_name: str
-    symbol: str
-    unit: str
-    si_name: str
-    si_unit: str
-    scale: str
-
-
-COLUMNS: Mapping[str, Column] = {
-    "time": Column("time", "τ", "sqrt(R/g)", "time_s", "s", "time_s"),
-    "theta": Column("angle of the particle from the upward vertical", "θ", "rad", "theta_rad", "rad", ""),
-    "theta_rate": Column("rate of the angle", "θ′", "sqrt(g/R)", "theta_rate_rad_per_s", "rad/s", "rate_rad_per_s"),
-    "slip": Column("slip velocity of the contact point", "η′", "sqrt(g R)", "slip_m_per_s", "m/s", "velocity_m_per_s"),
-    "x": Column("position of the geometric centre", "x", "R", "x_m", "m", "length_m"),
-    "theta_acceleration": Column(
-        "angular acceleration", "θ″", "g/R", "theta_acceleration_rad_per_s2", "rad/s^2", "rate_squared"
-    ),
-    "slip_acceleration": Column(
-        "acceleration of the slip", "η″", "g", "slip_acceleration_m_per_s2", "m/s^2", "gravity_m_per_s2"
-    ),
-    "normal": Column("normal force", "N", "m2 g", "normal_n", "N", "force_n"),
-    "friction": Column("friction force", "F", "m2 g", "friction_n", "N", "force_n"),
-    "gap": Column("height of the lowest point of the rim", "gap", "R", "gap_m", "m", "length_m"),
-    "gap_rate": Column("rate of the gap", "gap′", "sqrt(g R)", "gap_rate_m_per_s", "m/s", "velocity_m_per_s"),
-    "energy": Column("total energy", "E", "m2 g R", "energy_j", "J", "energy_j"),
-    "centre_y": Column("height of the geometric centre", "y", "R", "centre_y_m", "m", "length_m"),
-    "mass_centre_x": Column("position of the mass centre", "x̄", "R", "mass_centre_x_m", "m", "length_m"),
-    "mass_centre_y": Column("height of the mass centre", "ȳ", "R", "mass_centre_y_m", "m", "length_m"),
-    "particle_x": Column("position of the particle", "x₂", "R", "particle_x_m", "m", "length_m"),
-    "particle_y": Column("height of the particle", "y₂", "R", "particle_y_m", "m", "length_m"),
-}
-"""The real columns of :class:`Samples`."""
-
-
-def _to_si(values: Any, scale: str, units: Units) -> Any:
-    # Rates are divided by the time, as the core does it, so that the digits are the same.
-    if scale == "rate_rad_per_s":
-        return values / units.time_s
-    if scale == "rate_squared":
-        return values / (units.time_s * units.time_s)
-    return values * getattr(units, scale) if scale else values
+# The code outside a motion is one less than the first of a mode.
+_NAMES_BY_CODE: npt.NDArray[np.str_] = np.array(["", *MODES])
 
 
 class Samples(Mapping[str, Any]):
@@ -114,8 +73,19 @@ class Samples(Mapping[str, Any]):
     @property
     def mode_names(self) -> npt.NDArray[np.str_]:
         """Names of the modes; empty outside the motion."""
-        names: npt.NDArray[np.str_] = np.array([*MODES, ""])[self["mode"]]
+        names: npt.NDArray[np.str_] = _NAMES_BY_CODE[np.asarray(self["mode"]) - _core.OUTSIDE]
         return names
+
+    def is_in(self, mode: str) -> npt.NDArray[np.bool_]:
+        """Return which instants are in this mode."""
+        found: npt.NDArray[np.bool_] = np.asarray(self["mode"]) == MODE_CODES[mode]
+        return found
+
+    @property
+    def is_outside(self) -> npt.NDArray[np.bool_]:
+        """Which instants are outside the motion."""
+        found: npt.NDArray[np.bool_] = np.asarray(self["mode"]) == _core.OUTSIDE
+        return found
 
     def in_si(self, units: Units) -> dict[str, Any]:
         """Return the columns in SI units, each with its unit in its name.
@@ -130,7 +100,12 @@ class Samples(Mapping[str, Any]):
         dict of str to ndarray
             The names are those of the command line: `time_s`, `theta_rad`, …; `mode` and `direction` are as they were.
         """
-        columns: dict[str, Any] = {"mode": self["mode"], "direction": self["direction"]}
-        for name, column in COLUMNS.items():
-            columns[column.si_name] = _to_si(self[name], column.scale, units)
+        columns: dict[str, Any] = {}
+        for name, column in SAMPLE_COLUMNS.items():
+            values = self[name]
+            if column.si_name is None:
+                columns[name] = values
+            else:
+                flat = np.ravel(np.asarray(values, dtype=np.float64))
+                columns[column.si_name] = _core.sample_in_si(units.scales, name, flat).reshape(np.shape(values))[()]
         return columns

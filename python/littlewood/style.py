@@ -1,39 +1,75 @@
-"""Colours and lines that all pictures share: told apart by the colour-blind, and in grey by their dashes."""
+"""Colours and lines of all pictures: told apart by the colour-blind, and in grey by their dashes.
+
+They are those of the figures, maps and films of the project, on light paper.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 
-MODE_COLOURS: Mapping[str, str] = {
-    "rolling": "#0072b2",
-    "sliding": "#d55e00",
-    "gliding": "#009e73",
-    "flight": "#222222",
-}
-"""Colours of the modes of motion (Okabe and Ito), as in the figures of the project."""
+from . import _core
 
-MODE_DASHES: Mapping[str, str | tuple[float, tuple[float, ...]]] = {
-    "rolling": "solid",
-    "sliding": (0.0, (4.4, 1.9)),
-    "gliding": (0.0, (1.6, 1.6)),
-    "flight": (0.0, (0.9, 1.6)),
-}
-"""Dashes of the modes of motion."""
+Dashes = str | tuple[float, tuple[float, ...]]
+"""Dashes as Matplotlib takes them."""
 
-INK = "#222222"
-PALE = "#888888"
+_POINTS_PER_PIXEL = 72.0 / 96.0
 
-CLASS_COLOURS: Mapping[str, str] = {
-    "leaves at once": "#22225c",
-    "lifts off later": "#d55e00",
-    "rolls for ever": "#d3eaf5",
-    "slides for ever": "#2aa198",
-    "in contact at the limit": "#56b4e9",
-    "particle at the plane": "#d988b8",
-    "particle at the bottom": "#7a3b69",
-    "particle at the top": "#f0e442",
-    "Painlevé paradox": "#000000",
-    "unresolved": "#777777",
-    "not a hoop": "#e4e4e4",
-}
-"""Colours of the classes of outcomes in maps, as on the command line."""
+
+def _colours(group: str) -> Mapping[str, str]:
+    return MappingProxyType({name: colour for kind, name, colour in _core.swatches(False) if kind == group})
+
+
+def _dashes(group: str) -> Mapping[str, Dashes]:
+    return MappingProxyType(
+        {name: (0.0, tuple(pattern)) if pattern else "solid" for kind, name, pattern in _core.dashes() if kind == group}
+    )
+
+
+MODE_COLOURS: Mapping[str, str] = _colours("mode")
+"""Colours of the modes of motion, by their names."""
+
+MODE_DASHES: Mapping[str, Dashes] = _dashes("mode")
+"""Dashes of lines that show modes of motion, by their names."""
+
+CLASS_COLOURS: Mapping[str, str] = _colours("class")
+"""Colours of the classes of outcomes in maps, by their names."""
+
+CURVE_COLOURS: Mapping[str, str] = _colours("curve")
+"""Colours of the curves of the (θ, θ′) plane: slip_limit (f), normal_force_zero (n), separatrix, lift_off, level."""
+
+CURVE_DASHES: Mapping[str, Dashes] = _dashes("curve")
+"""Dashes of these curves."""
+
+CURVE_WIDTHS: Mapping[str, float] = MappingProxyType(
+    {name: _POINTS_PER_PIXEL * width for name, _, _, width in _core.curves()}
+)
+"""Widths of these curves in points."""
+
+CURVE_LETTERS: Mapping[str, str] = MappingProxyType(
+    {name: letter for name, letter, _, _ in _core.curves() if letter is not None}
+)
+"""Letters of the curves that have one in the paper."""
+
+_INKS = _colours("ink")
+
+PAPER = _INKS["paper"]
+"""What everything stands on."""
+
+INK = _INKS["ink"]
+"""Letters, axes, the body."""
+
+FAINT = _INKS["faint"]
+"""Lines behind others."""
+
+LINE = _INKS["line"]
+"""Grids, frames."""
+
+HATCH = _INKS["hatch"]
+"""Hatches of what cannot be."""
+
+REGION = _INKS["region"]
+"""The region where the hoop can roll."""
+
+ACCENTS: Mapping[str, str] = _colours("accent")
+"""Colours that a picture gives a meaning for itself alone."""

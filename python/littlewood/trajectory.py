@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +14,10 @@ import numpy.typing as npt
 from . import _core
 from .extras import require
 from .html import trajectory_html, trajectory_text
-from .motion import MODES, Outcome, Phase, State, Transition, _frozen
-from .samples import COLUMNS, Samples
+from .motion import Impulse, Outcome, Phase, State, Transition, _frozen
+from .samples import Samples
+from .tables import HOOP, MODES, SAMPLE_COLUMNS, SampleColumn
+from .variables import CONVENTIONS
 
 if TYPE_CHECKING:
     import pandas
@@ -25,8 +28,6 @@ if TYPE_CHECKING:
     from .hoop import Hoop
 
 __all__ = ["Trajectory"]
-
-_Start = tuple[float, float, float, float, float]
 
 
 class Trajectory:
@@ -44,7 +45,7 @@ class Trajectory:
     ['sliding', 'rolling']
     """
 
-    def __init__(self, hoop: Hoop, start: _Start, until: float | None, max_transitions: int) -> None:
+    def __init__(self, hoop: Hoop, start: State, until: float | None, max_transitions: int) -> None:
         transitions = operator.index(max_transitions)
         if transitions < 0:
             raise ValueError(f"max_transitions = {transitions} must not be negative")
@@ -52,7 +53,7 @@ class Trajectory:
         self._start = start
         self._until = until
         self._max_transitions = transitions
-        self._core = _core.simulate(hoop._numbers, start, until, transitions)
+        self._core = _core.simulate(hoop._numbers, start.numbers, until, transitions)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Trajectory, (self._hoop, self._start, self._until, self._max_transitions)
@@ -65,7 +66,7 @@ class Trajectory:
     @property
     def start(self) -> State:
         """The start."""
-        return State(*self._start)
+        return self._start
 
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
@@ -79,22 +80,30 @@ class Trajectory:
     def transitions(self) -> tuple[Transition, ...]:
         """The transitions in order: transition i ends phase i."""
         return tuple(
-            Transition(State(*state), before, after, direction, cause)
-            for state, before, after, direction, cause in self._core.transitions()
+            Transition(
+                State(*before),
+                State(*after),
+                None if impulse is None else Impulse(*impulse),
+                from_mode,
+                to_mode,
+                direction,
+                cause,
+            )
+            for before, after, impulse, from_mode, to_mode, direction, cause in self._core.transitions()
         )
 
     @cached_property
     def outcome(self) -> Outcome:
         """How the motion ended."""
-        kind, state, is_final, details = self._core.outcome()
-        return Outcome(kind, State(*state), is_final, _frozen(details))
+        kind, state, details = self._core.outcome()
+        return Outcome(kind, State(*state), _frozen(details))
 
     @property
     def sequence(self) -> str:
         """The phases, one letter each.
 
         R rolling; + and - sliding with positive and negative slip velocity; g, n and G gliding with positive, negative
-        and without slip velocity; F flight; … where there are more than 20.
+        and without slip velocity; F flight; … where there are more than 15.
         """
         return self._core.sequence()
 
@@ -181,26 +190,18 @@ class Trajectory:
         """
         xr = require("xarray")
         samples = self._instants(times, count)
-        codes = np.arange(-1, len(MODES), dtype=np.int8)
-        meanings = " ".join(["outside", *MODES])
-        variables: dict[str, Any] = {
-            "mode": {"long_name": "mode of motion", "flag_values": codes, "flag_meanings": meanings},
-            "direction": {"long_name": "sign of the slip velocity", "units": "1"},
-        }
-        columns = samples.in_si(self.hoop.require_units()) if si else samples
-        for name, column in COLUMNS.items():
-            unit = column.si_unit if si else column.unit
-            key = column.si_name if si else name
-            variables[key] = {"long_name": column.long_name, "units": unit, "symbol": column.symbol}
-        time = "time_s" if si else "time"
+        columns: Mapping[str, Any] = samples.in_si(self.hoop.require_units()) if si else samples
+        variables = dict(_attributes(column, si) for column in SAMPLE_COLUMNS.values())
+        time, _ = _attributes(SAMPLE_COLUMNS["time"], si)
         dataset: xarray.Dataset = xr.Dataset(
             {name: (time, columns[name], attributes) for name, attributes in variables.items()},
             attrs={
+                "Conventions": CONVENTIONS,
                 "title": "motion of Littlewood's hoop",
                 "source": f"littlewood {_core.__version__}",
                 "sequence": self.sequence,
                 "outcome": self.outcome.kind,
-                **dict(zip(("mass_ratio", "offset", "inertia", "mu_s", "mu_k"), self.hoop._numbers, strict=True)),
+                **dict(zip(HOOP, self.hoop._numbers, strict=True)),
             },
         )
         with_time: xarray.Dataset = dataset.set_coords(time)
@@ -221,11 +222,8 @@ class Trajectory:
         """
         pd = require("pandas")
         samples = self._instants(times, count)
-        columns = samples.in_si(self.hoop.require_units()) if si else samples
-        time = "time_s" if si else "time"
-        mode = pd.Categorical.from_codes(np.asarray(columns["mode"]), categories=list(MODES))
-        table = {time: columns[time], "mode": mode, "direction": columns["direction"]}
-        table.update((name, columns[name]) for name in columns if name not in table)
+        table: dict[str, Any] = dict(samples.in_si(self.hoop.require_units()) if si else samples)
+        table["mode"] = pd.Categorical.from_codes(np.asarray(samples["mode"]), categories=list(MODES))
         frame: pandas.DataFrame = pd.DataFrame(table)
         return frame
 
@@ -271,3 +269,16 @@ class Trajectory:
 
     def _repr_html_(self) -> str:
         return trajectory_html(self)
+
+
+def _attributes(column: SampleColumn, si: bool) -> tuple[str, dict[str, Any]]:
+    """Return the name of a column in a data set, and its attributes."""
+    attributes: dict[str, Any] = {"long_name": column.long_name}
+    if column.name == "mode":
+        attributes["flag_values"] = np.arange(_core.OUTSIDE, len(MODES), dtype=np.int8)
+        attributes["flag_meanings"] = " ".join(["outside", *MODES])
+        return column.name, attributes
+    if column.si_name is None:
+        return column.name, {**attributes, "units": "1", "symbol": column.sign}
+    units = {"units": column.si_unit} if si else {"units": column.cf_unit, "scale": column.scale}
+    return column.si_name if si else column.name, {**attributes, **units, "symbol": column.sign}

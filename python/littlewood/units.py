@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from . import _core
+
 __all__ = ["Units"]
 
 
@@ -29,26 +31,31 @@ class Units:
     gravity_m_per_s2: float
 
     @property
+    def scales(self) -> tuple[float, float, float]:
+        """What defines the units: m2, R and g in SI."""
+        return (self.mass_kg, self.length_m, self.gravity_m_per_s2)
+
+    @property
     def rate_rad_per_s(self) -> float:
         """Rate √(g/R), rad/s."""
-        return 1.0 / self.time_s
+        return _core.derived_units(self.scales)[0]
 
     @property
     def velocity_m_per_s(self) -> float:
         """Velocity √(gR), m/s."""
-        return self.length_m / self.time_s
+        return _core.derived_units(self.scales)[1]
 
     @property
     def force_n(self) -> float:
         """Force m2 g, N."""
-        return self.mass_kg * self.gravity_m_per_s2
+        return _core.derived_units(self.scales)[2]
 
     @property
     def energy_j(self) -> float:
         """Energy m2 g R, J."""
-        return self.force_n * self.length_m
+        return _core.derived_units(self.scales)[3]
 
     @property
     def inertia_kg_m2(self) -> float:
         """Moment of inertia m2 R², kg m²."""
-        return self.mass_kg * self.length_m * self.length_m
+        return _core.derived_units(self.scales)[4]

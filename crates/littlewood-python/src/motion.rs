@@ -49,15 +49,8 @@ fn simulate(
 }
 
 /// Before, after, the impulse upwards and along E1, mode that ends, mode that begins, its direction, cause.
-type TransitionRow = (
-    StateNumbers,
-    StateNumbers,
-    Option<(f64, f64)>,
-    &'static str,
-    Option<&'static str>,
-    i8,
-    &'static str,
-);
+type TransitionRow =
+    (StateNumbers, StateNumbers, Option<(f64, f64)>, &'static str, Option<&'static str>, i8, &'static str);
 
 #[pymethods]
 impl Trajectory {
@@ -168,10 +161,8 @@ fn add_details(
 /// The motions that are consistent, and the numbers that decide.
 fn add_candidates(dict: &Bound<'_, PyDict>, candidates: Option<Candidates>) -> PyResult<()> {
     let Some(candidates) = candidates else { return Ok(()) };
-    let consistent: Vec<(&str, i8)> = candidates
-        .consistent()
-        .map(|(mode, direction)| (mode.name(), Direction::code(direction)))
-        .collect();
+    let consistent: Vec<(&str, i8)> =
+        candidates.consistent().map(|(mode, direction)| (mode.name(), Direction::code(direction))).collect();
     dict.set_item("consistent", consistent)?;
     add_details(dict, candidates.details())
 }
@@ -194,9 +185,7 @@ fn classify(
     dict.set_item("rolling_friction", found.rolling_forces.friction)?;
     dict.set_item("contact", found.contact)?;
     dict.set_item("rolling_type", found.rolling_type.map(RollingType::name))?;
-    let end = found
-        .rolling_end
-        .map(|end| (end.elapsed, end.theta, end.theta_rate, end.limit.cause().name()));
+    let end = found.rolling_end.map(|end| (end.elapsed, end.theta, end.theta_rate, end.limit.cause().name()));
     dict.set_item("rolling_end", end)?;
     let details = PyDict::new(py);
     if let Some(recurrence) = &found.recurrence {

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 
 /// The colours on a light or a dark paper: group, name, colour as `#rrggbb`.
 #[pyfunction]
+#[pyo3(name = "swatches")]
 fn swatches_of(dark: bool) -> Vec<(&'static str, &'static str, String)> {
     let theme = if dark { Theme::Dark } else { Theme::Light };
     swatches(theme).into_iter().map(|swatch| (swatch.group, swatch.name, swatch.colour.hex())).collect()

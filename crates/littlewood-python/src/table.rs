@@ -1,8 +1,8 @@
 //! Tables of the core: quantities, modes, causes, outcomes, classes, regions, phases, columns, cases, edges.
 
 use littlewood::{
-    CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, Mode, OutcomeKind, PhaseCode, PhaseSequence, Quantity,
-    RollingType, STANDARD_GRAVITY, SampleColumn, StartRegion, State, SummaryColumn,
+    CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, Mode, OutcomeKind, PhaseCode,
+    PhaseSequence, Quantity, RollingType, STANDARD_GRAVITY, SampleColumn, StartRegion, State, SummaryColumn,
 };
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;

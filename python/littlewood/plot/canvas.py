@@ -9,30 +9,34 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from .. import _core
 from ..extras import require
-from ..motion import MODES
 from ..samples import Samples
-from ..style import INK, PALE
+from ..style import FAINT, INK, PAPER
+from ..tables import MODES, QUANTITIES, SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ..hoop import Hoop
 
-LABELS = {
-    "time": "τ  (√(R/g))",
-    "theta": "θ",
-    "theta_rate": "θ′  (√(g/R))",
-    "slip": "η′  (√(gR))",
-    "mass_ratio": "m₁/m₂",
-    "offset": "ℓ/R",
-    "inertia": "I/(m₂R²)",
-    "mu_s": r"$\mu_s$",
-    "mu_k": r"$\mu_k$",
-    "x": "x  (R)",
-    "y": "y  (R)",
-}
-"""Labels of axes, by the names of quantities."""
+
+def sign(name: str) -> str:
+    """Return the symbol of a quantity or a column of samples; a name that is neither stands for itself."""
+    if name in SAMPLE_COLUMNS:
+        return SAMPLE_COLUMNS[name].sign
+    return QUANTITIES[name].sign if name in QUANTITIES else name
+
+
+def axis_label(name: str) -> str:
+    """Return the symbol with its unit, if it has one."""
+    if name in QUANTITIES:
+        unit = QUANTITIES[name].unit_sign
+    elif name in SAMPLE_COLUMNS:
+        unit = SAMPLE_COLUMNS[name].unit_sign or ""
+    else:
+        unit = ""
+    return f"{sign(name)}  ({unit})" if unit else sign(name)
 
 
 def new_axes(width: float, height: float) -> Axes:
@@ -90,7 +94,7 @@ def phase_slices(samples: Samples) -> list[tuple[str, slice]]:
         return []
     cuts = np.flatnonzero((np.diff(mode) != 0) | (np.diff(direction) != 0)) + 1
     edges = [0, *cuts.tolist(), len(mode)]
-    return [(MODES[mode[a]], slice(a, b)) for a, b in itertools.pairwise(edges) if mode[a] >= 0]
+    return [(MODES[mode[a]], slice(a, b)) for a, b in itertools.pairwise(edges) if mode[a] != _core.OUTSIDE]
 
 
 def draw_hoop(axes: Axes, hoop: Hoop, x: float, y: float, theta: float, *, alpha: float = 1.0) -> list[Any]:
@@ -103,10 +107,10 @@ def draw_hoop(axes: Axes, hoop: Hoop, x: float, y: float, theta: float, *, alpha
     particle, centre = along(hoop.offset), along(hoop.h)
     style: dict[str, Any] = {"alpha": alpha, "zorder": 3}
     artists: list[Any] = [
-        patches.Circle((x, y), 1.0, fill=False, edgecolor=PALE, linewidth=1.3, **style),
-        lines.Line2D([x, particle[0]], [y, particle[1]], color=PALE, linewidth=1.0, **style),
+        patches.Circle((x, y), 1.0, fill=False, edgecolor=FAINT, linewidth=1.3, **style),
+        lines.Line2D([x, particle[0]], [y, particle[1]], color=FAINT, linewidth=1.0, **style),
         patches.Circle(particle, 0.085, facecolor=INK, edgecolor=INK, **style),
-        patches.Circle(centre, 0.05, facecolor="white", edgecolor=INK, linewidth=1.0, **style),
+        patches.Circle(centre, 0.05, facecolor=PAPER, edgecolor=INK, linewidth=1.0, **style),
     ]
     for artist in artists:
         axes.add_artist(artist)

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..extras import require
-from ..motion import in_words
-from ..samples import COLUMNS, Samples
-from ..style import INK, MODE_COLOURS, MODE_DASHES, PALE
-from .canvas import LABELS, draw_hoop, new_axes, phase_slices, pi_ticks, plain
+from ..samples import Samples
+from ..style import FAINT, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
+from ..tables import CAUSE_LABELS
+from .canvas import axis_label, draw_hoop, new_axes, phase_slices, pi_ticks, plain, sign
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -59,8 +59,8 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001, hoo
     # Room for two rows of labels.
     axes.set_ylim(-0.045 * (x_high - x_low) if hoops else -0.1, y_high)
     axes.set_aspect("equal")
-    axes.set_xlabel(LABELS["x"])
-    axes.set_ylabel(LABELS["y"])
+    axes.set_xlabel(axis_label("x"))
+    axes.set_ylabel(axis_label("centre_y"))
     axes.set_yticks(range(math.ceil(y_high)))
     if shown:
         axes.legend(
@@ -72,7 +72,7 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001, hoo
 
 def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -> None:
     marks = [(motion.start.time, "start")]
-    marks += [(transition.time, in_words(transition.cause)) for transition in motion.transitions]
+    marks += [(transition.time, CAUSE_LABELS[transition.cause]) for transition in motion.transitions]
     if not motion.transitions or motion.transitions[-1].to_mode is not None:
         marks.append((float(samples.time[-1]), ""))
     # Labels stand in two rows; a mark that finds no room in either is left out, unless it is the last.
@@ -137,13 +137,13 @@ def history(
     if len(quantities) > 1:
         _name_lines(axes, samples, quantities)
     else:
-        axes.set_ylabel(LABELS.get(quantities[0], COLUMNS[quantities[0]].symbol))
+        axes.set_ylabel(axis_label(quantities[0]))
     for transition in motion.transitions:
         if transition.time <= samples.time[-1]:
-            axes.axvline(transition.time, color=PALE, linewidth=0.6, zorder=0)
-    axes.axhline(0.0, color=PALE, linewidth=0.6, zorder=0)
+            axes.axvline(transition.time, color=LINE, linewidth=0.6, zorder=0)
+    axes.axhline(0.0, color=FAINT, linewidth=0.6, zorder=0)
     axes.set_xlim(float(samples.time[0]), float(samples.time[-1]))
-    axes.set_xlabel(LABELS["time"])
+    axes.set_xlabel(axis_label("time"))
     if quantities == ("theta",):
         pi_ticks(axes, "y", most=7)
     plain(axes)
@@ -173,13 +173,13 @@ def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> No
         at = middle.start + int(np.nanargmax(distance))
         above = table[k, at] >= np.nanmean(np.nan_to_num(others[:, at]))
         axes.annotate(
-            COLUMNS[name].symbol,
+            sign(name),
             (samples.time[at], table[k, at]),
             xytext=(7, 4 if above else -4),
             textcoords="offset points",
             va="bottom" if above else "top",
             color=INK,
-            bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+            bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
         )
 
 
@@ -208,10 +208,10 @@ def trajectory(motion: Trajectory) -> Figure:
     grid = figure.add_gridspec(2, 3, height_ratios=(1.25, 1.0))
     path(motion, figure.add_subplot(grid[0, :]))
     angle = history(motion, figure.add_subplot(grid[1, 0]), quantities=("theta",))
-    angle.set_title("angle θ", fontsize=10)
+    angle.set_title(f"angle {sign('theta')}", fontsize=10)
     angle.set_ylabel("")
     rates = history(motion, figure.add_subplot(grid[1, 1]))
-    rates.set_title("rate θ′ (√(g/R)) and slip η′ (√(gR))", fontsize=10)
+    rates.set_title(f"rate {axis_label('theta_rate')} and slip {axis_label('slip')}", fontsize=10)
     forces = history(motion, figure.add_subplot(grid[1, 2]), quantities=("normal", "friction"))
-    forces.set_title("normal force N and friction F (m₂g)", fontsize=10)
+    forces.set_title(f"normal force {sign('normal')} and friction {axis_label('friction')}", fontsize=10)
     return figure

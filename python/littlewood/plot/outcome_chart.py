@@ -1,14 +1,16 @@
-"""Maps of what becomes of the motions."""
+"""Maps of classes of outcomes."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .. import _core
 from ..extras import require
-from ..style import CLASS_COLOURS, PALE
-from .canvas import LABELS, new_axes, pi_ticks
+from ..style import CLASS_COLOURS, FAINT
+from ..tables import CLASS_LABELS, CLASSES
+from .canvas import axis_label, new_axes, pi_ticks, sign
 
 if TYPE_CHECKING:
     import xarray
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def classes(dataset: xarray.Dataset) -> xarray.DataArray:
-    """Sort the motions of a sweep into the classes that maps show.
+    """Return the class of each motion of a sweep, as all maps show it.
 
     Parameters
     ----------
@@ -26,44 +28,36 @@ def classes(dataset: xarray.Dataset) -> xarray.DataArray:
     Returns
     -------
     xarray.DataArray of uint8
-        Places in the list of classes, which `flag_meanings` names: motions that leave the plane at once, that lift off
-        later, and those that do not, by their outcome.
+        Codes, the places of the names in :data:`littlewood.CLASSES`: motions that leave the plane at once, that lift
+        off later, and those that do not, by their outcome.
+
+    Raises
+    ------
+    ValueError
+        For codes that are no integers: a store opened without `mask_and_scale=False`.
     """
-    xr = require("xarray")
-    names = list(CLASS_COLOURS)
-    of_outcome = {
-        1: "rolls for ever",
-        2: "slides for ever",
-        3: "particle at the plane",
-        4: "particle at the bottom",
-        5: "particle at the top",
-        6: "in contact at the limit",
-        7: "in contact at the limit",
-        8: "Painlevé paradox",
-        9: "Painlevé paradox",
-        10: "Painlevé paradox",
-        11: "unresolved",
-    }
-    table = np.full(256, names.index("not a hoop"), dtype=np.uint8)
-    for code, name in of_outcome.items():
-        table[code] = names.index(name)
-    code = xr.apply_ufunc(
-        lambda outcome: table[outcome], dataset["outcome"], dask="parallelized", output_dtypes=[np.uint8]
-    )
-    flies = ~np.isnan(dataset["lift_off_time"])
-    at_once = (dataset["sequence"] & np.uint64(7)) == 7
-    result = xr.where(at_once, np.uint8(0), xr.where(flies, np.uint8(1), code)).astype(np.uint8)
+    columns = [dataset[name] for name in ("outcome", "sequence", "lift_off_time")]
+    if not all(np.issubdtype(column.dtype, np.integer) for column in columns[:2]):
+        raise ValueError("outcome and sequence must hold integers: open the store with mask_and_scale=False")
+    result = require("xarray").apply_ufunc(_codes, *columns, dask="parallelized", output_dtypes=[np.uint8])
     result.attrs = {
-        "long_name": "what becomes of the motion",
-        "flag_values": list(range(len(names))),
-        "flag_meanings": " ".join(name.replace(" ", "_") for name in names),
+        "long_name": "class of the outcome",
+        "flag_values": list(range(len(CLASSES))),
+        "flag_meanings": " ".join(CLASSES),
     }
     named: xarray.DataArray = result.rename("class")
     return named
 
 
+def _codes(outcome: Any, sequence: Any, lift_off_time: Any) -> Any:
+    arrays = np.broadcast_arrays(outcome, sequence, lift_off_time)
+    types = (np.uint8, np.uint64, np.float64)
+    flat = [np.ravel(array).astype(dtype, copy=False) for array, dtype in zip(arrays, types, strict=True)]
+    return _core.classes(*flat).reshape(arrays[0].shape)
+
+
 def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None = None, y: str | None = None) -> Axes:
-    """Draw a map of what becomes of the motions, with a legend and the share of each class.
+    """Draw a map of the classes of outcomes, with a legend and the share of each class.
 
     Parameters
     ----------
@@ -88,8 +82,7 @@ def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None
     shown = shown.transpose(y, x)
     if axes is None:
         axes = new_axes(8.0, 4.8)
-    names = list(CLASS_COLOURS)
-    palette = colors.ListedColormap(list(CLASS_COLOURS.values()))
+    palette = colors.ListedColormap([CLASS_COLOURS[name] for name in CLASSES])
     values = shown.to_numpy()
     axes.pcolormesh(
         shown[x].to_numpy(),
@@ -97,23 +90,23 @@ def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None
         values,
         cmap=palette,
         vmin=-0.5,
-        vmax=len(names) - 0.5,
+        vmax=len(CLASSES) - 0.5,
         shading="nearest",
         rasterized=True,
     )
-    counts = np.bincount(values.ravel(), minlength=len(names))
+    counts = np.bincount(values.ravel(), minlength=len(CLASSES))
     handles = [
         patches.Patch(
             facecolor=CLASS_COLOURS[name],
-            edgecolor=PALE,
-            label=f"{name}\n{100 * counts[i] / values.size:.1f} %",
+            edgecolor=FAINT,
+            label=f"{CLASS_LABELS[name]}\n{100 * counts[i] / values.size:.1f} %",
         )
-        for i, name in enumerate(names)
+        for i, name in enumerate(CLASSES)
         if counts[i]
     ]
     axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.02, 1.0), frameon=False, labelspacing=0.9)
-    axes.set_xlabel(LABELS.get(x, x))
-    axes.set_ylabel(LABELS.get(y, y))
+    axes.set_xlabel(sign(x) if x == "theta" else axis_label(x))
+    axes.set_ylabel(sign(y) if y == "theta" else axis_label(y))
     if x == "theta":
         pi_ticks(axes)
     if y == "theta":

@@ -8,8 +8,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..closed_form import slip_angle
-from ..style import INK, MODE_COLOURS, MODE_DASHES, PALE
-from .canvas import LABELS, new_axes, phase_slices, pi_ticks
+from ..style import (
+    CURVE_COLOURS,
+    CURVE_DASHES,
+    CURVE_LETTERS,
+    CURVE_WIDTHS,
+    HATCH,
+    INK,
+    MODE_COLOURS,
+    MODE_DASHES,
+    PAPER,
+    REGION,
+)
+from .canvas import axis_label, new_axes, phase_slices, pi_ticks, sign
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,30 +63,48 @@ def phase_plane(
     angles = np.linspace(*theta, 1201)
     rates = np.linspace(*theta_rate, 801)
     inside = plane.in_rolling_region(angles, rates[:, None])
-    axes.contourf(angles, rates, inside, levels=[0.5, 1.5], colors=["#d3eaf5"], zorder=0)
+    axes.contourf(angles, rates, inside, levels=[0.5, 1.5], colors=[REGION], zorder=0)
     without = plane.normal(angles, rates[:, None]) <= 0.0
-    axes.contourf(angles, rates, without, levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=0)
-    with_slip = [("f", plane.slip_rate(angles, sign), "dashed") for sign in (-1, 1)]
-    for name, curve, dashes in [("n", plane.normal_force_rate(angles), "solid"), *with_slip]:
-        for sign in (1.0, -1.0):
-            axes.plot(angles, sign * curve, color=INK, linewidth=1.3, linestyle=dashes, zorder=2)
+    hatched = axes.contourf(angles, rates, without, levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=0)
+    hatched.set_edgecolor(HATCH)
+    hatched.set_linewidth(0.0)
+    with_slip = [("slip_limit", plane.slip_rate(angles, side)) for side in (-1, 1)]
+    for name, curve in [("normal_force_zero", plane.normal_force_rate(angles)), *with_slip]:
+        for side in (1.0, -1.0):
+            axes.plot(angles, side * curve, **_line(name), zorder=2)
         _name_curve(axes, name, angles, curve, theta_rate[1])
     if hoop.inertia_about_mass_centre == 0.0:
         slip = float(slip_angle(hoop.mu_s, hoop.offset))
-        for sign in (-1.0, 1.0):
-            axes.axvline(sign * slip, color=INK, linewidth=1.3, linestyle="dashed", zorder=2)
-        axes.annotate("f", (slip, theta_rate[1] * 0.9), xytext=(4, 0), textcoords="offset points", color=INK)
+        for side in (-1.0, 1.0):
+            axes.axvline(side * slip, **_line("slip_limit"), zorder=2)
+        axes.annotate(
+            CURVE_LETTERS["slip_limit"],
+            (slip, theta_rate[1] * 0.9),
+            xytext=(4, 0),
+            textcoords="offset points",
+            color=CURVE_COLOURS["slip_limit"],
+        )
     # Orbits through evenly spaced points at rest, and over the top; each is a level of the energy.
     starts = [(angle, 0.0) for angle in np.linspace(0.0, math.pi, levels + 2)[1:-1]]
     starts += [(0.0, rate) for rate in np.linspace(0.0, theta_rate[1], levels // 2 + 2)[1:]]
-    energies = sorted({float(_rolling_energy(hoop, angle, rate)) for angle, rate in starts})
-    surface = _rolling_energy(hoop, angles, rates[:, None])
-    axes.contour(angles, rates, surface, levels=energies, colors=[PALE], linewidths=0.7, linestyles="solid", zorder=1)
+    energies = sorted({float(plane.energy(angle, rate)) for angle, rate in starts})
+    surface = plane.energy(angles, rates[:, None])
+    level = _line("level")
+    axes.contour(
+        angles,
+        rates,
+        surface,
+        levels=energies,
+        colors=[level["color"]],
+        linewidths=level["linewidth"],
+        linestyles=[level["linestyle"]],
+        zorder=1,
+    )
     separatrix = plane.separatrix_rate(angles)
-    for sign in (1.0, -1.0):
-        axes.plot(angles, sign * separatrix, color="#555555", linewidth=1.6, zorder=1)
+    for side in (1.0, -1.0):
+        axes.plot(angles, side * separatrix, **_line("separatrix"), zorder=1)
     for equilibrium in plane.equilibria:
-        filled = INK if equilibrium.stability == "stable" else "white"
+        filled = INK if equilibrium.stability == "stable" else PAPER
         for turn in (-2 * math.pi, 0.0, 2 * math.pi):
             place = equilibrium.theta + turn
             if theta[0] <= place <= theta[1]:
@@ -84,16 +113,14 @@ def phase_plane(
         _over_plane(axes, motion, theta)
     axes.set_xlim(*theta)
     axes.set_ylim(*theta_rate)
-    axes.set_xlabel(LABELS["theta"])
-    axes.set_ylabel(LABELS["theta_rate"])
+    axes.set_xlabel(sign("theta"))
+    axes.set_ylabel(axis_label("theta_rate"))
     pi_ticks(axes)
     return axes
 
 
-def _rolling_energy(hoop: Hoop, theta: Any, theta_rate: Any) -> Any:
-    inertia, m, h = hoop.inertia_about_mass_centre, hoop.mass, hoop.h
-    twice = inertia + m * (1.0 + h * h + 2.0 * h * np.cos(theta))
-    return 0.5 * twice * theta_rate * theta_rate + hoop.offset * np.cos(theta)
+def _line(curve: str) -> dict[str, Any]:
+    return {"color": CURVE_COLOURS[curve], "linewidth": CURVE_WIDTHS[curve], "linestyle": CURVE_DASHES[curve]}
 
 
 def _name_curve(axes: Axes, name: str, angles: Any, curve: Any, top: float) -> None:
@@ -104,13 +131,13 @@ def _name_curve(axes: Axes, name: str, angles: Any, curve: Any, top: float) -> N
     if seen.size:
         at = seen[np.argmax(curve[seen])]
         axes.annotate(
-            name,
+            CURVE_LETTERS[name],
             (angles[at], curve[at]),
             xytext=(5, 3),
             textcoords="offset points",
-            color=INK,
+            color=CURVE_COLOURS[name],
             style="italic",
-            bbox={"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+            bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
             zorder=6,
         )
 
@@ -127,7 +154,7 @@ def _over_plane(axes: Axes, motion: Trajectory, theta: tuple[float, float]) -> N
         )
     start = motion.start
     reduced_start = (start.theta - theta[0]) % (2 * math.pi) + theta[0]
-    axes.plot([reduced_start], [start.theta_rate], "o", mfc="white", mec=INK, ms=7, zorder=6)
+    axes.plot([reduced_start], [start.theta_rate], "o", mfc=PAPER, mec=INK, ms=7, zorder=6)
     handles, labels = axes.get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
     axes.legend(

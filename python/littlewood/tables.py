@@ -1,0 +1,130 @@
+"""The tables of the core: quantities, modes, causes, outcomes, classes, regions, phases, columns.
+
+Names, codes, labels and units stand in the core alone; this module gives them types.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+from typing import NamedTuple, TypeVar
+
+from . import _core
+
+_K = TypeVar("_K")
+_V = TypeVar("_V")
+
+
+def _frozen(items: Iterable[tuple[_K, _V]]) -> Mapping[_K, _V]:
+    return MappingProxyType(dict(items))
+
+
+class Quantity(NamedTuple):
+    """What a quantity is, how it is printed, its units, bounds and default.
+
+    `cf_unit` and `scale` are those of a value in the system of (2.9): the value is a multiple of the scale.
+    """
+
+    name: str
+    group: str
+    is_si: bool
+    twin: str | None
+    symbol: str
+    sign: str
+    unit: str
+    unit_sign: str
+    cf_unit: str
+    scale: str
+    long_name: str
+    help: str
+    bounds: list[str]
+    default: float | None
+
+
+class SampleColumn(NamedTuple):
+    """A column of samples. Codes have no units."""
+
+    name: str
+    sign: str
+    long_name: str
+    unit_sign: str | None
+    cf_unit: str | None
+    scale: str | None
+    si_name: str | None
+    si_unit: str | None
+
+
+class SummaryColumn(NamedTuple):
+    """A column of summaries; `kind` is outcome, sequence, count, flag or real."""
+
+    name: str
+    kind: str
+    dtype: str
+    cf_unit: str
+    scale: str
+    long_name: str
+
+
+QUANTITIES: Mapping[str, Quantity] = _frozen((row["name"], Quantity(**row)) for row in _core.quantities())
+"""All quantities by their names, in SI units as well."""
+
+HOOP: tuple[str, ...] = tuple(_core.HOOP)
+"""Names of the parameters of a hoop."""
+
+START: tuple[str, ...] = tuple(_core.START)
+"""Names of the numbers of a start."""
+
+AXES: tuple[str, ...] = tuple(_core.AXES)
+"""Names of what a sweep can vary."""
+
+SI_HOOP: tuple[str, ...] = tuple(_core.SI_HOOP)
+"""Names of the numbers of a hoop in SI units."""
+
+SI_START: tuple[str, ...] = tuple(_core.SI_START)
+"""Names of the numbers of a start in SI units."""
+
+SAMPLE_COLUMNS: Mapping[str, SampleColumn] = _frozen(
+    (row["name"], SampleColumn(**row)) for row in _core.sample_columns()
+)
+"""Columns of samples by their names."""
+
+SUMMARY_COLUMNS: Mapping[str, SummaryColumn] = _frozen(
+    (row["name"], SummaryColumn(**row)) for row in _core.summary_columns()
+)
+"""Columns of summaries by their names."""
+
+MODES: tuple[str, ...] = tuple(name for _, name in _core.MODES)
+"""Names of the modes of motion; their places are the codes in arrays. Outside a motion the code is -1."""
+
+MODE_CODES: Mapping[str, int] = _frozen((name, code) for code, name in _core.MODES)
+"""Codes of the modes by their names."""
+
+ARROWS: Mapping[int, str] = _frozen([(0, ""), *_core.DIRECTIONS])
+"""Arrows of the directions of slip by their codes."""
+
+CAUSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CAUSES)
+"""Names of the causes of transitions."""
+
+CAUSE_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.CAUSES)
+"""Causes in words."""
+
+OUTCOMES: Mapping[int, str] = _frozen((code, name) for code, name, _, _ in _core.OUTCOMES)
+"""Names of the outcomes by their codes in arrays; `not_computed` and `invalid` are those of points without a motion."""
+
+OUTCOME_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label, _ in _core.OUTCOMES)
+"""Outcomes in words."""
+
+FINAL_OUTCOMES: frozenset[str] = frozenset(name for _, name, _, is_final in _core.OUTCOMES if is_final)
+"""Names of the outcomes of motions that have been followed to their end."""
+
+CLASSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CLASSES)
+"""Names of the classes of outcomes that maps show; their places are the codes in arrays."""
+
+CLASS_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.CLASSES)
+"""Classes in words."""
+
+REGIONS: tuple[str, ...] = tuple(name for _, name in _core.REGIONS)
+"""Names of the regions that a start lies in; their places are the codes of :meth:`PhasePlane.region`."""
+
+ROLLING_TYPES: tuple[str, ...] = ("", *(name for _, name in _core.ROLLING_TYPES))
+"""Names of the types of rolling; their places are the codes in arrays, 0 for none."""
