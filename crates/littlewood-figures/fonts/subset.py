@@ -16,7 +16,7 @@ from fontTools import subset
 from fontTools.ttLib import TTFont
 
 GREEK = "αβγδεηθλμνπρστφψωΓΔΘΛΣΦΨΩ"
-SYMBOLS = "−±×·°′″ℓ√∞≤≥≈≠→←↑↓½–—‘’…§\u0304\u0302"
+SYMBOLS = "é−±×·°′″ℓ√∞≤≥≈≠→←↑↓½–—‘’…§\u0304\u0302"
 SCRIPT = "𝓡𝓝"
 # Heights of capital and small letters, in thousandths of the size.
 CAPITAL, SMALL = 656, 473

@@ -3,28 +3,28 @@
 use crate::draw::{markdown, plain};
 use crate::error::FigureError;
 use crate::figure::Figure;
+use crate::input::FigureInput;
 use crate::paper;
-use crate::subject::{Subject, of_case};
 
 /// A figure that can be made.
 #[derive(Clone, Copy, Debug)]
-pub struct Entry {
+pub struct FigureEntry {
     /// Name, as the command line takes it.
     pub name: &'static str,
     /// What it shows.
     pub title: &'static str,
     /// The named case that it is made of unless another hoop or start is asked for.
     pub case: &'static str,
-    make: fn(&Subject) -> Result<Figure, FigureError>,
+    make: fn(&FigureInput) -> Result<Figure, FigureError>,
 }
 
-impl Entry {
-    /// The figure of a subject.
+impl FigureEntry {
+    /// The figure of a hoop and a start.
     ///
     /// # Errors
-    /// A subject that the figure cannot show, or a start that is out of bounds.
-    pub fn figure(&self, subject: &Subject) -> Result<Figure, FigureError> {
-        (self.make)(subject)
+    /// A hoop that the figure cannot show, or a start that is out of bounds.
+    pub fn figure(&self, input: &FigureInput) -> Result<Figure, FigureError> {
+        (self.make)(input)
     }
 
     /// The figure as the paper has it.
@@ -32,7 +32,7 @@ impl Entry {
     /// # Errors
     /// None is known.
     pub fn of_the_paper(&self) -> Result<Figure, FigureError> {
-        self.figure(&of_case(self.case)?)
+        self.figure(&FigureInput::of_case(self.case)?)
     }
 }
 
@@ -40,13 +40,13 @@ const fn entry(
     name: &'static str,
     title: &'static str,
     case: &'static str,
-    make: fn(&Subject) -> Result<Figure, FigureError>,
-) -> Entry {
-    Entry { name, title, case, make }
+    make: fn(&FigureInput) -> Result<Figure, FigureError>,
+) -> FigureEntry {
+    FigureEntry { name, title, case, make }
 }
 
 /// All figures, in the order of the paper, then those that it does not have.
-pub const FIGURES: &[Entry] = &[
+pub const FIGURES: &[FigureEntry] = &[
     entry("figure-1", "the body and its symbols", "figure-3", paper::schematic::figure),
     entry(
         "figure-2a",
@@ -126,7 +126,7 @@ pub fn gallery_page() -> Result<String, FigureError> {
 
 /// The figure of this name.
 #[must_use]
-pub fn find_figure(name: &str) -> Option<&'static Entry> {
+pub fn find_figure(name: &str) -> Option<&'static FigureEntry> {
     FIGURES.iter().find(|entry| entry.name == name)
 }
 

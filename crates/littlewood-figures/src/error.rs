@@ -1,6 +1,6 @@
 //! What can go wrong with a figure.
 
-use littlewood::ParameterError;
+use littlewood::{OutcomeKind, ParameterError};
 
 /// A figure that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -9,6 +9,12 @@ pub enum FigureError {
     /// A hoop or a start out of bounds.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
+    /// A case that is not there.
+    #[error("there is no case named '{name}'")]
+    UnknownCase {
+        /// The name.
+        name: String,
+    },
     /// A figure of §2 asked for a hoop without inertia.
     #[error("{figure} shows a hoop with inertia; this one has mass ratio 0 and inertia 0")]
     NeedsInertia {
@@ -40,12 +46,12 @@ pub enum FigureError {
         figure: &'static str,
     },
     /// A figure of a motion that does not begin: no motion, or more than one, is consistent at the start.
-    #[error("{figure} shows a motion, but from this start there is none: {outcome}")]
+    #[error("{figure} shows a motion, but from this start there is none: {}", outcome.label())]
     NoMotion {
         /// Name of the figure.
         figure: &'static str,
-        /// Kind of outcome.
-        outcome: &'static str,
+        /// What there is instead.
+        outcome: OutcomeKind,
     },
     /// A scale out of bounds.
     #[error(

@@ -1,8 +1,9 @@
 //! What a figure is: panels with series of data, and how each is drawn.
 
-pub use littlewood_style::ticks::Tick;
+use littlewood_style::Rgb;
+use littlewood_style::ticks::Tick;
 
-use crate::style::{Colour, Stroke};
+use crate::style::{INK, LETTER, Stroke};
 
 /// A figure, complete: [`Figure::svg`], [`Figure::png`] and [`Figure::csv`] only write it down.
 #[derive(Clone, Debug)]
@@ -44,20 +45,20 @@ pub enum View {
     /// Two axes.
     Plane {
         /// To the right.
-        x: Axis,
+        x: PlotAxis,
         /// Upwards.
-        y: Axis,
+        y: PlotAxis,
         /// Whether axes are drawn.
         axes: bool,
     },
     /// Three axes, seen from a direction.
     Space {
         /// To the right.
-        x: Axis,
+        x: PlotAxis,
         /// Upwards.
-        y: Axis,
+        y: PlotAxis,
         /// To the back.
-        z: Axis,
+        z: PlotAxis,
         /// Rotation about the upward axis.
         yaw: f64,
         /// Elevation of the eye.
@@ -67,7 +68,7 @@ pub enum View {
 
 /// An axis: the column that runs along it, from where to where.
 #[derive(Clone, Debug)]
-pub struct Axis {
+pub struct PlotAxis {
     /// Name of the column.
     pub column: &'static str,
     /// Symbol and unit, with marks.
@@ -106,17 +107,17 @@ pub enum Mark {
     /// A line with a head at its end.
     Arrow(Stroke),
     /// A head at the first row of each piece, pointing to the second.
-    Head(Colour),
+    Head(Rgb),
     /// A polygon for each piece.
-    Fill(Colour),
+    Fill(Rgb),
     /// A hatched polygon for each piece.
-    Hatch(Colour),
+    Hatch(Rgb),
     /// A dot on each row.
-    Dot(Colour, f64),
+    Dot(Rgb, f64),
     /// A circle on each row, white inside.
-    Ring(Colour, f64),
+    Ring(Rgb, f64),
     /// A cross on each row.
-    Cross(Colour, f64),
+    Cross(Rgb, f64),
     /// A hoop of radius 1 on each row, whose last column is the angle of its particle: offset of the particle and of
     /// the mass centre.
     Hoop {
@@ -128,7 +129,7 @@ pub enum Mark {
         rim: Stroke,
     },
     /// A rectangle of these sides, in units of the axes, about each row; rows side by side make one.
-    Cell(Colour, [f64; 2]),
+    Cell(Rgb, [f64; 2]),
 }
 
 /// A text in a panel.
@@ -145,7 +146,7 @@ pub struct Label {
     /// Size of the letters in pixels.
     pub size: f64,
     /// Colour.
-    pub colour: Colour,
+    pub colour: Rgb,
 }
 
 /// Which part of a text stands at its place; its middle in the vertical.
@@ -210,8 +211,8 @@ impl Label {
             at: at.to_vec(),
             shift: [0.0, 0.0],
             anchor: Anchor::Middle,
-            size: crate::style::LETTER,
-            colour: crate::style::INK,
+            size: LETTER,
+            colour: INK,
         }
     }
 
@@ -235,7 +236,7 @@ impl Label {
 
     /// In this colour.
     #[must_use]
-    pub fn coloured(self, colour: Colour) -> Self {
+    pub fn coloured(self, colour: Rgb) -> Self {
         Self { colour, ..self }
     }
 

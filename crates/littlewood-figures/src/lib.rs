@@ -1,7 +1,7 @@
 //! The figures of the loaded hoop: as SVG, as PNG, and as the data that they show.
 //!
 //! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. It is made by name from
-//! [`FIGURES`], of a hoop and a start ([`Subject`]), by functions that ask the library `littlewood` and nothing else;
+//! [`FIGURES`], of a hoop and a start ([`FigureInput`]), by functions that ask the library `littlewood` and nothing else;
 //! nothing is drawn by hand or from stored data. [`Figure::svg`] and [`Figure::png`] draw it, [`Figure::csv`] writes the
 //! rows that are drawn. No file is touched here.
 //!
@@ -19,11 +19,11 @@
 //!
 //! ```
 //! use littlewood::{Hoop, HoopParameters, Limits, Start};
-//! use littlewood_figures::{Subject, find_figure};
+//! use littlewood_figures::{FigureInput, find_figure};
 //!
-//! let hoop = Hoop::new(HoopParameters { mass_ratio: 2.0, offset: 0.8, inertia: 2.0, mu_s: 0.7, mu_k: 0.5 })?;
-//! let subject = Subject { hoop, start: Start::at(1.0, 2.0), limits: Limits::default() };
-//! let portrait = find_figure("figure-2b").expect("a name of the catalogue").figure(&subject)?;
+//! let hoop = Hoop::new(HoopParameters::new(2.0, 0.8, 2.0).with_friction(0.7, 0.5))?;
+//! let input = FigureInput { hoop, start: Start::at(1.0, 2.0), limits: Limits::default() };
+//! let portrait = find_figure("figure-2b").expect("a name of the catalogue").figure(&input)?;
 //! assert_eq!(portrait.panels.len(), 1);
 //! # Ok::<(), littlewood_figures::FigureError>(())
 //! ```
@@ -38,17 +38,18 @@ mod csv;
 mod draw;
 mod error;
 mod figure;
+mod input;
 mod motion;
 mod paper;
 mod plane;
-pub mod style;
-mod subject;
+mod style;
 mod trace;
 mod words;
 
-pub use catalogue::{Entry, FIGURES, GALLERY_SCALE, find_figure, gallery_page};
+pub use catalogue::{FIGURES, FigureEntry, GALLERY_SCALE, find_figure, gallery_page};
 pub use draw::{LEAST_SCALE, MOST_SCALE, markdown, plain};
 pub use error::FigureError;
-pub use figure::{Anchor, Axis, Figure, Key, Label, Layer, Mark, Panel, Series, Tick, View};
-pub use style::{Colour, Dash, Stroke};
-pub use subject::Subject;
+pub use figure::{Anchor, Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Series, View};
+pub use input::FigureInput;
+pub use littlewood_style::{Dash, Rgb, ticks::Tick};
+pub use style::Stroke;

@@ -3,7 +3,6 @@
 use littlewood::{Mode, Phase, Sample, Trajectory};
 
 use crate::figure::Series;
-use crate::style::{BLUE, CURVE, Dash, GREEN, INK, Stroke, VERMILION};
 
 /// Instants of a phase.
 const INSTANTS: u32 = 160;
@@ -30,16 +29,6 @@ pub(crate) fn horizon(motion: &Trajectory) -> f64 {
     }
     let turns = 14.0 / f64::max(last.start().theta_rate.abs(), 14.0 / 12.0);
     f64::min(end, last.start().time + turns)
-}
-
-/// How a mode is drawn.
-pub(crate) const fn stroke(mode: Mode) -> Stroke {
-    match mode {
-        Mode::Rolling => Stroke::solid(BLUE, CURVE),
-        Mode::Sliding => Stroke::solid(VERMILION, CURVE).dashed(Dash::Dashed),
-        Mode::Gliding => Stroke::solid(GREEN, CURVE).dashed(Dash::DashDot),
-        Mode::Flight => Stroke::solid(INK, CURVE).dashed(Dash::Dotted),
-    }
 }
 
 /// The modes of a motion, each with the series of its phases.

@@ -3,7 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use littlewood::closed_form::slip_angle;
-use littlewood::{Body, Direction, Hoop, HoopParameters, ParameterError, PhasePlane, RollingLaw, Stability};
+use littlewood::{Body, Direction, Hoop, ParameterError, PhasePlane, RollingLaw, Stability};
 
 use crate::figure::{Label, Layer, Mark, Series};
 use crate::style::INK;
@@ -56,7 +56,7 @@ impl Portrait {
     /// The locus |F| = μs N of (2.13) for a coefficient of friction.
     pub(crate) fn slip_locus(&self, mu_s: f64) -> Result<Series, ParameterError> {
         let parameters = self.hoop.parameters();
-        let other = Hoop::new(HoopParameters { mu_s, mu_k: parameters.mu_k.min(mu_s), ..parameters })?;
+        let other = Hoop::new(parameters.with_friction(mu_s, parameters.mu_k.min(mu_s)))?;
         let plane = PhasePlane::new(&other);
         let pieces = [Direction::Positive, Direction::Negative]
             .into_iter()

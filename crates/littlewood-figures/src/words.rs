@@ -1,47 +1,140 @@
-//! Hoops and starts in captions.
+//! Quantities, hoops and starts in captions and on axes.
 
 use core::f64::consts::PI;
 
-use littlewood::{Cause, Hoop, Start};
+use littlewood::{Dimension, Group, Hoop, Quantity, Setup, Start};
+use littlewood_style::ticks;
+
+/// What a motion in contact depends on while it rolls.
+const ROLLING: [Quantity; 4] = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::MuS];
 
 /// The parameters of a hoop, with marks.
 pub(crate) fn hoop_in_words(hoop: &Hoop) -> String {
-    format!(
-        "*m*_{{1}}/*m*_{{2}} = {}, *ℓ*/*R* = {}, *I*_{{zz}}/(*m*_{{2}}*R*^{{2}}) = {}",
-        short(hoop.mass_ratio()),
-        short(hoop.offset()),
-        short(hoop.inertia())
-    )
+    listed(hoop, Quantity::HOOP)
 }
 
-/// A number for print, with a true minus.
-pub(crate) fn short(value: f64) -> String {
-    let text = format!("{value:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    littlewood_style::ticks::minus(if text == "-0" { "0" } else { text })
+/// Those parameters of a hoop on which rolling depends, with marks.
+pub(crate) fn rolling_in_words(hoop: &Hoop) -> String {
+    listed(hoop, ROLLING)
+}
+
+/// Those parameters of a hoop that do not concern friction, with marks.
+pub(crate) fn body_in_words(hoop: &Hoop) -> String {
+    listed(hoop, ROLLING.into_iter().filter(|quantity| *quantity != Quantity::MuS))
+}
+
+fn listed(hoop: &Hoop, quantities: impl IntoIterator<Item = Quantity>) -> String {
+    let setup = Setup::new(hoop.parameters(), Start::default());
+    let words: Vec<String> = quantities
+        .into_iter()
+        .filter_map(|quantity| Some(format!("{} = {}", marked(quantity.sign()), short(setup.get(quantity)?))))
+        .collect();
+    words.join(", ")
 }
 
 /// A start, with marks.
-pub(crate) fn start_in_words(start: &Start) -> String {
-    let angle = fraction_of_pi(start.theta).unwrap_or_else(|| short(start.theta));
-    format!("*θ*(0) = {angle}, *θ*′(0) = {}, *η*′(0) = {}", short(start.theta_rate), short(start.slip))
+pub(crate) fn start_in_words(hoop: &Hoop, start: &Start) -> String {
+    let setup = Setup::new(hoop.parameters(), *start);
+    let words: Vec<String> = Quantity::START
+        .into_iter()
+        .filter(|quantity| quantity.group() == Group::Start)
+        .filter_map(|quantity| {
+            let value = setup.get(quantity)?;
+            let angle = Some(value).filter(|_| quantity.dimension() == Dimension::Angle);
+            let number = angle.and_then(fraction_of_pi).unwrap_or_else(|| short(value));
+            Some(format!("{}(0) = {number}", marked(quantity.sign())))
+        })
+        .collect();
+    words.join(", ")
+}
+
+/// A symbol or a unit as it is printed, with marks: letters are italic, an index stands below the line, an exponent
+/// above it. Small letters after a capital one are its index.
+pub(crate) fn marked(sign: &str) -> String {
+    let mut out = String::new();
+    let mut letters = sign.chars().peekable();
+    while let Some(letter) = letters.next() {
+        if let Some(index) = lowered(letter) {
+            out += &format!("_{{{index}}}");
+        } else if letter == '²' {
+            out += "^{2}";
+        } else if letter.is_alphabetic() {
+            out += &format!("*{letter}*");
+            let mut index = String::new();
+            while letter.is_uppercase()
+                && let Some(small) = letters.next_if(|next| next.is_ascii_lowercase())
+            {
+                index.push(small);
+            }
+            if !index.is_empty() {
+                out += &format!("_{{{index}}}");
+            }
+        } else {
+            out.push(letter);
+        }
+    }
+    // Italics that end and begin again at once go on.
+    out.replace("**", "")
+}
+
+/// The letter or digit of which this is the small one below the line.
+const fn lowered(letter: char) -> Option<char> {
+    match letter {
+        '₁' => Some('1'),
+        '₂' => Some('2'),
+        'ₛ' => Some('s'),
+        'ₖ' => Some('k'),
+        _ => None,
+    }
+}
+
+/// A number for print, with the minus sign of print.
+pub(crate) fn short(value: f64) -> String {
+    let text = format!("{value:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    ticks::minus(if text == "-0" { "0" } else { text })
 }
 
 /// A multiple of π/12, if it is one.
 fn fraction_of_pi(value: f64) -> Option<String> {
     let twelfths = libm::round(12.0 * value / PI);
     let is_one = twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;
-    is_one.then(|| littlewood_style::ticks::of_pi(twelfths as i64, 12))
+    is_one.then(|| ticks::of_pi(twelfths as i64, 12))
 }
 
-/// An event.
-pub(crate) const fn cause_in_words(cause: Cause) -> &'static str {
-    match cause {
-        Cause::LiftOff => "lift-off",
-        Cause::NormalForceZero => "N = 0",
-        Cause::ParticleAtPlane => "particle at plane",
-        Cause::ParticleAtBottom => "particle at bottom",
-        Cause::ParticleAtTop => "particle at top",
-        other => other.name(),
+#[cfg(test)]
+mod tests {
+    use littlewood::{Cause, Class, Mode, OutcomeKind, SampleColumn};
+
+    use super::*;
+    use crate::draw::missing;
+
+    #[test]
+    fn signs_are_marked() {
+        assert_eq!(marked("Izz/(m₂R²)"), "*I*_{zz}/(*m*_{2}*R*^{2})");
+        assert_eq!(marked("m₂√(gR)"), "*m*_{2}√(*gR*)");
+        assert_eq!(marked("θ′"), "*θ*′");
+        assert_eq!(marked("μₛ"), "*μ*_{s}");
+    }
+
+    #[test]
+    fn the_faces_have_the_letters_of_all_tables() {
+        for sign in Quantity::ALL
+            .iter()
+            .map(|quantity| quantity.sign())
+            .chain(SampleColumn::ALL.iter().map(|column| column.sign()))
+            .chain(Quantity::ALL.iter().map(|quantity| quantity.unit_sign()))
+        {
+            assert_eq!(missing(&marked(sign)), "", "{sign}");
+        }
+        for label in Class::ALL
+            .iter()
+            .map(|class| class.label())
+            .chain(Cause::ALL.iter().map(|cause| cause.label()))
+            .chain(OutcomeKind::ALL.iter().map(|outcome| outcome.label()))
+            .chain(Mode::NAMES)
+        {
+            assert_eq!(missing(label), "", "{label}");
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 mod support;
 
-use littlewood::{Hoop, HoopParameters, Limits, Start};
-use littlewood_figures::{FIGURES, Figure, FigureError, Subject, View, find_figure, plain};
+use littlewood::{Class, Hoop, HoopParameters, Limits, Start};
+use littlewood_figures::{FIGURES, Figure, FigureError, FigureInput, View, find_figure, plain};
 use roxmltree::Document;
 
 /// Texts of a drawing, one for each `text` element.
@@ -114,24 +114,25 @@ fn the_table_holds_what_is_drawn() {
     }
 }
 
-fn subject(mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64) -> Subject {
-    let hoop = Hoop::new(HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k }).expect("a hoop");
-    Subject { hoop, start: Start::at(1.2, 1.5), limits: Limits::until(30.0) }
+fn input(mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64) -> FigureInput {
+    let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k))
+        .expect("a hoop");
+    FigureInput { hoop, start: Start::at(1.2, 1.5), limits: Limits::until(30.0) }
 }
 
 #[test]
 fn other_hoops_have_the_same_figures() {
     let heavy = [
-        subject(2.0, 1.0, 2.0, 0.7, 0.5),
-        subject(0.0, 1.0, 0.02, 0.3, 0.3),
-        subject(10.0, 0.3, 5.0, 0.2, 0.1),
-        subject(0.5, 0.01, 0.25, 1.5, 0.0),
-        subject(0.3, 1.0, 0.3, 1.2, 1.2),
+        input(2.0, 1.0, 2.0, 0.7, 0.5),
+        input(0.0, 1.0, 0.02, 0.3, 0.3),
+        input(10.0, 0.3, 5.0, 0.2, 0.1),
+        input(0.5, 0.01, 0.25, 1.5, 0.0),
+        input(0.3, 1.0, 0.3, 1.2, 1.2),
     ];
-    let massless = [subject(0.0, 1.0, 0.0, 0.2, 0.1), subject(0.0, 1.0, 0.0, 2.5, 1.0)];
-    for subject in heavy.iter().chain(&massless) {
+    let massless = [input(0.0, 1.0, 0.0, 0.2, 0.1), input(0.0, 1.0, 0.0, 2.5, 1.0)];
+    for input in heavy.iter().chain(&massless) {
         for entry in FIGURES.iter().filter(|entry| entry.name != "outcomes") {
-            match entry.figure(subject) {
+            match entry.figure(input) {
                 Ok(figure) => {
                     Document::parse(&figure.svg().expect("a drawing")).expect("well-formed XML");
                     assert!(!figure.csv().contains("NaN"));
@@ -149,11 +150,11 @@ fn other_hoops_have_the_same_figures() {
 
 #[test]
 fn a_hoop_that_a_figure_cannot_show_is_refused() {
-    let heavy = subject(1.0, 1.0, 1.0, 0.5, 0.4);
-    let massless = subject(0.0, 1.0, 0.0, 0.5, 0.4);
-    let inside = subject(0.0, 0.5, 0.0, 0.5, 0.4);
-    let disc = subject(1.0, 0.0, 1.0, 0.5, 0.4);
-    let make = |name: &str, subject: &Subject| find_figure(name).expect("a name").figure(subject);
+    let heavy = input(1.0, 1.0, 1.0, 0.5, 0.4);
+    let massless = input(0.0, 1.0, 0.0, 0.5, 0.4);
+    let inside = input(0.0, 0.5, 0.0, 0.5, 0.4);
+    let disc = input(1.0, 0.0, 1.0, 0.5, 0.4);
+    let make = |name: &str, input: &FigureInput| find_figure(name).expect("a name").figure(input);
     assert!(matches!(make("figure-4", &heavy), Err(FigureError::NeedsMassless { mass_ratio: 1.0, .. })));
     assert!(matches!(make("figure-2a", &massless), Err(FigureError::NeedsInertia { figure: "figure-2a" })));
     assert!(matches!(make("figure-5b", &inside), Err(FigureError::NeedsRim { offset: 0.5, .. })));
@@ -172,4 +173,54 @@ fn a_scale_out_of_bounds_is_refused() {
     assert_eq!(&small[1..4], b"PNG");
     let side = |at: usize| u32::from_be_bytes([small[at], small[at + 1], small[at + 2], small[at + 3]]);
     assert_eq!([side(16), side(20)], [figure.width, figure.height].map(|side| libm::ceil(side) as u32));
+}
+
+/// The figure of outcomes of a named case, stopped at a time.
+fn outcomes(case: &str, until: Option<f64>) -> Figure {
+    let input = FigureInput::of_case(case).expect("a case");
+    let input = FigureInput { limits: input.limits.with_until(until), ..input };
+    find_figure("outcomes").expect("a name of the catalogue").figure(&input).expect("the figure can be made")
+}
+
+/// The names of the classes that it shows.
+fn classes(figure: &Figure) -> Vec<Class> {
+    Class::ALL.into_iter().filter(|class| figure.series(class.name()).is_some()).collect()
+}
+
+#[test]
+fn a_hoop_in_the_air_at_the_time_limit_has_lifted_off() {
+    let until = 2.0;
+    let input = FigureInput::of_case("figure-3").expect("a case");
+    let figure = outcomes("figure-3", Some(until));
+    assert!(plain(&figure.caption).contains("followed to τ = 2:"));
+    assert!(classes(&figure).contains(&Class::InContactAtLimit));
+    let mut in_the_air = 0;
+    for class in classes(&figure) {
+        let rows: Vec<[f64; 2]> =
+            support::columns(figure.series(class.name()).expect("it is shown"), ["theta", "theta_rate"]);
+        for [theta, rate] in rows.into_iter().step_by(97) {
+            let motion = input.hoop.simulate(Start::at(theta, rate), Limits::until(until)).expect("a motion");
+            let end = motion.at(until).map(|sample| sample.gap > 0.0);
+            if end == Some(true) {
+                in_the_air += 1;
+                assert!(
+                    matches!(class, Class::LeavesAtOnce | Class::LiftsOffLater),
+                    "({theta}, {rate}) is in flight, not {class}"
+                );
+            }
+        }
+    }
+    assert!(in_the_air > 10, "{in_the_air}");
+}
+
+#[test]
+fn the_massless_hoop_has_its_particle_at_the_plane_or_at_the_top() {
+    let figure = outcomes("figure-7", None);
+    assert_eq!(classes(&figure), [Class::ParticleAtPlane, Class::ParticleAtTop]);
+    // No curve bounds them, and the caption does not speak of one.
+    assert!(figure.series("n").is_none() && figure.series("lift-off").is_none());
+    assert!(!plain(&figure.caption).contains("beyond"), "{}", figure.caption);
+    let keys: Vec<&str> = figure.panels[0].keys.iter().map(|key| key.text.as_str()).collect();
+    assert!(keys[0].starts_with(Class::ParticleAtPlane.label()), "{keys:?}");
+    assert!(keys[1].starts_with(Class::ParticleAtTop.label()), "{keys:?}");
 }

@@ -110,9 +110,7 @@ fn the_body_leaves_the_plane_beyond_the_curve_of_figure_outcomes() {
     for [theta, rate] in columns(series(&figure, "lift-off")[0], PLANE) {
         assert_near(h * libm::cos(theta) * rate * rate, 1.0, EXACT, "lift-off");
     }
-    for (name, sign) in
-        [("leaves the plane at once", -1.0), ("lifts off later", 1.0), ("rolls for ever", 1.0)]
-    {
+    for (name, sign) in [("leaves_at_once", -1.0), ("lifts_off_later", 1.0), ("rolls_forever", 1.0)] {
         for [theta, rate] in columns(series(&figure, name)[0], PLANE) {
             assert!(sign * (1.0 - h * libm::cos(theta) * rate * rate) > 0.0, "{name} at ({theta}, {rate})");
         }
@@ -125,17 +123,15 @@ fn classes_are_those_of_the_simulation() {
     let figure = figure("outcomes");
     let hoop = Hoop::figure_2(0.5, 0.4).expect("a hoop");
     let mut seen = 0;
-    for (name, stride) in
-        [("leaves the plane at once", 701), ("lifts off later", 397), ("rolls for ever", 701)]
-    {
+    for (name, stride) in [("leaves_at_once", 701), ("lifts_off_later", 397), ("rolls_forever", 701)] {
         for [theta, rate] in columns(series(&figure, name)[0], PLANE).into_iter().step_by(stride) {
             let motion = hoop.simulate(Start::at(theta, rate), Limits::default()).expect("a motion");
             let flies_first = motion.phases()[0].mode() == Mode::Flight;
             let lands = motion.transitions().iter().any(|transition| transition.cause == Cause::Landing);
             let found = match (motion.outcome(), flies_first, lands) {
-                (Outcome::Landing { .. }, true, true) => "leaves the plane at once",
-                (Outcome::Landing { .. }, false, true) => "lifts off later",
-                (Outcome::RollsForever { .. }, ..) => "rolls for ever",
+                (Outcome::Landing { .. }, true, true) => "leaves_at_once",
+                (Outcome::Landing { .. }, false, true) => "lifts_off_later",
+                (Outcome::RollsForever { .. }, ..) => "rolls_forever",
                 other => panic!("{other:?}"),
             };
             assert_eq!(found, name, "({theta}, {rate})");

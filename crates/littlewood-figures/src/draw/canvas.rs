@@ -15,7 +15,8 @@ use plotters_backend::{
 use super::face::{FAMILY, SCRIPT_SIZE, rules, width};
 use super::markup::{Script, plain, runs};
 use crate::figure::Figure;
-use crate::style::Dash;
+use crate::style::PAPER;
+use littlewood_style::Dash;
 
 /// Steps of the backend's whole coordinates to a pixel.
 pub(crate) const STEPS: f64 = 20.0;
@@ -87,7 +88,8 @@ impl Canvas {
         }
         let _ = write!(
             out,
-            "</defs>\n<rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n{}</svg>\n",
+            "</defs>\n<rect width=\"{w}\" height=\"{h}\" fill=\"{}\"/>\n{}</svg>\n",
+            PAPER.hex(),
             sheet.body
         );
         out
@@ -245,8 +247,11 @@ impl DrawingBackend for Canvas {
             let _ = write!(attributes, " transform=\"rotate({turn} {} {})\"", decimal(x), decimal(y));
         }
         if self.ink.get().halo {
-            attributes +=
-                " stroke=\"#fff\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+            let _ = write!(
+                attributes,
+                " stroke=\"{}\" stroke-width=\"3.5\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+                PAPER.hex()
+            );
         }
         self.write(&format!("<text {attributes}>{}</text>", spans(text, size)));
         Ok(())

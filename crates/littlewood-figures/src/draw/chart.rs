@@ -16,8 +16,10 @@ use super::face::FAMILY;
 use super::marks::Pen;
 use super::ruler::Ruler;
 use crate::error::FigureError;
-use crate::figure::{Anchor, Axis, Figure, Mark, Panel, Series, View};
-use crate::style::{Colour, FINE, INK, LETTER, SMALL, Stroke};
+use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, Series, View};
+use crate::style::{GRID, INK, LETTER, PAPER, SMALL, Stroke};
+use littlewood_style::Rgb;
+use littlewood_style::width::FINE;
 
 /// The sheet.
 pub(crate) type Area = DrawingArea<Canvas, Shift>;
@@ -46,7 +48,7 @@ impl Figure {
 }
 
 /// A colour of the library.
-pub(crate) const fn rgb(Colour(r, g, b): Colour) -> RGBColor {
+pub(crate) const fn rgb(Rgb([r, g, b]): Rgb) -> RGBColor {
     RGBColor(r, g, b)
 }
 
@@ -56,7 +58,7 @@ pub(crate) fn line(stroke: Stroke) -> ShapeStyle {
 }
 
 /// A text style of the library.
-pub(crate) fn letters(size: f64, colour: Colour, across: HPos) -> TextStyle<'static> {
+pub(crate) fn letters(size: f64, colour: Rgb, across: HPos) -> TextStyle<'static> {
     let font = (FAMILY, size * STEPS).into_font();
     let pos = Pos::new(across, VPos::Center);
     TextStyle { font, color: rgb(colour).to_backend_color(), pos }
@@ -84,7 +86,13 @@ fn draw_panel(root: &Area, canvas: &Canvas, panel: &Panel) -> Result<(), FigureE
                 root.draw(&Rectangle::new(corners, line(Stroke::solid(INK, 0.6))))?;
             }
             Mark::Line(_) => pen.mark(key.mark, &[vec![(x, y), end]], 1.0)?,
-            _ => pen.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0)?,
+            Mark::Arrow(_)
+            | Mark::Head(_)
+            | Mark::Dot(..)
+            | Mark::Ring(..)
+            | Mark::Cross(..)
+            | Mark::Hoop { .. }
+            | Mark::Cell(..) => pen.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0)?,
         }
         root.draw(&Text::new(key.text.clone(), (x + steps(32.0), y), letters(SMALL, INK, HPos::Left)))?;
     }
@@ -99,7 +107,7 @@ fn draw_plane(
     area: &Area,
     canvas: &Canvas,
     panel: &Panel,
-    [x, y]: [&Axis; 2],
+    [x, y]: [&PlotAxis; 2],
     axes: bool,
 ) -> Result<(), FigureError> {
     let [room_y, room_x] = if axes { ROOM.map(steps) } else { [0, 0] };
@@ -201,7 +209,7 @@ fn draw_space(
     area: &Area,
     canvas: &Canvas,
     panel: &Panel,
-    [x, y, z]: [&Axis; 3],
+    [x, y, z]: [&PlotAxis; 3],
     [yaw, pitch]: [f64; 2],
 ) -> Result<(), FigureError> {
     let rulers = [x, y, z].map(Ruler::from);
@@ -219,8 +227,8 @@ fn draw_space(
     chart
         .configure_axes()
         .tick_size(steps(4.0))
-        .axis_panel_style(rgb(crate::style::WHITE))
-        .bold_grid_style(line(Stroke::solid(Colour(0xd0, 0xd0, 0xd0), 0.6)))
+        .axis_panel_style(rgb(PAPER))
+        .bold_grid_style(line(Stroke::solid(GRID, 0.6)))
         .light_grid_style(plotters::style::TRANSPARENT)
         .label_style(letters(SMALL, INK, HPos::Center))
         .x_formatter(&|value: &f64| rulers[0].format_ext(value))

@@ -6,7 +6,8 @@ use plotters::style::Color as _;
 use super::canvas::{Canvas, Ink, PLAIN, steps};
 use super::chart::{Area, Failure, line, rgb};
 use crate::figure::Mark;
-use crate::style::{Colour, Dash, INK, Stroke, WHITE};
+use crate::style::{INK, PAPER, Stroke};
+use littlewood_style::{Dash, Rgb};
 
 /// Length and half width of a head of an arrow in pixels.
 const HEAD: [f64; 2] = [9.0, 3.4];
@@ -17,7 +18,8 @@ pub(crate) struct Pen<'a> {
     canvas: &'a Canvas,
 }
 
-type Point = (i32, i32);
+/// A place on the sheet in steps.
+type Step = (i32, i32);
 
 impl<'a> Pen<'a> {
     pub(crate) const fn new(root: &'a Area, canvas: &'a Canvas) -> Self {
@@ -25,7 +27,7 @@ impl<'a> Pen<'a> {
     }
 
     /// Draws pieces of points; `unit` is the number of steps to a unit of the axes.
-    pub(crate) fn mark(&self, mark: Mark, pieces: &[Vec<Point>], unit: f64) -> Result<(), Failure> {
+    pub(crate) fn mark(&self, mark: Mark, pieces: &[Vec<Step>], unit: f64) -> Result<(), Failure> {
         for piece in pieces {
             match mark {
                 Mark::Line(stroke) => self.path(piece, stroke)?,
@@ -49,7 +51,7 @@ impl<'a> Pen<'a> {
                 }
                 Mark::Ring(colour, radius) => {
                     for point in piece {
-                        self.dot(*point, WHITE, radius)?;
+                        self.dot(*point, PAPER, radius)?;
                         let style = line(Stroke::solid(colour, 1.4));
                         self.root.draw(&Circle::new(*point, steps(radius), style))?;
                     }
@@ -75,7 +77,7 @@ impl<'a> Pen<'a> {
     /// A hoop of radius one about its centre, its particle at an angle.
     pub(crate) fn hoop(
         &self,
-        centre: Point,
+        centre: Step,
         theta: f64,
         unit: f64,
         [offset, h]: [f64; 2],
@@ -98,7 +100,7 @@ impl<'a> Pen<'a> {
         self.dot(centre, INK, 1.8)
     }
 
-    fn path(&self, points: &[Point], stroke: Stroke) -> Result<(), Failure> {
+    fn path(&self, points: &[Step], stroke: Stroke) -> Result<(), Failure> {
         if points.len() < 2 {
             return Ok(());
         }
@@ -108,19 +110,19 @@ impl<'a> Pen<'a> {
         Ok(())
     }
 
-    fn area(&self, points: &[Point], colour: Colour, hatch: bool) -> Result<(), Failure> {
+    fn area(&self, points: &[Step], colour: Rgb, hatch: bool) -> Result<(), Failure> {
         self.canvas.take(Ink { hatch, ..PLAIN });
         self.root.draw(&Polygon::new(points.to_vec(), rgb(colour)))?;
         self.canvas.take(PLAIN);
         Ok(())
     }
 
-    fn dot(&self, point: Point, colour: Colour, radius: f64) -> Result<(), Failure> {
+    fn dot(&self, point: Step, colour: Rgb, radius: f64) -> Result<(), Failure> {
         self.root.draw(&Circle::new(point, steps(radius), rgb(colour).filled()))
     }
 
     /// A head that points from one point to another: its tip there, or its middle at the second.
-    fn head(&self, from: Point, to: Point, colour: Colour, centred: bool) -> Result<(), Failure> {
+    fn head(&self, from: Step, to: Step, colour: Rgb, centred: bool) -> Result<(), Failure> {
         let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
         let length = libm::sqrt(dx * dx + dy * dy);
         if length == 0.0 {

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-use crate::figure::{Axis, Tick};
+use crate::figure::PlotAxis;
+use littlewood_style::ticks::Tick;
 
 /// A linear scale with given ticks.
 #[derive(Clone, Debug)]
@@ -13,8 +14,8 @@ pub(crate) struct Ruler {
     ticks: Vec<Tick>,
 }
 
-impl From<&Axis> for Ruler {
-    fn from(axis: &Axis) -> Self {
+impl From<&PlotAxis> for Ruler {
+    fn from(axis: &PlotAxis) -> Self {
         Self { range: axis.range, ticks: axis.ticks.clone() }
     }
 }

@@ -6,11 +6,13 @@ use littlewood::{PhasePlane, RollingLaw};
 
 use crate::axes::{angle, plain};
 use crate::error::FigureError;
-use crate::figure::{Axis, Figure, Key, Label, Mark, Panel, Series, View};
-use crate::style::{BLUE, Dash, GREEN, INK, PURPLE, Stroke, VERMILION};
-use crate::subject::Subject;
+use crate::figure::{Figure, Key, Label, Mark, Panel, PlotAxis, Series, View};
+use crate::input::FigureInput;
+use crate::style::{FIRST, FRICTION_FORCE, INK, SOFT, Stroke};
 use crate::trace::Window;
-use crate::words::{hoop_in_words, short, start_in_words};
+use crate::words::{rolling_in_words, short, start_in_words};
+use littlewood_style::width::{BOLD, CURVE};
+use littlewood_style::{Curve, Dash, ticks};
 
 const NAME: &str = "friction-demand";
 
@@ -27,26 +29,26 @@ fn demand_on(plane: &PhasePlane, energy: f64, window: Window) -> Vec<Vec<Vec<f64
         .collect()
 }
 
-pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
-    subject.loaded(NAME)?;
-    let hoop = &subject.hoop;
+pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    input.loaded(NAME)?;
+    let hoop = &input.hoop;
     let (plane, law) = (PhasePlane::new(hoop), RollingLaw::new(hoop));
     let mu_s = hoop.mu_s();
-    let turn = if subject.is_massless() { [-PI + 1e-3, PI - 1e-3] } else { [0.0, TAU] };
+    let turn = if input.is_massless() { [-PI + 1e-3, PI - 1e-3] } else { [0.0, TAU] };
     let most = f64::max(2.4 * mu_s, 0.1);
     let window = Window { x: turn, y: [0.0, most] };
     let separatrix = law.separatrix_energy();
-    let start = law.energy(subject.start.theta, subject.start.theta_rate);
-    let (first, second) = if subject.is_massless() {
+    let start = law.energy(input.start.theta, input.start.theta_rate);
+    let (first, second) = if input.is_massless() {
         (0.5 * separatrix, separatrix + 1.0)
     } else {
         (law.energy(PI, 0.7 * plane.separatrix_rate(PI)), separatrix + hoop.offset())
     };
     let orbits = [
-        ("start", start, Stroke::solid(INK, 2.4)),
-        ("separatrix", separatrix, Stroke::solid(BLUE, 1.6).dashed(Dash::Dashed)),
-        ("libration", first, Stroke::solid(GREEN, 1.6).dashed(Dash::DashDot)),
-        ("rotation", second, Stroke::solid(VERMILION, 1.6).dashed(Dash::Short)),
+        ("start", start, Stroke::solid(FIRST, BOLD)),
+        ("separatrix", separatrix, Stroke::of_curve(Curve::Separatrix)),
+        ("libration", first, Stroke::solid(SOFT, CURVE).dashed(Dash::DashDot)),
+        ("rotation", second, Stroke::solid(SOFT, CURVE).dashed(Dash::Short)),
     ];
     let mut layers = Vec::new();
     let mut keys = Vec::new();
@@ -63,31 +65,27 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     }
     layers.reverse();
     let limit = Series::of_rows("mu_s", &["theta", "demand"], turn.map(|theta| vec![theta, mu_s]).to_vec());
-    layers.push(limit.drawn(Mark::Line(Stroke::solid(PURPLE, 1.2))));
-    let at = libm::remainder(subject.start.theta, TAU);
+    layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE))));
+    let at = libm::remainder(input.start.theta, TAU);
     let at = if at < turn[0] { at + TAU } else { at };
-    let here = plane.forces(subject.start.theta, subject.start.theta_rate).demand();
+    let here = plane.forces(input.start.theta, input.start.theta_rate).demand();
     if here <= most {
         let row = vec![at, here, start];
         layers.push(
             Series::of_rows("start", &["theta", "demand", "energy"], vec![row]).drawn(Mark::Ring(INK, 3.6)),
         );
     }
-    let label = Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0).coloured(PURPLE);
-    let y = Axis {
-        ticks: littlewood_style::ticks::round(0.0, most, 6),
-        ..plain("demand", "|*F*|/*N*", [0.0, most])
-    };
+    let label = Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0).coloured(FRICTION_FORCE);
+    let y = PlotAxis { ticks: ticks::round(0.0, most, 6), ..plain("demand", "|*F*|/*N*", [0.0, most]) };
     Ok(Figure {
         name: NAME,
         title: "Friction that rolling demands".to_owned(),
         caption: format!(
             "The share |*F*|/*N* that rolling demands along four orbits of constant energy *E* (2.12). Where a curve rises \
              above *μ*_{{s}} the hoop slips; a curve that ends goes up to where *N* = 0 or beyond the frame, or the orbit \
-             turns there. |*F*|/*N* does not depend on the direction of motion. {}, *μ*_{{s}} = {}; {}.",
-            hoop_in_words(hoop),
-            short(mu_s),
-            start_in_words(&subject.start)
+             turns there. |*F*|/*N* does not depend on the direction of motion. {}; {}.",
+            rolling_in_words(hoop),
+            start_in_words(hoop, &input.start)
         ),
         width: 620.0,
         height: 430.0,

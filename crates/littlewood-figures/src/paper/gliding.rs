@@ -8,11 +8,13 @@ use super::portrait::massless_limit;
 use crate::axes::{angle, rate};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, Series, View};
+use crate::input::FigureInput;
 use crate::plane::Portrait;
-use crate::style::{BLUE, BOLD, CURVE, Dash, FAINT, FINE, GREEN, GREY, INK, PURPLE, SHADE, Stroke};
-use crate::subject::Subject;
+use crate::style::{FAINT, INK, REGION, SOFT, Stroke};
 use crate::trace::Window;
 use crate::words::short;
+use littlewood_style::width::{CURVE, FINE};
+use littlewood_style::{Curve, Dash};
 
 const WINDOW: Window = Window { x: [-PI, PI], y: [-2.6, 2.6] };
 const COLUMNS: [&str; 3] = ["theta", "theta_rate", "w"];
@@ -41,8 +43,8 @@ fn fastest(body: &Massless, w: f64) -> f64 {
     (2.0 * (w + body.offset)).sqrt()
 }
 
-fn massless(subject: &Subject) -> Option<Massless> {
-    match subject.hoop.body() {
+fn massless(input: &FigureInput) -> Option<Massless> {
+    match input.hoop.body() {
         Body::Massless(body) => Some(body),
         Body::Heavy(_) => None,
     }
@@ -63,12 +65,14 @@ fn heads(pieces: &[Vec<Vec<f64>>], rates: &[f64]) -> Vec<Vec<Vec<f64>>> {
 }
 
 /// Figure 6(a).
-pub(crate) fn alone(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-6a";
-    subject.littlewood(NAME)?;
-    let Some(body) = massless(subject) else { return Err(needs(subject, NAME)) };
+    input.littlewood(NAME)?;
+    let Some(body) = massless(input) else { return Err(needs(input, NAME)) };
     let mut layers: Vec<Layer> = Vec::new();
     let mut flow = Vec::new();
+    // All lines but the black ones show one mode: no dashes are needed to tell it.
+    let gliding = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
     for w in [-0.75, -0.4, 0.0, 0.4, 0.75, 1.25, 1.75, 2.5, 3.5, 5.0] {
         let v = fastest(&body, w);
         for side in [1.0, -1.0] {
@@ -79,7 +83,7 @@ pub(crate) fn alone(subject: &Subject) -> Result<Figure, FigureError> {
                 flow.extend(heads_at_angle(&pieces, side * 0.5 * PI));
             }
             let name = format!("w={w}");
-            layers.push(Series::new(name, &COLUMNS, pieces).drawn(Mark::Line(Stroke::solid(GREEN, CURVE))));
+            layers.push(Series::new(name, &COLUMNS, pieces).drawn(Mark::Line(gliding)));
         }
     }
     for side in [1.0, -1.0] {
@@ -95,7 +99,7 @@ pub(crate) fn alone(subject: &Subject) -> Result<Figure, FigureError> {
         &["theta", "theta_rate"],
         vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]],
     );
-    layers.push(singular.drawn(Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed))));
+    layers.push(singular.drawn(Mark::Line(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed))));
     let labels = vec![
         Label::new("*w* = 1", &[0.0, 1.0]).shifted(32.0, -11.0),
         Label::new("*w* = 1", &[0.0, -1.0]).shifted(32.0, 11.0),
@@ -125,12 +129,8 @@ fn heads_at_angle(pieces: &[Vec<Vec<f64>>], theta: f64) -> Vec<Vec<Vec<f64>>> {
         .collect()
 }
 
-fn needs(subject: &Subject, figure: &'static str) -> FigureError {
-    FigureError::NeedsMassless {
-        figure,
-        mass_ratio: subject.hoop.mass_ratio(),
-        inertia: subject.hoop.inertia(),
-    }
+fn needs(input: &FigureInput, figure: &'static str) -> FigureError {
+    FigureError::NeedsMassless { figure, mass_ratio: input.hoop.mass_ratio(), inertia: input.hoop.inertia() }
 }
 
 fn figure(
@@ -158,19 +158,19 @@ fn figure(
 }
 
 /// Figure 6(b).
-pub(crate) fn combined(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-6b";
-    subject.littlewood(NAME)?;
-    let Some(body) = massless(subject) else { return Err(needs(subject, NAME)) };
-    let portrait = Portrait::new(&subject.hoop, WINDOW);
-    let theta_s = 2.0 * libm::atan(subject.hoop.mu_s());
-    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(SHADE))];
+    input.littlewood(NAME)?;
+    let Some(body) = massless(input) else { return Err(needs(input, NAME)) };
+    let portrait = Portrait::new(&input.hoop, WINDOW);
+    let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
+    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     let (mut rolling, mut gliding, mut changes) = (Vec::new(), Vec::new(), Vec::new());
     // Starts in 𝓡: over the top by their rate there, and at rest at an angle.
     let over = [0.25, 0.5, 0.75, 0.92].map(|rate| Start::at(0.0, rate));
     let resting = [0.4, 0.75].map(|share| Start::at(share * theta_s, 0.0));
     for start in over.into_iter().chain(resting) {
-        let motion = subject.hoop.simulate(start, Limits::default())?;
+        let motion = input.hoop.simulate(start, Limits::default())?;
         let Some(phase) = motion.phases().first().filter(|phase| phase.mode() == Mode::Rolling) else {
             continue;
         };
@@ -221,39 +221,38 @@ pub(crate) fn combined(subject: &Subject) -> Result<Figure, FigureError> {
     layers.push(
         Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
     );
-    layers.push(
-        Series::new("gliding", &COLUMNS, gliding)
-            .drawn(Mark::Line(Stroke::solid(GREEN, CURVE).dashed(Dash::Short))),
-    );
+    layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(Mark::Line(Stroke::of_mode(Mode::Gliding))));
     layers.push(
         Series::new("rolling", &["theta", "theta_rate"], rolling)
-            .drawn(Mark::Line(Stroke::solid(BLUE, CURVE))),
+            .drawn(Mark::Line(Stroke::of_mode(Mode::Rolling))),
     );
     let manifolds =
         Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
-    layers.push(manifolds.drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    layers.push(manifolds.drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
     if let Some((_, limit)) = massless_limit(&portrait) {
-        layers.push(limit.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed))));
+        layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
     }
     let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
     layers.push(
-        Series::new("n", &["theta", "theta_rate"], edges).drawn(Mark::Line(Stroke::solid(PURPLE, BOLD))),
+        Series::new("n", &["theta", "theta_rate"], edges)
+            .drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))),
     );
-    layers.push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(GREEN)));
+    layers
+        .push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(Stroke::of_mode(Mode::Gliding).colour)));
     layers.push(Series::of_rows("transition", &["theta", "theta_rate"], changes).drawn(Mark::Dot(INK, 2.4)));
     layers.extend(portrait.equilibria());
     let labels = vec![
-        Label::new("rolls", &[0.0, 0.63]).coloured(BLUE),
-        Label::new("glides", &[0.72 * PI, 1.3]).coloured(GREEN),
-        Label::new("glides", &[-0.72 * PI, -1.3]).coloured(GREEN),
+        Label::new("rolls", &[0.0, 0.63]).coloured(Stroke::of_mode(Mode::Rolling).colour),
+        Label::new("glides", &[0.72 * PI, 1.3]).coloured(Stroke::of_mode(Mode::Gliding).colour),
+        Label::new("glides", &[-0.72 * PI, -1.3]).coloured(Stroke::of_mode(Mode::Gliding).colour),
         Label::new("𝓡", &[-0.72 * theta_s, 0.0]).sized(20.0),
     ];
     let caption = format!(
-        "Rolling (blue, in 𝓡, shaded) and gliding (green) of the massless hoop together. Motions leave 𝓡 where static \
-         friction gives way or the normal force vanishes (dots) and glide on along a line of constant *w* to *θ* = ±π. \
+        "Rolling (solid, in 𝓡, shaded) and gliding (dash-dotted) of the massless hoop together. Motions leave 𝓡 where static \
+         friction gives way (*f*, dashed) or the normal force vanishes (*n*) at the dots and glide on along a line of constant *w* to *θ* = ±π. \
          Gliding motions that enter 𝓡 become rolling ones only if *η*′ = 0 there. Black: stable and unstable manifolds of \
          the equilibrium. *μ*_{{s}} = {}. Gliding by the corrected integral, see Figure 6(a); grey: other gliding motions, outside 𝓡.",
-        short(subject.hoop.mu_s())
+        short(input.hoop.mu_s())
     );
     Ok(figure(NAME, "Figure 6(b): combined phase portrait", caption, layers, labels))
 }

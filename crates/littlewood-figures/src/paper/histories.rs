@@ -1,14 +1,19 @@
 //! Forces and energy of a motion against time, with its transitions.
 
-use littlewood::{Hoop, Mode, Phase, Sample, Trajectory};
+use littlewood::{Dimension, Hoop, Mode, Phase, Sample, SampleColumn, Trajectory};
 
 use crate::axes::{plain, time};
 use crate::error::FigureError;
-use crate::figure::{Axis, Figure, Key, Label, Layer, Mark, Panel, Series, Tick, View};
+use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Series, View};
+use crate::input::FigureInput;
 use crate::motion::{bounds, horizon, instants};
-use crate::style::{BLUE, CURVE, Dash, FINE, GREEN, GREY, INK, PURPLE, SMALL, Stroke, VERMILION};
-use crate::subject::Subject;
-use crate::words::{cause_in_words, hoop_in_words, short, start_in_words};
+use crate::style::{FAINT, FIRST, FRICTION_FORCE, INK, NORMAL_FORCE, SECOND, SMALL, SOFT, Stroke};
+use crate::words::{hoop_in_words, marked, short, start_in_words};
+use littlewood_style::width::{CURVE, FINE};
+use littlewood_style::{
+    Curve, Dash,
+    ticks::{self, Tick},
+};
 
 /// A quantity along a motion, a piece for each phase where it is defined.
 fn history(
@@ -32,25 +37,31 @@ fn history(
     Series::new(name, &["time", column], pieces)
 }
 
-fn axis_of(column: &'static str, title: &str, series: &[&Series], also: &[f64]) -> Axis {
+fn axis_of(column: &'static str, title: &str, series: &[&Series], also: &[f64]) -> PlotAxis {
     let values = series.iter().flat_map(|series| series.rows().map(|row| row[1]));
     let mut axis = plain(column, title, bounds(values.chain(also.iter().copied()), 0.12));
-    axis.ticks = littlewood_style::ticks::round(axis.range[0], axis.range[1], 5);
+    axis.ticks = ticks::round(axis.range[0], axis.range[1], 5);
     axis
 }
 
+/// A quantity over its unit.
+fn quotient(column: SampleColumn) -> String {
+    let unit = column.dimension().map_or("1", Dimension::scale_sign);
+    format!("{}/({})", marked(column.sign()), marked(unit))
+}
+
 /// Verticals at the transitions.
-fn transitions(motion: &Trajectory, axis: &Axis) -> Layer {
+fn transitions(motion: &Trajectory, axis: &PlotAxis) -> Layer {
     let until = horizon(motion);
     let pieces = motion
         .transitions()
         .iter()
-        .map(|transition| transition.state.time)
+        .map(|transition| transition.time())
         .filter(|time| *time < until)
         .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
         .collect();
     Series::new("transition", &["time", axis.column], pieces)
-        .drawn(Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed)))
+        .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)))
 }
 
 /// The names of the phases over a panel, and of the transitions above them.
@@ -68,10 +79,10 @@ fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
         }
     }
     for transition in motion.transitions() {
-        let at = transition.state.time;
+        let at = transition.time();
         if at <= until && pixels(at) - last > 40.0 {
             last = pixels(at);
-            let label = Label::new(cause_in_words(transition.cause), &[at, top]).sized(SMALL).coloured(GREY);
+            let label = Label::new(transition.cause.label(), &[at, top]).sized(SMALL).coloured(SOFT);
             labels.push(if width - pixels(at) < 24.0 {
                 label.shifted(0.0, -27.0).right()
             } else {
@@ -82,21 +93,15 @@ fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
     labels
 }
 
-fn in_words(subject: &Subject, hoop: &Hoop) -> String {
-    format!(
-        "{}, *μ*_{{s}} = {}, *μ*_{{k}} = {}; {}",
-        hoop_in_words(hoop),
-        short(hoop.mu_s()),
-        short(hoop.mu_k()),
-        start_in_words(&subject.start)
-    )
+fn in_words(input: &FigureInput, hoop: &Hoop) -> String {
+    format!("{}; {}", hoop_in_words(hoop), start_in_words(hoop, &input.start))
 }
 
 const WIDTH: f64 = 640.0;
 const LEFT: f64 = 6.0;
 const INNER: f64 = WIDTH - LEFT - 20.0;
 
-fn panel(name: &'static str, top: f64, height: f64, x: Axis, y: Axis, layers: Vec<Layer>) -> Panel {
+fn panel(name: &'static str, top: f64, height: f64, x: PlotAxis, y: PlotAxis, layers: Vec<Layer>) -> Panel {
     Panel {
         name,
         frame: [LEFT, top, INNER, height],
@@ -108,38 +113,37 @@ fn panel(name: &'static str, top: f64, height: f64, x: Axis, y: Axis, layers: Ve
 }
 
 /// Forces and the share of friction against time.
-pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "forces";
-    let motion = subject.motion(NAME)?;
+    let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let range = [motion.start().time, horizon(&motion)];
     let x = || time(range);
     let bare = || {
         let ticks = x().ticks.into_iter().map(|tick| Tick { label: String::new(), ..tick }).collect();
-        Axis { title: String::new(), ticks, ..x() }
+        PlotAxis { title: String::new(), ticks, ..x() }
     };
 
     let normal = history(&motion, "normal force", "normal", &|_, sample| Some(sample.normal));
     let weight = hoop.mass();
-    let normal_axis = axis_of("normal", "*N*/(*m*_{2}*g*)", &[&normal], &[0.0]);
+    let normal_axis = axis_of("normal", &quotient(SampleColumn::Normal), &[&normal], &[0.0]);
     let friction = history(&motion, "friction force", "friction", &|_, sample| Some(sample.friction));
-    let friction_axis = axis_of("friction", "*F*/(*m*_{2}*g*)", &[&friction], &[0.0]);
+    let friction_axis = axis_of("friction", &quotient(SampleColumn::Friction), &[&friction], &[0.0]);
     let demand = history(&motion, "friction over normal force", "demand", &|phase, sample| {
         let in_contact = matches!(phase.mode(), Mode::Rolling | Mode::Sliding);
         (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
     });
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
-    let demand_axis = Axis {
+    let demand_axis = PlotAxis {
         range: [0.0, 1.25 * bounds(demand.rows().map(|row| row[1]).chain([mu_s]), 0.0)[1]],
         ..axis_of("demand", "|*F*|/*N*", &[&demand], &[0.0, mu_s])
     };
-    let demand_axis =
-        Axis { ticks: littlewood_style::ticks::round(0.0, demand_axis.range[1], 5), ..demand_axis };
+    let demand_axis = PlotAxis { ticks: ticks::round(0.0, demand_axis.range[1], 5), ..demand_axis };
     let level = |name: &str, column: &'static str, value: f64, stroke: Stroke| {
         Series::of_rows(name, &["time", column], range.map(|time| vec![time, value]).to_vec())
             .drawn(Mark::Line(stroke))
     };
-    let zero = |column| level("zero", column, 0.0, Stroke::solid(GREY, FINE));
+    let zero = |column| level("zero", column, 0.0, Stroke::solid(FAINT, FINE));
 
     let mut top = panel(
         "normal force",
@@ -150,13 +154,13 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
         vec![
             transitions(&motion, &normal_axis),
             zero("normal"),
-            level("weight", "normal", weight, Stroke::solid(GREY, 1.0).dashed(Dash::Dotted)),
-            normal.drawn(Mark::Line(Stroke::solid(BLUE, 2.0))),
+            level("weight", "normal", weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
+            normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
         ],
     );
     top.labels = names(&motion, normal_axis.range[1], INNER - 62.0);
     top.labels.push(
-        Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(GREY),
+        Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
     );
     let middle = panel(
         "friction force",
@@ -167,7 +171,7 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
         vec![
             transitions(&motion, &friction_axis),
             zero("friction"),
-            friction.drawn(Mark::Line(Stroke::solid(VERMILION, 2.0))),
+            friction.drawn(Mark::Line(Stroke::solid(FRICTION_FORCE, 2.0))),
         ],
     );
     let mut bottom = panel(
@@ -178,9 +182,9 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
         demand_axis.clone(),
         vec![
             transitions(&motion, &demand_axis),
-            level("mu_s", "demand", mu_s, Stroke::solid(INK, 1.0).dashed(Dash::Dashed)),
-            level("mu_k", "demand", mu_k, Stroke::solid(INK, 1.0).dashed(Dash::Dotted)),
-            demand.drawn(Mark::Line(Stroke::solid(PURPLE, 2.0))),
+            level("mu_s", "demand", mu_s, Stroke::of_curve(Curve::SlipLimit).wide(1.2)),
+            level("mu_k", "demand", mu_k, Stroke::of_curve(Curve::SlipLimit).wide(1.2).dashed(Dash::Dotted)),
+            demand.drawn(Mark::Line(Stroke::solid(INK, 2.0))),
         ],
     );
     bottom.labels.push(Label::new("*μ*_{s}", &[range[1], mu_s]).shifted(-14.0, -11.0));
@@ -194,7 +198,7 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
             "Normal force *N*, friction force *F* (positive along *E*_{{1}}) and |*F*|/*N* against time; dashed verticals: \
              transitions. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
              jump where a slide begins or ends. {}.",
-            in_words(subject, hoop)
+            in_words(input, hoop)
         ),
         width: WIDTH,
         height: 550.0,
@@ -203,9 +207,9 @@ pub(crate) fn forces(subject: &Subject) -> Result<Figure, FigureError> {
 }
 
 /// Energies against time.
-pub(crate) fn energy(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "energy";
-    let motion = subject.motion(NAME)?;
+    let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let range = [motion.start().time, horizon(&motion)];
     let potential_of =
@@ -214,11 +218,16 @@ pub(crate) fn energy(subject: &Subject) -> Result<Figure, FigureError> {
     let kinetic =
         history(&motion, "kinetic energy", "energy", &|_, sample| Some(sample.energy - potential_of(sample)));
     let potential = history(&motion, "potential energy", "energy", &|_, sample| Some(potential_of(sample)));
-    let axis = axis_of("energy", "energy/(*m*_{2}*gR*)", &[&total, &kinetic, &potential], &[0.0]);
+    let axis = axis_of(
+        "energy",
+        &format!("energy/({})", marked(Dimension::Energy.scale_sign())),
+        &[&total, &kinetic, &potential],
+        &[0.0],
+    );
     let marks = [
         Mark::Line(Stroke::solid(INK, 2.2)),
-        Mark::Line(Stroke::solid(VERMILION, CURVE).dashed(Dash::Dashed)),
-        Mark::Line(Stroke::solid(GREEN, CURVE).dashed(Dash::DashDot)),
+        Mark::Line(Stroke::solid(FIRST, CURVE).dashed(Dash::Dashed)),
+        Mark::Line(Stroke::solid(SECOND, CURVE).dashed(Dash::DashDot)),
     ];
     let zero = Series::of_rows("zero", &["time", "energy"], range.map(|time| vec![time, 0.0]).to_vec());
     let mut panel = panel(
@@ -229,7 +238,7 @@ pub(crate) fn energy(subject: &Subject) -> Result<Figure, FigureError> {
         axis.clone(),
         vec![
             transitions(&motion, &axis),
-            zero.drawn(Mark::Line(Stroke::solid(GREY, FINE))),
+            zero.drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
             potential.drawn(marks[2]),
             kinetic.drawn(marks[1]),
             total.drawn(marks[0]),
@@ -249,7 +258,7 @@ pub(crate) fn energy(subject: &Subject) -> Result<Figure, FigureError> {
             "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
              against time; dashed verticals: transitions. Only sliding costs energy: {} in all. {}.",
             short(motion.energy_lost()),
-            in_words(subject, hoop)
+            in_words(input, hoop)
         ),
         width: WIDTH,
         height: 410.0,

@@ -5,37 +5,40 @@ use core::f64::consts::PI;
 use crate::axes::{angle, plane_window, rate};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
+use crate::input::FigureInput;
 use crate::plane::{PLANE, Portrait};
-use crate::style::{BLUE, CURVE, Dash, FAINT, FINE, GREY, HATCH, INK, PURPLE, Stroke};
-use crate::subject::Subject;
-use crate::words::{hoop_in_words, short};
+use crate::style::{HATCH, INK, Stroke};
+use crate::words::{body_in_words, marked, short};
+use littlewood::Quantity;
+use littlewood_style::width::CURVE;
+use littlewood_style::{Curve, Dash};
 
 const NAME: &str = "figure-2a";
 
 /// The coefficients of the paper, and how their curves are drawn.
 const COEFFICIENTS: [(f64, Dash); 4] =
-    [(0.1, Dash::Dotted), (0.25, Dash::Short), (0.5, Dash::Dashed), (1.0, Dash::Solid)];
+    [(0.1, Dash::Dotted), (0.25, Dash::Short), (0.5, Dash::Dashed), (1.0, Dash::DashDot)];
 
-pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
-    subject.with_inertia(NAME)?;
-    let portrait = Portrait::new(&subject.hoop, plane_window(&subject.hoop));
+pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    input.with_inertia(NAME)?;
+    let portrait = Portrait::new(&input.hoop, plane_window(&input.hoop));
     let window = portrait.window;
     let mut layers = vec![portrait.unloaded().drawn(Mark::Hatch(HATCH))];
     for energy in portrait.energies(3, 6) {
-        layers.push(portrait.orbit(energy).drawn(Mark::Line(Stroke::solid(FAINT, FINE))));
+        layers.push(portrait.orbit(energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
     }
-    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::solid(GREY, 1.2))));
+    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix).wide(1.2))));
     let (mut keys, mut loci) = (Vec::new(), Vec::new());
     for (i, (mu_s, dash)) in COEFFICIENTS.into_iter().enumerate() {
-        let mark = Mark::Line(Stroke::solid(BLUE, CURVE).dashed(dash));
-        let text = format!("*μ*_{{s}} = {}", short(mu_s));
+        let mark = Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE).dashed(dash));
+        let text = format!("{} = {}", marked(Quantity::MuS.sign()), short(mu_s));
         keys.push(Key { mark, text, at: [62.0 + 108.0 * i as f64, 17.0] });
         let locus = portrait.slip_locus(mu_s)?;
         loci.push(locus.clone());
         layers.push(locus.drawn(mark));
     }
     let unloading = portrait.unloading_locus();
-    let mark = Mark::Line(Stroke::solid(PURPLE, CURVE));
+    let mark = Mark::Line(Stroke::of_curve(Curve::NormalForceZero));
     keys.push(Key { mark, text: "*n*: *N* = 0".to_owned(), at: [62.0 + 4.0 * 108.0, 17.0] });
 
     // The arrow crosses the curves at one height, from the least coefficient to the greatest.
@@ -65,10 +68,10 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
         caption: format!(
             "Where static friction gives way in rolling: loci |*F*| = *μ*_{{s}}*N* (2.13) for four coefficients. As \
              *μ*_{{s}} grows (arrow) they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
-             < 0. Grey: orbits of constant energy, the darker one the separatrix; ring and dot: unstable and stable \
+             < 0. Grey: orbits of constant energy; black: the separatrix; ring and dot: unstable and stable \
              equilibrium. The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
              rest. {}.",
-            hoop_in_words(&subject.hoop)
+            body_in_words(&input.hoop)
         ),
         width: 580.0,
         height: 440.0,

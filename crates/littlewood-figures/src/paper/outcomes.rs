@@ -2,129 +2,104 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Direction, Engine, Mode, OutcomeCode, PhaseSequence, Start, Summary};
+use littlewood::{Class, Engine, Limits, Start};
+use littlewood_style::{Curve, of_class};
 
 use crate::axes::{angle, plane_window, rate};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Mark, Panel, Series, View};
+use crate::input::FigureInput;
 use crate::plane::Portrait;
-use crate::style::{Colour, Dash, INK, Stroke, WHITE};
-use crate::subject::Subject;
+use crate::style::{PAPER, Stroke, THEME};
 use crate::trace::Window;
 use crate::words::{hoop_in_words, short};
 
 const NAME: &str = "outcomes";
 /// Cells to the right and upwards.
 const CELLS: [u32; 2] = [270, 200];
+/// Pixels by which a curve stands out from what is below it on either side.
+const MARGIN: f64 = 1.0;
 
-/// What is told apart, with its colour: lightness grows in this order as far as classes meet in one map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Class {
-    LeavesAtOnce,
-    LiftsOffLater,
-    Rolls,
-    Slides,
-    AtPlane,
-    Limit,
-    Paradox,
-}
-
-const CLASSES: [(Class, &str, Colour); 7] = [
-    (Class::LeavesAtOnce, "leaves the plane at once", Colour(0x22, 0x22, 0x5c)),
-    (Class::LiftsOffLater, "lifts off later", Colour(0xd5, 0x5e, 0x00)),
-    (Class::Rolls, "rolls for ever", Colour(0xd3, 0xea, 0xf5)),
-    (Class::Slides, "slides for ever", Colour(0x2a, 0xa1, 0x98)),
-    (Class::AtPlane, "particle comes to the plane", Colour(0xd9, 0x88, 0xb8)),
-    (Class::Limit, "in contact at the limit", Colour(0x56, 0xb4, 0xe9)),
-    (Class::Paradox, "no unique motion", Colour(0x00, 0x00, 0x00)),
-];
-
-fn class_of(summary: &Summary) -> Class {
-    match summary.outcome {
-        OutcomeCode::Landing => {
-            let mut at_once = PhaseSequence::default();
-            at_once.push(Mode::Flight, None::<Direction>);
-            if summary.sequence == at_once { Class::LeavesAtOnce } else { Class::LiftsOffLater }
-        }
-        OutcomeCode::RollsForever => Class::Rolls,
-        OutcomeCode::SlidesForever => Class::Slides,
-        OutcomeCode::ParticleAtPlane | OutcomeCode::ParticleAtBottom | OutcomeCode::ParticleAtTop => {
-            Class::AtPlane
-        }
-        OutcomeCode::TimeLimit | OutcomeCode::TransitionLimit => Class::Limit,
-        _ => Class::Paradox,
-    }
-}
-
-pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
-    subject.loaded(NAME)?;
-    let hoop = &subject.hoop;
-    let window =
-        if subject.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { plane_window(hoop) };
-    let engine = Engine::new(hoop);
-    let side = |range: [f64; 2], cells: u32| (range[1] - range[0]) / f64::from(cells);
-    let cell = [side(window.x, CELLS[0]), side(window.y, CELLS[1])];
-    let mut rows: [Vec<Vec<f64>>; CLASSES.len()] = Default::default();
+/// The centres of the cells of each class of outcomes, by its code.
+fn cells_by_class(
+    input: &FigureInput,
+    window: Window,
+    cell: [f64; 2],
+) -> Result<[Vec<Vec<f64>>; Class::ALL.len()], FigureError> {
+    let engine = Engine::new(&input.hoop);
+    let mut cells: [Vec<Vec<f64>>; Class::ALL.len()] = Default::default();
     for j in 0..CELLS[1] {
         let theta_rate = window.y[0] + cell[1] * (f64::from(j) + 0.5);
         for i in 0..CELLS[0] {
             let theta = window.x[0] + cell[0] * (f64::from(i) + 0.5);
-            let summary = engine.summary(Start::at(theta, theta_rate), subject.limits)?;
-            let class = class_of(&summary);
-            let place = CLASSES.iter().position(|(known, ..)| *known == class).unwrap_or(0);
-            rows[place].push(vec![theta, theta_rate]);
+            let summary = engine.summary(Start::at(theta, theta_rate), input.limits)?;
+            cells[usize::from(Class::of(&summary).code())].push(vec![theta, theta_rate]);
         }
     }
+    Ok(cells)
+}
+
+/// How long the motions are followed.
+fn followed(limits: Limits) -> String {
+    limits.until.map_or_else(|| "to its end".to_owned(), |until| format!("to *τ* = {}", short(until)))
+}
+
+pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    input.loaded(NAME)?;
+    let hoop = &input.hoop;
+    let window =
+        if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { plane_window(hoop) };
+    let side = |range: [f64; 2], cells: u32| (range[1] - range[0]) / f64::from(cells);
+    let cell = [side(window.x, CELLS[0]), side(window.y, CELLS[1])];
+    let cells = cells_by_class(input, window, cell)?;
+
     let total = f64::from(CELLS[0] * CELLS[1]);
-    let (mut layers, mut keys) = (Vec::new(), Vec::new());
-    for ((_, name, colour), rows) in CLASSES.into_iter().zip(rows) {
-        if rows.is_empty() {
-            continue;
-        }
+    let mut layers = Vec::new();
+    let mut legend: Vec<(Mark, String)> = Vec::new();
+    for (class, rows) in Class::ALL.into_iter().zip(cells).filter(|(_, rows)| !rows.is_empty()) {
+        let colour = of_class(class, THEME);
         let share = libm::round(1000.0 * rows.len() as f64 / total) / 10.0;
-        let text = format!("{name}, {}%", short(share));
-        let n = keys.len();
-        keys.push(Key {
-            mark: Mark::Fill(colour),
-            text,
-            at: [70.0 + 240.0 * (n % 2) as f64, 16.0 + 20.0 * (n / 2) as f64],
-        });
-        layers.push(Series::of_rows(name, &["theta", "theta_rate"], rows).drawn(Mark::Cell(colour, cell)));
+        legend.push((Mark::Fill(colour), format!("{}, {}%", class.label(), short(share))));
+        layers.push(
+            Series::of_rows(class.name(), &["theta", "theta_rate"], rows).drawn(Mark::Cell(colour, cell)),
+        );
     }
-    let portrait = Portrait::new(hoop, window);
-    let under = Stroke::solid(WHITE, 3.0);
-    let over = [Stroke::solid(INK, 1.2), Stroke::solid(INK, 1.2).dashed(Dash::Dashed)];
-    let curves = [portrait.lift_off_locus(), portrait.unloading_locus()];
-    if !subject.is_massless() {
-        for (series, stroke) in curves.into_iter().zip(over) {
+    // A massless hoop does not leave the plane.
+    let mut remark = "";
+    if !input.is_massless() {
+        let portrait = Portrait::new(hoop, window);
+        for (curve, series, words) in [
+            (Curve::LiftOff, portrait.lift_off_locus(), "*h* cos *θ* *θ*′^{2} = 1: *N* = 0 in sliding"),
+            (Curve::NormalForceZero, portrait.unloading_locus(), "*n*: *N* = 0 in rolling"),
+        ] {
+            let stroke = Stroke::of_curve(curve);
+            let under = Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN);
             layers.push(series.clone().drawn(Mark::Line(under)));
             layers.push(series.drawn(Mark::Line(stroke)));
+            legend.push((Mark::Line(stroke), words.to_owned()));
         }
-        let n = keys.len();
-        for (i, (text, stroke)) in
-            ["*h* cos *θ* *θ*′^{2} = 1", "*n*: *N* = 0 in rolling"].into_iter().zip(over).enumerate()
-        {
-            let n = n + i;
-            keys.push(Key {
-                mark: Mark::Line(stroke),
-                text: text.to_owned(),
-                at: [70.0 + 240.0 * (n % 2) as f64, 16.0 + 20.0 * (n / 2) as f64],
-            });
-        }
+        remark = " The body leaves the plane at once only beyond *h* cos *θ* *θ*′^{2} = 1, not, as the paper has it, \
+                  beyond *n*: between the two it slides first.";
     }
+    let keys: Vec<Key> = legend
+        .into_iter()
+        .enumerate()
+        .map(|(n, (mark, text))| Key {
+            mark,
+            text,
+            at: [70.0 + 260.0 * (n % 2) as f64, 16.0 + 20.0 * (n / 2) as f64],
+        })
+        .collect();
     let room = 14.0 + 20.0 * keys.len().div_ceil(2) as f64;
     Ok(Figure {
         name: NAME,
         title: "What becomes of the motion".to_owned(),
         caption: format!(
-            "What becomes of a start in the plane of rolling with *η*′ = 0, followed to its end: {} by {} starts. The body \
-             leaves the plane at once only beyond *h* cos *θ* *θ*′^{{2}} = 1, not, as the paper has it, beyond *n*: between \
-             the two it slides first. {}, *μ*_{{s}} = {}, *μ*_{{k}} = {}.",
+            "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}: {} by {} starts.{remark} {}.",
+            followed(input.limits),
             CELLS[0],
             CELLS[1],
-            hoop_in_words(hoop),
-            short(hoop.mu_s()),
-            short(hoop.mu_k())
+            hoop_in_words(hoop)
         ),
         width: 620.0,
         height: 436.0 + room,

@@ -6,10 +6,11 @@ use crate::axes::plain;
 use crate::draw::ROOM;
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, Series, View};
-use crate::motion::{bounds, by_mode, horizon, stroke};
-use crate::style::{BOLD, FINE, GREY, HATCH, INK, SMALL, Stroke};
-use crate::subject::Subject;
-use crate::words::{cause_in_words, hoop_in_words, short, start_in_words};
+use crate::input::FigureInput;
+use crate::motion::{bounds, by_mode, horizon};
+use crate::style::{HATCH, INK, SMALL, SOFT, Stroke};
+use crate::words::{hoop_in_words, short, start_in_words};
+use littlewood_style::width::{BOLD, FINE};
 
 const COLUMNS: [&str; 3] = ["time", "x", "y"];
 /// Most hoops of a picture.
@@ -26,7 +27,7 @@ fn instants(motion: &Trajectory) -> Vec<(String, Sample)> {
     found.extend(motion.phases().first().map(|phase| ("start".to_owned(), phase.first())));
     for (transition, phase) in motion.transitions().iter().zip(motion.phases()) {
         if let Some(sample) = phase.last() {
-            found.push((cause_in_words(transition.cause).to_owned(), sample));
+            found.push((transition.cause.label().to_owned(), sample));
         }
     }
     if found.len() > HOOPS {
@@ -49,8 +50,8 @@ impl Picture {
     fn new(motion: &Trajectory) -> Self {
         let until = horizon(motion);
         let samples: Vec<Sample> = motion.sample_evenly(400, until).collect();
-        let [left, right] = bounds(samples.iter().map(|sample| sample.centre().x), 0.0);
-        let [_, top] = bounds(samples.iter().map(|sample| sample.centre().y), 0.0);
+        let [left, right] = bounds(samples.iter().map(|sample| sample.centre.x), 0.0);
+        let [_, top] = bounds(samples.iter().map(|sample| sample.centre.y), 0.0);
         let x = [left - 1.2, right + 1.2];
         let mut y = [0.0, top + 1.15];
         let depth = 8.0 * (x[1] - x[0]) / WIDTH;
@@ -65,21 +66,21 @@ impl Picture {
         let rows = instants
             .iter()
             .map(|(_, sample)| {
-                let centre = sample.centre();
+                let centre = sample.centre;
                 vec![sample.state.time, centre.x, centre.y, sample.state.theta]
             })
             .collect();
         layers.push(Series::of_rows("hoop", &["time", "x", "y", "theta"], rows).drawn(Mark::Hoop {
             offset: hoop.offset(),
             h: hoop.h(),
-            rim: Stroke::solid(GREY, 1.2),
+            rim: Stroke::solid(SOFT, 1.2),
         }));
         // Names under the hoops; one that is close to another stands further down.
         let unit = (WIDTH - 24.0 - ROOM[0]) / (x[1] - x[0]);
         let mut labels: Vec<Label> = Vec::new();
         let mut taken: Vec<(f64, usize)> = Vec::new();
         for (name, sample) in &instants {
-            let at = sample.centre().x;
+            let at = sample.centre.x;
             let is_free = |row: &usize| taken.iter().all(|(x, r)| r != row || (x - at).abs() * unit > 60.0);
             let row = (0..ROWS).find(is_free).unwrap_or(ROWS - 1);
             taken.push((at, row));
@@ -118,33 +119,34 @@ impl Picture {
     }
 }
 
-fn path_keys(modes: &[(Mode, Series)]) -> Vec<Key> {
+/// What the lines of the modes mean, a key every so many pixels.
+fn path_keys(modes: &[(Mode, Series)], each: f64, words: impl Fn(Mode) -> String) -> Vec<Key> {
     modes
         .iter()
         .enumerate()
         .map(|(i, (mode, _))| Key {
-            mark: Mark::Line(Stroke { width: BOLD, ..stroke(*mode) }),
-            text: mode.name().to_owned(),
-            at: [70.0 + 95.0 * i as f64, 17.0],
+            mark: Mark::Line(Stroke::of_mode(*mode).wide(BOLD)),
+            text: words(*mode),
+            at: [70.0 + each * i as f64, 17.0],
         })
         .collect()
 }
 
 /// Figure 3(b).
-pub(crate) fn centres(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-3b";
-    let motion = subject.motion(NAME)?;
+    let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let mut picture = Picture::new(&motion);
     let of_centre = by_mode(&motion, "centre, ", &COLUMNS, &|sample| {
-        let centre = sample.centre();
+        let centre = sample.centre;
         vec![sample.state.time, centre.x, centre.y]
     });
     let of_mass_centre = by_mode(&motion, "mass centre, ", &COLUMNS, &|sample| {
-        let centre = sample.mass_centre(hoop);
+        let centre = sample.mass_centre;
         vec![sample.state.time, centre.x, centre.y]
     });
-    let mut keys = path_keys(&of_centre);
+    let mut keys = path_keys(&of_centre, 95.0, |mode| mode.to_string());
     let next = 70.0 + 95.0 * keys.len() as f64;
     keys.push(Key {
         mark: Mark::Line(Stroke::solid(INK, BOLD)),
@@ -157,50 +159,42 @@ pub(crate) fn centres(subject: &Subject) -> Result<Figure, FigureError> {
         at: [next + 175.0, 17.0],
     });
     for (mode, series) in of_centre {
-        picture.layers.push(series.drawn(Mark::Line(Stroke { width: 1.2, ..stroke(mode) })));
+        picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(1.2))));
     }
     for (mode, series) in of_mass_centre {
-        picture.layers.push(series.drawn(Mark::Line(Stroke { width: BOLD, ..stroke(mode) })));
+        picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
     }
     let flight = motion.phases().iter().any(|phase| phase.mode() == Mode::Flight);
     let caption = format!(
         "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at each \
-         transition. Black dot: particle; ring: mass centre.{} {}, *μ*_{{s}} = {}, *μ*_{{k}} = {}; {}. *m*_{{2}} = \
+         transition. Black dot: particle; ring: mass centre.{} {}; {}. *m*_{{2}} = \
          *R* = *g* = 1.",
         if flight { " In flight the mass centre follows a parabola." } else { "" },
         hoop_in_words(hoop),
-        short(hoop.mu_s()),
-        short(hoop.mu_k()),
-        start_in_words(&subject.start)
+        start_in_words(hoop, &input.start)
     );
     let title = "Figure 3(b): paths of the centre and of the mass centre";
     Ok(picture.figure(NAME, title, caption, keys))
 }
 
 /// Figure 7(b).
-pub(crate) fn particle(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn particle(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-7b";
-    subject.littlewood(NAME)?;
-    let motion = subject.motion(NAME)?;
+    input.littlewood(NAME)?;
+    let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let mut picture = Picture::new(&motion);
     let paths = by_mode(&motion, "", &COLUMNS, &|sample| {
-        let particle = sample.particle(hoop);
+        let particle = sample.particle;
         vec![sample.state.time, particle.x, particle.y]
     });
-    let mut keys = path_keys(&paths);
-    for key in &mut keys {
-        key.text = match key.text.as_str() {
-            "rolling" => "rolling: a cycloid".to_owned(),
-            "gliding" => "gliding: a parabola".to_owned(),
-            other => other.to_owned(),
-        };
-    }
-    for (i, key) in keys.iter_mut().enumerate() {
-        key.at[0] = 70.0 + 175.0 * i as f64;
-    }
+    let keys = path_keys(&paths, 175.0, |mode| match mode {
+        Mode::Rolling => format!("{mode}: a cycloid"),
+        Mode::Gliding => format!("{mode}: a parabola"),
+        Mode::Sliding | Mode::Flight => mode.to_string(),
+    });
     for (mode, series) in paths {
-        picture.layers.push(series.drawn(Mark::Line(Stroke { width: BOLD, ..stroke(mode) })));
+        picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
     }
     let reaches = motion.transitions().iter().any(|transition| transition.cause == Cause::ParticleAtPlane);
     let caption = format!(
@@ -208,7 +202,7 @@ pub(crate) fn particle(subject: &Subject) -> Result<Figure, FigureError> {
          *N* = 0.{} *μ*_{{s}} = {}; {}.",
         if reaches { " At the end the particle reaches the plane, *θ* = ±π." } else { "" },
         short(hoop.mu_s()),
-        start_in_words(&subject.start)
+        start_in_words(hoop, &input.start)
     );
     Ok(picture.figure(NAME, "Figure 7(b): path of the particle", caption, keys))
 }

@@ -8,45 +8,46 @@ use littlewood::closed_form::slip_angle;
 use crate::axes::{angle, plane_window, rate};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Mark, Panel, Series, View};
+use crate::input::FigureInput;
 use crate::plane::{PLANE, Portrait, nearest};
-use crate::style::{BLUE, BOLD, CURVE, Dash, FINE, GREY, HATCH, INK, PURPLE, SHADE, Stroke};
-use crate::subject::Subject;
+use crate::style::{FAINT, FRICTION_FORCE, HATCH, INK, NORMAL_FORCE, REGION, Stroke};
 use crate::trace::Window;
-use crate::words::{hoop_in_words, short};
+use crate::words::{rolling_in_words, short};
+use littlewood_style::Curve;
 
 /// Figure 2(b).
-pub(crate) fn with_inertia(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-2b";
-    subject.with_inertia(NAME)?;
-    let hoop = &subject.hoop;
+    input.with_inertia(NAME)?;
+    let hoop = &input.hoop;
     let portrait = Portrait::new(hoop, plane_window(hoop));
     let window = portrait.window;
     let energies = portrait.energies(3, 6);
 
     let mut layers = vec![
-        portrait.rolling_region().drawn(Mark::Fill(SHADE)),
+        portrait.rolling_region().drawn(Mark::Fill(REGION)),
         portrait.unloaded().drawn(Mark::Hatch(HATCH)),
     ];
     for energy in &energies {
-        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::solid(GREY, FINE))));
+        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
     }
-    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
     let slip = portrait.slip_locus(hoop.mu_s())?;
     let unloading = portrait.unloading_locus();
     let mut labels = portrait.mark_of_unloading();
     let high = 0.72 * window.y[1];
     labels.extend(
         nearest(&slip, [0.62 * PI, high], window)
-            .map(|at| Label::new("*f*", &at).shifted(11.0, 0.0).coloured(BLUE)),
+            .map(|at| Label::new("*f*", &at).shifted(11.0, 0.0).coloured(FRICTION_FORCE)),
     );
     labels.extend(
         nearest(&unloading, [0.45 * PI, high], window)
-            .map(|at| Label::new("*n*", &at).shifted(-10.0, 0.0).coloured(PURPLE)),
+            .map(|at| Label::new("*n*", &at).shifted(-10.0, 0.0).coloured(NORMAL_FORCE)),
     );
     labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
-    layers.push(slip.drawn(Mark::Line(Stroke::solid(BLUE, CURVE).dashed(Dash::Dashed))));
-    layers.push(unloading.drawn(Mark::Line(Stroke::solid(PURPLE, CURVE))));
-    layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(GREY)));
+    layers.push(slip.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
+    layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
+    layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
     layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 0.62 * PI).drawn(Mark::Head(INK)));
     layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 1.38 * PI).drawn(Mark::Head(INK)));
     layers.extend(portrait.equilibria());
@@ -58,9 +59,8 @@ pub(crate) fn with_inertia(subject: &Subject) -> Result<Figure, FigureError> {
              particle on top, with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
              gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
              where the hoop can roll. Hatched: *N* < 0. The paper has the hoop lose contact there at once; in truth it \
-             only cannot roll: between *n* and *h* cos *θ* *θ*′^{{2}} = 1 it slides. {}, *μ*_{{s}} = {}.",
-            hoop_in_words(hoop),
-            short(hoop.mu_s())
+             only cannot roll: between *n* and *h* cos *θ* *θ*′^{{2}} = 1 it slides. {}.",
+            rolling_in_words(hoop)
         ),
         width: 580.0,
         height: 420.0,
@@ -92,35 +92,35 @@ pub(crate) fn massless_energies(rates: &[f64], angles: &[f64]) -> Vec<f64> {
 }
 
 /// Figure 4.
-pub(crate) fn massless(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-4";
-    subject.littlewood(NAME)?;
+    input.littlewood(NAME)?;
     let window = Window { x: [-PI, PI], y: [-2.0, 2.0] };
-    let portrait = Portrait::new(&subject.hoop, window);
+    let portrait = Portrait::new(&input.hoop, window);
     let energies =
         massless_energies(&[0.3, 0.6, 0.9, 1.2, 1.5, 1.8], &[0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI]);
-    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(SHADE))];
+    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     for energy in &energies {
-        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::solid(GREY, FINE))));
+        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
     }
-    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
     let unloading = portrait.unloading_locus();
     let mut labels = vec![
-        Label::new("*n*", &[0.8 * PI, 1.0]).shifted(0.0, -11.0).coloured(PURPLE),
-        Label::new("*n*", &[0.8 * PI, -1.0]).shifted(0.0, 11.0).coloured(PURPLE),
+        Label::new("*n*", &[0.8 * PI, 1.0]).shifted(0.0, -11.0).coloured(NORMAL_FORCE),
+        Label::new("*n*", &[0.8 * PI, -1.0]).shifted(0.0, 11.0).coloured(NORMAL_FORCE),
     ];
-    layers.push(unloading.drawn(Mark::Line(Stroke::solid(PURPLE, CURVE))));
+    layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
     if let Some((theta, limit)) = massless_limit(&portrait) {
-        layers.push(limit.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed))));
-        labels.push(Label::new("*f*", &[theta, -0.72]).shifted(10.0, 0.0).coloured(BLUE));
-        labels.push(Label::new("*f*", &[-theta, -0.72]).shifted(-10.0, 0.0).coloured(BLUE));
+        layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
+        labels.push(Label::new("*f*", &[theta, -0.72]).shifted(10.0, 0.0).coloured(FRICTION_FORCE));
+        labels.push(Label::new("*f*", &[-theta, -0.72]).shifted(-10.0, 0.0).coloured(FRICTION_FORCE));
         labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0));
     }
     let separatrix = [portrait.law.separatrix_energy()];
     for theta in [-0.5 * PI, 0.5 * PI] {
         layers.push(portrait.flow(&separatrix, theta).drawn(Mark::Head(INK)));
     }
-    layers.push(portrait.flow(&energies[..6], 0.0).drawn(Mark::Head(GREY)));
+    layers.push(portrait.flow(&energies[..6], 0.0).drawn(Mark::Head(FAINT)));
     layers.extend(portrait.equilibria());
     Ok(Figure {
         name: NAME,
@@ -131,7 +131,7 @@ pub(crate) fn massless(subject: &Subject) -> Result<Figure, FigureError> {
              gives way (*θ* = ±*θ*_{{s}}, *θ*_{{s}} = 2 atan *μ*_{{s}}), and by *n*, where the normal force vanishes \
              (*θ*′ = ±1). 𝓡 shrinks to nothing as *μ*_{{s}} → 0. Black: stable and unstable manifolds of the \
              equilibrium. *μ*_{{s}} = {}.",
-            short(subject.hoop.mu_s())
+            short(input.hoop.mu_s())
         ),
         width: 580.0,
         height: 420.0,

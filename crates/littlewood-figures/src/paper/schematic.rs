@@ -3,10 +3,12 @@
 use core::f64::consts::PI;
 
 use crate::error::FigureError;
-use crate::figure::{Axis, Figure, Label, Mark, Panel, Series, View};
-use crate::style::{BLUE, CURVE, Dash, FINE, GREY, HATCH, INK, Stroke};
-use crate::subject::Subject;
-use crate::words::hoop_in_words;
+use crate::figure::{Figure, Label, Mark, Panel, PlotAxis, Series, View};
+use crate::input::FigureInput;
+use crate::style::{HATCH, INK, SOFT, Stroke};
+use crate::words::body_in_words;
+use littlewood_style::Dash;
+use littlewood_style::width::{BOLD, CURVE, FINE};
 
 const NAME: &str = "figure-1";
 const COLUMNS: [&str; 2] = ["x", "y"];
@@ -26,9 +28,9 @@ fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
-    subject.loaded(NAME)?;
-    let hoop = &subject.hoop;
+pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    input.loaded(NAME)?;
+    let hoop = &input.hoop;
     let (sin, cos) = libm::sincos(THETA);
     let along = |distance: f64| [X - distance * sin, 1.0 + distance * cos];
     let across = |base: [f64; 2], distance: f64| [base[0] + distance * cos, base[1] + distance * sin];
@@ -37,7 +39,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     let point = |name: &str, a: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec()]);
     let thin = Mark::Line(Stroke::solid(INK, FINE));
     let axis = Mark::Arrow(Stroke::solid(INK, CURVE));
-    let dotted = Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed));
+    let dotted = Mark::Line(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed));
 
     let (x_range, y_range) = ([-0.45, 3.75], [-0.62, 2.5]);
     let centre = [X, 1.0];
@@ -63,7 +65,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     ];
     layers.push(
         Series::of_rows("rim", &COLUMNS, arc(centre, 1.0, 0.0, 2.0 * PI))
-            .drawn(Mark::Line(Stroke::solid(BLUE, 2.4))),
+            .drawn(Mark::Line(Stroke::solid(SOFT, BOLD))),
     );
     // Lengths beside the radius, on the side away from the angle.
     let beside = |distance: f64, away: f64| across(along(distance), -away);
@@ -93,7 +95,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     let mut labels = vec![
         Label::new("*C*", &centre).shifted(13.0, 10.0),
         Label::new("*m*_{2}", &particle).shifted(-18.0, -2.0),
-        Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73]).shifted(8.0, -6.0).left().coloured(BLUE),
+        Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73]).shifted(8.0, -6.0).left().coloured(SOFT),
         Label::new("*X*_{P}", &[X, 0.0]).shifted(14.0, 17.0),
         Label::new("*θ*", &half[0]).shifted(-3.0, -11.0),
         Label::new("*e*_{2}", &tip).shifted(-4.0, -10.0),
@@ -112,7 +114,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
     }
     let scale = 118.0;
     let (width, height) = (scale * (x_range[1] - x_range[0]), scale * (y_range[1] - y_range[0]));
-    let bare = |column: &'static str, range: [f64; 2]| Axis {
+    let bare = |column: &'static str, range: [f64; 2]| PlotAxis {
         column,
         title: String::new(),
         range,
@@ -127,7 +129,7 @@ pub(crate) fn figure(subject: &Subject) -> Result<Figure, FigureError> {
              *m*_{{2}}*ℓ*/(*m*_{{1}} + *m*_{{2}}) from *C* (2.4). *θ* is the angle of the particle from the upward \
              vertical, counterclockwise; *X*_{{P}} is the point of contact, whose velocity is *η*′ *E*_{{1}} with *η* = \
              *x* + *Rθ* (2.6, 2.7). Drawn to scale for {}.",
-            hoop_in_words(hoop)
+            body_in_words(hoop)
         ),
         width,
         height,

@@ -5,15 +5,17 @@ use core::f64::consts::PI;
 use littlewood::{Cause, Mode, Sample};
 
 use super::portrait::massless_limit;
-use crate::axes::{angle, plain, rate, time};
+use crate::axes::{angle, plain, rate, slip, time};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Mark, Panel, Series, View};
-use crate::motion::{bounds, by_mode, horizon, stroke};
+use crate::input::FigureInput;
+use crate::motion::{bounds, by_mode, horizon};
 use crate::plane::Portrait;
-use crate::style::{BLUE, BOLD, Colour, Dash, FINE, GREY, INK, PURPLE, SHADE, Stroke};
-use crate::subject::Subject;
+use crate::style::{FAINT, INK, PAPER, REGION, SOFT, Stroke};
 use crate::trace::Window;
 use crate::words::{hoop_in_words, short, start_in_words};
+use littlewood_style::width::{BOLD, FINE};
+use littlewood_style::{Curve, Dash};
 
 const COLUMNS: [&str; 4] = ["time", "theta", "theta_rate", "slip"];
 
@@ -23,10 +25,10 @@ fn row(sample: &Sample) -> Vec<f64> {
 }
 
 /// Figure 3(a).
-pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-3a";
-    subject.with_inertia(NAME)?;
-    let motion = subject.motion(NAME)?;
+    input.with_inertia(NAME)?;
+    let motion = input.motion(NAME)?;
     let until = horizon(&motion);
     // Before the lift-off only, as in the paper.
     let on_ground: Vec<(Mode, Series)> =
@@ -42,8 +44,8 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
     outline.push(floor[0].clone());
     let names = ["theta", "theta_rate", "slip"];
     let mut layers = vec![
-        Series::of_rows("plane of rolling", &names, floor).drawn(Mark::Fill(Colour(0xee, 0xf3, 0xf8))),
-        Series::of_rows("plane of rolling", &names, outline).drawn(Mark::Line(Stroke::solid(GREY, FINE))),
+        Series::of_rows("plane of rolling", &names, floor).drawn(Mark::Fill(REGION.over(PAPER, 0.6))),
+        Series::of_rows("plane of rolling", &names, outline).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
     ];
     // The shadow of the motion on the plane of rolling.
     for (mode, series) in &on_ground {
@@ -51,13 +53,13 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
             let pieces =
                 series.pieces.iter().map(|piece| piece.iter().map(|row| vec![row[1], row[2], 0.0]).collect());
             layers.push(
-                Series::new("shadow", &names, pieces.collect()).drawn(Mark::Line(Stroke::solid(GREY, 1.0))),
+                Series::new("shadow", &names, pieces.collect()).drawn(Mark::Line(Stroke::solid(FAINT, 1.0))),
             );
         }
     }
-    let mut labels = vec![Label::new("*η*′ = 0", &[x[1], 0.0, z[1]]).shifted(-34.0, 14.0).coloured(GREY)];
+    let mut labels = vec![Label::new("*η*′ = 0", &[x[1], 0.0, z[1]]).shifted(-34.0, 14.0).coloured(SOFT)];
     for (mode, series) in on_ground {
-        layers.push(series.drawn(Mark::Line(Stroke { width: BOLD, ..stroke(mode) })));
+        layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
     }
     for phase in motion.phases() {
         let (letter, share) = match phase.mode() {
@@ -74,12 +76,12 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
         labels.push(
             Label::new(letter, &[middle.theta, middle.slip, middle.theta_rate])
                 .shifted(shift[0], shift[1])
-                .coloured(stroke(phase.mode()).colour),
+                .coloured(Stroke::of_mode(phase.mode()).colour),
         );
     }
     let mut changes = Vec::new();
     for transition in motion.transitions() {
-        let state = transition.state;
+        let state = transition.before;
         if matches!(transition.cause, Cause::Landing) {
             continue;
         }
@@ -100,12 +102,10 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
     let caption = format!(
         "The motion in the space of *θ*, *θ*′ and the slip velocity *η*′: sliding (*s*), rolling (*r*) in the plane \
          *η*′ = 0, lift-off (*L*). Ring: start; dots: transitions; grey: shadow of the sliding parts on the plane of \
-         rolling. {}, *μ*_{{s}} = {}, *μ*_{{k}} = {}; {}. The zeros of *η*′ are located, not found by a threshold of \
+         rolling. {}; {}. The zeros of *η*′ are located, not found by a threshold of \
          10^{{−9}} as in §2(c) of the paper.",
         hoop_in_words(motion.hoop()),
-        short(motion.hoop().mu_s()),
-        short(motion.hoop().mu_k()),
-        start_in_words(&subject.start)
+        start_in_words(motion.hoop(), &input.start)
     );
     Ok(Figure {
         name: NAME,
@@ -131,21 +131,22 @@ pub(crate) fn space(subject: &Subject) -> Result<Figure, FigureError> {
 }
 
 /// Figure 7(a).
-pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-7a";
-    subject.littlewood(NAME)?;
-    let motion = subject.motion(NAME)?;
+    input.littlewood(NAME)?;
+    let motion = input.motion(NAME)?;
     let window = Window { x: [-PI, PI], y: [-2.5, 2.5] };
-    let portrait = Portrait::new(&subject.hoop, window);
-    let theta_s = 2.0 * libm::atan(subject.hoop.mu_s());
+    let portrait = Portrait::new(&input.hoop, window);
+    let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
     let modes = by_mode(&motion, "", &COLUMNS, &row);
-    let mut plane = vec![portrait.rolling_region().drawn(Mark::Fill(SHADE))];
+    let mut plane = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
     plane.push(
-        Series::new("n", &["theta", "theta_rate"], edges).drawn(Mark::Line(Stroke::solid(PURPLE, 1.2))),
+        Series::new("n", &["theta", "theta_rate"], edges)
+            .drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero).wide(1.2))),
     );
     if let Some((_, limit)) = massless_limit(&portrait) {
-        plane.push(limit.drawn(Mark::Line(Stroke::solid(BLUE, 1.2).dashed(Dash::Dashed))));
+        plane.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(1.2))));
     }
     let mut trace = vec![
         Series::of_rows(
@@ -153,11 +154,11 @@ pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureEr
             &["time", "slip"],
             vec![vec![motion.start().time, 0.0], vec![horizon(&motion), 0.0]],
         )
-        .drawn(Mark::Line(Stroke::solid(GREY, FINE))),
+        .drawn(Mark::Line(Stroke::solid(SOFT, FINE))),
     ];
     let mut labels = vec![Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0)];
     for (mode, series) in &modes {
-        let mark = Mark::Line(Stroke { width: BOLD, ..stroke(*mode) });
+        let mark = Mark::Line(Stroke::of_mode(*mode).wide(BOLD));
         let inside = Series {
             pieces: series
                 .pieces
@@ -169,19 +170,20 @@ pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureEr
         plane.push(inside.drawn(mark));
         trace.push(series.clone().drawn(mark));
         if let Some(middle) = series.pieces.first().and_then(|piece| piece.get(piece.len() / 2)) {
-            let label = Label::new(mode.name(), &[middle[1], middle[2]]).coloured(stroke(*mode).colour);
+            let label =
+                Label::new(mode.name(), &[middle[1], middle[2]]).coloured(Stroke::of_mode(*mode).colour);
             labels.push(match mode {
                 Mode::Rolling => label.shifted(-4.0, 14.0),
-                _ => label.shifted(-10.0, -8.0).right(),
+                Mode::Sliding | Mode::Gliding | Mode::Flight => label.shifted(-10.0, -8.0).right(),
             });
         }
     }
     let changes: Vec<Vec<f64>> = motion
         .transitions()
         .iter()
-        .filter(|transition| transition.state.theta_rate.is_finite())
+        .filter(|transition| transition.before.theta_rate.is_finite())
         .map(|transition| {
-            let state = transition.state;
+            let state = transition.before;
             vec![state.time, state.theta, state.theta_rate, state.slip]
         })
         .collect();
@@ -191,7 +193,7 @@ pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureEr
         let vertical = vec![vec![change[0], range[0]], vec![change[0], range[1]]];
         trace.push(
             Series::of_rows("time of transition", &["time", "slip"], vertical)
-                .drawn(Mark::Line(Stroke::solid(GREY, FINE).dashed(Dash::Dashed))),
+                .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
         );
         if i == 0 {
             trace_labels.push(
@@ -217,8 +219,8 @@ pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureEr
         "A motion that rolls, then glides. Left: in the phase plane, with 𝓡 shaded. Right: slip velocity *η*′, zero while \
          the hoop rolls.{times} As *τ* → *τ*_{{g}}, *θ* → π and *θ*′ → ∞. *μ*_{{s}} = {}; {}. Gliding follows (3.17) with \
          the corrected integral.",
-        short(subject.hoop.mu_s()),
-        start_in_words(&subject.start)
+        short(input.hoop.mu_s()),
+        start_in_words(motion.hoop(), &input.start)
     );
     let from = motion.start().time;
     Ok(Figure {
@@ -239,11 +241,7 @@ pub(crate) fn rolling_then_gliding(subject: &Subject) -> Result<Figure, FigureEr
             Panel {
                 name: "slip velocity",
                 frame: [440.0, 12.0, 400.0, 362.0],
-                view: View::Plane {
-                    x: time([from, horizon(&motion)]),
-                    y: plain("slip", "*η*′  (√(*gR*))", range),
-                    axes: true,
-                },
+                view: View::Plane { x: time([from, horizon(&motion)]), y: slip(range), axes: true },
                 layers: trace,
                 labels: trace_labels,
                 keys: Vec::new(),

@@ -6,17 +6,19 @@ use super::portrait::massless_limit;
 use crate::axes::{angle, rate};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
+use crate::input::FigureInput;
 use crate::plane::{PLANE, Portrait, rows};
-use crate::style::{BLUE, BOLD, CURVE, Colour, Dash, FINE, GREEN, INK, PURPLE, SHADE, Stroke, VERMILION};
-use crate::subject::Subject;
+use crate::style::{FIRST, FRICTION_FORCE, INK, NORMAL_FORCE, PAPER, REGION, SECOND, Stroke};
 use crate::trace::Window;
 use crate::words::short;
+use littlewood_style::width::{CURVE, FINE};
+use littlewood_style::{Curve, Dash, Rgb};
 
 /// The part of the plane with 𝓡 in it, and θ_s.
-fn portrait_of(subject: &Subject) -> (Portrait, f64) {
-    let theta_s = 2.0 * libm::atan(subject.hoop.mu_s());
+fn portrait_of(input: &FigureInput) -> (Portrait, f64) {
+    let theta_s = 2.0 * libm::atan(input.hoop.mu_s());
     let side = f64::min(1.45 * theta_s, 3.1);
-    (Portrait::new(&subject.hoop, Window { x: [-side, side], y: [-1.35, 1.35] }), theta_s)
+    (Portrait::new(&input.hoop, Window { x: [-side, side], y: [-1.35, 1.35] }), theta_s)
 }
 
 /// Energy at the corners of 𝓡, where N and the static friction give way together: Type II.
@@ -39,9 +41,10 @@ fn frame(portrait: &Portrait, theta_s: f64) -> Vec<crate::figure::Layer> {
     let limit = massless_limit(portrait).map(|(_, series)| series);
     let unloading = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
     let mut layers = Vec::new();
-    layers
-        .extend(limit.map(|series| series.drawn(Mark::Line(Stroke::solid(BLUE, BOLD).dashed(Dash::Dashed)))));
-    layers.push(Series::new("n", &PLANE, unloading).drawn(Mark::Line(Stroke::solid(PURPLE, BOLD))));
+    layers.extend(limit.map(|series| series.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit)))));
+    layers.push(
+        Series::new("n", &PLANE, unloading).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))),
+    );
     layers
 }
 
@@ -76,10 +79,10 @@ fn figure(
 }
 
 /// Figure 5(a).
-pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-5a";
-    subject.littlewood(NAME)?;
-    let (portrait, theta_s) = portrait_of(subject);
+    input.littlewood(NAME)?;
+    let (portrait, theta_s) = portrait_of(input);
     let two = type_two_energy(theta_s);
     // Type I is between the orbit of Type II and the lines n.
     let border = in_region(&portrait, theta_s, two);
@@ -94,16 +97,19 @@ pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
         })
         .collect();
     let mut layers = vec![
-        portrait.rolling_region().drawn(Mark::Fill(SHADE)),
-        Series::new("Type I", &PLANE, rows(unloaded_first)).drawn(Mark::Fill(Colour(0xee, 0xc0, 0x98))),
+        portrait.rolling_region().drawn(Mark::Fill(REGION)),
+        Series::new("Type I", &PLANE, rows(unloaded_first)).drawn(Mark::Fill(FIRST.over(PAPER, 0.3))),
         Series::new("Type II", &["theta", "theta_rate"], rows(border))
             .drawn(Mark::Line(Stroke::solid(INK, CURVE).dashed(Dash::DashDot))),
     ];
     let window = Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] };
     let stable = window.pieces(window.x, 200, &|theta| Some([theta, stable_manifold_rate(theta)]));
     let unstable = window.pieces(window.x, 200, &|theta| Some([theta, unstable_manifold_rate(theta)]));
-    layers.push(Series::new("Ws", &PLANE, rows(stable)).drawn(Mark::Line(Stroke::solid(INK, CURVE))));
-    layers.push(Series::new("Wu", &PLANE, rows(unstable)).drawn(Mark::Line(Stroke::solid(INK, CURVE))));
+    layers
+        .push(Series::new("Ws", &PLANE, rows(stable)).drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
+    layers.push(
+        Series::new("Wu", &PLANE, rows(unstable)).drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))),
+    );
     layers.extend(frame(&portrait, theta_s));
     layers.extend(portrait.equilibria());
     // Towards the equilibrium on W^s, away from it on W^u.
@@ -136,10 +142,13 @@ pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
         .sized(12.5),
         Label::new("*W*^{s}", &[-0.8 * theta_s, stable_manifold_rate(-0.8 * theta_s)]).shifted(8.0, -10.0),
         Label::new("*W*^{u}", &[0.8 * theta_s, unstable_manifold_rate(0.8 * theta_s)]).shifted(-8.0, -10.0),
-        Label::new("*n*: *N* = 0, *θ*′ = 1", &[0.0, 1.0]).shifted(0.0, -14.0).coloured(PURPLE),
-        Label::new("*n*: *N* = 0, *θ*′ = −1", &[0.0, -1.0]).shifted(0.0, 14.0).coloured(PURPLE),
-        Label::new("*f*: *θ* = *θ*_{s}", &[theta_s, 0.0]).shifted(10.0, 0.0).left().coloured(BLUE),
-        Label::new("*f*: *θ* = −*θ*_{s}", &[-theta_s, 0.0]).shifted(-10.0, 0.0).right().coloured(BLUE),
+        Label::new("*n*: *N* = 0, *θ*′ = 1", &[0.0, 1.0]).shifted(0.0, -14.0).coloured(NORMAL_FORCE),
+        Label::new("*n*: *N* = 0, *θ*′ = −1", &[0.0, -1.0]).shifted(0.0, 14.0).coloured(NORMAL_FORCE),
+        Label::new("*f*: *θ* = *θ*_{s}", &[theta_s, 0.0]).shifted(10.0, 0.0).left().coloured(FRICTION_FORCE),
+        Label::new("*f*: *θ* = −*θ*_{s}", &[-theta_s, 0.0])
+            .shifted(-10.0, 0.0)
+            .right()
+            .coloured(FRICTION_FORCE),
         Label::new("𝓡", &[-0.88 * theta_s, -0.86]).sized(20.0),
     ];
     let caption = format!(
@@ -148,7 +157,7 @@ pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
          2 cos *θ*_{{s}} < *e* < 3: *N* vanishes first. Type II, dash-dotted: both at once. Type III: static friction \
          gives way first, unless the motion lies on the stable manifold *W*^{{s}}. *μ*_{{s}} = {}. {NOTE}",
         short(theta_s.to_degrees()),
-        short(subject.hoop.mu_s())
+        short(input.hoop.mu_s())
     );
     Ok(figure(
         NAME,
@@ -162,16 +171,16 @@ pub(crate) fn regions(subject: &Subject) -> Result<Figure, FigureError> {
 }
 
 /// Figure 5(b).
-pub(crate) fn motions(subject: &Subject) -> Result<Figure, FigureError> {
+pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-5b";
-    subject.littlewood(NAME)?;
-    let (portrait, theta_s) = portrait_of(subject);
+    input.littlewood(NAME)?;
+    let (portrait, theta_s) = portrait_of(input);
     let two = type_two_energy(theta_s);
     let top = libm::cos(theta_s);
-    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(SHADE))];
+    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     let share = |from: f64, to: f64, part: f64| from + (to - from) * part;
     let kinds: [(&str, Vec<f64>, Stroke); 3] = [
-        ("Type I", vec![share(two, 3.0, 0.35), share(two, 3.0, 0.72)], Stroke::solid(VERMILION, CURVE)),
+        ("Type I", vec![share(two, 3.0, 0.35), share(two, 3.0, 0.72)], Stroke::solid(FIRST, CURVE)),
         ("Type II", vec![two], Stroke::solid(INK, CURVE).dashed(Dash::DashDot)),
         (
             "Type III",
@@ -182,7 +191,7 @@ pub(crate) fn motions(subject: &Subject) -> Result<Figure, FigureError> {
                 share(top, 1.0, 0.62),
                 share(top, 1.0, 0.88),
             ],
-            Stroke::solid(GREEN, CURVE).dashed(Dash::Short),
+            Stroke::solid(SECOND, CURVE).dashed(Dash::Short),
         ),
     ];
     let (mut exits, mut heads, mut keys) = (Vec::new(), Vec::new(), Vec::new());
@@ -208,7 +217,7 @@ pub(crate) fn motions(subject: &Subject) -> Result<Figure, FigureError> {
         }
     }
     let manifolds = Series::new("manifolds", &PLANE, rows(in_region(&portrait, theta_s, 1.0)));
-    layers.push(manifolds.drawn(Mark::Line(Stroke::solid(INK, FINE))));
+    layers.push(manifolds.drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix).wide(FINE))));
     layers.extend(frame(&portrait, theta_s));
     for (colour, piece) in heads {
         layers.push(Series::new("flow", &PLANE, vec![piece]).drawn(Mark::Head(colour)));
@@ -219,24 +228,24 @@ pub(crate) fn motions(subject: &Subject) -> Result<Figure, FigureError> {
     );
     layers.extend(portrait.equilibria());
     let labels = vec![
-        Label::new("*n*", &[0.0, 1.0]).shifted(0.0, -12.0).coloured(PURPLE),
-        Label::new("*n*", &[0.0, -1.0]).shifted(0.0, 12.0).coloured(PURPLE),
-        Label::new("*f*", &[theta_s, 0.0]).shifted(12.0, 0.0).coloured(BLUE),
-        Label::new("*f*", &[-theta_s, 0.0]).shifted(-12.0, 0.0).coloured(BLUE),
+        Label::new("*n*", &[0.0, 1.0]).shifted(0.0, -12.0).coloured(NORMAL_FORCE),
+        Label::new("*n*", &[0.0, -1.0]).shifted(0.0, 12.0).coloured(NORMAL_FORCE),
+        Label::new("*f*", &[theta_s, 0.0]).shifted(12.0, 0.0).coloured(FRICTION_FORCE),
+        Label::new("*f*", &[-theta_s, 0.0]).shifted(-12.0, 0.0).coloured(FRICTION_FORCE),
     ];
     let caption = format!(
         "Rolling motions of the massless hoop in 𝓡, each to the place where rolling ends (dots). Type I ends on *n*, \
          where the normal force vanishes; Type III on *f*, where static friction gives way; Type II in a corner, where \
          both happen. Thin: the stable and unstable manifolds of the equilibrium. *μ*_{{s}} = {}, *θ*_{{s}} = {}°. \
          {NOTE}",
-        short(subject.hoop.mu_s()),
+        short(input.hoop.mu_s()),
         short(theta_s.to_degrees())
     );
     Ok(figure(NAME, "Figure 5(b): motions of Types I, II and III", caption, &portrait, layers, labels, keys))
 }
 
 /// Where an orbit goes, on its way.
-fn head(piece: &[[f64; 2]], colour: Colour) -> Option<(Colour, Vec<Vec<f64>>)> {
+fn head(piece: &[[f64; 2]], colour: Rgb) -> Option<(Rgb, Vec<Vec<f64>>)> {
     let i = piece.len() * 2 / 3;
     let (a, b) = (piece.get(i)?, piece.get(i + 1)?);
     let (from, to) = if (b[0] - a[0]) * a[1] > 0.0 { (a, b) } else { (b, a) };

@@ -1,12 +1,12 @@
-//! What a figure is of: a hoop, a start, limits.
+//! What a figure is made of: a hoop, a start, limits.
 
-use littlewood::{Body, Hoop, Limits, ParameterError, Start, Trajectory};
+use littlewood::{Body, Hoop, Limits, Start, Trajectory};
 
 use crate::error::FigureError;
 
 /// A hoop and a motion of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Subject {
+pub struct FigureInput {
     /// Hoop.
     pub hoop: Hoop,
     /// Start of the motion, for figures that show one.
@@ -15,7 +15,17 @@ pub struct Subject {
     pub limits: Limits,
 }
 
-impl Subject {
+impl FigureInput {
+    /// The hoop and the start of a named case, to the final outcome.
+    ///
+    /// # Errors
+    /// A name that no case has.
+    pub fn of_case(name: &str) -> Result<Self, FigureError> {
+        let case =
+            littlewood::find_case(name).ok_or_else(|| FigureError::UnknownCase { name: name.to_owned() })?;
+        Ok(Self { hoop: Hoop::new(case.setup.hoop)?, start: case.setup.start, limits: Limits::default() })
+    }
+
     /// The motion.
     pub(crate) fn motion(&self, figure: &'static str) -> Result<Trajectory, FigureError> {
         let motion = self.hoop.simulate(self.start, self.limits)?;
@@ -54,10 +64,4 @@ impl Subject {
         let offset = self.hoop.offset();
         if offset == 1.0 { Ok(()) } else { Err(FigureError::NeedsRim { figure, offset }) }
     }
-}
-
-/// The subject of a named case.
-pub(crate) fn of_case(name: &str) -> Result<Subject, ParameterError> {
-    let case = littlewood::find_case(name).unwrap_or(&littlewood::CASES[0]);
-    Ok(Subject { hoop: Hoop::new(case.hoop)?, start: case.start, limits: Limits::default() })
 }
