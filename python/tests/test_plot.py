@@ -3,11 +3,13 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+import xarray
 from matplotlib.colors import to_hex
 
 import littlewood as lw
 from littlewood import plot
-from littlewood.style import MODE_COLOURS
+from littlewood.style import CLASS_COLOURS, CURVE_COLOURS, MODE_COLOURS
+from littlewood.tables import AXES, CAUSE_LABELS, CLASS_LABELS, MODE_CODES, OUTCOMES
 
 
 @pytest.fixture
@@ -65,20 +67,95 @@ def test_classes_tell_jumps_apart(motion):
     dataset = lw.simulate_many(motion.hoop, theta=[0.0, math.pi / 2, 2.5], theta_rate=[4.0, 2.0, 0.0])
     found = plot.classes(dataset)
     names = found.attrs["flag_meanings"].split()
-    assert [names[code] for code in found.values] == ["leaves_at_once", "lifts_off_later", "rolls_for_ever"]
+    assert tuple(names) == lw.CLASSES
+    assert found.attrs["flag_values"] == list(range(len(names)))
+    assert [names[code] for code in found.values] == ["leaves_at_once", "lifts_off_later", "rolls_forever"]
+
+
+def summaries(outcome, *, letter="R", lift_off_time=math.nan):
+    """Summaries of motions of one phase, with these outcomes."""
+    code = next(code for code, name, _ in lw._core.PHASES if name == letter)
+    return xarray.Dataset(
+        {
+            "outcome": ("start", np.array(outcome, dtype=np.uint8)),
+            "sequence": ("start", np.full(len(outcome), code, dtype=np.uint64)),
+            "lift_off_time": ("start", np.full(len(outcome), lift_off_time)),
+        }
+    )
+
+
+def test_every_outcome_has_a_class():
+    found = plot.classes(summaries(list(OUTCOMES)))
+    of_outcome = dict(zip(OUTCOMES.values(), (lw.CLASSES[code] for code in found.values), strict=True))
+    # What has not been computed is not what cannot be computed.
+    assert of_outcome["not_computed"] == "not_computed"
+    assert of_outcome["invalid"] == "invalid"
+    assert of_outcome["time_limit"] == of_outcome["transition_limit"] == "in_contact_at_limit"
+    assert of_outcome["inconsistent"] == of_outcome["ambiguous"] == of_outcome["singular"] == "painleve"
+    assert of_outcome["particle_at_top"] == "particle_at_top"
+    # Every class is met, those of flights by flights.
+    at_once = plot.classes(summaries([0], letter="F", lift_off_time=0.0))
+    assert [lw.CLASSES[code] for code in at_once.values] == ["leaves_at_once"]
+    assert {*of_outcome.values(), "leaves_at_once"} == set(lw.CLASSES)
+
+
+def test_a_motion_in_flight_at_the_time_limit_has_lifted_off(motion):
+    # Figure 3 lifts off at 1.52 and lands at 3.85.
+    dataset = lw.simulate_many(motion.hoop, theta=[math.pi / 2], theta_rate=2.0, until=2.0)
+    assert OUTCOMES[int(dataset.outcome[0])] == "time_limit"
+    assert lw.CLASSES[int(plot.classes(dataset)[0])] == "lifts_off_later"
+
+
+def test_classes_of_blocks_are_those_of_the_whole(motion):
+    dataset = lw.outcome_map(motion.hoop, theta=np.linspace(-3, 3, 11), theta_rate=np.linspace(-4, 4, 7), until=20.0)
+    lazy = plot.classes(dataset.chunk(5))
+    assert lazy.chunks is not None
+    np.testing.assert_array_equal(lazy.compute(), plot.classes(dataset))
+    with pytest.raises(ValueError, match="mask_and_scale=False"):
+        plot.classes(dataset.assign(outcome=dataset.outcome.astype(float)))
+    with pytest.raises(ValueError, match="code 77"):
+        plot.classes(summaries([77]))
+
+
+def test_a_map_has_the_colours_and_words_of_the_classes(motion):
+    dataset = lw.outcome_map(motion.hoop, theta=np.linspace(-3, 3, 21), theta_rate=np.linspace(-4, 4, 15), until=20.0)
+    axes = plot.outcomes(dataset, x="theta")
+    (mesh,) = axes.collections
+    drawn = {to_hex(colour) for colour in mesh.to_rgba(mesh.get_array()).reshape(-1, 4)}
+    shown = {lw.CLASSES[code] for code in np.unique(plot.classes(dataset))}
+    assert len(shown) >= 3
+    assert drawn == {CLASS_COLOURS[name] for name in shown}
+    patches = axes.get_legend().get_patches()
+    words = [text.get_text().split("\n")[0] for text in axes.get_legend().get_texts()]
+    assert words == [CLASS_LABELS[name] for name in lw.CLASSES if name in shown]
+    assert [to_hex(patch.get_facecolor()) for patch in patches] == [
+        CLASS_COLOURS[name] for name in lw.CLASSES if name in shown
+    ]
+
+
+@pytest.mark.parametrize("axis", AXES)
+def test_every_axis_has_a_label_that_can_be_drawn(axis, motion):
+    other = "theta_rate" if axis == "theta" else "theta"
+    fixed = {"theta": 1.0, "theta_rate": 2.0, "mu_k": 0.1}
+    fixed = {name: value for name, value in fixed.items() if name not in (axis, other)}
+    dataset = lw.outcome_map(motion.hoop, **{axis: [0.4, 0.5], other: [0.0, 1.0]}, **fixed, until=5.0)
+    axes = plot.outcomes(dataset, x=axis)
+    # A letter that the font does not have would be a warning, which is an error here.
+    axes.figure.canvas.draw()
+    assert axes.get_xlabel() not in ("", axis)
 
 
 def test_axes_of_ones_own(motion):
     figure, axes = plt.subplots()
     assert plot.path(motion, axes) is axes
-    assert plot.history(motion, plt.figure().add_subplot(), quantities=("energy",)).get_ylabel() == "E"
+    assert plot.history(motion, plt.figure().add_subplot(), quantities=("energy",)).get_ylabel() == "E  (m₂gR)"
     plt.close("all")
     assert figure.axes == [axes]
 
 
 def test_nothing_to_draw():
     motion = lw.case("painleve").simulate()
-    assert "inconsistent" in motion.plot().axes[0].get_title()
+    assert "no motion is consistent" in motion.plot().axes[0].get_title()
     with pytest.raises(ValueError, match="no motion to show"):
         motion.animate()
 
@@ -95,8 +172,77 @@ def test_an_animation_shows_in_a_notebook(motion, tmp_path):
         motion.animate(seconds=-1)
 
 
+def modes_drawn(axes, width):
+    """Modes of the lines of this width, by their colours, in the order of the modes."""
+    colours = {to_hex(line.get_color()) for line in axes.get_lines() if line.get_linewidth() == width}
+    assert colours <= set(MODE_COLOURS.values())
+    return [mode for mode in lw.MODES if MODE_COLOURS[mode] in colours]
+
+
 @pytest.mark.parametrize("name", list(lw.CASES))
-def test_every_case_can_be_drawn(name):
+def test_a_picture_of_every_case_shows_its_phases(name):
     motion = lw.case(name).simulate()
-    motion.plot().canvas.draw()
-    plot.phase_plane(motion.hoop, motion=motion).figure.canvas.draw()
+    figure = motion.plot()
+    figure.canvas.draw()
+    if not motion.phases:
+        (axes,) = figure.axes
+        assert axes.get_title() == f"no phase: {motion.outcome}"
+        assert axes.patches
+        return
+    path, angle, rates, forces = figure.axes
+    shown = [phase for phase in motion.phases if phase.start_time <= motion.shown_until]
+    modes = sorted({phase.mode for phase in shown}, key=MODE_CODES.__getitem__)
+    # The path: a line of the mass centre for each phase, all of it, and every mode in the legend.
+    centres = [line for line in path.get_lines() if line.get_linewidth() == 2.4]
+    assert len(centres) == len(shown)
+    for line, phase in zip(centres, shown, strict=True):
+        x, y = (np.asarray(values, dtype=float) for values in line.get_data())
+        assert np.isfinite(x).all() and np.isfinite(y).all()
+        assert to_hex(line.get_color()) == MODE_COLOURS[phase.mode]
+        first = motion.at(phase.start_time)
+        assert (x[0], y[0]) == pytest.approx((first.mass_centre_x, first.mass_centre_y), abs=1e-12)
+    labels = [text.get_text() for text in path.get_legend().get_texts()]
+    assert sorted(labels, key=MODE_CODES.__getitem__) == modes
+    # What marks the hoops along the path: the start, and causes in their words.
+    words = [text.get_text() for text in path.texts]
+    assert words[0] == "start"
+    assert set(words[1:]) <= {CAUSE_LABELS[transition.cause] for transition in motion.transitions}
+    if motion.transitions:
+        assert len(words) > 1
+    # The histories: a line for each phase and quantity.
+    for axes, count in ((angle, 1), (rates, 2), (forces, 2)):
+        assert modes_drawn(axes, 1.8) == modes
+        lines = [line for line in axes.get_lines() if line.get_linewidth() == 1.8]
+        assert len(lines) == count * len(shown)
+        assert all(np.isfinite(line.get_ydata()).any() for line in lines)
+
+
+@pytest.mark.parametrize("name", list(lw.CASES))
+def test_the_plane_of_every_case_shows_its_curves(name):
+    motion = lw.case(name).simulate()
+    axes = plot.phase_plane(motion.hoop, motion=motion)
+    axes.figure.canvas.draw()
+    plane = motion.hoop.phase_plane
+    theta = np.linspace(-math.pi, math.pi, 1201)
+    lines = {}
+    for line in axes.get_lines():
+        lines.setdefault(to_hex(line.get_color()), []).append(line)
+    # A curve is drawn on both sides of θ′ = 0, where it passes.
+    for curve, rate in (("normal_force_zero", plane.normal_force_rate(theta)),):
+        drawn = lines[CURVE_COLOURS[curve]]
+        assert len(drawn) == 2
+        np.testing.assert_array_equal(drawn[0].get_ydata(), rate)
+        np.testing.assert_array_equal(drawn[1].get_ydata(), -rate)
+    # f: to both sides for both directions of slip, and two vertical lines without inertia.
+    massless = motion.hoop.inertia_about_mass_centre == 0.0
+    assert len(lines[CURVE_COLOURS["slip_limit"]]) == (6 if massless else 4)
+    assert len(axes.texts) >= 1
+    assert {text.get_text() for text in axes.texts} <= {"f", "n"}
+    # The motion over it, in the modes that it has.
+    over = [line for line in axes.get_lines() if line.get_linewidth() == 2.6]
+    shown = [phase for phase in motion.phases if phase.start_time <= motion.shown_until]
+    assert [to_hex(line.get_color()) for line in over] == [MODE_COLOURS[phase.mode] for phase in shown]
+    for line in over:
+        angle = np.asarray(line.get_xdata(), dtype=float)
+        assert np.isfinite(angle).all()
+        assert -math.pi <= angle.min() and angle.max() <= math.pi

@@ -40,6 +40,16 @@ def test_figure_3(motion):
     assert motion.outcome.details["gap_rate"] < 0.0
 
 
+def test_a_transition_has_a_state_on_either_side(motion):
+    for transition, phase, following in zip(motion.transitions, motion.phases, motion.phases[1:], strict=False):
+        assert transition.state == phase.end
+        assert transition.after == following.start
+        # No velocity jumps at these transitions, and so there is no impulse.
+        assert transition.impulse is None
+        assert transition.after == transition.state
+    assert motion.transitions[-1].to_mode is None
+
+
 def test_phases_hang_together(motion):
     for phase, following in zip(motion.phases, motion.phases[1:], strict=False):
         assert phase.end == following.start
@@ -73,6 +83,10 @@ def test_outside_the_motion_there_is_nothing(motion):
     samples = motion.at([-1.0, 0.0, 4.0, math.nan])
     assert samples["mode"].tolist() == [-1, 1, -1, -1]
     assert samples.mode_names.tolist() == ["", "sliding", "", ""]
+    assert samples.is_outside.tolist() == [True, False, True, True]
+    assert samples.is_in("sliding").tolist() == [False, True, False, False]
+    with pytest.raises(KeyError):
+        samples.is_in("sliding ←")
     assert np.isnan(samples.theta).tolist() == [True, False, True, True]
     assert samples.time[0] == -1.0
 
@@ -107,14 +121,16 @@ def test_no_motion_is_consistent():
     assert motion.phases == ()
     assert motion.outcome.kind == "inconsistent"
     assert motion.outcome.details["solvability_positive"] < 0.0
-    assert "inconsistent" in str(motion)
-    assert "inconsistent" in motion._repr_html_()
+    assert motion.outcome.details["consistent"] == []
+    assert "no motion is consistent" in str(motion)
+    assert "no motion is consistent" in motion._repr_html_()
 
 
 def test_limits(hoop):
     motion = hoop.simulate(theta=math.pi / 2, theta_rate=2.0, until=0.7)
     assert (motion.outcome.kind, motion.outcome.is_final, motion.end_time) == ("time_limit", False, 0.7)
-    assert hoop.simulate(theta=math.pi / 2, theta_rate=2.0, max_transitions=1).outcome.kind == "transition_limit"
+    stopped = hoop.simulate(theta=math.pi / 2, theta_rate=2.0, max_transitions=1)
+    assert (stopped.outcome.kind, stopped.outcome.details["transitions"]) == ("transition_limit", 1)
     with pytest.raises(ValueError, match="max_transitions = -1 must not be negative"):
         hoop.simulate(theta=0.0, theta_rate=1.0, max_transitions=-1)
     with pytest.raises(ValueError, match="count = 1"):
@@ -126,7 +142,8 @@ def test_limits(hoop):
 def test_xarray_has_units_and_long_names(motion):
     dataset = motion.to_xarray(count=101)
     assert dict(dataset.sizes) == {"time": 101 + 6}
-    assert dataset.coords["time"].attrs["units"] == "sqrt(R/g)"
+    assert (dataset.coords["time"].attrs["units"], dataset.coords["time"].attrs["scale"]) == ("1", "sqrt(R/g)")
+    assert dataset["theta"].attrs["units"] == "rad"
     for variable in dataset.variables.values():
         assert variable.attrs["long_name"]
     assert dataset["mode"].attrs["flag_meanings"].split() == ["outside", *lw.MODES]
@@ -180,7 +197,7 @@ def test_it_survives_a_trip(motion):
 
 
 def test_words(motion):
-    assert repr(motion) == "<Trajectory -R+F: landing>"
+    assert repr(motion) == "<Trajectory -R+F: lands>"
     lines = str(motion).splitlines()
     assert lines[0].split() == ["#", "motion", "from", "τ", "duration", "θ", "θ′", "η′", "lost", "ends", "by"]
     assert lines[5].split() == [
