@@ -1,23 +1,19 @@
 //! Which sequences of phases occur on a grid, how often, and where for example.
 
-use core::sync::atomic::Ordering;
 use std::collections::HashMap;
 
-use littlewood::{Hoop, Limits, PhaseSequence};
+use littlewood::{Hoop, Limits, OutcomeKind, ParameterError, PhaseSequence, Setup};
 use rayon::prelude::*;
 
 use crate::chunk::{Chunk, Chunks};
 use crate::compute::Workers;
-use crate::error::SweepError;
 use crate::first_turn::{FirstTurn, Stop};
-use crate::grid::{Grid, is_relation};
-use crate::outcome::INVALID;
-use crate::point::Point;
-use crate::run::{Options, Progress};
+use crate::grid::Grid;
+use crate::options::{Options, Progress};
 
 /// A sequence of phases that occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Entry {
+pub struct AtlasEntry {
     /// The sequence. Those with more phases than fit are told apart by the phases that fit.
     pub sequence: PhaseSequence,
     /// What stopped the first turn; none in an atlas of whole motions.
@@ -25,7 +21,7 @@ pub struct Entry {
     /// Number of points of the grid that have it.
     pub count: u64,
     /// The first of them.
-    pub example: Point,
+    pub example: Setup,
     /// The number of that point ([`Grid::point`]); in an atlas of several grids they are counted through.
     pub number: u64,
 }
@@ -34,7 +30,7 @@ pub struct Entry {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Atlas {
     /// The sequences.
-    pub entries: Vec<Entry>,
+    pub entries: Vec<AtlasEntry>,
     /// Points that were computed; fewer than the grid has if the atlas was cancelled.
     pub points: u64,
     /// Points whose parameters contradict each other; they have no sequence.
@@ -53,32 +49,40 @@ impl Atlas {
         limits: Limits,
         workers: &Workers,
         options: &Options<'_>,
-    ) -> Result<Self, SweepError> {
+    ) -> Result<Self, ParameterError> {
         Self::collect(grid, options, |chunk| {
             let columns = workers.compute(chunk.points(grid), limits)?;
-            Ok(columns.rows().map(|row| (row.outcome != INVALID).then_some((row.sequence, None))).collect())
+            let sequences = columns
+                .summaries()
+                .map(|summary| (summary.outcome != OutcomeKind::Invalid).then_some((summary.sequence, None)));
+            Ok(sequences.collect())
         })
     }
 
-    /// First turns with μs = μk, as Theron and Maritz have them: μk of the grid does not count, it follows μs.
+    /// First turns with μs = μk, as in Theron and Maritz: μk is that of μs, whatever the grid says.
     ///
     /// # Errors
     /// A value without physical meaning.
-    pub fn of_first_turns(grid: &Grid, workers: &Workers, options: &Options<'_>) -> Result<Self, SweepError> {
+    pub fn of_first_turns(
+        grid: &Grid,
+        workers: &Workers,
+        options: &Options<'_>,
+    ) -> Result<Self, ParameterError> {
         Self::collect(grid, options, |chunk| {
-            let points: Vec<Point> = chunk.points(grid).map(with_one_friction).collect();
-            let turns: Vec<_> = workers.install(|| {
+            let points: Vec<Setup> = chunk.points(grid).map(with_one_friction).collect();
+            let turns: Vec<Result<_, ParameterError>> = workers.install(|| {
                 points
                     .par_iter()
                     .map(|point| match Hoop::new(point.hoop) {
                         Ok(hoop) => FirstTurn::new(&hoop, point.start)
                             .map(|turn| Some((turn.sequence, Some(turn.stop)))),
-                        Err(error) if is_relation(&error) => Ok(None),
+                        Err(error) if error.is_contradiction() => Ok(None),
                         Err(error) => Err(error),
                     })
                     .collect()
             });
-            turns.into_iter().map(|turn| turn.map_err(SweepError::from)).collect()
+            // In order: a parallel `collect` into a Result would return any of several errors.
+            turns.into_iter().collect()
         })
         .map(|mut atlas| {
             for entry in &mut atlas.entries {
@@ -91,14 +95,14 @@ impl Atlas {
     fn collect(
         grid: &Grid,
         options: &Options<'_>,
-        mut sequences: impl FnMut(&Chunk) -> Result<Vec<Option<(PhaseSequence, Option<Stop>)>>, SweepError>,
-    ) -> Result<Self, SweepError> {
+        mut sequences: impl FnMut(&Chunk) -> Result<Vec<Option<(PhaseSequence, Option<Stop>)>>, ParameterError>,
+    ) -> Result<Self, ParameterError> {
         let chunks = Chunks::new(grid, options.chunk_points);
         let shape = grid.shape();
         let mut found: HashMap<(PhaseSequence, Option<Stop>), (u64, u64)> = HashMap::new();
         let (mut points, mut invalid) = (0, 0);
         for chunk in (0..chunks.count()).map(|number| chunks.chunk(number)) {
-            if options.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+            if options.is_cancelled() {
                 break;
             }
             for (indices, sequence) in chunk.indices().zip(sequences(&chunk)?) {
@@ -115,13 +119,11 @@ impl Atlas {
                 *count += 1;
                 *first = number.min(*first);
             }
-            if let Some(progress) = options.progress {
-                progress(Progress { done: points, reused: 0, total: grid.len() });
-            }
+            options.report(Progress { done: points, reused: 0, total: grid.len() });
         }
         let entries = found
             .into_iter()
-            .map(|((sequence, stop), (count, number))| Entry {
+            .map(|((sequence, stop), (count, number))| AtlasEntry {
                 sequence,
                 stop,
                 count,
@@ -137,14 +139,14 @@ impl Atlas {
     /// Adds the atlas of another grid, whose points are counted on after those that are there.
     ///
     /// ```
-    /// use littlewood::{HoopParameters, Limits, Start};
-    /// use littlewood_sweep::{Atlas, Axis, Coordinate, Grid, Options, Point, Workers};
+    /// use littlewood::{HoopParameters, Limits, Quantity, Setup, Start};
+    /// use littlewood_sweep::{Atlas, Axis, Grid, Options, Workers};
     ///
     /// let mut atlas = Atlas::default();
     /// for mu_s in [0.5, 1.0] {
-    ///     let hoop = HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s, mu_k: 0.4 };
-    ///     let rate = Axis::new(Coordinate::ThetaRate, 0.1, 1.4, 20)?;
-    ///     let grid = Grid::new(Point { hoop, start: Start::at(0.0, 0.0) }, vec![rate])?;
+    ///     let hoop = HoopParameters::thin(1.0).with_friction(mu_s, 0.4);
+    ///     let rate = Axis::new(Quantity::ThetaRate, 0.1, 1.4, 20)?;
+    ///     let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.0)), vec![rate])?;
     ///     let workers = Workers::new(None)?;
     ///     atlas.absorb(Atlas::of_motions(&grid, Limits::until(20.0), &workers, &Options::default())?);
     /// }
@@ -160,7 +162,7 @@ impl Atlas {
                 .find(|known| (known.sequence, known.stop) == (entry.sequence, entry.stop))
             {
                 Some(known) => known.count += entry.count,
-                None => self.entries.push(Entry { number: before + entry.number, ..entry }),
+                None => self.entries.push(AtlasEntry { number: before + entry.number, ..entry }),
             }
         }
         self.points += other.points;
@@ -174,7 +176,8 @@ impl Atlas {
     }
 }
 
-fn with_one_friction(mut point: Point) -> Point {
+/// The same point with μk = μs.
+fn with_one_friction(mut point: Setup) -> Setup {
     point.hoop.mu_k = point.hoop.mu_s;
     point
 }

@@ -1,8 +1,9 @@
 //! How a grid is cut into chunks.
 
+use littlewood::{Group, Setup};
+
 use crate::axis::Axis;
 use crate::grid::Grid;
-use crate::point::Point;
 
 /// The chunks of a grid: equal boxes, those at the far ends cut off.
 ///
@@ -10,13 +11,13 @@ use crate::point::Point;
 /// hoops, and as many starts of each, as its size allows.
 ///
 /// ```
-/// use littlewood::{HoopParameters, Start};
-/// use littlewood_sweep::{Axis, Chunks, Coordinate, Grid, Point};
+/// use littlewood::{HoopParameters, Quantity, Setup, Start};
+/// use littlewood_sweep::{Axis, Chunks, Grid};
 ///
-/// let hoop = HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s: 0.5, mu_k: 0.4 };
-/// let theta = Axis::new(Coordinate::Theta, -1.0, 1.0, 1000)?;
-/// let mass_ratio = Axis::new(Coordinate::MassRatio, 0.0, 4.0, 700)?;
-/// let grid = Grid::new(Point { hoop, start: Start::at(0.0, 1.0) }, vec![theta, mass_ratio])?;
+/// let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
+/// let theta = Axis::new(Quantity::Theta, -1.0, 1.0, 1000)?;
+/// let mass_ratio = Axis::new(Quantity::MassRatio, 0.0, 4.0, 700)?;
+/// let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 1.0)), vec![theta, mass_ratio])?;
 /// let chunks = Chunks::new(&grid, 65_536);
 /// assert_eq!(chunks.shape(), [1000, 64]);
 /// assert_eq!(chunks.count(), 11);
@@ -46,11 +47,11 @@ impl Chunks {
         let axes = grid.axes();
         let mut shape = vec![1; axes.len()];
         let mut room = points.max(1);
-        let of_the_hoop = |axis: &Axis| axis.coordinate().is_of_the_hoop();
+        let is_of_the_hoop = |axis: &Axis| axis.quantity().group() == Group::Hoop;
         let order = (0..axes.len())
             .rev()
-            .filter(|&i| !of_the_hoop(&axes[i]))
-            .chain((0..axes.len()).rev().filter(|&i| of_the_hoop(&axes[i])));
+            .filter(|&i| !is_of_the_hoop(&axes[i]))
+            .chain((0..axes.len()).rev().filter(|&i| is_of_the_hoop(&axes[i])));
         for i in order {
             let count = axes[i].count();
             if count <= room {
@@ -143,19 +144,19 @@ impl Chunk {
     }
 
     /// Its points, in the same order.
-    pub fn points<'a>(&'a self, grid: &'a Grid) -> impl Iterator<Item = Point> + 'a {
+    pub fn points<'a>(&'a self, grid: &'a Grid) -> impl Iterator<Item = Setup> + 'a {
         let mut indices = self.origin.clone();
         let mut point = grid.point_at(&indices);
         (0..self.len()).map(move |_| {
             let this = point;
-            // Like the wheels of an odometer: only the coordinates that change are computed.
+            // Only the quantities that change from one point to the next are computed.
             for (k, axis) in grid.axes().iter().enumerate().rev() {
                 indices[k] += 1;
                 let carries = indices[k] == self.origin[k] + self.shape[k];
                 if carries {
                     indices[k] = self.origin[k];
                 }
-                axis.coordinate().set(&mut point, axis.value(indices[k]));
+                point.set(axis.quantity(), axis.value(indices[k]));
                 if !carries {
                     break;
                 }

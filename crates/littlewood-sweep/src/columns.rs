@@ -1,269 +1,231 @@
 //! The results of a sweep, column by column.
 
-use littlewood::{PhaseSequence, Summary};
+use littlewood::{ColumnType, OutcomeKind, Summary, SummaryColumn, SummaryValue};
+use rayon::prelude::*;
 
-use crate::outcome::INVALID;
+/// Number of columns.
+const COLUMNS: usize = SummaryColumn::ALL.len();
 
-/// The result of one point: a [`Summary`] as numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
-    /// Code of the outcome; see [`crate::outcome`].
-    pub outcome: u8,
-    /// Sequence of phases.
-    pub sequence: PhaseSequence,
-    /// Number of transitions.
-    pub transitions: u32,
-    /// Time τ at the end, in √(R/g); where the last phase lasts for ever, the time at which it begins.
-    pub end_time: f64,
-    /// Angle θ there, in radians.
-    pub end_theta: f64,
-    /// Rate θ′ there, in √(g/R).
-    pub end_theta_rate: f64,
-    /// Slip velocity η′ there, in √(gR).
-    pub end_slip: f64,
-    /// Position x of the geometric centre there, in R.
-    pub end_x: f64,
-    /// Energy there, in m2 g R.
-    pub energy: f64,
-    /// Time of the first slip out of rolling, in √(R/g); NaN if none.
-    pub first_slip_time: f64,
-    /// Time of lift-off, in √(R/g); NaN if none.
-    pub lift_off_time: f64,
-    /// Length of the jump, in R; NaN without landing.
-    pub jump_length: f64,
-    /// Height of the jump, in R; NaN without landing.
-    pub jump_height: f64,
-    /// Whether the motion met a Painlevé paradox.
-    pub painleve: bool,
-}
-
-impl Row {
-    /// The row of a hoop without physical meaning.
-    pub(crate) const INVALID: Self = Self {
-        outcome: INVALID,
-        sequence: PhaseSequence::from_bits(0),
-        transitions: 0,
-        end_time: f64::NAN,
-        end_theta: f64::NAN,
-        end_theta_rate: f64::NAN,
-        end_slip: f64::NAN,
-        end_x: f64::NAN,
-        energy: f64::NAN,
-        first_slip_time: f64::NAN,
-        lift_off_time: f64::NAN,
-        jump_length: f64::NAN,
-        jump_height: f64::NAN,
-        painleve: false,
-    };
-}
-
-/// One NaN for all: the sign and payload of a NaN that arithmetic makes are not specified.
-fn quiet(value: f64) -> f64 {
-    if value.is_nan() { f64::NAN } else { value }
-}
-
-impl From<&Summary> for Row {
-    fn from(summary: &Summary) -> Self {
-        Self {
-            outcome: summary.outcome as u8,
-            sequence: summary.sequence,
-            transitions: summary.transitions,
-            end_time: quiet(summary.end.time),
-            end_theta: quiet(summary.end.theta),
-            end_theta_rate: quiet(summary.end.theta_rate),
-            end_slip: quiet(summary.end.slip),
-            end_x: quiet(summary.end.x),
-            energy: quiet(summary.energy),
-            first_slip_time: quiet(summary.first_slip_time),
-            lift_off_time: quiet(summary.lift_off_time),
-            jump_length: quiet(summary.jump_length),
-            jump_height: quiet(summary.jump_height),
-            painleve: summary.painleve,
-        }
-    }
-}
-
-/// The results of many points: one vector a quantity, all of the same length, in the order of the points.
-///
-/// Units are those of [`Row`].
-#[derive(Clone, Debug, Default, PartialEq)]
+/// The results of many points: one vector for each [`SummaryColumn`], all of the same length, in the order of the
+/// points.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Columns {
-    /// Codes of the outcomes.
-    pub outcome: Vec<u8>,
-    /// [`PhaseSequence::bits`] of the sequences of phases.
-    pub sequence: Vec<u64>,
-    /// Numbers of transitions.
-    pub transitions: Vec<u32>,
-    /// Painlevé flags, 0 or 1.
-    pub painleve: Vec<u8>,
-    /// The real columns, in the order of [`Real::ALL`].
-    pub reals: [Vec<f64>; Real::ALL.len()],
+    /// In the order of [`SummaryColumn::ALL`].
+    columns: [ColumnValues; COLUMNS],
+    len: usize,
 }
 
-/// A column of real numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Real {
-    /// [`Row::end_time`].
-    EndTime,
-    /// [`Row::end_theta`].
-    EndTheta,
-    /// [`Row::end_theta_rate`].
-    EndThetaRate,
-    /// [`Row::end_slip`].
-    EndSlip,
-    /// [`Row::end_x`].
-    EndX,
-    /// [`Row::energy`].
-    Energy,
-    /// [`Row::first_slip_time`].
-    FirstSlipTime,
-    /// [`Row::lift_off_time`].
-    LiftOffTime,
-    /// [`Row::jump_length`].
-    JumpLength,
-    /// [`Row::jump_height`].
-    JumpHeight,
+/// The values of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ColumnValues {
+    /// 8 bits each.
+    U8(Vec<u8>),
+    /// 32 bits each.
+    U32(Vec<u32>),
+    /// 64 bits each.
+    U64(Vec<u64>),
+    /// In double precision.
+    F64(Vec<f64>),
 }
 
-impl Real {
-    /// All real columns, in the order in which files have them.
-    pub const ALL: [Self; 10] = [
-        Self::EndTime,
-        Self::EndTheta,
-        Self::EndThetaRate,
-        Self::EndSlip,
-        Self::EndX,
-        Self::Energy,
-        Self::FirstSlipTime,
-        Self::LiftOffTime,
-        Self::JumpLength,
-        Self::JumpHeight,
-    ];
-
-    /// Name, as files and the command line write it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.description().0
+impl ColumnValues {
+    /// The same value many times.
+    pub(crate) fn repeat(value: SummaryValue, len: usize) -> Self {
+        match value {
+            SummaryValue::U8(value) => Self::U8(vec![value; len]),
+            SummaryValue::U32(value) => Self::U32(vec![value; len]),
+            SummaryValue::U64(value) => Self::U64(vec![value; len]),
+            SummaryValue::F64(value) => Self::F64(vec![value; len]),
+        }
     }
 
-    /// The column of this name.
+    /// Number of values.
     #[must_use]
-    pub fn find(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|column| column.name() == name)
-    }
-
-    /// Unit, as files write it.
-    #[must_use]
-    pub const fn unit(self) -> &'static str {
-        self.description().1
-    }
-
-    /// What it is, in words.
-    #[must_use]
-    pub const fn long_name(self) -> &'static str {
-        self.description().2
-    }
-
-    const fn description(self) -> (&'static str, &'static str, &'static str) {
+    pub const fn len(&self) -> usize {
         match self {
-            Self::EndTime => {
-                ("end_time", "sqrt(R/g)", "time at the end, or where the phase begins that lasts for ever")
+            Self::U8(values) => values.len(),
+            Self::U32(values) => values.len(),
+            Self::U64(values) => values.len(),
+            Self::F64(values) => values.len(),
+        }
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// A value below [`ColumnValues::len`].
+    ///
+    /// # Panics
+    /// Beyond it.
+    #[must_use]
+    pub fn get(&self, i: usize) -> SummaryValue {
+        match self {
+            Self::U8(values) => SummaryValue::U8(values[i]),
+            Self::U32(values) => SummaryValue::U32(values[i]),
+            Self::U64(values) => SummaryValue::U64(values[i]),
+            Self::F64(values) => SummaryValue::F64(values[i]),
+        }
+    }
+
+    /// All values in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = SummaryValue> + '_ {
+        (0..self.len()).map(|i| self.get(i))
+    }
+
+    /// The values in double precision; none for another type.
+    #[must_use]
+    pub fn as_f64(&self) -> Option<&[f64]> {
+        match self {
+            Self::F64(values) => Some(values),
+            Self::U8(_) | Self::U32(_) | Self::U64(_) => None,
+        }
+    }
+
+    /// Sets the value of a column from a summary, at the place of each point.
+    fn fill(&mut self, column: SummaryColumn, summaries: &[(u32, Summary)]) {
+        for (i, summary) in summaries {
+            let i = *i as usize;
+            match (&mut *self, column.of(summary)) {
+                (Self::U8(values), SummaryValue::U8(value)) => values[i] = value,
+                (Self::U32(values), SummaryValue::U32(value)) => values[i] = value,
+                (Self::U64(values), SummaryValue::U64(value)) => values[i] = value,
+                (Self::F64(values), SummaryValue::F64(value)) => values[i] = value,
+                (Self::U8(_) | Self::U32(_) | Self::U64(_) | Self::F64(_), _) => {
+                    unreachable!("a column has values of one type")
+                }
             }
-            Self::EndTheta => ("end_theta", "rad", "angle at the end"),
-            Self::EndThetaRate => ("end_theta_rate", "sqrt(g/R)", "rate of the angle at the end"),
-            Self::EndSlip => ("end_slip", "sqrt(g R)", "slip velocity at the end"),
-            Self::EndX => ("end_x", "R", "position of the geometric centre at the end"),
-            Self::Energy => ("energy", "m2 g R", "energy at the end"),
-            Self::FirstSlipTime => ("first_slip_time", "sqrt(R/g)", "time of the first slip out of rolling"),
-            Self::LiftOffTime => ("lift_off_time", "sqrt(R/g)", "time of lift-off"),
-            Self::JumpLength => ("jump_length", "R", "length of the jump"),
-            Self::JumpHeight => ("jump_height", "R", "height of the jump"),
         }
     }
+}
 
-    /// Its value in a row.
-    #[must_use]
-    pub const fn of(self, row: &Row) -> f64 {
-        match self {
-            Self::EndTime => row.end_time,
-            Self::EndTheta => row.end_theta,
-            Self::EndThetaRate => row.end_theta_rate,
-            Self::EndSlip => row.end_slip,
-            Self::EndX => row.end_x,
-            Self::Energy => row.energy,
-            Self::FirstSlipTime => row.first_slip_time,
-            Self::LiftOffTime => row.lift_off_time,
-            Self::JumpLength => row.jump_length,
-            Self::JumpHeight => row.jump_height,
-        }
+/// The value of a column where nothing has been computed.
+pub(crate) fn not_computed(column: SummaryColumn) -> SummaryValue {
+    column.of(&Summary::NOT_COMPUTED)
+}
+
+impl Default for Columns {
+    fn default() -> Self {
+        Self::blank(0)
     }
 }
 
 impl Columns {
-    /// Columns of this many rows that are all invalid.
+    /// Columns of this many points that have not been computed.
     pub(crate) fn blank(len: usize) -> Self {
-        let row = Row::INVALID;
-        Self {
-            outcome: vec![row.outcome; len],
-            sequence: vec![0; len],
-            transitions: vec![0; len],
-            painleve: vec![0; len],
-            reals: core::array::from_fn(|_| vec![f64::NAN; len]),
-        }
+        let columns = SummaryColumn::ALL.map(|column| ColumnValues::repeat(not_computed(column), len));
+        Self { columns, len }
     }
 
-    /// Number of rows.
+    /// From the values of each column of [`SummaryColumn::ALL`].
+    ///
+    /// # Errors
+    /// Says which column is of another type or length than it must be, or holds a number that is no code.
+    pub(crate) fn from_values(columns: Vec<ColumnValues>) -> Result<Self, String> {
+        let columns: [ColumnValues; COLUMNS] = columns
+            .try_into()
+            .map_err(|columns: Vec<_>| format!("{} columns instead of {COLUMNS}", columns.len()))?;
+        let len = columns[0].len();
+        for (column, values) in SummaryColumn::ALL.into_iter().zip(&columns) {
+            let blank = ColumnValues::repeat(not_computed(column), 0);
+            if core::mem::discriminant(&blank) != core::mem::discriminant(values) {
+                return Err(format!("column {column} is of another type"));
+            }
+            if values.len() != len {
+                return Err(format!("column {column} has {} values, others {len}", values.len()));
+            }
+            if let (ColumnType::Outcome, ColumnValues::U8(codes)) = (column.column_type(), values) {
+                for &code in codes {
+                    OutcomeKind::try_from(code).map_err(|error| format!("column {column}: {error}"))?;
+                }
+            }
+        }
+        Ok(Self { columns, len })
+    }
+
+    /// Sets the summaries of some points, each at its place.
+    pub(crate) fn fill(&mut self, summaries: &[Vec<(u32, Summary)>]) {
+        self.columns.par_iter_mut().zip(SummaryColumn::ALL).for_each(|(values, column)| {
+            for summaries in summaries {
+                values.fill(column, summaries);
+            }
+        });
+    }
+
+    /// Number of points.
     #[must_use]
     pub const fn len(&self) -> usize {
-        self.outcome.len()
+        self.len
     }
 
-    /// Whether there are no rows.
+    /// Whether there are no points.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
-        self.outcome.is_empty()
+        self.len == 0
     }
 
-    /// A real column.
+    /// The values of a column.
     #[must_use]
-    pub fn real(&self, column: Real) -> &[f64] {
-        &self.reals[column as usize]
+    pub const fn column(&self, column: SummaryColumn) -> &ColumnValues {
+        &self.columns[column.code() as usize]
     }
 
-    /// A row below [`Columns::len`].
+    /// All columns with their values.
+    pub fn columns(&self) -> impl ExactSizeIterator<Item = (SummaryColumn, &ColumnValues)> + '_ {
+        SummaryColumn::ALL.into_iter().zip(&self.columns)
+    }
+
+    /// The values of a column of real numbers; none for codes and counts.
     #[must_use]
-    pub fn row(&self, i: usize) -> Row {
-        let real = |column: Real| self.reals[column as usize][i];
-        Row {
-            outcome: self.outcome[i],
-            sequence: PhaseSequence::from_bits(self.sequence[i]),
-            transitions: self.transitions[i],
-            end_time: real(Real::EndTime),
-            end_theta: real(Real::EndTheta),
-            end_theta_rate: real(Real::EndThetaRate),
-            end_slip: real(Real::EndSlip),
-            end_x: real(Real::EndX),
-            energy: real(Real::Energy),
-            first_slip_time: real(Real::FirstSlipTime),
-            lift_off_time: real(Real::LiftOffTime),
-            jump_length: real(Real::JumpLength),
-            jump_height: real(Real::JumpHeight),
-            painleve: self.painleve[i] != 0,
+    pub fn reals(&self, column: SummaryColumn) -> Option<&[f64]> {
+        self.column(column).as_f64()
+    }
+
+    /// The summary of a point below [`Columns::len`].
+    ///
+    /// # Panics
+    /// Beyond it.
+    #[must_use]
+    pub fn summary(&self, i: usize) -> Summary {
+        let mut summary = Summary::NOT_COMPUTED;
+        for (column, values) in self.columns() {
+            let taken = column.set(&mut summary, values.get(i));
+            debug_assert!(taken, "{column} has been checked");
         }
+        summary
     }
 
-    /// All rows in order.
-    pub fn rows(&self) -> impl ExactSizeIterator<Item = Row> + '_ {
-        (0..self.len()).map(|i| self.row(i))
+    /// All summaries in order.
+    pub fn summaries(&self) -> impl ExactSizeIterator<Item = Summary> + '_ {
+        (0..self.len).map(|i| self.summary(i))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_that_are_no_columns_are_refused() {
+        let good = Columns::blank(2);
+        assert_eq!(Columns::from_values(good.columns.to_vec()).map(|columns| columns.len()), Ok(2));
+        let with = |column: SummaryColumn, values| {
+            let mut columns = good.columns.clone();
+            columns[usize::from(column.code())] = values;
+            Columns::from_values(columns.to_vec()).map(drop)
+        };
+        assert!(with(SummaryColumn::Energy, ColumnValues::U8(vec![0; 2])).is_err());
+        assert!(with(SummaryColumn::Energy, ColumnValues::F64(vec![0.0; 3])).is_err());
+        assert!(with(SummaryColumn::Outcome, ColumnValues::U8(vec![0, 77])).is_err());
+        assert!(with(SummaryColumn::Painleve, ColumnValues::U8(vec![0, 1])).is_ok());
     }
 
-    pub(crate) fn set(&mut self, i: usize, row: &Row) {
-        self.outcome[i] = row.outcome;
-        self.sequence[i] = row.sequence.bits();
-        self.transitions[i] = row.transitions;
-        self.painleve[i] = u8::from(row.painleve);
-        for (column, values) in Real::ALL.into_iter().zip(&mut self.reals) {
-            values[i] = column.of(row);
+    #[test]
+    fn codes_are_places() {
+        for (i, column) in SummaryColumn::ALL.into_iter().enumerate() {
+            assert_eq!(usize::from(column.code()), i);
         }
     }
 }

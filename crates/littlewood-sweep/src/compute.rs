@@ -1,22 +1,31 @@
-//! Points in, columns out: on all cores, and the same whatever their number.
+//! Computes points on all cores; the results do not depend on how many there are.
 
 use core::num::NonZeroUsize;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use littlewood::{Engine, Hoop, HoopParameters, Limits, ParameterError, Start};
+use littlewood::{Engine, Hoop, HoopParameters, Limits, ParameterError, Setup, Start, Summary};
 use rayon::prelude::*;
+use thiserror::Error;
 
-use crate::columns::{Columns, Row};
-use crate::error::SweepError;
-use crate::grid::is_relation;
-use crate::point::Point;
+use crate::columns::Columns;
+use crate::setup::{HoopBits, hoop_bits};
 
 /// Points that one task computes: long enough to pay for the task, short enough to share a chunk among many cores.
 const TASK: usize = 512;
 
 /// Hoops whose engines are kept for the next call.
 const KEPT: usize = 8;
+
+/// The operating system gives no threads.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("cannot start {threads} threads: {reason}")]
+pub struct ThreadsError {
+    /// How many were asked for; 0 for as many as there are cores.
+    pub threads: usize,
+    /// What the system says.
+    pub reason: String,
+}
 
 /// The threads of a sweep, and the engines that they have prepared last.
 #[derive(Debug)]
@@ -25,27 +34,31 @@ pub struct Workers {
     engines: Mutex<Vec<Prepared>>,
 }
 
-/// The engine of a hoop; none for parameters that are no hoop because of a relation between them.
+/// The engine of a hoop; none for parameters that contradict each other.
 #[derive(Clone, Debug)]
 struct Prepared {
-    bits: [u64; 5],
+    bits: HoopBits,
     engine: Option<Arc<Engine>>,
 }
 
 impl Prepared {
-    fn new(point: &Point, starts: usize) -> Result<Self, ParameterError> {
-        let prepare = if starts >= Engine::REPAYS { Engine::new } else { Engine::unprepared };
+    fn new(point: &Setup, starts: usize) -> Result<Self, ParameterError> {
+        let prepare =
+            if starts >= Engine::MIN_STARTS_FOR_TABLES { Engine::new } else { Engine::without_tables };
         let engine = match Hoop::new(point.hoop) {
             Ok(hoop) => Some(Arc::new(prepare(&hoop))),
-            Err(error) if is_relation(&error) => None,
+            Err(error) if error.is_contradiction() => None,
             Err(error) => return Err(error),
         };
-        Ok(Self { bits: point.hoop_bits(), engine })
+        Ok(Self { bits: hoop_bits(point), engine })
     }
 }
 
-/// The rows of a hoop, task by task, each with the place of its point; and its engine, if it is kept.
-type Group = (Option<Prepared>, Vec<Vec<(u32, Row)>>);
+/// The summaries of a task, each with the place of its point.
+type Task = Vec<(u32, Summary)>;
+
+/// The tasks of a hoop, and its engine, if it is kept.
+type Group = (Option<Prepared>, Vec<Task>);
 
 /// A point that was refused, by its place among the points.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,13 +71,13 @@ impl Workers {
     /// Starts this many threads; all cores if none is given.
     ///
     /// # Errors
-    /// If the operating system has no threads to give.
-    pub fn new(threads: Option<NonZeroUsize>) -> Result<Self, SweepError> {
+    /// If the operating system gives no threads.
+    pub fn new(threads: Option<NonZeroUsize>) -> Result<Self, ThreadsError> {
         let threads = threads.map_or(0, NonZeroUsize::get);
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
-            .map_err(|error| SweepError::Threads { threads, reason: error.to_string() })?;
+            .map_err(|error| ThreadsError { threads, reason: error.to_string() })?;
         Ok(Self { pool, engines: Mutex::new(Vec::new()) })
     }
 
@@ -79,20 +92,22 @@ impl Workers {
         self.pool.install(work)
     }
 
-    /// Computes points, one row a point in their order. The result does not depend on the number of threads.
+    /// Computes points, in their order. The result does not depend on the number of threads.
     ///
     /// Points that share their hoop share its engine, wherever they stand; a hoop with few points is simulated without
     /// tables, with the same outcomes and times that agree to rounding. Where the parameters of a hoop contradict
-    /// each other (μk > μs, or a point mass at the centre) the row has the outcome [`crate::outcome::INVALID`].
+    /// each other (μk > μs, or a point mass at the centre) the outcome is
+    /// [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid).
     ///
     /// ```
-    /// use littlewood::{HoopParameters, Limits, Start};
-    /// use littlewood_sweep::{Point, Real, Workers};
+    /// use littlewood::{HoopParameters, Limits, Setup, Start, SummaryColumn};
+    /// use littlewood_sweep::Workers;
     ///
-    /// let hoop = HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s: 0.5, mu_k: 0.4 };
-    /// let starts = (1..=3).map(|i| Point { hoop, start: Start::at(0.0, f64::from(i)) });
-    /// let columns = Workers::new(None)?.compute(starts, Limits::default())?;
-    /// assert_eq!(columns.real(Real::LiftOffTime)[1], 0.0); // at θ' = 2 > √2 it leaves the plane at once
+    /// let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
+    /// let points = (1..=3).map(|i| Setup::new(hoop, Start::at(0.0, f64::from(i))));
+    /// let columns = Workers::new(None)?.compute(points, Limits::default())?;
+    /// let lift_off = columns.reals(SummaryColumn::LiftOffTime).expect("a column of real numbers");
+    /// assert_eq!(lift_off[1], 0.0); // at θ' = 2 > √2 it leaves the plane at once
     /// # Ok::<(), littlewood_sweep::SweepError>(())
     /// ```
     ///
@@ -100,11 +115,11 @@ impl Workers {
     /// The first value, in the order of the points, that has no physical meaning by itself.
     pub fn compute(
         &self,
-        points: impl IntoIterator<Item = Point>,
+        points: impl IntoIterator<Item = Setup>,
         limits: Limits,
-    ) -> Result<Columns, SweepError> {
-        let points: Vec<Point> = points.into_iter().collect();
-        self.compute_points(&points, limits).map_err(|refused| refused.error.into())
+    ) -> Result<Columns, ParameterError> {
+        let points: Vec<Setup> = points.into_iter().collect();
+        self.compute_points(&points, limits).map_err(|refused| refused.error)
     }
 
     /// Computes starts of one hoop, as [`Workers::compute`] does.
@@ -116,11 +131,11 @@ impl Workers {
         hoop: HoopParameters,
         starts: &[Start],
         limits: Limits,
-    ) -> Result<Columns, SweepError> {
-        self.compute(starts.iter().map(|&start| Point { hoop, start }), limits)
+    ) -> Result<Columns, ParameterError> {
+        self.compute(starts.iter().map(|&start| Setup::new(hoop, start)), limits)
     }
 
-    pub(crate) fn compute_points(&self, points: &[Point], limits: Limits) -> Result<Columns, Refused> {
+    pub(crate) fn compute_points(&self, points: &[Setup], limits: Limits) -> Result<Columns, Refused> {
         let groups = group_by_hoop(points);
         let known = std::mem::take(&mut *self.engines.lock().unwrap_or_else(PoisonError::into_inner));
         let keep = groups.len() <= KEPT;
@@ -130,21 +145,21 @@ impl Workers {
                     .par_iter()
                     .map(|indices| {
                         let first = &points[indices[0] as usize];
-                        let bits = first.hoop_bits();
+                        let bits = hoop_bits(first);
                         // What was prepared earlier must not change the digits of a hoop with few points.
-                        let repays = indices.len() >= Engine::REPAYS;
-                        let prepared = match known.iter().find(|prepared| repays && prepared.bits == bits) {
+                        let has_tables = indices.len() >= Engine::MIN_STARTS_FOR_TABLES;
+                        let prepared = match known.iter().find(|known| has_tables && known.bits == bits) {
                             Some(prepared) => prepared.clone(),
                             None => Prepared::new(first, indices.len())
                                 .map_err(|error| Refused { index: indices[0] as usize, error })?,
                         };
-                        let rows = indices
+                        let tasks = indices
                             .par_chunks(TASK)
                             .map(|task| compute_task(points, task, prepared.engine.as_deref(), limits))
                             .collect::<Vec<_>>();
-                        // Errors are sifted here, in order: `collect` into a Result would return any of them.
-                        let rows = rows.into_iter().collect::<Result<Vec<_>, _>>()?;
-                        Ok(((keep && repays).then_some(prepared), rows))
+                        // In order: a parallel `collect` into a Result would return any of several errors.
+                        let tasks = tasks.into_iter().collect::<Result<Vec<_>, _>>()?;
+                        Ok(((keep && has_tables).then_some(prepared), tasks))
                     })
                     .collect::<Vec<Result<_, Refused>>>()
             })
@@ -153,12 +168,12 @@ impl Workers {
 
         let mut columns = Columns::blank(points.len());
         let mut engines = Vec::new();
+        let mut summaries = Vec::new();
         for (prepared, tasks) in results {
             engines.extend(prepared);
-            for (index, row) in tasks.into_iter().flatten() {
-                columns.set(index as usize, &row);
-            }
+            summaries.extend(tasks);
         }
+        self.install(|| columns.fill(&summaries));
         *self.engines.lock().unwrap_or_else(PoisonError::into_inner) = engines;
         Ok(columns)
     }
@@ -177,32 +192,32 @@ fn first_refused<T>(so_far: Result<Vec<T>, Refused>, next: Result<T, Refused>) -
 }
 
 fn compute_task(
-    points: &[Point],
+    points: &[Setup],
     indices: &[u32],
     engine: Option<&Engine>,
     limits: Limits,
-) -> Result<Vec<(u32, Row)>, Refused> {
-    let row = |index: u32| {
-        let Some(engine) = engine else { return Ok((index, Row::INVALID)) };
+) -> Result<Task, Refused> {
+    let summary = |index: u32| {
+        let Some(engine) = engine else { return Ok((index, Summary::INVALID)) };
         match engine.summary(points[index as usize].start, limits) {
-            Ok(summary) => Ok((index, Row::from(&summary))),
+            Ok(summary) => Ok((index, summary)),
             Err(error) => Err(Refused { index: index as usize, error }),
         }
     };
-    indices.iter().map(|&index| row(index)).collect()
+    indices.iter().map(|&index| summary(index)).collect()
 }
 
 /// The places of the points of each hoop, hoops in the order in which they first occur.
 ///
 /// # Panics
 /// For more than 2³² points.
-fn group_by_hoop(points: &[Point]) -> Vec<Vec<u32>> {
+fn group_by_hoop(points: &[Setup]) -> Vec<Vec<u32>> {
     assert!(u32::try_from(points.len()).is_ok(), "at most 2^32 points at once; compute them in chunks");
     let mut groups: Vec<Vec<u32>> = Vec::new();
-    let mut place: HashMap<[u64; 5], usize> = HashMap::new();
-    let mut last: Option<([u64; 5], usize)> = None;
+    let mut place: HashMap<HoopBits, usize> = HashMap::new();
+    let mut last: Option<(HoopBits, usize)> = None;
     for (index, point) in (0_u32..).zip(points) {
-        let bits = point.hoop_bits();
+        let bits = hoop_bits(point);
         let group = match last {
             Some((same, group)) if same == bits => group,
             _ => *place.entry(bits).or_insert_with(|| {

@@ -1,12 +1,48 @@
 //! The description of a run, as stores keep it: two runs with the same description have the same result.
 
-use littlewood::{HoopParameters, Limits, Start};
+use littlewood::{HoopParameters, Limits, PhaseSequence, Setup, Start};
 use serde_json::{Map, Value, json};
 
-use crate::axis::{Axis, Coordinate};
+use crate::axis::Axis;
 use crate::grid::Grid;
-use crate::point::Point;
+use crate::setup::{places, quantities, value};
 use crate::starts::StartList;
+
+/// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and no version.
+pub const FORMAT: u32 = 2;
+
+/// The version of stores that have none.
+const FIRST_FORMAT: u64 = 1;
+
+/// A version of a store that this program does not read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ForeignVersion {
+    /// What it is the version of.
+    pub what: &'static str,
+    /// The version that is there.
+    pub found: u64,
+    /// The version that is needed.
+    pub needed: u32,
+    /// The version of the program that made the store, if it says so.
+    pub program: Option<String>,
+}
+
+impl ForeignVersion {
+    /// Of the version in a header and those in a description; none if all are those of this program.
+    pub(crate) fn find(header: Option<&Value>, run: &Value) -> Option<Self> {
+        let number = |version: Option<&Value>| version.and_then(Value::as_u64).unwrap_or(FIRST_FORMAT);
+        let program = run.get("version").and_then(Value::as_str).map(str::to_owned);
+        [
+            ("format", header, FORMAT),
+            ("format", run.get("format"), FORMAT),
+            ("sequences of version", run.get("sequence_version"), PhaseSequence::VERSION),
+        ]
+        .into_iter()
+        .map(|(what, version, needed)| (what, number(version), needed))
+        .find(|&(_, found, needed)| found != u64::from(needed))
+        .map(|(what, found, needed)| Self { what, found, needed, program })
+    }
+}
 
 /// What a run computes, in JSON.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,17 +50,18 @@ pub(crate) struct Description(pub(crate) Value);
 
 impl Description {
     pub(crate) fn of_grid(grid: &Grid, limits: Limits, chunk: &[usize]) -> Self {
-        let fixed: Map<String, Value> = Coordinate::ALL
-            .into_iter()
-            .filter(|&coordinate| grid.axes().iter().all(|axis| axis.coordinate() != coordinate))
-            .map(|coordinate| (coordinate.name().to_owned(), coordinate.of_point(grid.base()).into()))
+        let place = places().map(|quantity| (quantity, value(grid.base(), quantity)));
+        let fixed: Map<String, Value> = grid
+            .fixed()
+            .chain(place)
+            .map(|(quantity, value)| (quantity.name().to_owned(), value.into()))
             .collect();
         let axes: Vec<Value> = grid
             .axes()
             .iter()
             .map(|axis| {
                 json!({
-                    "quantity": axis.coordinate().name(),
+                    "quantity": axis.quantity().name(),
                     "from": axis.from(),
                     "to": axis.to(),
                     "count": axis.count(),
@@ -33,29 +70,27 @@ impl Description {
             .collect();
         Self(json!({
             "version": env!("CARGO_PKG_VERSION"),
+            "format": FORMAT,
+            "sequence_version": PhaseSequence::VERSION,
             "points": "grid",
             "axes": axes,
             "fixed": fixed,
-            "start_time": grid.base().start.time,
-            "start_x": grid.base().start.x,
             "limits": of_limits(limits),
             "chunk": chunk,
         }))
     }
 
     pub(crate) fn of_list(list: &StartList, limits: Limits, chunk: usize) -> Self {
-        let base = list.base();
-        let base_values: Map<String, Value> = Coordinate::ALL
-            .into_iter()
-            .map(|coordinate| (coordinate.name().to_owned(), coordinate.of_point(base).into()))
+        let base: Map<String, Value> = quantities()
+            .map(|quantity| (quantity.name().to_owned(), value(list.base(), quantity).into()))
             .collect();
         Self(json!({
             "version": env!("CARGO_PKG_VERSION"),
+            "format": FORMAT,
+            "sequence_version": PhaseSequence::VERSION,
             "points": "list",
             "list": list.fingerprint(),
-            "base": base_values,
-            "start_time": base.start.time,
-            "start_x": base.start.x,
+            "base": base,
             "limits": of_limits(limits),
             "chunk": chunk,
         }))
@@ -66,37 +101,31 @@ impl Description {
         crc32fast::hash(self.0.to_string().as_bytes())
     }
 
-    /// What another description says otherwise: `name: there / here`.
+    /// In what another description differs: `name: there / here`.
     pub(crate) fn differences(&self, there: &Value) -> Vec<String> {
         let mut differences = Vec::new();
         compare("", Some(there), Some(&self.0), &mut differences);
         differences
     }
 
-    /// The grid and the limits again.
+    /// The grid, the limits and the shape of chunks that a description of a grid has.
     pub(crate) fn grid(value: &Value) -> Option<(Grid, Limits, Vec<usize>)> {
-        let mut base = Point {
-            hoop: HoopParameters { mass_ratio: 1.0, offset: 0.5, inertia: 1.0, mu_s: 0.0, mu_k: 0.0 },
-            start: Start::at(0.0, 0.0)
-                .with_time(value.get("start_time")?.as_f64()?)
-                .with_x(value.get("start_x")?.as_f64()?),
-        };
+        let mut base = Setup::new(HoopParameters::default(), Start::default());
         for (name, number) in value.get("fixed")?.as_object()? {
-            Coordinate::find(name)?.set(&mut base, number.as_f64()?);
+            *base.place(name.parse().ok()?)? = number.as_f64()?;
         }
         let mut axes = Vec::new();
         for axis in value.get("axes")?.as_array()? {
-            let coordinate = Coordinate::find(axis.get("quantity")?.as_str()?)?;
+            let quantity = axis.get("quantity")?.as_str()?.parse().ok()?;
             let count = usize::try_from(axis.get("count")?.as_u64()?).ok()?;
             axes.push(
-                Axis::new(coordinate, axis.get("from")?.as_f64()?, axis.get("to")?.as_f64()?, count).ok()?,
+                Axis::new(quantity, axis.get("from")?.as_f64()?, axis.get("to")?.as_f64()?, count).ok()?,
             );
         }
         let limits = value.get("limits")?;
-        let limits = Limits {
-            until: limits.get("until")?.as_f64(),
-            transitions: usize::try_from(limits.get("transitions")?.as_u64()?).ok()?,
-        };
+        let limits = Limits::default()
+            .with_until(limits.get("until")?.as_f64())
+            .with_transitions(usize::try_from(limits.get("transitions")?.as_u64()?).ok()?);
         let chunk = value.get("chunk")?.as_array()?;
         let chunk =
             chunk.iter().map(|size| usize::try_from(size.as_u64()?).ok()).collect::<Option<Vec<_>>>()?;

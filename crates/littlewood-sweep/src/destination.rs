@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 use crate::columns::Columns;
 use crate::compute::Workers;
 use crate::disk::Disk;
-use crate::error::StoreError;
+use crate::options::Options;
 use crate::parquet::{OneFile, Table};
-use crate::run::{Finished, Format, Options, StoreFile};
-use crate::store::Store;
+use crate::store::{Format, Store, StoreError, StoreFile, WrittenChunk};
 use crate::tally::Tally;
 
 /// What the results of a run are written to.
@@ -45,7 +44,7 @@ impl Destination {
         }
     }
 
-    /// Finds out whether the run may begin or go on. Writes nothing.
+    /// Finds out whether the run may begin or be resumed. Writes nothing.
     pub(crate) fn inspect(&self, resume: bool) -> Result<(), StoreError> {
         match self {
             Self::Store { root, format } => Store::inspect(root, format.as_ref(), resume),
@@ -65,26 +64,26 @@ impl Destination {
         count: usize,
         options: &Options<'a>,
         workers: &Workers,
-    ) -> Result<Place<'a>, StoreError> {
+    ) -> Result<OpenDestination<'a>, StoreError> {
         let disk = options.disk;
         let open = |root| Store::open(root, self.format(), count, options.resume, disk, workers);
         let state = match self {
             Self::Store { root, .. } => State::Open(open(root)?),
             Self::File(file) => match file.inspect()? {
                 Some(tally) => {
-                    // A kill may have come between the last two steps of a run.
+                    // A run may have been killed between its last two steps.
                     file.remove_parts()?;
                     State::Done(tally)
                 }
                 None => State::Open(open(file.parts())?),
             },
         };
-        Ok(Place { destination: self, state, disk, count })
+        Ok(OpenDestination { destination: self, state, disk, count })
     }
 }
 
-/// A destination in a run.
-pub(crate) struct Place<'a> {
+/// A destination that a run writes to.
+pub(crate) struct OpenDestination<'a> {
     destination: &'a Destination,
     state: State<'a>,
     disk: &'a dyn Disk,
@@ -97,7 +96,7 @@ enum State<'a> {
     Done(Tally),
 }
 
-impl Place<'_> {
+impl OpenDestination<'_> {
     pub(crate) fn has(&self, chunk: usize) -> bool {
         match &self.state {
             State::Open(store) => store.has(chunk),
@@ -129,18 +128,18 @@ impl Place<'_> {
         };
         columns.ok_or_else(|| StoreError::DamagedChunk {
             path: path.to_owned(),
-            reason: format!("chunk {chunk} has gone while it was read"),
+            reason: format!("chunk {chunk} was removed while it was read"),
         })
     }
 
-    pub(crate) fn add(&mut self, chunk: &Finished, files: &[StoreFile]) -> Result<(), StoreError> {
+    pub(crate) fn add(&mut self, chunk: WrittenChunk, files: &[StoreFile]) -> Result<(), StoreError> {
         match &mut self.state {
             State::Open(store) => store.add(chunk, files),
             State::Done(_) => Ok(()),
         }
     }
 
-    /// All chunks are there; `tally` are its points.
+    /// Completes it once all chunks are there; `tally` are the points of the run.
     pub(crate) fn complete(self, tally: Tally) -> Result<(), StoreError> {
         let State::Open(store) = self.state else { return Ok(()) };
         store.complete()?;

@@ -1,10 +1,10 @@
-//! Writing files so that each is there as a whole or not at all.
+//! Writing files atomically.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-/// What a sweep asks of a disk. Tests put one there that fills up.
+/// What a sweep asks of a disk. Tests give it one that fills up.
 pub trait Disk: Sync {
     /// Makes a folder and those above it.
     ///
@@ -12,7 +12,7 @@ pub trait Disk: Sync {
     /// Of the operating system.
     fn create_folder(&self, path: &Path) -> io::Result<()>;
 
-    /// Writes a file; whoever looks sees all of it or nothing.
+    /// Writes a file atomically: a reader sees all of it or nothing.
     ///
     /// # Errors
     /// Of the operating system.
@@ -33,8 +33,8 @@ pub trait Disk: Sync {
 
 /// The file system.
 ///
-/// A file is written under another name and then renamed. It is not forced to the medium: should the power fail, the
-/// checksum of the chunk shows what is missing when the run is resumed.
+/// A file is written under another name and then renamed. It is not forced to the medium (`fsync`): after a failure of
+/// the power the checksums of the chunks show what is missing when the run is resumed.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FileSystem;
 
@@ -59,7 +59,7 @@ impl Disk for FileSystem {
             .and_then(|mut file| file.write_all(bytes))
             .and_then(|()| fs::rename(&unfinished, path));
         if written.is_err() {
-            // The first error is the one to tell; this only frees the room that the torn file takes.
+            // The first error is the one to report; this only frees the room that the unfinished file takes.
             let _ = fs::remove_file(&unfinished);
         }
         written

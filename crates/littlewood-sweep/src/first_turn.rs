@@ -4,15 +4,16 @@
 use core::f64::consts::TAU;
 
 use littlewood::{
-    Direction, Hoop, Limits, Mode, Motion, Outcome, ParameterError, Phase, PhaseSequence, Recurrence, Start,
+    Direction, Hoop, Limits, Mode, Outcome, OutcomeKind, ParameterError, Phase, PhaseSequence, PhaseSolution,
+    Start,
 };
 
-/// Instants at which a phase is looked at. A phase of rolling lasts at most one period of its orbit, in which θ′ changes
+/// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of its orbit, in which θ′ changes
 /// sign twice at most, half a period apart.
-const LOOKS: u32 = 64;
+const INSTANTS: u32 = 64;
 
-/// Transitions after which a motion is looked at, the last of which it is given up after. Most first turns have few; with
-/// μs = μk slips can shrink without end.
+/// Limits of transitions to which a motion is followed, one after the other until it stops. Most first turns have few
+/// transitions; with μs = μk slips can shrink without end.
 const TRANSITIONS: [usize; 3] = [6, 30, 200];
 
 /// What ends a first turn.
@@ -63,7 +64,7 @@ impl FirstTurn {
     /// use littlewood_sweep::{FirstTurn, Stop};
     ///
     /// // A particle at half the radius, a plane rough enough: it rolls round, once.
-    /// let hoop = HoopParameters { mass_ratio: 1.0, offset: 0.5, inertia: 1.0, mu_s: 5.0, mu_k: 5.0 };
+    /// let hoop = HoopParameters::new(1.0, 0.5, 1.0).with_friction(5.0, 5.0);
     /// let turn = FirstTurn::new(&Hoop::new(hoop)?, Start::at(0.0, 0.5))?;
     /// assert_eq!((turn.sequence.to_string().as_str(), turn.stop), ("R", Stop::Revolution));
     /// # Ok::<(), littlewood::ParameterError>(())
@@ -86,9 +87,9 @@ impl FirstTurn {
 
     /// The first turn in so many transitions; in `Err` what there is of one that does not stop in them.
     fn within(hoop: &Hoop, start: Start, transitions: usize) -> Result<Result<Self, Self>, ParameterError> {
-        let motion = hoop.simulate(start, Limits { until: None, transitions })?;
+        let motion = hoop.simulate(start, Limits::default().with_transitions(transitions))?;
         let mut sequence = PhaseSequence::default();
-        let Some(travel) = Direction::of(start.theta_rate) else {
+        let Some(travel) = Direction::of_sign(start.theta_rate) else {
             for phase in motion.phases() {
                 sequence.push(phase.mode(), phase.direction());
             }
@@ -112,26 +113,30 @@ impl FirstTurn {
             }
         }
         let never = Self { sequence, stop: Stop::Never, time: f64::NAN };
-        Ok(match motion.outcome() {
-            Outcome::TransitionLimit { .. } => Err(never),
-            Outcome::RollsForever { .. } | Outcome::SlidesForever { .. } | Outcome::TimeLimit { .. } => {
-                Ok(never)
-            }
-            _ => Ok(Self { stop: Stop::Ends, ..never }),
+        Ok(match motion.outcome().kind() {
+            OutcomeKind::TransitionLimit => Err(never),
+            OutcomeKind::RollsForever | OutcomeKind::SlidesForever | OutcomeKind::TimeLimit => Ok(never),
+            OutcomeKind::Landing
+            | OutcomeKind::ParticleAtPlane
+            | OutcomeKind::ParticleAtBottom
+            | OutcomeKind::ParticleAtTop
+            | OutcomeKind::Inconsistent
+            | OutcomeKind::Ambiguous
+            | OutcomeKind::Singular
+            | OutcomeKind::Unresolved
+            | OutcomeKind::NotComputed
+            | OutcomeKind::Invalid => Ok(Self { stop: Stop::Ends, ..never }),
         })
     }
 }
 
 /// The period of a phase that lasts for ever; none if it does not come back.
 fn period(phase: &Phase, outcome: &Outcome) -> Option<f64> {
-    let recurrence = match (phase.motion(), outcome) {
-        (Motion::Rolling(rolling), _) => rolling.orbit().recurrence(),
-        (_, Outcome::SlidesForever { recurrence, .. }) => *recurrence,
-        _ => return None,
-    };
-    match recurrence {
-        Recurrence::Libration { period, .. } | Recurrence::Rotation { period } => Some(period),
-        Recurrence::Rest | Recurrence::Asymptotic { .. } => None,
+    match phase.motion() {
+        PhaseSolution::Rolling(rolling) => rolling.orbit().recurrence().period(),
+        PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => {
+            outcome.recurrence().and_then(|recurrence| recurrence.period())
+        }
     }
 }
 
@@ -156,9 +161,9 @@ impl Turn {
     /// The first stop in a phase, and the time from the start of the phase.
     fn stop_in(&self, phase: &Phase, duration: f64) -> Option<(Stop, f64)> {
         let mut before = 0.0;
-        for look in 1..=LOOKS {
+        for instant in 1..=INSTANTS {
             // A little more than a period, so that rounding does not hide its end.
-            let mut after = duration * f64::from(look) / f64::from(LOOKS) * (1.0 + 1e-12);
+            let mut after = duration * f64::from(instant) / f64::from(INSTANTS) * (1.0 + 1e-12);
             let Some(mut stop) = self.stop_at(phase, after) else {
                 before = after;
                 continue;

@@ -1,33 +1,29 @@
-//! A grid: a base point and axes that vary some of its coordinates.
+//! A grid: a base setup and axes that vary some of its quantities.
 
 use core::ops::Range;
 
-use littlewood::{Bound, Engine, Hoop, HoopParameters, Limits, ParameterError, Quantity, Start};
+use littlewood::{Hoop, HoopParameters, Quantity, Setup};
 
-use crate::axis::{Axis, Coordinate};
-use crate::error::AxisError;
-use crate::point::Point;
+use crate::axis::{Axis, AxisError};
+use crate::setup::{quantities, value};
 
 /// The points of a grid, numbered row by row: the last axis runs fastest.
 ///
 /// ```
-/// use littlewood::{HoopParameters, Start};
-/// use littlewood_sweep::{Axis, Coordinate, Grid, Point};
+/// use littlewood::{HoopParameters, Quantity, Setup, Start};
+/// use littlewood_sweep::{Axis, Grid};
 ///
-/// let base = Point {
-///     hoop: HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s: 0.5, mu_k: 0.4 },
-///     start: Start::at(0.0, 0.0),
-/// };
-/// let theta = Axis::new(Coordinate::Theta, -1.0, 1.0, 3)?;
-/// let rate = Axis::new(Coordinate::ThetaRate, 0.0, 4.0, 5)?;
-/// let grid = Grid::new(base, vec![theta, rate])?;
+/// let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
+/// let theta = Axis::new(Quantity::Theta, -1.0, 1.0, 3)?;
+/// let rate = Axis::new(Quantity::ThetaRate, 0.0, 4.0, 5)?;
+/// let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.0)), vec![theta, rate])?;
 /// assert_eq!(grid.len(), 15);
 /// assert_eq!(grid.point(6).start, Start::at(0.0, 1.0));
 /// # Ok::<(), littlewood_sweep::AxisError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {
-    base: Point,
+    base: Setup,
     axes: Vec<Axis>,
     len: u64,
 }
@@ -35,19 +31,20 @@ pub struct Grid {
 impl Grid {
     /// Checks every value that has a meaning of its own: ends of axes, fixed values, and a value on an axis together
     /// with fixed values. Where the fault is in a combination of two axes (μk > μs on a grid of both, say), the points
-    /// with that combination have the outcome [`crate::outcome::INVALID`], and the others are computed.
+    /// with that combination have the outcome [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid), and the
+    /// others are computed.
     ///
     /// # Errors
     /// Names the axis, its value and the bound it breaks.
-    pub fn new(base: Point, axes: Vec<Axis>) -> Result<Self, AxisError> {
+    pub fn new(base: Setup, axes: Vec<Axis>) -> Result<Self, AxisError> {
         if axes.is_empty() {
             return Err(AxisError::None);
         }
         let mut len = 1_u64;
         for (i, axis) in axes.iter().enumerate() {
-            let coordinate = axis.coordinate();
-            if axes[..i].iter().any(|other| other.coordinate() == coordinate) {
-                return Err(AxisError::Twice { coordinate });
+            let quantity = axis.quantity();
+            if axes[..i].iter().any(|other| other.quantity() == quantity) {
+                return Err(AxisError::Twice { quantity });
             }
             len = len
                 .checked_mul(axis.count() as u64)
@@ -56,16 +53,19 @@ impl Grid {
         }
         let mut base = base;
         for axis in &axes {
-            axis.coordinate().set(&mut base, axis.from());
+            base.set(axis.quantity(), axis.from());
         }
         let grid = Self { base, axes, len };
-        grid.check()?;
+        grid.check_each()?;
+        for related in CONTRADICTIONS {
+            grid.check_together(related)?;
+        }
         Ok(grid)
     }
 
-    /// The base point; where there is an axis it has the first value of the axis.
+    /// The base setup; where there is an axis it has the first value of the axis.
     #[must_use]
-    pub const fn base(&self) -> &Point {
+    pub const fn base(&self) -> &Setup {
         &self.base
     }
 
@@ -90,114 +90,94 @@ impl Grid {
 
     /// The point with a number below [`Grid::len`].
     #[must_use]
-    pub fn point(&self, index: u64) -> Point {
+    pub fn point(&self, index: u64) -> Setup {
         let mut point = self.base;
         let mut rest = index;
         for axis in self.axes.iter().rev() {
             let count = axis.count() as u64;
             let i = usize::try_from(rest % count).unwrap_or(usize::MAX);
-            axis.coordinate().set(&mut point, axis.value(i));
+            point.set(axis.quantity(), axis.value(i));
             rest /= count;
         }
         point
     }
 
     /// The points of a range of numbers.
-    pub fn points(&self, range: Range<u64>) -> impl Iterator<Item = Point> + '_ {
+    pub fn points(&self, range: Range<u64>) -> impl Iterator<Item = Setup> + '_ {
         range.map(|index| self.point(index))
     }
 
     /// The point at one place of each axis.
     #[must_use]
-    pub fn point_at(&self, indices: &[usize]) -> Point {
+    pub fn point_at(&self, indices: &[usize]) -> Setup {
         let mut point = self.base;
         for (axis, &i) in self.axes.iter().zip(indices) {
-            axis.coordinate().set(&mut point, axis.value(i));
+            point.set(axis.quantity(), axis.value(i));
         }
         point
     }
 
-    fn axis(&self, coordinate: Coordinate) -> Option<&Axis> {
-        self.axes.iter().find(|axis| axis.coordinate() == coordinate)
+    /// The axis of a quantity; none where it is fixed.
+    #[must_use]
+    pub fn axis(&self, quantity: Quantity) -> Option<&Axis> {
+        self.axes.iter().find(|axis| axis.quantity() == quantity)
     }
 
-    fn check(&self) -> Result<(), AxisError> {
-        // Every coordinate alone: bounds are intervals, so the ends of an axis speak for it.
-        for coordinate in Coordinate::ALL {
-            match self.axis(coordinate) {
+    /// The quantities of [`Quantity::AXES`] that have no axis, each with its value.
+    pub(crate) fn fixed(&self) -> impl Iterator<Item = (Quantity, f64)> + '_ {
+        let fixed = Quantity::AXES.into_iter().filter(|&quantity| self.axis(quantity).is_none());
+        fixed.map(|quantity| (quantity, value(&self.base, quantity)))
+    }
+
+    /// Checks every quantity alone: bounds are intervals, so checking the ends of an axis checks all of it.
+    fn check_each(&self) -> Result<(), AxisError> {
+        for quantity in quantities() {
+            match self.axis(quantity) {
                 Some(axis) => {
                     for value in [axis.from(), axis.to()] {
-                        alone(coordinate, value).map_err(|source| AxisError::Value {
-                            coordinate,
+                        quantity.check(value).map_err(|source| AxisError::Value {
+                            quantity,
                             value,
                             source,
                         })?;
                     }
                 }
-                None => alone(coordinate, coordinate.of_point(&self.base))?,
+                None => {
+                    quantity.check(value(&self.base, quantity))?;
+                }
             }
         }
-        plain(self.base.start)?;
-        // Relations between coordinates: with one axis in them the axis is to blame, with none the fixed values.
-        for related in [
-            &[Coordinate::MuS, Coordinate::MuK][..],
-            &[Coordinate::MassRatio, Coordinate::Offset, Coordinate::Inertia],
-        ] {
-            let mut axes = related.iter().filter_map(|&coordinate| self.axis(coordinate));
-            let mut point = Point { hoop: HARMLESS, ..self.base };
-            for coordinate in related {
-                coordinate.set(&mut point, coordinate.of_point(&self.base));
+        Ok(())
+    }
+
+    /// Checks quantities that can contradict each other: with one axis among them every value of the axis, with none
+    /// the fixed values.
+    fn check_together(&self, related: &[Quantity]) -> Result<(), AxisError> {
+        let mut axes = related.iter().filter_map(|&quantity| self.axis(quantity));
+        let mut point = Setup { hoop: WITHOUT_CONTRADICTION, ..self.base };
+        for &quantity in related {
+            point.set(quantity, value(&self.base, quantity));
+        }
+        match (axes.next(), axes.next()) {
+            (None, _) => {
+                Hoop::new(point.hoop)?;
             }
-            match (axes.next(), axes.next()) {
-                (None, _) => {
-                    Hoop::new(point.hoop)?;
+            (Some(axis), None) => {
+                let quantity = axis.quantity();
+                for value in axis.values() {
+                    point.set(quantity, value);
+                    Hoop::new(point.hoop).map_err(|source| AxisError::Value { quantity, value, source })?;
                 }
-                (Some(axis), None) => {
-                    let coordinate = axis.coordinate();
-                    for value in axis.values() {
-                        coordinate.set(&mut point, value);
-                        Hoop::new(point.hoop).map_err(|source| AxisError::Value {
-                            coordinate,
-                            value,
-                            source,
-                        })?;
-                    }
-                }
-                (Some(_), Some(_)) => {}
             }
+            (Some(_), Some(_)) => {}
         }
         Ok(())
     }
 }
 
-/// A hoop with which every admissible value of one coordinate can be joined.
-const HARMLESS: HoopParameters =
-    HoopParameters { mass_ratio: 1.0, offset: 0.5, inertia: 1.0, mu_s: 0.5, mu_k: 0.5 };
+/// Quantities that can contradict each other though each is within its bounds: μk > μs, and a point mass at the centre.
+const CONTRADICTIONS: [&[Quantity]; 2] =
+    [&[Quantity::MuS, Quantity::MuK], &[Quantity::MassRatio, Quantity::Offset, Quantity::Inertia]];
 
-/// Checks one coordinate by itself.
-pub(crate) fn alone(coordinate: Coordinate, value: f64) -> Result<(), ParameterError> {
-    let mut point = Point { hoop: HARMLESS, start: Start::at(0.0, 0.0) };
-    coordinate.set(&mut point, value);
-    match coordinate {
-        Coordinate::MuS => point.hoop.mu_k = 0.0,
-        Coordinate::MuK if value > point.hoop.mu_s => point.hoop.mu_s = value,
-        _ => {}
-    }
-    Hoop::new(point.hoop)?;
-    plain(point.start)
-}
-
-/// Checks a start, by a motion that takes no time.
-pub(crate) fn plain(start: Start) -> Result<(), ParameterError> {
-    let hoop = Hoop::new(HARMLESS)?;
-    Engine::new(&hoop).summary(start, Limits { until: Some(start.time), transitions: 0 }).map(|_| ())
-}
-
-/// Whether a hoop is refused for a relation between its parameters, each of which is admissible.
-pub(crate) const fn is_relation(error: &ParameterError) -> bool {
-    matches!(
-        error,
-        ParameterError::NoMotion { .. }
-            | ParameterError::OutOfBounds { quantity: Quantity::MuK, bound: Bound::AtMost(..), .. }
-    )
-}
+/// A hoop whose other parameters contradict no value of the related ones.
+const WITHOUT_CONTRADICTION: HoopParameters = HoopParameters::new(1.0, 0.5, 1.0).with_friction(0.5, 0.5);

@@ -1,67 +1,19 @@
-//! The driver: computes chunk after chunk, writes each as a whole, and goes on where it was stopped.
+//! Running a sweep: chunk after chunk is computed and written atomically; a run that was stopped is resumed.
 
-use core::sync::atomic::{AtomicBool, Ordering};
-use std::path::{Path, PathBuf};
-
-use littlewood::Limits;
+use littlewood::{Class, Limits, Setup};
 use rayon::prelude::*;
-use serde_json::Value;
 
 use crate::columns::Columns;
 use crate::compute::{Refused, Workers};
-use crate::description::Description;
-use crate::destination::{Destination, Place};
-use crate::disk::{Disk, FileSystem};
-use crate::error::{StoreError, SweepError};
-use crate::outcome::Class;
-use crate::point::Point;
+use crate::destination::{Destination, OpenDestination};
+use crate::error::SweepError;
+use crate::options::{Options, Progress};
+use crate::source::Source;
+use crate::store::{StoreError, StoreFile, WrittenChunk};
 use crate::tally::Tally;
-
-/// Points of a chunk, unless another number is asked for.
-pub const CHUNK_POINTS: usize = 65_536;
 
 /// Chunks that are computed while those before them are written.
 const BATCH: usize = 2;
-
-/// How to run.
-pub struct Options<'a> {
-    /// Go on with a store that is there, if the parameters are the same.
-    pub resume: bool,
-    /// Largest number of points of a chunk.
-    pub chunk_points: usize,
-    /// When it becomes true the chunks in work are finished, and the run ends with a partial store.
-    pub cancel: Option<&'a AtomicBool>,
-    /// Told of every step forward.
-    pub progress: Option<&'a (dyn Fn(Progress) + Sync)>,
-    /// Where files go.
-    pub disk: &'a dyn Disk,
-}
-
-impl Default for Options<'_> {
-    fn default() -> Self {
-        Self { resume: false, chunk_points: CHUNK_POINTS, cancel: None, progress: None, disk: &FileSystem }
-    }
-}
-
-impl core::fmt::Debug for Options<'_> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Options")
-            .field("resume", &self.resume)
-            .field("chunk_points", &self.chunk_points)
-            .finish_non_exhaustive()
-    }
-}
-
-/// How far a run is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
-    /// Points whose chunks are on disk, those of an earlier run among them.
-    pub done: u64,
-    /// Points of them that an earlier run has computed.
-    pub reused: u64,
-    /// All points.
-    pub total: u64,
-}
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,65 +28,21 @@ pub struct Report {
     pub damaged_chunks: usize,
     /// Whether all chunks are there. If not, the run was cancelled.
     pub complete: bool,
-    /// Points of each class, those of an earlier run among them.
+    /// Points of each class, including those of an earlier run.
     pub tally: Tally,
 }
 
-/// A file of a store: its path within the store, and its bytes.
-pub(crate) type StoreFile = (PathBuf, Vec<u8>);
-
-/// Is shown the results of every chunk, in no particular order.
+/// Is called with the number and the results of every chunk, in no particular order.
 pub(crate) type View<'a> = &'a mut dyn FnMut(usize, &Columns);
 
-/// Points in chunks.
-pub(crate) trait Source {
-    /// Number of points.
-    fn total(&self) -> u64;
-    /// Number of chunks.
-    fn count(&self) -> usize;
-    /// Number of points of a chunk.
-    fn points_of(&self, chunk: usize) -> u64;
-    /// The points of a chunk; chunks are asked for in rising order, some left out.
-    fn points(&mut self, chunk: usize) -> Result<Vec<Point>, SweepError>;
-    /// Turns the refusal of a point of a chunk into an error that says where it stands.
-    fn refused(&self, chunk: usize, refused: Refused) -> SweepError;
+/// A chunk that is computed, and encoded for each destination that lacks it.
+struct FinishedChunk {
+    written: WrittenChunk,
+    /// One entry a destination; none for a destination that has the chunk.
+    files: Vec<Option<Vec<StoreFile>>>,
 }
 
-/// A format of stores.
-pub(crate) trait Format: Sync {
-    /// What the run computes.
-    fn description(&self) -> &Description;
-    /// The file that describes the run and says whether it is complete.
-    fn header_path(&self) -> &'static str;
-    /// The list of finished chunks.
-    fn manifest_path(&self) -> &'static str;
-    /// An empty file that is locked while a run writes.
-    fn lock_path(&self) -> &'static str;
-    /// The header as a file.
-    fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError>;
-    /// What it says: the description, and whether the store is complete.
-    fn read_header(&self, header: &Value) -> Option<(Value, bool)>;
-    /// Files that are there from the start.
-    fn prelude(&self) -> Result<Vec<StoreFile>, StoreError>;
-    /// Paths of the files of a chunk.
-    fn paths(&self, chunk: usize) -> Vec<PathBuf>;
-    /// The files of a chunk, in the order of [`Format::paths`].
-    fn encode(&self, chunk: usize, points: &[Point], columns: &Columns)
-    -> Result<Vec<StoreFile>, StoreError>;
-    /// The results of a chunk again, from the store at a path; none if a file of it is missing.
-    fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError>;
-}
-
-/// A chunk that is computed, and encoded for every place that has it not.
-pub(crate) struct Finished {
-    pub(crate) number: usize,
-    pub(crate) points: u64,
-    pub(crate) tally: Tally,
-    /// One entry a place; none where the chunk is already.
-    pub(crate) files: Vec<Option<Vec<StoreFile>>>,
-}
-
-/// Computes what is missing at any of the destinations, once for all of them.
+/// Computes the chunks that any of the destinations lacks, once for all of them.
 pub(crate) fn run(
     source: &mut dyn Source,
     destinations: &[Destination],
@@ -143,67 +51,22 @@ pub(crate) fn run(
     workers: &Workers,
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {
-    // Nothing is written anywhere before all are known to be good.
-    for destination in destinations {
-        destination.inspect(options.resume)?;
-    }
-    let mut places = destinations
-        .iter()
-        .map(|destination| destination.open(source.count(), options, workers))
-        .collect::<Result<Vec<Place<'_>>, StoreError>>()?;
-    let (there, pending): (Vec<usize>, Vec<usize>) = (0..source.count())
-        .partition(|&number| !places.is_empty() && places.iter().all(|place| place.has(number)));
-    if let (Some(view), Some(place)) = (&mut view, places.first()) {
-        for &number in &there {
-            view(number, &place.read(number)?);
-        }
-    }
-    // A file that is complete knows all its points, but not which are in which chunk; a store beside it does.
-    let mut tally = places.iter().find_map(|place| place.tally(&there)).unwrap_or_default();
-    let reused: u64 = there.iter().map(|&number| source.points_of(number)).sum();
-    let mut progress = Progress { done: reused, reused, total: source.total() };
-    let tell = |progress: Progress| {
-        if let Some(callback) = options.progress {
-            callback(progress);
-        }
-    };
-    tell(progress);
-
-    let cancelled = || options.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed));
-    let mut batches = pending.chunks(BATCH);
-    let mut finished: Vec<Finished> = Vec::new();
+    let (mut run, missing) = Run::open(source, destinations, &mut view, workers, options)?;
+    let mut batches = missing.chunks(BATCH);
+    let mut finished: Vec<FinishedChunk> = Vec::new();
     loop {
         // While one batch is written the next is computed. A cancelled run writes what it has computed.
-        let batch = if cancelled() { &[][..] } else { batches.next().unwrap_or_default() };
+        let batch = if options.is_cancelled() { &[][..] } else { batches.next().unwrap_or_default() };
         if batch.is_empty() && finished.is_empty() {
             break;
         }
-        let inputs = batch
-            .iter()
-            .map(|&number| {
-                let wanted = places.iter().map(|place| !place.has(number)).collect();
-                Ok(Input { number, points: source.points(number)?, wanted })
-            })
-            .collect::<Result<Vec<_>, SweepError>>();
-        let (inputs, source_error) = match inputs {
+        let (inputs, source_error) = match run.inputs(source, batch) {
             Ok(inputs) => (inputs, None),
             Err(error) => (Vec::new(), Some(error)),
         };
         let (written, computed) = workers.install(|| {
             rayon::join(
-                || {
-                    finished.iter().try_for_each(|chunk| {
-                        for (place, files) in places.iter_mut().zip(&chunk.files) {
-                            if let Some(files) = files {
-                                place.add(chunk, files)?;
-                            }
-                        }
-                        tally += chunk.tally;
-                        progress.done += chunk.points;
-                        tell(progress);
-                        Ok(())
-                    })
-                },
+                || run.write(&finished),
                 || {
                     inputs
                         .into_par_iter()
@@ -212,7 +75,7 @@ pub(crate) fn run(
                 },
             )
         });
-        written.map_err(|error: StoreError| error.with_finished(progress.done))?;
+        written?;
         if let Some(error) = source_error {
             return Err(error);
         }
@@ -223,29 +86,106 @@ pub(crate) fn run(
                 Failure::Store(error) => error.into(),
             })?;
             if let Some(view) = &mut view {
-                view(chunk.number, &columns);
+                view(chunk.written.number, &columns);
             }
             finished.push(chunk);
         }
     }
-
-    let complete = progress.done == progress.total;
-    let damaged_chunks = places.iter().map(Place::damaged_chunks).sum();
-    if complete {
-        for place in places {
-            place.complete(tally).map_err(|error| error.with_finished(progress.done))?;
-        }
-    }
-    tally.add(Class::NotComputed, progress.total - progress.done);
-    let computed = progress.done - reused;
-    Ok(Report { points: progress.total, computed, reused, damaged_chunks, complete, tally })
+    Ok(run.complete()?)
 }
 
+/// A run whose destinations are open.
+struct Run<'a> {
+    destinations: Vec<OpenDestination<'a>>,
+    options: &'a Options<'a>,
+    progress: Progress,
+    tally: Tally,
+}
+
+impl<'a> Run<'a> {
+    /// Opens the destinations, shows the chunks that all of them have, and returns the numbers of the others.
+    fn open(
+        source: &dyn Source,
+        destinations: &'a [Destination],
+        view: &mut Option<View<'_>>,
+        workers: &Workers,
+        options: &'a Options<'a>,
+    ) -> Result<(Self, Vec<usize>), SweepError> {
+        // Nothing is written anywhere before all are known to be good.
+        for destination in destinations {
+            destination.inspect(options.resume)?;
+        }
+        let destinations = destinations
+            .iter()
+            .map(|destination| destination.open(source.count(), options, workers))
+            .collect::<Result<Vec<OpenDestination<'_>>, StoreError>>()?;
+        let has = |number: &usize| {
+            !destinations.is_empty() && destinations.iter().all(|destination| destination.has(*number))
+        };
+        let (known, missing): (Vec<usize>, Vec<usize>) = (0..source.count()).partition(has);
+        if let (Some(view), Some(destination)) = (view, destinations.first()) {
+            for &number in &known {
+                view(number, &destination.read(number)?);
+            }
+        }
+        // A file that is complete knows all its points, but not which are in which chunk; a store beside it does.
+        let tally = destinations.iter().find_map(|destination| destination.tally(&known)).unwrap_or_default();
+        let reused: u64 = known.iter().map(|&number| source.points_of(number)).sum();
+        let progress = Progress { done: reused, reused, total: source.total() };
+        options.report(progress);
+        Ok((Self { destinations, options, progress, tally }, missing))
+    }
+
+    /// The points of some chunks, and which destinations lack them.
+    fn inputs(&self, source: &mut dyn Source, batch: &[usize]) -> Result<Vec<Input>, SweepError> {
+        batch
+            .iter()
+            .map(|&number| {
+                let lacking = self.destinations.iter().map(|destination| !destination.has(number)).collect();
+                Ok(Input { number, points: source.points(number)?, lacking })
+            })
+            .collect()
+    }
+
+    fn write(&mut self, finished: &[FinishedChunk]) -> Result<(), StoreError> {
+        for chunk in finished {
+            for (destination, files) in self.destinations.iter_mut().zip(&chunk.files) {
+                if let Some(files) = files {
+                    destination
+                        .add(chunk.written, files)
+                        .map_err(|error| error.with_finished(self.progress.done))?;
+                }
+            }
+            self.tally += chunk.written.tally;
+            self.progress.done += chunk.written.tally.total();
+            self.options.report(self.progress);
+        }
+        Ok(())
+    }
+
+    /// Completes the destinations if all chunks are there.
+    fn complete(self) -> Result<Report, StoreError> {
+        let Self { destinations, progress, mut tally, .. } = self;
+        let complete = progress.done == progress.total;
+        let damaged_chunks = destinations.iter().map(OpenDestination::damaged_chunks).sum();
+        if complete {
+            for destination in destinations {
+                destination.complete(tally).map_err(|error| error.with_finished(progress.done))?;
+            }
+        }
+        tally.add(Class::NotComputed, progress.total - progress.done);
+        let computed = progress.done - progress.reused;
+        let reused = progress.reused;
+        Ok(Report { points: progress.total, computed, reused, damaged_chunks, complete, tally })
+    }
+}
+
+/// A chunk that is to be computed.
 struct Input {
     number: usize,
-    points: Vec<Point>,
-    /// Which places want it.
-    wanted: Vec<bool>,
+    points: Vec<Setup>,
+    /// Which destinations lack it.
+    lacking: Vec<bool>,
 }
 
 enum Failure {
@@ -258,19 +198,19 @@ fn compute(
     destinations: &[Destination],
     limits: Limits,
     workers: &Workers,
-) -> Result<(Finished, Columns), Failure> {
-    let Input { number, points, wanted } = input;
+) -> Result<(FinishedChunk, Columns), Failure> {
+    let Input { number, points, lacking } = input;
     let columns = workers
         .compute_points(&points, limits)
         .map_err(|refused| Failure::Point { chunk: number, refused })?;
     let files = destinations
         .iter()
-        .zip(wanted)
-        .map(|(destination, wanted)| {
-            wanted.then(|| destination.format().encode(number, &points, &columns)).transpose()
+        .zip(lacking)
+        .map(|(destination, lacking)| {
+            lacking.then(|| destination.format().encode(number, &points, &columns)).transpose()
         })
         .collect::<Result<_, _>>()
         .map_err(Failure::Store)?;
     let tally = Tally::of_columns(&columns);
-    Ok((Finished { number, points: points.len() as u64, tally, files }, columns))
+    Ok((FinishedChunk { written: WrittenChunk { number, tally }, files }, columns))
 }

@@ -1,4 +1,4 @@
-//! Whole runs: a grid or a list in, files out.
+//! Whole runs: a grid or a list, computed into files.
 
 use std::path::Path;
 
@@ -6,28 +6,30 @@ use littlewood::Limits;
 
 use crate::chunk::{Chunk, Chunks};
 use crate::columns::Columns;
-use crate::compute::{Refused, Workers};
+use crate::compute::Workers;
 use crate::description::Description;
 use crate::destination::{Destination, Target};
 use crate::error::SweepError;
 use crate::grid::Grid;
-use crate::parquet::{table_of_grid, table_of_list};
-use crate::point::Point;
-use crate::run::{Options, Report, Source, run};
+use crate::options::Options;
+use crate::parquet::Table;
+use crate::run::{Report, run};
+use crate::source::{GridSource, ListSource, Source as _};
 use crate::starts::StartList;
 use crate::zarr::Layout;
 
-/// Is shown the results of chunks of a grid.
+/// Is called with the results of each chunk of a grid.
 pub type ChunkView<'a> = dyn FnMut(&Chunk, &Columns) + 'a;
 
 /// Computes a grid into any number of stores and files at once. Each point is computed at most once.
 ///
-/// Memory stays flat: a few chunks are held, whatever the size of the grid. Every file is written whole or not at all. A
-/// run that was cancelled or killed goes on with [`Options::resume`], and what it leaves is then the same, byte for byte,
-/// as that of a run that was not. `view` is shown the results of every chunk, those of an earlier run among them.
+/// Memory stays flat: a few chunks are held, whatever the size of the grid. Every file is written atomically. A
+/// run that was cancelled or killed is resumed with [`Options::resume`]; its files are then the same, byte for byte, as
+/// those of a run that was not. `view` is called with the results of every chunk, including those of an earlier run.
 ///
 /// # Errors
-/// A target that is there already, unless it is resumed; one of other parameters, which is left as it is; one that
+/// A target that is there already, unless it is resumed; one of other parameters or of another version of the format,
+/// which is left as it is; one that
 /// another process is writing to; a disk that is full; a limit without meaning.
 pub fn sweep_grid(
     grid: &Grid,
@@ -39,7 +41,7 @@ pub fn sweep_grid(
 ) -> Result<Report, SweepError> {
     let chunks = Chunks::new(grid, options.chunk_points);
     let description = Description::of_grid(grid, limits, chunks.shape());
-    let table = || table_of_grid(&description, chunks.count());
+    let table = || Table::of_grid(&description, chunks.count());
     let destinations = targets
         .iter()
         .map(|target| {
@@ -75,8 +77,8 @@ pub fn sweep_list(
 ) -> Result<Report, SweepError> {
     let chunk = options.chunk_points.max(1);
     let description = Description::of_list(list, limits, chunk);
-    let mut source = list.source(chunk);
-    let table = || table_of_list(&description, source.count(), list);
+    let mut source = ListSource::new(list, chunk);
+    let table = || Table::of_list(&description, source.count(), list);
     let destinations = targets
         .iter()
         .map(|target| match target {
@@ -128,32 +130,4 @@ pub fn list_to_parquet(
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {
     sweep_list(list, limits, &[Target::Parquet(path)], workers, options)
-}
-
-/// A grid, chunk by chunk.
-pub(crate) struct GridSource<'a> {
-    pub(crate) grid: &'a Grid,
-    pub(crate) chunks: Chunks,
-}
-
-impl Source for GridSource<'_> {
-    fn total(&self) -> u64 {
-        self.grid.len()
-    }
-
-    fn count(&self) -> usize {
-        self.chunks.count()
-    }
-
-    fn points_of(&self, chunk: usize) -> u64 {
-        self.chunks.chunk(chunk).len() as u64
-    }
-
-    fn points(&mut self, chunk: usize) -> Result<Vec<Point>, SweepError> {
-        Ok(self.chunks.chunk(chunk).points(self.grid).collect())
-    }
-
-    fn refused(&self, _: usize, refused: Refused) -> SweepError {
-        refused.error.into()
-    }
 }

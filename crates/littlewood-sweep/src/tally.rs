@@ -2,13 +2,15 @@
 
 use core::ops::AddAssign;
 
+use littlewood::Class;
+
 use crate::columns::Columns;
-use crate::outcome::Class;
 
 /// Numbers of points, class by class.
 ///
 /// ```
-/// use littlewood_sweep::{Class, Tally};
+/// use littlewood::Class;
+/// use littlewood_sweep::Tally;
 ///
 /// let mut tally = Tally::default();
 /// tally.add(Class::RollsForever, 3);
@@ -18,12 +20,12 @@ use crate::outcome::Class;
 pub struct Tally([u64; Class::ALL.len()]);
 
 impl Tally {
-    /// Of the rows of a table.
+    /// Of some results.
     #[must_use]
     pub fn of_columns(columns: &Columns) -> Self {
         let mut tally = Self::default();
-        for row in columns.rows() {
-            tally.add(Class::of(&row), 1);
+        for summary in columns.summaries() {
+            tally.add(Class::of(&summary), 1);
         }
         tally
     }

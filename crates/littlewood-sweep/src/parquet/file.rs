@@ -12,15 +12,13 @@ use parquet::file::writer::SerializedFileWriter;
 use serde_json::{Map, Value};
 
 use super::read::read_row_group;
-use super::table::{CHUNK_KEY, RUN_KEY, Table, encoding};
+use super::table::{CHUNK_KEY, RUN_KEY, Table};
 use crate::columns::Columns;
 use crate::disk::{Disk, UNFINISHED, with_ending};
-use crate::error::StoreError;
-use crate::outcome::Class;
-use crate::run::Format;
+use crate::store::{Format as _, Header, StoreError};
 use crate::tally::Tally;
 
-/// Ending of the folder of what is finished.
+/// Ending of the folder of finished chunks.
 const PARTS: &str = ".parts";
 
 /// Points of each class, in the footer.
@@ -29,7 +27,7 @@ const COUNTS_KEY: &str = "littlewood_counts";
 /// Bytes that are written at once.
 const BUFFER: usize = 1 << 20;
 
-/// A file to be, and the folder of its parts.
+/// A file that a run writes, and the folder of its parts.
 pub(crate) struct OneFile {
     path: PathBuf,
     parts: PathBuf,
@@ -55,25 +53,27 @@ impl OneFile {
 
     /// The points of a file of the same run; none where there is no file.
     pub(crate) fn inspect(&self) -> Result<Option<Tally>, StoreError> {
-        let not_ours = || StoreError::NotAStore { path: self.path.clone() };
+        let not_a_store = || StoreError::NotAStore { path: self.path.clone() };
         let file = match fs::metadata(&self.path) {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
             Err(source) => return Err(StoreError::unwritable(&self.path, source)),
-            Ok(metadata) if !metadata.is_file() => return Err(not_ours()),
-            Ok(_) => File::open(&self.path)
-                .map_err(|source| StoreError::Unreadable { path: self.path.clone(), source })?,
+            Ok(metadata) if !metadata.is_file() => return Err(not_a_store()),
+            Ok(_) => File::open(&self.path).map_err(|source| StoreError::unreadable(&self.path, source))?,
         };
-        let metadata = footer(&file).map_err(|_| not_ours())?;
+        let metadata = footer(&file).map_err(|_| not_a_store())?;
         let find = |key: &str| {
             let entries = metadata.file_metadata().key_value_metadata()?;
             entries.iter().find(|entry| entry.key == key)?.value.as_deref()
         };
-        let run: Value = find(RUN_KEY).and_then(|run| serde_json::from_str(run).ok()).ok_or_else(not_ours)?;
-        let differences = self.table.description().differences(&run);
+        let run: Value =
+            find(RUN_KEY).and_then(|run| serde_json::from_str(run).ok()).ok_or_else(not_a_store)?;
+        let header = Header { format: run.get("format").cloned(), run, complete: true };
+        header.check_versions(&self.path)?;
+        let differences = self.table.description().differences(&header.run);
         if !differences.is_empty() {
             return Err(StoreError::OtherParameters { path: self.path.clone(), differences });
         }
-        find(COUNTS_KEY).and_then(parse_counts).map(Some).ok_or_else(not_ours)
+        find(COUNTS_KEY).and_then(parse_counts).map(Some).ok_or_else(not_a_store)
     }
 
     /// The results of a chunk, from the file.
@@ -81,10 +81,10 @@ impl OneFile {
         read_row_group(&self.path, chunk).map(Some)
     }
 
-    /// Puts the parts together. What is there is copied as it is: nothing is decoded, and memory stays flat.
+    /// Puts the parts together. Encoded columns are copied; nothing is decoded, and memory stays flat.
     pub(crate) fn join(&self, count: usize, tally: Tally, disk: &dyn Disk) -> Result<(), StoreError> {
         let unfinished = with_ending(&self.path, UNFINISHED);
-        // What a kill has left of an earlier attempt.
+        // An earlier attempt may have been killed.
         match fs::remove_file(&unfinished) {
             Err(error) if error.kind() != ErrorKind::NotFound => {
                 return Err(StoreError::unwritable(&unfinished, error));
@@ -95,7 +95,7 @@ impl OneFile {
         let appender = Appender { disk, path: &unfinished, failure: &mut failure };
         let joined = self.copy(count, tally, BufWriter::with_capacity(BUFFER, appender));
         if let Some(source) = failure {
-            // The first error is the one to tell; this only frees the room that the torn file takes.
+            // The first error is the one to report; this only frees the room that the unfinished file takes.
             let _ = fs::remove_file(&unfinished);
             return Err(StoreError::unwritable(&self.path, source));
         }
@@ -105,11 +105,10 @@ impl OneFile {
 
     fn copy(&self, count: usize, tally: Tally, target: impl Write + Send) -> Result<(), StoreError> {
         let name = self.path.display().to_string();
-        let failed = encoding(&name);
+        let failed = StoreError::encoding(&name);
         let open = |chunk: usize| -> Result<(File, ParquetMetaData), StoreError> {
             let path = self.parts.join(self.table.path(chunk));
-            let file =
-                File::open(&path).map_err(|source| StoreError::Unreadable { path: path.clone(), source })?;
+            let file = File::open(&path).map_err(|source| StoreError::unreadable(&path, source))?;
             let metadata = footer(&file)
                 .map_err(|error| StoreError::DamagedChunk { path, reason: error.to_string() })?;
             Ok((file, metadata))
@@ -145,31 +144,31 @@ impl OneFile {
         }
         // The footer is written here, and what is left in the buffer.
         let mut target = writer.into_inner().map_err(&failed)?;
-        target.flush().map_err(encoding(&name))
+        target.flush().map_err(StoreError::encoding(&name))
     }
 
-    /// Removes the folder of the parts, if there is one. What others have put there stays.
+    /// Removes the folder of the parts, if there is one. Files of others stay.
     pub(crate) fn remove_parts(&self) -> Result<(), StoreError> {
         let parts = match fs::read_dir(&self.parts) {
             Ok(parts) => parts,
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
             Err(source) => return Err(StoreError::unwritable(&self.parts, source)),
         };
-        let mut strangers = false;
+        let mut has_other_files = false;
         for part in parts {
             let part = part.map_err(|source| StoreError::unwritable(&self.parts, source))?;
-            if self.table.is_a_file_of_ours(&part.file_name().to_string_lossy()) {
-                gone(fs::remove_file(part.path()), &part.path())?;
+            if self.table.makes_file(&part.file_name().to_string_lossy()) {
+                unless_gone(fs::remove_file(part.path()), &part.path())?;
             } else {
-                strangers = true;
+                has_other_files = true;
             }
         }
-        if strangers { Ok(()) } else { gone(fs::remove_dir(&self.parts), &self.parts) }
+        if has_other_files { Ok(()) } else { unless_gone(fs::remove_dir(&self.parts), &self.parts) }
     }
 }
 
-/// Something that was removed, by us or by another process that completes the same file.
-fn gone(result: io::Result<()>, path: &Path) -> Result<(), StoreError> {
+/// The result of removing something. It may be gone already: another process may complete the same file.
+fn unless_gone(result: io::Result<()>, path: &Path) -> Result<(), StoreError> {
     match result {
         Err(source) if source.kind() != ErrorKind::NotFound => Err(StoreError::unwritable(path, source)),
         _ => Ok(()),
@@ -182,14 +181,14 @@ fn footer(file: &File) -> parquet::errors::Result<ParquetMetaData> {
 
 fn counts(tally: Tally) -> String {
     let counts: Map<String, Value> =
-        tally.iter().map(|(class, count)| (class.name().to_owned(), count.into())).collect();
+        tally.iter().map(|(class, count)| (class.to_string(), count.into())).collect();
     Value::Object(counts).to_string()
 }
 
 fn parse_counts(text: &str) -> Option<Tally> {
     let mut tally = Tally::default();
     for (class, count) in serde_json::from_str::<Map<String, Value>>(text).ok()? {
-        tally.add(Class::find(&class)?, count.as_u64()?);
+        tally.add(class.parse().ok()?, count.as_u64()?);
     }
     Some(tally)
 }

@@ -1,30 +1,25 @@
-//! The columns of a table, and a chunk of it as a Parquet file.
+//! A table in files: its schema, and a chunk of it as a Parquet file.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use arrow_array::types::Int32Type;
-use arrow_array::{
-    ArrayRef, BooleanArray, DictionaryArray, Float64Array, RecordBatch, StringArray, UInt8Array, UInt32Array,
-    UInt64Array,
-};
-use arrow_schema::{DataType, Field, Schema};
-use littlewood::{PhaseSequence, Quantity};
+use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+use arrow_schema::{Field, Schema};
+use littlewood::{Quantity, Setup, SummaryColumn};
 use parquet::arrow::ArrowWriter;
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use serde_json::{Value, json};
 
+use super::column::{arrays, field_of_quantity, fields};
 use super::read::read_part;
-use crate::axis::Coordinate;
-use crate::columns::{Columns, Real};
-use crate::description::Description;
+use crate::columns::Columns;
+use crate::description::{Description, FORMAT};
 use crate::disk::UNFINISHED;
-use crate::error::StoreError;
-use crate::outcome;
-use crate::point::Point;
-use crate::run::{Format, StoreFile};
+use crate::setup::{places, value};
+use crate::starts::StartList;
+use crate::store::{Format, Header, StoreError, StoreFile};
 
 const HEADER: &str = "_run.json";
 const MANIFEST: &str = "_chunks.txt";
@@ -41,113 +36,39 @@ pub(crate) struct Table {
     description: Description,
     schema: Arc<Schema>,
     digits: usize,
-    /// Columns of the start besides the coordinates: x or time, if a list has them.
-    places: Vec<Quantity>,
-}
-
-fn text_type() -> DataType {
-    DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8))
-}
-
-fn schema(places: &[Quantity]) -> Schema {
-    let field = |name: &str, data_type: DataType, long_name: &str, unit: &str| {
-        Field::new(name, data_type, false).with_metadata(
-            [("long_name", long_name), ("units", unit)]
-                .map(|(key, value)| (key.to_owned(), value.to_owned()))
-                .into_iter()
-                .collect::<std::collections::HashMap<_, _>>(),
-        )
-    };
-    let mut fields: Vec<Field> = Coordinate::ALL
-        .into_iter()
-        .map(|coordinate| {
-            field(coordinate.name(), DataType::Float64, coordinate.long_name(), coordinate.unit())
-        })
-        .collect();
-    fields.extend(places.iter().map(|place| {
-        let [long_name, unit] = match place {
-            Quantity::X => ["position of the geometric centre at the start", "R"],
-            _ => ["time of the start", "sqrt(R/g)"],
-        };
-        field(place.name(), DataType::Float64, long_name, unit)
-    }));
-    fields.extend([
-        field("outcome", text_type(), "outcome", ""),
-        field("outcome_code", DataType::UInt8, "code of the outcome", ""),
-        field(
-            "sequence",
-            text_type(),
-            "sequence of phases: R rolling, + and - sliding, g and n and G gliding, F flight",
-            "",
-        ),
-        field(
-            "sequence_code",
-            DataType::UInt64,
-            "sequence of phases, 3 bits a phase, first phase lowest",
-            "",
-        ),
-        field("transitions", DataType::UInt32, "number of transitions", "1"),
-        field("painleve", DataType::Boolean, "whether the motion met a Painlevé paradox", ""),
-    ]);
-    fields.extend(
-        Real::ALL
-            .into_iter()
-            .map(|column| field(column.name(), DataType::Float64, column.long_name(), column.unit())),
-    );
-    Schema::new(fields)
-}
-
-fn text<'a>(values: impl Iterator<Item = String> + 'a) -> ArrayRef {
-    let mut words: Vec<String> = Vec::new();
-    let mut keys = std::collections::HashMap::new();
-    let indices: Vec<i32> = values
-        .map(|value| {
-            *keys.entry(value).or_insert_with_key(|value| {
-                words.push(value.clone());
-                i32::try_from(words.len() - 1).unwrap_or(i32::MAX)
-            })
-        })
-        .collect();
-    let values = Arc::new(StringArray::from(words));
-    Arc::new(DictionaryArray::<Int32Type>::new(indices.into(), values))
-}
-
-pub(super) fn encoding<E: core::fmt::Display>(what: &str) -> impl Fn(E) -> StoreError + '_ {
-    move |error| StoreError::Encoding { what: what.to_owned(), reason: error.to_string() }
+    /// The quantities of the points.
+    quantities: Vec<Quantity>,
 }
 
 impl Table {
-    /// A table with columns for these places of starts.
-    pub(super) fn new(description: Description, chunks: usize, places: Vec<Quantity>) -> Self {
-        let digits = chunks.saturating_sub(1).to_string().len().max(5);
-        Self { description, schema: Arc::new(schema(&places)), digits, places }
+    /// The table of a grid. The rows stand chunk by chunk (see [`crate::Chunks`]), each with the quantities of its
+    /// point.
+    pub(crate) fn of_grid(description: &Description, chunks: usize) -> Self {
+        Self::new(description.clone(), chunks, Quantity::AXES.to_vec())
     }
 
-    fn batch(&self, points: &[Point], columns: &Columns) -> Result<RecordBatch, StoreError> {
-        let mut arrays: Vec<ArrayRef> = Coordinate::ALL
-            .into_iter()
-            .map(|coordinate| {
-                let values = points.iter().map(|point| coordinate.of_point(point));
-                Arc::new(Float64Array::from_iter_values(values)) as ArrayRef
-            })
-            .collect();
-        for place in &self.places {
-            let values = points.iter().map(|point| match place {
-                Quantity::X => point.start.x,
-                _ => point.start.time,
-            });
-            arrays.push(Arc::new(Float64Array::from_iter_values(values)));
-        }
-        arrays.push(text(columns.outcome.iter().map(|&code| outcome::name(code).unwrap_or("?").to_owned())));
-        arrays.push(Arc::new(UInt8Array::from(columns.outcome.clone())));
-        arrays.push(text(columns.sequence.iter().map(|&bits| PhaseSequence::from_bits(bits).to_string())));
-        arrays.push(Arc::new(UInt64Array::from(columns.sequence.clone())));
-        arrays.push(Arc::new(UInt32Array::from(columns.transitions.clone())));
-        arrays.push(Arc::new(columns.painleve.iter().map(|&flag| Some(flag != 0)).collect::<BooleanArray>()));
-        for values in &columns.reals {
-            arrays.push(Arc::new(Float64Array::from(values.clone())));
-        }
-        RecordBatch::try_new(Arc::clone(&self.schema), arrays).map_err(encoding("a table"))
+    /// The table of a list, one row a start in the order of the list. Where and when the start is has a column if the
+    /// list has one.
+    pub(crate) fn of_list(description: &Description, chunks: usize, list: &StartList) -> Self {
+        let places = places().filter(|place| list.columns().contains(place));
+        Self::new(description.clone(), chunks, Quantity::AXES.into_iter().chain(places).collect())
+    }
+
+    fn new(description: Description, chunks: usize, quantities: Vec<Quantity>) -> Self {
+        let digits = chunks.saturating_sub(1).to_string().len().max(5);
+        let of_points = quantities.iter().copied().map(field_of_quantity);
+        let schema: Vec<Field> = of_points.chain(SummaryColumn::ALL.into_iter().flat_map(fields)).collect();
+        Self { description, schema: Arc::new(Schema::new(schema)), digits, quantities }
+    }
+
+    fn batch(&self, points: &[Setup], columns: &Columns) -> Result<RecordBatch, StoreError> {
+        let of_points = self.quantities.iter().map(|&quantity| {
+            let values = points.iter().map(|point| value(point, quantity));
+            Arc::new(Float64Array::from_iter_values(values)) as ArrayRef
+        });
+        let results = columns.columns().flat_map(|(column, values)| arrays(column, values));
+        RecordBatch::try_new(Arc::clone(&self.schema), of_points.chain(results).collect())
+            .map_err(StoreError::encoding("a table"))
     }
 
     /// The file of a chunk.
@@ -156,7 +77,7 @@ impl Table {
     }
 
     /// Whether a run makes a file of this name in the folder of a table.
-    pub(super) fn is_a_file_of_ours(&self, name: &str) -> bool {
+    pub(super) fn makes_file(&self, name: &str) -> bool {
         let name = name.strip_suffix(UNFINISHED).unwrap_or(name);
         let part = |name: &str| -> Option<bool> {
             let digits = name.strip_prefix("part-")?.strip_suffix(".parquet")?;
@@ -185,23 +106,21 @@ impl Format for Table {
 
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
         let mut text = serde_json::to_vec_pretty(&json!({
-            "program": "littlewood-sweep",
-            "status": if complete { "complete" } else { "partial" },
+            "program": Header::PROGRAM,
+            "format": FORMAT,
+            "status": Header::status(complete),
             "run": self.description.0,
         }))
-        .map_err(encoding(HEADER))?;
+        .map_err(StoreError::encoding(HEADER))?;
         text.push(b'\n');
         Ok(text)
     }
 
-    fn read_header(&self, header: &Value) -> Option<(Value, bool)> {
-        if header.get("program")?.as_str()? != "littlewood-sweep" {
-            return None;
-        }
-        Some((header.get("run")?.clone(), header.get("status")?.as_str()? == "complete"))
+    fn read_header(&self, header: &Value) -> Option<Header> {
+        Header::of_attributes(header)
     }
 
-    fn prelude(&self) -> Result<Vec<StoreFile>, StoreError> {
+    fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError> {
         Ok(Vec::new())
     }
 
@@ -212,12 +131,12 @@ impl Format for Table {
     fn encode(
         &self,
         chunk: usize,
-        points: &[Point],
+        points: &[Setup],
         columns: &Columns,
     ) -> Result<Vec<StoreFile>, StoreError> {
         let path = self.path(chunk);
         let name = path.to_string_lossy().into_owned();
-        let level = ZstdLevel::try_new(3).map_err(encoding(&name))?;
+        let level = ZstdLevel::try_new(3).map_err(StoreError::encoding(&name))?;
         let properties = WriterProperties::builder()
             .set_compression(Compression::ZSTD(level))
             .set_max_row_group_row_count(None)
@@ -228,9 +147,9 @@ impl Format for Table {
             ]))
             .build();
         let mut writer = ArrowWriter::try_new(Vec::new(), Arc::clone(&self.schema), Some(properties))
-            .map_err(encoding(&name))?;
-        writer.write(&self.batch(points, columns)?).map_err(encoding(&name))?;
-        let bytes = writer.into_inner().map_err(encoding(&name))?;
+            .map_err(StoreError::encoding(&name))?;
+        writer.write(&self.batch(points, columns)?).map_err(StoreError::encoding(&name))?;
+        let bytes = writer.into_inner().map_err(StoreError::encoding(&name))?;
         Ok(vec![(path, bytes)])
     }
 

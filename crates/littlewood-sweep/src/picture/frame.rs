@@ -1,18 +1,17 @@
 //! The size of a picture, where the map lies in it, and its pixels as a PNG file.
 
-use super::drawing;
-use crate::error::PictureError;
+use super::error::PictureError;
 
 /// Size of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
+pub struct PictureSize {
     /// Width.
     pub width: u32,
     /// Height.
     pub height: u32,
 }
 
-impl Default for Size {
+impl Default for PictureSize {
     fn default() -> Self {
         Self { width: 1500, height: 1000 }
     }
@@ -33,7 +32,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    pub(super) fn new(size: Size) -> Self {
+    pub(super) fn new(size: PictureSize) -> Self {
         let letter = (f64::from(size.width) / 62.0).min(f64::from(size.height) / 40.0);
         let letters = |count: f64| libm::round(count * letter) as i32;
         let (left, top) = (letters(4.5), letters(5.6));
@@ -62,7 +61,7 @@ impl Frame {
 pub(super) const FINE: u32 = 2;
 
 /// Means of squares of FINE × FINE pixels.
-pub(super) fn reduce(pixels: &[u8], size: Size) -> Vec<u8> {
+pub(super) fn reduce(pixels: &[u8], size: PictureSize) -> Vec<u8> {
     let (width, fine) = (size.width as usize, FINE as usize);
     let mut reduced = Vec::with_capacity(width * size.height as usize * 3);
     for y in 0..size.height as usize {
@@ -80,14 +79,15 @@ pub(super) fn reduce(pixels: &[u8], size: Size) -> Vec<u8> {
     reduced
 }
 
-pub(super) fn encode(pixels: &[u8], width: u32, height: u32) -> Result<Vec<u8>, PictureError> {
+/// Pixels as a PNG file.
+pub(super) fn encode(pixels: &[u8], size: PictureSize) -> Result<Vec<u8>, PictureError> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    let mut encoder = png::Encoder::new(&mut bytes, size.width, size.height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::High);
-    let mut writer = encoder.write_header().map_err(drawing)?;
-    writer.write_image_data(pixels).map_err(drawing)?;
-    writer.finish().map_err(drawing)?;
+    let mut writer = encoder.write_header().map_err(PictureError::drawing)?;
+    writer.write_image_data(pixels).map_err(PictureError::drawing)?;
+    writer.finish().map_err(PictureError::drawing)?;
     Ok(bytes)
 }

@@ -8,21 +8,20 @@ use plotters::element::{PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color as _, FontStyle, IntoFont as _, RGBColor, TextStyle, register_font};
 
-use super::frame::{FINE, Frame};
-use super::names::{along, axis_name, pretty_unit, ticks_of};
-use super::palette::{NOTHING, Rgb, of_class, of_fraction};
-use super::scale::Scale;
-use super::{Picture, Shade, drawing};
-use crate::axis::Axis;
-use crate::error::PictureError;
-use crate::outcome::Class;
+use littlewood::Class;
 use littlewood_style::ticks::{self, Tick};
+use littlewood_style::{Ink, Rgb, Theme, of_class};
 
-const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
-const FAINT: RGBColor = RGBColor(0x66, 0x66, 0x66);
+use super::error::PictureError;
+use super::frame::{FINE, Frame};
+use super::map::{Picture, Shade};
+use super::names::{along, axis_name, ticks_of, title};
+use super::scale::{Scale, of_fraction};
+use crate::axis::Axis;
+
 const FONT: &str = "DejaVu Sans";
 
-/// Makes the letters known, once; they are part of the program, so that pictures are the same everywhere.
+/// Registers the font, once; it is part of the program, so that pictures are the same everywhere.
 fn letters() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -40,7 +39,7 @@ pub(super) struct Pen<'a> {
 #[derive(Clone, Copy)]
 struct Style {
     size: f64,
-    colour: RGBColor,
+    colour: Ink,
     bold: bool,
     across: HPos,
     up: VPos,
@@ -51,13 +50,9 @@ impl Pen<'_> {
         letters();
         let Frame { left, top, width, height, letter } = self.frame;
         let right = left + width;
-        let title = match picture.shade {
-            Shade::Class => "what becomes of the motion".to_owned(),
-            Shade::Column(column) => format!("{}  ({})", column.long_name(), pretty_unit(column.unit())),
-        };
-        let plain = Style { size: 1.0, colour: INK, bold: false, across: HPos::Left, up: VPos::Center };
-        self.text(&title, left, self.at(1.2), Style { size: 1.25, bold: true, ..plain })?;
-        self.text(&picture.fixed(), left, self.at(2.8), Style { size: 0.9, colour: FAINT, ..plain })?;
+        let plain = Style { size: 1.0, colour: Ink::Ink, bold: false, across: HPos::Left, up: VPos::Center };
+        self.text(&title(picture.shade), left, self.at(1.2), Style { size: 1.25, bold: true, ..plain })?;
+        self.text(&picture.fixed(), left, self.at(2.8), Style { size: 0.9, colour: Ink::Soft, ..plain })?;
 
         let axes = picture.grid.axes();
         let bottom = top + height;
@@ -74,7 +69,7 @@ impl Pen<'_> {
             self.text(&label, left - self.at(0.7), y, Style { across: HPos::Right, ..plain })?;
         }
         let middle = left + width / 2;
-        let name = |axis: &Axis| axis_name(axis.coordinate());
+        let name = |axis: &Axis| axis_name(axis.quantity());
         self.text(
             &name(&axes[0]),
             middle,
@@ -103,13 +98,19 @@ impl Pen<'_> {
                 let missing = picture.count(Class::NotComputed);
                 if missing > 0 {
                     let y = top + height * 4 / 5 + self.at(6.2);
-                    let colour = of_class(Class::NotComputed);
+                    let colour = of_class(Class::NotComputed, Theme::Light);
                     let share = 100.0 * missing as f64 / picture.grid.len() as f64;
                     self.swatch(side, y, colour, Class::NotComputed.label(), &format!("{share:.1} %"))?;
                 }
             }
             (Shade::Column(_), None) => {
-                self.swatch(side, top + self.at(1.0), NOTHING, "no value anywhere", "")?;
+                self.swatch(
+                    side,
+                    top + self.at(1.0),
+                    Ink::NoValue.colour(Theme::Light),
+                    "no value anywhere",
+                    "",
+                )?;
             }
             (Shade::Class, _) => {
                 let mut y = top + self.at(1.0);
@@ -119,13 +120,13 @@ impl Pen<'_> {
                         let share = 100.0 * count as f64 / picture.grid.len() as f64;
                         let share =
                             if share < 0.05 { format!("{count} points") } else { format!("{share:.1} %") };
-                        self.swatch(side, y, of_class(class), class.label(), &share)?;
+                        self.swatch(side, y, of_class(class, Theme::Light), class.label(), &share)?;
                         y += self.at(3.2);
                     }
                 }
             }
         }
-        self.area.present().map_err(drawing)
+        self.area.present().map_err(PictureError::drawing)
     }
 
     fn bar(&self, scale: &Scale, side: i32) -> Result<(), PictureError> {
@@ -133,46 +134,50 @@ impl Pen<'_> {
         let (wide, tall) = (self.at(1.6), height * 4 / 5);
         let bottom = top + tall;
         for i in 0..tall {
-            let [r, g, b] = of_fraction((f64::from(i) + 0.5) / f64::from(tall));
+            let colour = of_fraction((f64::from(i) + 0.5) / f64::from(tall));
             let y = bottom - i;
-            let strip = Rectangle::new([(side, y - 1), (side + wide, y)], RGBColor(r, g, b).filled());
-            self.area.draw(&strip).map_err(drawing)?;
+            let strip = Rectangle::new([(side, y - 1), (side + wide, y)], rgb(colour).filled());
+            self.area.draw(&strip).map_err(PictureError::drawing)?;
         }
-        let plain = Style { size: 1.0, colour: INK, bold: false, across: HPos::Left, up: VPos::Center };
+        let plain = Style { size: 1.0, colour: Ink::Ink, bold: false, across: HPos::Left, up: VPos::Center };
         let ticks = ticks::round(scale.low, scale.high, 8);
         for Tick { value, label } in ticks {
             let y = bottom - libm::round(scale.fraction(value) * f64::from(tall)) as i32;
             self.line([(side + wide, y), (side + wide + self.at(0.35), y)])?;
             self.text(&label, side + wide + self.at(0.7), y, plain)?;
         }
-        let small = Style { size: 0.85, colour: FAINT, ..plain };
+        let small = Style { size: 0.85, colour: Ink::Soft, ..plain };
         if scale.beyond[1] {
             self.text("values above: as the top", side, top - self.at(0.9), small)?;
         }
         if scale.beyond[0] {
             self.text("values below: as the bottom", side, bottom + self.at(0.9), small)?;
         }
-        self.swatch(side, bottom + self.at(3.0), NOTHING, "does not happen", "")
+        self.swatch(side, bottom + self.at(3.0), Ink::NoValue.colour(Theme::Light), "does not happen", "")
     }
 
-    fn swatch(&self, x: i32, y: i32, [r, g, b]: Rgb, label: &str, share: &str) -> Result<(), PictureError> {
+    fn swatch(&self, x: i32, y: i32, colour: Rgb, label: &str, share: &str) -> Result<(), PictureError> {
         let (half, wide) = (self.at(0.6), self.at(1.6));
         let corners = [(x, y - half), (x + wide, y + half)];
-        self.area.draw(&Rectangle::new(corners, RGBColor(r, g, b).filled())).map_err(drawing)?;
-        self.area.draw(&Rectangle::new(corners, FAINT.stroke_width(FINE))).map_err(drawing)?;
-        let plain = Style { size: 1.0, colour: INK, bold: false, across: HPos::Left, up: VPos::Center };
+        self.area.draw(&Rectangle::new(corners, rgb(colour).filled())).map_err(PictureError::drawing)?;
+        self.area
+            .draw(&Rectangle::new(corners, rgb(Ink::Soft.colour(Theme::Light)).stroke_width(FINE)))
+            .map_err(PictureError::drawing)?;
+        let plain = Style { size: 1.0, colour: Ink::Ink, bold: false, across: HPos::Left, up: VPos::Center };
         let x = x + wide + self.at(0.6);
         self.text(label, x, y, plain)?;
-        self.text(share, x, y + self.at(1.3), Style { size: 0.85, colour: FAINT, ..plain })
+        self.text(share, x, y + self.at(1.3), Style { size: 0.85, colour: Ink::Soft, ..plain })
     }
 
-    /// So many letters, in pixels.
+    /// A length in letters, in pixels.
     fn at(&self, letters: f64) -> i32 {
         libm::round(letters * self.frame.letter) as i32
     }
 
     fn line(&self, points: [(i32, i32); 2]) -> Result<(), PictureError> {
-        self.area.draw(&PathElement::new(points, INK.stroke_width(FINE))).map_err(drawing)
+        self.area
+            .draw(&PathElement::new(points, rgb(Ink::Ink.colour(Theme::Light)).stroke_width(FINE)))
+            .map_err(PictureError::drawing)
     }
 
     fn text(&self, text: &str, x: i32, y: i32, style: Style) -> Result<(), PictureError> {
@@ -180,7 +185,12 @@ impl Pen<'_> {
         let y = if matches!(style.up, VPos::Center) { y + self.at(0.1) } else { y };
         let weight = if style.bold { FontStyle::Bold } else { FontStyle::Normal };
         let font = (FONT, style.size * self.frame.letter, weight).into_font();
-        let text_style = TextStyle::from(font).color(&style.colour).pos(Pos::new(style.across, style.up));
-        self.area.draw(&Text::new(text.to_owned(), (x, y), text_style)).map_err(drawing)
+        let colour = rgb(style.colour.colour(Theme::Light));
+        let text_style = TextStyle::from(font).color(&colour).pos(Pos::new(style.across, style.up));
+        self.area.draw(&Text::new(text.to_owned(), (x, y), text_style)).map_err(PictureError::drawing)
     }
+}
+
+const fn rgb(Rgb([red, green, blue]): Rgb) -> RGBColor {
+    RGBColor(red, green, blue)
 }

@@ -1,9 +1,15 @@
-//! The scale of a continuous column.
+//! The scale of colours of a column of real numbers.
 
-use super::Cells;
-use super::palette::{NOTHING, Rgb, of_fraction};
+use littlewood_style::{Ink, Rgb, Theme};
 
-/// The scale of a continuous column.
+use super::cells::Cells;
+
+/// Colour of a fraction from 0 to 1 of a scale: viridis, which grows lighter throughout.
+pub(super) fn of_fraction(fraction: f64) -> Rgb {
+    Rgb(colorous::VIRIDIS.eval_continuous(fraction.clamp(0.0, 1.0)).into_array())
+}
+
+/// The scale of colours of a column of real numbers.
 pub(super) struct Scale {
     pub(super) low: f64,
     pub(super) high: f64,
@@ -41,6 +47,17 @@ impl Scale {
     }
 
     pub(super) fn colour(&self, value: f64) -> Rgb {
-        if value.is_nan() { NOTHING } else { of_fraction(self.fraction(value)) }
+        if value.is_nan() { Ink::NoValue.colour(Theme::Light) } else { of_fraction(self.fraction(value)) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_grows_lighter() {
+        let scale: Vec<f64> = (0..=20).map(|i| of_fraction(f64::from(i) / 20.0).lightness()).collect();
+        assert!(scale.windows(2).all(|pair| pair[1] > pair[0]), "{scale:?}");
     }
 }

@@ -3,7 +3,6 @@
 use core::num::NonZeroU64;
 use std::sync::Arc;
 
-use serde_json::{Map, Value};
 use zarrs::array::builder::ArrayBuilderFillValue;
 use zarrs::array::codec::ZstdCodec;
 use zarrs::array::{
@@ -12,14 +11,11 @@ use zarrs::array::{
 };
 use zarrs::storage::store::MemoryStore;
 
-use crate::error::StoreError;
+use crate::attributes::Attributes;
+use crate::store::StoreError;
 
 /// An array that is described here; its chunks are on disk.
 pub(super) type MemoryArray = Array<MemoryStore>;
-
-pub(super) fn encoding<E: core::fmt::Display>(what: &str) -> impl FnOnce(E) -> StoreError + '_ {
-    move |error| StoreError::Encoding { what: what.to_owned(), reason: error.to_string() }
-}
 
 pub(super) fn widths(sizes: &[usize]) -> Vec<u64> {
     sizes.iter().map(|&size| size as u64).collect()
@@ -36,7 +32,7 @@ pub(super) fn array(
     data_type: DataType,
     fill_value: ArrayBuilderFillValue,
     dimensions: &[&str],
-    attributes: Map<String, Value>,
+    attributes: Attributes,
 ) -> Result<MemoryArray, StoreError> {
     ArrayBuilder::new(widths(shape), widths(chunk), data_type, fill_value)
         // The checksum makes every reader notice a damaged chunk.
@@ -44,7 +40,7 @@ pub(super) fn array(
         .dimension_names(Some(dimensions.iter().copied()))
         .attributes(attributes)
         .build(Arc::new(MemoryStore::new()), &format!("/{name}"))
-        .map_err(encoding(name))
+        .map_err(StoreError::encoding(name))
 }
 
 pub(super) fn metadata(array: &MemoryArray) -> ArrayMetadata {
@@ -67,7 +63,7 @@ pub(super) fn encode(
             &CodecOptions::default().with_concurrent_target(1),
         )
         .map(std::borrow::Cow::into_owned)
-        .map_err(encoding(name))
+        .map_err(StoreError::encoding(name))
 }
 
 pub(super) fn decode(array: &MemoryArray, shape: &[usize], bytes: Vec<u8>) -> Result<Vec<u8>, String> {

@@ -2,20 +2,20 @@
 
 use std::path::{Path, PathBuf};
 
+use littlewood::{Setup, SummaryColumn};
 use rayon::prelude::*;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use zarrs::array::data_type;
 
-use super::array::{MemoryArray, array, decode, encode, encoding, metadata, widths};
-use super::variable::Variable;
+use super::array::{MemoryArray, array, decode, encode, metadata, widths};
+use super::variable;
+use crate::attributes::{Attributes, CONVENTIONS, of_column, of_quantity};
 use crate::axis::Axis;
 use crate::chunk::{Chunk, Chunks};
 use crate::columns::Columns;
-use crate::description::Description;
-use crate::error::StoreError;
+use crate::description::{Description, FORMAT};
 use crate::grid::Grid;
-use crate::point::Point;
-use crate::run::{Format, StoreFile};
+use crate::store::{Format, Header, StoreError, StoreFile};
 
 pub(super) const METADATA: &str = "zarr.json";
 
@@ -24,7 +24,8 @@ pub(crate) struct Layout {
     pub(super) chunks: Chunks,
     description: Description,
     coordinates: Vec<(Axis, MemoryArray)>,
-    variables: Vec<(Variable, MemoryArray)>,
+    /// In the order of [`SummaryColumn::ALL`].
+    variables: Vec<(SummaryColumn, MemoryArray)>,
 }
 
 impl core::fmt::Debug for Layout {
@@ -35,16 +36,13 @@ impl core::fmt::Debug for Layout {
 
 impl Layout {
     pub(crate) fn new(grid: &Grid, chunks: Chunks, description: Description) -> Result<Self, StoreError> {
-        let names: Vec<&str> = grid.axes().iter().map(|axis| axis.coordinate().name()).collect();
+        let names: Vec<&str> = grid.axes().iter().map(|axis| axis.quantity().name()).collect();
         let coordinates = grid
             .axes()
             .iter()
             .map(|axis| {
-                let coordinate = axis.coordinate();
-                let name = coordinate.name();
-                let mut attributes = Map::new();
-                attributes.insert("long_name".to_owned(), coordinate.long_name().into());
-                attributes.insert("units".to_owned(), coordinate.unit().into());
+                let name = axis.quantity().name();
+                let attributes = of_quantity(axis.quantity());
                 let shape = [axis.count()];
                 // The whole axis is one chunk: it is read with the metadata, and small beside a column.
                 array(name, &shape, &shape, data_type::float64(), f64::NAN.into(), &[name], attributes)
@@ -52,31 +50,37 @@ impl Layout {
             })
             .collect::<Result<_, _>>()?;
         let shape = grid.shape();
-        let variables = Variable::all()
-            .map(|variable| {
+        let variables = SummaryColumn::ALL
+            .into_iter()
+            .map(|column| {
                 array(
-                    variable.name(),
+                    column.name(),
                     &shape,
                     chunks.shape(),
-                    variable.data_type(),
-                    variable.fill_value(),
+                    variable::data_type(column),
+                    variable::fill_value(column),
                     &names,
-                    variable.attributes(),
+                    of_column(column),
                 )
-                .map(|array| (variable, array))
+                .map(|array| (column, array))
             })
             .collect::<Result<_, _>>()?;
         Ok(Self { chunks, description, coordinates, variables })
     }
 
     fn arrays(&self) -> impl Iterator<Item = (&'static str, &MemoryArray)> {
-        let coordinates = self.coordinates.iter().map(|(axis, array)| (axis.coordinate().name(), array));
-        coordinates.chain(self.variables.iter().map(|(variable, array)| (variable.name(), array)))
+        let coordinates = self.coordinates.iter().map(|(axis, array)| (axis.quantity().name(), array));
+        coordinates.chain(self.variables.iter().map(|(column, array)| (column.name(), array)))
+    }
+
+    /// What the metadata of a group say, if it is a store of this program.
+    pub(super) fn header_of(metadata: &Value) -> Option<Header> {
+        Header::of_attributes(metadata.get("attributes")?)
     }
 }
 
 fn pretty(what: &str, value: &impl serde::Serialize) -> Result<Vec<u8>, StoreError> {
-    let mut text = serde_json::to_vec_pretty(value).map_err(encoding(what))?;
+    let mut text = serde_json::to_vec_pretty(value).map_err(StoreError::encoding(what))?;
     text.push(b'\n');
     Ok(text)
 }
@@ -90,8 +94,9 @@ impl Format for Layout {
         METADATA
     }
 
+    // The manifest and the lock are in the folder of an array: readers that list the members of the group would
+    // complain of files there.
     fn manifest_path(&self) -> &'static str {
-        // Within an array: readers that list the members of the group would complain of a file there.
         "outcome/_chunks.txt"
     }
 
@@ -103,18 +108,23 @@ impl Format for Layout {
         let arrays = self
             .arrays()
             .map(|(name, array)| {
-                Ok((name.to_owned(), serde_json::to_value(metadata(array)).map_err(encoding(name))?))
+                Ok((
+                    name.to_owned(),
+                    serde_json::to_value(metadata(array)).map_err(StoreError::encoding(name))?,
+                ))
             })
-            .collect::<Result<Map<String, Value>, StoreError>>()?;
+            .collect::<Result<Attributes, StoreError>>()?;
         pretty(
             METADATA,
             &json!({
                 "zarr_format": 3,
                 "node_type": "group",
                 "attributes": {
+                    "Conventions": CONVENTIONS,
                     "title": "motions of a loaded hoop",
-                    "program": "littlewood-sweep",
-                    "status": if complete { "complete" } else { "partial" },
+                    "program": Header::PROGRAM,
+                    "format": FORMAT,
+                    "status": Header::status(complete),
                     "run": self.description.0,
                 },
                 "consolidated_metadata": {
@@ -126,17 +136,17 @@ impl Format for Layout {
         )
     }
 
-    fn read_header(&self, header: &Value) -> Option<(Value, bool)> {
-        read_attributes(header)
+    fn read_header(&self, header: &Value) -> Option<Header> {
+        Self::header_of(header)
     }
 
-    fn prelude(&self) -> Result<Vec<StoreFile>, StoreError> {
+    fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError> {
         let mut files = Vec::new();
         for (name, array) in self.arrays() {
             files.push((Path::new(name).join(METADATA), pretty(name, &metadata(array))?));
         }
         for (axis, array) in &self.coordinates {
-            let name = axis.coordinate().name();
+            let name = axis.quantity().name();
             let bytes = axis.values().flat_map(f64::to_le_bytes).collect();
             files.push((
                 PathBuf::from(array.chunk_key(&[0]).as_str()),
@@ -151,15 +161,16 @@ impl Format for Layout {
         self.variables.iter().map(|(_, array)| PathBuf::from(array.chunk_key(&place).as_str())).collect()
     }
 
-    fn encode(&self, chunk: usize, _: &[Point], columns: &Columns) -> Result<Vec<StoreFile>, StoreError> {
+    fn encode(&self, chunk: usize, _: &[Setup], columns: &Columns) -> Result<Vec<StoreFile>, StoreError> {
         let full = self.chunks.shape();
         let size: usize = full.iter().product();
         let places = places_in_full_chunk(&self.chunks.chunk(chunk), full);
         let files: Vec<Result<Vec<u8>, StoreError>> = self
             .variables
             .par_iter()
-            .map(|(variable, array)| {
-                encode(variable.name(), array, full, variable.bytes(columns, &places, size))
+            .map(|(column, array)| {
+                let bytes = variable::to_bytes(*column, columns.column(*column), &places, size);
+                encode(column.name(), array, full, bytes)
             })
             .collect();
         self.paths(chunk).into_iter().zip(files).map(|(path, bytes)| Ok((path, bytes?))).collect()
@@ -168,30 +179,21 @@ impl Format for Layout {
     fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError> {
         let full = self.chunks.shape();
         let places = places_in_full_chunk(&self.chunks.chunk(chunk), full);
-        let mut columns = Columns::blank(places.len());
-        for ((variable, array), path) in self.variables.iter().zip(self.paths(chunk)) {
+        let mut columns = Vec::with_capacity(self.variables.len());
+        for ((column, array), path) in self.variables.iter().zip(self.paths(chunk)) {
             let path = root.join(path);
             let encoded = match std::fs::read(&path) {
                 Ok(bytes) => bytes,
                 Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-                Err(source) => return Err(StoreError::Unreadable { path, source }),
+                Err(source) => return Err(StoreError::unreadable(&path, source)),
             };
             let bytes = decode(array, full, encoded)
                 .map_err(|reason| StoreError::DamagedChunk { path: path.clone(), reason })?;
-            variable.read(&bytes, &places, &mut columns);
+            columns.push(variable::from_bytes(*column, &bytes, &places));
         }
-        Ok(Some(columns))
+        let damaged = |reason| StoreError::DamagedChunk { path: root.to_owned(), reason };
+        Columns::from_values(columns).map(Some).map_err(damaged)
     }
-}
-
-/// The description of the run, and whether the store is complete.
-pub(super) fn read_attributes(header: &Value) -> Option<(Value, bool)> {
-    let attributes = header.get("attributes")?;
-    if attributes.get("program")?.as_str()? != "littlewood-sweep" {
-        return None;
-    }
-    let complete = attributes.get("status")?.as_str()? == "complete";
-    Some((attributes.get("run")?.clone(), complete))
 }
 
 /// Where the points of a chunk, which may be cut off at the far end of an axis, stand in a chunk of full size.

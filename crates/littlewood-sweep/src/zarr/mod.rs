@@ -9,8 +9,8 @@
 //!   outcome/_lock        empty; locked while a run writes
 //! ```
 //!
-//! `xarray.open_zarr` opens the group as a data set with coordinates, units and long names. Chunks that are not computed
-//! yet read as the fill value: [`NOT_COMPUTED`] for `outcome`, NaN for real numbers, zero for the rest.
+//! `xarray.open_zarr` opens the group as a data set with coordinates, units and long names (CF-1.11). Chunks that are not
+//! computed yet read as the columns of [`Summary::NOT_COMPUTED`](littlewood::Summary::NOT_COMPUTED).
 
 mod array;
 mod layout;

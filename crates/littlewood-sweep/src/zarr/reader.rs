@@ -5,14 +5,12 @@ use std::path::{Path, PathBuf};
 use littlewood::Limits;
 use serde_json::Value;
 
-use super::layout::{Layout, METADATA, read_attributes};
+use super::layout::{Layout, METADATA};
 use crate::chunk::Chunks;
 use crate::columns::Columns;
 use crate::description::Description;
-use crate::error::StoreError;
 use crate::grid::Grid;
-use crate::run::Format as _;
-use crate::store::broken_chunks;
+use crate::store::{Format as _, Header, StoreError, broken_chunks};
 
 /// A Zarr store of a grid, for reading.
 #[derive(Debug)]
@@ -28,15 +26,16 @@ impl ZarrStore {
     /// Opens a store that [`sweep_grid`](crate::sweep_grid) has made, complete or not.
     ///
     /// # Errors
-    /// If there is none, or its metadata make no sense.
+    /// If there is none, if it is of another version of the format, or if its metadata cannot be understood.
     pub fn open(path: &Path) -> Result<Self, StoreError> {
         let file = path.join(METADATA);
-        let bytes =
-            std::fs::read(&file).map_err(|source| StoreError::Unreadable { path: file.clone(), source })?;
-        let header: Value = serde_json::from_slice(&bytes)
+        let bytes = std::fs::read(&file).map_err(|source| StoreError::unreadable(&file, source))?;
+        let metadata: Value = serde_json::from_slice(&bytes)
             .map_err(|error| StoreError::DamagedMetadata { path: file.clone(), reason: error.to_string() })?;
-        let (run, complete) =
-            read_attributes(&header).ok_or_else(|| StoreError::NotAStore { path: path.to_owned() })?;
+        let header =
+            Layout::header_of(&metadata).ok_or_else(|| StoreError::NotAStore { path: path.to_owned() })?;
+        header.check_versions(path)?;
+        let Header { run, complete, .. } = header;
         let (grid, limits, shape) = Description::grid(&run).ok_or_else(|| StoreError::DamagedMetadata {
             path: file,
             reason: "the attribute \"run\" does not describe a grid".to_owned(),

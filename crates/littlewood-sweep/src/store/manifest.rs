@@ -1,21 +1,21 @@
-//! Which chunks of a store are finished, what their files sum up to, and how many points of each class they hold.
+//! Which chunks of a store are finished, the checksums of their files, and how many points of each class they hold.
 
 use core::fmt::Write as _;
 use std::collections::BTreeMap;
 
-use crate::outcome::Class;
+use crate::description::FORMAT;
 use crate::tally::Tally;
 
 /// Length and checksum of the files of a chunk, taken together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Seal {
+pub(crate) struct Checksum {
     /// Bytes.
     pub(crate) length: u64,
     /// CRC-32 of all bytes.
     pub(crate) crc: u32,
 }
 
-impl Seal {
+impl Checksum {
     pub(crate) fn of<'a>(files: impl IntoIterator<Item = &'a [u8]>) -> Self {
         let mut hasher = crc32fast::Hasher::new();
         let mut length = 0;
@@ -29,24 +29,24 @@ impl Seal {
 
 /// A finished chunk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Entry {
-    pub(crate) seal: Seal,
-    /// Its points: so that the counts of a store are known without reading it.
+pub(crate) struct ManifestChunk {
+    pub(crate) checksum: Checksum,
+    /// Its points, class by class: so that the counts of a store are known without reading it.
     pub(crate) tally: Tally,
 }
 
 /// The finished chunks of a run: a line of text each, added as the chunk is finished. A later line of the same chunk
-/// stands for it.
+/// replaces it. The first line has the version of the format.
 ///
 /// ```text
-/// littlewood-sweep 1 run 5f3759df
+/// littlewood-sweep 2 run 5f3759df
 /// 0 24681 1b2c3d4e leaves_at_once=52,rolls_forever=25
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Manifest {
     /// CRC-32 of the description of the run.
     pub(crate) run: u32,
-    pub(crate) chunks: BTreeMap<usize, Entry>,
+    pub(crate) chunks: BTreeMap<usize, ManifestChunk>,
 }
 
 impl Manifest {
@@ -55,14 +55,13 @@ impl Manifest {
     }
 
     pub(crate) fn head(&self) -> String {
-        format!("littlewood-sweep 1 run {:08x}\n", self.run)
+        format!("littlewood-sweep {FORMAT} run {:08x}\n", self.run)
     }
 
-    pub(crate) fn line(number: usize, entry: &Entry) -> String {
-        let Entry { seal, tally } = entry;
-        let counts: Vec<String> =
-            tally.iter().map(|(class, count)| format!("{}={count}", class.name())).collect();
-        format!("{number} {} {:08x} {}\n", seal.length, seal.crc, counts.join(","))
+    pub(crate) fn line(number: usize, entry: &ManifestChunk) -> String {
+        let ManifestChunk { checksum, tally } = entry;
+        let counts: Vec<String> = tally.iter().map(|(class, count)| format!("{class}={count}")).collect();
+        format!("{number} {} {:08x} {}\n", checksum.length, checksum.crc, counts.join(","))
     }
 
     pub(crate) fn text(&self) -> String {
@@ -73,10 +72,10 @@ impl Manifest {
         text
     }
 
-    /// Reads it again. A last line without its end was torn by a kill, and its chunk does not count.
+    /// Reads it again. A last line without its end was cut off by a kill, and its chunk does not count.
     ///
     /// # Errors
-    /// The number of a line that makes no sense, from 1.
+    /// The number of a line that cannot be understood, from 1.
     pub(crate) fn parse(text: &[u8], run: u32, count: usize) -> Result<Self, usize> {
         let mut manifest = Self::new(run);
         let mut lines = text.split_inclusive(|&byte| byte == b'\n');
@@ -97,7 +96,7 @@ impl Manifest {
     }
 }
 
-fn entry(line: &[u8]) -> Option<(usize, Entry)> {
+fn entry(line: &[u8]) -> Option<(usize, ManifestChunk)> {
     let mut words = core::str::from_utf8(line).ok()?.split(' ');
     let chunk = words.next()?.parse().ok()?;
     let length = words.next()?.parse().ok()?;
@@ -106,22 +105,28 @@ fn entry(line: &[u8]) -> Option<(usize, Entry)> {
     let mut tally = Tally::default();
     for count in words.next()?.split(',') {
         let (class, count) = count.split_once('=')?;
-        tally.add(Class::find(class)?, count.parse().ok()?);
+        tally.add(class.parse().ok()?, count.parse().ok()?);
     }
-    words.next().is_none().then_some((chunk, Entry { seal: Seal { length, crc }, tally }))
+    words.next().is_none().then_some((chunk, ManifestChunk { checksum: Checksum { length, crc }, tally }))
 }
 
 #[cfg(test)]
 mod tests {
+    use littlewood::Class;
+
     use super::*;
 
     fn example() -> Manifest {
         let mut manifest = Manifest::new(0x5f37_59df);
         let mut tally = Tally::default();
         tally.add(Class::LeavesAtOnce, 52);
-        manifest.chunks.insert(0, Entry { seal: Seal { length: 24_681, crc: 0x1b2c }, tally });
+        manifest
+            .chunks
+            .insert(0, ManifestChunk { checksum: Checksum { length: 24_681, crc: 0x1b2c }, tally });
         tally.add(Class::RollsForever, 25);
-        manifest.chunks.insert(7, Entry { seal: Seal { length: 9, crc: 0xffff_ffff }, tally });
+        manifest
+            .chunks
+            .insert(7, ManifestChunk { checksum: Checksum { length: 9, crc: 0xffff_ffff }, tally });
         manifest
     }
 
@@ -130,14 +135,14 @@ mod tests {
         let manifest = example();
         assert_eq!(
             manifest.text(),
-            "littlewood-sweep 1 run 5f3759df\n0 24681 00001b2c leaves_at_once=52\n7 9 ffffffff \
+            "littlewood-sweep 2 run 5f3759df\n0 24681 00001b2c leaves_at_once=52\n7 9 ffffffff \
              leaves_at_once=52,rolls_forever=25\n"
         );
         assert_eq!(Manifest::parse(manifest.text().as_bytes(), manifest.run, 8), Ok(manifest));
     }
 
     #[test]
-    fn a_torn_end_at_any_byte_loses_only_the_last_chunk() {
+    fn a_cut_end_at_any_byte_loses_only_the_last_chunk() {
         let manifest = example();
         let text = manifest.text();
         for length in 0..text.len() {
@@ -150,8 +155,8 @@ mod tests {
     #[test]
     fn damage_is_found_and_its_line_named() {
         let parse = |text: &str| Manifest::parse(text.as_bytes(), 0x5f37_59df, 8).map(|_| ());
-        let head = "littlewood-sweep 1 run 5f3759df\n";
-        assert_eq!(parse("littlewood-sweep 1 run 5f3759de\n"), Err(1));
+        let head = "littlewood-sweep 2 run 5f3759df\n";
+        assert_eq!(parse("littlewood-sweep 2 run 5f3759de\n"), Err(1));
         assert_eq!(parse("something else\n"), Err(1));
         let good = "1 1 00000000 painleve=1";
         assert_eq!(parse(&format!("{head}{good}\n")), Ok(()));
@@ -172,10 +177,10 @@ mod tests {
     }
 
     #[test]
-    fn a_seal_sees_every_bit_and_where_it_stands() {
-        let seal = Seal::of([&b"abc"[..], b"def"]);
-        assert_eq!(seal, Seal { length: 6, crc: 0x4b8e_39ef }); // CRC-32 of "abcdef"
-        assert_ne!(seal, Seal::of([&b"abd"[..], b"def"]));
-        assert_ne!(seal, Seal::of([&b"abc"[..], b"de"]));
+    fn a_checksum_depends_on_every_bit_and_its_place() {
+        let checksum = Checksum::of([&b"abc"[..], b"def"]);
+        assert_eq!(checksum, Checksum { length: 6, crc: 0x4b8e_39ef }); // CRC-32 of "abcdef"
+        assert_ne!(checksum, Checksum::of([&b"abd"[..], b"def"]));
+        assert_ne!(checksum, Checksum::of([&b"abc"[..], b"de"]));
     }
 }

@@ -1,0 +1,60 @@
+//! How to run: resuming, size of chunks, cancelling, progress, and the disk.
+
+use core::sync::atomic::{AtomicBool, Ordering};
+
+use crate::disk::{Disk, FileSystem};
+
+/// Points of a chunk, unless another number is asked for.
+pub const CHUNK_POINTS: usize = 65_536;
+
+/// How to run.
+pub struct Options<'a> {
+    /// Go on with a store that is there, if the parameters are the same.
+    pub resume: bool,
+    /// Largest number of points of a chunk.
+    pub chunk_points: usize,
+    /// When it becomes true the chunks in work are finished, and the run ends with a partial store.
+    pub cancel: Option<&'a AtomicBool>,
+    /// Called whenever chunks have been finished.
+    pub progress: Option<&'a (dyn Fn(Progress) + Sync)>,
+    /// Where files are written.
+    pub disk: &'a dyn Disk,
+}
+
+/// How far a run is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Points whose chunks are on disk, including those of an earlier run.
+    pub done: u64,
+    /// Points of them that an earlier run has computed.
+    pub reused: u64,
+    /// All points.
+    pub total: u64,
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Self { resume: false, chunk_points: CHUNK_POINTS, cancel: None, progress: None, disk: &FileSystem }
+    }
+}
+
+impl core::fmt::Debug for Options<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Options")
+            .field("resume", &self.resume)
+            .field("chunk_points", &self.chunk_points)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Options<'_> {
+    pub(crate) fn is_cancelled(&self) -> bool {
+        self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
+    }
+
+    pub(crate) fn report(&self, progress: Progress) {
+        if let Some(callback) = self.progress {
+            callback(progress);
+        }
+    }
+}

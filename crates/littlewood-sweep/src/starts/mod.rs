@@ -1,0 +1,12 @@
+//! Lists of starts, read from CSV or Parquet a chunk at a time.
+
+mod csv;
+mod error;
+mod header;
+mod list;
+mod parquet;
+mod rows;
+
+pub use error::ListError;
+pub use list::StartList;
+pub(crate) use rows::Rows;

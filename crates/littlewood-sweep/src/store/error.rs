@@ -1,0 +1,138 @@
+//! What is wrong with a store, or with writing to it.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+use crate::description::ForeignVersion;
+
+/// What is wrong with a store, or with writing to it.
+#[derive(Debug, Error)]
+pub enum StoreError {
+    /// A file or folder cannot be written: a full disk, a folder without permission, a name that is taken.
+    #[error("cannot write {}: {source}{}", path.display(), stay_readable(*finished))]
+    Unwritable {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+        /// Points whose chunks are on disk and stay readable.
+        finished: u64,
+    },
+    /// A file of a store cannot be read.
+    #[error("cannot read {}: {source}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// There is something at the path that is not a store of this program.
+    #[error("{} exists and is not the result of a sweep; it is left as it is", path.display())]
+    NotAStore {
+        /// The path.
+        path: PathBuf,
+    },
+    /// There is a store whose files or codes are those of another version of this program.
+    #[error(
+        "{} has {} {}{}, this program reads and writes {}; it is left as it is: choose another name and compute it \
+         again, or read it with the program that made it",
+        path.display(), version.what, version.found, made_by(version), version.needed
+    )]
+    OtherFormat {
+        /// The path.
+        path: PathBuf,
+        /// What differs, which version is there, and which is needed.
+        version: ForeignVersion,
+    },
+    /// There is a store of the same run, and resuming was not asked for.
+    #[error("{} exists ({}); resume it, or choose another name", path.display(), if *complete { "complete" } else { "partial" })]
+    Exists {
+        /// The path.
+        path: PathBuf,
+        /// Whether all of its chunks are there.
+        complete: bool,
+    },
+    /// There is a store of another run.
+    #[error("{} was made by other parameters ({}); it is left as it is", path.display(), differences.join("; "))]
+    OtherParameters {
+        /// The path.
+        path: PathBuf,
+        /// What differs, as `name: there / here`.
+        differences: Vec<String>,
+    },
+    /// Another process is writing to the store.
+    #[error("another process is writing to {}", path.display())]
+    Locked {
+        /// The path.
+        path: PathBuf,
+    },
+    /// The list of finished chunks cannot be understood.
+    #[error("{}, line {line}: the list of finished chunks is damaged; remove the store and run again", path.display())]
+    DamagedManifest {
+        /// The file.
+        path: PathBuf,
+        /// Line, from 1.
+        line: usize,
+    },
+    /// Metadata of a store cannot be understood.
+    #[error("{}: damaged metadata: {reason}", path.display())]
+    DamagedMetadata {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A chunk cannot be decoded.
+    #[error("{}: damaged chunk: {reason}", path.display())]
+    DamagedChunk {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Data cannot be put into the format. No input is known that does this.
+    #[error("cannot encode {what}: {reason}")]
+    Encoding {
+        /// What was encoded.
+        what: String,
+        /// What the encoder says.
+        reason: String,
+    },
+}
+
+impl StoreError {
+    pub(crate) fn unwritable(path: &Path, source: io::Error) -> Self {
+        Self::Unwritable { path: path.to_owned(), source, finished: 0 }
+    }
+
+    pub(crate) fn unreadable(path: &Path, source: io::Error) -> Self {
+        Self::Unreadable { path: path.to_owned(), source }
+    }
+
+    /// Of an encoder.
+    pub(crate) fn encoding<E: core::fmt::Display>(what: &str) -> impl Fn(E) -> Self + '_ {
+        move |error| Self::Encoding { what: what.to_owned(), reason: error.to_string() }
+    }
+
+    /// The same error, which says how many points stay readable.
+    pub(crate) fn with_finished(self, finished: u64) -> Self {
+        match self {
+            Self::Unwritable { path, source, .. } => Self::Unwritable { path, source, finished },
+            other => other,
+        }
+    }
+}
+
+fn stay_readable(finished: u64) -> String {
+    match finished {
+        0 => String::new(),
+        1 => "; the point that is finished stays readable".to_owned(),
+        _ => format!("; the {finished} points that are finished stay readable"),
+    }
+}
+
+fn made_by(version: &ForeignVersion) -> String {
+    version.program.as_ref().map_or_else(String::new, |program| format!(" (of littlewood-sweep {program})"))
+}

@@ -1,0 +1,76 @@
+//! What a format of stores has to provide.
+
+use std::path::{Path, PathBuf};
+
+use littlewood::Setup;
+use serde_json::Value;
+
+use super::error::StoreError;
+use crate::columns::Columns;
+use crate::description::{Description, ForeignVersion};
+
+/// A file of a store: its path within the store, and its bytes.
+pub(crate) type StoreFile = (PathBuf, Vec<u8>);
+
+/// What the header of a store says.
+pub(crate) struct Header {
+    /// The version of the format, if the header has one.
+    pub(crate) format: Option<Value>,
+    /// The description of the run.
+    pub(crate) run: Value,
+    /// Whether all chunks are there.
+    pub(crate) complete: bool,
+}
+
+impl Header {
+    /// The program that stores name as their maker.
+    pub(crate) const PROGRAM: &'static str = "littlewood-sweep";
+
+    /// From the attributes in which a store describes itself; none if they are not of this program.
+    pub(crate) fn of_attributes(attributes: &Value) -> Option<Self> {
+        if attributes.get("program")?.as_str()? != Self::PROGRAM {
+            return None;
+        }
+        let complete = attributes.get("status")?.as_str()? == Self::status(true);
+        let (format, run) = (attributes.get("format").cloned(), attributes.get("run")?.clone());
+        Some(Self { format, run, complete })
+    }
+
+    /// The status of a store in words.
+    pub(crate) const fn status(complete: bool) -> &'static str {
+        if complete { "complete" } else { "partial" }
+    }
+
+    /// Refuses a store of another version.
+    pub(crate) fn check_versions(&self, path: &Path) -> Result<(), StoreError> {
+        match ForeignVersion::find(self.format.as_ref(), &self.run) {
+            None => Ok(()),
+            Some(version) => Err(StoreError::OtherFormat { path: path.to_owned(), version }),
+        }
+    }
+}
+
+/// A format of stores.
+pub(crate) trait Format: Sync {
+    /// What the run computes.
+    fn description(&self) -> &Description;
+    /// The file that describes the run and says whether it is complete.
+    fn header_path(&self) -> &'static str;
+    /// The list of finished chunks.
+    fn manifest_path(&self) -> &'static str;
+    /// An empty file that is locked while a run writes.
+    fn lock_path(&self) -> &'static str;
+    /// The header as a file.
+    fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError>;
+    /// What it says; none if it is not of this program.
+    fn read_header(&self, header: &Value) -> Option<Header>;
+    /// Files that are written before the first chunk.
+    fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError>;
+    /// Paths of the files of a chunk.
+    fn paths(&self, chunk: usize) -> Vec<PathBuf>;
+    /// The files of a chunk, in the order of [`Format::paths`].
+    fn encode(&self, chunk: usize, points: &[Setup], columns: &Columns)
+    -> Result<Vec<StoreFile>, StoreError>;
+    /// The results of a chunk again, from the store at a path; none if a file of it is missing.
+    fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError>;
+}

@@ -1,0 +1,155 @@
+//! Writing a store: it begins or is resumed, chunks are added, it is completed.
+
+use std::fs::{self, File};
+use std::io::ErrorKind;
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::error::StoreError;
+use super::format::{Format, Header, StoreFile};
+use super::lock::lock;
+use super::manifest::{Checksum, Manifest, ManifestChunk};
+use super::open::{check, is_intact};
+use crate::compute::Workers;
+use crate::disk::Disk;
+use crate::tally::Tally;
+
+/// A store that is open for writing. No other process has it open at the same time.
+pub(crate) struct Store<'a> {
+    root: &'a Path,
+    format: &'a dyn Format,
+    disk: &'a dyn Disk,
+    /// Chunks that are there and intact.
+    manifest: Manifest,
+    /// Number of chunks that were said to be there when it was opened, but are damaged or missing.
+    damaged: usize,
+    /// Held, not read: the lock ends with it. None on file systems without locks.
+    _lock: Option<File>,
+}
+
+/// A chunk that is written, by its number, with its points class by class.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WrittenChunk {
+    pub(crate) number: usize,
+    pub(crate) tally: Tally,
+}
+
+impl<'a> Store<'a> {
+    /// Finds out whether the store may be begun or resumed. Writes nothing.
+    pub(crate) fn inspect(root: &Path, format: &dyn Format, resume: bool) -> Result<(), StoreError> {
+        check(root, format, resume).map(drop)
+    }
+
+    /// Opens or begins the store of a run with so many chunks.
+    pub(crate) fn open(
+        root: &'a Path,
+        format: &'a dyn Format,
+        count: usize,
+        resume: bool,
+        disk: &'a dyn Disk,
+        workers: &Workers,
+    ) -> Result<Self, StoreError> {
+        // Until the lock is held another process may finish the store, or begin another one: checked again after it.
+        let before = check(root, format, resume)?;
+        let lock = lock(root, format, disk, before.is_some_and(|header| header.complete))?;
+        let header = check(root, format, resume)?;
+        let manifest = Manifest::new(format.description().crc());
+        let mut store = Self { root, format, disk, manifest, damaged: 0, _lock: lock };
+        match header {
+            None => store.begin()?,
+            Some(Header { complete, .. }) => store.resume(count, complete, workers)?,
+        }
+        Ok(store)
+    }
+
+    fn begin(&self) -> Result<(), StoreError> {
+        self.write(Path::new(self.format.header_path()), &self.format.header(false)?)?;
+        for (path, bytes) in self.format.initial_files()? {
+            self.write(&path, &bytes)?;
+        }
+        self.write(Path::new(self.format.manifest_path()), self.manifest.head().as_bytes())
+    }
+
+    fn resume(&mut self, count: usize, complete: bool, workers: &Workers) -> Result<(), StoreError> {
+        let path = self.root.join(self.format.manifest_path());
+        let claimed = match fs::read(&path) {
+            Ok(text) => Manifest::parse(&text, self.manifest.run, count)
+                .map_err(|line| StoreError::DamagedManifest { path: path.clone(), line })?,
+            Err(error) if error.kind() == ErrorKind::NotFound => Manifest::new(self.manifest.run),
+            Err(source) => return Err(StoreError::unreadable(&path, source)),
+        };
+        self.manifest.chunks = workers.install(|| {
+            claimed
+                .chunks
+                .par_iter()
+                .filter(|&(&number, entry)| is_intact(self.root, self.format, number, entry.checksum))
+                .map(|(&number, &entry)| (number, entry))
+                .collect()
+        });
+        let intact = self.manifest.chunks.len();
+        self.damaged = if complete { count } else { claimed.chunks.len() } - intact;
+        if intact < count {
+            // A store that was complete is partial from here on, until its last chunk is there.
+            self.write(Path::new(self.format.header_path()), &self.format.header(false)?)?;
+            for (path, bytes) in self.format.initial_files()? {
+                self.write(&path, &bytes)?;
+            }
+            self.write(Path::new(self.format.manifest_path()), self.manifest.text().as_bytes())?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn has(&self, chunk: usize) -> bool {
+        self.manifest.chunks.contains_key(&chunk)
+    }
+
+    /// Points of some chunks, class by class.
+    pub(crate) fn tally(&self, chunks: &[usize]) -> Tally {
+        let mut tally = Tally::default();
+        for entry in chunks.iter().filter_map(|number| self.manifest.chunks.get(number)) {
+            tally += entry.tally;
+        }
+        tally
+    }
+
+    pub(crate) const fn damaged_chunks(&self) -> usize {
+        self.damaged
+    }
+
+    /// Writes the files of a chunk, then its line in the manifest.
+    pub(crate) fn add(&mut self, chunk: WrittenChunk, files: &[StoreFile]) -> Result<(), StoreError> {
+        for (path, bytes) in files {
+            self.write(path, bytes)?;
+        }
+        let checksum = Checksum::of(files.iter().map(|(_, bytes)| bytes.as_slice()));
+        let entry = ManifestChunk { checksum, tally: chunk.tally };
+        let path = self.root.join(self.format.manifest_path());
+        self.disk
+            .append(&path, Manifest::line(chunk.number, &entry).as_bytes())
+            .map_err(|source| StoreError::unwritable(&path, source))?;
+        self.manifest.chunks.insert(chunk.number, entry);
+        Ok(())
+    }
+
+    /// Writes the manifest in the order of the chunks, and the header that says that the store is complete.
+    pub(crate) fn complete(&self) -> Result<(), StoreError> {
+        for (path, bytes) in [
+            (Path::new(self.format.manifest_path()), self.manifest.text().into_bytes()),
+            (Path::new(self.format.header_path()), self.format.header(true)?),
+        ] {
+            if fs::read(self.root.join(path)).ok().as_deref() != Some(&bytes) {
+                self.write(path, &bytes)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), StoreError> {
+        let path = self.root.join(path);
+        if let Some(folder) = path.parent() {
+            self.disk.create_folder(folder).map_err(|source| StoreError::unwritable(folder, source))?;
+        }
+        self.disk.write(&path, bytes).map_err(|source| StoreError::unwritable(&path, source))
+    }
+}
