@@ -25,19 +25,25 @@ def quantity_attributes(name: str) -> dict[str, Any]:
     return {"long_name": quantity.long_name, "units": quantity.cf_unit, "scale": quantity.scale}
 
 
+def _legend() -> dict[str, str]:
+    letters = {str(code): f"{letter}: {meaning}" for code, letter, meaning in _core.PHASES}
+    return {"0": "end of the sequence", **letters}
+
+
 def result_attributes(name: str) -> dict[str, Any]:
     """Return the attributes of a variable of the result."""
     column = SUMMARY_COLUMNS[name]
+    units = {"units": column.cf_unit, "scale": column.scale}
     # Lists of plain numbers: a store holds them, as the command line writes them.
     of_kind: dict[str, dict[str, Any]] = {
         "outcome": {"flag_values": list(OUTCOMES), "flag_meanings": " ".join(OUTCOMES.values())},
         "sequence": {
             "encoding": _core.SEQUENCE_ENCODING,
             "version": _core.SEQUENCE_VERSION,
-            "legend": {str(code): f"{letter}: {meaning}" for code, letter, meaning in _core.PHASES},
+            "legend": _legend(),
         },
-        "count": {"units": column.cf_unit},
+        "count": units,
         "flag": {"flag_values": [0, 1], "flag_meanings": "no yes"},
-        "real": {"units": column.cf_unit, "scale": column.scale},
+        "real": units,
     }
     return {"long_name": column.long_name, **of_kind[column.kind]}
