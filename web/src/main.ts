@@ -1,27 +1,28 @@
 // The laboratory: puts the parts together.
 
+import './generated/palette.css';
 import './style/theme.css';
 import './style/base.css';
 import './style/page.css';
 import './style/panes.css';
 import './style/dialogue.css';
 import './style/screens.css';
-import { columnsAgree } from './core/motion';
+import { namesAgree } from './core/motion';
 import { cases as casesOfCore, load, provokePanic } from './core/wasm';
 import { Lab, type Change } from './state/lab';
 import { problemOfCase, VIEW, type NamedCase, type State, type Theme } from './state/state';
 import { format, parse, type Complaint } from './state/url';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
-import { byId } from './ui/dom';
+import { byId } from './dom';
 import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
 import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
 import { Share } from './ui/share';
 import { Story } from './ui/story';
+import { isDark, onSystemTheme, paletteOf, setTheme } from './ui/theme';
 import { Transport } from './ui/transport';
-import { readPalette } from './views/palette';
 import { Plots } from './views/plots';
 
 /** How long the address waits, so that a drag does not write it at every step. */
@@ -29,7 +30,7 @@ const ADDRESS_PAUSE = 250;
 
 watch();
 await load(showDefect);
-if (!columnsAgree()) throw new Error('the page and its core are of different versions');
+if (!namesAgree()) throw new Error('the page and its core are of different versions');
 start(JSON.parse(casesOfCore()) as NamedCase[]);
 
 function start(cases: NamedCase[]): void {
@@ -38,7 +39,7 @@ function start(cases: NamedCase[]): void {
   const lab = new Lab(first, cases);
   setTheme(first.view.theme);
 
-  let palette = readPalette();
+  let palette = paletteOf(first.view.theme);
   let frame = 0;
   const draw = (): void => {
     if (frame === 0) frame = requestAnimationFrame(paint);
@@ -62,7 +63,7 @@ function start(cases: NamedCase[]): void {
   const stale = { motion: true, time: true };
   function paint(): void {
     frame = 0;
-    if (stale.motion) plots.setMotion(lab.motion, lab.scales, lab.state.problem.system === 'si');
+    if (stale.motion) plots.setMotion({ motion: lab.motion, units: lab.units, system: lab.state.problem.system });
     if (stale.motion || stale.time) plots.setTime(lab.time);
     stale.motion = false;
     stale.time = false;
@@ -72,7 +73,7 @@ function start(cases: NamedCase[]): void {
 
   const showTheme = (): void => {
     setTheme(lab.state.view.theme);
-    palette = readPalette();
+    palette = paletteOf(lab.state.view.theme);
     hoop.setPalette(palette);
     plane.setPalette(palette);
     plots.setPalette(palette);
@@ -123,10 +124,9 @@ function start(cases: NamedCase[]): void {
     showLinkComplaints(lab.complaints);
   };
   byId('theme', HTMLButtonElement).addEventListener('click', () => {
-    const dark = getComputedStyle(document.documentElement).colorScheme.includes('dark');
-    lab.setView({ theme: dark ? 'light' : 'dark' });
+    lab.setView({ theme: isDark(lab.state.view.theme) ? 'light' : 'dark' });
   });
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', showTheme);
+  onSystemTheme(showTheme);
   byId('skip', HTMLAnchorElement).addEventListener('click', (event) => {
     // The part after # is the state, not a place on the page.
     event.preventDefault();
@@ -144,11 +144,6 @@ function start(cases: NamedCase[]): void {
   });
 }
 
-function setTheme(theme: Theme): void {
-  if (theme === 'auto') delete document.documentElement.dataset['theme'];
-  else document.documentElement.dataset['theme'] = theme;
-}
-
 function address(lab: Lab): string {
   return `${location.origin}${location.pathname}${location.search}#${format(lab.state, lab.cases)}`;
 }
@@ -161,7 +156,7 @@ function writeSoon(lab: Lab): void {
   timer = window.setTimeout(() => history.replaceState(null, '', address(lab)), ADDRESS_PAUSE);
 }
 
-/** What a link has wrong is told at the top, too: its field may be out of sight, or there may be none. */
+/** What is wrong in a link is shown at the top, too: its field may be out of sight, or there may be none. */
 function showLinkComplaints(complaints: readonly Complaint[]): void {
   const banner = byId('banner', HTMLParagraphElement);
   banner.hidden = complaints.length === 0;

@@ -66,6 +66,6 @@ export async function pixelOf(page: Page, theta: number, rate: number, most = 4)
 export const FIGURE_3 = [
   { cause: 'stick', time: 0.564107553101996750, theta: 2.91722565678924913, rate: 2.93644326144529653, slip: 0 },
   { cause: 'slip', time: 0.973223074772405405, theta: 4.06633287423929561, rate: 2.46087950463497717, slip: 0 },
-  { cause: 'lift off', time: 1.51867021381943700, theta: 5.23673577087816789, rate: 1.99870593711413988, slip: 0.607696268534750732 },
+  { cause: 'lift-off', time: 1.51867021381943700, theta: 5.23673577087816789, rate: 1.99870593711413988, slip: 0.607696268534750732 },
 ];
 export const FIGURE_3_LANDING = { time: 3.84739555668689420, theta: 9.89117293957551564 };

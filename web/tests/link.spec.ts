@@ -69,7 +69,7 @@ for (const [state, name, message] of BAD) {
     await expect(field(page, name)).toHaveAttribute('aria-invalid', 'true');
     await expect(page.locator('#banner')).toContainText(message);
     // The last good state is there: figure 3.
-    expect((await events(page)).map((it) => it.cause)).toEqual(['start', 'stick', 'slip', 'lift off', 'landing']);
+    expect((await events(page)).map((it) => it.cause)).toEqual(['start', 'stick', 'slip', 'lift-off', 'landing']);
   });
 }
 

@@ -23,7 +23,7 @@ test('a start dragged to that of figure 3 slides, rolls, slides and jumps', asyn
 
   const [start, ...found] = await events(page);
   expect(start!.then).toBe('sliding');
-  expect(found.map((it) => it.cause)).toEqual(['stick', 'slip', 'lift off', 'landing']);
+  expect(found.map((it) => it.cause)).toEqual(['stick', 'slip', 'lift-off', 'landing']);
   FIGURE_3.forEach((expected, i) => {
     for (const key of ['time', 'theta', 'rate', 'slip'] as const) {
       expect(Math.abs(found[i]![key] - expected[key]), `${key} of ${expected.cause}`).toBeLessThan(1e-9);
@@ -42,7 +42,7 @@ test('figure 7 has the times of its closed form', async ({ page }) => {
   const end = found.at(-1)!;
   expect(Math.abs(slip.time - Math.log(5))).toBeLessThan(1e-9);
   expect(Math.abs(slip.rate - 0.75)).toBeLessThan(1e-9);
-  expect(end.cause).toBe('particle at plane');
+  expect(end.cause).toBe('particle at the plane');
   expect(Math.abs(end.time - slip.time - (Math.sqrt(89) - 3) / 5)).toBeLessThan(1e-9);
 });
 
@@ -104,7 +104,7 @@ test('play moves the cursor, the events stop it where they are, and the sentence
   await expect(page.locator('output[data-plot=normal]')).toHaveText(/^−?0\.000$/);
   await page.locator('#previous').click();
   await expect(page.locator('#mode')).toHaveText('sliding');
-  await page.locator('#events tr[data-cause=stick] button').click();
+  await page.locator('#events tr[data-event=stick] button').click();
   await expect(page.locator('#mode')).toHaveText('rolling');
   await expect(page).toHaveURL(/at=0\.5641075531/);
 });

@@ -75,7 +75,7 @@ test('it works without a network once it has been there', async ({ page, context
   await page.goto('./#case=figure-7');
   await page.reload();
   await ready(page);
-  expect((await events(page)).map((it) => it.cause)).toContain('particle at plane');
+  expect((await events(page)).map((it) => it.cause)).toContain('particle at the plane');
   await expect(page.locator('html[data-map=done]')).toBeAttached();
   await page.locator('#open-share').click();
   // The part that is loaded when it is needed is there as well.
@@ -105,9 +105,9 @@ test('a core that does not load is no blank page', async ({ page }) => {
 test('the outcome map follows the hoop', async ({ page }) => {
   await open(page, 'case=figure-3');
   await expect(page.locator('html[data-map=done]')).toBeAttached();
-  await expect(page.locator('#legend li')).toHaveText(['rolls for ever', 'jumps later', 'leaves at once'], { useInnerText: true });
+  await expect(page.locator('#legend li')).toHaveText(['rolls for ever', 'lifts off later', 'leaves at once'], { useInnerText: true });
   await page.locator('#massless').check();
-  await expect(page.locator('#legend')).toContainText('particle reaches the bottom');
+  await expect(page.locator('#legend')).toContainText('particle at the plane');
   await page.locator('#map').uncheck();
   await expect(page.locator('#legend')).toBeHidden();
 });

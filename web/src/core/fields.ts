@@ -1,103 +1,91 @@
-// The quantities that a person sets, in both systems of units, with what each means.
+// The quantities of a problem in either system of units, and what only the page says of them.
 
-export type System = 'dimensionless' | 'si';
+import {
+  DIMENSIONLESS, QUANTITIES, QUANTITY_ROWS, SI, type DimensionlessNumber, type Group, type Quantity, type SiNumber,
+  type System,
+} from '../generated/tables';
 
-export interface Field {
-  /** Name in addresses, files and flags. */
-  name: string;
-  label: string;
-  unit: string;
-  /** What it means, for the tip. */
-  meaning: string;
-  /** Range of the slider; a number that is typed may lie beyond. */
-  min: number;
-  max: number;
-  step: number;
-  group: 'hoop' | 'start' | 'place' | 'units';
-  /** Whether there is a slider. */
-  slider: boolean;
+/** The numbers of a problem in each system. */
+export interface Numbers {
+  dimensionless: DimensionlessNumber;
+  si: SiNumber;
 }
 
-const angle: Omit<Field, 'name'> = {
-  label: 'θ', unit: 'rad', group: 'start', min: -3.14, max: 6.28, step: 0.01, slider: true,
-  meaning: 'Angle of the particle from the upward vertical, counterclockwise.',
+export type Values<S extends System> = Readonly<Record<Numbers[S], number>>;
+
+const NUMBERS: { readonly [S in System]: readonly Numbers[S][] } = { dimensionless: DIMENSIONLESS, si: SI };
+
+/** The numbers of a system, in the order in which the core takes them. */
+export function numbersOf<S extends System>(system: S): readonly Numbers[S][] {
+  return NUMBERS[system];
+}
+
+/** Values by name, of numbers in the order of the core. */
+export function valuesOf<S extends System>(system: S, numbers: Float64Array): Values<S> {
+  const names = numbersOf(system);
+  if (numbers.length !== names.length) throw new Error(`${numbers.length} numbers for ${names.length} quantities`);
+  return Object.fromEntries(names.map((name, i) => [name, numbers[i]])) as Values<S>;
+}
+
+/** Values in the order of the core. */
+export function inOrder<S extends System>(system: S, values: Values<S>): Float64Array {
+  return Float64Array.from(numbersOf(system), (name) => values[name]);
+}
+
+/** The time limit in each system. */
+export const LIMIT: Readonly<Record<System, Quantity>> = { dimensionless: 'until', si: 'until_s' };
+
+/** The quantity that stands for another in a system: its twin, or itself where both systems have the same number. */
+export function inSystem(system: System, quantity: Quantity): Quantity {
+  const row = QUANTITY_ROWS[quantity];
+  return row.system === system || row.twin === null ? quantity : row.twin;
+}
+
+/** The quantity of a name that the core gives. */
+export function quantityNamed(name: string): Quantity {
+  const quantity = QUANTITIES.find((it) => it === name);
+  if (quantity === undefined) throw new Error(`there is no quantity named '${name}'`);
+  return quantity;
+}
+
+/** What a person at the page may want to know besides the long name, for both systems. */
+const REMARKS: Partial<Record<Quantity, string>> = {
+  offset: 'On the rim it is the radius.',
+  inertia: 'A thin hoop has Izz = m₁R², a uniform disc half of that.',
+  mu_s: 'The hoop rolls while |F| ≤ μₛN (2.13).',
+  mu_k: 'While the contact point slips |F| = μₖN (2.15). Never above μₛ.',
+  theta: 'Positive counterclockwise.',
+  theta_rate: 'Negative for a hoop that rolls to the right.',
+  slip: '0 lets friction decide what follows.',
+  x: 'The place of the start; no motion depends on it.',
+  time: 'The time of the start; no motion depends on it.',
+  until: 'Stops the motion. Empty: it is followed to its end.',
 };
-const muS: Field = {
-  name: 'mu_s', label: 'μs', unit: '', group: 'hoop', min: 0, max: 1.5, step: 0.01, slider: true,
-  meaning: 'Coefficient of static friction: the hoop rolls while |F| ≤ μs N (2.13).',
-};
-const muK: Field = {
-  name: 'mu_k', label: 'μk', unit: '', group: 'hoop', min: 0, max: 1.5, step: 0.01, slider: true,
-  meaning: 'Coefficient of kinetic friction: while it slips |F| = μk N (2.15). Never above μs.',
-};
 
-const DIMENSIONLESS: Field[] = [
-  { name: 'mass_ratio', label: 'm₁/m₂', unit: '', group: 'hoop', min: 0, max: 5, step: 0.01, slider: true,
-    meaning: 'Mass of the hoop over that of the particle.' },
-  { name: 'offset', label: 'ℓ/R', unit: '', group: 'hoop', min: 0, max: 1, step: 0.01, slider: true,
-    meaning: 'Distance of the particle from the centre over the radius: 1 on the rim.' },
-  { name: 'inertia', label: 'I/(m₂R²)', unit: '', group: 'hoop', min: 0, max: 5, step: 0.01, slider: true,
-    meaning: 'Moment of inertia of the hoop about its centre: m₁/m₂ for a thin hoop, half of that for a uniform disc.' },
-  muS,
-  muK,
-  { name: 'theta', ...angle },
-  { name: 'theta_rate', label: 'θ′', unit: '√(g/R)', group: 'start', min: -4, max: 4, step: 0.01, slider: true,
-    meaning: 'Rate of turning. A hoop that rolls to the right has θ′ < 0.' },
-  { name: 'slip', label: 'η′', unit: '√(gR)', group: 'start', min: -2, max: 2, step: 0.01, slider: true,
-    meaning: 'Slip velocity of the contact point (2.7); 0 to let friction decide.' },
-  { name: 'x', label: 'x', unit: 'R', group: 'place', min: -10, max: 10, step: 0.1, slider: false,
-    meaning: 'Where the centre is at the start. No motion depends on it.' },
-  { name: 'time', label: 'τ', unit: '√(R/g)', group: 'place', min: -10, max: 10, step: 0.1, slider: false,
-    meaning: 'Time of the start. No motion depends on it.' },
-];
-
-const SI: Field[] = [
-  { name: 'disc_mass_kg', label: 'm₁', unit: 'kg', group: 'hoop', min: 0, max: 2, step: 0.01, slider: true,
-    meaning: 'Mass of the hoop.' },
-  { name: 'particle_mass_kg', label: 'm₂', unit: 'kg', group: 'hoop', min: 0.01, max: 2, step: 0.01, slider: true,
-    meaning: 'Mass of the particle.' },
-  { name: 'radius_m', label: 'R', unit: 'm', group: 'hoop', min: 0.05, max: 1, step: 0.01, slider: true,
-    meaning: 'Outer radius of the hoop.' },
-  { name: 'offset_m', label: 'ℓ', unit: 'm', group: 'hoop', min: 0, max: 1, step: 0.01, slider: true,
-    meaning: 'Distance of the particle from the centre, at most R.' },
-  { name: 'inertia_kg_m2', label: 'I', unit: 'kg m²', group: 'hoop', min: 0, max: 0.5, step: 0.001, slider: true,
-    meaning: 'Moment of inertia of the hoop about its centre: m₁R² for a thin hoop, half of that for a uniform disc.' },
-  { name: 'gravity_m_per_s2', label: 'g', unit: 'm/s²', group: 'hoop', min: 0.5, max: 25, step: 0.01, slider: false,
-    meaning: 'Gravitational acceleration.' },
-  muS,
-  muK,
-  { name: 'theta', ...angle },
-  { name: 'theta_rate_rad_per_s', label: 'dθ/dt', unit: 'rad/s', group: 'start', min: -20, max: 20, step: 0.01,
-    slider: true, meaning: 'Rate of turning. A hoop that rolls to the right turns with dθ/dt < 0.' },
-  { name: 'slip_m_per_s', label: 'dη/dt', unit: 'm/s', group: 'start', min: -5, max: 5, step: 0.01, slider: true,
-    meaning: 'Slip velocity of the contact point; 0 to let friction decide.' },
-  { name: 'x_m', label: 'x', unit: 'm', group: 'place', min: -10, max: 10, step: 0.1, slider: false,
-    meaning: 'Where the centre is at the start. No motion depends on it.' },
-  { name: 'time_s', label: 't', unit: 's', group: 'place', min: -10, max: 10, step: 0.1, slider: false,
-    meaning: 'Time of the start. No motion depends on it.' },
-];
-
-/** The fields of a system, in the order in which the core takes their numbers. */
-export function fieldsOf(system: System): readonly Field[] {
-  return system === 'si' ? SI : DIMENSIONLESS;
+/** What a quantity is, for its tip. */
+export function meaningOf(quantity: Quantity): string {
+  const name = QUANTITY_ROWS[quantity].longName;
+  const remark = REMARKS[inSystem('dimensionless', quantity)];
+  return `${name.charAt(0).toUpperCase()}${name.slice(1)}.${remark === undefined ? '' : ` ${remark}`}`;
 }
 
-/** Place of a quantity among the numbers of a system. */
-export function indexOf(system: System, name: string): number {
-  return fieldsOf(system).findIndex((field) => field.name === name);
+/** The label of a field: a limit of time has the symbol of the time. */
+export function labelOf(quantity: Quantity): string {
+  const { group, sign } = QUANTITY_ROWS[quantity];
+  return group === 'run' ? `until ${sign}` : sign;
 }
 
-/** Name of the field of a time limit. */
-export function untilName(system: System): 'until' | 'until_s' {
-  return system === 'si' ? 'until_s' : 'until';
+/** Whether there is a slider. */
+const SLIDES: Readonly<Record<Group, boolean>> = { hoop: true, start: true, units: true, place: false, run: false };
+
+/** The slider of a quantity; a number that is typed may lie beyond its range. */
+export function sliderOf(quantity: Quantity): { min: number; max: number } | null {
+  const { group, usual: [min, max] } = QUANTITY_ROWS[quantity];
+  return SLIDES[group] ? { min, max } : null;
 }
 
-/** The field that a message of the core is about, which may speak of the dimensionless quantity. */
-export function fieldOfQuantity(system: System, quantity: string): string {
-  if (system === 'dimensionless') return quantity;
-  const twins: Record<string, string> = {
-    mass_ratio: 'disc_mass_kg', offset: 'offset_m', inertia: 'inertia_kg_m2', theta_rate: 'theta_rate_rad_per_s',
-    slip: 'slip_m_per_s', x: 'x_m', time: 'time_s', until: 'until_s',
-  };
-  return twins[quantity] ?? quantity;
+/** What an arrow key changes a quantity by: a power of ten, at most a hundredth of its usual range. */
+export function stepOf(quantity: Quantity): number {
+  const { usual: [least, most] } = QUANTITY_ROWS[quantity];
+  return Number(`1e${Math.floor(Math.log10((most - least) / 100) + 1e-9)}`);
 }

@@ -1,21 +1,19 @@
 // A motion as the views read it: columns of samples, phases and events.
 
-import { Motion as CoreMotion, sampleColumns, type Problem } from './wasm';
+import {
+  BOUNDARY, CAUSE_LABELS, CAUSES, MODES, OUTCOME_ROWS, OUTCOMES, SAMPLE_COLUMNS, type Cause, type Mode, type OutcomeKind,
+  type SampleColumn,
+} from '../generated/tables';
+import { boundary, Motion as CoreMotion, type Problem } from './wasm';
 
-export const MODES = ['rolling', 'sliding', 'gliding', 'flight'] as const;
-export type Mode = (typeof MODES)[number];
+export type Sample = Readonly<Record<SampleColumn, number>>;
+export type Samples = Record<SampleColumn, Float64Array> & { length: number };
 
-const NAMES = [
-  'time', 'mode', 'direction', 'theta', 'theta_rate', 'slip', 'x', 'theta_acceleration', 'slip_acceleration', 'normal',
-  'friction', 'gap', 'gap_rate', 'energy', 'centre_y', 'mass_centre_x', 'mass_centre_y', 'particle_x', 'particle_y',
-] as const;
-export type Column = (typeof NAMES)[number];
-export type Sample = Record<Column, number>;
-export type Samples = Record<Column, Float64Array> & { length: number };
+/** What one unit of (2.9) of a column is worth in the units that are shown: 1 without dimension. */
+export type ColumnUnits = Readonly<Record<SampleColumn, number>>;
 
 export interface Phase {
   mode: Mode;
-  direction: number;
   start: number;
   /** Infinite for a phase that lasts for ever. */
   end: number;
@@ -26,24 +24,22 @@ export interface Event {
   theta: number;
   theta_rate: number;
   slip: number;
-  /** Name of the cause, or `start`, or the kind of an outcome that is no event. */
-  cause: string;
-  from: Mode | null;
+  /** The cause of a transition, an outcome that is no transition, or the start. */
+  name: Cause | OutcomeKind | 'start';
+  label: string;
+  /** The mode that begins, or goes on; none where the motion ends. */
   to: Mode | null;
   sentence: string;
 }
 
+/** What the page reads of the JSON of a motion. */
 interface Document {
-  start: { time: number; theta: number; theta_rate: number; slip: number; mode: Mode | null };
-  transitions: { time: number; theta: number; theta_rate: number | null; slip: number | null; from: Mode;
-    to: Mode | null; cause: string }[];
+  start: { time: number; theta: number; theta_rate: number; slip: number; mode: string | null };
+  transitions: { time: number; theta: number; theta_rate: number | null; slip: number | null; to: string | null;
+    cause: string }[];
   outcome: { kind: string; time: number; theta: number; theta_rate: number | null; slip: number | null };
-  phases: { mode: Mode; direction: number; start_time: number; duration: number | null }[];
-  energy_lost: number;
+  phases: { mode: string; start_time: number; duration: number | null }[];
 }
-
-/** Outcomes that are the last transition. */
-const EVENTS = new Set(['landing', 'particle_at_plane', 'particle_at_bottom', 'particle_at_top', 'singular']);
 
 /** Samples for the views: for a motion of few phases, and for each phase of one with many. */
 const COUNT = 400;
@@ -53,7 +49,6 @@ const MOST = 8000;
 export class Motion {
   readonly phases: Phase[];
   readonly events: Event[];
-  readonly outcome: string;
   readonly outcomeSentence: string;
   readonly begin: number;
   /** Until when the motion is shown. */
@@ -62,13 +57,11 @@ export class Motion {
 
   private constructor(private readonly core: CoreMotion) {
     const document = JSON.parse(core.json()) as Document;
-    this.outcome = document.outcome.kind;
     this.outcomeSentence = core.outcomeSentence();
     this.begin = document.start.time;
     this.end = core.horizon();
     this.phases = document.phases.map((phase) => ({
-      mode: phase.mode,
-      direction: phase.direction,
+      mode: named(MODES, phase.mode),
       start: phase.start_time,
       end: phase.duration === null ? Infinity : phase.start_time + phase.duration,
     }));
@@ -84,20 +77,16 @@ export class Motion {
   /** Samples evenly spaced in time, and every transition twice. */
   sample(count: number): Samples {
     const flat = this.core.samples(count, this.end);
-    const length = flat.length / NAMES.length;
-    const samples = { length } as Samples;
-    NAMES.forEach((name, i) => {
-      samples[name] = flat.subarray(i * length, (i + 1) * length);
-    });
-    return samples;
+    const length = flat.length / SAMPLE_COLUMNS.length;
+    const columns = SAMPLE_COLUMNS.map((name, i) => [name, flat.subarray(i * length, (i + 1) * length)] as const);
+    return Object.assign(Object.fromEntries(columns) as Record<SampleColumn, Float64Array>, { length });
   }
 
   /** The state at a time within the motion; none where nothing moves. */
   at(time: number): Sample | null {
     const clamped = Math.min(Math.max(time, this.begin), this.end);
     const row = this.core.at(clamped);
-    if (row.length === 0) return null;
-    return Object.fromEntries(NAMES.map((name, i) => [name, row[i]])) as Sample;
+    return row.length === 0 ? null : byColumn(row);
   }
 
   /** The event that came last at a time. */
@@ -120,25 +109,54 @@ export class Motion {
   }
 }
 
-function eventsOf(document: Document, first: string, others: string[], last: string): Event[] {
-  const { start, transitions, outcome } = document;
-  const events: Event[] = [
-    { time: start.time, theta: start.theta, theta_rate: start.theta_rate, slip: start.slip, cause: 'start', from: null,
-      to: start.mode, sentence: first },
-  ];
-  transitions.forEach((it, i) => {
-    events.push({ ...it, theta_rate: it.theta_rate ?? Infinity, slip: it.slip ?? Infinity, sentence: others[i] ?? '' });
-  });
-  if (!EVENTS.has(outcome.kind)) {
-    const mode = document.phases.at(-1)?.mode ?? null;
-    const forever = outcome.kind.endsWith('_forever');
-    events.push({ ...outcome, theta_rate: outcome.theta_rate ?? Infinity, slip: outcome.slip ?? Infinity,
-      cause: outcome.kind, from: mode, to: forever ? mode : null, sentence: last });
-  }
-  return events;
+/** The units of the columns in the system of a problem. */
+export function unitsOf(problem: Problem): ColumnUnits {
+  return byColumn(problem.columnUnits());
 }
 
-/** Whether the columns of the core are those that are named here. */
-export function columnsAgree(): boolean {
-  return sampleColumns().join() === NAMES.join();
+/** The mode of a number in the column of modes. */
+export function modeOf(code: number): Mode {
+  const mode = MODES[code];
+  if (mode === undefined) throw new Error(`there is no mode with the code ${code}`);
+  return mode;
+}
+
+/** Whether the core has the names that the page was generated with, in the same order. */
+export function namesAgree(): boolean {
+  return boundary() === BOUNDARY;
+}
+
+function byColumn(row: Float64Array): Record<SampleColumn, number> {
+  return Object.fromEntries(SAMPLE_COLUMNS.map((name, i) => [name, row[i]])) as Record<SampleColumn, number>;
+}
+
+/** A name of the core as one of a list that the page has. */
+function named<T extends string>(list: readonly T[], name: string): T {
+  const found = list.find((it) => it === name);
+  if (found === undefined) throw new Error(`'${name}' is none of ${list.join(', ')}`);
+  return found;
+}
+
+function eventsOf(document: Document, first: string, others: string[], last: string): Event[] {
+  const { start, transitions, outcome } = document;
+  const modeNamed = (name: string | null): Mode | null => (name === null ? null : named(MODES, name));
+  // JSON has no infinite numbers: a rate that is missing is infinite.
+  const state = (it: Document['transitions'][number] | Document['outcome']) => ({
+    time: it.time, theta: it.theta, theta_rate: it.theta_rate ?? Infinity, slip: it.slip ?? Infinity,
+  });
+  const { time, theta, theta_rate, slip } = start;
+  const events: Event[] = [
+    { time, theta, theta_rate, slip, name: 'start', label: 'start', to: modeNamed(start.mode), sentence: first },
+  ];
+  transitions.forEach((it, i) => {
+    const cause = named(CAUSES, it.cause);
+    events.push({ ...state(it), name: cause, label: CAUSE_LABELS[cause], to: modeNamed(it.to), sentence: others[i]! });
+  });
+  const kind = named(OUTCOMES, outcome.kind);
+  const { label, forever, lastEvent } = OUTCOME_ROWS[kind];
+  if (lastEvent === null) {
+    const mode = document.phases.at(-1)?.mode ?? null;
+    events.push({ ...state(outcome), name: kind, label, to: forever ? modeNamed(mode) : null, sentence: last });
+  }
+  return events;
 }

@@ -25,5 +25,5 @@ export async function load(panicked: (message: string) => void): Promise<void> {
   begin();
 }
 
-export { Motion, OutcomeMap, Plane, Problem, Refusal, cases, classNames, provokePanic, sampleColumns } from
+export { boundary, cases, Motion, OutcomeMap, Plane, Problem, provokePanic, Refusal, Ticks } from
   '../wasm/littlewood_web.js';

@@ -55,7 +55,7 @@ export interface Palette {
 }
 
 /** The colours on each paper. */
-export const PALETTES: Readonly<Record<'light' | 'dark', Palette>> = {
+export const PALETTES = {
   light: {
     ink: {
       paper: '#ffffff',
@@ -158,15 +158,15 @@ export const PALETTES: Readonly<Record<'light' | 'dark', Palette>> = {
     },
     region: 'rgb(145 190 237 / 0.12)',
   },
-};
+} as const satisfies Record<'light' | 'dark', Palette>;
 
 /** Dashes of a line that shows a mode, in units of its width. */
-export const MODE_DASHES: Readonly<Record<Mode, readonly number[]>> = {
+export const MODE_DASHES = {
   rolling: [],
   sliding: [5.0, 2.5],
   gliding: [6.0, 2.0, 1.0, 2.0],
   flight: [1.0, 1.8],
-};
+} as const satisfies Record<Mode, readonly number[]>;
 
 export interface CurveRow {
   label: string;
@@ -178,10 +178,10 @@ export interface CurveRow {
 }
 
 /** The table of curves. */
-export const CURVE_ROWS: Readonly<Record<Curve, CurveRow>> = {
+export const CURVE_ROWS = {
   slip_limit: { label: 'f: |F| = μs N in rolling', letter: 'f', dash: [5.0, 2.5], width: 2.4 },
   normal_force_zero: { label: 'n: N = 0 in rolling', letter: 'n', dash: [], width: 2.4 },
   separatrix: { label: 'separatrix', letter: null, dash: [], width: 1.6 },
   lift_off: { label: 'lift-off: h cos θ θ′² = 1', letter: null, dash: [2.5, 1.8], width: 1.6 },
   level: { label: 'constant energy', letter: null, dash: [], width: 0.8 },
-};
+} as const satisfies Record<Curve, CurveRow>;

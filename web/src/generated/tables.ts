@@ -55,7 +55,7 @@ export interface QuantityRow {
 }
 
 /** The table of quantities. */
-export const QUANTITY_ROWS: Readonly<Record<Quantity, QuantityRow>> = {
+export const QUANTITY_ROWS = {
   mass_ratio: { group: 'hoop', system: 'dimensionless', twin: 'disc_mass_kg', sign: 'm₁/m₂', unit: '', longName: 'mass of the disc over mass of the particle', otherwise: null, usual: [0, 5] },
   offset: { group: 'hoop', system: 'dimensionless', twin: 'offset_m', sign: 'ℓ/R', unit: '', longName: 'distance of the particle from the centre over the radius', otherwise: null, usual: [0, 1] },
   inertia: { group: 'hoop', system: 'dimensionless', twin: 'inertia_kg_m2', sign: 'Izz/(m₂R²)', unit: '', longName: 'moment of inertia of the disc about its centre over m2 R^2', otherwise: null, usual: [0, 5] },
@@ -78,7 +78,7 @@ export const QUANTITY_ROWS: Readonly<Record<Quantity, QuantityRow>> = {
   x_m: { group: 'place', system: 'si', twin: 'x', sign: 'x', unit: 'm', longName: 'horizontal position of the geometric centre', otherwise: 0, usual: [-10, 10] },
   time_s: { group: 'place', system: 'si', twin: 'time', sign: 't', unit: 's', longName: 'time', otherwise: 0, usual: [-10, 10] },
   until_s: { group: 'run', system: 'si', twin: 'until', sign: 't', unit: 's', longName: 'time limit', otherwise: null, usual: [0, 10] },
-};
+} as const satisfies Record<Quantity, QuantityRow>;
 
 /** The numbers of a problem without dimension, in the order in which the core takes them. */
 export const DIMENSIONLESS = [
@@ -145,7 +145,7 @@ export interface ColumnRow {
 }
 
 /** The table of columns. */
-export const COLUMN_ROWS: Readonly<Record<SampleColumn, ColumnRow>> = {
+export const COLUMN_ROWS = {
   time: { longName: 'time', signs: { dimensionless: 'τ', si: 't' }, units: { dimensionless: '√(R/g)', si: 's' } },
   mode: { longName: 'mode of motion', signs: { dimensionless: '', si: '' }, units: { dimensionless: '', si: '' } },
   direction: { longName: 'sign of the slip velocity; 0 for rolling and flight', signs: { dimensionless: 'σ', si: 'σ' }, units: { dimensionless: '', si: '' } },
@@ -165,7 +165,7 @@ export const COLUMN_ROWS: Readonly<Record<SampleColumn, ColumnRow>> = {
   mass_centre_y: { longName: 'height of the mass centre', signs: { dimensionless: 'ȳ', si: 'ȳ' }, units: { dimensionless: 'R', si: 'm' } },
   particle_x: { longName: 'horizontal position of the particle', signs: { dimensionless: 'x₂', si: 'x₂' }, units: { dimensionless: 'R', si: 'm' } },
   particle_y: { longName: 'height of the particle', signs: { dimensionless: 'y₂', si: 'y₂' }, units: { dimensionless: 'R', si: 'm' } },
-};
+} as const satisfies Record<SampleColumn, ColumnRow>;
 
 /** Modes of motion. Arrays hold a mode as its place in this list. */
 export const MODES = [
@@ -193,7 +193,7 @@ export const CAUSES = [
 export type Cause = (typeof CAUSES)[number];
 
 /** In words. */
-export const CAUSE_LABELS: Readonly<Record<Cause, string>> = {
+export const CAUSE_LABELS = {
   slip: 'slip',
   normal_force_zero: 'N = 0',
   stick: 'stick',
@@ -205,7 +205,7 @@ export const CAUSE_LABELS: Readonly<Record<Cause, string>> = {
   particle_at_bottom: 'particle at the bottom',
   particle_at_top: 'particle at the top',
   singularity: 'P = 0',
-};
+} as const satisfies Record<Cause, string>;
 
 /** How a motion ends. */
 export const OUTCOMES = [
@@ -235,7 +235,7 @@ export interface OutcomeRow {
 }
 
 /** The table of outcomes. */
-export const OUTCOME_ROWS: Readonly<Record<OutcomeKind, OutcomeRow>> = {
+export const OUTCOME_ROWS = {
   landing: { label: 'lands', forever: false, lastEvent: 'landing' },
   rolls_forever: { label: 'rolls for ever', forever: true, lastEvent: null },
   slides_forever: { label: 'slides for ever', forever: true, lastEvent: null },
@@ -250,7 +250,7 @@ export const OUTCOME_ROWS: Readonly<Record<OutcomeKind, OutcomeRow>> = {
   unresolved: { label: 'unresolved', forever: false, lastEvent: null },
   not_computed: { label: 'not computed', forever: false, lastEvent: null },
   invalid: { label: 'invalid parameters', forever: false, lastEvent: null },
-};
+} as const satisfies Record<OutcomeKind, OutcomeRow>;
 
 /** Classes of outcomes. Maps hold a class as its place in this list. */
 export const CLASSES = [
@@ -270,7 +270,7 @@ export const CLASSES = [
 export type Class = (typeof CLASSES)[number];
 
 /** In words. */
-export const CLASS_LABELS: Readonly<Record<Class, string>> = {
+export const CLASS_LABELS = {
   leaves_at_once: 'leaves at once',
   lifts_off_later: 'lifts off later',
   rolls_forever: 'rolls for ever',
@@ -283,7 +283,7 @@ export const CLASS_LABELS: Readonly<Record<Class, string>> = {
   unresolved: 'unresolved',
   invalid: 'invalid parameters',
   not_computed: 'not computed',
-};
+} as const satisfies Record<Class, string>;
 
 /** What a core of the same version says of the order of names. */
 export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever slides_forever in_contact_at_limit particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';

@@ -1,7 +1,7 @@
 // The outcome map as a picture, refined by a worker while nothing else happens.
 
-import { classNames } from '../core/wasm';
-import type { Palette } from '../views/palette';
+import type { Palette } from '../generated/palette';
+import { CLASSES, type Class } from '../generated/tables';
 import type { MapAnswer, MapRequest } from './messages';
 
 /** Starts each way of the finest level. */
@@ -13,10 +13,9 @@ const PAUSE = 40;
 export class OutcomePicture {
   readonly picture = document.createElement('canvas');
   readonly side = SIDE;
-  /** Names of the classes in the picture, the most frequent first. */
-  present: string[] = [];
+  /** The classes in the picture, the most frequent first. */
+  present: Class[] = [];
   private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
-  private readonly names = classNames();
   private classes: Uint8Array | null = null;
   private colours: Uint32Array;
   private id = 0;
@@ -25,7 +24,7 @@ export class OutcomePicture {
   constructor(palette: Palette, private readonly drawn: () => void, failed: (message: string) => void) {
     this.picture.width = SIDE;
     this.picture.height = SIDE;
-    this.colours = this.coloursOf(palette);
+    this.colours = coloursOf(palette);
     this.worker.onmessage = ({ data }: MessageEvent<MapAnswer>) => {
       if (data.kind === 'failed') failed(data.message);
       else if (data.kind === 'level' && data.id === this.id) {
@@ -49,18 +48,8 @@ export class OutcomePicture {
   }
 
   setPalette(palette: Palette): void {
-    this.colours = this.coloursOf(palette);
+    this.colours = coloursOf(palette);
     this.paint();
-  }
-
-  private coloursOf(palette: Palette): Uint32Array {
-    const probe = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
-    return Uint32Array.from(this.names, (name) => {
-      if (!probe) return 0;
-      probe.fillStyle = palette.classOf(name);
-      probe.fillRect(0, 0, 1, 1);
-      return new Uint32Array(probe.getImageData(0, 0, 1, 1).data.buffer)[0] ?? 0;
-    });
   }
 
   private paint(): void {
@@ -68,15 +57,23 @@ export class OutcomePicture {
     if (!this.classes || !context) return;
     const image = context.createImageData(SIDE, SIDE);
     const pixels = new Uint32Array(image.data.buffer);
-    const counts = new Array<number>(this.names.length).fill(0);
+    const counts = CLASSES.map(() => 0);
     for (let i = 0; i < pixels.length; i++) {
       const it = this.classes[i]!;
       pixels[i] = this.colours[it]!;
       counts[it]! += 1;
     }
     context.putImageData(image, 0, 0);
-    const order = this.names.map((_, i) => i).filter((i) => counts[i]! > 0);
-    this.present = order.sort((a, b) => counts[b]! - counts[a]!).map((i) => this.names[i]!);
+    const order = CLASSES.map((_, i) => i).filter((i) => counts[i]! > 0);
+    this.present = order.sort((a, b) => counts[b]! - counts[a]!).map((i) => CLASSES[i]!);
     this.drawn();
   }
+}
+
+/** The pixel of each class, as an image holds it. */
+function coloursOf(palette: Palette): Uint32Array {
+  return Uint32Array.from(CLASSES, (name) => {
+    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(palette.class[name].slice(at, at + 2), 16));
+    return new Uint32Array(Uint8Array.of(red!, green!, blue!, 255).buffer)[0]!;
+  });
 }

@@ -1,4 +1,4 @@
-// What the page and the worker of the map say to each other.
+// The messages between the page and the worker of the map.
 
 export interface MapRequest {
   /** Dimensionless numbers of the problem. */

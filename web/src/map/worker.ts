@@ -13,8 +13,8 @@ let working = false;
 
 const answer = (it: MapAnswer, transfer: Transferable[] = []): void => self.postMessage(it, { transfer });
 
-/** Lets messages in. A timer would wait for at least four milliseconds. */
-const breathe = (): Promise<void> =>
+/** Lets messages be handled before work goes on. A timer would wait for at least four milliseconds. */
+const yieldToMessages = (): Promise<void> =>
   new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {
@@ -37,7 +37,7 @@ async function work(request: MapRequest): Promise<void> {
         do map.compute(stride, row, ++row);
         while (row < rows && performance.now() - begin < SLICE);
         spent += performance.now() - begin;
-        await breathe();
+        await yieldToMessages();
         if (latest !== request) return;
       }
       const classes = map.classes(stride);
@@ -50,7 +50,7 @@ async function work(request: MapRequest): Promise<void> {
   }
 }
 
-async function workOff(): Promise<void> {
+async function processRequests(): Promise<void> {
   if (working) return;
   working = true;
   try {
@@ -67,7 +67,7 @@ async function workOff(): Promise<void> {
 
 self.onmessage = ({ data }: MessageEvent<MapRequest>) => {
   latest = data;
-  if (loaded) void workOff();
+  if (loaded) void processRequests();
 };
 
 let loaded = false;
@@ -75,7 +75,7 @@ load((message) => answer({ kind: 'failed', message })).then(
   () => {
     loaded = true;
     answer({ kind: 'ready' });
-    void workOff();
+    void processRequests();
   },
   (error: unknown) => answer({ kind: 'failed', message: String(error) }),
 );

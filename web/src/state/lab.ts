@@ -1,10 +1,14 @@
 // The laboratory: the last good state, the motion that it has, and who wants to know of changes.
 
-import { fieldOfQuantity, fieldsOf, indexOf, type System } from '../core/fields';
-import { Motion } from '../core/motion';
+import { inOrder, inSystem, LIMIT, quantityNamed, valuesOf, type Values } from '../core/fields';
+import { Motion, unitsOf, type ColumnUnits } from '../core/motion';
 import { Problem, Refusal } from '../core/wasm';
-import { caseOfProblem, type NamedCase, type ProblemState, type State, type ViewState } from './state';
-import type { Scales } from '../views/plots';
+import {
+  DIMENSIONLESS, QUANTITIES, QUANTITY_ROWS, type DimensionlessNumber, type Quantity, type System,
+} from '../generated/tables';
+import {
+  caseOfProblem, numbersOfProblem, problemWith, valueOf, type NamedCase, type ProblemState, type State, type ViewState,
+} from './state';
 import type { Complaint } from './url';
 
 /** What has changed: the hoop or the slip (new curves, new map), the motion, the time of the cursor, the view. */
@@ -16,12 +20,15 @@ export class Lab {
   state: State;
   motion: Motion;
   problem: Problem;
+  /** What dimensionless values are worth in the units that are shown. */
+  units: ColumnUnits;
   complaints: Complaint[] = [];
   private readonly listeners: Listener[] = [];
 
   constructor(initial: State, readonly cases: readonly NamedCase[]) {
     this.state = initial;
-    this.problem = problemOf(initial.problem);
+    this.problem = checked(initial.problem);
+    this.units = unitsOf(this.problem);
     this.motion = Motion.of(this.problem, this.caseName(initial.problem));
   }
 
@@ -29,7 +36,7 @@ export class Lab {
     this.listeners.push(listener);
   }
 
-  /** Tells everything, to those who have just come. */
+  /** Reports everything as changed, for listeners that have just been added. */
   announce(): void {
     this.tell('motion', 'time', 'view', 'complaints');
   }
@@ -48,9 +55,9 @@ export class Lab {
     return this.caseName(this.state.problem);
   }
 
-  /** The dimensionless numbers of the problem. */
-  get plain(): Float64Array {
-    return this.problem.toDimensionless();
+  /** The problem without dimension, in whichever units it is shown. */
+  get plain(): Values<'dimensionless'> {
+    return valuesOf('dimensionless', this.problem.toDimensionless());
   }
 
   /** Time of the cursor. */
@@ -58,15 +65,19 @@ export class Lab {
     return this.state.view.time ?? this.motion.begin;
   }
 
-  /** Takes another problem, or complains and stays. The cursor goes to the start unless it is to stay. */
+  /**
+   * Replaces the problem, or keeps it and reports what is wrong: the sole entry point for a change of problem. The cursor
+   * goes to the start unless `view` has a time.
+   */
   take(next: ProblemState, view: Partial<ViewState> = {}, complaints: Complaint[] = []): boolean {
     const before = this.problem;
     try {
-      const problem = problemOf(next);
+      const problem = checked(next);
       const motion = Motion.of(problem, this.caseName(next));
       this.motion.free();
       this.motion = motion;
       this.problem = problem;
+      this.units = unitsOf(problem);
     } catch (refusal) {
       if (!(refusal instanceof Refusal)) throw refusal;
       this.complaints = [...complaints, complaintOf(refusal, next)];
@@ -84,29 +95,32 @@ export class Lab {
     return true;
   }
 
-  /** Sets some numbers by name. */
-  set(values: Record<string, number>, view: Partial<ViewState> = {}): boolean {
-    const { system, numbers, until } = this.state.problem;
-    const next = [...numbers];
-    for (const [name, value] of Object.entries(values)) next[indexOf(system, name)] = value;
-    return this.take({ system, numbers: next, until }, view);
+  /** Sets some quantities of the system that is shown. */
+  set(values: Partial<Record<Quantity, number>>, view: Partial<ViewState> = {}): boolean {
+    const { problem } = this.state;
+    const value = (quantity: Quantity): number => values[quantity] ?? valueOf(problem, quantity) ?? NaN;
+    return this.take(problemWith(problem.system, value, problem.until), view);
   }
 
-  /** Sets θ and θ′ without dimension, in whichever units the problem is. */
-  setStart(theta: number, rate: number): boolean {
-    if (this.state.problem.system === 'dimensionless') return this.set({ theta, theta_rate: rate });
-    const [, m2, radius, , , gravity] = this.state.problem.numbers;
-    const plain = this.plain;
-    plain[5] = theta;
-    plain[6] = rate;
-    const moved = Problem.dimensionless(plain);
-    const si = moved.toSi(m2!, radius!, gravity!);
-    moved.free();
-    return this.set({ theta, theta_rate_rad_per_s: si[9]! });
+  /** Sets some quantities without dimension, in whichever units the problem is shown. */
+  setPlain(values: Partial<Record<DimensionlessNumber, number>>, view: Partial<ViewState> = {}): boolean {
+    const { problem } = this.state;
+    if (problem.system === 'dimensionless') return this.set(values, view);
+    const { particle_mass_kg, radius_m, gravity_m_per_s2 } = problem.values;
+    const plain: Values<'dimensionless'> = { ...this.plain, ...values };
+    const changed = Problem.dimensionless(inOrder('dimensionless', plain));
+    const si = valuesOf('si', changed.toSi(particle_mass_kg, radius_m, gravity_m_per_s2));
+    changed.free();
+    const wanted = QUANTITIES.filter((it) => it in values).map((it) => inSystem('si', it));
+    const entries = Object.entries(si).filter(([name]) => wanted.some((it) => it === name));
+    return this.set(Object.fromEntries(entries), view);
   }
 
-  setUntil(until: number | null): boolean {
-    return this.take({ ...this.state.problem, until });
+  /** Sets a quantity of the system that is shown, or its limit of time, which may be none. */
+  setQuantity(quantity: Quantity, value: number | null): void {
+    const { problem } = this.state;
+    if (quantity === LIMIT[problem.system]) this.take({ ...problem, until: value });
+    else if (value !== null) this.set({ [quantity]: value });
   }
 
   /** Shows the same problem in the other units. In SI units a new problem has the hula hoop's size. */
@@ -115,29 +129,14 @@ export class Lab {
     if (problem.system === system) return;
     const view = { time: this.state.view.time };
     if (system === 'dimensionless') {
-      const unit = this.timeUnit;
-      const until = problem.until === null ? null : problem.until / unit;
-      this.take({ system, numbers: [...this.plain], until }, view);
+      const until = problem.until === null ? null : problem.until / this.units.time;
+      this.take({ system, values: this.plain, until }, view);
     } else {
-      const numbers = [...this.problem.toSi(0.14, 0.45, 9.80665)];
-      const unit = Math.sqrt(0.45 / 9.80665);
-      this.take({ system, numbers, until: problem.until === null ? null : problem.until * unit }, view);
+      const { particle_mass_kg, radius_m, gravity_m_per_s2 } = HULA_HOOP;
+      const values = valuesOf('si', this.problem.toSi(particle_mass_kg, radius_m, gravity_m_per_s2));
+      const until = problem.until === null ? null : problem.until * Math.sqrt(radius_m / gravity_m_per_s2);
+      this.take({ system, values, until }, view);
     }
-  }
-
-  /** √(R/g) in seconds; 1 without dimension. */
-  get timeUnit(): number {
-    if (this.state.problem.system === 'dimensionless') return 1;
-    const [, , radius, , , gravity] = this.state.problem.numbers;
-    return Math.sqrt(radius! / gravity!);
-  }
-
-  /** What dimensionless values are worth in the units that are shown (2.9). */
-  get scales(): Scales {
-    if (this.state.problem.system === 'dimensionless') return { time: 1, rate: 1, velocity: 1, force: 1, energy: 1 };
-    const [, m2, radius, , , gravity] = this.state.problem.numbers as [number, number, number, number, number, number];
-    const time = this.timeUnit;
-    return { time, rate: 1 / time, velocity: radius / time, force: m2 * gravity, energy: m2 * gravity * radius };
   }
 
   setTime(time: number): void {
@@ -165,23 +164,26 @@ export class Lab {
   }
 }
 
+/** Units of a problem that had none: a hula hoop with a battery on it. */
+const HULA_HOOP = { particle_mass_kg: 0.14, radius_m: 0.45, gravity_m_per_s2: QUANTITY_ROWS.gravity_m_per_s2.otherwise };
+
 /** Throws a refusal of the core. */
-function problemOf({ system, numbers, until }: ProblemState): Problem {
-  const values = Float64Array.from(numbers);
-  return system === 'si' ? Problem.si(values, until) : Problem.dimensionless(values, until);
+function checked(problem: ProblemState): Problem {
+  const numbers = numbersOfProblem(problem);
+  return problem.system === 'si' ? Problem.si(numbers, problem.until) : Problem.dimensionless(numbers, problem.until);
 }
 
-function complaintOf(refusal: Refusal, { system, numbers, until }: ProblemState): Complaint {
-  const field = fieldOfQuantity(system, refusal.quantity);
-  const index = indexOf(system, field);
-  const given = index >= 0 ? numbers[index] : until;
+/** What the core says of a problem, beside the field of the system that is shown. */
+function complaintOf(refusal: Refusal, problem: ProblemState): Complaint {
+  const field = inSystem(problem.system, quantityNamed(refusal.quantity));
   const { message, hint } = refusal;
   refusal.free();
-  return { field: fieldsOf(system)[index]?.name ?? field, given: String(given ?? ''), message: `${message}: ${hint}` };
+  return { field, given: String(valueOf(problem, field) ?? ''), message: `${message}: ${hint}` };
 }
 
-/** Whether two problems have the same curves and the same map. */
+/** Whether two problems have the same curves and the same map: the same hoop and the same slip. */
 function sameHoop(a: Problem, b: Problem): boolean {
   const [p, q] = [a.toDimensionless(), b.toDimensionless()];
-  return [0, 1, 2, 3, 4, 7].every((i) => Object.is(p[i], q[i]));
+  return DIMENSIONLESS.every((name, i) =>
+    (QUANTITY_ROWS[name].group !== 'hoop' && name !== 'slip') || Object.is(p[i], q[i]));
 }

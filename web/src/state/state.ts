@@ -1,16 +1,18 @@
 // The state of the page: everything that a link carries.
 
-import { fieldsOf, type System } from '../core/fields';
+import { inOrder, LIMIT, numbersOf, type Values } from '../core/fields';
+import type { Quantity, System } from '../generated/tables';
 
 export type Theme = 'auto' | 'light' | 'dark';
 
-export interface ProblemState {
-  system: System;
-  /** In the order of the fields of the system. */
-  numbers: number[];
+interface ProblemIn<S extends System> {
+  readonly system: S;
+  readonly values: Values<S>;
   /** Time limit in the units of the system; none to follow the motion to its end. */
-  until: number | null;
+  readonly until: number | null;
 }
+
+export type ProblemState = ProblemIn<'dimensionless'> | ProblemIn<'si'>;
 
 export interface ViewState {
   /** Time of the cursor, τ; none at the start. */
@@ -36,6 +38,24 @@ export const VIEW: Readonly<ViewState> = {
   time: null, speed: 0.5, loop: false, rate: 4, map: true, follow: true, theme: 'auto',
 };
 
+/** A problem with a value for each number of its system. */
+export function problemWith(system: System, value: (quantity: Quantity) => number, until: number | null): ProblemState {
+  const values = Object.fromEntries(numbersOf(system).map((name) => [name, value(name)]));
+  return { system, values, until } as unknown as ProblemState;
+}
+
+/** The value of a quantity of a problem; none for a limit that is not set, and for a quantity of the other system. */
+export function valueOf({ system, values, until }: ProblemState, quantity: Quantity): number | null {
+  if (quantity === LIMIT[system]) return until;
+  const numbers: Readonly<Partial<Record<Quantity, number>>> = values;
+  return numbers[quantity] ?? null;
+}
+
+/** The numbers of a problem in the order of the core. */
+export function numbersOfProblem(problem: ProblemState): Float64Array {
+  return problem.system === 'si' ? inOrder('si', problem.values) : inOrder('dimensionless', problem.values);
+}
+
 /** A case of the core. */
 export interface NamedCase {
   name: string;
@@ -46,19 +66,22 @@ export interface NamedCase {
 }
 
 /** The problem of a case. */
-export function problemOfCase(named: NamedCase): ProblemState {
-  const values = { ...named.hoop, ...named.start };
-  return {
-    system: 'dimensionless',
-    numbers: fieldsOf('dimensionless').map((field) => values[field.name] ?? 0),
-    until: null,
+export function problemOfCase({ name, hoop, start }: NamedCase): ProblemState {
+  const values = { ...hoop, ...start };
+  const value = (quantity: Quantity): number => {
+    const number = values[quantity];
+    if (number === undefined) throw new Error(`the case ${name} has no ${quantity}`);
+    return number;
   };
+  return problemWith('dimensionless', value, null);
 }
 
 /** The case that a problem is, number by number; none if it differs. */
 export function caseOfProblem(problem: ProblemState, cases: readonly NamedCase[]): NamedCase | null {
   if (problem.system !== 'dimensionless' || problem.until !== null) return null;
-  return cases.find((named) => problemOfCase(named).numbers.every((it, i) => Object.is(it, problem.numbers[i]))) ?? null;
+  const same = (other: ProblemState): boolean =>
+    numbersOf('dimensionless').every((name) => Object.is(valueOf(other, name), valueOf(problem, name)));
+  return cases.find((named) => same(problemOfCase(named))) ?? null;
 }
 
 /** The rate that shows a problem well: massless hoops live below θ′ = 1. */

@@ -1,8 +1,11 @@
 // The state as the fragment of an address, and back. Numbers are written with as many digits as it takes to read the
 // same number again.
 
-import { fieldsOf, untilName, type System } from '../core/fields';
-import { caseOfProblem, problemOfCase, RATES, SPEEDS, VIEW, type NamedCase, type State, type Theme } from './state';
+import { LIMIT, numbersOf } from '../core/fields';
+import { QUANTITIES, QUANTITY_ROWS, type Quantity, type System } from '../generated/tables';
+import {
+  caseOfProblem, problemOfCase, problemWith, RATES, SPEEDS, valueOf, VIEW, type NamedCase, type State, type Theme,
+} from './state';
 
 export interface Complaint {
   /** The field, or the key of the address. */
@@ -25,8 +28,8 @@ export function format(state: State, cases: readonly NamedCase[]): string {
   if (named) {
     parts.push(`case=${named.name}`);
   } else {
-    fieldsOf(problem.system).forEach((field, i) => parts.push(`${field.name}=${problem.numbers[i]}`));
-    if (problem.until !== null) parts.push(`${untilName(problem.system)}=${problem.until}`);
+    for (const name of numbersOf(problem.system)) parts.push(`${name}=${valueOf(problem, name)}`);
+    if (problem.until !== null) parts.push(`${LIMIT[problem.system]}=${problem.until}`);
   }
   if (view.time !== null) parts.push(`at=${view.time}`);
   if (view.rate !== VIEW.rate) parts.push(`rate=${view.rate}`);
@@ -38,7 +41,7 @@ export function format(state: State, cases: readonly NamedCase[]): string {
   return parts.join('&');
 }
 
-/** Reads a fragment. What it does not say stays as in `base`; what cannot be read is complained of and stays, too. */
+/** Reads a fragment. What it does not say stays as in `base`; what cannot be read is reported and stays, too. */
 export function parse(fragment: string, base: State, cases: readonly NamedCase[]): Parsed {
   const given = new Map<string, string>();
   const complaints: Complaint[] = [];
@@ -65,26 +68,24 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
   }
   const system = systemOf(given.keys());
   if (system !== null) {
-    const fields = fieldsOf(system);
-    const below = system === problem.system ? problem.numbers : fields.map(() => NaN);
-    const numbers = fields.map((field, i) => {
-      const value = take(field.name);
-      if (value === undefined) {
-        if (Number.isNaN(below[i]) && !OPTIONAL.has(field.name)) complain(field.name, '', 'the link does not give it');
-        return below[i] ?? 0;
-      }
-      const number = readNumber(value);
-      if (number === null) complain(field.name, value, `'${value}' is not a number`);
-      return number ?? below[i] ?? 0;
-    });
+    const shown = problem;
+    // What the link does not say stays, unless that is in the other units.
+    const otherwise = (quantity: Quantity): number | null =>
+      (system === shown.system ? valueOf(shown, quantity) : QUANTITY_ROWS[quantity].otherwise);
+    const read = (quantity: Quantity): number => {
+      const text = take(quantity);
+      const number = text === undefined ? null : readNumber(text);
+      if (text !== undefined && number === null) complain(quantity, text, `'${text}' is not a number`);
+      if (text === undefined && otherwise(quantity) === null) complain(quantity, '', 'the link does not give it');
+      return number ?? otherwise(quantity) ?? NaN;
+    };
     let until: number | null = null;
-    const limit = take(untilName(system));
+    const limit = take(LIMIT[system]);
     if (limit !== undefined) {
       until = readNumber(limit);
-      if (until === null) complain(untilName(system), limit, `'${limit}' is not a number`);
+      if (until === null) complain(LIMIT[system], limit, `'${limit}' is not a number`);
     }
-    problem = { system, numbers: numbers.map((it, i) => (Number.isNaN(it) ? OPTIONAL.get(fields[i]!.name) ?? NaN : it)),
-      until };
+    problem = problemWith(system, read, until);
   }
 
   const view = { ...VIEW, theme: base.view.theme };
@@ -117,20 +118,12 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
   return { state: { problem, view }, complaints };
 }
 
-/** What a link need not say. */
-const OPTIONAL = new Map([
-  ['slip', 0], ['x', 0], ['time', 0], ['slip_m_per_s', 0], ['x_m', 0], ['time_s', 0], ['gravity_m_per_s2', 9.80665],
-]);
-
 /** The system that the keys belong to; none if they say nothing of the problem. */
 function systemOf(keys: Iterable<string>): System | null {
   const names = new Set(keys);
-  const has = (system: System): boolean =>
-    names.has(untilName(system)) || fieldsOf(system).some((field) => names.has(field.name));
-  const only = (system: System, other: System): boolean =>
-    fieldsOf(system).some((field) => names.has(field.name) && !fieldsOf(other).some((it) => it.name === field.name));
-  if (only('si', 'dimensionless')) return 'si';
-  return has('dimensionless') || has('si') ? 'dimensionless' : null;
+  const given = QUANTITIES.filter((it) => names.has(it));
+  if (given.some((it) => QUANTITY_ROWS[it].system === 'si')) return 'si';
+  return given.length > 0 ? 'dimensionless' : null;
 }
 
 /** A number as people and programs write it; none for anything else, also for what is not finite. */

@@ -1,4 +1,4 @@
-// Play and pause: the cursor moves with the clock of the wall.
+// Play and pause: the cursor moves with real time.
 
 import type { Lab } from '../state/lab';
 
@@ -33,8 +33,8 @@ export class Clock {
     // A page in the background stops; it does not leap when it comes back.
     const seconds = Math.min(Math.max(now - this.before, 0), 100) / 1000;
     this.before = now;
-    const { motion, state, timeUnit } = this.lab;
-    const time = this.lab.time + (seconds * state.view.speed) / timeUnit;
+    const { motion, state, units } = this.lab;
+    const time = this.lab.time + (seconds * state.view.speed) / units.time;
     if (time < motion.end) {
       this.lab.setTime(time);
     } else if (state.view.loop) {

@@ -1,17 +1,14 @@
 // The same motion as a line for a shell, and as lines of Python.
 
-import { fieldsOf } from '../core/fields';
-import { caseOfProblem, type NamedCase, type ProblemState } from '../state/state';
+import { LIMIT, numbersOf } from '../core/fields';
+import { QUANTITY_ROWS, type Group, type Quantity } from '../generated/tables';
+import { caseOfProblem, valueOf, type NamedCase, type ProblemState } from '../state/state';
 
 /** `littlewood simulate …` with the very numbers of the page. */
 export function shellLine(problem: ProblemState, cases: readonly NamedCase[]): string {
   const named = caseOfProblem(problem, cases);
   if (named) return `littlewood simulate ${named.name}`;
-  const flags = fieldsOf(problem.system)
-    .map((field, i) => ({ field, value: problem.numbers[i]! }))
-    .filter(({ field, value }) => !(ZERO.has(field.name) && Object.is(value, 0)))
-    .map(({ field, value }) => `--${field.name.replaceAll('_', '-')} ${value}`);
-  if (problem.until !== null) flags.push(`${problem.system === 'si' ? '--until-s' : '--until'} ${problem.until}`);
+  const flags = given(problem).map(([quantity, value]) => `--${quantity.replaceAll('_', '-')} ${value}`);
   return `littlewood simulate ${flags.join(' ')}`;
 }
 
@@ -20,17 +17,27 @@ export function pythonLine(problem: ProblemState, cases: readonly NamedCase[]): 
   const named = caseOfProblem(problem, cases);
   if (named) return `import littlewood as lw; motion = lw.case("${named.name}").simulate()`;
   const si = problem.system === 'si';
-  const pairs = fieldsOf(problem.system).map((field, i) => ({ field, value: problem.numbers[i]! }));
-  const list = (start: boolean): string[] =>
-    pairs
-      .filter(({ field }) => (field.group === 'hoop') !== start)
-      .filter(({ field, value }) => !(ZERO.has(field.name) && Object.is(value, 0)))
-      .map(({ field, value }) => `${si && field.name === 'theta' ? 'theta_rad' : field.name}=${value}`);
-  const start = list(true);
-  if (problem.until !== null) start.push(`${si ? 'until_s' : 'until'}=${problem.until}`);
-  const hoop = `lw.Hoop${si ? '.from_si' : ''}(${list(false).join(', ')})`;
-  return `import littlewood as lw; motion = ${hoop}.${si ? 'simulate_si' : 'simulate'}(${start.join(', ')})`;
+  // In Python every number of a start in SI units has its unit in its name, the angle too.
+  const nameOf = (quantity: Quantity): string => (si && quantity === 'theta' ? 'theta_rad' : quantity);
+  const list = (argument: 'hoop' | 'start'): string =>
+    given(problem)
+      .filter(([quantity]) => ARGUMENT[QUANTITY_ROWS[quantity].group] === argument)
+      .map(([quantity, value]) => `${nameOf(quantity)}=${value}`)
+      .join(', ');
+  const hoop = `lw.Hoop${si ? '.from_si' : ''}(${list('hoop')})`;
+  return `import littlewood as lw; motion = ${hoop}.${si ? 'simulate_si' : 'simulate'}(${list('start')})`;
 }
 
-/** What is zero unless it is given. */
-const ZERO = new Set(['slip', 'x', 'time', 'slip_m_per_s', 'x_m', 'time_s']);
+/** Which function of the Python package takes the quantities of a group. */
+const ARGUMENT: Readonly<Record<Group, 'hoop' | 'start'>> = {
+  hoop: 'hoop', units: 'hoop', start: 'start', place: 'start', run: 'start',
+};
+
+/** The quantities of a problem that are not what they are if nothing is given. */
+function given(problem: ProblemState): [Quantity, number][] {
+  const { system } = problem;
+  return [...numbersOf(system), LIMIT[system]].flatMap((quantity): [Quantity, number][] => {
+    const value = valueOf(problem, quantity);
+    return value === null || Object.is(value, QUANTITY_ROWS[quantity].otherwise) ? [] : [[quantity, value]];
+  });
+}

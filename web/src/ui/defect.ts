@@ -1,6 +1,6 @@
 // What is shown instead of a blank page when something has gone wrong that no field can mend.
 
-import { make } from './dom';
+import { make } from '../dom';
 
 let shown = false;
 

@@ -1,7 +1,8 @@
 // Data and pictures to keep.
 
+import type { Palette } from '../generated/palette';
 import type { Lab } from '../state/lab';
-import { FONT, type Palette } from '../views/palette';
+import { FONT } from '../views/font';
 import { drawPlots } from '../views/plots-sheet';
 import { VectorContext } from '../views/vector';
 
@@ -26,15 +27,15 @@ export function save(name: string, content: Blob): void {
 
 export function painterOfPlots(lab: Lab, palette: Palette): Painter {
   const samples = lab.motion.sample(POINTS);
-  const si = lab.state.problem.system === 'si';
-  return (c, width, height) => drawPlots(c, width, height, lab.motion, samples, palette, lab.time, lab.scales, si);
+  const { motion, time, units, state: { problem: { system } } } = lab;
+  return (c, width, height) => drawPlots(c, { width, height }, { motion, samples, palette, time, units, system });
 }
 
 /** A view as SVG: drawn by the code that draws it on the screen. */
 export function svgOf(view: View, paint: Painter, palette: Palette): string {
   const [width, height] = SIZES[view];
   const context = new VectorContext(width, height);
-  context.fillStyle = palette.paper;
+  context.fillStyle = palette.ink.paper;
   context.fillRect(0, 0, width, height);
   context.font = `14px ${FONT}`;
   paint(context as unknown as CanvasRenderingContext2D, width, height);
@@ -50,7 +51,7 @@ export function pngOf(view: View, paint: Painter, palette: Palette): Promise<Blo
   const context = canvas.getContext('2d');
   if (!context) return Promise.reject(new Error('this browser has no canvas'));
   context.scale(2, 2);
-  context.fillStyle = palette.paper;
+  context.fillStyle = palette.ink.paper;
   context.fillRect(0, 0, width, height);
   paint(context, width, height);
   return new Promise((resolve, reject) => {

@@ -1,17 +1,30 @@
 // The fields of the hoop and the start, with tips and messages beside them.
 
-import { fieldsOf, untilName, type Field, type System } from '../core/fields';
+import { labelOf, LIMIT, meaningOf, numbersOf, sliderOf, stepOf } from '../core/fields';
+import { QUANTITY_ROWS, type Group, type Quantity, type System } from '../generated/tables';
 import type { Lab } from '../state/lab';
+import { valueOf } from '../state/state';
 import { readNumber } from '../state/url';
-import { brief, make } from './dom';
+import { brief, make } from '../dom';
 
 interface Row {
-  field: Field | null;
-  name: string;
+  quantity: Quantity;
   input: HTMLInputElement;
   slider: HTMLInputElement | null;
   message: HTMLElement;
 }
+
+/** The parts of the form, and which of them can be folded away. */
+const PARTS = [
+  { title: 'Hoop', folds: false },
+  { title: 'Start', folds: false },
+  { title: 'Place, time and limit', folds: true },
+] as const;
+
+/** The part that a group of quantities is in. */
+const PART: Readonly<Record<Group, (typeof PARTS)[number]['title']>> = {
+  hoop: 'Hoop', units: 'Hoop', start: 'Start', place: 'Place, time and limit', run: 'Place, time and limit',
+};
 
 export class Fields {
   private rows: Row[] = [];
@@ -23,11 +36,11 @@ export class Fields {
 
   /** Shows the state and the complaints. What is being typed stays. */
   show(): void {
-    const { system, numbers, until } = this.lab.state.problem;
-    if (system !== this.system) this.build(system);
-    this.rows.forEach((row) => {
-      const value = row.field ? numbers[fieldsOf(system).indexOf(row.field)]! : until;
-      const complaint = this.lab.complaints.find((it) => it.field === row.name);
+    const { problem } = this.lab.state;
+    if (problem.system !== this.system) this.build(problem.system);
+    for (const row of this.rows) {
+      const value = valueOf(problem, row.quantity);
+      const complaint = this.lab.complaints.find((it) => it.field === row.quantity);
       row.message.textContent = complaint ? complaint.message : '';
       row.input.setAttribute('aria-invalid', String(complaint !== undefined));
       if (complaint) {
@@ -37,85 +50,72 @@ export class Fields {
       }
       if (row.slider && value !== null) {
         row.slider.value = String(value);
-        row.slider.setAttribute('aria-valuetext', `${brief(value)} ${row.field?.unit ?? ''}`.trim());
+        row.slider.setAttribute('aria-valuetext', `${brief(value)} ${QUANTITY_ROWS[row.quantity].unit}`.trim());
       }
-    });
+    }
   }
 
   private build(system: System): void {
     this.system = system;
     this.rows = [];
-    const group = (title: string, open: boolean, fields: Node[]): HTMLElement => {
-      if (open) return make('fieldset', {}, make('legend', {}, title), ...fields);
-      return make('details', { class: 'more' }, make('summary', {}, title), ...fields);
-    };
-    const of = (name: Field['group']): Node[] =>
-      fieldsOf(system).filter((field) => field.group === name).map((field) => this.row(field, field.name));
-    const [hoop, start, place] = [of('hoop'), of('start'), of('place')];
-    const limit: Field = {
-      name: untilName(system), label: system === 'si' ? 'until t' : 'until τ', unit: system === 'si' ? 's' : '√(R/g)',
-      meaning: 'Stops the motion at this time. Empty: it is followed to its end.', group: 'place', min: 0, max: 0, step: 1,
-      slider: false,
-    };
-    this.holder.replaceChildren(
-      group('Hoop', true, hoop), group('Start', true, start),
-      group('Place, time and limit', false, [...place, this.row(limit, limit.name)]),
-    );
+    const quantities = [...numbersOf(system), LIMIT[system]];
+    this.holder.replaceChildren(...PARTS.map(({ title, folds }) => {
+      const rows = quantities.filter((it) => PART[QUANTITY_ROWS[it].group] === title).map((it) => this.row(it));
+      if (folds) return make('details', { class: 'more' }, make('summary', {}, title), ...rows);
+      return make('fieldset', {}, make('legend', {}, title), ...rows);
+    }));
   }
 
-  private row(field: Field, name: string): HTMLElement {
-    const tip = make('span', { class: 'tip', role: 'tooltip', id: `tip-${name}` }, field.meaning);
-    const message = make('span', { class: 'message', id: `message-${name}`, role: 'alert' });
+  private row(quantity: Quantity): HTMLElement {
+    const label = labelOf(quantity);
+    const tip = make('span', { class: 'tip', role: 'tooltip', id: `tip-${quantity}` }, meaningOf(quantity));
+    const message = make('span', { class: 'message', id: `message-${quantity}`, role: 'alert' });
     const input = make('input', {
-      type: 'text', inputmode: 'decimal', id: `field-${name}`, name, autocomplete: 'off', spellcheck: 'false',
-      'aria-describedby': `tip-${name} message-${name}`,
+      type: 'text', inputmode: 'decimal', id: `field-${quantity}`, name: quantity, autocomplete: 'off',
+      spellcheck: 'false', 'aria-describedby': `tip-${quantity} message-${quantity}`,
     });
-    const text = make('label', { for: `field-${name}` }, make('i', {}, field.label));
-    const row = make('div', { class: 'row' }, text, input, make('span', { class: 'unit' }, field.unit));
+    const text = make('label', { for: `field-${quantity}` }, make('i', {}, label));
+    const row = make('div', { class: 'row' }, text, input, make('span', { class: 'unit' }, QUANTITY_ROWS[quantity].unit));
+    const range = sliderOf(quantity);
     let slider: HTMLInputElement | null = null;
-    if (field.slider) {
+    if (range) {
       slider = make('input', {
-        type: 'range', min: String(field.min), max: String(field.max), step: String(field.step),
-        'aria-label': `${field.label}, slider`, id: `slider-${name}`,
+        type: 'range', min: String(range.min), max: String(range.max), step: String(stepOf(quantity)),
+        'aria-label': `${label}, slider`, id: `slider-${quantity}`,
       });
       row.append(slider);
     } else {
       row.classList.add('plain');
     }
     row.append(tip, message);
-    const known = fieldsOf(this.lab.state.problem.system).includes(field) ? field : null;
-    this.rows.push({ field: known, name, input, slider, message });
-    input.addEventListener('input', () => this.typed(name, known, input.value));
-    input.addEventListener('change', () => this.typed(name, known, input.value));
-    input.addEventListener('keydown', (event) => this.stepped(event, field, known, input));
-    slider?.addEventListener('input', () => this.lab.set({ [name]: Number(slider.value) }));
+    this.rows.push({ quantity, input, slider, message });
+    input.addEventListener('input', () => this.typed(quantity, input.value));
+    input.addEventListener('change', () => this.typed(quantity, input.value));
+    input.addEventListener('keydown', (event) => this.stepped(event, quantity, input));
+    slider?.addEventListener('input', () => this.lab.setQuantity(quantity, Number(slider.value)));
     return row;
   }
 
-  private typed(name: string, field: Field | null, text: string): void {
-    if (!field && text.trim() === '') {
-      this.lab.setUntil(null);
-      return;
-    }
+  private typed(quantity: Quantity, text: string): void {
+    const isEmpty = text.trim() === '';
     const value = readNumber(text);
-    if (value === null) {
-      this.lab.complain({ field: name, given: text, message: text.trim() === '' ? 'a number is missing' : `'${text}' is not a number` });
-    } else if (field) {
-      this.lab.set({ [name]: value });
+    if (value !== null || (isEmpty && quantity === LIMIT[this.lab.state.problem.system])) {
+      this.lab.setQuantity(quantity, value);
     } else {
-      this.lab.setUntil(value);
+      const message = isEmpty ? 'a number is missing' : `'${text}' is not a number`;
+      this.lab.complain({ field: quantity, given: text, message });
     }
   }
 
   /** The arrow keys count as they do in a field for numbers. */
-  private stepped(event: KeyboardEvent, field: Field, known: Field | null, input: HTMLInputElement): void {
+  private stepped(event: KeyboardEvent, quantity: Quantity, input: HTMLInputElement): void {
     const way = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
     const value = readNumber(input.value);
     if (way === 0 || value === null) return;
     event.preventDefault();
-    const step = field.step * (event.shiftKey ? 10 : 1);
+    const step = stepOf(quantity) * (event.shiftKey ? 10 : 1);
     const next = Number((value + way * step).toFixed(10));
     input.value = String(next);
-    this.typed(field.name, known, input.value);
+    this.typed(quantity, input.value);
   }
 }

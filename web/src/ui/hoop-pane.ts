@@ -1,10 +1,10 @@
 // The pane of the hoop.
 
+import type { Palette } from '../generated/palette';
 import type { Lab } from '../state/lab';
 import { Sheet } from '../views/canvas';
 import { drawHoop } from '../views/hoop';
-import type { Palette } from '../views/palette';
-import { byId } from './dom';
+import { byId } from '../dom';
 
 export class HoopPane {
   private readonly sheet: Sheet;
@@ -31,7 +31,7 @@ export class HoopPane {
   drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
     const { motion, time, plain, problem, state } = this.lab;
     drawHoop(c, { width, height }, {
-      motion, sample: motion.at(time), offset: plain[1]!, h: problem.h, follow: state.view.follow, palette: this.palette,
+      motion, sample: motion.at(time), offset: plain.offset, h: problem.h, follow: state.view.follow, palette: this.palette,
     });
   }
 }

@@ -1,19 +1,15 @@
 // The pane of the phase plane: drawing in layers, and the start that can be dragged.
 
+import { CURVE_ROWS, CURVES, type Palette } from '../generated/palette';
+import { CLASS_LABELS, COLUMN_ROWS } from '../generated/tables';
 import { OutcomePicture } from '../map/client';
 import type { Lab } from '../state/lab';
 import { RATES } from '../state/state';
 import { Sheet } from '../views/canvas';
-import type { Palette } from '../views/palette';
 import { curvesOf, drawMotion, drawPlane, drawStart, Frame, FROM, TO, wrapped, type Curves } from '../views/plane';
-import { brief, byId, make } from './dom';
+import { brief, byId, line, make } from '../dom';
 
-const CLASS_TEXT: Record<string, string> = {
-  'leaves-at-once': 'leaves at once', 'lifts-off-later': 'jumps later', 'rolls-forever': 'rolls for ever',
-  'slides-forever': 'slides for ever', 'in-contact-at-limit': 'slips without end',
-  'particle-down': 'particle reaches the bottom', 'particle-at-top': 'particle reaches the top',
-  painleve: 'Painlevé paradox', unresolved: 'not resolved',
-};
+const SIGNS = { theta: COLUMN_ROWS.theta.signs.dimensionless, rate: COLUMN_ROWS.theta_rate.signs.dimensionless };
 
 /** What an arrow key moves the start by; a tenth of it with Shift. */
 const KEY_STEP = 0.05;
@@ -43,6 +39,7 @@ export class PlanePane {
       draw();
     }, failed);
     this.listen();
+    this.showCurves();
     this.hoopChanged();
   }
 
@@ -85,13 +82,13 @@ export class PlanePane {
 
   private get start(): [number, number] {
     const { plain } = this.lab;
-    return [plain[5]!, plain[6]!];
+    return [plain.theta, plain.theta_rate];
   }
 
   private moveTo(theta: number, rate: number): void {
     const most = this.lab.state.view.rate;
     const within = (value: number, least: number, last: number): number => Math.min(Math.max(value, least), last);
-    this.lab.setStart(within(theta, FROM, TO), within(rate, -most, most));
+    this.lab.setPlain({ theta: within(theta, FROM, TO), theta_rate: within(rate, -most, most) });
   }
 
   private zoom(way: number): void {
@@ -101,10 +98,10 @@ export class PlanePane {
   }
 
   hoopChanged(): void {
-    const { problem, state, plain } = this.lab;
+    const { problem, state } = this.lab;
     this.curves = curvesOf(problem, state.view.rate);
     this.mapIsRight = state.view.map;
-    if (state.view.map) this.map.ask(plain, state.view.rate);
+    if (state.view.map) this.map.ask(problem.toDimensionless(), state.view.rate);
     this.stale = { base: true, top: true };
   }
 
@@ -132,11 +129,19 @@ export class PlanePane {
     this.stale = { base: true, top: true };
   }
 
+  private showCurves(): void {
+    const curves = CURVES.map((name) => {
+      const { label, dash, width } = CURVE_ROWS[name];
+      return make('li', { 'data-curve': name }, line(width, dash), label);
+    });
+    const region = make('li', {}, make('span', { class: 'swatch region', 'aria-hidden': 'true' }), '𝓡: can roll');
+    byId('curves', HTMLUListElement).replaceChildren(...curves, region);
+  }
+
   private showLegend(): void {
-    this.legend.replaceChildren(...this.map.present.filter((name) => name in CLASS_TEXT).map((name) => {
-      const swatch = make('span', { class: `swatch ${name}`, 'aria-hidden': 'true' });
-      return make('li', {}, swatch, CLASS_TEXT[name] ?? name);
-    }));
+    const computed = this.map.present.filter((name) => name !== 'not_computed');
+    this.legend.replaceChildren(...computed.map((name) =>
+      make('li', { 'data-class': name }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), CLASS_LABELS[name])));
   }
 
   /** Draws what is stale. */
@@ -159,7 +164,7 @@ export class PlanePane {
     const shown = Math.min(Math.max(rate, -frame.rate), frame.rate);
     this.handle.style.transform = `translate(${frame.x(wrapped(theta))}px, ${frame.y(shown)}px)`;
     this.handle.setAttribute('aria-label',
-      `Start: θ = ${brief(theta)}, θ′ = ${brief(rate)}. The arrow keys move it, with Shift in finer steps.`);
+      `Start: ${SIGNS.theta} = ${brief(theta)}, ${SIGNS.rate} = ${brief(rate)}. The arrow keys move it, with Shift in finer steps.`);
   }
 
   /** The whole pane on another context, for export. */

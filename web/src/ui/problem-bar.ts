@@ -1,16 +1,17 @@
 // Case, units and the massless hoop: what changes several numbers at once.
 
-import { indexOf } from '../core/fields';
+import { inSystem } from '../core/fields';
+import type { Quantity } from '../generated/tables';
 import type { Lab } from '../state/lab';
-import { problemOfCase, rateFor } from '../state/state';
-import { byId, make } from './dom';
+import { problemOfCase, rateFor, valueOf } from '../state/state';
+import { byId, make } from '../dom';
 
 export class ProblemBar {
   private readonly cases = byId('case', HTMLSelectElement);
   private readonly si = byId('si', HTMLInputElement);
   private readonly massless = byId('massless', HTMLInputElement);
-  /** Mass and inertia before the hoop was made massless. */
-  private heavy: [number, number] | null = null;
+  /** Mass and inertia before the hoop was made massless, in the units of that time. */
+  private heavy: Partial<Record<Quantity, number>> = {};
 
   constructor(private readonly lab: Lab, before: () => void) {
     this.cases.append(make('option', { value: '', disabled: '' }, 'a hoop of your own'));
@@ -21,26 +22,27 @@ export class ProblemBar {
       const named = lab.cases.find((it) => it.name === this.cases.value);
       if (!named) return;
       before();
-      const massless = named.hoop['inertia'] === 0 && named.hoop['mass_ratio'] === 0;
-      lab.take(problemOfCase(named), { rate: rateFor(massless, named.start['theta_rate'] ?? 0) });
+      const problem = problemOfCase(named);
+      const massless = valueOf(problem, 'inertia') === 0 && valueOf(problem, 'mass_ratio') === 0;
+      lab.take(problem, { rate: rateFor(massless, valueOf(problem, 'theta_rate') ?? 0) });
     });
     this.si.addEventListener('change', () => lab.setSystem(this.si.checked ? 'si' : 'dimensionless'));
     this.massless.addEventListener('change', () => this.switchMass());
   }
 
   private switchMass(): void {
-    const { system, numbers } = this.lab.state.problem;
-    const names = system === 'si' ? ['disc_mass_kg', 'inertia_kg_m2'] : ['mass_ratio', 'inertia'];
-    const [mass, inertia] = names as [string, string];
-    const values = names.map((name) => numbers[indexOf(system, name)]!) as [number, number];
+    const { problem } = this.lab.state;
+    const names = (['mass_ratio', 'inertia'] as const).map((it) => inSystem(problem.system, it));
+    const withValues = (value: (name: Quantity) => number): Partial<Record<Quantity, number>> =>
+      Object.fromEntries(names.map((name) => [name, value(name)]));
     if (this.massless.checked) {
-      this.heavy = values;
-      this.lab.set({ [mass]: 0, [inertia]: 0 }, { rate: rateFor(true, 0) });
+      this.heavy = withValues((name) => valueOf(problem, name) ?? NaN);
+      this.lab.set(withValues(() => 0), { rate: rateFor(true, 0) });
+    } else if (names.every((name) => name in this.heavy)) {
+      this.lab.set(this.heavy, { rate: rateFor(false, 0) });
     } else {
-      const [, m2, radius] = numbers as [number, number, number];
-      const thin: [number, number] = system === 'si' ? [m2, m2 * radius * radius] : [1, 1];
-      const [m, i] = this.heavy ?? thin;
-      this.lab.set({ [mass]: m, [inertia]: i }, { rate: rateFor(false, 0) });
+      // A thin hoop as heavy as its particle.
+      this.lab.setPlain({ mass_ratio: 1, inertia: 1 }, { rate: rateFor(false, 0) });
     }
     // A refusal leaves things as they were.
     this.show();

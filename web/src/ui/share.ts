@@ -1,9 +1,9 @@
 // The dialogue for links, commands, data and pictures.
 
+import type { Palette } from '../generated/palette';
 import type { Lab } from '../state/lab';
-import type { Palette } from '../views/palette';
 import { pythonLine, shellLine } from './commands';
-import { byId } from './dom';
+import { byId } from '../dom';
 import { painterOfPlots, pngOf, save, svgOf, type Painter, type View } from './export';
 
 const VIEWS: readonly View[] = ['hoop', 'plane', 'plots'];

@@ -1,8 +1,15 @@
 // What happens, in words: the mode, the sentence, and the table of phases.
 
-import type { Event } from '../core/motion';
+import { modeOf, type Event } from '../core/motion';
+import { COLUMN_ROWS, type SampleColumn } from '../generated/tables';
 import type { Lab } from '../state/lab';
-import { byId, make } from './dom';
+import { byId, make } from '../dom';
+
+/** What the table has of the state at an event, besides the time. */
+const STATE = ['theta', 'theta_rate', 'slip'] as const satisfies readonly SampleColumn[];
+
+/** Rows of the table at most. */
+const MOST_ROWS = 60;
 
 export class Story {
   private readonly mode = byId('mode', HTMLSpanElement);
@@ -13,27 +20,26 @@ export class Story {
   constructor(private readonly lab: Lab, private readonly go: (time: number) => void) {}
 
   showMotion(): void {
-    const { motion, timeUnit } = this.lab;
-    const si = this.lab.state.problem.system === 'si';
-    byId('time-head', HTMLTableCellElement).textContent = si ? 't [s]' : 'τ';
-    const shown = motion.events.length > 60 ? motion.events.slice(0, 60) : motion.events;
-    const scale = (value: number, unit: number): string => digits(value * unit);
-    const length = si ? (this.lab.state.problem.numbers[2] ?? 1) : 1;
+    const { motion, units, state: { problem: { system } } } = this.lab;
+    const head = (column: SampleColumn): HTMLElement => {
+      const { signs, units: { si } } = COLUMN_ROWS[column];
+      return make('th', { scope: 'col' }, system === 'si' ? `${signs.si} [${si}]` : signs.dimensionless);
+    };
+    byId('event-heads', HTMLTableRowElement).replaceChildren(
+      head('time'), make('th', { scope: 'col' }, 'event'), make('th', { scope: 'col' }, 'then'), ...STATE.map(head));
+    const shown = motion.events.slice(0, MOST_ROWS);
     this.rows.replaceChildren(...shown.map((event) => {
-      const button = make('button', { type: 'button', class: 'jump', 'data-time': String(event.time) },
-        scale(event.time, timeUnit));
+      const number = (column: 'time' | (typeof STATE)[number]): string => digits(event[column] * units[column]);
+      const button = make('button', { type: 'button', class: 'jump', 'data-time': String(event.time) }, number('time'));
       button.addEventListener('click', () => this.go(event.time));
-      const follows = event.to ?? 'ends';
-      return make('tr', { 'data-cause': event.cause },
+      return make('tr', { 'data-event': event.name },
         make('td', {}, button),
-        make('td', {}, event.cause.replaceAll('_', ' ')),
-        make('td', { class: follows }, follows),
-        make('td', { class: 'number' }, digits(event.theta)),
-        make('td', { class: 'number' }, scale(event.theta_rate, 1 / timeUnit)),
-        make('td', { class: 'number' }, scale(event.slip, length / timeUnit)));
+        make('td', {}, event.label),
+        event.to === null ? make('td', {}, 'ends') : make('td', { 'data-mode': event.to }, event.to),
+        ...STATE.map((column) => make('td', { class: 'number' }, number(column))));
     }));
-    byId('more-events', HTMLParagraphElement).textContent =
-      motion.events.length > shown.length ? `and ${motion.events.length - shown.length} more: the exports have them all` : '';
+    const hidden = motion.events.length - shown.length;
+    byId('more-events', HTMLParagraphElement).textContent = hidden > 0 ? `and ${hidden} more: the exports have them all` : '';
     byId('outcome', HTMLParagraphElement).textContent = motion.outcomeSentence;
     this.told = null;
     this.showTime();
@@ -45,11 +51,10 @@ export class Story {
     if (event === this.told) return;
     this.told = event;
     const sample = motion.at(time);
-    const name = sample === null ? 'no motion' : ['rolling', 'sliding', 'gliding', 'flight'][sample.mode] ?? '';
-    const mode = event.to ?? (sample === null ? 'none' : name);
-    this.mode.textContent = event.to === null && sample !== null ? `${name}, ends` : sample === null ? name : mode;
-    this.mode.className = `mode ${sample === null ? 'none' : name}`;
-    if (event.to !== null) this.mode.className = `mode ${mode}`;
+    const mode = event.to ?? (sample === null ? null : modeOf(sample.mode));
+    this.mode.textContent = mode === null ? 'no motion' : event.to === null ? `${mode}, ends` : mode;
+    if (mode === null) delete this.mode.dataset['mode'];
+    else this.mode.dataset['mode'] = mode;
     this.sentence.textContent = event.sentence;
     [...this.rows.rows].forEach((row, i) => row.classList.toggle('now', motion.events[i] === event));
   }

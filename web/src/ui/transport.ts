@@ -1,9 +1,11 @@
 // The time line with its transitions, and the buttons that move along it.
 
+import { modeOf } from '../core/motion';
+import { COLUMN_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { SPEEDS } from '../state/state';
 import type { Clock } from './clock';
-import { brief, byId, make } from './dom';
+import { brief, byId, make } from '../dom';
 
 export class Transport {
   private readonly play = byId('play', HTMLButtonElement);
@@ -53,7 +55,7 @@ export class Transport {
     const span = motion.end - motion.begin || 1;
     const part = (time: number): number => (100 * (Math.min(time, motion.end) - motion.begin)) / span;
     const children: HTMLElement[] = motion.phases.map((phase) => {
-      const band = make('span', { class: `band ${phase.mode}` });
+      const band = make('span', { class: 'band', 'data-mode': phase.mode });
       band.style.left = `${part(phase.start)}%`;
       band.style.width = `${part(phase.end) - part(phase.start)}%`;
       return band;
@@ -68,15 +70,16 @@ export class Transport {
   }
 
   showTime(): void {
-    const { motion, time, timeUnit, state } = this.lab;
-    const si = state.problem.system === 'si';
+    const { motion, time, units, state: { problem: { system } } } = this.lab;
     const span = motion.end - motion.begin || 1;
     this.range.value = String((time - motion.begin) / span);
-    const shown = `${si ? 't' : 'τ'} = ${(time * timeUnit).toFixed(3).replace('-', '−')}${si ? ' s' : ''}`;
+    // The unit of a dimensionless time goes without saying.
+    const unit = system === 'si' ? ` ${COLUMN_ROWS.time.units.si}` : '';
+    const shown = `${COLUMN_ROWS.time.signs[system]} = ${(time * units.time).toFixed(3).replace('-', '−')}${unit}`;
     this.clockText.textContent = shown;
-    const mode = motion.at(time)?.mode;
-    const name = mode === undefined ? 'no motion' : ['rolling', 'sliding', 'gliding', 'flight'][mode];
-    this.range.setAttribute('aria-valuetext', `${shown} of ${brief(motion.end * timeUnit, 4)}, ${name}`);
+    const sample = motion.at(time);
+    const name = sample === null ? 'no motion' : modeOf(sample.mode);
+    this.range.setAttribute('aria-valuetext', `${shown} of ${brief(motion.end * units.time, 4)}, ${name}`);
   }
 
   showView(): void {

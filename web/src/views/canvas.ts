@@ -58,6 +58,11 @@ export function arrow(c: CanvasRenderingContext2D, x: number, y: number, dx: num
   c.fill();
 }
 
+/** Sets dashes that are given in units of the width of the line. */
+export function setDash(c: CanvasRenderingContext2D, dash: readonly number[]): void {
+  c.setLineDash(dash.map((it) => it * c.lineWidth));
+}
+
 /** Text with a rim of the paper's colour, readable on anything. */
 export function label(c: CanvasRenderingContext2D, text: string, x: number, y: number, ink: string, paper: string): void {
   c.lineWidth = 4;
@@ -67,12 +72,4 @@ export function label(c: CanvasRenderingContext2D, text: string, x: number, y: n
   c.strokeText(text, x, y);
   c.fillStyle = ink;
   c.fillText(text, x, y);
-}
-
-/** A step of 1, 2 or 5 times a power of ten, about `count` of which fit. */
-export function niceStep(span: number, count: number): number {
-  const rough = span / Math.max(count, 1);
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const lead = rough / power;
-  return (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10) * power;
 }

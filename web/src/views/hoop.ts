@@ -1,8 +1,11 @@
 // The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and trails.
 
-import { MODES, type Motion, type Sample, type Samples } from '../core/motion';
-import { arrow, label, niceStep, type Size } from './canvas';
-import { DASHES, FONT, type Palette } from './palette';
+import { modeOf, type Motion, type Sample, type Samples } from '../core/motion';
+import { roundTicks } from '../core/ticks';
+import { MODE_DASHES, type Palette } from '../generated/palette';
+import { COLUMN_ROWS, QUANTITY_ROWS } from '../generated/tables';
+import { arrow, label, setDash, type Size } from './canvas';
+import { FONT } from './font';
 
 export interface HoopScene {
   motion: Motion;
@@ -64,27 +67,25 @@ function cameraOf({ width, height }: Size, { motion, follow }: HoopScene, now: n
 function drawGround(c: CanvasRenderingContext2D, { width }: Size, camera: Camera, palette: Palette): void {
   const y = camera.y(0);
   c.setLineDash([]);
-  c.strokeStyle = palette.ink;
+  c.strokeStyle = palette.ink.ink;
   c.lineWidth = 2;
   c.beginPath();
   c.moveTo(0, y);
   c.lineTo(width, y);
   c.stroke();
-  const step = Math.max(niceStep(width / camera.scale, 8), 0.5);
-  const first = Math.ceil((0 - camera.x(0)) / camera.scale / step) * step;
+  const left = -camera.x(0) / camera.scale;
   c.font = `12px ${FONT}`;
-  c.fillStyle = palette.faint;
-  c.strokeStyle = palette.faint;
+  c.fillStyle = palette.ink.soft;
+  c.strokeStyle = palette.ink.soft;
   c.textAlign = 'center';
   c.lineWidth = 1;
-  for (let x = first; camera.x(x) < width; x += step) {
-    const at = camera.x(x);
+  for (const { value, label } of roundTicks(left, left + width / camera.scale, 9)) {
+    const at = camera.x(value);
     c.beginPath();
     c.moveTo(at, y);
     c.lineTo(at, y + 6);
     c.stroke();
-    const rounded = Math.round(x / step) * step;
-    c.fillText(String(Number(rounded.toPrecision(6))).replace('-', '−'), at, y + 17);
+    c.fillText(label, at, y + 17);
   }
   c.font = `14px ${FONT}`;
 }
@@ -93,12 +94,12 @@ function drawTrails(c: CanvasRenderingContext2D, s: Samples, now: number, camera
   const trail = (xs: Float64Array, ys: Float64Array, width: number): void => {
     c.lineWidth = width;
     for (let from = 0; from < s.length; ) {
-      const mode = MODES[s.mode[from]!] ?? 'rolling';
+      const mode = modeOf(s.mode[from]!);
       let to = from;
       while (to + 1 < s.length && s.mode[to + 1] === s.mode[from]) to++;
       c.strokeStyle = palette.mode[mode];
       for (const past of [false, true]) {
-        c.setLineDash(past ? DASHES[mode] : []);
+        setDash(c, past ? MODE_DASHES[mode] : []);
         c.globalAlpha = past ? 1 : 0.3;
         c.beginPath();
         for (let i = from; i <= to && (!past || s.time[i]! <= now); i++) c.lineTo(camera.x(xs[i]!), camera.y(ys[i]!));
@@ -118,7 +119,7 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
   const [x, y] = [camera.x(sample.x), camera.y(sample.centre_y)];
   const [px, py] = [camera.x(sample.particle_x), camera.y(sample.particle_y)];
   const [mx, my] = [camera.x(sample.mass_centre_x), camera.y(sample.mass_centre_y)];
-  const mode = MODES[sample.mode] ?? 'rolling';
+  const mode = modeOf(sample.mode);
 
   c.strokeStyle = palette.mode[mode];
   c.lineWidth = 5;
@@ -127,7 +128,7 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
   c.stroke();
 
   // Marks that turn with the hoop.
-  c.strokeStyle = palette.line;
+  c.strokeStyle = palette.ink.line;
   c.lineWidth = 1.5;
   for (let k = 0; k < 12; k++) {
     const angle = sample.theta + (k * Math.PI) / 6;
@@ -142,15 +143,15 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
   c.lineTo(px, py);
   c.stroke();
 
-  c.fillStyle = palette.ink;
+  c.fillStyle = palette.ink.ink;
   c.beginPath();
   c.arc(x, y, 3, 0, 2 * Math.PI);
   c.fill();
   if (offset > 0 && scene.h < offset) {
     massCentre(c, mx, my, palette);
   }
-  c.fillStyle = palette.ink;
-  c.strokeStyle = palette.paper;
+  c.fillStyle = palette.ink.ink;
+  c.strokeStyle = palette.ink.paper;
   c.lineWidth = 2;
   c.beginPath();
   c.arc(px, py, Math.max(7, 0.085 * camera.scale), 0, 2 * Math.PI);
@@ -163,20 +164,20 @@ function drawBody(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScene,
     y + ((py - y) / Math.max(1, Math.hypot(px - x, py - y))) * distance,
   ];
   const [lx, ly] = outward(Math.hypot(px - x, py - y) - 22);
-  if (offset > 0.35) label(c, 'm₂', lx, ly, palette.ink, palette.paper);
-  label(c, 'C', x - 13, y - 10, palette.ink, palette.paper);
+  if (offset > 0.35) label(c, QUANTITY_ROWS.particle_mass_kg.sign, lx, ly, palette.ink.ink, palette.ink.paper);
+  label(c, 'C', x - 13, y - 10, palette.ink.ink, palette.ink.paper);
 }
 
 /** The usual sign of a mass centre: a disc in four quarters. */
 function massCentre(c: CanvasRenderingContext2D, x: number, y: number, palette: Palette): void {
   const radius = 7;
-  c.fillStyle = palette.paper;
-  c.strokeStyle = palette.ink;
+  c.fillStyle = palette.ink.paper;
+  c.strokeStyle = palette.ink.ink;
   c.lineWidth = 1.5;
   c.beginPath();
   c.arc(x, y, radius, 0, 2 * Math.PI);
   c.fill();
-  c.fillStyle = palette.ink;
+  c.fillStyle = palette.ink.ink;
   for (const from of [0, Math.PI]) {
     c.beginPath();
     c.moveTo(x, y);
@@ -194,7 +195,7 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
   const [x, y] = [camera.x(sample.x), camera.y(0)];
   c.font = `italic bold 15px ${FONT}`;
   if (sample.gap === 0) {
-    c.fillStyle = palette.ink;
+    c.fillStyle = palette.ink.ink;
     c.beginPath();
     c.arc(x, y, 4.5, 0, 2 * Math.PI);
     c.fill();
@@ -204,25 +205,25 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
   const unit = (1.25 * camera.scale) / strongest;
   const normal = sample.normal * unit;
   const friction = sample.friction * unit;
-  arrow(c, x, y, 0, -normal, palette.force);
+  arrow(c, x, y, 0, -normal, palette.arrow.normal_force);
   if (normal >= 12) {
     c.textAlign = 'left';
-    label(c, 'N', x + 8, y - normal + 4, palette.force, palette.paper);
+    label(c, COLUMN_ROWS.normal.signs.dimensionless, x + 8, y - normal + 4, palette.arrow.normal_force, palette.ink.paper);
   }
-  arrow(c, x, y, friction, 0, palette.friction);
+  arrow(c, x, y, friction, 0, palette.arrow.friction_force);
   if (Math.abs(friction) >= 12) {
     c.textAlign = 'center';
-    label(c, 'F', x + friction + Math.sign(friction) * 10, y - 12, palette.friction, palette.paper);
+    label(c, COLUMN_ROWS.friction.signs.dimensionless, x + friction + Math.sign(friction) * 10, y - 12, palette.arrow.friction_force, palette.ink.paper);
   }
   if (sample.slip !== 0 && Number.isFinite(sample.slip)) {
     let fastest = 1;
     for (const slip of motion.samples.slip) if (Number.isFinite(slip)) fastest = Math.max(fastest, Math.abs(slip));
     const below = y + SLIP;
     const length = (sample.slip / fastest) * 1.2 * camera.scale;
-    arrow(c, x, below, length, 0, palette.slip);
+    arrow(c, x, below, length, 0, palette.arrow.slip);
     c.textAlign = 'center';
     if (Math.abs(length) >= 8) {
-      label(c, 'η′', x + length + Math.sign(length) * 14, below, palette.slip, palette.paper);
+      label(c, COLUMN_ROWS.slip.signs.dimensionless, x + length + Math.sign(length) * 14, below, palette.arrow.slip, palette.ink.paper);
     }
   }
 }
@@ -233,13 +234,13 @@ function drawStill(c: CanvasRenderingContext2D, size: Size, { motion, palette, o
   const ground = 0.5 * (size.height + 2 * scale + ABOVE - BELOW);
   const camera: Camera = { scale, x: (x) => 0.5 * size.width + x * scale, y: (y) => ground - y * scale };
   drawGround(c, size, camera, palette);
-  const theta = motion.events[0]?.theta ?? 0;
-  c.strokeStyle = palette.faint;
+  const { theta } = motion.events[0]!;
+  c.strokeStyle = palette.ink.faint;
   c.lineWidth = 5;
   c.beginPath();
   c.arc(camera.x(0), camera.y(1), scale - 2.5, 0, 2 * Math.PI);
   c.stroke();
-  c.fillStyle = palette.ink;
+  c.fillStyle = palette.ink.ink;
   c.beginPath();
   c.arc(camera.x(-offset * Math.sin(theta)), camera.y(1 + offset * Math.cos(theta)), 9, 0, 2 * Math.PI);
   c.fill();

@@ -1,9 +1,12 @@
 // The phase plane (θ, θ′): outcome map, 𝓡, curves, levels, the motion and its start.
 
-import { MODES, type Motion, type Sample } from '../core/motion';
+import { modeOf, type Motion, type Sample } from '../core/motion';
+import { angularTicks, roundTicks } from '../core/ticks';
 import { Plane, type Problem } from '../core/wasm';
-import { label, niceStep, type Size } from './canvas';
-import { DASHES, FONT, type Palette } from './palette';
+import { CURVE_ROWS, MODE_DASHES, type Curve, type Palette } from '../generated/palette';
+import { COLUMN_ROWS } from '../generated/tables';
+import { label, setDash, type Size } from './canvas';
+import { FONT } from './font';
 
 /** Angles that are shown: one turn and a half, so that neither the top nor the bottom is cut. */
 export const FROM = -Math.PI;
@@ -59,11 +62,8 @@ export class Frame {
 
 /** The curves of one hoop, computed once. */
 export interface Curves {
-  friction: Float64Array[];
-  normal: Float64Array;
-  liftOff: Float64Array;
-  separatrix: Float64Array;
-  levels: Float64Array[];
+  /** The arcs of each, θ′ ≥ 0. */
+  arcs: Readonly<Record<Curve, Float64Array[]>>;
   region: Float64Array;
   equilibria: Float64Array;
   slipAngle: number | undefined;
@@ -79,11 +79,13 @@ export function curvesOf(problem: Problem, rate: number): Curves {
   for (let k = 1; k <= 3; k++) levels.push(bottom + ((saddle - bottom) * k) / 4);
   for (let k = 1; k <= LEVELS - 3; k++) levels.push(saddle + (Math.max(top, plane.energy(0, rate)) - saddle) * (k / (LEVELS - 2)) ** 2);
   const curves: Curves = {
-    friction: [plane.friction(true, FROM, TO, POINTS), plane.friction(false, FROM, TO, POINTS)],
-    normal: plane.normal(FROM, TO, POINTS),
-    liftOff: plane.liftOff(FROM, TO, POINTS),
-    separatrix: plane.separatrix(FROM, TO, POINTS),
-    levels: levels.map((energy) => plane.level(energy, FROM, TO, 400)),
+    arcs: {
+      slip_limit: [plane.friction(true, FROM, TO, POINTS), plane.friction(false, FROM, TO, POINTS)],
+      normal_force_zero: [plane.normal(FROM, TO, POINTS)],
+      separatrix: [plane.separatrix(FROM, TO, POINTS)],
+      lift_off: [plane.liftOff(FROM, TO, POINTS)],
+      level: levels.map((energy) => plane.level(energy, FROM, TO, 400)),
+    },
     region: plane.region(FROM, TO, POINTS, rate),
     equilibria: plane.equilibria(),
     slipAngle: plane.slipAngle(),
@@ -114,16 +116,17 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
     c.drawImage(map, 0, 0, mapSize / 2, mapSize, left + turn, top, turn / 2, frame.height);
   }
   fillRegion(c, frame, curves.region, palette);
-  for (const level of curves.levels) stroke(c, frame, level, palette.level, 1, []);
-  stroke(c, frame, curves.separatrix, palette.separatrix, 2, []);
-  stroke(c, frame, curves.liftOff, palette.ink, 1.5, [2, 3]);
-  stroke(c, frame, curves.normal, palette.ink, 1.75, [8, 4]);
-  for (const curve of curves.friction) stroke(c, frame, curve, palette.ink, 2, []);
+  for (const curve of UPWARDS) {
+    setPen(c, curve, palette);
+    for (const arc of curves.arcs[curve]) stroke(c, frame, arc);
+  }
   if (curves.slipAngle !== undefined) {
+    setPen(c, 'slip_limit', palette);
     for (const theta of [-curves.slipAngle, curves.slipAngle, 2 * Math.PI - curves.slipAngle]) {
-      line(c, frame.x(theta), frame.y(1), frame.x(theta), frame.y(-1), palette.ink, 2);
+      segment(c, frame.x(theta), frame.y(1), frame.x(theta), frame.y(-1));
     }
   }
+  c.setLineDash([]);
   for (let i = 0; i < curves.equilibria.length; i += 2) {
     for (const turn of [-2 * Math.PI, 0, 2 * Math.PI]) {
       equilibrium(c, frame.x(curves.equilibria[i]! + turn), frame.y(0), curves.equilibria[i + 1]!, palette);
@@ -134,12 +137,17 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
   axes(c, frame, palette);
 }
 
-function stroke(c: CanvasRenderingContext2D, frame: Frame, points: Float64Array, colour: string, width: number,
-  dash: number[]): void {
-  c.strokeStyle = colour;
-  c.lineWidth = width;
-  c.setLineDash(dash);
+/** The curves from the lowest to the topmost. */
+const UPWARDS: readonly Curve[] = ['level', 'separatrix', 'lift_off', 'normal_force_zero', 'slip_limit'];
+
+function setPen(c: CanvasRenderingContext2D, curve: Curve, palette: Palette): void {
+  c.strokeStyle = palette.curve[curve];
+  c.lineWidth = CURVE_ROWS[curve].width;
   c.lineJoin = 'round';
+  setDash(c, CURVE_ROWS[curve].dash);
+}
+
+function stroke(c: CanvasRenderingContext2D, frame: Frame, points: Float64Array): void {
   for (const side of [1, -1]) {
     c.beginPath();
     let open = false;
@@ -157,13 +165,9 @@ function stroke(c: CanvasRenderingContext2D, frame: Frame, points: Float64Array,
     }
     c.stroke();
   }
-  c.setLineDash([]);
 }
 
-function line(c: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number, colour: string, width: number): void {
-  c.strokeStyle = colour;
-  c.lineWidth = width;
-  c.setLineDash([]);
+function segment(c: CanvasRenderingContext2D, x0: number, y0: number, x1: number, y1: number): void {
   c.beginPath();
   c.moveTo(x0, y0);
   c.lineTo(x1, y1);
@@ -192,8 +196,8 @@ function fillRegion(c: CanvasRenderingContext2D, frame: Frame, region: Float64Ar
 function equilibrium(c: CanvasRenderingContext2D, x: number, y: number, stability: number, palette: Palette): void {
   c.beginPath();
   c.arc(x, y, 4.5, 0, 2 * Math.PI);
-  c.fillStyle = stability > 0 ? palette.ink : palette.paper;
-  c.strokeStyle = palette.ink;
+  c.fillStyle = stability > 0 ? palette.ink.ink : palette.ink.paper;
+  c.strokeStyle = palette.ink.ink;
   c.lineWidth = 1.75;
   c.setLineDash([]);
   c.fill();
@@ -204,58 +208,56 @@ function curveLabels(c: CanvasRenderingContext2D, frame: Frame, curves: Curves, 
   c.font = `italic 15px ${FONT}`;
   c.textAlign = 'center';
   c.textBaseline = 'middle';
-  const put = (text: string, points: Float64Array, wanted: number, shift: number): void => {
+  const put = (curve: Curve, wanted: number): void => {
+    const [points] = curves.arcs[curve];
+    const { letter } = CURVE_ROWS[curve];
+    if (points === undefined || letter === null) return;
     let [best, at] = [Infinity, -1];
     for (let i = 0; i < points.length; i += 2) {
       const far = Math.abs(points[i + 1]! - wanted * frame.rate) / frame.rate + 0.05 * Math.abs(points[i]! - 0.5 * Math.PI);
       if (points[i]! > FROM + 0.2 && points[i]! < TO - 0.2 && far < best) [best, at] = [far, i];
     }
     if (at >= 0 && best < 0.6) {
-      label(c, text, frame.x(points[at]!) + shift, frame.y(-points[at + 1]!), palette.ink, palette.paper);
+      label(c, letter, frame.x(points[at]!), frame.y(-points[at + 1]!), palette.ink.ink, palette.ink.paper);
     }
   };
-  put('f', curves.friction[0]!, 0.66, 0);
-  put('n', curves.normal, 0.86, 0);
+  put('slip_limit', 0.66);
+  put('normal_force_zero', 0.86);
   if (curves.slipAngle !== undefined) {
-    label(c, 'f', frame.x(curves.slipAngle) + 10, frame.y(0.5), palette.ink, palette.paper);
+    label(c, CURVE_ROWS.slip_limit.letter, frame.x(curves.slipAngle) + 10, frame.y(0.5), palette.ink.ink, palette.ink.paper);
   }
   if (!Number.isNaN(curves.region[2 * Math.round(POINTS / 3)]!)) {
     c.font = `italic 17px ${FONT}`;
-    label(c, '𝓡', frame.x(0.28), frame.y(0.13 * frame.rate), palette.ink, palette.paper);
+    label(c, '𝓡', frame.x(0.28), frame.y(0.13 * frame.rate), palette.ink.ink, palette.ink.paper);
   }
 }
 
-const TURNS: [number, string][] = [
-  [-1, '−π'], [-0.5, '−π/2'], [0, '0'], [0.5, 'π/2'], [1, 'π'], [1.5, '3π/2'], [2, '2π'],
-];
-
 function axes(c: CanvasRenderingContext2D, frame: Frame, palette: Palette): void {
   const [left, right, top, bottom] = [frame.x(FROM), frame.x(TO), frame.y(frame.rate), frame.y(-frame.rate)];
-  c.strokeStyle = palette.faint;
-  c.fillStyle = palette.ink;
+  c.strokeStyle = palette.ink.soft;
+  c.fillStyle = palette.ink.ink;
   c.lineWidth = 1;
   c.setLineDash([]);
   c.strokeRect(left, top, right - left, bottom - top);
   c.font = `12.5px ${FONT}`;
   c.textAlign = 'center';
   c.textBaseline = 'top';
-  for (const [half, text] of TURNS) {
-    const x = frame.x(half * Math.PI);
-    line(c, x, bottom, x, bottom + 5, palette.faint, 1);
-    c.fillText(text, x, bottom + 8);
+  for (const { value, label } of angularTicks(FROM, TO, 7)) {
+    const x = frame.x(value);
+    segment(c, x, bottom, x, bottom + 5);
+    c.fillText(label, x, bottom + 8);
   }
   c.textAlign = 'right';
   c.textBaseline = 'middle';
-  const step = niceStep(2 * frame.rate, Math.max(4, frame.height / 60));
-  for (let k = Math.ceil(-frame.rate / step); k * step <= frame.rate + 1e-9; k++) {
-    const y = frame.y(k * step);
-    line(c, left - 5, y, left, y, palette.faint, 1);
-    c.fillText(String(Number((k * step).toPrecision(6))).replace('-', '−'), left - 8, y);
+  for (const { value, label } of roundTicks(-frame.rate, frame.rate, Math.max(4, Math.floor(frame.height / 45)))) {
+    const y = frame.y(value);
+    segment(c, left - 5, y, left, y);
+    c.fillText(label, left - 8, y);
   }
   c.font = `italic 15px ${FONT}`;
   c.textAlign = 'center';
-  c.fillText('θ', 0.5 * (left + right) + 0.1 * frame.width, bottom + 30);
-  c.fillText('θ′', 12, frame.y(0.12 * frame.rate) - 14);
+  c.fillText(COLUMN_ROWS.theta.signs.dimensionless, 0.5 * (left + right) + 0.1 * frame.width, bottom + 30);
+  c.fillText(COLUMN_ROWS.theta_rate.signs.dimensionless, 12, frame.y(0.12 * frame.rate) - 14);
 }
 
 /** Where an angle is drawn: as it is, or by whole turns into the plane. */
@@ -272,7 +274,7 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
   const s = motion.samples;
   c.lineJoin = 'round';
   for (let from = 0; from < s.length - 1; ) {
-    const mode = MODES[s.mode[from]!] ?? 'rolling';
+    const mode = modeOf(s.mode[from]!);
     const shift = wrapped(s.theta[from]!) - s.theta[from]!;
     c.beginPath();
     c.moveTo(frame.x(s.theta[from]! + shift), frame.y(s.theta_rate[from]!));
@@ -285,24 +287,24 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
     }
     const again = Math.abs(shift) > 1;
     c.setLineDash([]);
-    c.strokeStyle = palette.paper;
+    c.strokeStyle = palette.ink.paper;
     c.lineWidth = 5.5;
     if (!again) c.stroke();
     c.globalAlpha = again ? 0.6 : 1;
     c.strokeStyle = palette.mode[mode];
     c.lineWidth = again ? 2 : 3;
-    c.setLineDash(DASHES[mode]);
+    setDash(c, MODE_DASHES[mode]);
     c.stroke();
     c.globalAlpha = 1;
     from = to;
   }
   c.setLineDash([]);
   for (const event of motion.events.slice(1)) {
-    dot(c, frame.x(wrapped(event.theta)), frame.y(event.theta_rate), 4, palette.paper, palette.ink);
+    dot(c, frame.x(wrapped(event.theta)), frame.y(event.theta_rate), 4, palette.ink.paper, palette.ink.ink);
   }
   if (now) {
-    const mode = MODES[now.mode] ?? 'rolling';
-    dot(c, frame.x(wrapped(now.theta)), frame.y(now.theta_rate), 7, palette.mode[mode], palette.paper);
+    const mode = modeOf(now.mode);
+    dot(c, frame.x(wrapped(now.theta)), frame.y(now.theta_rate), 7, palette.mode[mode], palette.ink.paper);
   }
   c.restore();
 }
@@ -310,7 +312,7 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
 /** The start as a ring. */
 export function drawStart(c: CanvasRenderingContext2D, frame: Frame, theta: number, rate: number, palette: Palette): void {
   if (Math.abs(rate) > frame.rate) return;
-  for (const [colour, width] of [[palette.paper, 6], [palette.ink, 3]] as const) {
+  for (const [colour, width] of [[palette.ink.paper, 6], [palette.ink.ink, 3]] as const) {
     c.beginPath();
     c.arc(frame.x(wrapped(theta)), frame.y(rate), 10, 0, 2 * Math.PI);
     c.strokeStyle = colour;

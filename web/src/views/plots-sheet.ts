@@ -1,10 +1,13 @@
 // The plots one under the other on one sheet, for pictures. On the screen a library draws them; it draws on a canvas
 // only, and a picture in vectors needs lines.
 
-import type { Motion, Samples } from '../core/motion';
-import { label, niceStep } from './canvas';
-import { FONT, type Palette } from './palette';
-import { QUANTITIES, rangeOf, type Scales } from './plots';
+import type { Samples } from '../core/motion';
+import { roundTicks } from '../core/ticks';
+import type { Palette } from '../generated/palette';
+import { COLUMN_ROWS } from '../generated/tables';
+import { label, type Size } from './canvas';
+import { FONT } from './font';
+import { rangeOf, SUBJECTS, type Shown } from './plots';
 
 const LEFT = 70;
 const RIGHT = 20;
@@ -12,15 +15,22 @@ const TOP = 14;
 const BOTTOM = 44;
 const GAP = 22;
 
-export function drawPlots(c: CanvasRenderingContext2D, width: number, height: number, motion: Motion, samples: Samples,
-  palette: Palette, now: number, scales: Scales, si: boolean): void {
-  const each = (height - TOP - BOTTOM - GAP * (QUANTITIES.length - 1)) / QUANTITIES.length;
+export interface PlotsScene extends Shown {
+  samples: Samples;
+  /** Time of the cursor. */
+  time: number;
+  palette: Palette;
+}
+
+export function drawPlots(c: CanvasRenderingContext2D, { width, height }: Size, scene: PlotsScene): void {
+  const { motion, samples, palette, time: now, units, system } = scene;
+  const each = (height - TOP - BOTTOM - GAP * (SUBJECTS.length - 1)) / SUBJECTS.length;
   const x = (time: number): number =>
     LEFT + ((time - motion.begin) / (motion.end - motion.begin || 1)) * (width - LEFT - RIGHT);
   c.font = `13px ${FONT}`;
-  QUANTITIES.forEach((quantity, i) => {
+  SUBJECTS.forEach((subject, i) => {
     const top = TOP + i * (each + GAP);
-    const values = quantity.values(samples, scales);
+    const values = subject.values(samples, units);
     const known = values.filter((it) => it !== null);
     const [least, most] = rangeOf(known.reduce((a, b) => Math.min(a, b), Infinity), known.reduce((a, b) => Math.max(a, b), -Infinity));
     const y = (value: number): number => top + ((most - value) / (most - least)) * each;
@@ -32,10 +42,10 @@ export function drawPlots(c: CanvasRenderingContext2D, width: number, height: nu
     }
     c.globalAlpha = 1;
     ticks(c, palette, least, most, y, width);
-    c.strokeStyle = palette.faint;
+    c.strokeStyle = palette.ink.soft;
     c.lineWidth = 1;
     c.strokeRect(LEFT, top, width - LEFT - RIGHT, each);
-    c.strokeStyle = palette.ink;
+    c.strokeStyle = palette.ink.ink;
     c.lineWidth = 2;
     c.lineJoin = 'round';
     c.beginPath();
@@ -49,7 +59,7 @@ export function drawPlots(c: CanvasRenderingContext2D, width: number, height: nu
       }
     });
     c.stroke();
-    c.strokeStyle = palette.slip;
+    c.strokeStyle = palette.accent.violet;
     c.lineWidth = 1.5;
     c.beginPath();
     c.moveTo(x(now), top);
@@ -58,36 +68,35 @@ export function drawPlots(c: CanvasRenderingContext2D, width: number, height: nu
     c.textAlign = 'left';
     c.textBaseline = 'top';
     c.font = `italic 16px ${FONT}`;
-    label(c, quantity.title, LEFT + 8, top + 6, palette.ink, palette.paper);
+    label(c, subject.signs[system], LEFT + 8, top + 6, palette.ink.ink, palette.ink.paper);
     c.textAlign = 'right';
     c.font = `13px ${FONT}`;
-    label(c, quantity.units[si ? 1 : 0], width - RIGHT - 8, top + 7, palette.ink, palette.paper);
+    label(c, subject.units[system], width - RIGHT - 8, top + 7, palette.ink.ink, palette.ink.paper);
     c.font = `13px ${FONT}`;
   });
-  const [begin, end] = [motion.begin * scales.time, motion.end * scales.time];
-  const step = niceStep(end - begin || 1, 8);
-  c.fillStyle = palette.ink;
+  const [begin, end] = [motion.begin * units.time, motion.end * units.time];
+  c.fillStyle = palette.ink.ink;
   c.textAlign = 'center';
   c.textBaseline = 'top';
-  for (let k = Math.ceil(begin / step); k * step <= end + 1e-9; k++) {
-    c.fillText(String(Number((k * step).toPrecision(6))), x((k * step) / scales.time), height - BOTTOM + 6);
+  for (const { value, label } of end > begin ? roundTicks(begin, end, 8) : []) {
+    c.fillText(label, x(value / units.time), height - BOTTOM + 6);
   }
-  c.fillText(si ? 't [s]' : 'τ', width / 2, height - 20);
+  const { signs, units: { si } } = COLUMN_ROWS.time;
+  c.fillText(system === 'si' ? `${signs.si} [${si}]` : signs.dimensionless, width / 2, height - 20);
 }
 
 function ticks(c: CanvasRenderingContext2D, palette: Palette, least: number, most: number, y: (value: number) => number,
   width: number): void {
-  const step = niceStep(most - least, 4);
   c.textAlign = 'right';
   c.textBaseline = 'middle';
-  for (let k = Math.ceil(least / step); k * step <= most; k++) {
-    c.strokeStyle = palette.line;
+  for (const { value, label } of roundTicks(least, most, 5)) {
+    c.strokeStyle = palette.ink.line;
     c.lineWidth = 1;
     c.beginPath();
-    c.moveTo(LEFT, y(k * step));
-    c.lineTo(width - RIGHT, y(k * step));
+    c.moveTo(LEFT, y(value));
+    c.lineTo(width - RIGHT, y(value));
     c.stroke();
-    c.fillStyle = palette.ink;
-    c.fillText(String(Number((k * step).toPrecision(4))).replace('-', '−'), LEFT - 8, y(k * step));
+    c.fillStyle = palette.ink.ink;
+    c.fillText(label, LEFT - 8, y(value));
   }
 }

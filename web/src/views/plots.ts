@@ -1,52 +1,54 @@
-// θ′, η′, N, |F|/N and the energy against time.
+// The rates, the normal force, the friction and the energy against time.
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import type { Motion, Samples } from '../core/motion';
-import { FONT, type Palette } from './palette';
+import type { ColumnUnits, Motion, Samples } from '../core/motion';
+import type { Palette } from '../generated/palette';
+import { COLUMN_ROWS, type SampleColumn, type System } from '../generated/tables';
+import { make as element } from '../dom';
+import { FONT } from './font';
 
-/** What a dimensionless value is worth in the units that are shown; ones without dimension. */
-export interface Scales {
-  time: number;
-  rate: number;
-  velocity: number;
-  force: number;
-  energy: number;
-}
-
-export interface Quantity {
+/** A curve against time: a column, or what is computed from some. */
+export interface Subject {
   id: string;
-  title: string;
-  /** What it is, for the tip and the reader of a screen. */
+  signs: Readonly<Record<System, string>>;
   meaning: string;
-  /** Unit, dimensionless and in SI. */
-  units: [string, string];
-  values(samples: Samples, scales: Scales): (number | null)[];
+  units: Readonly<Record<System, string>>;
+  values(samples: Samples, units: ColumnUnits): (number | null)[];
 }
 
-const scaled = (values: Float64Array, unit: number): (number | null)[] =>
-  Array.from(values, (value) => (Number.isFinite(value) ? value * unit : null));
+/** What a motion is shown as. */
+export interface Shown {
+  motion: Motion;
+  units: ColumnUnits;
+  system: System;
+}
 
-export const QUANTITIES: readonly Quantity[] = [
-  { id: 'theta_rate', title: 'θ′', meaning: 'turning rate', units: ['√(g/R)', 'rad/s'],
-    values: (s, { rate }) => scaled(s.theta_rate, rate) },
-  { id: 'slip', title: 'η′', meaning: 'slip velocity', units: ['√(gR)', 'm/s'],
-    values: (s, { velocity }) => scaled(s.slip, velocity) },
-  { id: 'normal', title: 'N', meaning: 'normal force', units: ['m₂g', 'N'], values: (s, { force }) => scaled(s.normal, force) },
-  { id: 'demand', title: '|F|/N', meaning: 'friction', units: ['', ''], values: demand },
-  { id: 'energy', title: 'E', meaning: 'energy', units: ['m₂gR', 'J'], values: (s, { energy }) => scaled(s.energy, energy) },
+function column(name: SampleColumn): Subject {
+  const { signs, units, longName } = COLUMN_ROWS[name];
+  const values: Subject['values'] = (samples, scale) =>
+    Array.from(samples[name], (value) => (Number.isFinite(value) ? value * scale[name] : null));
+  return { id: name, signs, meaning: longName, units, values };
+}
+
+/** The coefficient of friction that the forces need. */
+const demand: Subject = {
+  id: 'demand', signs: { dimensionless: '|F|/N', si: '|F|/N' }, meaning: 'friction force over normal force',
+  units: { dimensionless: '', si: '' },
+  values: ({ normal, friction }) => Array.from(normal, (force, i) => {
+    const ratio = Math.abs(friction[i]!) / force;
+    return force > 0 && Number.isFinite(ratio) ? ratio : null;
+  }),
+};
+
+export const SUBJECTS: readonly Subject[] = [
+  column('theta_rate'), column('slip'), column('normal'), demand, column('energy'),
 ];
 
-function demand(samples: Samples): (number | null)[] {
-  return Array.from(samples.normal, (normal, i) => {
-    const ratio = Math.abs(samples.friction[i]!) / normal;
-    return normal > 0 && Number.isFinite(ratio) ? ratio : null;
-  });
-}
-
 interface Plot {
-  quantity: Quantity;
+  subject: Subject;
   box: HTMLElement;
+  sign: HTMLElement;
   value: HTMLElement;
   unit: HTMLElement;
   cursor: HTMLElement;
@@ -57,42 +59,33 @@ export class Plots {
   private readonly plots: Plot[];
   private palette: Palette;
   private columns: uPlot.AlignedData[] = [];
-  private motion: Motion | null = null;
-  private scales: Scales | null = null;
+  private shown: Shown | null = null;
 
   constructor(holder: HTMLElement, palette: Palette, private readonly scrub: (time: number) => void) {
     this.palette = palette;
-    this.plots = QUANTITIES.map((quantity) => this.make(holder, quantity));
+    this.plots = SUBJECTS.map((subject) => this.make(holder, subject));
     // Not within the observer: the charts change the size of what is observed.
     new ResizeObserver(() => requestAnimationFrame(() => this.resize())).observe(holder);
   }
 
-  private make(holder: HTMLElement, quantity: Quantity): Plot {
-    const figure = document.createElement('figure');
-    figure.className = 'plot';
-    const caption = document.createElement('figcaption');
-    caption.innerHTML = `<i>${quantity.title}</i> <span class="meaning">${quantity.meaning}</span>`;
-    const unit = document.createElement('span');
-    unit.className = 'unit';
-    const value = document.createElement('output');
-    value.dataset['plot'] = quantity.id;
-    caption.append(value, unit);
-    const box = document.createElement('div');
-    box.className = 'chart';
-    const cursor = document.createElement('div');
-    cursor.className = 'cursor';
-    figure.append(caption, box);
-    holder.append(figure);
-    const chart = this.chart(box, quantity);
+  private make(holder: HTMLElement, subject: Subject): Plot {
+    const sign = element('i');
+    const value = element('output', { 'data-plot': subject.id });
+    const unit = element('span', { class: 'unit' });
+    const caption = element('figcaption', {}, sign, ' ', element('span', { class: 'meaning' }, subject.meaning), value, unit);
+    const box = element('div', { class: 'chart' });
+    const cursor = element('div', { class: 'cursor' });
+    holder.append(element('figure', { class: 'plot' }, caption, box));
+    const chart = this.chart(box, subject);
     chart.over.append(cursor);
     this.listen(chart);
-    return { quantity, box, value, unit, cursor, chart };
+    return { subject, box, sign, value, unit, cursor, chart };
   }
 
-  private chart(box: HTMLElement, quantity: Quantity): uPlot {
+  private chart(box: HTMLElement, subject: Subject): uPlot {
     const axis = {
-      stroke: () => this.palette.ink, font: `12px ${FONT}`, grid: { stroke: () => this.palette.line, width: 1 },
-      ticks: { stroke: () => this.palette.line, width: 1, size: 4 },
+      stroke: () => this.palette.ink.ink, font: `12px ${FONT}`, grid: { stroke: () => this.palette.ink.line, width: 1 },
+      ticks: { stroke: () => this.palette.ink.line, width: 1, size: 4 },
     };
     return new uPlot({
       width: Math.max(box.clientWidth, 50),
@@ -106,7 +99,7 @@ export class Plots {
         { ...axis, size: 44, gap: 3, space: 28, values: (_, ticks) => ticks.map((it) => String(Number(it.toPrecision(4))).replace('-', '−')) },
       ],
       series: [{}, {
-        label: quantity.title, width: 2, stroke: () => this.palette.ink, points: { show: false }, spanGaps: false, pxAlign: 0,
+        label: subject.id, width: 2, stroke: () => this.palette.ink.ink, points: { show: false }, spanGaps: false, pxAlign: 0,
       }],
       hooks: { drawClear: [(chart) => this.bands(chart)] },
     }, [[0, 1], [0, 0]], box);
@@ -114,14 +107,14 @@ export class Plots {
 
   /** The modes as bands behind the curve. */
   private bands(chart: uPlot): void {
-    if (!this.motion || !this.scales) return;
+    if (!this.shown) return;
     const { ctx, bbox } = chart;
-    const unit = this.scales.time;
+    const { motion, units: { time: unit } } = this.shown;
     ctx.save();
     ctx.globalAlpha = 0.16;
-    for (const phase of this.motion.phases) {
-      const from = chart.valToPos(unit * Math.max(phase.start, this.motion.begin), 'x', true);
-      const to = chart.valToPos(unit * Math.min(phase.end, this.motion.end), 'x', true);
+    for (const phase of motion.phases) {
+      const from = chart.valToPos(unit * Math.max(phase.start, motion.begin), 'x', true);
+      const to = chart.valToPos(unit * Math.min(phase.end, motion.end), 'x', true);
       ctx.fillStyle = this.palette.mode[phase.mode];
       ctx.fillRect(from, bbox.top, to - from, bbox.height);
     }
@@ -132,7 +125,7 @@ export class Plots {
     const { over } = chart;
     const move = (event: PointerEvent): void => {
       const { left } = over.getBoundingClientRect();
-      this.scrub(chart.posToVal(event.clientX - left, 'x') / (this.scales?.time ?? 1));
+      if (this.shown) this.scrub(chart.posToVal(event.clientX - left, 'x') / this.shown.units.time);
     };
     over.addEventListener('pointerdown', (event) => {
       over.setPointerCapture(event.pointerId);
@@ -154,22 +147,23 @@ export class Plots {
     for (const { chart } of this.plots) chart.redraw(false, true);
   }
 
-  setMotion(motion: Motion, scales: Scales, si: boolean): void {
-    this.motion = motion;
-    this.scales = scales;
-    const time = Array.from(motion.samples.time, (it) => it * scales.time);
-    this.columns = this.plots.map(({ quantity }) => [time, quantity.values(motion.samples, scales)]);
-    this.plots.forEach(({ chart, unit, quantity }, i) => {
-      unit.textContent = quantity.units[si ? 1 : 0];
+  setMotion(shown: Shown): void {
+    this.shown = shown;
+    const { motion: { samples }, units, system } = shown;
+    const time = Array.from(samples.time, (it) => it * units.time);
+    this.columns = this.plots.map(({ subject }) => [time, subject.values(samples, units)]);
+    this.plots.forEach(({ chart, sign, unit, subject }, i) => {
+      sign.textContent = subject.signs[system];
+      unit.textContent = subject.units[system];
       chart.setData(this.columns[i]!);
     });
   }
 
   /** Puts the cursor of every plot to a time. */
   setTime(time: number): void {
-    if (!this.motion || !this.scales) return;
-    const { begin, end } = this.motion;
-    const shown = time * this.scales.time;
+    if (!this.shown) return;
+    const { motion: { begin, end }, units } = this.shown;
+    const shown = time * units.time;
     this.plots.forEach(({ chart, cursor, value }, i) => {
       // Not valToPos: the library takes new scales only after this.
       const width = chart.bbox.width / uPlot.pxRatio;

@@ -17,6 +17,20 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** A piece of a line as legends show it. */
+export function line(width: number, dash: readonly number[]): SVGElement {
+  const space = 'http://www.w3.org/2000/svg';
+  const svg = document.createElementNS(space, 'svg');
+  svg.setAttribute('viewBox', '0 0 30 8');
+  svg.setAttribute('aria-hidden', 'true');
+  const path = document.createElementNS(space, 'path');
+  path.setAttribute('d', 'M0 4h30');
+  path.setAttribute('stroke-width', String(width));
+  path.setAttribute('stroke-dasharray', dash.map((it) => it * width).join(' '));
+  svg.append(path);
+  return svg;
+}
+
 /** Up to `digits` significant digits, with a true minus. */
 export function brief(value: number, digits = 5): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : value < 0 ? '−∞' : '–';
