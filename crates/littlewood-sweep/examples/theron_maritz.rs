@@ -5,14 +5,14 @@
 //! cargo run --release -p littlewood-sweep --example theron_maritz -- 40 shift 1 0.02
 //! ```
 //!
-//! takes 40 values of each of the three, μ from 0.02, then looks more closely, once, around the rarest sequences. `shift` is a hoop with g = R =
-//! m1 = Izz = 1 and a particle of mass 3 at any distance from the centre, `rim` a thin hoop with a particle of any mass
-//! on its rim. The angular velocity goes up to the one at which the hoop leaves the plane at once.
+//! takes 40 values of each of the three, μ from 0.02, then refines the grid, once, around the rarest sequences. `shift`
+//! is a hoop with g = R = m1 = Izz = 1 and a particle of mass 3 at any distance from the centre, `rim` a thin hoop with a
+//! particle of any mass on its rim. The angular velocity goes up to the one at which the hoop leaves the plane at once.
 
 use std::collections::BTreeSet;
 
-use littlewood::{HoopParameters, Start};
-use littlewood_sweep::{Atlas, Axis, Coordinate, Entry, Grid, Options, Point, Stop, SweepError, Workers};
+use littlewood::{HoopParameters, Quantity, Setup, Start};
+use littlewood_sweep::{Atlas, AtlasEntry, Axis, Grid, Options, Stop, SweepError, Workers};
 
 /// A way to make a hoop of each eccentricity γ, the distance of the mass centre from the centre in radii.
 #[derive(Clone, Copy, PartialEq)]
@@ -34,7 +34,7 @@ impl Family {
             Self::Shift => (1.0 / 3.0, (gamma / 0.75).min(1.0)),
             Self::Rim => (1.0 / gamma - 1.0, 1.0),
         };
-        HoopParameters { mass_ratio, offset, inertia: mass_ratio, mu_s: 1.0, mu_k: 0.0 }
+        HoopParameters::new(mass_ratio, offset, mass_ratio).with_friction(1.0, 0.0)
     }
 }
 
@@ -50,21 +50,21 @@ impl Box3 {
     fn atlas(&self, family: Family, workers: &Workers) -> Result<Atlas, SweepError> {
         let Self { low, high, count } = *self;
         let mut atlas = Atlas::default();
-        let gammas = Axis::new(Coordinate::Offset, low[0], high[0], count)?;
+        let gammas = Axis::new(Quantity::Offset, low[0], high[0], count)?;
         for gamma in gammas.values() {
             let root = libm::sqrt(gamma);
             let axes = vec![
-                Axis::new(Coordinate::MuS, low[1], high[1], count)?,
-                Axis::new(Coordinate::ThetaRate, low[2] / root, high[2] / root, count)?,
+                Axis::new(Quantity::MuS, low[1], high[1], count)?,
+                Axis::new(Quantity::ThetaRate, low[2] / root, high[2] / root, count)?,
             ];
-            let grid = Grid::new(Point { hoop: family.hoop(gamma), start: Start::at(0.0, 0.0) }, axes)?;
+            let grid = Grid::new(Setup::new(family.hoop(gamma), Start::at(0.0, 0.0)), axes)?;
             atlas.absorb(Atlas::of_first_turns(&grid, workers, &Options::default())?);
         }
         Ok(atlas)
     }
 
     /// One and a half steps to either side of a point, in steps three tenths as long.
-    fn around(&self, family: Family, point: &Point) -> Self {
+    fn around(&self, family: Family, point: &Setup) -> Self {
         let h = point.hoop.offset / (1.0 + point.hoop.mass_ratio);
         let centre = [h, point.hoop.mu_s, point.start.theta_rate * libm::sqrt(h)];
         let least = [0.001, 0.0005, 0.0005];
@@ -79,8 +79,8 @@ impl Box3 {
 }
 
 /// How many kinds there are if some are not told apart.
-fn kinds(entries: &[Entry], directions: bool, lift_off: bool, stops: bool) -> usize {
-    let kind = |entry: &Entry| {
+fn kinds(entries: &[AtlasEntry], directions: bool, lift_off: bool, stops: bool) -> usize {
+    let kind = |entry: &AtlasEntry| {
         let mut text = entry.sequence.to_string();
         if !directions {
             text = text.replace(['+', '-'], "S");
@@ -119,20 +119,20 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("kinds: all  no directions  no lift-off  neither; then the same four with stops told apart");
     let mut atlas = all.atlas(family, &workers)?;
     say("grid", &atlas);
-    let mut boxes: Vec<(Box3, Vec<Entry>)> = vec![(all, atlas.entries.clone())];
+    let mut boxes: Vec<(Box3, Vec<AtlasEntry>)> = vec![(all, atlas.entries.clone())];
     for level in 1..=levels {
         let mut next = Vec::new();
         for (outer, entries) in &boxes {
             for entry in entries.iter().filter(|entry| entry.count <= 40) {
                 let inner = outer.around(family, &entry.example);
                 let found = inner.atlas(family, &workers)?;
-                let is_new = |entry: &&Entry| {
+                let is_new = |entry: &&AtlasEntry| {
                     atlas
                         .entries
                         .iter()
                         .all(|known| (known.sequence, known.stop) != (entry.sequence, entry.stop))
                 };
-                let new: Vec<Entry> = found.entries.iter().filter(is_new).copied().collect();
+                let new: Vec<AtlasEntry> = found.entries.iter().filter(is_new).copied().collect();
                 atlas.absorb(found);
                 if !new.is_empty() {
                     next.push((inner, new));
@@ -143,7 +143,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         boxes = next;
     }
     for entry in &atlas.entries {
-        let Point { hoop, start } = entry.example;
+        let Setup { hoop, start } = entry.example;
         println!(
             "{:>9}  {:<22} {:<10}  gamma {:.5}  mu {:.5}  rate {:.5}",
             entry.count,

@@ -7,8 +7,8 @@ mod support;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use littlewood::{Hoop, HoopParameters, Limits, Start};
-use littlewood_sweep::{Atlas, Axis, Coordinate, FirstTurn, Grid, Options, Point, Stop};
+use littlewood::{Hoop, HoopParameters, Limits, Quantity, Setup, Start};
+use littlewood_sweep::{Atlas, Axis, FirstTurn, Grid, Options, Stop};
 use support::{map, mixed, workers};
 
 #[test]
@@ -50,7 +50,7 @@ fn the_size_of_chunks_and_the_threads_do_not_matter() {
 /// The hoop of Theron and Maritz with their particle of mass 3, and one friction.
 fn hoop(offset: f64, mu: f64) -> Hoop {
     let third = 1.0 / 3.0;
-    Hoop::new(HoopParameters { mass_ratio: third, offset, inertia: third, mu_s: mu, mu_k: mu }).unwrap()
+    Hoop::new(HoopParameters::new(third, offset, third).with_friction(mu, mu)).unwrap()
 }
 
 #[test]
@@ -100,13 +100,13 @@ fn mirrored_starts_have_mirrored_first_turns() {
 
 #[test]
 fn the_set_up_of_theron_and_maritz_has_dozens_of_sequences() {
-    let base = Point { hoop: hoop(0.5, 0.0).parameters(), start: Start::at(0.0, 0.0) };
+    let base = Setup::new(hoop(0.5, 0.0).parameters(), Start::at(0.0, 0.0));
     let grid = Grid::new(
         base,
         vec![
-            Axis::new(Coordinate::Offset, 0.05, 1.0, 12).unwrap(),
-            Axis::new(Coordinate::MuS, 0.02, 0.5, 12).unwrap(),
-            Axis::new(Coordinate::ThetaRate, 0.05, 1.9, 12).unwrap(),
+            Axis::new(Quantity::Offset, 0.05, 1.0, 12).unwrap(),
+            Axis::new(Quantity::MuS, 0.02, 0.5, 12).unwrap(),
+            Axis::new(Quantity::ThetaRate, 0.05, 1.9, 12).unwrap(),
         ],
     )
     .unwrap();

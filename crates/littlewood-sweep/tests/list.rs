@@ -9,10 +9,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use arrow_array::{ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
-use littlewood::{Limits, Quantity};
-use littlewood_sweep::{
-    ListError, Options, Point, StartList, SweepError, Target, list_to_parquet, sweep_list,
-};
+use littlewood::{Limits, Quantity, Setup};
+use littlewood_sweep::{ListError, Options, StartList, SweepError, Target, list_to_parquet, sweep_list};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use support::{figure_2, workers};
@@ -36,7 +34,7 @@ fn a_csv_list_is_read_and_the_rest_comes_from_the_base() {
     let path = csv(folder.path(), "\u{feff}theta, \"mu_k\"\r\n0.5,0.25\r\n\r\n-1e-3 , \"0\"");
     let list = StartList::open(&path, figure_2()).unwrap();
     assert_eq!((list.rows(), list.columns()), (2, &[Quantity::Theta, Quantity::MuK][..]));
-    let points: Vec<(u64, Point)> = list.points().unwrap().map(Result::unwrap).collect();
+    let points: Vec<(u64, Setup)> = list.points().unwrap().map(Result::unwrap).collect();
     let mut first = figure_2();
     (first.start.theta, first.hoop.mu_k) = (0.5, 0.25);
     let mut second = figure_2();
@@ -109,7 +107,7 @@ fn a_parquet_list_is_read_whatever_its_numbers_are() {
         ],
     );
     let list = StartList::open(&path, figure_2()).unwrap();
-    let points: Vec<Point> = list.points().unwrap().map(|row| row.unwrap().1).collect();
+    let points: Vec<Setup> = list.points().unwrap().map(|row| row.unwrap().1).collect();
     let starts: Vec<(f64, f64)> =
         points.iter().map(|point| (point.start.theta, point.start.theta_rate)).collect();
     assert_eq!(starts, [(0.5, 1.0), (-0.25, 2.0)]);
@@ -141,7 +139,7 @@ fn mistakes_in_parquet_are_named_with_row_and_column() {
 #[test]
 fn the_table_has_the_starts_and_their_motions_in_order() {
     let folder = tempfile::tempdir().unwrap();
-    // Figure 3; footnote 3 of the paper, which lifts off at once; a hoop that is none.
+    // Figure 3; footnote 3 of the paper, which lifts off at once; parameters that contradict each other.
     let path = csv(
         folder.path(),
         "theta,theta_rate,mu_k\n1.5707963267948966,2,0.4\n0,4,0.4\n0,1,0.6\n3.1,0.1,0.5\n",
@@ -155,8 +153,12 @@ fn the_table_has_the_starts_and_their_motions_in_order() {
         let file = fs::File::open(out.join(part)).unwrap();
         let builder = ParquetRecordBatchReaderBuilder::try_new(file).unwrap();
         assert_eq!(builder.metadata().num_row_groups(), 1);
-        let unit = builder.schema().field_with_name("lift_off_time").unwrap().metadata()["units"].clone();
-        assert_eq!(unit, "sqrt(R/g)");
+        let metadata = builder.schema().field_with_name("lift_off_time").unwrap().metadata().clone();
+        assert_eq!((metadata["units"].as_str(), metadata["scale"].as_str()), ("1", "sqrt(R/g)"));
+        let metadata = builder.schema().field_with_name("outcome_code").unwrap().metadata().clone();
+        assert!(
+            metadata["flag_values"].starts_with("[0,1,") && metadata["flag_meanings"].starts_with("landing ")
+        );
         let run = builder.metadata().file_metadata().key_value_metadata().unwrap();
         let run = run.iter().find(|entry| entry.key == "littlewood_run").unwrap().value.clone().unwrap();
         let run: serde_json::Value = serde_json::from_str(&run).unwrap();
@@ -200,8 +202,8 @@ fn the_table_has_the_starts_and_their_motions_in_order() {
         ]
     );
     assert!((rows[0].3 - 1.518_670_213_819_437).abs() < 1e-13);
-    // - is 2, R is 1, + is 3, F is 7: three bits each, the first lowest.
-    assert_eq!(rows[0].4, 2 + 8 + (3 << 6) + (7 << 9));
+    // - is 2, R is 1, + is 3, F is 7: four bits each, the first lowest.
+    assert_eq!(rows[0].4, 0x7312);
     assert!(rows[3].3.is_nan());
 }
 

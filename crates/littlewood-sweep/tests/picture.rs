@@ -6,13 +6,12 @@ mod support;
 
 use std::f64::consts::PI;
 
-use littlewood::Limits;
-use littlewood_sweep::{
-    Axis, Class, Coordinate, Grid, Options, Picture, PictureError, Real, Shade, Size, SweepError,
-};
+use littlewood::{Class, Limits, Quantity, SummaryColumn};
+use littlewood_style::{Theme, of_class};
+use littlewood_sweep::{Axis, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError};
 use support::{figure_2, map, workers};
 
-fn draw(grid: &Grid, shade: Shade, size: Size) -> (Picture, Vec<u8>) {
+fn draw(grid: &Grid, shade: Shade, size: PictureSize) -> (Picture, Vec<u8>) {
     let picture =
         Picture::of_grid(grid, Limits::until(50.0), shade, size, &workers(2), &Options::default()).unwrap();
     let png = picture.png().unwrap();
@@ -28,7 +27,7 @@ fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
 
 #[test]
 fn the_map_of_figure_2_has_its_regions_where_they_are() {
-    let size = Size { width: 600, height: 400 };
+    let size = PictureSize { width: 600, height: 400 };
     let (picture, png) = draw(&map(100), Shade::Class, size);
     let total: u64 = Class::ALL.iter().map(|&class| picture.count(class)).sum();
     assert_eq!((total, picture.count(Class::NotComputed)), (10_000, 0));
@@ -39,7 +38,8 @@ fn the_map_of_figure_2_has_its_regions_where_they_are() {
     let x = 243;
     let column: Vec<[u8; 3]> =
         (0..400).map(|y| core::array::from_fn(|k| pixels[(y * 600 + x) * 3 + k])).collect();
-    let (dark, pale) = ([0x22, 0x22, 0x5c], [0xd3, 0xea, 0xf5]);
+    let [dark, pale] =
+        [Class::LeavesAtOnce, Class::RollsForever].map(|class| of_class(class, Theme::Light).0);
     let first = column.iter().position(|colour| *colour == dark).unwrap();
     let last = column.iter().rposition(|colour| *colour == dark).unwrap();
     assert!(last - first > 250, "{first} {last}");
@@ -51,13 +51,13 @@ fn the_map_of_figure_2_has_its_regions_where_they_are() {
 
 #[test]
 fn a_picture_is_the_same_every_time_and_a_finer_grid_is_thinned() {
-    let size = Size { width: 400, height: 300 };
-    let (_, first) = draw(&map(30), Shade::Column(Real::JumpHeight), size);
-    let (_, second) = draw(&map(30), Shade::Column(Real::JumpHeight), size);
+    let size = PictureSize { width: 400, height: 300 };
+    let (_, first) = draw(&map(30), Shade::Column(SummaryColumn::JumpHeight), size);
+    let (_, second) = draw(&map(30), Shade::Column(SummaryColumn::JumpHeight), size);
     assert!(first == second);
     let axes = vec![
-        Axis::new(Coordinate::Theta, -PI, PI, 2_000).unwrap(),
-        Axis::new(Coordinate::ThetaRate, 4.0, -4.0, 3).unwrap(),
+        Axis::new(Quantity::Theta, -PI, PI, 2_000).unwrap(),
+        Axis::new(Quantity::ThetaRate, 4.0, -4.0, 3).unwrap(),
     ];
     let (picture, _) = draw(&Grid::new(figure_2(), axes).unwrap(), Shade::Class, size);
     assert_eq!(Class::ALL.iter().map(|&class| picture.count(class)).sum::<u64>(), 6_000);
@@ -66,27 +66,36 @@ fn a_picture_is_the_same_every_time_and_a_finer_grid_is_thinned() {
 #[test]
 fn every_shade_can_be_drawn_also_where_nothing_has_a_value() {
     let axes = vec![
-        Axis::new(Coordinate::MassRatio, 0.5, 0.5, 1).unwrap(),
-        Axis::new(Coordinate::ThetaRate, -0.1, 0.1, 4).unwrap(),
+        Axis::new(Quantity::MassRatio, 0.5, 0.5, 1).unwrap(),
+        Axis::new(Quantity::ThetaRate, -0.1, 0.1, 4).unwrap(),
     ];
     let grid = Grid::new(figure_2(), axes).unwrap();
-    for shade in Real::ALL.into_iter().map(Shade::Column).chain([Shade::Class]) {
-        draw(&grid, shade, Size { width: 300, height: 300 });
+    for shade in SummaryColumn::reals().map(Shade::Column).chain([Shade::Class]) {
+        draw(&grid, shade, PictureSize { width: 300, height: 300 });
     }
 }
 
 #[test]
 fn what_is_no_map_is_refused() {
     let one = Grid::new(figure_2(), vec![map(3).axes()[0]]).unwrap();
-    let size = Size::default();
+    let size = PictureSize::default();
     let error = Picture::new(&one, Limits::default(), Shade::Class, size).unwrap_err();
     assert!(matches!(error, PictureError::NotTwoAxes { found: 1 }));
+    for column in SummaryColumn::ALL {
+        let picture = Picture::new(&map(3), Limits::default(), Shade::Column(column), size);
+        let is_real = SummaryColumn::reals().any(|real| real == column);
+        match picture {
+            Ok(_) => assert!(is_real, "{column}"),
+            Err(PictureError::NotReal { column: refused }) => assert!(!is_real && refused == column),
+            Err(error) => panic!("{error}"),
+        }
+    }
     for (width, height) in [(0, 500), (500, 299), (100_000, 500)] {
         let error = Picture::of_grid(
             &map(3),
             Limits::default(),
             Shade::Class,
-            Size { width, height },
+            PictureSize { width, height },
             &workers(1),
             &Options::default(),
         );

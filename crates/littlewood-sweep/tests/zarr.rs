@@ -7,10 +7,10 @@ mod support;
 use std::fs;
 use std::sync::Arc;
 
-use littlewood::Limits;
-use littlewood_sweep::{Options, grid_to_zarr};
+use littlewood::{Limits, PhaseSequence, Summary, SummaryColumn};
+use littlewood_sweep::{ColumnValues, FORMAT, Options, grid_to_zarr};
 use serde_json::Value;
-use support::{map, mixed, workers};
+use support::{map, mixed, reals, workers};
 use zarrs::array::Array;
 use zarrs::filesystem::FilesystemStore;
 use zarrs::group::Group;
@@ -38,19 +38,24 @@ fn the_arrays_hold_what_was_computed_with_names_and_units() {
     let lift_off = open("/lift_off_time");
     assert_eq!(lift_off.shape(), [4, 7, 3, 11]);
     assert_eq!(lift_off.dimension_names().clone().unwrap(), names.map(|name| Some(name.to_owned())));
-    assert_eq!(lift_off.attributes()["units"], "sqrt(R/g)");
+    assert_eq!(lift_off.attributes()["units"], "1");
+    assert_eq!(lift_off.attributes()["scale"], "sqrt(R/g)");
+    assert_eq!(open("/theta").attributes()["units"], "rad");
     let values: Vec<f64> = lift_off.retrieve_array_subset(&lift_off.subset_all()).unwrap();
-    let expected = columns.real(littlewood_sweep::Real::LiftOffTime);
+    let expected = reals(&columns, SummaryColumn::LiftOffTime);
     assert_eq!(
         values.iter().map(|x| x.to_bits()).collect::<Vec<_>>(),
         expected.iter().map(|x| x.to_bits()).collect::<Vec<_>>()
     );
     let sequence = open("/sequence");
     let values: Vec<u64> = sequence.retrieve_array_subset(&sequence.subset_all()).unwrap();
-    assert_eq!(values, columns.sequence);
+    assert_eq!(&ColumnValues::U64(values), columns.column(SummaryColumn::Sequence));
+    assert_eq!(sequence.attributes()["version"], PhaseSequence::VERSION);
+    assert_eq!(sequence.attributes()["legend"]["7"], "F: flight");
     let outcome = open("/outcome");
     let values: Vec<u8> = outcome.retrieve_array_subset(&outcome.subset_all()).unwrap();
-    assert_eq!(values, columns.outcome);
+    assert_eq!(&ColumnValues::U8(values), columns.column(SummaryColumn::Outcome));
+    assert_eq!(outcome.fill_value().as_ne_bytes(), [Summary::NOT_COMPUTED.outcome.code()]);
     let flags = outcome.attributes()["flag_values"].as_array().unwrap().len();
     assert_eq!(outcome.attributes()["flag_meanings"].as_str().unwrap().split(' ').count(), flags);
 }
@@ -65,11 +70,14 @@ fn the_group_says_what_was_run_and_holds_the_metadata_of_its_arrays() {
     assert_eq!((&json["zarr_format"], &json["node_type"]), (&3.into(), &"group".into()));
     let attributes = &json["attributes"];
     assert_eq!(attributes["status"], "complete");
+    assert_eq!(attributes["Conventions"], "CF-1.11");
+    assert_eq!((&attributes["format"], &attributes["run"]["format"]), (&FORMAT.into(), &FORMAT.into()));
+    assert_eq!(attributes["run"]["sequence_version"], PhaseSequence::VERSION);
     assert_eq!(attributes["run"]["fixed"]["mu_k"], 0.4);
     assert_eq!(attributes["run"]["version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(attributes["run"]["axes"][1]["count"], 5);
     let consolidated = json["consolidated_metadata"]["metadata"].as_object().unwrap();
-    assert_eq!(consolidated.len(), 2 + 14);
+    assert_eq!(consolidated.len(), 2 + SummaryColumn::ALL.len());
     for (name, metadata) in consolidated {
         let own: Value =
             serde_json::from_slice(&fs::read(path.join(name).join("zarr.json")).unwrap()).unwrap();
@@ -78,5 +86,5 @@ fn the_group_says_what_was_run_and_holds_the_metadata_of_its_arrays() {
     }
     let store = Arc::new(FilesystemStore::new(&path).unwrap());
     let group = Group::open(store, "/").unwrap();
-    assert_eq!(group.child_arrays().unwrap().len(), 2 + 14);
+    assert_eq!(group.child_arrays().unwrap().len(), 2 + SummaryColumn::ALL.len());
 }

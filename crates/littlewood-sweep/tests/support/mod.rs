@@ -10,31 +10,44 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use littlewood::{HoopParameters, Start};
-use littlewood_sweep::{Axis, Coordinate, Disk, FileSystem, Grid, Point, Workers};
+use littlewood::{HoopParameters, Quantity, Setup, Start, SummaryColumn, SummaryValue};
+use littlewood_sweep::{Axis, Columns, Disk, FileSystem, Grid, Workers};
 
-pub(crate) fn figure_2() -> Point {
-    Point {
-        hoop: HoopParameters { mass_ratio: 1.0, offset: 1.0, inertia: 1.0, mu_s: 0.5, mu_k: 0.4 },
-        start: Start::at(0.0, 0.0),
-    }
+pub(crate) fn figure_2() -> Setup {
+    Setup::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4), Start::at(0.0, 0.0))
+}
+
+/// A column of real numbers.
+pub(crate) fn reals(columns: &Columns, column: SummaryColumn) -> &[f64] {
+    columns.reals(column).unwrap()
+}
+
+/// Bits of all columns: NaN equals NaN.
+pub(crate) fn bits(columns: &Columns) -> Vec<Vec<u64>> {
+    let bits = |value| match value {
+        SummaryValue::U8(value) => value.into(),
+        SummaryValue::U32(value) => value.into(),
+        SummaryValue::U64(value) => value,
+        SummaryValue::F64(value) => value.to_bits(),
+    };
+    columns.columns().map(|(_, values)| values.iter().map(bits).collect()).collect()
 }
 
 /// The map of the benchmarks: θ from −π to π, θ′ from −4 to 4.
 pub(crate) fn map(count: usize) -> Grid {
-    let theta = Axis::new(Coordinate::Theta, -PI, PI, count).unwrap();
-    let rate = Axis::new(Coordinate::ThetaRate, -4.0, 4.0, count).unwrap();
+    let theta = Axis::new(Quantity::Theta, -PI, PI, count).unwrap();
+    let rate = Axis::new(Quantity::ThetaRate, -4.0, 4.0, count).unwrap();
     Grid::new(figure_2(), vec![theta, rate]).unwrap()
 }
 
 /// A grid in which starts and hoops vary, and some hoops contradict themselves (μk > μs).
 pub(crate) fn mixed() -> Grid {
-    let axis = |coordinate, from, to, count| Axis::new(coordinate, from, to, count).unwrap();
+    let axis = |quantity, from, to, count| Axis::new(quantity, from, to, count).unwrap();
     let axes = vec![
-        axis(Coordinate::MuS, 0.1, 0.7, 4),
-        axis(Coordinate::Theta, -3.0, 3.0, 7),
-        axis(Coordinate::MuK, 0.0, 0.6, 3),
-        axis(Coordinate::ThetaRate, 3.5, -3.5, 11),
+        axis(Quantity::MuS, 0.1, 0.7, 4),
+        axis(Quantity::Theta, -3.0, 3.0, 7),
+        axis(Quantity::MuK, 0.0, 0.6, 3),
+        axis(Quantity::ThetaRate, 3.5, -3.5, 11),
     ];
     Grid::new(figure_2(), axes).unwrap()
 }

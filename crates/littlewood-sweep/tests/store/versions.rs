@@ -1,0 +1,106 @@
+//! Stores of another version of the format, or of sequences, are refused and left as they are.
+
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+use littlewood::PhaseSequence;
+use littlewood_sweep::{
+    FORMAT, ForeignVersion, Options, Report, StoreError, SweepError, ZarrStore, grid_to_parquet,
+};
+use parquet::arrow::ArrowWriter;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use serde_json::{Value, json};
+
+use crate::runs::{each_kind, interrupted, options, store_of};
+use crate::support::{assert_same_tree, mixed, tree, workers};
+
+/// The version that a run is refused for.
+fn refused(result: Result<Report, SweepError>) -> ForeignVersion {
+    match result.unwrap_err() {
+        SweepError::Store(error @ StoreError::OtherFormat { .. }) => {
+            let text = error.to_string();
+            let StoreError::OtherFormat { version, .. } = error else { unreachable!() };
+            let (found, needed) = (version.found.to_string(), version.needed.to_string());
+            assert!(text.contains(&found) && text.contains(&needed), "{text}");
+            assert!(text.contains("left as it is") && text.contains("choose another name"), "{text}");
+            version
+        }
+        error => panic!("{error}"),
+    }
+}
+
+/// Changes the attributes in which a store describes itself.
+fn edit(header: &Path, edit: impl Fn(&mut Value)) {
+    let mut json: Value = serde_json::from_slice(&fs::read(header).unwrap()).unwrap();
+    match json.get_mut("attributes") {
+        Some(attributes) => edit(attributes),
+        None => edit(&mut json),
+    }
+    fs::write(header, serde_json::to_vec_pretty(&json).unwrap()).unwrap();
+}
+
+fn remove(value: &mut Value, key: &str) {
+    value.as_object_mut().unwrap().remove(key).unwrap();
+}
+
+#[test]
+fn a_store_of_another_version_is_refused_with_both_versions() {
+    type Edit = fn(&mut Value);
+    let edits: [(Edit, u64, u32); 5] = [
+        (|header| header["format"] = json!(1), 1, FORMAT),
+        (|header| remove(header, "format"), 1, FORMAT),
+        (|header| header["format"] = json!(FORMAT + 1), u64::from(FORMAT) + 1, FORMAT),
+        (|header| remove(&mut header["run"], "format"), 1, FORMAT),
+        (|header| header["run"]["sequence_version"] = json!(1), 1, PhaseSequence::VERSION),
+    ];
+    each_kind(|name, run, place| {
+        let (whole, path) = (place.join("whole"), place.join("store"));
+        run(&whole, &options(name)).unwrap();
+        interrupted(name, run, &path, 20, false);
+        let header = store_of(name, &path).join(if name == "zarr" { "zarr.json" } else { "_run.json" });
+        let written = fs::read(&header).unwrap();
+        for (change, found, needed) in edits {
+            edit(&header, change);
+            let before = tree(&path);
+            for resume in [false, true] {
+                let version = refused(run(&path, &Options { resume, ..options(name) }));
+                assert_eq!((version.found, version.needed), (found, needed), "{name}");
+                assert_eq!(version.program.as_deref(), Some(env!("CARGO_PKG_VERSION")));
+            }
+            if name == "zarr" {
+                let error = ZarrStore::open(&path).unwrap_err();
+                assert!(matches!(error, StoreError::OtherFormat { .. }), "{error}");
+            }
+            assert_eq!(tree(&path), before);
+            fs::write(&header, &written).unwrap();
+        }
+        assert!(run(&path, &Options { resume: true, ..options(name) }).unwrap().complete);
+        assert_same_tree(&whole, &path);
+    });
+}
+
+#[test]
+fn a_file_of_the_first_version_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("table.parquet");
+    // What the footer of a file of version 1 said of its run: no format.
+    let run = json!({ "version": "0.1.0", "points": "grid" }).to_string();
+    let properties = WriterProperties::builder()
+        .set_key_value_metadata(Some(vec![KeyValue::new("littlewood_run".to_owned(), run)]))
+        .build();
+    let theta: ArrayRef = Arc::new(Float64Array::from(vec![0.5]));
+    let batch = RecordBatch::try_from_iter([("theta", theta)]).unwrap();
+    let file = fs::File::create(&path).unwrap();
+    let mut writer = ArrowWriter::try_new(file, batch.schema(), Some(properties)).unwrap();
+    writer.write(&batch).unwrap();
+    writer.close().unwrap();
+    let before = fs::read(&path).unwrap();
+    let resume = Options { resume: true, ..options("grid file") };
+    let version =
+        refused(grid_to_parquet(&mixed(), littlewood::Limits::until(1.0), &path, &workers(1), &resume));
+    assert_eq!((version.found, version.needed), (1, FORMAT));
+    assert_eq!(fs::read(&path).unwrap(), before);
+}
