@@ -22,7 +22,8 @@ pub struct AtlasEntry {
     pub count: u64,
     /// The first of them.
     pub example: Setup,
-    /// The number of that point ([`Grid::point`]); in an atlas of several grids they are counted through.
+    /// The number of that point ([`Grid::point`]); in an atlas of several grids the points of later grids are numbered after those of
+    /// earlier ones.
     pub number: u64,
 }
 
@@ -136,7 +137,7 @@ impl Atlas {
         Ok(atlas)
     }
 
-    /// Adds the atlas of another grid, whose points are counted on after those that are there.
+    /// Adds the atlas of another grid, whose points are numbered after those that are there.
     ///
     /// ```
     /// use littlewood::{HoopParameters, Limits, Quantity, Setup, Start};

@@ -73,7 +73,7 @@ fn flags(codes: &[u8], names: &[&str]) -> Attributes {
 mod tests {
     use super::*;
 
-    /// UDUNITS parses `1` and `rad`; it refuses scales such as `sqrt(R/g)`, and takes `R` for a temperature.
+    /// UDUNITS parses `1` and `rad`; it refuses scales such as `sqrt(R/g)`, and reads `R` as roentgen, `m2` as square metres.
     const PARSED_BY_UDUNITS: [&str; 2] = ["1", "rad"];
 
     #[test]

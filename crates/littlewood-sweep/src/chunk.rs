@@ -66,7 +66,7 @@ impl Chunks {
         Self { grid: grid.shape(), shape }
     }
 
-    /// Chunks of a shape that is known; what does not fit the grid is made to fit.
+    /// Chunks of a given shape; sizes that exceed the grid are reduced to it.
     pub(crate) fn of_shape(grid: &Grid, mut shape: Vec<usize>) -> Self {
         let grid = grid.shape();
         shape.resize(grid.len(), 1);

@@ -11,7 +11,7 @@ use thiserror::Error;
 use crate::columns::Columns;
 use crate::setup::{HoopBits, hoop_bits};
 
-/// Points that one task computes: long enough to pay for the task, short enough to share a chunk among many cores.
+/// Points that one task computes: enough to outweigh its overhead, few enough to share a chunk among many cores.
 const TASK: usize = 512;
 
 /// Hoops whose engines are kept for the next call.

@@ -9,7 +9,7 @@ use crate::setup::{places, quantities, value};
 use crate::starts::StartList;
 
 /// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and no version.
-pub const FORMAT: u32 = 2;
+pub const STORE_FORMAT: u32 = 2;
 
 /// The version of stores that have none.
 const FIRST_FORMAT: u64 = 1;
@@ -33,8 +33,8 @@ impl ForeignVersion {
         let number = |version: Option<&Value>| version.and_then(Value::as_u64).unwrap_or(FIRST_FORMAT);
         let program = run.get("version").and_then(Value::as_str).map(str::to_owned);
         [
-            ("format", header, FORMAT),
-            ("format", run.get("format"), FORMAT),
+            ("format", header, STORE_FORMAT),
+            ("format", run.get("format"), STORE_FORMAT),
             ("sequences of version", run.get("sequence_version"), PhaseSequence::VERSION),
         ]
         .into_iter()
@@ -70,7 +70,7 @@ impl Description {
             .collect();
         Self(json!({
             "version": env!("CARGO_PKG_VERSION"),
-            "format": FORMAT,
+            "format": STORE_FORMAT,
             "sequence_version": PhaseSequence::VERSION,
             "points": "grid",
             "axes": axes,
@@ -86,7 +86,7 @@ impl Description {
             .collect();
         Self(json!({
             "version": env!("CARGO_PKG_VERSION"),
-            "format": FORMAT,
+            "format": STORE_FORMAT,
             "sequence_version": PhaseSequence::VERSION,
             "points": "list",
             "list": list.fingerprint(),

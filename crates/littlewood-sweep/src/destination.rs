@@ -15,7 +15,7 @@ use crate::tally::Tally;
 pub enum Target<'a> {
     /// A Zarr v3 store, for grids.
     Zarr(&'a Path),
-    /// One Parquet file. Until the run is complete, what is finished is in the folder `NAME.parts` beside it, which is
+    /// One Parquet file. Until the run is complete, finished chunks are in the folder `NAME.parts` beside it, which is
     /// read as [`Target::ParquetFolder`] is.
     Parquet(&'a Path),
     /// A folder with a Parquet file for each chunk, which readers take as one table.
@@ -58,7 +58,7 @@ impl Destination {
         }
     }
 
-    /// Opens it for a run with so many chunks.
+    /// Opens it for a run with this number of chunks.
     pub(crate) fn open<'a>(
         &'a self,
         count: usize,

@@ -1,4 +1,4 @@
-//! The first turn of a hoop, as Theron and Maritz look at it (Math. Comput. Modelling 47, 2008, 1077): from the start to
+//! The first turn of a hoop, as Theron and Maritz follow it (Math. Comput. Modelling 47, 2008, 1077): from the start to
 //! one revolution, to the instant when θ′ changes sign, or to lift-off.
 
 use core::f64::consts::TAU;
@@ -8,8 +8,8 @@ use littlewood::{
     Start,
 };
 
-/// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of its orbit, in which θ′ changes
-/// sign twice at most, half a period apart.
+/// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of its orbit, in which
+/// θ′ changes sign twice at most, half a period apart.
 const INSTANTS: u32 = 64;
 
 /// Limits of transitions to which a motion is followed, one after the other until it stops. Most first turns have few
@@ -63,7 +63,7 @@ impl FirstTurn {
     /// use littlewood::{Hoop, HoopParameters, Start};
     /// use littlewood_sweep::{FirstTurn, Stop};
     ///
-    /// // A particle at half the radius, a plane rough enough: it rolls round, once.
+    /// // A particle at half the radius, a plane rough enough: it rolls through one revolution.
     /// let hoop = HoopParameters::new(1.0, 0.5, 1.0).with_friction(5.0, 5.0);
     /// let turn = FirstTurn::new(&Hoop::new(hoop)?, Start::at(0.0, 0.5))?;
     /// assert_eq!((turn.sequence.to_string().as_str(), turn.stop), ("R", Stop::Revolution));
@@ -85,7 +85,7 @@ impl FirstTurn {
         })
     }
 
-    /// The first turn in so many transitions; in `Err` what there is of one that does not stop in them.
+    /// The first turn within a number of transitions; in `Err` the part of it that was followed if it does not stop in them.
     fn within(hoop: &Hoop, start: Start, transitions: usize) -> Result<Result<Self, Self>, ParameterError> {
         let motion = hoop.simulate(start, Limits::default().with_transitions(transitions))?;
         let mut sequence = PhaseSequence::default();

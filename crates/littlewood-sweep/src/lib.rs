@@ -56,7 +56,7 @@ pub use axis::{Axis, AxisError};
 pub use chunk::{Chunk, Chunks};
 pub use columns::{ColumnValues, Columns};
 pub use compute::{ThreadsError, Workers};
-pub use description::{FORMAT, ForeignVersion};
+pub use description::{ForeignVersion, STORE_FORMAT};
 pub use destination::Target;
 pub use disk::{Disk, FileSystem};
 pub use error::SweepError;

@@ -72,7 +72,7 @@ impl<'a> ListSource<'a> {
     }
 }
 
-/// Chunks whose lines are kept for messages: as many as are in work at most.
+/// Chunks whose lines are kept for messages: as many as are computed at once.
 const CHUNKS_WITH_LINES: usize = 2;
 
 impl Source for ListSource<'_> {

@@ -29,8 +29,7 @@ pub type ChunkView<'a> = dyn FnMut(&Chunk, &Columns) + 'a;
 ///
 /// # Errors
 /// A target that is there already, unless it is resumed; one of other parameters or of another version of the format,
-/// which is left as it is; one that
-/// another process is writing to; a disk that is full; a limit without meaning.
+/// which is left as it is; one that another process is writing to; a disk that is full; a limit without meaning.
 pub fn sweep_grid(
     grid: &Grid,
     limits: Limits,

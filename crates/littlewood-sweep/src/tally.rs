@@ -20,7 +20,7 @@ use crate::columns::Columns;
 pub struct Tally([u64; Class::ALL.len()]);
 
 impl Tally {
-    /// Of some results.
+    /// The tally of some results.
     #[must_use]
     pub fn of_columns(columns: &Columns) -> Self {
         let mut tally = Self::default();

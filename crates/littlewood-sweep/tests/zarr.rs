@@ -8,7 +8,7 @@ use std::fs;
 use std::sync::Arc;
 
 use littlewood::{Limits, PhaseSequence, Summary, SummaryColumn};
-use littlewood_sweep::{ColumnValues, FORMAT, Options, grid_to_zarr};
+use littlewood_sweep::{ColumnValues, Options, STORE_FORMAT, grid_to_zarr};
 use serde_json::Value;
 use support::{map, mixed, reals, workers};
 use zarrs::array::Array;
@@ -71,7 +71,10 @@ fn the_group_says_what_was_run_and_holds_the_metadata_of_its_arrays() {
     let attributes = &json["attributes"];
     assert_eq!(attributes["status"], "complete");
     assert_eq!(attributes["Conventions"], "CF-1.11");
-    assert_eq!((&attributes["format"], &attributes["run"]["format"]), (&FORMAT.into(), &FORMAT.into()));
+    assert_eq!(
+        (&attributes["format"], &attributes["run"]["format"]),
+        (&STORE_FORMAT.into(), &STORE_FORMAT.into())
+    );
     assert_eq!(attributes["run"]["sequence_version"], PhaseSequence::VERSION);
     assert_eq!(attributes["run"]["fixed"]["mu_k"], 0.4);
     assert_eq!(attributes["run"]["version"], env!("CARGO_PKG_VERSION"));

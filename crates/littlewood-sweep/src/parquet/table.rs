@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 use super::column::{arrays, field_of_quantity, fields};
 use super::read::read_part;
 use crate::columns::Columns;
-use crate::description::{Description, FORMAT};
+use crate::description::{Description, STORE_FORMAT};
 use crate::disk::UNFINISHED;
 use crate::setup::{places, value};
 use crate::starts::StartList;
@@ -107,7 +107,7 @@ impl Format for Table {
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
         let mut text = serde_json::to_vec_pretty(&json!({
             "program": Header::PROGRAM,
-            "format": FORMAT,
+            "format": STORE_FORMAT,
             "status": Header::status(complete),
             "run": self.description.0,
         }))

@@ -3,7 +3,7 @@
 use core::fmt::Write as _;
 use std::collections::BTreeMap;
 
-use crate::description::FORMAT;
+use crate::description::STORE_FORMAT;
 use crate::tally::Tally;
 
 /// Length and checksum of the files of a chunk, taken together.
@@ -55,7 +55,7 @@ impl Manifest {
     }
 
     pub(crate) fn head(&self) -> String {
-        format!("littlewood-sweep {FORMAT} run {:08x}\n", self.run)
+        format!("littlewood-sweep {STORE_FORMAT} run {:08x}\n", self.run)
     }
 
     pub(crate) fn line(number: usize, entry: &ManifestChunk) -> String {

@@ -41,7 +41,7 @@ impl<'a> Store<'a> {
         check(root, format, resume).map(drop)
     }
 
-    /// Opens or begins the store of a run with so many chunks.
+    /// Opens or begins the store of a run with this number of chunks.
     pub(crate) fn open(
         root: &'a Path,
         format: &'a dyn Format,

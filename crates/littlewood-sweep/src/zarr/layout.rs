@@ -13,7 +13,7 @@ use crate::attributes::{Attributes, CONVENTIONS, of_column, of_quantity};
 use crate::axis::Axis;
 use crate::chunk::{Chunk, Chunks};
 use crate::columns::Columns;
-use crate::description::{Description, FORMAT};
+use crate::description::{Description, STORE_FORMAT};
 use crate::grid::Grid;
 use crate::store::{Format, Header, StoreError, StoreFile};
 
@@ -123,7 +123,7 @@ impl Format for Layout {
                     "Conventions": CONVENTIONS,
                     "title": "motions of a loaded hoop",
                     "program": Header::PROGRAM,
-                    "format": FORMAT,
+                    "format": STORE_FORMAT,
                     "status": Header::status(complete),
                     "run": self.description.0,
                 },

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use littlewood::PhaseSequence;
 use littlewood_sweep::{
-    FORMAT, ForeignVersion, Options, Report, StoreError, SweepError, ZarrStore, grid_to_parquet,
+    ForeignVersion, Options, Report, STORE_FORMAT, StoreError, SweepError, ZarrStore, grid_to_parquet,
 };
 use parquet::arrow::ArrowWriter;
 use parquet::file::metadata::KeyValue;
@@ -50,10 +50,10 @@ fn remove(value: &mut Value, key: &str) {
 fn a_store_of_another_version_is_refused_with_both_versions() {
     type Edit = fn(&mut Value);
     let edits: [(Edit, u64, u32); 5] = [
-        (|header| header["format"] = json!(1), 1, FORMAT),
-        (|header| remove(header, "format"), 1, FORMAT),
-        (|header| header["format"] = json!(FORMAT + 1), u64::from(FORMAT) + 1, FORMAT),
-        (|header| remove(&mut header["run"], "format"), 1, FORMAT),
+        (|header| header["format"] = json!(1), 1, STORE_FORMAT),
+        (|header| remove(header, "format"), 1, STORE_FORMAT),
+        (|header| header["format"] = json!(STORE_FORMAT + 1), u64::from(STORE_FORMAT) + 1, STORE_FORMAT),
+        (|header| remove(&mut header["run"], "format"), 1, STORE_FORMAT),
         (|header| header["run"]["sequence_version"] = json!(1), 1, PhaseSequence::VERSION),
     ];
     each_kind(|name, run, place| {
@@ -101,6 +101,6 @@ fn a_file_of_the_first_version_is_refused() {
     let resume = Options { resume: true, ..options("grid file") };
     let version =
         refused(grid_to_parquet(&mixed(), littlewood::Limits::until(1.0), &path, &workers(1), &resume));
-    assert_eq!((version.found, version.needed), (1, FORMAT));
+    assert_eq!((version.found, version.needed), (1, STORE_FORMAT));
     assert_eq!(fs::read(&path).unwrap(), before);
 }
