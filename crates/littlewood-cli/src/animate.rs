@@ -2,35 +2,18 @@
 
 use std::ffi::OsStr;
 use std::io::{self, IsTerminal as _, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use littlewood_film::{ApngFilm, Encoder, Film, FilmError, Framing, GifFilm, Mp4Film, Pace, Size};
 
-use crate::args::{ProblemArgs, RunArgs, number, size};
+use crate::args::{AnimateArgs, Camera};
 use crate::error::Error;
 use crate::interrupt;
 use crate::output::Output;
-use crate::problem::{Above, Problem};
-use crate::scenario::Scenario;
-
-pub(crate) const ABOUT: &str = "\
-Make a film of a motion: hoop, particle, contact point, gap, forces, slip velocity, mode and clock.
-
-The motion is given as in `simulate`; `libration` is short for figure-2-libration. A motion that lasts for ever is shown \
-for one oscillation, two turns, or 10 units of time, unless --until says otherwise.
-
-The ending of --out says what the film is: .gif, .png or .apng, or .mp4, which needs ffmpeg. A GIF or an APNG has the \
-same bytes on every machine.";
-
-pub(crate) const EXAMPLES: &str = "\
-Examples:
-  littlewood animate figure-3 --out figure-3.gif
-  littlewood animate figure-7 --slow 6 --fps 50 --size 1280x720 --out figure-7.png
-  littlewood animate libration --fps 60 --size 1920x1080 --out libration.mp4
-  littlewood animate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --slow 10 --out hula-hoop.gif";
+use crate::problem::Problem;
+use crate::request::Request;
 
 /// Seconds of film for a unit of time, and how many times slower than real a film in SI units is.
 const SLOW: f64 = 3.0;
@@ -40,45 +23,6 @@ const SLOW_SI: f64 = 10.0;
 const LIBRATION: [&str; 2] = ["libration", "figure-2-libration"];
 
 const TEMPLATE: &str = "{bar:32} {percent:>3}%  {human_pos} of {human_len} frames  {eta} left";
-
-/// Arguments of `littlewood animate`.
-#[derive(Debug, Args)]
-pub(crate) struct AnimateArgs {
-    #[command(flatten)]
-    problem: ProblemArgs,
-    #[command(flatten)]
-    run: RunArgs,
-    /// File of the film, .gif, .png, .apng or .mp4; it is replaced only once everything has been written
-    #[arg(long, value_name = "FILE", help_heading = "Film")]
-    out: PathBuf,
-    /// Seconds of film for a unit of time sqrt(R/g) [default: 3]; in SI units, how many times slower than real the
-    /// film is [default: 10]
-    #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
-    slow: Option<f64>,
-    /// Frames per second; a GIF can have 50
-    #[arg(long, value_name = "N", default_value_t = 25, help_heading = "Film")]
-    fps: u32,
-    /// Size in pixels
-    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x360", value_parser = size, help_heading = "Film")]
-    size: (u32, u32),
-    /// What the picture shows of the path
-    #[arg(long, value_enum, default_value_t = Camera::Auto, help_heading = "Film")]
-    camera: Camera,
-    /// Seconds for which the last picture stays [default: 1.5, and 0 for an oscillation, which goes on where it began]
-    #[arg(long, value_name = "S", value_parser = number, help_heading = "Film")]
-    hold: Option<f64>,
-}
-
-/// What the picture shows of the path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Camera {
-    /// The whole path if the hoop is large enough then, else the camera goes with the hoop
-    Auto,
-    /// The whole path, however small the hoop is
-    Whole,
-    /// The camera goes with the mass centre
-    Follow,
-}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
@@ -92,14 +36,14 @@ enum Kind {
 /// # Errors
 /// Bad input, a failure to write, or Ctrl-C.
 pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
-    let AnimateArgs { mut problem, run, out, slow, fps, size: (width, height), camera, hold } = args;
+    let AnimateArgs { problem, run, out, slow, fps, size: (width, height), camera, hold } = args;
     let kind = kind_of(&out)?;
     let size = Size::new(width, height).map_err(Error::Film)?;
-    if problem.case.as_deref() == Some(LIBRATION[0]) {
-        problem.case = Some(LIBRATION[1].to_owned());
+    let mut request = Request::new(&problem, Some(&run))?;
+    if request.case.as_deref() == Some(LIBRATION[0]) {
+        request.case = Some(LIBRATION[1].to_owned());
     }
-    let scenario = problem.scenario.as_deref().map(Scenario::read).transpose()?;
-    let problem = Problem::resolve(&problem, run.given(), Above::default(), run.max_transitions, scenario)?;
+    let problem = Problem::resolve(request)?;
     let units = problem.units;
     let slow = slow.unwrap_or(if units.is_some() { SLOW_SI } else { SLOW });
     let framing = match camera {

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 use std::path::Path;
 
-use littlewood::{Limits, Quantity};
-use littlewood_sweep::{Atlas, Coordinate, Grid, Options, Point, Progress, StartList, Workers};
+use littlewood::{Limits, Quantity, Setup};
+use littlewood_sweep::{Atlas, Axis, Grid, Options, Progress, StartList, Workers};
 
 use crate::args::{AtlasArgs, ShortFormat};
 use crate::axis::TypedAxis;
@@ -14,6 +14,7 @@ use crate::list;
 use crate::output::Output;
 use crate::progress::Bar;
 use crate::report::atlas::{self, OfHoop, Page};
+use crate::values::Given;
 use crate::work::{self, Varied};
 
 /// Runs the command.
@@ -25,25 +26,25 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     let mut varied = Varied::by(&axes);
     if args.first_turn {
         // It follows mu_s, whatever was given.
-        varied.fixed.push(work::of_flag(Quantity::MuK, 0.0));
-        if args.base.to_problem().given().iter().all(|given| given.quantity != Quantity::Theta) {
-            varied.fixed.push(work::of_flag(Quantity::Theta, 0.0));
+        varied.fixed.push(Given::by_flag(Quantity::MuK, 0.0));
+        if args.base.setup.given.iter().all(|given| given.quantity != Quantity::Theta) {
+            varied.fixed.push(Given::by_flag(Quantity::Theta, 0.0));
         }
     }
     let listed = match &args.hoops {
         Some(path) => list::hoop_columns(path, &axes, args.first_turn)?,
         None => Vec::new(),
     };
-    varied.quantities.extend(listed.iter().map(|coordinate| coordinate.quantity()));
+    varied.quantities.extend(&listed);
     let base = work::base(&args.base, &args.run, varied)?;
     let axes = work::resolve(&axes, &base)?;
     let hoops = match &args.hoops {
-        Some(path) => read_hoops(path, base.point)?,
-        None => vec![(None, base.point)],
+        Some(path) => read_hoops(path, base.setup)?,
+        None => vec![(None, base.setup)],
     };
     let mut grids = Vec::new();
-    for (line, point) in hoops {
-        let grid = Grid::new(point, axes.clone()).map_err(|source| match (&args.hoops, line) {
+    for (line, setup) in hoops {
+        let grid = Grid::new(setup, axes.clone()).map_err(|source| match (&args.hoops, line) {
             (Some(path), Some(line)) => Error::Hoop { path: path.clone(), line, source: Box::new(source) },
             _ => source.into(),
         })?;
@@ -63,14 +64,14 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
         let options = work::options(&args.work, false, cancel, &show);
         let atlas = follow(grid, args.first_turn, base.limits, &workers, &options)?;
         whole.absorb(atlas.clone());
-        of_hoops.push(OfHoop { line: *line, hoop: grid.base().hoop, atlas });
+        of_hoops.push(OfHoop { line: *line, setup: *grid.base(), atlas });
         if whole.points < whole.total {
             break;
         }
     }
     drop(bar);
     let points = whole.points;
-    let shown = axes.iter().map(littlewood_sweep::Axis::coordinate).chain(listed.iter().copied()).collect();
+    let shown = axes.iter().map(Axis::quantity).chain(listed.iter().copied()).collect();
     let hoops = if args.hoops.is_some() { of_hoops } else { Vec::new() };
     let page = Page { atlas: whole, total, shown, listed, hoops };
     let output = Output::open(None)?;
@@ -102,11 +103,11 @@ fn follow(
 }
 
 /// The hoops of a list, each with its line.
-fn read_hoops(path: &Path, base: Point) -> Result<Vec<(Option<u64>, Point)>, Error> {
+fn read_hoops(path: &Path, base: Setup) -> Result<Vec<(Option<u64>, Setup)>, Error> {
     let mut hoops = Vec::new();
     for row in StartList::open(path, base)?.points()? {
-        let (line, point) = row?;
-        hoops.push((Some(line), point));
+        let (line, setup) = row?;
+        hoops.push((Some(line), setup));
     }
     Ok(hoops)
 }
@@ -114,13 +115,13 @@ fn read_hoops(path: &Path, base: Point) -> Result<Vec<(Option<u64>, Point)>, Err
 fn default_axes(first_turn: bool) -> Vec<TypedAxis> {
     if first_turn {
         vec![
-            TypedAxis::plain(Coordinate::ThetaRate, 0.01, 2.0, 200),
-            TypedAxis::plain(Coordinate::MuS, 0.01, 2.0, 200),
+            TypedAxis::plain(Quantity::ThetaRate, 0.01, 2.0, 200),
+            TypedAxis::plain(Quantity::MuS, 0.01, 2.0, 200),
         ]
     } else {
         vec![
-            TypedAxis::plain(Coordinate::Theta, -PI, PI, 200),
-            TypedAxis::plain(Coordinate::ThetaRate, -4.0, 4.0, 200),
+            TypedAxis::plain(Quantity::Theta, -PI, PI, 200),
+            TypedAxis::plain(Quantity::ThetaRate, -4.0, 4.0, 200),
         ]
     }
 }

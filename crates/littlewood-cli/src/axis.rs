@@ -3,15 +3,15 @@
 use core::f64::consts::PI;
 
 use littlewood::{Quantity, Units};
-use littlewood_sweep::{Axis, AxisError, Coordinate};
+use littlewood_sweep::{Axis, AxisError};
 
-use crate::values::{dimensionless, si_twin};
+use crate::nearest;
 
 /// An axis whose ends may be in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TypedAxis {
+    /// With the unit of its ends.
     quantity: Quantity,
-    coordinate: Coordinate,
     from: f64,
     to: f64,
     count: usize,
@@ -19,18 +19,18 @@ pub(crate) struct TypedAxis {
 
 impl TypedAxis {
     /// An axis without dimension.
-    pub(crate) const fn plain(coordinate: Coordinate, from: f64, to: f64, count: usize) -> Self {
-        Self { quantity: coordinate.quantity(), coordinate, from, to, count }
+    pub(crate) const fn plain(quantity: Quantity, from: f64, to: f64, count: usize) -> Self {
+        Self { quantity, from, to, count }
     }
 
-    /// What varies along it.
-    pub(crate) const fn coordinate(&self) -> Coordinate {
-        self.coordinate
+    /// What varies along it, dimensionless.
+    pub(crate) const fn quantity(&self) -> Quantity {
+        self.quantity.dimensionless()
     }
 
     /// Whether its ends have a unit that has to be taken off.
-    pub(crate) fn is_si(&self) -> bool {
-        self.quantity != self.coordinate.quantity()
+    pub(crate) const fn is_si(&self) -> bool {
+        self.quantity.is_si()
     }
 
     /// The axis without dimension. Ends that were given so are taken as they are, to the last bit.
@@ -38,15 +38,11 @@ impl TypedAxis {
     /// # Errors
     /// As [`Axis::new`].
     pub(crate) fn resolve(&self, units: Option<&Units>) -> Result<Axis, AxisError> {
-        let unit = match (self.quantity, units) {
-            (Quantity::ThetaRateRadPerS, Some(units)) => 1.0 / units.time_s,
-            (Quantity::SlipMPerS, Some(units)) => units.velocity_m_per_s(),
-            (Quantity::DiscMassKg, Some(units)) => units.mass_kg,
-            (Quantity::OffsetM, Some(units)) => units.length_m,
-            (Quantity::InertiaKgM2, Some(units)) => units.inertia_kg_m2(),
-            _ => 1.0,
+        let end = |value| match units {
+            Some(units) if self.is_si() => units.from_si(self.quantity.dimension(), value),
+            Some(_) | None => value,
         };
-        Axis::new(self.coordinate, self.from / unit, self.to / unit, self.count)
+        Axis::new(self.quantity(), end(self.from), end(self.to), self.count)
     }
 }
 
@@ -54,9 +50,11 @@ impl TypedAxis {
 pub(crate) fn parse_axis(text: &str) -> Result<TypedAxis, String> {
     const FORM: &str = "hint: an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200";
     let (name, range) = text.split_once('=').ok_or(FORM)?;
-    let (quantity, coordinate) = find(&name.trim().replace('-', "_")).ok_or_else(|| {
-        let known: Vec<&str> = names().map(|(quantity, _)| quantity.name()).collect();
-        format!("there is no quantity '{name}'\n\nhint: axes are {}", known.join(", "))
+    let plain = name.trim().replace('-', "_");
+    let quantity = quantities().find(|quantity| quantity.name() == plain).ok_or_else(|| {
+        let known: Vec<&str> = quantities().map(Quantity::name).collect();
+        let all = format!("axes are {}", known.join(", "));
+        format!("there is no axis '{name}'\n\nhint: {}", nearest::hint(name, known, &all))
     })?;
     let [from, to, count] = range.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
         return Err(FORM.to_owned());
@@ -64,23 +62,19 @@ pub(crate) fn parse_axis(text: &str) -> Result<TypedAxis, String> {
     let end = |text| parse_number(text).ok_or_else(|| format!("'{text}' is not a number\n\n{FORM}"));
     let (from, to) = (end(from)?, end(to)?);
     let count = count.parse().map_err(|_| format!("'{count}' is not a number of points\n\n{FORM}"))?;
-    Axis::new(coordinate, from, to, count).map_err(|error| format!("{error}\n\n{FORM}"))?;
-    Ok(TypedAxis { quantity, coordinate, from, to, count })
+    let axis = TypedAxis { quantity, from, to, count };
+    Axis::new(axis.quantity(), from, to, count).map_err(|error| format!("{error}\n\n{FORM}"))?;
+    Ok(axis)
 }
 
-/// What an axis may be of: the coordinates, then those of them that have a unit, in SI units.
-fn names() -> impl Iterator<Item = (Quantity, Coordinate)> {
-    let plain = Coordinate::ALL.into_iter().map(|coordinate| (coordinate.quantity(), coordinate));
-    let si = Coordinate::ALL
-        .into_iter()
-        .filter_map(|coordinate| si_twin(coordinate.quantity()).map(|quantity| (quantity, coordinate)));
-    plain.chain(si)
+/// What an axis may be of: what a motion depends on, then that of it which has a unit, in SI units.
+pub(crate) fn quantities() -> impl Iterator<Item = Quantity> {
+    Quantity::AXES.into_iter().chain(si_quantities())
 }
 
-fn find(name: &str) -> Option<(Quantity, Coordinate)> {
-    let found = names().find(|(quantity, _)| quantity.name() == name)?;
-    debug_assert_eq!(dimensionless(found.0), found.1.quantity());
-    Some(found)
+/// What an axis in SI units may be of.
+pub(crate) fn si_quantities() -> impl Iterator<Item = Quantity> {
+    Quantity::AXES.into_iter().filter_map(Quantity::si_twin)
 }
 
 /// A number, which may be written with π: `-pi`, `2pi`, `3*pi/4`.
@@ -105,8 +99,7 @@ fn parse_number(text: &str) -> Option<f64> {
 mod tests {
     use super::{parse_axis, parse_number};
     use core::f64::consts::{FRAC_PI_2, PI};
-    use littlewood::Units;
-    use littlewood_sweep::Coordinate;
+    use littlewood::{Quantity, Units};
 
     #[test]
     fn numbers_may_have_pi_in_them() {
@@ -138,16 +131,16 @@ mod tests {
     fn units_are_taken_off() {
         // m2 = 2 kg, R = 0.5 m, g = 8 m/s²: √(R/g) = 0.25 s, √(gR) = 2 m/s, m2 R² = 0.5 kg m².
         let units = Units::new(2.0, 0.5, 8.0).expect("units");
-        for (text, coordinate, to) in [
-            ("theta_rate_rad_per_s=0:8:3", Coordinate::ThetaRate, 2.0),
-            ("slip_m_per_s=0:3:3", Coordinate::Slip, 1.5),
-            ("disc_mass_kg=0:1:3", Coordinate::MassRatio, 0.5),
-            ("offset_m=0:0.25:3", Coordinate::Offset, 0.5),
-            ("inertia_kg_m2=0:0.25:3", Coordinate::Inertia, 0.5),
-            ("mu_s=0:0.25:3", Coordinate::MuS, 0.25),
+        for (text, quantity, to) in [
+            ("theta_rate_rad_per_s=0:8:3", Quantity::ThetaRate, 2.0),
+            ("slip_m_per_s=0:3:3", Quantity::Slip, 1.5),
+            ("disc_mass_kg=0:1:3", Quantity::MassRatio, 0.5),
+            ("offset_m=0:0.25:3", Quantity::Offset, 0.5),
+            ("inertia_kg_m2=0:0.25:3", Quantity::Inertia, 0.5),
+            ("mu_s=0:0.25:3", Quantity::MuS, 0.25),
         ] {
             let axis = parse_axis(text).expect("an axis").resolve(Some(&units)).expect("an axis");
-            assert_eq!((axis.coordinate(), axis.from(), axis.to()), (coordinate, 0.0, to), "{text}");
+            assert_eq!((axis.quantity(), axis.from(), axis.to()), (quantity, 0.0, to), "{text}");
         }
     }
 }

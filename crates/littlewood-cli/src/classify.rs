@@ -3,17 +3,16 @@
 use crate::args::{ClassifyArgs, ShortFormat};
 use crate::error::Error;
 use crate::output::Output;
-use crate::problem::{Above, Problem};
+use crate::problem::Problem;
 use crate::report;
-use crate::scenario::Scenario;
+use crate::request::Request;
 
 /// Runs the command.
 ///
 /// # Errors
 /// Bad input, or a failure to write.
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Error> {
-    let scenario = args.problem.scenario.as_deref().map(Scenario::read).transpose()?;
-    let problem = Problem::resolve(&args.problem, Vec::new(), Above::default(), None, scenario)?;
+    let problem = Problem::resolve(Request::new(&args.problem, None)?)?;
     let found = problem.classify()?;
     let output = Output::open(None)?;
     let colour = output.has_colour();

@@ -5,14 +5,15 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use littlewood_figures::{
-    Entry, FIGURES, Figure, FigureError, LEAST_SCALE, MOST_SCALE, Subject, find_figure, plain,
+    FIGURES, Figure, FigureEntry, FigureError, FigureInput, LEAST_SCALE, MOST_SCALE, find_figure, plain,
 };
 
 use crate::args::{FigureFormat, FiguresArgs};
 use crate::error::Error;
+use crate::nearest;
 use crate::output::Output;
-use crate::problem::{Above, Problem};
-use crate::scenario::Scenario;
+use crate::problem::Problem;
+use crate::request::Request;
 
 /// Runs the command.
 ///
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
 
     // All is drawn before anything is written: a figure that cannot be made leaves no others behind.
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
-    let mut left_out: Vec<(&Entry, FigureError)> = Vec::new();
+    let mut left_out: Vec<(&FigureEntry, FigureError)> = Vec::new();
     for entry in entries {
         match entry.figure(&subject(args, entry)?) {
             Ok(figure) => {
@@ -76,36 +77,16 @@ fn list() -> Result<(), Error> {
 }
 
 /// The figures of these names in the order of the catalogue, each once; all if there are no names.
-fn chosen(names: &[String]) -> Result<Vec<&'static Entry>, Error> {
+fn chosen(names: &[String]) -> Result<Vec<&'static FigureEntry>, Error> {
     for name in names {
         if find_figure(name).is_none() {
-            return Err(Error::UnknownFigure { name: name.clone(), hint: nearest(name) });
+            let known = FIGURES.iter().map(|entry| entry.name);
+            let hint = nearest::hint(name, known, "`littlewood figures --list` lists the names");
+            return Err(Error::UnknownFigure { name: name.clone(), hint });
         }
     }
-    let is_chosen = |entry: &&Entry| names.is_empty() || names.iter().any(|name| name == entry.name);
+    let is_chosen = |entry: &&FigureEntry| names.is_empty() || names.iter().any(|name| name == entry.name);
     Ok(FIGURES.iter().filter(is_chosen).collect())
-}
-
-/// The names that look most like this one.
-fn nearest(name: &str) -> String {
-    let wanted = name.to_lowercase().replace([' ', '_'], "-");
-    let likeness = |entry: &Entry| {
-        let whole = strsim::jaro_winkler(&wanted, entry.name);
-        // "3b" is figure-3b.
-        if entry.name.ends_with(&wanted) && !wanted.is_empty() { 1.0 } else { whole }
-    };
-    let mut ranked: Vec<(f64, &str)> = FIGURES
-        .iter()
-        .map(|entry| (likeness(entry), entry.name))
-        .filter(|(likeness, _)| *likeness > 0.75)
-        .collect();
-    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let names: Vec<String> = ranked.iter().take(3).map(|(_, name)| format!("'{name}'")).collect();
-    if names.is_empty() {
-        "`littlewood figures --list` lists the names".to_owned()
-    } else {
-        format!("did you mean {}? `littlewood figures --list` lists the names", names.join(" or "))
-    }
 }
 
 fn check_scale(scale: f64) -> Result<(), Error> {
@@ -126,12 +107,9 @@ fn prepare(folder: &Path) -> Result<(), Error> {
 }
 
 /// The hoop and the start of a figure: those of its own case, as far as nothing else is asked for.
-fn subject(args: &FiguresArgs, entry: &Entry) -> Result<Subject, Error> {
-    let problem = args.to_problem(entry.case);
-    let scenario = problem.scenario.as_deref().map(Scenario::read).transpose()?;
-    let problem =
-        Problem::resolve(&problem, args.run.given(), Above::default(), args.run.max_transitions, scenario)?;
-    Ok(Subject { hoop: problem.hoop, start: problem.start, limits: problem.limits })
+fn subject(args: &FiguresArgs, entry: &FigureEntry) -> Result<FigureInput, Error> {
+    let problem = Problem::resolve(Request::new(&args.problem(entry.case), Some(&args.run))?)?;
+    Ok(FigureInput { hoop: problem.hoop, start: problem.start, limits: problem.limits })
 }
 
 const fn is_about_the_hoop(error: &FigureError) -> bool {
@@ -145,7 +123,7 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
     )
 }
 
-fn file_name(entry: &Entry, format: FigureFormat) -> String {
+fn file_name(entry: &FigureEntry, format: FigureFormat) -> String {
     let ending = match format {
         FigureFormat::Svg => "svg",
         FigureFormat::Png => "png",

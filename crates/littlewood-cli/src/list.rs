@@ -2,17 +2,12 @@
 
 use std::path::Path;
 
-use littlewood::{HoopParameters, Quantity, Start};
-use littlewood_sweep::{Coordinate, Point, StartList};
+use littlewood::Quantity;
+use littlewood_sweep::StartList;
 
 use crate::axis::TypedAxis;
 use crate::error::Error;
-
-/// A point that is good for finding out which columns there are.
-const STAND_IN: Point = Point {
-    hoop: HoopParameters { mass_ratio: 1.0, offset: 0.5, inertia: 1.0, mu_s: 1.0, mu_k: 0.0 },
-    start: Start { time: 0.0, theta: 0.0, theta_rate: 0.0, slip: 0.0, x: 0.0 },
-};
+use crate::work::STAND_IN;
 
 /// The columns of a list.
 ///
@@ -30,21 +25,24 @@ pub(crate) fn hoop_columns(
     path: &Path,
     axes: &[TypedAxis],
     first_turn: bool,
-) -> Result<Vec<Coordinate>, Error> {
+) -> Result<Vec<Quantity>, Error> {
     let bad = |column: Quantity, reason: &str| Error::HoopColumn {
         path: path.to_owned(),
-        column: column.name().to_owned(),
+        column,
         reason: reason.to_owned(),
     };
     columns(path)?
         .into_iter()
-        .map(|column| match Coordinate::of(column).filter(|coordinate| coordinate.is_of_the_hoop()) {
-            None => Err(bad(column, "is of the start, not of the hoop")),
-            Some(coordinate) if axes.iter().any(|axis| axis.coordinate() == coordinate) => {
+        .map(|column| {
+            if !Quantity::HOOP.contains(&column) {
+                Err(bad(column, "is of the start, not of the hoop"))
+            } else if axes.iter().any(|axis| axis.quantity() == column) {
                 Err(bad(column, "is an axis, too"))
+            } else if first_turn && column == Quantity::MuK {
+                Err(bad(column, "follows mu_s with --first-turn"))
+            } else {
+                Ok(column)
             }
-            Some(Coordinate::MuK) if first_turn => Err(bad(column, "follows mu_s with --first-turn")),
-            Some(coordinate) => Ok(coordinate),
         })
         .collect()
 }

@@ -12,10 +12,12 @@ mod interrupt;
 mod lab;
 mod list;
 mod map;
+mod nearest;
 mod output;
 mod problem;
 mod progress;
 mod report;
+mod request;
 mod scenario;
 mod simulate;
 mod store;
@@ -33,7 +35,7 @@ fn main() -> ExitCode {
     let cli = match Cli::try_parse_from(join_negative_numbers(std::env::args_os())) {
         Ok(cli) => cli,
         Err(message) => {
-            // `--help` and `--version` arrive here too. A reader that has left is no reason to complain.
+            // `--help` and `--version` arrive here too. A closed pipe (EPIPE) is ignored.
             let _ = message.print();
             return if message.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
         }

@@ -1,16 +1,19 @@
 //! `littlewood map`: a plane of two quantities.
 
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use littlewood_sweep::{Chunk, Columns, Picture, Real, Shade, Size, sweep_grid};
+use littlewood::SummaryColumn;
+use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Shade, sweep_grid};
 
 use crate::args::MapArgs;
 use crate::error::Error;
 use crate::interrupt;
+use crate::nearest;
 use crate::output::Output;
 use crate::progress::Bar;
-use crate::report::sweep::{self, Summary};
+use crate::report::sweep::{self, Run};
 use crate::store::{self, Kind};
 use crate::work;
 
@@ -20,7 +23,7 @@ use crate::work;
 /// Bad input, a failure to write, or Ctrl-C.
 pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
-    let size = Size { width: args.size.0, height: args.size.1 };
+    let size = PictureSize { width: args.size.0, height: args.size.1 };
     let kinds = store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet, Kind::Picture])?;
     let (grid, limits) = work::grid(&args.base, &args.run, &[args.x, args.y])?;
     let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, grid.len())).collect();
@@ -69,7 +72,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         }
     }
     let kept = work::kept(&targets, &report, pictures);
-    sweep::finish(&Summary::new(&report, time, workers.threads(), kept), args.store.format)
+    sweep::finish(&Run::new(&report, time, workers.threads(), kept), args.store.format)
 }
 
 /// Where a picture goes that is not complete: `map.partial.png`.
@@ -78,11 +81,16 @@ fn partial(path: &Path) -> PathBuf {
 }
 
 fn shade_of(name: &str) -> Result<Shade, Error> {
-    if name == "outcome" {
+    let plain = name.replace('-', "_");
+    if plain == SummaryColumn::Outcome.name() {
         return Ok(Shade::Class);
     }
-    Real::find(&name.replace('-', "_")).map(Shade::Column).ok_or_else(|| Error::UnknownShade {
-        name: name.to_owned(),
-        known: format!("outcome, {}", Real::ALL.map(Real::name).join(", ")),
+    let known = || SummaryColumn::reals().map(SummaryColumn::name);
+    SummaryColumn::reals().find(|column| column.name() == plain).map(Shade::Column).ok_or_else(|| {
+        let all: Vec<&str> = iter::once(SummaryColumn::Outcome.name()).chain(known()).collect();
+        Error::UnknownShade {
+            name: name.to_owned(),
+            hint: nearest::hint(name, known(), &format!("the columns are {}", all.join(", "))),
+        }
     })
 }

@@ -2,18 +2,16 @@
 //! units.
 
 use littlewood::{
-    Bound, CASES, Classification, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Quantity,
-    SiParameters, SiState, Start, Trajectory, Units, find_case,
+    CASES, Classification, Group, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Quantity, Setup,
+    SiSetup, Start, Trajectory, Units, find_case,
 };
 use littlewood_report::Subject;
 
-use crate::args::ProblemArgs;
 use crate::error::Error;
+use crate::nearest;
+use crate::request::Request;
 use crate::scenario::Scenario;
-use crate::values::{Given, Origin, Values, dimensionless, find_mixture, flag, si_twin};
-
-/// Standard acceleration of free fall, m/s².
-const STANDARD_GRAVITY: f64 = 9.80665;
+use crate::values::{Given, Origin, Values, find_mixture, flag};
 
 /// What is to be simulated or classified.
 #[derive(Debug)]
@@ -40,29 +38,15 @@ struct Inputs {
     scenario: Option<Scenario>,
 }
 
-/// What a sweep puts above all that was given, in whichever units that is.
-#[derive(Debug, Default)]
-pub(crate) struct Above {
-    /// Dimensionless numbers.
-    pub(crate) given: Vec<Given>,
-    /// Whether units are needed, although none of the numbers may have one.
-    pub(crate) si: bool,
-}
-
 impl Problem {
-    /// Puts the layers together and checks the result. `run` are the limits among the flags.
+    /// Puts the layers together and checks the result.
     ///
     /// # Errors
     /// An unknown case, a missing value, a value out of bounds, or a mixture of units.
-    pub(crate) fn resolve(
-        args: &ProblemArgs,
-        run: Vec<Given>,
-        above: Above,
-        max_transitions: Option<u64>,
-        scenario: Option<Scenario>,
-    ) -> Result<Self, Error> {
-        let case = find(args, scenario.as_ref())?;
-        let mut values = case.map(|case| Values::of_case(&case.hoop, &case.start)).unwrap_or_default();
+    pub(crate) fn resolve(request: Request) -> Result<Self, Error> {
+        let Request { case, scenario, flags, si, max_transitions, overrides } = request;
+        let case = find(case.as_deref(), scenario.as_ref())?;
+        let mut values = case.map(|case| Values::of_case(&case.setup)).unwrap_or_default();
         if let Some(scenario) = &scenario {
             let layer = scenario.given();
             if let Some((plain, si)) = find_mixture(&layer) {
@@ -70,23 +54,21 @@ impl Problem {
             }
             values.cover(layer);
         }
-        let mut layer = args.given();
-        layer.extend(run);
-        refuse_mixture(&layer, args.si.si)?;
-        values.cover(layer);
-        values.cover(above.given);
+        refuse_mixture(&flags, si)?;
+        values.cover(flags);
+        values.cover(overrides.given);
 
         let max_transitions = max_transitions.or(scenario.as_ref().and_then(Scenario::max_transitions));
-        let is_si =
-            above.si || args.si.si || values.any_si() || scenario.as_ref().is_some_and(Scenario::is_si);
+        let is_si = overrides.si || si || values.any_si() || scenario.as_ref().is_some_and(Scenario::is_si);
         let inputs = Inputs { values, scenario };
         inputs.refuse_gaps(is_si)?;
         let (hoop, start, until, units) = inputs.convert(is_si).map_err(|error| inputs.blame(error))?;
         let transitions = max_transitions
             .and_then(|count| usize::try_from(count).ok())
             .unwrap_or(Limits::default().transitions);
+        let limits = Limits::default().with_until(until).with_transitions(transitions);
         let changed = case.map(|_| inputs.changed()).unwrap_or_default();
-        Ok(Self { case, changed, hoop, start, limits: Limits { until, transitions }, units, inputs })
+        Ok(Self { case, changed, hoop, start, limits, units, inputs })
     }
 
     /// Follows the motion.
@@ -119,21 +101,13 @@ impl Problem {
 impl Inputs {
     /// Refuses a hoop or a start that is not complete.
     fn refuse_gaps(&self, is_si: bool) -> Result<(), Error> {
-        const REQUIRED: [Quantity; 7] = [
-            Quantity::MassRatio,
-            Quantity::Offset,
-            Quantity::Inertia,
-            Quantity::MuS,
-            Quantity::MuK,
-            Quantity::Theta,
-            Quantity::ThetaRate,
-        ];
-        let units: &[Quantity] = if is_si { &[Quantity::ParticleMassKg, Quantity::RadiusM] } else { &[] };
-        let missing: Vec<Quantity> = REQUIRED
-            .iter()
+        let setup = Quantity::HOOP.into_iter().chain(Quantity::START);
+        let units =
+            Quantity::SI_HOOP.into_iter().filter(|quantity| is_si && quantity.group() == Group::Units);
+        let missing: Vec<Quantity> = setup
             .chain(units)
-            .filter(|quantity| self.values.find(**quantity).is_none())
-            .map(|quantity| if is_si { si_twin(*quantity).unwrap_or(*quantity) } else { *quantity })
+            .map(|quantity| if is_si { quantity.si_twin().unwrap_or(quantity) } else { quantity })
+            .filter(|quantity| quantity.row().default.is_none() && self.values.find(*quantity).is_none())
             .collect();
         if missing.is_empty() {
             return Ok(());
@@ -145,161 +119,115 @@ impl Inputs {
 
     /// The dimensionless problem. A value that was given without dimension is taken as it is, to the last bit.
     fn convert(&self, is_si: bool) -> Result<(Hoop, Start, Option<f64>, Option<Units>), ParameterError> {
-        let plain = |quantity| self.values.get(quantity);
         if !is_si {
-            let hoop = Hoop::new(self.hoop_parameters(None))?;
-            return Ok((hoop, self.start(None), plain(Quantity::Until), None));
+            let Setup { hoop, start } = self.over(|_| None);
+            return Ok((Hoop::new(hoop)?, start, self.values.get(Quantity::Until), None));
         }
         let units = Units::new(
-            plain(Quantity::ParticleMassKg).unwrap_or(f64::NAN),
-            plain(Quantity::RadiusM).unwrap_or(f64::NAN),
-            plain(Quantity::GravityMPerS2).unwrap_or(STANDARD_GRAVITY),
+            self.or_default(Quantity::ParticleMassKg),
+            self.or_default(Quantity::RadiusM),
+            self.or_default(Quantity::GravityMPerS2),
         )?;
-        let converted = self.convert_hoop(&units)?;
-        let hoop = Hoop::new(self.hoop_parameters(converted))?;
-        let or_zero = |quantity| plain(quantity).unwrap_or(0.0);
-        let converted = units.start(&SiState {
-            time_s: or_zero(Quantity::TimeS),
-            theta_rad: or_zero(Quantity::Theta),
-            theta_rate_rad_per_s: or_zero(Quantity::ThetaRateRadPerS),
-            slip_m_per_s: or_zero(Quantity::SlipMPerS),
-            x_m: or_zero(Quantity::XM),
-        })?;
-        let start = self.start(Some(converted));
-        let until = match plain(Quantity::UntilS) {
-            Some(until_s) => {
-                let until = units.until(until_s)?;
-                if until < start.time {
-                    // Said here in seconds, before it would be said without dimension.
-                    let bound = Bound::AtLeast(Quantity::TimeS, start.time * units.time_s);
-                    let quantity = Quantity::UntilS;
-                    return Err(ParameterError::OutOfBounds { quantity, value: until_s, bound });
-                }
-                Some(until)
-            }
-            None => plain(Quantity::Until),
+        let si = self.in_si(&units);
+        // A hoop whose numbers are all dimensionless does not go by way of SI units, which would round them.
+        let has_si_hoop =
+            self.values.iter().any(|given| given.quantity.is_si() && given.quantity.group() == Group::Hoop);
+        let hoop = if has_si_hoop { Some(si.hoop.to_hoop()?.0.parameters()) } else { None };
+        let Setup { hoop, .. } = self.over(|quantity| {
+            hoop.and_then(|hoop: HoopParameters| Setup::new(hoop, Start::default()).get(quantity))
+        });
+        let hoop = Hoop::new(hoop)?;
+        let converted = Setup::new(hoop.parameters(), units.start(&si.start)?);
+        let Setup { start, .. } = self.over(|quantity| converted.get(quantity));
+        let until = match self.values.get(Quantity::UntilS) {
+            Some(until_s) => Some(units.until(until_s, &start)?),
+            None => self.values.get(Quantity::Until),
         };
         Ok((hoop, start, until, Some(units)))
     }
 
-    /// The hoop by way of SI units; none if no value of it was given in SI units.
-    fn convert_hoop(&self, units: &Units) -> Result<Option<HoopParameters>, ParameterError> {
-        let masses = [Quantity::DiscMassKg, Quantity::OffsetM, Quantity::InertiaKgM2];
-        if masses.iter().all(|quantity| self.values.get(*quantity).is_none()) {
-            return Ok(None);
-        }
-        let below = self.hoop_parameters(None);
-        let or = |quantity, otherwise| self.values.get(quantity).unwrap_or(otherwise);
-        let (hoop, _) = SiParameters {
-            disc_mass_kg: or(Quantity::DiscMassKg, below.mass_ratio * units.mass_kg),
-            particle_mass_kg: units.mass_kg,
-            radius_m: units.length_m,
-            offset_m: or(Quantity::OffsetM, below.offset * units.length_m),
-            inertia_kg_m2: or(Quantity::InertiaKgM2, below.inertia * units.inertia_kg_m2()),
-            gravity_m_per_s2: units.gravity_m_per_s2,
-            mu_s: below.mu_s,
-            mu_k: below.mu_k,
-        }
-        .to_hoop()?;
-        Ok(Some(hoop.parameters()))
+    /// The number that was given for a quantity, or its default; NaN, which no check lets through, if it has none.
+    fn or_default(&self, quantity: Quantity) -> f64 {
+        self.values.get(quantity).or(quantity.row().default).unwrap_or(f64::NAN)
     }
 
-    fn hoop_parameters(&self, converted: Option<HoopParameters>) -> HoopParameters {
-        let pick = |quantity, field: fn(HoopParameters) -> f64| {
-            self.values.get(quantity).unwrap_or_else(|| converted.map_or(f64::NAN, field))
-        };
-        HoopParameters {
-            mass_ratio: pick(Quantity::MassRatio, |hoop| hoop.mass_ratio),
-            offset: pick(Quantity::Offset, |hoop| hoop.offset),
-            inertia: pick(Quantity::Inertia, |hoop| hoop.inertia),
-            mu_s: pick(Quantity::MuS, |hoop| hoop.mu_s),
-            mu_k: pick(Quantity::MuK, |hoop| hoop.mu_k),
+    /// The dimensionless numbers that were given, over those of another setup, over the defaults.
+    fn over(&self, below: impl Fn(Quantity) -> Option<f64>) -> Setup {
+        let mut setup = Setup::new(HoopParameters::default(), Start::default());
+        for quantity in Quantity::HOOP.into_iter().chain(Quantity::START) {
+            let given = self.values.get(quantity).or_else(|| below(quantity));
+            setup.set(quantity, given.unwrap_or_else(|| self.or_default(quantity)));
         }
+        setup
     }
 
-    fn start(&self, converted: Option<Start>) -> Start {
-        let pick = |quantity, field: fn(Start) -> f64| {
-            self.values.get(quantity).unwrap_or_else(|| converted.map_or(0.0, field))
-        };
-        Start {
-            time: pick(Quantity::Time, |start| start.time),
-            theta: pick(Quantity::Theta, |start| start.theta),
-            theta_rate: pick(Quantity::ThetaRate, |start| start.theta_rate),
-            slip: pick(Quantity::Slip, |start| start.slip),
-            x: pick(Quantity::X, |start| start.x),
-        }
+    /// All in SI units: what was given so, and the hoop that was not. Of a start that was not given so the numbers do
+    /// not count.
+    fn in_si(&self, units: &Units) -> SiSetup {
+        let hoop = SiSetup::new(&self.over(|_| None), units);
+        SiSetup::from_values(|quantity| match quantity.group() {
+            Group::Hoop => self.values.get(quantity).or(hoop.get(quantity)).unwrap_or(f64::NAN),
+            Group::Units => self.or_default(quantity),
+            Group::Start | Group::Place => {
+                self.values.get(quantity).or(quantity.row().default).unwrap_or(0.0)
+            }
+            Group::Run => f64::NAN,
+        })
     }
 
     /// The quantities of the hoop and the start that do not come from the case.
     fn changed(&self) -> Vec<Quantity> {
-        let of_motion = |quantity| {
-            let units = [Quantity::ParticleMassKg, Quantity::RadiusM, Quantity::GravityMPerS2];
-            dimensionless(quantity) != Quantity::Until && !units.contains(&quantity)
+        let is_of_motion = |quantity: Quantity| match quantity.group() {
+            Group::Hoop | Group::Start | Group::Place => true,
+            Group::Units | Group::Run => false,
         };
         self.values
             .iter()
-            .filter(|given| given.origin != Origin::Case && of_motion(given.quantity))
+            .filter(|given| given.origin != Origin::Case && is_of_motion(given.quantity))
             .map(|given| given.quantity)
             .collect()
     }
 
     /// Says where the value comes from that an error is about.
     fn blame(&self, error: ParameterError) -> Error {
-        let quantity = match error {
-            ParameterError::OutOfBounds { quantity, .. } => quantity,
-            _ => Quantity::Offset,
-        };
-        match (self.values.find(quantity), &self.scenario) {
+        match (self.values.find(error.quantity()), &self.scenario) {
             (Some(Given { origin: Origin::File(span), .. }), Some(scenario)) => {
                 let source_code = scenario.source_code();
                 Error::ScenarioValue { error, source_code, span: span.clone().into() }
             }
-            _ => Error::Value { error },
+            (Some(_) | None, _) => Error::Value { error },
         }
     }
 }
 
-fn find(args: &ProblemArgs, scenario: Option<&Scenario>) -> Result<Option<&'static NamedCase>, Error> {
-    if let Some(name) = &args.case {
-        let unknown = || Error::UnknownCase { name: name.clone(), hint: nearest(name) };
+fn find(case: Option<&str>, scenario: Option<&Scenario>) -> Result<Option<&'static NamedCase>, Error> {
+    if let Some(name) = case {
+        let unknown = || Error::UnknownCase { name: name.to_owned(), hint: nearest_case(name) };
         return find_case(name).map(Some).ok_or_else(unknown);
     }
     let Some((scenario, (name, span))) = scenario.and_then(|scenario| Some((scenario, scenario.case()?)))
     else {
         return Ok(None);
     };
-    let unknown = || scenario.complain(format!("there is no case named '{name}'"), nearest(name), span);
+    let unknown = || scenario.complain(format!("there is no case named '{name}'"), nearest_case(name), span);
     find_case(name).map(Some).ok_or_else(unknown)
 }
 
-/// The names that look most like this one.
-fn nearest(name: &str) -> String {
-    let wanted = name.to_lowercase().replace([' ', '_'], "-");
-    let mut ranked: Vec<(f64, &str)> = CASES
-        .iter()
-        .map(|case| (strsim::jaro_winkler(&wanted, case.name), case.name))
-        .filter(|(likeness, _)| *likeness > 0.75)
-        .collect();
-    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let names: Vec<String> = ranked.iter().take(3).map(|(_, name)| format!("'{name}'")).collect();
-    if names.is_empty() {
-        "`littlewood cases` lists the names".to_owned()
-    } else {
-        format!("did you mean {}? `littlewood cases` lists the names", names.join(" or "))
-    }
+fn nearest_case(name: &str) -> String {
+    nearest::hint(name, CASES.iter().map(|case| case.name), "`littlewood cases` lists the names")
 }
 
 /// Flags in both systems, or dimensionless ones together with `--si`.
 fn refuse_mixture(layer: &[Given], si_switch: bool) -> Result<(), Error> {
     let (plain, si) = match (find_mixture(layer), si_switch) {
         (Some((plain, si)), _) => (plain.quantity, flag(si.quantity)),
-        (None, true) => match layer.iter().find(|given| si_twin(given.quantity).is_some()) {
+        (None, true) => match layer.iter().find(|given| given.quantity.si_twin().is_some()) {
             Some(plain) => (plain.quantity, "--si".to_owned()),
             None => return Ok(()),
         },
         (None, false) => return Ok(()),
     };
-    let hint = si_twin(plain).map(flag).map_or_else(String::new, |twin| {
+    let hint = plain.si_twin().map(flag).map_or_else(String::new, |twin| {
         format!("in SI units {} is {twin}; or leave out the flags in SI units", flag(plain))
     });
     Err(Error::Mixed { plain: flag(plain), si, hint })
@@ -312,9 +240,8 @@ fn mixed_in_file(scenario: &Scenario, plain: &Given, si: &Given) -> Error {
     };
     let message = format!(
         "{} has no dimension, {} is in SI units: the two do not go together",
-        plain.quantity.name(),
-        si.quantity.name()
+        plain.quantity, si.quantity
     );
-    let twin = si_twin(plain.quantity).map_or("", |twin| twin.name());
+    let twin = plain.quantity.si_twin().map_or("", Quantity::name);
     scenario.complain(message, format!("in SI units it is {twin}; or leave out the [si] tables"), span)
 }

@@ -1,230 +1,308 @@
 //! A scenario file as it is written: TOML with a case, `[hoop]`, `[start]`, `[run]`, or `[si.hoop]` and `[si.start]`.
+//!
+//! The keys of the tables are the quantities of the core; those of `[si]` have the unit in their names.
 
+use std::borrow::Cow;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use littlewood::Quantity;
+use clap::ValueEnum;
+use littlewood::{Group, Quantity};
 use miette::NamedSource;
-use serde::Deserialize;
 use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 use crate::args::Format;
 use crate::error::Error;
-use crate::values::{Given, Origin};
+use crate::nearest;
+use crate::values::{Given, Origin, si_name};
+
+/// Bounds of the number of samples.
+pub(crate) const SAMPLES: (u64, u64) = (2, 10_000_000);
+
+/// Bounds of the largest number of transitions.
+const MAX_TRANSITIONS: (u64, u64) = (1, u64::MAX);
 
 /// A scenario file that has been read.
 #[derive(Debug)]
 pub(crate) struct Scenario {
-    text: String,
-    path: PathBuf,
-    file: File,
+    source: Source,
+    case: Option<(String, Range<usize>)>,
+    given: Vec<Given>,
+    is_si: bool,
+    run: Run,
 }
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    case: Option<Spanned<String>>,
-    #[serde(default)]
-    hoop: HoopTable,
-    #[serde(default)]
-    start: StartTable,
-    #[serde(default)]
-    run: RunTable,
-    si: Option<SiTable>,
-}
-
-type Number = Option<Spanned<f64>>;
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct HoopTable {
-    mass_ratio: Number,
-    offset: Number,
-    inertia: Number,
-    mu_s: Number,
-    mu_k: Number,
-}
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StartTable {
-    theta: Number,
-    theta_rate: Number,
-    slip: Number,
-    x: Number,
-    time: Number,
-}
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RunTable {
-    until: Number,
-    until_s: Number,
-    max_transitions: Option<Spanned<u64>>,
-    samples: Option<Spanned<u64>>,
+/// What `[run]` says besides the time limit.
+#[derive(Debug, Default)]
+struct Run {
+    max_transitions: Option<u64>,
+    samples: Option<u64>,
     format: Option<Format>,
     out: Option<PathBuf>,
-}
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SiTable {
-    #[serde(default)]
-    hoop: SiHoopTable,
-    #[serde(default)]
-    start: SiStartTable,
-}
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SiHoopTable {
-    disc_mass_kg: Number,
-    particle_mass_kg: Number,
-    radius_m: Number,
-    offset_m: Number,
-    inertia_kg_m2: Number,
-    gravity_m_per_s2: Number,
-    mu_s: Number,
-    mu_k: Number,
-}
-
-#[derive(Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SiStartTable {
-    theta_rad: Number,
-    theta_rate_rad_per_s: Number,
-    slip_m_per_s: Number,
-    x_m: Number,
-    time_s: Number,
 }
 
 impl Scenario {
     /// Reads a file.
     ///
     /// # Errors
-    /// The file cannot be read, is not TOML, or has a key that means nothing.
+    /// The file cannot be read, is not TOML, or has a key or a value that means nothing.
     pub(crate) fn read(path: &Path) -> Result<Self, Error> {
         let text =
             fs::read_to_string(path).map_err(|source| Error::Unreadable { path: path.to_owned(), source })?;
-        let file = toml::from_str(&text).map_err(|error| Error::Scenario {
-            message: error.message().to_owned(),
-            help: "the keys are `case`; [hoop] mass_ratio, offset, inertia, mu_s, mu_k; [start] theta, theta_rate, \
-                   slip, x, time; [run] until, max_transitions, samples, format, out; and [si.hoop], [si.start] \
-                   with units in the names"
-                .to_owned(),
-            source_code: named(path, &text),
-            span: error.span().unwrap_or_default().into(),
+        let source = Source { path: path.to_owned(), text };
+        let document = DeTable::parse(&source.text).map_err(|error| {
+            source.complain(error.message().to_owned(), overview(), error.span().unwrap_or_default())
         })?;
-        let scenario = Self { text, path: path.to_owned(), file };
-        scenario.check_run()?;
-        Ok(scenario)
-    }
+        let whole = Section { source: &source, name: "the file", table: document.get_ref() };
+        whole.refuse_other_keys(&["case", "hoop", "start", "run", "si"])?;
 
-    /// The counts have the bounds of the flags.
-    fn check_run(&self) -> Result<(), Error> {
-        let run = &self.file.run;
-        for (name, count, least, most) in
-            [("samples", &run.samples, 2, 10_000_000), ("max_transitions", &run.max_transitions, 1, u64::MAX)]
-        {
-            if let Some(count) = count.as_ref().filter(|count| !(least..=most).contains(count.get_ref())) {
-                return Err(self.complain(
-                    format!("{name} = {} is not between {least} and {most}", count.get_ref()),
-                    format!("give another number for {name}, or leave it out"),
-                    count.span(),
-                ));
+        let case = match whole.find("case") {
+            Some((_, value)) => Some((whole.text("case", value)?.to_owned(), value.span())),
+            None => None,
+        };
+        let mut given = Vec::new();
+        if let Some(hoop) = whole.section("hoop", "[hoop]")? {
+            given.extend(hoop.quantities(&keys(Quantity::HOOP), &[])?);
+        }
+        if let Some(start) = whole.section("start", "[start]")? {
+            given.extend(start.quantities(&keys(Quantity::START), &[])?);
+        }
+        let mut run = Run::default();
+        if let Some(section) = whole.section("run", "[run]")? {
+            let limits = Quantity::ALL.into_iter().filter(|quantity| quantity.group() == Group::Run);
+            given.extend(section.quantities(&keys(limits), &Run::KEYS)?);
+            run = Run::read(&section)?;
+        }
+        // θ, μs and μk, which can stand in both, are taken from [si].
+        let si = whole.section("si", "[si]")?;
+        if let Some(si) = &si {
+            si.refuse_other_keys(&["hoop", "start"])?;
+            if let Some(hoop) = si.section("hoop", "[si.hoop]")? {
+                given.extend(hoop.quantities(&si_keys(Quantity::SI_HOOP), &[])?);
+            }
+            if let Some(start) = si.section("start", "[si.start]")? {
+                given.extend(start.quantities(&si_keys(Quantity::SI_START), &[])?);
             }
         }
-        Ok(())
+        let is_si = si.is_some();
+        Ok(Self { source, case, given, is_si, run })
     }
 
     /// The name of the case that the file starts from, and its place.
     pub(crate) fn case(&self) -> Option<(&str, Range<usize>)> {
-        self.file.case.as_ref().map(|case| (case.get_ref().as_str(), case.span()))
+        self.case.as_ref().map(|(name, span)| (name.as_str(), span.clone()))
     }
 
-    /// The numbers in the file. θ, μs and μk of `[si]` stand last and thus count.
+    /// The numbers in the file. Of two for the same quantity the later one counts.
     pub(crate) fn given(&self) -> Vec<Given> {
-        let File { hoop, start, run, si, .. } = &self.file;
-        let mut pairs = vec![
-            (Quantity::MassRatio, &hoop.mass_ratio),
-            (Quantity::Offset, &hoop.offset),
-            (Quantity::Inertia, &hoop.inertia),
-            (Quantity::MuS, &hoop.mu_s),
-            (Quantity::MuK, &hoop.mu_k),
-            (Quantity::Theta, &start.theta),
-            (Quantity::ThetaRate, &start.theta_rate),
-            (Quantity::Slip, &start.slip),
-            (Quantity::X, &start.x),
-            (Quantity::Time, &start.time),
-            (Quantity::Until, &run.until),
-            (Quantity::UntilS, &run.until_s),
-        ];
-        if let Some(SiTable { hoop, start }) = si {
-            pairs.extend([
-                (Quantity::DiscMassKg, &hoop.disc_mass_kg),
-                (Quantity::ParticleMassKg, &hoop.particle_mass_kg),
-                (Quantity::RadiusM, &hoop.radius_m),
-                (Quantity::OffsetM, &hoop.offset_m),
-                (Quantity::InertiaKgM2, &hoop.inertia_kg_m2),
-                (Quantity::GravityMPerS2, &hoop.gravity_m_per_s2),
-                (Quantity::MuS, &hoop.mu_s),
-                (Quantity::MuK, &hoop.mu_k),
-                (Quantity::Theta, &start.theta_rad),
-                (Quantity::ThetaRateRadPerS, &start.theta_rate_rad_per_s),
-                (Quantity::SlipMPerS, &start.slip_m_per_s),
-                (Quantity::XM, &start.x_m),
-                (Quantity::TimeS, &start.time_s),
-            ]);
-        }
-        pairs
-            .into_iter()
-            .filter_map(|(quantity, number)| {
-                let number = number.as_ref()?;
-                let origin = Origin::File(number.span());
-                Some(Given { quantity, value: *number.get_ref(), origin })
-            })
-            .collect()
+        self.given.clone()
     }
 
     /// Whether the file has an `[si]` table.
     pub(crate) const fn is_si(&self) -> bool {
-        self.file.si.is_some()
+        self.is_si
     }
 
     /// Largest number of transitions.
-    pub(crate) fn max_transitions(&self) -> Option<u64> {
-        self.file.run.max_transitions.as_ref().map(|count| *count.get_ref())
+    pub(crate) const fn max_transitions(&self) -> Option<u64> {
+        self.run.max_transitions
     }
 
     /// Number of samples.
-    pub(crate) fn samples(&self) -> Option<u64> {
-        self.file.run.samples.as_ref().map(|count| *count.get_ref())
+    pub(crate) const fn samples(&self) -> Option<u64> {
+        self.run.samples
     }
 
     /// Output format.
     pub(crate) const fn format(&self) -> Option<Format> {
-        self.file.run.format
+        self.run.format
     }
 
     /// Output file; a relative path is meant from the folder of the scenario.
     pub(crate) fn out(&self) -> Option<PathBuf> {
-        let out = self.file.run.out.as_ref()?;
-        Some(self.path.parent().map_or_else(|| out.clone(), |folder| folder.join(out)))
+        let out = self.run.out.as_ref()?;
+        Some(self.source.path.parent().map_or_else(|| out.clone(), |folder| folder.join(out)))
     }
 
     /// The file with its name, for messages.
     pub(crate) fn source_code(&self) -> Arc<NamedSource<String>> {
-        named(&self.path, &self.text)
+        self.source.named()
     }
 
     /// An error at a place in the file.
     pub(crate) fn complain(&self, message: String, help: String, span: Range<usize>) -> Error {
-        Error::Scenario { message, help, source_code: self.source_code(), span: span.into() }
+        self.source.complain(message, help, span)
     }
 }
 
-fn named(path: &Path, text: &str) -> Arc<NamedSource<String>> {
-    Arc::new(NamedSource::new(path.display().to_string(), text.to_owned()))
+impl Run {
+    /// The keys of `[run]` that are no quantities.
+    const KEYS: [&'static str; 4] = ["max_transitions", "samples", "format", "out"];
+
+    fn read(section: &Section<'_>) -> Result<Self, Error> {
+        let [max_transitions, samples, format, out] = Self::KEYS;
+        let text = |key| section.find(key).map(|(_, value)| section.text(key, value)).transpose();
+        let format = match (section.find(format), text(format)?) {
+            (Some((_, value)), Some(name)) => Some(read_format(section, name, value.span())?),
+            (_, _) => None,
+        };
+        Ok(Self {
+            max_transitions: section.count(max_transitions, MAX_TRANSITIONS)?,
+            samples: section.count(samples, SAMPLES)?,
+            format,
+            out: text(out)?.map(PathBuf::from),
+        })
+    }
+}
+
+fn read_format(section: &Section<'_>, name: &str, span: Range<usize>) -> Result<Format, Error> {
+    Format::from_str(name, false).map_err(|_| {
+        let known: Vec<String> = Format::value_variants()
+            .iter()
+            .filter_map(|format| Some(format.to_possible_value()?.get_name().to_owned()))
+            .collect();
+        let message = format!("there is no format '{name}'");
+        section.source.complain(message, format!("the formats are {}", known.join(", ")), span)
+    })
+}
+
+fn keys(quantities: impl IntoIterator<Item = Quantity>) -> Vec<(Cow<'static, str>, Quantity)> {
+    quantities.into_iter().map(|quantity| (quantity.name().into(), quantity)).collect()
+}
+
+fn si_keys(quantities: impl IntoIterator<Item = Quantity>) -> Vec<(Cow<'static, str>, Quantity)> {
+    quantities.into_iter().map(|quantity| (si_name(quantity), quantity)).collect()
+}
+
+/// What a file can say, for one that is not TOML.
+fn overview() -> String {
+    let names = |quantities: &[Quantity]| {
+        quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ")
+    };
+    format!(
+        "the keys are `case`; [hoop] {}; [start] {}; [run] until, {}; and [si.hoop], [si.start] with units in the names",
+        names(&Quantity::HOOP),
+        names(&Quantity::START),
+        Run::KEYS.join(", "),
+    )
+}
+
+/// The text of a file and its name.
+#[derive(Debug)]
+struct Source {
+    path: PathBuf,
+    text: String,
+}
+
+impl Source {
+    fn named(&self) -> Arc<NamedSource<String>> {
+        Arc::new(NamedSource::new(self.path.display().to_string(), self.text.clone()))
+    }
+
+    fn complain(&self, message: String, help: String, span: Range<usize>) -> Error {
+        Error::Scenario { message, help, source_code: self.named(), span: span.into() }
+    }
+}
+
+/// A table of the file.
+struct Section<'a> {
+    source: &'a Source,
+    /// As it is written: `[si.hoop]`.
+    name: &'static str,
+    table: &'a DeTable<'a>,
+}
+
+impl<'a> Section<'a> {
+    fn find(&self, key: &str) -> Option<(Range<usize>, &'a Spanned<DeValue<'a>>)> {
+        let (key, value) = self.table.iter().find(|(known, _)| known.get_ref() == key)?;
+        Some((key.span(), value))
+    }
+
+    /// A table in this one.
+    fn section(&self, key: &str, name: &'static str) -> Result<Option<Self>, Error> {
+        match self.find(key) {
+            None => Ok(None),
+            Some((_, value)) => match value.get_ref() {
+                DeValue::Table(table) => Ok(Some(Self { source: self.source, name, table })),
+                other => Err(self.of_other_type(key, "a table", other, value.span())),
+            },
+        }
+    }
+
+    /// The numbers of these quantities, in their order.
+    fn quantities(
+        &self,
+        keys: &[(Cow<'static, str>, Quantity)],
+        others: &[&'static str],
+    ) -> Result<Vec<Given>, Error> {
+        let known: Vec<&str> =
+            keys.iter().map(|(key, _)| key.as_ref()).chain(others.iter().copied()).collect();
+        self.refuse_other_keys(&known)?;
+        keys.iter()
+            .filter_map(|(key, quantity)| self.find(key).map(|(_, value)| (key, *quantity, value)))
+            .map(|(key, quantity, value)| {
+                let origin = Origin::File(value.span());
+                Ok(Given { quantity, value: self.number(key, value)?, origin })
+            })
+            .collect()
+    }
+
+    fn number(&self, key: &str, value: &Spanned<DeValue<'_>>) -> Result<f64, Error> {
+        let number = match value.get_ref() {
+            DeValue::Float(float) => float.as_str().parse().ok(),
+            integer @ DeValue::Integer(_) => whole(integer).map(|whole| whole as f64),
+            DeValue::String(_)
+            | DeValue::Boolean(_)
+            | DeValue::Datetime(_)
+            | DeValue::Array(_)
+            | DeValue::Table(_) => None,
+        };
+        number.ok_or_else(|| self.of_other_type(key, "a number", value.get_ref(), value.span()))
+    }
+
+    fn text(&self, key: &str, value: &'a Spanned<DeValue<'a>>) -> Result<&'a str, Error> {
+        let other = || self.of_other_type(key, "a string", value.get_ref(), value.span());
+        value.get_ref().as_str().ok_or_else(other)
+    }
+
+    /// A count within bounds, which are those of the flag.
+    fn count(&self, key: &str, (least, most): (u64, u64)) -> Result<Option<u64>, Error> {
+        let Some((_, value)) = self.find(key) else { return Ok(None) };
+        let whole = whole(value.get_ref())
+            .ok_or_else(|| self.of_other_type(key, "a whole number", value.get_ref(), value.span()))?;
+        match u64::try_from(whole) {
+            Ok(count) if (least..=most).contains(&count) => Ok(Some(count)),
+            Ok(_) | Err(_) => Err(self.source.complain(
+                format!("{key} = {whole} is not between {least} and {most}"),
+                format!("give another number for {key}, or leave it out"),
+                value.span(),
+            )),
+        }
+    }
+
+    fn refuse_other_keys(&self, known: &[&str]) -> Result<(), Error> {
+        match self.table.keys().find(|key| !known.contains(&key.get_ref().as_ref())) {
+            None => Ok(()),
+            Some(key) => {
+                let message = format!("there is no key '{}' in {}", key.get_ref(), self.name);
+                let all = format!("the keys of {} are {}", self.name, known.join(", "));
+                let help = nearest::hint(key.get_ref(), known.iter().copied(), &all);
+                Err(self.source.complain(message, help, key.span()))
+            }
+        }
+    }
+
+    fn of_other_type(&self, key: &str, wanted: &str, found: &DeValue<'_>, span: Range<usize>) -> Error {
+        let message = format!("{key} is not {wanted}, but of the type {}", found.type_str());
+        self.source.complain(message, format!("{key} in {} is {wanted}", self.name), span)
+    }
+}
+
+/// A whole number, in whichever base it is written.
+fn whole(value: &DeValue<'_>) -> Option<i128> {
+    let integer = value.as_integer()?;
+    i128::from_str_radix(integer.as_str(), integer.radix()).ok()
 }

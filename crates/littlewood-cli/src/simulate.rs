@@ -5,8 +5,9 @@ use std::path::Path;
 use crate::args::{Format, SimulateArgs};
 use crate::error::Error;
 use crate::output::Output;
-use crate::problem::{Above, Problem};
+use crate::problem::Problem;
 use crate::report::{self, Sampling};
+use crate::request::Request;
 use crate::scenario::Scenario;
 
 /// Runs the command.
@@ -14,14 +15,7 @@ use crate::scenario::Scenario;
 /// # Errors
 /// Bad input, or a failure to write.
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
-    let scenario = args.problem.scenario.as_deref().map(Scenario::read).transpose()?;
-    let problem = Problem::resolve(
-        &args.problem,
-        args.run.given(),
-        Above::default(),
-        args.run.max_transitions,
-        scenario,
-    )?;
+    let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
     let scenario = problem.scenario();
     let samples = args.samples.or_else(|| scenario.and_then(Scenario::samples));
     let out = args.out.clone().or_else(|| scenario.and_then(Scenario::out));

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::interrupt;
 use crate::list;
 use crate::progress::Bar;
-use crate::report::sweep::{self, Summary};
+use crate::report::sweep::{self, Run};
 use crate::store::{self, Kind};
 use crate::work::{self, Varied};
 
@@ -38,7 +38,7 @@ fn follow_list(args: &SweepArgs, starts: &Path) -> Result<(), Error> {
     // What the list has no column for is needed from elsewhere, so the columns have to be known first.
     let quantities = list::columns(starts)?;
     let base = work::base(&args.base, &args.run, Varied { quantities, ..Varied::default() })?;
-    let list = StartList::open(starts, base.point)?;
+    let list = StartList::open(starts, base.setup)?;
     follow(args, list.rows(), &kinds, |targets, workers, options| {
         sweep_list(&list, base.limits, targets, workers, options)
     })
@@ -61,5 +61,5 @@ fn follow(
     let time = began.elapsed();
     drop(bar);
     let kept = work::kept(&targets, &report, Vec::new());
-    sweep::finish(&Summary::new(&report, time, workers.threads(), kept), args.store.format)
+    sweep::finish(&Run::new(&report, time, workers.threads(), kept), args.store.format)
 }

@@ -3,20 +3,25 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use littlewood::{Limits, Quantity, Units};
-use littlewood_sweep::{Axis, AxisError, Grid, Options, Point, Progress, Report, Target, Workers};
+use littlewood::{HoopParameters, Limits, Quantity, Setup, Start, Units};
+use littlewood_sweep::{Axis, AxisError, Grid, Options, Progress, Report, Target, Workers};
 
-use crate::args::{BaseArgs, RunArgs, WorkArgs};
+use crate::args::{ProblemArgs, RunArgs, WorkArgs};
 use crate::axis::TypedAxis;
 use crate::error::Error;
-use crate::problem::{Above, Problem};
-use crate::scenario::Scenario;
-use crate::values::{Given, Origin};
+use crate::problem::Problem;
+use crate::request::{Overrides, Request};
+use crate::values::Given;
 
-/// The point that the others are taken from, and the limits.
+/// A setup whose numbers go with all values of any one of them, for what an axis or a list puts its own value in place
+/// of. 1e9 is the largest coefficient of friction that a hoop may have.
+pub(crate) const STAND_IN: Setup =
+    Setup::new(HoopParameters::new(1.0, 0.5, 1.0).with_friction(1e9, 0.0), Start::at(0.0, 0.0));
+
+/// The setup that the others are taken from, and the limits.
 #[derive(Debug)]
 pub(crate) struct Base {
-    pub(crate) point: Point,
+    pub(crate) setup: Setup,
     pub(crate) limits: Limits,
     /// Units, if anything was given in SI units.
     pub(crate) units: Option<Units>,
@@ -37,7 +42,7 @@ impl Varied {
     /// What axes vary.
     pub(crate) fn by(axes: &[TypedAxis]) -> Self {
         Self {
-            quantities: axes.iter().map(|axis| axis.coordinate().quantity()).collect(),
+            quantities: axes.iter().map(TypedAxis::quantity).collect(),
             si: axes.iter().any(TypedAxis::is_si),
             fixed: Vec::new(),
         }
@@ -48,40 +53,28 @@ impl Varied {
 ///
 /// # Errors
 /// As [`Problem::resolve`].
-pub(crate) fn base(args: &BaseArgs, run: &RunArgs, varied: Varied) -> Result<Base, Error> {
-    let problem = args.to_problem();
-    let scenario = problem.scenario.as_deref().map(Scenario::read).transpose()?;
+pub(crate) fn base(args: &ProblemArgs<false>, run: &RunArgs, varied: Varied) -> Result<Base, Error> {
     let Varied { quantities, si, fixed } = varied;
-    let stand_ins = quantities.into_iter().map(|quantity| of_flag(quantity, stand_in(quantity)));
-    let above = Above { given: fixed.into_iter().chain(stand_ins).collect(), si };
-    let problem = Problem::resolve(&problem, run.given(), above, run.max_transitions, scenario)?;
-    let point = Point { hoop: problem.hoop.parameters(), start: problem.start };
-    Ok(Base { point, limits: problem.limits, units: problem.units })
-}
-
-/// A number as if it had been typed.
-pub(crate) const fn of_flag(quantity: Quantity, value: f64) -> Given {
-    Given { quantity, value, origin: Origin::Flag }
-}
-
-/// A value that goes with all others (1e9 is the largest friction that a hoop may have), until the axis or the list puts
-/// its own in its place.
-const fn stand_in(quantity: Quantity) -> f64 {
-    match quantity {
-        Quantity::MassRatio | Quantity::Inertia => 1.0,
-        Quantity::Offset => 0.5,
-        Quantity::MuS => 1e9,
-        _ => 0.0,
-    }
+    let stand_ins =
+        quantities.into_iter().filter_map(|quantity| Some(Given::by_flag(quantity, STAND_IN.get(quantity)?)));
+    let given = fixed.into_iter().chain(stand_ins).collect();
+    let request = Request { overrides: Overrides { given, si }, ..Request::new(args, Some(run))? };
+    let problem = Problem::resolve(request)?;
+    let setup = Setup::new(problem.hoop.parameters(), problem.start);
+    Ok(Base { setup, limits: problem.limits, units: problem.units })
 }
 
 /// A grid over a case, a scenario or flags.
 ///
 /// # Errors
 /// As [`base`] and [`Grid::new`].
-pub(crate) fn grid(args: &BaseArgs, run: &RunArgs, axes: &[TypedAxis]) -> Result<(Grid, Limits), Error> {
+pub(crate) fn grid(
+    args: &ProblemArgs<false>,
+    run: &RunArgs,
+    axes: &[TypedAxis],
+) -> Result<(Grid, Limits), Error> {
     let base = base(args, run, Varied::by(axes))?;
-    Ok((Grid::new(base.point, resolve(axes, &base)?)?, base.limits))
+    Ok((Grid::new(base.setup, resolve(axes, &base)?)?, base.limits))
 }
 
 /// Axes without dimension.

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::problem::{HoopArgs, PlaceArgs, ProblemArgs, RunArgs, SiArgs, StartArgs, number};
+use super::quantity::SetupArgs;
+use super::{ProblemArgs, RunArgs, number};
 
 pub(super) const FIGURES: &str = "\
 Draw the figures of the paper, and more, of its hoops or of any other.
@@ -39,11 +40,7 @@ pub(crate) struct FiguresArgs {
     #[arg(long, value_name = "FILE")]
     scenario: Option<PathBuf>,
     #[command(flatten)]
-    hoop: HoopArgs,
-    #[command(flatten)]
-    start: StartArgs,
-    #[command(flatten)]
-    si: SiArgs,
+    setup: SetupArgs<false>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
     /// Folder for the files; it is made if it is not there
@@ -65,20 +62,10 @@ pub(crate) struct FiguresArgs {
 
 impl FiguresArgs {
     /// The same as `simulate` has it, with a case if none is asked for.
-    pub(crate) fn to_problem(&self, case: &str) -> ProblemArgs {
-        let case = match (&self.case, &self.scenario) {
-            (Some(case), _) => Some(case.clone()),
-            (None, Some(_)) => None,
-            (None, None) => Some(case.to_owned()),
-        };
-        ProblemArgs {
-            case,
-            scenario: self.scenario.clone(),
-            hoop: self.hoop.clone(),
-            start: self.start.clone(),
-            place: PlaceArgs::default(),
-            si: self.si.clone(),
-        }
+    pub(crate) fn problem(&self, case: &str) -> ProblemArgs<false> {
+        let Self { scenario, setup, .. } = self;
+        let own = || scenario.is_none().then(|| case.to_owned());
+        ProblemArgs { case: self.case.clone().or_else(own), scenario: scenario.clone(), setup: setup.clone() }
     }
 }
 

@@ -1,25 +1,28 @@
-//! The command line as it is typed. What it means, together with a case and a scenario file, is decided in
-//! [`crate::problem`].
+//! The command line as it is typed. What it means, together with a case and a scenario file, is decided elsewhere.
 
+mod animate;
 mod figures;
+mod lab;
 mod negative;
 mod problem;
+mod quantity;
 mod sweep;
 
+pub(crate) use animate::{AnimateArgs, Camera};
 pub(crate) use figures::{FigureFormat, FiguresArgs};
+pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;
-pub(crate) use problem::{BaseArgs, ProblemArgs, RunArgs, number};
+pub(crate) use problem::{ProblemArgs, RunArgs, number};
 pub(crate) use sweep::{AtlasArgs, MapArgs, SweepArgs, WorkArgs, size};
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::animate::{self, AnimateArgs};
-use crate::lab::LabArgs;
-
+use self::animate::{ANIMATE, ANIMATE_EXAMPLES};
 use self::figures::{FIGURES, FIGURES_EXAMPLES};
-use self::sweep::{ATLAS, ATLAS_EXAMPLES, MAP, MAP_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
+use self::lab::LAB;
+use self::sweep::{ATLAS, ATLAS_EXAMPLES, MAP_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
 
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
 ///
@@ -53,7 +56,7 @@ pub(crate) enum Command {
     /// List the named cases: the motions that the paper shows or speaks of
     Cases(CasesArgs),
     /// Follow the starts of a plane of two quantities: a picture, or a store for xarray or a data frame
-    #[command(long_about = MAP, after_help = MAP_EXAMPLES)]
+    #[command(long_about = sweep::map(), after_help = MAP_EXAMPLES)]
     Map(Box<MapArgs>),
     /// Follow the starts of a grid with any number of axes, or of a list
     #[command(long_about = SWEEP, after_help = SWEEP_EXAMPLES)]
@@ -65,10 +68,10 @@ pub(crate) enum Command {
     #[command(long_about = FIGURES, after_help = FIGURES_EXAMPLES)]
     Figures(Box<FiguresArgs>),
     /// Make a film of a motion: GIF, APNG or MP4
-    #[command(long_about = animate::ABOUT, after_help = animate::EXAMPLES)]
+    #[command(long_about = ANIMATE, after_help = ANIMATE_EXAMPLES)]
     Animate(Box<AnimateArgs>),
     /// Open the laboratory in the browser: drag a start and watch the hoop
-    #[command(long_about = crate::lab::ABOUT)]
+    #[command(long_about = LAB)]
     Lab(LabArgs),
 }
 
@@ -106,7 +109,7 @@ Examples:
 #[derive(Debug, Args)]
 pub(crate) struct SimulateArgs {
     #[command(flatten)]
-    pub(crate) problem: ProblemArgs,
+    pub(crate) problem: ProblemArgs<true>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
     /// Output format [default: by the ending of --out, else table]
@@ -126,7 +129,7 @@ pub(crate) struct SimulateArgs {
 #[derive(Debug, Args)]
 pub(crate) struct ClassifyArgs {
     #[command(flatten)]
-    pub(crate) problem: ProblemArgs,
+    pub(crate) problem: ProblemArgs<true>,
     /// Output format
     #[arg(long, value_enum, default_value_t = ShortFormat::Table, help_heading = "Output")]
     pub(crate) format: ShortFormat,
@@ -141,8 +144,7 @@ pub(crate) struct CasesArgs {
 }
 
 /// How to print a motion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
     /// For a person
     Table,

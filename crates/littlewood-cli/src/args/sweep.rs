@@ -5,23 +5,36 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{BaseArgs, RunArgs, ShortFormat};
-use crate::axis::{TypedAxis, parse_axis};
+use littlewood::Quantity;
 
-pub(super) const MAP: &str = "\
+use super::{ProblemArgs, RunArgs, ShortFormat};
+use crate::axis::{TypedAxis, parse_axis, si_quantities};
+
+/// What `littlewood map --help` says.
+pub(super) fn map() -> String {
+    let names = |quantities: Vec<Quantity>, between: &str| {
+        let mut names: Vec<&str> = quantities.into_iter().map(Quantity::name).collect();
+        let last = names.pop().unwrap_or_default();
+        format!("{} {between} {last}", names.join(", "))
+    };
+    format!(
+        "\
 Follow the starts of a plane of two quantities, and keep what becomes of each.
 
-An axis is NAME=FROM:TO:COUNT, both ends included; NAME is one of theta, theta_rate, slip, mass_ratio, offset, inertia, \
-mu_s and mu_k, and FROM and TO may be written with pi (-pi, pi/2, 2pi). With --particle-mass-kg and --radius-m it may be \
-theta_rate_rad_per_s, slip_m_per_s, disc_mass_kg, offset_m or inertia_kg_m2 as well; results are dimensionless all the \
-same. What no axis varies comes from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless \
-a scenario says otherwise.
+An axis is NAME=FROM:TO:COUNT, both ends included; NAME is one of {}, and FROM and TO may be written with pi (-pi, pi/2, \
+2pi). With --particle-mass-kg and --radius-m it may be {} as well; results are dimensionless all the same. What no axis \
+varies comes from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless a scenario says \
+otherwise.
 
 --out takes a Zarr v3 store (.zarr), a Parquet file (.parquet) or a picture (.png), once for each that is wanted; every \
 motion is followed once. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
 table. Results are written chunk by chunk. Ctrl-C leaves what is finished, with exit code 130, and --resume goes on from \
 there: a store can be read at any time, a table is in NAME.parquet.parts until it is complete, and a picture that is not \
-complete is NAME.partial.png. A picture alone is not resumed.";
+complete is NAME.partial.png. A picture alone is not resumed.",
+        names(Quantity::AXES.to_vec(), "and"),
+        names(si_quantities().collect(), "or"),
+    )
+}
 
 pub(super) const MAP_EXAMPLES: &str = "\
 Examples:
@@ -71,7 +84,7 @@ pub(crate) struct MapArgs {
     #[arg(long, value_name = "NAME=FROM:TO:COUNT", value_parser = parse_axis)]
     pub(crate) y: TypedAxis,
     #[command(flatten)]
-    pub(crate) base: BaseArgs,
+    pub(crate) base: ProblemArgs<false>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
     #[command(flatten)]
@@ -98,7 +111,7 @@ pub(crate) struct SweepArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) starts: Option<PathBuf>,
     #[command(flatten)]
-    pub(crate) base: BaseArgs,
+    pub(crate) base: ProblemArgs<false>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
     #[command(flatten)]
@@ -120,7 +133,7 @@ pub(crate) struct AtlasArgs {
     #[arg(long, conflicts_with_all = ["until", "until_s", "max_transitions"])]
     pub(crate) first_turn: bool,
     #[command(flatten)]
-    pub(crate) base: BaseArgs,
+    pub(crate) base: ProblemArgs<false>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
     #[command(flatten)]

@@ -10,38 +10,19 @@ use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::Duration;
 
-use clap::Args;
 use tiny_http::{Header, Method, Request, Response, Server};
 
+use crate::args::LabArgs;
 use crate::error::Error;
 use crate::interrupt;
 
 use answer::{Answer, Question, answer};
-
-/// What `littlewood lab --help` says.
-pub(crate) const ABOUT: &str = "\
-Serve the laboratory on 127.0.0.1 and open it in the browser: drag a start on the phase plane, and watch the hoop roll, \
-slide and jump.
-
-Nothing leaves this machine, and no other machine can ask: requests for another host name are refused. Ctrl-C ends it. \
-The page is part of the program if it was built before the program was (web/build.sh, which needs node).";
 
 /// Threads that answer. A browser asks for a handful of files at once.
 const THREADS: usize = 4;
 
 /// How long a thread waits before it looks whether Ctrl-C has come.
 const LOOK: Duration = Duration::from_millis(100);
-
-/// Arguments of `littlewood lab`.
-#[derive(Debug, Args)]
-pub(crate) struct LabArgs {
-    /// Port to listen on; 0 takes a free one
-    #[arg(long, value_name = "PORT", default_value_t = 0)]
-    port: u16,
-    /// Do not open a browser, only say where the laboratory is
-    #[arg(long)]
-    no_open: bool,
-}
 
 /// Runs the command, until Ctrl-C.
 ///

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
-use littlewood::{HoopParameters, PhaseSequence};
-use littlewood_sweep::{Atlas, Coordinate, Entry, Stop};
+use littlewood::{Class, Mode, PhaseCode, PhaseSequence, Quantity, Setup};
+use littlewood_sweep::{Atlas, AtlasEntry, Stop};
 use serde_json::{Map, Value, json};
 
 use super::json;
@@ -20,9 +20,9 @@ pub(crate) struct Page {
     /// Starts that were asked for.
     pub(crate) total: u64,
     /// What differs between starts, and is told of examples.
-    pub(crate) shown: Vec<Coordinate>,
+    pub(crate) shown: Vec<Quantity>,
     /// Columns of the list of hoops.
-    pub(crate) listed: Vec<Coordinate>,
+    pub(crate) listed: Vec<Quantity>,
     /// The hoops one by one, if there is a list.
     pub(crate) hoops: Vec<OfHoop>,
 }
@@ -32,16 +32,16 @@ pub(crate) struct Page {
 pub(crate) struct OfHoop {
     /// Its line in the list.
     pub(crate) line: Option<u64>,
-    /// The hoop; where there is an axis it has the first value of the axis.
-    pub(crate) hoop: HoopParameters,
+    /// The hoop, with a start; where there is an axis it has the first value of the axis.
+    pub(crate) setup: Setup,
     /// Its sequences.
     pub(crate) atlas: Atlas,
 }
 
 impl Page {
     /// Number of hoops that have the sequence of an entry.
-    fn hoops_with(&self, entry: &Entry) -> usize {
-        let same = |other: &Entry| (other.sequence, other.stop) == (entry.sequence, entry.stop);
+    fn hoops_with(&self, entry: &AtlasEntry) -> usize {
+        let same = |other: &AtlasEntry| (other.sequence, other.stop) == (entry.sequence, entry.stop);
         self.hoops.iter().filter(|hoop| hoop.atlas.entries.iter().any(same)).count()
     }
 }
@@ -49,8 +49,13 @@ impl Page {
 /// Numbers of sequences, by what is told apart.
 fn counts(atlas: &Atlas) -> [(&'static str, usize); 2] {
     let sequences: BTreeSet<PhaseSequence> = atlas.entries.iter().map(|entry| entry.sequence).collect();
-    let without: BTreeSet<String> =
-        sequences.iter().map(|sequence| sequence.to_string().replace(['+', '-'], "S")).collect();
+    // Directions of gliding are told apart all the same.
+    let phase = |code: PhaseCode| match code.mode() {
+        (Mode::Sliding, _) => (Mode::Sliding, None),
+        other => other,
+    };
+    let without: BTreeSet<Vec<_>> =
+        sequences.iter().map(|sequence| sequence.codes().map(|code| code.map(phase).ok()).collect()).collect();
     [("sequences", sequences.len()), ("without_directions", without.len())]
 }
 
@@ -94,16 +99,31 @@ pub(crate) fn table(writer: &mut dyn Write, page: &Page, colour: bool) -> io::Re
     }
     sheet.fact("Total", &lines)?;
     if atlas.invalid > 0 {
-        sheet.fact("Not", &[format!("{} starts are of no hoop", grouped(atlas.invalid))])?;
+        let label = Class::Invalid.label();
+        sheet.fact("Invalid", &[format!("{} starts with {label}", grouped(atlas.invalid))])?;
     }
-    sheet.note("R rolling, + and - sliding, g, n and G gliding, F flight")
+    sheet.note(&legend())
 }
 
-fn example(shown: &[Coordinate], entry: &Entry) -> String {
-    let value = |coordinate: &Coordinate| {
-        format!("{} = {}", coordinate.symbol(), brief(coordinate.of_point(&entry.example)))
+/// The letters of sequences, by mode: `R rolling, - and + sliding`.
+fn legend() -> String {
+    let of_mode = |mode: Mode| {
+        let mut letters: Vec<&str> =
+            PhaseCode::ALL.into_iter().filter(|code| code.mode().0 == mode).map(PhaseCode::name).collect();
+        let last = letters.pop()?;
+        let letters =
+            if letters.is_empty() { last.to_owned() } else { format!("{} and {last}", letters.join(", ")) };
+        Some(format!("{letters} {mode}"))
     };
-    shown.iter().map(value).collect::<Vec<_>>().join("  ")
+    Mode::ALL.into_iter().filter_map(of_mode).collect::<Vec<_>>().join(", ")
+}
+
+fn example(shown: &[Quantity], entry: &AtlasEntry) -> String {
+    let value = |quantity: &Quantity| {
+        let value = entry.example.get(*quantity)?;
+        Some(format!("{} = {}", quantity.sign(), brief(value)))
+    };
+    shown.iter().filter_map(value).collect::<Vec<_>>().join("  ")
 }
 
 /// For programs; an example has the whole point.
@@ -118,10 +138,9 @@ pub(crate) fn json(writer: &mut dyn Write, page: &Page) -> io::Result<()> {
     });
     if !hoops.is_empty() {
         let of_hoop = |hoop: &OfHoop| {
-            let point = littlewood_sweep::Point { hoop: hoop.hoop, start: littlewood::Start::at(0.0, 0.0) };
             json!({
                 "line": hoop.line,
-                "hoop": values(listed, &point),
+                "hoop": values(listed, &hoop.setup),
                 "points": hoop.atlas.points,
                 "invalid": hoop.atlas.invalid,
                 "sequences": hoop.atlas.entries.iter().map(entry).collect::<Vec<_>>(),
@@ -132,16 +151,16 @@ pub(crate) fn json(writer: &mut dyn Write, page: &Page) -> io::Result<()> {
     json::write(writer, &document)
 }
 
-fn entry(entry: &Entry) -> Value {
+fn entry(entry: &AtlasEntry) -> Value {
     json!({
         "sequence": entry.sequence.to_string(),
         "stop": entry.stop.map(Stop::name),
         "count": entry.count,
-        "example": values(&Coordinate::ALL, &entry.example),
+        "example": values(&Quantity::AXES, &entry.example),
     })
 }
 
-fn values(coordinates: &[Coordinate], point: &littlewood_sweep::Point) -> Map<String, Value> {
-    let value = |coordinate: &Coordinate| (coordinate.name().to_owned(), json!(coordinate.of_point(point)));
-    coordinates.iter().map(value).collect()
+fn values(quantities: &[Quantity], setup: &Setup) -> Map<String, Value> {
+    let value = |quantity: &Quantity| Some((quantity.name().to_owned(), json!(setup.get(*quantity)?)));
+    quantities.iter().filter_map(value).collect()
 }

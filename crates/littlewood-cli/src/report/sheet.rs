@@ -50,7 +50,7 @@ impl<'a> Sheet<'a> {
     /// long cells.
     pub(super) fn table(
         &mut self,
-        header: &[&str],
+        header: &[impl AsRef<str>],
         rows: Vec<Vec<String>>,
         numbers: &[usize],
         width: Option<u16>,
@@ -59,7 +59,7 @@ impl<'a> Sheet<'a> {
             TableStyle::new().header_separator(LineStyle::none().fill('─').junction('─'));
         let mut table = Table::new();
         table.load_style(STYLE);
-        table.set_header(header.iter().copied());
+        table.set_header(header.iter().map(AsRef::as_ref));
         table.add_rows(rows);
         match width {
             Some(width) => {

@@ -16,7 +16,7 @@ use crate::store::interrupted;
 
 /// How a sweep went.
 #[derive(Debug)]
-pub(crate) struct Summary {
+pub(crate) struct Run {
     report: Report,
     seconds: f64,
     threads: usize,
@@ -24,7 +24,7 @@ pub(crate) struct Summary {
     kept: Vec<PathBuf>,
 }
 
-impl Summary {
+impl Run {
     pub(crate) fn new(report: &Report, time: Duration, threads: usize, kept: Vec<PathBuf>) -> Self {
         Self { report: *report, seconds: time.as_secs_f64(), threads, kept }
     }
@@ -96,15 +96,15 @@ impl Summary {
 ///
 /// # Errors
 /// A failure to write, or Ctrl-C.
-pub(crate) fn finish(summary: &Summary, format: ShortFormat) -> Result<(), Error> {
+pub(crate) fn finish(run: &Run, format: ShortFormat) -> Result<(), Error> {
     let output = Output::open(None)?;
     let colour = output.has_colour();
     output.write(|writer| match format {
-        ShortFormat::Table => summary.table(writer, colour),
-        ShortFormat::Json => summary.json(writer),
+        ShortFormat::Table => run.table(writer, colour),
+        ShortFormat::Json => run.json(writer),
     })?;
-    if !summary.report.complete {
-        return Err(interrupted(summary.done(), summary.report.points, &summary.kept));
+    if !run.report.complete {
+        return Err(interrupted(run.done(), run.report.points, &run.kept));
     }
     Ok(())
 }

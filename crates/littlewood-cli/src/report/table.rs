@@ -3,11 +3,12 @@
 use std::io::{self, Write};
 
 use littlewood::{
-    CASES, Cause, Classification, Direction, Findings, Hoop, Limit, Mode, Motion, Outcome, Phase, Quantity,
-    Recurrence, RollingType, SiParameters, StartRegion, State, Trajectory,
+    CASES, Candidates, Classification, Dimension, Hoop, Outcome, Phase, PhaseSolution, Quantity, Recurrence,
+    RollingLimit, RollingType, Sample, SampleColumn, SampleValue, Setup, SiSetup, Start, StartRegion, State,
+    Trajectory,
 };
 use littlewood_report::number::{brief, column};
-use littlewood_report::scale::{Scale, Symbols};
+use littlewood_report::scale::Scale;
 
 use super::Sampling;
 use super::sheet::Sheet;
@@ -16,6 +17,23 @@ use crate::problem::Problem;
 /// Phases shown at most; of longer motions the first and the last ones.
 const FIRST_PHASES: usize = 30;
 const LAST_PHASES: usize = 10;
+
+/// What stands between the quantities of a line, and how many letters a line of them has at most.
+const GAP: &str = "   ";
+const LINE: usize = 71;
+
+/// The columns of a table of samples.
+const COLUMNS: [SampleColumn; 9] = [
+    SampleColumn::Time,
+    SampleColumn::Mode,
+    SampleColumn::Theta,
+    SampleColumn::ThetaRate,
+    SampleColumn::Slip,
+    SampleColumn::X,
+    SampleColumn::Normal,
+    SampleColumn::Friction,
+    SampleColumn::Gap,
+];
 
 /// A motion.
 pub(crate) fn motion(
@@ -38,7 +56,10 @@ pub(crate) fn motion(
     sheet.fact("Jump", &jump)?;
     let lost = trajectory.energy_lost();
     if lost != 0.0 {
-        sheet.fact("Energy", &[format!("{} lost to friction", scale.show_energy(lost))])?;
+        sheet.fact(
+            "Energy",
+            &[format!("{} lost to friction", scale.show_with_unit(Dimension::Energy, lost))],
+        )?;
     }
     if let Some(sampling) = sampling {
         sheet.gap()?;
@@ -49,7 +70,7 @@ pub(crate) fn motion(
 
 fn heading(sheet: &mut Sheet<'_>, problem: &Problem, scale: Scale<'_>) -> io::Result<()> {
     if let Some(case) = problem.case {
-        let changed: Vec<&str> = problem.changed.iter().map(|quantity| Quantity::name(*quantity)).collect();
+        let changed: Vec<&str> = problem.changed.iter().map(|quantity| quantity.name()).collect();
         if changed.is_empty() {
             sheet.title(&format!("{}: {}", case.name, case.title))?;
             sheet.fact("Paper", &[case.source.to_owned()])?;
@@ -57,52 +78,70 @@ fn heading(sheet: &mut Sheet<'_>, problem: &Problem, scale: Scale<'_>) -> io::Re
             sheet.title(&format!("{} with another {}", case.name, changed.join(", ")))?;
         }
     }
-    let hoop = &problem.hoop;
-    let numbers = format!(
-        "m1/m2 = {}   ℓ/R = {}   Izz/(m2 R²) = {}   μs = {}   μk = {}",
-        brief(hoop.mass_ratio()),
-        brief(hoop.offset()),
-        brief(hoop.inertia()),
-        brief(hoop.mu_s()),
-        brief(hoop.mu_k()),
-    );
-    let mut lines = vec![numbers];
-    if let Some(units) = &problem.units {
-        let si = SiParameters::from_hoop(hoop, units);
-        lines.push(format!(
-            "m1 = {} kg   m2 = {} kg   R = {} m   ℓ = {} m",
-            brief(si.disc_mass_kg),
-            brief(si.particle_mass_kg),
-            brief(si.radius_m),
-            brief(si.offset_m),
-        ));
-        lines.push(format!(
-            "Izz = {} kg m²   g = {} m/s²   √(R/g) = {} s",
-            brief(si.inertia_kg_m2),
-            brief(si.gravity_m_per_s2),
-            brief(units.time_s),
-        ));
-    }
-    sheet.fact("Hoop", &lines)?;
-    let start = problem.start;
-    let state = State {
-        time: start.time,
-        theta: start.theta,
-        theta_rate: start.theta_rate,
-        slip: start.slip,
-        x: start.x,
-    };
-    let mut line = format!("{} = {}  ", scale.symbols().time, scale.show_time(state.time));
+    sheet.fact("Hoop", &hoop_lines(problem))?;
+    let state = State::from(problem.start);
+    let mut line = format!("{} = {}  ", scale.sign(Quantity::Time), scale.show(Dimension::Time, state.time));
     line.push_str(&scale.show_motion(&state));
     if state.x != 0.0 {
-        line.push_str(&format!("  x = {}", scale.show_length(state.x)));
+        line.push_str(&format!("  {}", place(&state, scale)));
     }
     sheet.fact("Start", &[line])
 }
 
+/// The parameters of the hoop, and in SI units its measures and the unit of time.
+fn hoop_lines(problem: &Problem) -> Vec<String> {
+    let item = |(quantity, value): (Quantity, f64)| {
+        format!("{} = {} {}", quantity.sign(), brief(value), quantity.unit_sign()).trim_end().to_owned()
+    };
+    let setup = Setup::new(problem.hoop.parameters(), Start::default());
+    let parameters = Quantity::HOOP.into_iter().filter_map(|quantity| Some((quantity, setup.get(quantity)?)));
+    let mut lines = filled(parameters.map(item));
+    if let Some(units) = &problem.units {
+        let si = SiSetup::new(&setup, units);
+        let measures = Quantity::SI_HOOP
+            .into_iter()
+            .filter(|quantity| quantity.is_si())
+            .filter_map(|quantity| Some((quantity, si.get(quantity)?)));
+        let second = Dimension::Time;
+        let time = format!("{} = {} {}", second.scale_sign(), brief(units.time_s), second.si_sign());
+        lines.extend(filled(measures.map(item).chain([time])));
+    }
+    lines
+}
+
+/// As many items in a line as there is room for.
+fn filled(items: impl Iterator<Item = String>) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for item in items {
+        match lines.last_mut() {
+            Some(line) if (line.chars().count() + GAP.len() + item.chars().count()) <= LINE => {
+                line.push_str(GAP);
+                line.push_str(&item);
+            }
+            Some(_) | None => lines.push(item),
+        }
+    }
+    lines
+}
+
+/// x of a state.
+fn place(state: &State, scale: Scale<'_>) -> String {
+    format!("{} = {}", scale.sign(Quantity::X), scale.show_with_unit(Dimension::Length, state.x))
+}
+
 fn phases(sheet: &mut Sheet<'_>, trajectory: &Trajectory, scale: Scale<'_>) -> io::Result<()> {
-    let [from, duration, theta, rate, slip, lost] = scale.columns();
-    let header = ["#", "motion", from, duration, theta, rate, slip, lost, "ends by"];
+    let of_state = |quantity: Quantity| scale.heading(scale.sign(quantity), quantity.dimension());
+    let header = [
+        "#".to_owned(),
+        "motion".to_owned(),
+        scale.heading(&format!("from {}", scale.sign(Quantity::Time)), Dimension::Time),
+        scale.heading("duration", Dimension::Time),
+        of_state(Quantity::Theta),
+        of_state(Quantity::ThetaRate),
+        of_state(Quantity::Slip),
+        scale.heading("lost", Dimension::Energy),
+        "ends by".to_owned(),
+    ];
     let all = trajectory.phases();
     let hidden = FIRST_PHASES..all.len().saturating_sub(LAST_PHASES);
     let mut rows = Vec::new();
@@ -116,19 +155,19 @@ fn phases(sheet: &mut Sheet<'_>, trajectory: &Trajectory, scale: Scale<'_>) -> i
         }
         let start = phase.start();
         let ends_by = match trajectory.transitions().get(index) {
-            Some(transition) => event(transition.cause),
+            Some(transition) => transition.cause.label(),
             None if phase.end().is_some() => "time limit",
             None => "never",
         };
         rows.push(vec![
             (index + 1).to_string(),
             motion_of(phase),
-            column(scale.time(start.time)),
-            column(scale.time(phase.duration())),
+            column(scale.value(Dimension::Time, start.time)),
+            column(scale.value(Dimension::Time, phase.duration())),
             column(start.theta),
-            column(scale.rate(start.theta_rate)),
-            column(scale.velocity(start.slip)),
-            column(scale.energy(phase.energy_lost())),
+            column(scale.value(Dimension::AngularRate, start.theta_rate)),
+            column(scale.value(Dimension::Velocity, start.slip)),
+            column(scale.value(Dimension::Energy, phase.energy_lost())),
             ends_by.to_owned(),
         ]);
     }
@@ -138,41 +177,28 @@ fn phases(sheet: &mut Sheet<'_>, trajectory: &Trajectory, scale: Scale<'_>) -> i
 /// The mode of a phase, the direction of slip, and the mark of the footnote.
 fn motion_of(phase: &Phase) -> String {
     let mark = if phase.is_outside_small_inertia_limit() { "*" } else { "" };
-    format!("{}{mark}", mode(phase.mode(), phase.direction()))
+    format!("{}{mark}", phase.mode().with_arrow(phase.direction()))
 }
 
-fn mode(mode: Mode, direction: Option<Direction>) -> String {
-    match direction {
-        Some(Direction::Negative) => format!("{mode} ←"),
-        Some(Direction::Positive) => format!("{mode} →"),
-        None => mode.to_string(),
-    }
-}
-
-const fn event(cause: Cause) -> &'static str {
-    match cause {
-        Cause::LiftOff => "lift-off",
-        Cause::NormalForceZero => "N = 0",
-        Cause::ParticleAtPlane => "θ = ±π",
-        Cause::ParticleAtBottom => "lowest θ",
-        Cause::ParticleAtTop => "θ = 0",
-        other => other.name(),
-    }
+/// Several motions, with the word between them.
+fn several(candidates: &Candidates, between: &str) -> String {
+    let motions: Vec<String> =
+        candidates.consistent().map(|(mode, direction)| mode.with_arrow(direction)).collect();
+    motions.join(between)
 }
 
 /// How the motion ended, in a few lines.
 fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
     let outcome = trajectory.outcome();
     let state = outcome.state();
-    let Symbols { time, .. } = scale.symbols();
-    let at = format!("{time} = {}", scale.show_time(state.time));
+    let at = format!("{} = {}", scale.sign(Quantity::Time), scale.show(Dimension::Time, state.time));
     let there = scale.show_motion(&state);
-    let place = format!("x = {}", scale.show_length(state.x));
+    let place = place(&state, scale);
     match outcome {
         Outcome::Landing { gap_rate, .. } => vec![
             format!("lands at {at}; the instant before the impact:"),
             there,
-            format!("{place}  velocity of the gap {}", scale.show_velocity(gap_rate)),
+            format!("{place}  velocity of the gap {}", scale.show(Dimension::Velocity, gap_rate)),
         ],
         Outcome::RollsForever { recurrence, .. } => forever(
             trajectory,
@@ -203,16 +229,15 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             there,
             place,
         ],
-        Outcome::Inconsistent { findings, .. } => {
+        Outcome::Inconsistent { candidates, .. } => {
             let mut lines = vec![format!("no motion is consistent at {at} (Painlevé)"), there, place];
-            lines.extend(examined(&findings));
+            lines.extend(examined(&candidates));
             lines
         }
-        Outcome::Ambiguous { findings, .. } => {
-            let several: Vec<String> = findings.consistent().map(|(it, slip)| mode(it, slip)).collect();
-            let mut lines =
-                vec![format!("several motions are consistent at {at}: {}", several.join(", ")), there, place];
-            lines.extend(examined(&findings));
+        Outcome::Ambiguous { candidates, .. } => {
+            let several = several(&candidates, ", ");
+            let mut lines = vec![format!("several motions are consistent at {at}: {several}"), there, place];
+            lines.extend(examined(&candidates));
             lines
         }
         Outcome::Singular { solvability, .. } => vec![
@@ -223,7 +248,9 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             there,
             place,
         ],
-        other => vec![format!("{} at {at}", other.kind()), there, place],
+        Outcome::Unresolved { .. } => {
+            vec![format!("from {at} the slide changes faster than the clock resolves"), there, place]
+        }
     }
 }
 
@@ -231,12 +258,13 @@ fn forever(trajectory: &Trajectory, scale: Scale<'_>, first: String, recurrence:
     let mut lines = vec![first, returns(recurrence, scale)];
     let end = trajectory.end_time();
     if end.is_finite() {
-        lines.push(format!("followed until {} = {}", scale.symbols().time, scale.show_time(end)));
+        let end = scale.show(Dimension::Time, end);
+        lines.push(format!("followed until {} = {end}", scale.sign(Quantity::Time)));
     }
     lines
 }
 
-/// How a motion without an end comes back.
+/// How a motion without an end recurs.
 fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
     match *recurrence {
         Recurrence::Rest => "at rest, in equilibrium".to_owned(),
@@ -244,10 +272,10 @@ fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
             "back and forth between θ = {} and {} with the period {}",
             brief(theta_min),
             brief(theta_max),
-            scale.show_time(period),
+            scale.show(Dimension::Time, period),
         ),
         Recurrence::Rotation { period } => {
-            format!("over the top, always the same way, one turn in {}", scale.show_time(period))
+            format!("over the top, always the same way, one turn in {}", scale.show(Dimension::Time, period))
         }
         Recurrence::Asymptotic { theta } => {
             format!("towards the unstable equilibrium θ = {}, never reached", brief(theta))
@@ -256,14 +284,14 @@ fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
 }
 
 /// What was examined where the motion that follows is not unique.
-fn examined(findings: &Findings) -> Vec<String> {
-    let [negative, positive] = findings.solvability.map(brief);
+fn examined(candidates: &Candidates) -> Vec<String> {
+    let [negative, positive] = candidates.solvability.map(brief);
     vec![
         format!(
             "rolling would need N = {}, F = {}   1 − h cos θ θ′² = {}",
-            brief(findings.rolling_forces.normal),
-            brief(findings.rolling_forces.friction),
-            brief(findings.contact),
+            brief(candidates.rolling_forces.normal),
+            brief(candidates.rolling_forces.friction),
+            brief(candidates.contact),
         ),
         format!("sliding has P = {negative} for σ = −1 and {positive} for σ = +1, and needs P > 0"),
     ]
@@ -272,7 +300,7 @@ fn examined(findings: &Findings) -> Vec<String> {
 /// The highest point of every flight.
 fn jumps(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
     let line = |phase: &Phase| {
-        let Motion::Flight(flight) = phase.motion() else {
+        let PhaseSolution::Flight(flight) = phase.motion() else {
             return None;
         };
         let (elapsed, height) = flight.apex();
@@ -280,9 +308,9 @@ fn jumps(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
         (elapsed <= phase.duration()).then(|| {
             format!(
                 "rim at most {} above the plane, at {} = {}",
-                scale.show_length(height),
-                scale.symbols().time,
-                scale.show_time(phase.start().time + elapsed),
+                scale.show_with_unit(Dimension::Length, height),
+                scale.sign(Quantity::Time),
+                scale.show(Dimension::Time, phase.start().time + elapsed),
             )
         })
     };
@@ -295,26 +323,25 @@ fn samples(
     sampling: Sampling,
     scale: Scale<'_>,
 ) -> io::Result<()> {
-    let [_, _, theta, rate, slip, _] = scale.columns();
-    let time = scale.symbols().time;
-    let header = [time, "motion", theta, rate, slip, "x/R", "N/(m2 g)", "F/(m2 g)", "gap/R"];
+    let headings = COLUMNS.map(|column| match column.dimension() {
+        Some(dimension) => scale.heading(scale.column_sign(column), dimension),
+        None => column.name().to_owned(),
+    });
+    let cell = |at: &Sample, it: SampleColumn| match (it.of(at), it.dimension()) {
+        (SampleValue::Real(value), Some(dimension)) => column(scale.value(dimension, value)),
+        (SampleValue::Real(value), None) => column(value),
+        (SampleValue::Mode(mode), _) => mode.with_arrow(at.direction),
+        (SampleValue::Direction(direction), _) => {
+            direction.map(|direction| direction.arrow().to_string()).unwrap_or_default()
+        }
+    };
     let rows = trajectory
         .sample_evenly(sampling.count, sampling.until)
-        .map(|sample| {
-            vec![
-                column(scale.time(sample.state.time)),
-                mode(sample.mode, sample.direction),
-                column(sample.state.theta),
-                column(scale.rate(sample.state.theta_rate)),
-                column(scale.velocity(sample.state.slip)),
-                column(sample.state.x),
-                column(sample.normal),
-                column(sample.friction),
-                column(sample.gap),
-            ]
-        })
+        .map(|at| COLUMNS.map(|it| cell(&at, it)).to_vec())
         .collect();
-    sheet.table(&header, rows, &[0, 2, 3, 4, 5, 6, 7, 8], None)
+    let numbers: Vec<usize> =
+        (0..COLUMNS.len()).filter(|index| COLUMNS[*index].dimension().is_some()).collect();
+    sheet.table(&headings, rows, &numbers, None)
 }
 
 fn notes(sheet: &mut Sheet<'_>, problem: &Problem, trajectory: &Trajectory) -> io::Result<()> {
@@ -328,8 +355,16 @@ fn notes(sheet: &mut Sheet<'_>, problem: &Problem, trajectory: &Trajectory) -> i
         );
         notes.push("  there P = I + m h sin θ q would not be positive (Painlevé)");
     }
+    let units = format!(
+        "units (2.9): time {}, length {}, velocity {}, force {}, energy {}",
+        Dimension::Time.scale_sign(),
+        Dimension::Length.scale_sign(),
+        Dimension::Velocity.scale_sign(),
+        Dimension::Force.scale_sign(),
+        Dimension::Energy.scale_sign(),
+    );
     if problem.units.is_none() {
-        notes.push("units (2.9): time √(R/g), length R, velocity √(g R), energy m2 g R");
+        notes.push(&units);
     }
     if !notes.is_empty() {
         sheet.gap()?;
@@ -349,17 +384,16 @@ pub(crate) fn classification(
     heading(&mut sheet, problem, scale)?;
     sheet.gap()?;
     sheet.fact("Region", &[region(found.region).to_owned()])?;
-    let begins = match (found.mode, &found.findings) {
-        (Some(it), _) => vec![mode(it, found.direction)],
-        (None, Some(findings)) => {
-            let several: Vec<String> = findings.consistent().map(|(it, slip)| mode(it, slip)).collect();
-            let first = if several.is_empty() {
+    let begins = match (found.mode, &found.candidates) {
+        (Some(mode), _) => vec![mode.with_arrow(found.direction)],
+        (None, Some(candidates)) => {
+            let first = if candidates.count() == 0 {
                 "nothing that is consistent".to_owned()
             } else {
-                several.join(", or ")
+                several(candidates, ", or ")
             };
             let mut lines = vec![first];
-            lines.extend(examined(findings));
+            lines.extend(examined(candidates));
             lines
         }
         (None, None) => vec!["nothing that is known".to_owned()],
@@ -367,7 +401,7 @@ pub(crate) fn classification(
     sheet.fact("Begins", &begins)?;
     sheet.fact("Rolling", &rolling(&problem.hoop, found, scale))?;
     sheet.fact("Contact", &[format!("1 − h cos θ θ′² = {}", brief(found.contact))])?;
-    sheet.fact("Energy", &[scale.show_energy(found.energy)])?;
+    sheet.fact("Energy", &[scale.show_with_unit(Dimension::Energy, found.energy)])?;
     sheet.gap()?;
     sheet.note("N > 0 upwards, F > 0 along E1; equations of Bronars and O'Reilly, 2019")
 }
@@ -382,31 +416,30 @@ const fn region(region: StartRegion) -> &'static str {
         StartRegion::Gliding => "massless, outside R (3.10) or with slip: in contact without a force",
         StartRegion::Inconsistent => "no motion is consistent (Painlevé)",
         StartRegion::Ambiguous => "several motions are consistent (Painlevé)",
-        other => other.name(),
     }
 }
 
 /// The friction that rolling needs, and what becomes of it.
 fn rolling(hoop: &Hoop, found: &Classification, scale: Scale<'_>) -> Vec<String> {
     let forces = found.rolling_forces;
-    let mut needs =
-        format!("needs N = {}, F = {}", scale.show_force(forces.normal), scale.show_force(forces.friction));
+    let force = |value| scale.show_with_unit(Dimension::Force, value);
+    let mut needs = format!("needs N = {}, F = {}", force(forces.normal), force(forces.friction));
     if forces.normal > 0.0 {
-        needs.push_str(&format!(": |F|/N = {}, μs = {}", brief(forces.demand()), brief(hoop.mu_s())));
+        let limit = Quantity::MuS.sign();
+        needs.push_str(&format!(": |F|/N = {}, {limit} = {}", brief(forces.demand()), brief(hoop.mu_s())));
     }
     let mut lines = vec![needs];
     if let Some(end) = &found.rolling_end {
         let gives_way = match end.limit {
-            Limit::Friction(Direction::Negative) => "slips ←",
-            Limit::Friction(Direction::Positive) => "slips →",
-            Limit::NormalForce => "loses its normal force",
+            RollingLimit::Friction(direction) => format!("slips {}", direction.arrow()),
+            RollingLimit::NormalForce => "loses its normal force".to_owned(),
         };
         lines.push(format!(
             "{gives_way} after {}, at {}   {} = {}",
-            scale.show_time(end.elapsed),
+            scale.show(Dimension::Time, end.elapsed),
             scale.show_angle(end.theta),
-            scale.symbols().theta_rate,
-            scale.show_rate(end.theta_rate),
+            scale.sign(Quantity::ThetaRate),
+            scale.show(Dimension::AngularRate, end.theta_rate),
         ));
     }
     if let Some(recurrence) = &found.recurrence {

@@ -1,17 +1,21 @@
 //! What can go wrong, for the person who typed it, and the exit code that a program sees.
 
+mod hint;
+
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use anstyle::{AnsiColor, Style};
-use littlewood::ParameterError;
+use littlewood::{ParameterError, Quantity};
 use littlewood_figures::FigureError;
 use littlewood_film::FilmError;
-use littlewood_sweep::{AxisError, ListError, PictureError, StoreError, SweepError};
+use littlewood_sweep::{AxisError, PictureError, StoreError, SweepError};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use thiserror::Error;
+
+use hint::{of_axis, of_figure, of_sweep};
 
 /// A failure of the command line. Physical outcomes, whatever they are, are not failures.
 #[derive(Debug, Error, Diagnostic)]
@@ -120,11 +124,11 @@ pub(crate) enum Error {
     },
     /// A sweep that cannot be done, or not be written.
     #[error("{0}")]
-    #[diagnostic(help("{}", hint_of(.0)))]
+    #[diagnostic(help("{}", of_sweep(.0)))]
     Sweep(Box<SweepError>),
     /// A row of a list of hoops that does not make a hoop with the axes.
     #[error("{}, line {line}: {source}", path.display())]
-    #[diagnostic(help("{}", hint_of_axis(.source)))]
+    #[diagnostic(help("{}", of_axis(.source)))]
     Hoop {
         /// The list.
         path: PathBuf,
@@ -136,13 +140,14 @@ pub(crate) enum Error {
     /// A column that a list of hoops cannot have.
     #[error("{}: column {column} {reason}", path.display())]
     #[diagnostic(help(
-        "columns of --hoops are those of mass_ratio, offset, inertia, mu_s and mu_k that no --axis varies"
+        "columns of --hoops are those of {} that no --axis varies",
+        Quantity::HOOP.map(Quantity::name).join(", ")
     ))]
     HoopColumn {
         /// The list.
         path: PathBuf,
         /// The column.
-        column: String,
+        column: Quantity,
         /// What is wrong with it.
         reason: String,
     },
@@ -159,12 +164,12 @@ pub(crate) enum Error {
     },
     /// A column that a picture cannot show.
     #[error("--shade {name}: there is no such column")]
-    #[diagnostic(help("the columns are {known}"))]
+    #[diagnostic(help("{hint}"))]
     UnknownShade {
         /// The name that was given.
         name: String,
-        /// All names.
-        known: String,
+        /// The nearest names, and all.
+        hint: String,
     },
     /// No figure has this name.
     #[error("there is no figure named '{name}'")]
@@ -177,7 +182,7 @@ pub(crate) enum Error {
     },
     /// A figure that cannot be made.
     #[error("{0}")]
-    #[diagnostic(help("{}", hint_of_figure(.0)))]
+    #[diagnostic(help("{}", of_figure(.0)))]
     Figure(FigureError),
     /// Ctrl-C.
     #[error("stopped after {done} of {total} starts")]
@@ -273,21 +278,6 @@ impl Error {
     }
 }
 
-/// What to do about a figure that cannot be made.
-const fn hint_of_figure(error: &FigureError) -> &'static str {
-    match error {
-        FigureError::NeedsInertia { .. } => "give --mass-ratio or --inertia above 0, or leave the figure out",
-        FigureError::NeedsMassless { .. } => "give --mass-ratio 0 and --inertia 0, or leave the figure out",
-        FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
-        FigureError::NeedsOffset { .. } => "give --offset above 0",
-        FigureError::NoMotion { .. } => {
-            "give another start; `littlewood classify` says what there is at this one"
-        }
-        FigureError::Scale { .. } => "give another --scale, such as 2",
-        _ => "this is a defect of the program: please report it",
-    }
-}
-
 impl<E: Into<SweepError>> From<E> for Error {
     fn from(error: E) -> Self {
         Self::Sweep(Box::new(error.into()))
@@ -302,50 +292,4 @@ const fn is_of_the_system(error: &SweepError) -> bool {
             | SweepError::Picture(PictureError::Drawing(_))
             | SweepError::Threads { .. }
     )
-}
-
-/// What to do about an error of a sweep.
-fn hint_of(error: &SweepError) -> String {
-    match error {
-        SweepError::Axis(error) => hint_of_axis(error),
-        SweepError::Parameter(error) => error.hint().to_string(),
-        SweepError::List(
-            ListError::BadValue { source, .. } | ListError::Fixed { source, .. },
-        ) => source.hint().to_string(),
-        SweepError::List(_) => {
-            "a list is a CSV file with a header, or a Parquet file; columns are named as axes are, cells are finite \
-             numbers"
-                .to_owned()
-        }
-        SweepError::Store(error) => hint_of_store(error).to_owned(),
-        SweepError::Picture(PictureError::Size { .. }) => "give another --size, such as 1500x1000".to_owned(),
-        SweepError::Picture(_) => "a map has one --x and one --y".to_owned(),
-        _ => "give fewer --threads, or leave the flag out".to_owned(),
-    }
-}
-
-fn hint_of_axis(error: &AxisError) -> String {
-    match error {
-        AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().to_string(),
-        AxisError::TooMany => "take fewer points".to_owned(),
-        AxisError::Twice { .. } => "take each quantity for one axis".to_owned(),
-        _ => "an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200".to_owned(),
-    }
-}
-
-const fn hint_of_store(error: &StoreError) -> &'static str {
-    match error {
-        StoreError::Exists { complete: true, .. } => {
-            "it is finished; give another --out, or remove it to compute it again"
-        }
-        StoreError::Exists { .. } => "--resume goes on with it; or give another --out",
-        StoreError::OtherParameters { .. } => "give another --out, or the parameters of the store",
-        StoreError::NotAStore { .. } => "give another --out",
-        StoreError::Unwritable { finished: 0, .. } => "make room, or choose a folder that can be written to",
-        StoreError::Unwritable { .. } => {
-            "make room, then give the same command with --resume; it goes on from there"
-        }
-        StoreError::Locked { .. } => "wait until it has ended, or give another --out",
-        _ => "give another --out, or remove what is there and run again",
-    }
 }

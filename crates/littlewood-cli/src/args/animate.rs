@@ -1,0 +1,62 @@
+//! Arguments of `littlewood animate`.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use super::{ProblemArgs, RunArgs, number, size};
+
+pub(super) const ANIMATE: &str = "\
+Make a film of a motion: hoop, particle, contact point, gap, forces, slip velocity, mode and clock.
+
+The motion is given as in `simulate`; `libration` is short for figure-2-libration. A motion that lasts for ever is shown \
+for one oscillation, two turns, or 10 units of time, unless --until says otherwise.
+
+The ending of --out says what the film is: .gif, .png or .apng, or .mp4, which needs ffmpeg. A GIF or an APNG has the \
+same bytes on every machine.";
+
+pub(super) const ANIMATE_EXAMPLES: &str = "\
+Examples:
+  littlewood animate figure-3 --out figure-3.gif
+  littlewood animate figure-7 --slow 6 --fps 50 --size 1280x720 --out figure-7.png
+  littlewood animate libration --fps 60 --size 1920x1080 --out libration.mp4
+  littlewood animate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --slow 10 --out hula-hoop.gif";
+
+/// Arguments of `littlewood animate`.
+#[derive(Debug, Args)]
+pub(crate) struct AnimateArgs {
+    #[command(flatten)]
+    pub(crate) problem: ProblemArgs<true>,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    /// File of the film, .gif, .png, .apng or .mp4; it is replaced only once everything has been written
+    #[arg(long, value_name = "FILE", help_heading = "Film")]
+    pub(crate) out: PathBuf,
+    /// Seconds of film for a unit of time sqrt(R/g) [default: 3]; in SI units, how many times slower than real the
+    /// film is [default: 10]
+    #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
+    pub(crate) slow: Option<f64>,
+    /// Frames per second; a GIF can have 50
+    #[arg(long, value_name = "N", default_value_t = 25, help_heading = "Film")]
+    pub(crate) fps: u32,
+    /// Size in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "640x360", value_parser = size, help_heading = "Film")]
+    pub(crate) size: (u32, u32),
+    /// What the picture shows of the path
+    #[arg(long, value_enum, default_value_t = Camera::Auto, help_heading = "Film")]
+    pub(crate) camera: Camera,
+    /// Seconds for which the last picture stays [default: 1.5, and 0 for an oscillation, which goes on where it began]
+    #[arg(long, value_name = "S", value_parser = number, help_heading = "Film")]
+    pub(crate) hold: Option<f64>,
+}
+
+/// What the picture shows of the path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Camera {
+    /// The whole path if the hoop is large enough then, else the camera goes with the hoop
+    Auto,
+    /// The whole path, however small the hoop is
+    Whole,
+    /// The camera goes with the mass centre
+    Follow,
+}

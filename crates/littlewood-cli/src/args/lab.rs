@@ -1,0 +1,21 @@
+//! Arguments of `littlewood lab`.
+
+use clap::Args;
+
+pub(super) const LAB: &str = "\
+Serve the laboratory on 127.0.0.1 and open it in the browser: drag a start on the phase plane, and watch the hoop roll, \
+slide and jump.
+
+Nothing leaves this machine, and no other machine can ask: requests for another host name are refused. Ctrl-C ends it. \
+The page is part of the program if it was built before the program was (web/build.sh, which needs node).";
+
+/// Arguments of `littlewood lab`.
+#[derive(Debug, Args)]
+pub(crate) struct LabArgs {
+    /// Port to listen on; 0 takes a free one
+    #[arg(long, value_name = "PORT", default_value_t = 0)]
+    pub(crate) port: u16,
+    /// Do not open a browser, only say where the laboratory is
+    #[arg(long)]
+    pub(crate) no_open: bool,
+}

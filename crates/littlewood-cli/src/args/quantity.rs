@@ -1,0 +1,171 @@
+//! Flags for quantities: one for each row of the table of the core.
+
+use std::sync::LazyLock;
+
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
+use littlewood::{Dimension, Group, Quantity};
+
+use super::number;
+use crate::values::{Given, flag, si_name};
+
+const SI_HEADING: &str = "SI units (instead of the dimensionless flags)";
+
+/// Identifier and flag of the switch that asks for SI units.
+const SI: &str = "si";
+
+/// The texts of a flag that are not in the table as they are. The parser borrows them for as long as the program runs.
+struct Texts {
+    long: String,
+    value_name: String,
+    help: String,
+    alias: Option<String>,
+}
+
+static TEXTS: LazyLock<Vec<Texts>> = LazyLock::new(|| Quantity::ALL.into_iter().map(texts).collect());
+
+fn texts(quantity: Quantity) -> Texts {
+    let long = |name: &str| name.replace('_', "-");
+    let row = quantity.row();
+    let in_si = si_name(quantity);
+    Texts {
+        long: long(quantity.name()),
+        value_name: value_name(quantity),
+        help: match row.default {
+            Some(default) => format!("{} [default: {default}]", row.help),
+            None => row.help.to_owned(),
+        },
+        // A quantity without a twin is the same number in both systems, and has both names.
+        alias: (row.twin.is_none() && in_si != quantity.name()).then(|| long(&in_si)),
+    }
+}
+
+/// In SI units the unit, else the kind of number.
+fn value_name(quantity: Quantity) -> String {
+    let dimension = quantity.dimension();
+    if quantity.is_si() {
+        return dimension.si_suffix().trim_start_matches('_').to_uppercase();
+    }
+    let word = match dimension {
+        _ if quantity.unit().is_empty() => "RATIO",
+        Dimension::Ratio => "RATIO",
+        Dimension::Angle => "RAD",
+        Dimension::Mass => "MASS",
+        Dimension::Length => "LENGTH",
+        Dimension::Time => "TIME",
+        Dimension::AngularRate => "RATE",
+        Dimension::AngularAcceleration | Dimension::Acceleration => "ACCELERATION",
+        Dimension::Velocity => "VELOCITY",
+        Dimension::Force => "FORCE",
+        Dimension::Energy => "ENERGY",
+        Dimension::Impulse => "IMPULSE",
+        Dimension::Inertia => "INERTIA",
+    };
+    word.to_owned()
+}
+
+fn heading(quantity: Quantity) -> &'static str {
+    match quantity.group() {
+        Group::Run => "Limits",
+        _ if quantity.is_si() => SI_HEADING,
+        Group::Hoop | Group::Units => "Hoop (dimensionless, 2.9)",
+        Group::Start | Group::Place => "Start (dimensionless, 2.9)",
+    }
+}
+
+fn argument(quantity: Quantity) -> Arg {
+    let argument =
+        Arg::new(quantity.name()).action(ArgAction::Set).value_parser(number).help_heading(heading(quantity));
+    let Some(texts) = TEXTS.get(usize::from(quantity.code())) else { return argument };
+    let argument =
+        argument.long(texts.long.as_str()).value_name(texts.value_name.as_str()).help(texts.help.as_str());
+    match &texts.alias {
+        Some(alias) => argument.visible_alias(alias.as_str()),
+        None => argument,
+    }
+}
+
+fn typed(matches: &ArgMatches, quantities: impl Iterator<Item = Quantity>) -> Vec<Given> {
+    quantities
+        .filter_map(|quantity| Some(Given::by_flag(quantity, *matches.get_one(quantity.name())?)))
+        .collect()
+}
+
+/// The numbers of a hoop and a start that were typed. Without `PLACE` there are no flags for where and when the motion
+/// starts: `--x` is free for an axis.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SetupArgs<const PLACE: bool> {
+    pub(crate) given: Vec<Given>,
+    /// Whether SI units are asked for.
+    pub(crate) si: bool,
+}
+
+impl<const PLACE: bool> SetupArgs<PLACE> {
+    fn quantities() -> impl Iterator<Item = Quantity> {
+        Quantity::ALL.into_iter().filter(|quantity| match quantity.group() {
+            Group::Hoop | Group::Start | Group::Units => true,
+            Group::Place => PLACE || quantity.is_si(),
+            Group::Run => false,
+        })
+    }
+}
+
+impl<const PLACE: bool> Args for SetupArgs<PLACE> {
+    fn augment_args(command: Command) -> Command {
+        let switch = Arg::new(SI).long(SI).action(ArgAction::SetTrue).help_heading(SI_HEADING).help(format!(
+            "Take and show SI units; any of the flags below implies it. With a named case, {} and {} say how large it \
+             is",
+            flag(Quantity::ParticleMassKg),
+            flag(Quantity::RadiusM),
+        ));
+        let (si, plain): (Vec<_>, Vec<_>) = Self::quantities().partition(|quantity| quantity.is_si());
+        command.args(plain.into_iter().map(argument)).arg(switch).args(si.into_iter().map(argument))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl<const PLACE: bool> FromArgMatches for SetupArgs<PLACE> {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        Ok(Self { given: typed(matches, Self::quantities()), si: matches.get_flag(SI) })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// The limits that were typed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct LimitArgs {
+    pub(crate) given: Vec<Given>,
+}
+
+impl LimitArgs {
+    fn quantities() -> impl Iterator<Item = Quantity> {
+        Quantity::ALL.into_iter().filter(|quantity| quantity.group() == Group::Run)
+    }
+}
+
+impl Args for LimitArgs {
+    fn augment_args(command: Command) -> Command {
+        command.args(Self::quantities().map(argument))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for LimitArgs {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        Ok(Self { given: typed(matches, Self::quantities()) })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,99 @@
+//! What to do about the errors of the other crates.
+
+use littlewood_figures::FigureError;
+use littlewood_sweep::{AxisError, ListError, PictureError, StoreError, SweepError};
+
+/// What to do about a figure that cannot be made.
+pub(super) fn of_figure(error: &FigureError) -> String {
+    match error {
+        FigureError::NeedsInertia { .. } => "give --mass-ratio or --inertia above 0, or leave the figure out",
+        FigureError::NeedsMassless { .. } => "give --mass-ratio 0 and --inertia 0, or leave the figure out",
+        FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
+        FigureError::NeedsOffset { .. } => "give --offset above 0",
+        FigureError::NoMotion { .. } => {
+            "give another start; `littlewood classify` says what there is at this one"
+        }
+        FigureError::Scale { .. } => "give another --scale, such as 2",
+        FigureError::Parameter(error) => error.hint(),
+        _ => "this is a defect of the program: please report it",
+    }
+    .to_owned()
+}
+
+/// What to do about an error of a sweep.
+pub(super) fn of_sweep(error: &SweepError) -> String {
+    match error {
+        SweepError::Axis(error) => of_axis(error),
+        SweepError::Parameter(error) => error.hint().to_owned(),
+        SweepError::List(error) => of_list(error),
+        SweepError::ListAsZarr { .. } => "a list goes to a table: give --out NAME.parquet".to_owned(),
+        SweepError::Store(error) => of_store(error).to_owned(),
+        SweepError::Picture(error) => of_picture(error).to_owned(),
+        SweepError::Threads(_) => "give fewer --threads, or leave the flag out".to_owned(),
+    }
+}
+
+fn of_list(error: &ListError) -> String {
+    match error {
+        ListError::BadValue { source, .. } | ListError::Fixed { source, .. } => source.hint().to_owned(),
+        ListError::Changed { .. } => "give the command again when nothing writes to the list".to_owned(),
+        ListError::Unreadable { .. }
+        | ListError::UnknownFormat { .. }
+        | ListError::UnknownColumn { .. }
+        | ListError::DuplicateColumn { .. }
+        | ListError::Empty { .. }
+        | ListError::BadLine { .. }
+        | ListError::BadCell { .. }
+        | ListError::NotNumbers { .. }
+        | ListError::BadParquet { .. } => {
+            "a list is a CSV file with a header, or a Parquet file; columns are named as axes are, cells are finite \
+             numbers"
+                .to_owned()
+        }
+    }
+}
+
+/// What to do about an error of an axis.
+pub(super) fn of_axis(error: &AxisError) -> String {
+    match error {
+        AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().to_owned(),
+        AxisError::TooMany => "take fewer points".to_owned(),
+        AxisError::Twice { .. } => "take each quantity for one axis".to_owned(),
+        AxisError::NotAnAxis { .. }
+        | AxisError::NotFinite { .. }
+        | AxisError::Empty { .. }
+        | AxisError::OnePointTwoEnds { .. }
+        | AxisError::NoExtent { .. }
+        | AxisError::None => "an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200".to_owned(),
+    }
+}
+
+const fn of_picture(error: &PictureError) -> &'static str {
+    match error {
+        PictureError::Size { .. } => "give another --size, such as 1500x1000",
+        PictureError::NotTwoAxes { .. } => "a map has one --x and one --y",
+        PictureError::NotReal { .. } => "give another --shade, such as lift_off_time",
+        PictureError::Drawing(_) => "this is a defect of the program: please report it",
+    }
+}
+
+const fn of_store(error: &StoreError) -> &'static str {
+    match error {
+        StoreError::Exists { complete: true, .. } => {
+            "it is finished; give another --out, or remove it to compute it again"
+        }
+        StoreError::Exists { complete: false, .. } => "--resume goes on with it; or give another --out",
+        StoreError::OtherParameters { .. } => "give another --out, or the parameters of the store",
+        StoreError::NotAStore { .. } | StoreError::OtherFormat { .. } => "give another --out",
+        StoreError::Unwritable { finished: 0, .. } => "make room, or choose a folder that can be written to",
+        StoreError::Unwritable { .. } => {
+            "make room, then give the same command with --resume; it goes on from there"
+        }
+        StoreError::Locked { .. } => "wait until it has ended, or give another --out",
+        StoreError::Unreadable { .. }
+        | StoreError::DamagedManifest { .. }
+        | StoreError::DamagedMetadata { .. }
+        | StoreError::DamagedChunk { .. }
+        | StoreError::Encoding { .. } => "give another --out, or remove what is there and run again",
+    }
+}

@@ -1,0 +1,53 @@
+//! What was asked for on the command line and in a scenario file, before it is put together.
+
+use crate::args::{ProblemArgs, RunArgs};
+use crate::error::Error;
+use crate::scenario::Scenario;
+use crate::values::Given;
+
+/// What was asked for.
+#[derive(Debug)]
+pub(crate) struct Request {
+    /// The name of a case.
+    pub(crate) case: Option<String>,
+    /// The scenario file.
+    pub(crate) scenario: Option<Scenario>,
+    /// The numbers among the flags.
+    pub(crate) flags: Vec<Given>,
+    /// Whether a flag asks for SI units.
+    pub(crate) si: bool,
+    /// Largest number of transitions, by a flag.
+    pub(crate) max_transitions: Option<u64>,
+    /// What a sweep sets itself.
+    pub(crate) overrides: Overrides,
+}
+
+/// What a sweep sets, whatever was given, in whichever units that is.
+#[derive(Debug, Default)]
+pub(crate) struct Overrides {
+    /// Dimensionless numbers.
+    pub(crate) given: Vec<Given>,
+    /// Whether units are needed, although none of the numbers may have one.
+    pub(crate) si: bool,
+}
+
+impl Request {
+    /// Reads the scenario file, if there is one.
+    ///
+    /// # Errors
+    /// As [`Scenario::read`].
+    pub(crate) fn new<const PLACE: bool>(
+        problem: &ProblemArgs<PLACE>,
+        run: Option<&RunArgs>,
+    ) -> Result<Self, Error> {
+        let limits = run.map(|run| run.limits.given.clone()).unwrap_or_default();
+        Ok(Self {
+            case: problem.case.clone(),
+            scenario: problem.scenario.as_deref().map(Scenario::read).transpose()?,
+            flags: problem.setup.given.iter().cloned().chain(limits).collect(),
+            si: problem.setup.si,
+            max_transitions: run.and_then(|run| run.max_transitions),
+            overrides: Overrides::default(),
+        })
+    }
+}
