@@ -1,4 +1,4 @@
-// What the page gives away: the bytes of the command line, pictures, and lines to copy.
+// Exports: the bytes of the command line, pictures, and lines to copy.
 
 import { readFileSync } from 'node:fs';
 import { expect, test, type Download, type Page } from '@playwright/test';

@@ -1,4 +1,4 @@
-// The state in the address, and what is said of a wrong one.
+// The state in the address, and the messages for a wrong one.
 
 import { expect, test } from '@playwright/test';
 import { events, field, open, ready, type } from './lab';
@@ -63,7 +63,7 @@ const BAD: [string, string, RegExp][] = [
   ['mass_ratio=0&offset=0&inertia=0', 'offset', /no equation of motion/],
 ];
 for (const [state, name, message] of BAD) {
-  test(`a bad link, ${state}, is complained of beside the field`, async ({ page }) => {
+  test(`a bad link, ${state}, is reported beside the field`, async ({ page }) => {
     await open(page, state);
     await expect(page.locator(`#message-${name}`)).toHaveText(message);
     await expect(field(page, name)).toHaveAttribute('aria-invalid', 'true');
@@ -73,7 +73,7 @@ for (const [state, name, message] of BAD) {
   });
 }
 
-test('what a link says that means nothing is told', async ({ page }) => {
+test('a link with keys or values that are not known says so', async ({ page }) => {
   await open(page, 'case=no-such-case&colour=red&at=soon');
   await expect(page.locator('#case-message')).toHaveText("there is no case named 'no-such-case'");
   await expect(page.locator('#banner')).toContainText('colour=red');

@@ -1,7 +1,10 @@
 // The page as a page: accessible, offline, small screens, light and dark, and what it shows when it breaks.
 
+import { readdirSync, readFileSync } from 'node:fs';
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
+import { CURVE_ROWS, CURVES } from '../src/generated/palette';
+import { DIMENSIONLESS, QUANTITY_ROWS, SI } from '../src/generated/tables';
 import { events, open, pixelOf, ready } from './lab';
 
 for (const colorScheme of ['light', 'dark'] as const) {
@@ -20,7 +23,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
-test('pictures of the page', async ({ page }, info) => {
+test('every view is drawn, and nothing is wider than the screen', async ({ page }, info) => {
   for (const [theme, width, height] of [['light', 1440, 900], ['dark', 1440, 900], ['light', 1024, 768], ['light', 390, 844]] as const) {
     await page.setViewportSize({ width, height });
     await open(page, `case=figure-3&at=1.2&theme=${theme}`);
@@ -110,4 +113,24 @@ test('the outcome map follows the hoop', async ({ page }) => {
   await expect(page.locator('#legend')).toContainText('particle at the plane');
   await page.locator('#map').uncheck();
   await expect(page.locator('#legend')).toBeHidden();
+});
+
+test('every quantity of the tables has a field with its unit, and every curve its place in the legend', async ({ page }) => {
+  await open(page, 'case=figure-3');
+  await expect(page.locator('#curves li')).toHaveText([...CURVES.map((it) => CURVE_ROWS[it].label), '𝓡: can roll']);
+  const shown = async (): Promise<string[][]> =>
+    page.locator('#fields .row').evaluateAll((rows) =>
+      rows.map((row) => [row.querySelector('input')!.name, row.querySelector('.unit')!.textContent ?? '']));
+  for (const names of [[...DIMENSIONLESS, 'until'], [...SI, 'until_s']] as const) {
+    expect(new Set(await shown())).toEqual(new Set(names.map((name) => [name, QUANTITY_ROWS[name].unit])));
+    await page.locator('#si').check();
+  }
+});
+
+test('colours are written in the generated files, and those of the page alone in its theme', () => {
+  const root = new URL('../src/', import.meta.url);
+  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((name) => /\.(ts|css|js)$/.test(name));
+  const own = files.filter((name) => !/^(generated|wasm)\/|^style\/theme\.css$/.test(name));
+  expect(own.length).toBeGreaterThan(30);
+  expect(own.filter((name) => /#[\da-f]{6}\b/i.test(readFileSync(new URL(name, root), 'utf8')))).toEqual([]);
 });

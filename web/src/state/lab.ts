@@ -1,4 +1,4 @@
-// The laboratory: the last good state, the motion that it has, and who wants to know of changes.
+// The laboratory: the last valid state, its motion, and the listeners to changes.
 
 import { inOrder, inSystem, LIMIT, quantityNamed, valuesOf, type Values } from '../core/fields';
 import { Motion, unitsOf, type ColumnUnits } from '../core/motion';

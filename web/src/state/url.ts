@@ -114,7 +114,7 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
   const theme = take('theme');
   if (theme === 'light' || theme === 'dark' || theme === 'auto') view.theme = theme satisfies Theme;
   else if (theme !== undefined) complain('theme', theme, 'light, dark or auto');
-  for (const [key, value] of given) complain(key, value, 'means nothing here');
+  for (const [key, value] of given) complain(key, value, 'is not known');
   return { state: { problem, view }, complaints };
 }
 

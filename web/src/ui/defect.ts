@@ -24,7 +24,7 @@ export function showDefect(message: string): void {
   again.focus();
 }
 
-/** Shows whatever nobody has caught. */
+/** Shows every error that is caught nowhere else. */
 export function watch(): void {
   window.addEventListener('error', (event) => {
     // A browser says this when sizes settle in the next frame. It is no error.

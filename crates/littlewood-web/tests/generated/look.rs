@@ -3,12 +3,15 @@
 use core::fmt::Write;
 
 use littlewood::Mode;
-use littlewood_style::{Accent, Arrow, Curve, Dash, Ink, Rgb, Swatch, Theme, dash_of, swatches};
+use littlewood_style::{Accent, Arrow, Curve, Dash, Ink, Rgb, Swatch, Theme, dash_of, of_mode, swatches};
 
 use crate::source::{Source, WRITTEN, object, quoted, quoted_or_null};
 
 /// How much of the colour of a class a map shows that lies behind curves and letters.
-const MAP_OPACITY: f64 = 0.45;
+const MAP_OPACITY: f64 = 0.55;
+
+/// How much of the ink the region where the hoop can roll adds to what is below it.
+const REGION_OPACITY: f64 = 0.12;
 
 /// `palette.ts`.
 pub(crate) fn typescript() -> String {
@@ -119,17 +122,20 @@ fn letters(ground: Rgb, theme: Theme) -> String {
     ground.more_legible(Ink::Paper.colour(theme), Ink::Ink.colour(theme)).hex()
 }
 
-/// A colour with the least opacity that makes the colour of the region on bare paper, so that a map shows through it.
+/// Neutral and translucent: the colour of the region would be taken for a class of the map below.
 fn region(theme: Theme) -> String {
-    let (Rgb(wanted), Rgb(paper)) = (Ink::Region.colour(theme), Ink::Paper.colour(theme));
-    let pairs = || wanted.into_iter().zip(paper).map(|(wanted, paper)| (f64::from(wanted), f64::from(paper)));
-    let needed = |(wanted, paper): (f64, f64)| {
-        if wanted < paper { (paper - wanted) / paper } else { (wanted - paper) / (255.0 - paper).max(1.0) }
-    };
-    let opacity = (100.0 * pairs().map(needed).fold(0.01, f64::max)).ceil() / 100.0;
-    let [red, green, blue] = [0, 1, 2].map(|i| {
-        let (wanted, paper) = (f64::from(wanted[i]), f64::from(paper[i]));
-        ((wanted - (1.0 - opacity) * paper) / opacity).round().clamp(0.0, 255.0)
-    });
-    format!("rgb({red} {green} {blue} / {opacity})")
+    format!("{}{:02x}", Ink::Ink.colour(theme).hex(), (255.0 * REGION_OPACITY).round() as u8)
+}
+
+/// `icon.svg`: a hoop on the plane with its particle.
+pub(crate) fn icon() -> String {
+    let ground = Ink::Soft.colour(Theme::Light).hex();
+    let hoop = of_mode(Mode::Rolling, Theme::Light).hex();
+    let particle = of_mode(Mode::Sliding, Theme::Light).hex();
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 32 32\">\
+         <path d=\"M1 30h30\" stroke=\"{ground}\" stroke-width=\"2\"/>\
+         <circle cx=\"16\" cy=\"16\" r=\"12\" fill=\"none\" stroke=\"{hoop}\" stroke-width=\"3.5\"/>\
+         <circle cx=\"24.5\" cy=\"7.5\" r=\"5\" fill=\"{particle}\"/></svg>\n"
+    )
 }

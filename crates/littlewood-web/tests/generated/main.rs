@@ -13,9 +13,9 @@ use std::path::Path;
 use std::{env, fs};
 
 fn assert_current(file: &str, wanted: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/src/generated").join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web").join(file);
     if env::var_os("LITTLEWOOD_WRITE").is_some() {
-        fs::write(&path, wanted).expect("web/src/generated can be written to");
+        fs::write(&path, wanted).expect("the folder can be written to");
     }
     let found = fs::read_to_string(&path).unwrap_or_default();
     assert!(found == wanted, "{file} differs from the tables. {}", source::WRITTEN);
@@ -23,11 +23,12 @@ fn assert_current(file: &str, wanted: &str) {
 
 #[test]
 fn the_tables_of_the_page_are_those_of_the_core() {
-    assert_current("tables.ts", &tables::typescript());
+    assert_current("src/generated/tables.ts", &tables::typescript());
 }
 
 #[test]
 fn the_colours_of_the_page_are_those_of_the_style_crate() {
-    assert_current("palette.ts", &look::typescript());
-    assert_current("palette.css", &look::css());
+    assert_current("src/generated/palette.ts", &look::typescript());
+    assert_current("src/generated/palette.css", &look::css());
+    assert_current("public/icon.svg", &look::icon());
 }

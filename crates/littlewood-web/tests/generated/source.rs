@@ -38,12 +38,11 @@ impl Source {
         doc: &str,
         rows: impl IntoIterator<Item = (&'a str, String)>,
     ) {
-        let _ =
-            write!(self.0, "\n/** {doc} */\nexport const {record}: Readonly<Record<{key}, {value}>> = {{");
+        let _ = write!(self.0, "\n/** {doc} */\nexport const {record} = {{");
         for (name, row) in rows {
             let _ = write!(self.0, "\n  {}: {row},", name);
         }
-        self.0.push_str("\n};\n");
+        let _ = write!(self.0, "\n}} as const satisfies Record<{key}, {value}>;\n");
     }
 
     /// Lines as they are.
