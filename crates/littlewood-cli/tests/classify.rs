@@ -20,7 +20,7 @@ fn figure_3_starts_beyond_the_static_friction() {
     assert_close(number(&document["energy"]), 8.0, 1e-15);
     assert_eq!(document["rolling_end"], Value::Null);
     let page = text(&["classify", "figure-3"]);
-    assert!(page.contains("Begins   sliding ←") && page.contains("|F|/N = 2, μs = 0.5"), "{page}");
+    assert!(page.contains("Begins   sliding ←") && page.contains("|F|/N = 2, μₛ = 0.5"), "{page}");
 }
 
 #[test]
@@ -77,8 +77,8 @@ fn every_case_is_listed_and_begins_as_classify_says() {
         let name = entry["name"].as_str().unwrap();
         let case = find_case(name).unwrap();
         assert_eq!(entry["title"], case.title);
-        assert_eq!(entry["start"]["theta"], case.start.theta);
-        assert_eq!(entry["hoop"]["mu_s"], case.hoop.mu_s);
+        assert_eq!(entry["start"]["theta"], case.setup.start.theta);
+        assert_eq!(entry["hoop"]["mu_s"], case.setup.hoop.mu_s);
         assert!(page.contains(name));
         let motion = json(&["simulate", name]);
         let start = json(&["classify", name]);

@@ -2,7 +2,8 @@
 
 mod support;
 
-use support::{FIGURE_3, complaint, littlewood};
+use littlewood::{Group, Quantity};
+use support::{FIGURE_3, complaint, littlewood, text};
 
 /// The message for Figure 3 with these flags on top.
 fn refused(flags: &[&str]) -> String {
@@ -133,4 +134,27 @@ fn a_wrong_si_value_is_named_in_its_unit() {
     }
     let message = refused(&["--radius-m", "0", "--particle-mass-kg", "1"]);
     assert!(message.contains("radius_m = 0 m must be greater than 0"), "{message}");
+}
+
+#[test]
+fn every_quantity_has_a_flag_with_its_help_and_default() {
+    let help = text(&["simulate", "--help"]);
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let help = words(&help);
+    for quantity in Quantity::ALL {
+        let row = quantity.row();
+        let flag = format!("--{} <", quantity.name().replace('_', "-"));
+        let (_, text) = help.split_once(&flag).unwrap_or_else(|| panic!("{flag} is not in\n{help}"));
+        let default = row.default.map(|default| format!(" [default: {default}]")).unwrap_or_default();
+        let (_, text) = text.split_once("> ").expect("the name of a value ends");
+        assert!(text.starts_with(&words(&format!("{}{default}", row.help))), "{flag}: {text}");
+    }
+    assert!(help.contains("[alias: --theta-rad]"), "{help}");
+    // The axes of a map have the names of x; where and when a motion starts changes nothing else.
+    let map = text(&["map", "--help"]);
+    for quantity in Quantity::ALL {
+        let flag = format!("  --{} <", quantity.name().replace('_', "-"));
+        let is_there = quantity.group() != Group::Place || quantity.is_si();
+        assert_eq!(map.contains(&flag), is_there || quantity == Quantity::X, "{flag}");
+    }
 }

@@ -110,6 +110,8 @@ fn bad_axes_are_refused_with_value_and_hint() {
         ("theta=nan:1:3", "NaN"),
         ("theta=0:inf:3", "inf"),
         ("phi=0:1:3", "phi"),
+        ("theta-rat=0:1:3", "did you mean 'theta_rate'"),
+        ("until=0:1:3", "there is no axis 'until'"),
         ("theta=1:1:3", "all the same"),
         ("theta_rate=0:1:3", "twice"),
         ("mu_s=-1:1:3", "-1"),
@@ -133,6 +135,7 @@ fn other_bad_input_is_refused() {
     assert!(refused(&["figure-3", "--out", &path(&folder, "plane.nc")]).contains(".zarr or .parquet"));
     let png = path(&folder, "plane.png");
     assert!(refused(&["figure-3", "--out", &png, "--shade", "beauty"]).contains("jump_length"));
+    assert!(refused(&["figure-3", "--out", &png, "--shade", "jump"]).contains("did you mean 'jump_"));
     assert!(refused(&["figure-3", "--out", &png, "--size", "10x10"]).contains("10 x 10"));
     assert!(refused(&["figure-3", "--out", &png, "--threads", "0"]).contains("--threads"));
     assert!(refused(&["figure-3", "--out", &png, "--until", "-1"]).contains("hint:"));

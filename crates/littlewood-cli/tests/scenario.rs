@@ -5,6 +5,7 @@ mod support;
 use std::fs;
 use std::path::PathBuf;
 
+use littlewood::Quantity;
 use support::{FIGURE_3_EVENTS, assert_close, complaint, example, json, number, text};
 use tempfile::TempDir;
 
@@ -91,11 +92,39 @@ fn broken_toml_is_shown_where_it_breaks() {
 #[test]
 fn an_unknown_key_is_shown_with_those_that_exist() {
     let message = refused("case = \"figure-3\"\n\n[hoop]\nmu = 0.5\n");
-    assert!(message.contains("unknown field `mu`"), "{message}");
-    assert!(message.contains("`mu_k`"), "{message}");
+    assert!(message.contains("there is no key 'mu' in [hoop]"), "{message}");
+    assert!(message.contains("did you mean 'mu_k' or 'mu_s'?"), "{message}");
     assert!(message.contains("hoop.toml:4:1"), "{message}");
-    assert!(refused("[hop]\n").contains("unknown field `hop`"));
-    assert!(refused("[si.start]\ntheta = 1.0\n").contains("`theta_rad`"));
+    assert!(refused("[hop]\n").contains("did you mean 'hoop'?"));
+    assert!(refused("[si.start]\ntheta = 1.0\n").contains("did you mean 'theta_rad'"));
+    assert!(refused("[run]\nsample = 5\n").contains("did you mean 'samples'"));
+    assert!(refused("[si]\nstart.time = 5\n").contains("did you mean 'time_s'"));
+}
+
+#[test]
+fn every_quantity_is_a_key_of_its_table() {
+    let numbers = |quantities: &[Quantity]| {
+        let line = |quantity: &Quantity| format!("{quantity} = 0.5\n");
+        quantities.iter().map(line).collect::<String>()
+    };
+    let plain = format!("[hoop]\n{}[start]\n{}", numbers(&Quantity::HOOP), numbers(&Quantity::START));
+    let (_folder, path) = scenario(&plain);
+    let document = json(&["classify", "--scenario", path.to_str().unwrap()]);
+    for (table, quantities) in [("hoop", Quantity::HOOP), ("start", Quantity::START)] {
+        for quantity in quantities {
+            assert_eq!(document[table][quantity.name()], 0.5, "{quantity}");
+        }
+    }
+    let in_si = numbers(&Quantity::SI_START).replace("theta =", "theta_rad =");
+    let si = format!("[si.hoop]\n{}[si.start]\n{in_si}", numbers(&Quantity::SI_HOOP));
+    let (_folder, path) = scenario(&si);
+    let document = json(&["classify", "--scenario", path.to_str().unwrap()]);
+    for quantity in Quantity::SI_HOOP {
+        assert_close(number(&document["si"]["hoop"][quantity.name()]), 0.5, 1e-15);
+    }
+    for name in ["theta_rad", "theta_rate_rad_per_s", "slip_m_per_s", "x_m", "time_s"] {
+        assert_close(number(&document["start"]["si"][name]), 0.5, 1e-15);
+    }
 }
 
 #[test]
@@ -124,6 +153,15 @@ fn other_mistakes_in_a_scenario_are_shown_too() {
     assert!(message.contains("hoop.toml:1:8"), "{message}");
     let message = refused("case = \"figure-3\"\n[start]\ntheta = \"1.5\"\n");
     assert!(message.contains("hoop.toml:3:9"), "{message}");
+    assert!(message.contains("theta is not a number, but of the type string"), "{message}");
+    let message = refused("case = \"figure-3\"\nhoop = 3\n");
+    assert!(message.contains("hoop is not a table") && message.contains("hoop.toml:2:8"), "{message}");
+    let message = refused("case = \"figure-3\"\n[run]\nformat = \"xml\"\n");
+    assert!(
+        message.contains("there is no format 'xml'") && message.contains("table, json, csv"),
+        "{message}"
+    );
+    assert!(message.contains("hoop.toml:3:10"), "{message}");
     let message = refused("[start]\ntheta_rate = 2\n[si.hoop]\nradius_m = 1\n");
     assert!(message.contains("theta_rate has no dimension, radius_m is in SI units"), "{message}");
     assert!(message.contains("theta_rate_rad_per_s"), "{message}");

@@ -105,7 +105,14 @@ fn any_si_flag_implies_the_switch_and_a_case_can_be_given_a_size() {
 #[test]
 fn the_page_and_the_rows_show_si_units() {
     let page = text(&with("simulate", &[]));
-    for part in ["[rad/s]", "m1 = 2 kg", "√(R/g) = 0.5 s", "lands at t = 1.9237 s", "J lost to friction"] {
+    for part in [
+        "[rad/s]",
+        "m₁ = 2 kg",
+        "Izz = 2 kg m²",
+        "√(R/g) = 0.5 s",
+        "lands at t = 1.9237 s",
+        "J lost to friction",
+    ] {
         assert!(page.contains(part), "{part} is not in\n{page}");
     }
     // The lift-off, at half of τ = 1.51867.

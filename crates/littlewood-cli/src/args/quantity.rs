@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use littlewood::{Dimension, Group, Quantity};
+use littlewood::{Dimension, Group, Quantity, System};
 
 use super::number;
 use crate::values::{Given, flag, si_name};
@@ -45,8 +45,10 @@ fn value_name(quantity: Quantity) -> String {
     if quantity.is_si() {
         return dimension.si_suffix().trim_start_matches('_').to_uppercase();
     }
+    if quantity.unit().is_empty() {
+        return "RATIO".to_owned();
+    }
     let word = match dimension {
-        _ if quantity.unit().is_empty() => "RATIO",
         Dimension::Ratio => "RATIO",
         Dimension::Angle => "RAD",
         Dimension::Mass => "MASS",
@@ -64,11 +66,11 @@ fn value_name(quantity: Quantity) -> String {
 }
 
 fn heading(quantity: Quantity) -> &'static str {
-    match quantity.group() {
-        Group::Run => "Limits",
-        _ if quantity.is_si() => SI_HEADING,
-        Group::Hoop | Group::Units => "Hoop (dimensionless, 2.9)",
-        Group::Start | Group::Place => "Start (dimensionless, 2.9)",
+    match (quantity.group(), quantity.row().system) {
+        (Group::Run, _) => "Limits",
+        (Group::Hoop | Group::Units | Group::Start | Group::Place, System::Si) => SI_HEADING,
+        (Group::Hoop | Group::Units, System::Dimensionless) => "Hoop (dimensionless, 2.9)",
+        (Group::Start | Group::Place, System::Dimensionless) => "Start (dimensionless, 2.9)",
     }
 }
 

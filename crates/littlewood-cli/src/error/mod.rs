@@ -40,7 +40,7 @@ pub(crate) enum Error {
         #[label("out of bounds")]
         span: SourceSpan,
     },
-    /// A scenario file that is not one.
+    /// A scenario file that is malformed.
     #[error("{message}")]
     #[diagnostic(help("{help}"))]
     Scenario {
@@ -126,7 +126,7 @@ pub(crate) enum Error {
     #[error("{0}")]
     #[diagnostic(help("{}", of_sweep(.0)))]
     Sweep(Box<SweepError>),
-    /// A row of a list of hoops that does not make a hoop with the axes.
+    /// A row of a list of hoops whose parameters, together with the axes, are invalid.
     #[error("{}, line {line}: {source}", path.display())]
     #[diagnostic(help("{}", of_axis(.source)))]
     Hoop {
@@ -195,7 +195,7 @@ pub(crate) enum Error {
         /// How to go on.
         hint: String,
     },
-    /// The laboratory was not there when this program was built.
+    /// The program was built without the laboratory.
     #[error("this program was built without the laboratory")]
     #[diagnostic(help(
         "in the sources, `web/build.sh` makes the page (it needs node); build the program again after it"
@@ -214,7 +214,7 @@ pub(crate) enum Error {
     #[error("{0}")]
     #[diagnostic(help("{}", .0.hint()))]
     Film(FilmError),
-    /// The reader of the output has seen enough.
+    /// The reader of the output has closed the pipe.
     #[error("the reader has closed the pipe")]
     ClosedPipe,
 }
@@ -237,7 +237,22 @@ impl Error {
             ) => ExitCode::from(1),
             Self::Interrupted { .. } | Self::Film(FilmError::Stopped { .. }) => ExitCode::from(130),
             Self::Sweep(error) if is_of_the_system(error) => ExitCode::from(1),
-            _ => ExitCode::from(2),
+            Self::Value { .. }
+            | Self::ScenarioValue { .. }
+            | Self::Scenario { .. }
+            | Self::UnknownCase { .. }
+            | Self::Missing { .. }
+            | Self::Mixed { .. }
+            | Self::Unreadable { .. }
+            | Self::Unwritable { .. }
+            | Self::Sweep(_)
+            | Self::Hoop { .. }
+            | Self::HoopColumn { .. }
+            | Self::Out { .. }
+            | Self::UnknownShade { .. }
+            | Self::UnknownFigure { .. }
+            | Self::Figure(_)
+            | Self::Film(_) => ExitCode::from(2),
         }
     }
 

@@ -54,8 +54,10 @@ fn counts(atlas: &Atlas) -> [(&'static str, usize); 2] {
         (Mode::Sliding, _) => (Mode::Sliding, None),
         other => other,
     };
-    let without: BTreeSet<Vec<_>> =
-        sequences.iter().map(|sequence| sequence.codes().map(|code| code.map(phase).ok()).collect()).collect();
+    let without: BTreeSet<Vec<_>> = sequences
+        .iter()
+        .map(|sequence| sequence.codes().map(|code| code.map(phase).ok()).collect())
+        .collect();
     [("sequences", sequences.len()), ("without_directions", without.len())]
 }
 
