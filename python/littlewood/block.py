@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from .elementwise import flat
 from .tables import AXES
 
 
@@ -67,11 +68,11 @@ def compute(
         array = arrays[name]
         if array.ndim == 0:
             # One value for all points is not repeated.
-            return array.reshape(1)
+            return flat(array)
         order = sorted(range(array.ndim), key=axes[name].__getitem__)
         own = dict(zip(sorted(axes[name]), array.transpose(order).shape, strict=True))
         spread = array.transpose(order).reshape([own.get(axis, 1) for axis in range(len(shape))])
-        return np.broadcast_to(spread, shape).ravel()
+        return flat(np.broadcast_to(spread, shape))
 
     columns = _core.summaries(
         [column(name) for name in AXES],

@@ -13,6 +13,14 @@ if TYPE_CHECKING:
     Reals = npt.NDArray[np.float64]
 
 
+def flat(values: Any, dtype: Any = np.float64) -> npt.NDArray[Any]:
+    """Return an array of one dimension, as the core takes it: of this type, and aligned.
+
+    Arrays that come out of a file or from another process may start anywhere in memory.
+    """
+    return np.require(np.ravel(np.asarray(values)), dtype, "A")
+
+
 def broadcast(
     function: Callable[..., Any], *arguments: npt.ArrayLike, outputs: int = 1, dtype: Any = np.float64
 ) -> Any:
@@ -46,7 +54,7 @@ def broadcast(
         )
     arrays = np.broadcast_arrays(*(np.asarray(a, dtype=np.float64) for a in arguments))
     shape = arrays[0].shape
-    result = function(*(a.ravel() for a in arrays))
+    result = function(*(flat(a) for a in arrays))
     if outputs == 1:
         return result.reshape(shape)[()]
     return tuple(one.reshape(shape)[()] for one in result)

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from . import _core
 from .block import Limits, compute
+from .elementwise import flat
 from .extras import require
 from .hoop import Hoop
 from .lazy import lazy_columns
@@ -165,8 +166,8 @@ def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
     ndarray of str
         Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; … where there are more than 15.
     """
-    bits = np.asarray(sequence, dtype=np.uint64)
-    return np.array(_core.sequence_names(bits.ravel()), dtype=np.str_).reshape(bits.shape)
+    names = _core.sequence_names(flat(sequence, np.uint64))
+    return np.array(names, dtype=np.str_).reshape(np.shape(sequence))
 
 
 def _simulate(

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from .elementwise import flat
 from .tables import MODE_CODES, MODES, SAMPLE_COLUMNS
 from .units import Units
 
@@ -106,6 +107,6 @@ class Samples(Mapping[str, Any]):
             if column.si_name is None:
                 columns[name] = values
             else:
-                flat = np.ravel(np.asarray(values, dtype=np.float64))
-                columns[column.si_name] = _core.sample_in_si(units.scales, name, flat).reshape(np.shape(values))[()]
+                in_si = _core.sample_in_si(units.scales, name, flat(values))
+                columns[column.si_name] = in_si.reshape(np.shape(values))[()]
         return columns

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from .elementwise import flat
 from .extras import require
 from .html import trajectory_html, trajectory_text
 from .motion import Impulse, Outcome, Phase, State, Transition, _frozen
@@ -131,8 +132,7 @@ class Trajectory:
             Of the same shape. At a transition it is the first instant of the motion that begins; before the start and
             after the end `mode` is -1 and the rest NaN.
         """
-        times = np.asarray(times, dtype=np.float64)
-        return Samples(self._core.at(times.ravel()), times.shape)
+        return Samples(self._core.at(flat(times)), np.shape(times))
 
     def sample(self, count: int = 1001, until: float | None = None) -> Samples:
         """Return evenly spaced instants, and both sides of each transition in between.

@@ -33,6 +33,26 @@ def test_a_few_starts_are_those_of_simulate(hoop):
         assert result.transitions[i] == len(motion.transitions)
 
 
+def test_arrays_may_start_anywhere_in_memory(hoop):
+    theta = np.linspace(-3.0, 3.0, 200)
+    # As in a file with a header of three bytes, or in a message of another process.
+    shifted = np.frombuffer(b"abc" + theta.tobytes(), dtype=np.float64, offset=3)
+    assert not shifted.flags.aligned
+    ours = lw.simulate_many(hoop, theta=shifted, theta_rate=2.0, until=30.0)
+    expected = lw.simulate_many(hoop, theta=theta, theta_rate=2.0, until=30.0)
+    assert ours.identical(expected)
+    np.testing.assert_array_equal(lw.closed_form.alpha(shifted, 0.5), lw.closed_form.alpha(theta, 0.5))
+    np.testing.assert_array_equal(hoop.phase_plane.region(shifted, 0.5), hoop.phase_plane.region(theta, 0.5))
+    motion = hoop.simulate(theta=1.0, theta_rate=0.0)
+    np.testing.assert_array_equal(motion.at(shifted).x, motion.at(theta).x)
+    bits = expected.sequence.to_numpy()
+    moved = np.frombuffer(b"a" + bits.tobytes(), dtype=np.uint64, offset=1)
+    np.testing.assert_array_equal(lw.sequence_names(moved), lw.sequence_names(bits))
+    np.testing.assert_array_equal(
+        lw.plot.classes(expected.assign(sequence=("start", moved))), lw.plot.classes(expected)
+    )
+
+
 def test_dimensions_of_arrays(hoop):
     assert lw.simulate_many(hoop, theta=0.0, theta_rate=1.0).sizes == {}
     assert dict(lw.simulate_many(hoop, theta=[0.0, 1.0], theta_rate=1.0).sizes) == {"start": 2}

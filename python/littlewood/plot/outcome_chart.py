@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .. import _core
+from ..elementwise import flat
 from ..extras import require
 from ..style import CLASS_COLOURS, FAINT
 from ..tables import CLASS_LABELS, CLASSES
@@ -52,8 +53,8 @@ def classes(dataset: xarray.Dataset) -> xarray.DataArray:
 def _codes(outcome: Any, sequence: Any, lift_off_time: Any) -> Any:
     arrays = np.broadcast_arrays(outcome, sequence, lift_off_time)
     types = (np.uint8, np.uint64, np.float64)
-    flat = [np.ravel(array).astype(dtype, copy=False) for array, dtype in zip(arrays, types, strict=True)]
-    return _core.classes(*flat).reshape(arrays[0].shape)
+    columns = [flat(array, dtype) for array, dtype in zip(arrays, types, strict=True)]
+    return _core.classes(*columns).reshape(arrays[0].shape)
 
 
 def outcomes(dataset: xarray.Dataset, axes: Axes | None = None, *, x: str | None = None, y: str | None = None) -> Axes:
