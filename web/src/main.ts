@@ -11,7 +11,7 @@ import { namesAgree } from './core/motion';
 import { cases as casesOfCore, load, provokePanic } from './core/wasm';
 import { Lab, type Change } from './state/lab';
 import { problemOfCase, VIEW, type NamedCase, type State, type Theme } from './state/state';
-import { format, parse, type Complaint } from './state/url';
+import { format, parse, type FieldError } from './state/url';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
 import { byId } from './dom';
@@ -89,10 +89,10 @@ function start(cases: NamedCase[]): void {
       story.showMotion();
       bar.show();
     }
-    if (changes.has('complaints')) {
+    if (changes.has('errors')) {
       fields.show();
       bar.show();
-      if (!reading) showLinkComplaints([]);
+      if (!reading) showLinkErrors([]);
     }
     if (changes.has('view')) {
       transport.showView();
@@ -117,11 +117,11 @@ function start(cases: NamedCase[]): void {
 
   const read = (): void => {
     clock.pause();
-    const { state, complaints } = parse(location.hash, lab.state, cases);
+    const { state, fieldErrors } = parse(location.hash, lab.state, cases);
     reading = true;
-    lab.take(state.problem, state.view, complaints);
+    lab.take(state.problem, state.view, fieldErrors);
     reading = false;
-    showLinkComplaints(lab.complaints);
+    showLinkErrors(lab.fieldErrors);
   };
   byId('theme', HTMLButtonElement).addEventListener('click', () => {
     lab.setView({ theme: isDark(lab.state.view.theme) ? 'light' : 'dark' });
@@ -152,14 +152,14 @@ let timer = 0;
 function writeSoon(lab: Lab): void {
   window.clearTimeout(timer);
   // A link that is wrong stays in sight, to be mended.
-  if (lab.complaints.length > 0) return;
+  if (lab.fieldErrors.length > 0) return;
   timer = window.setTimeout(() => history.replaceState(null, '', address(lab)), ADDRESS_PAUSE);
 }
 
 /** What is wrong in a link is shown at the top, too: its field may be out of sight, or there may be none. */
-function showLinkComplaints(complaints: readonly Complaint[]): void {
+function showLinkErrors(fieldErrors: readonly FieldError[]): void {
   const banner = byId('banner', HTMLParagraphElement);
-  banner.hidden = complaints.length === 0;
-  const list = complaints.map((it) => `${it.field}=${it.given}: ${it.message}`).join('; ');
+  banner.hidden = fieldErrors.length === 0;
+  const list = fieldErrors.map((it) => `${it.field}=${it.given}: ${it.message}`).join('; ');
   banner.textContent = banner.hidden ? '' : `The link cannot be shown as it is. ${list}.`;
 }

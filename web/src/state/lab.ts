@@ -9,10 +9,10 @@ import {
 import {
   caseOfProblem, numbersOfProblem, problemWith, valueOf, type NamedCase, type ProblemState, type State, type ViewState,
 } from './state';
-import type { Complaint } from './url';
+import type { FieldError } from './url';
 
 /** What has changed: the hoop or the slip (new curves, new map), the motion, the time of the cursor, the view. */
-export type Change = 'hoop' | 'motion' | 'time' | 'view' | 'complaints';
+export type Change = 'hoop' | 'motion' | 'time' | 'view' | 'errors';
 
 type Listener = (changes: ReadonlySet<Change>) => void;
 
@@ -22,7 +22,7 @@ export class Lab {
   problem: Problem;
   /** What dimensionless values are worth in the units that are shown. */
   units: ColumnUnits;
-  complaints: Complaint[] = [];
+  fieldErrors: FieldError[] = [];
   private readonly listeners: Listener[] = [];
 
   constructor(initial: State, readonly cases: readonly NamedCase[]) {
@@ -38,10 +38,10 @@ export class Lab {
 
   /** Reports everything as changed, for listeners that have just been added. */
   announce(): void {
-    this.tell('motion', 'time', 'view', 'complaints');
+    this.notify('motion', 'time', 'view', 'errors');
   }
 
-  private tell(...changes: Change[]): void {
+  private notify(...changes: Change[]): void {
     const set = new Set(changes);
     for (const listener of this.listeners) listener(set);
   }
@@ -69,7 +69,7 @@ export class Lab {
    * Replaces the problem, or keeps it and reports what is wrong: the sole entry point for a change of problem. The cursor
    * goes to the start unless `view` has a time.
    */
-  take(next: ProblemState, view: Partial<ViewState> = {}, complaints: Complaint[] = []): boolean {
+  take(next: ProblemState, view: Partial<ViewState> = {}, fieldErrors: FieldError[] = []): boolean {
     const before = this.problem;
     try {
       const problem = checked(next);
@@ -80,18 +80,18 @@ export class Lab {
       this.units = unitsOf(problem);
     } catch (refusal) {
       if (!(refusal instanceof Refusal)) throw refusal;
-      this.complaints = [...complaints, complaintOf(refusal, next)];
+      this.fieldErrors = [...fieldErrors, fieldErrorOf(refusal, next)];
       if (Object.keys(view).length > 0) this.state = { ...this.state, view: { ...this.state.view, ...view, time: null } };
-      this.tell('complaints', 'view');
+      this.notify('errors', 'view');
       return false;
     }
     this.state = { problem: next, view: { ...this.state.view, time: null, ...view } };
-    this.complaints = complaints;
-    const changes: Change[] = ['motion', 'time', 'view', 'complaints'];
+    this.fieldErrors = fieldErrors;
+    const changes: Change[] = ['motion', 'time', 'view', 'errors'];
     if (!sameHoop(before, this.problem)) changes.push('hoop');
     before.free();
     this.clampTime();
-    this.tell(...changes);
+    this.notify(...changes);
     return true;
   }
 
@@ -142,18 +142,18 @@ export class Lab {
   setTime(time: number): void {
     this.state = { ...this.state, view: { ...this.state.view, time } };
     this.clampTime();
-    this.tell('time');
+    this.notify('time');
   }
 
   setView(view: Partial<ViewState>): void {
     this.state = { ...this.state, view: { ...this.state.view, ...view } };
-    this.tell('view');
+    this.notify('view');
   }
 
-  /** A message about a field that could not be read. */
-  complain(complaint: Complaint): void {
-    this.complaints = [complaint];
-    this.tell('complaints');
+  /** Reports a field that could not be read. */
+  report(fieldError: FieldError): void {
+    this.fieldErrors = [fieldError];
+    this.notify('errors');
   }
 
   private clampTime(): void {
@@ -174,7 +174,7 @@ function checked(problem: ProblemState): Problem {
 }
 
 /** What the core says of a problem, beside the field of the system that is shown. */
-function complaintOf(refusal: Refusal, problem: ProblemState): Complaint {
+function fieldErrorOf(refusal: Refusal, problem: ProblemState): FieldError {
   const field = inSystem(problem.system, quantityNamed(refusal.quantity));
   const { message, hint } = refusal;
   refusal.free();

@@ -7,7 +7,7 @@ import {
   caseOfProblem, problemOfCase, problemWith, RATES, SPEEDS, valueOf, VIEW, type NamedCase, type State, type Theme,
 } from './state';
 
-export interface Complaint {
+export interface FieldError {
   /** The field, or the key of the address. */
   field: string;
   /** What was given. */
@@ -17,7 +17,7 @@ export interface Complaint {
 
 export interface Parsed {
   state: State;
-  complaints: Complaint[];
+  fieldErrors: FieldError[];
 }
 
 /** The fragment for a state, without `#`. */
@@ -44,7 +44,7 @@ export function format(state: State, cases: readonly NamedCase[]): string {
 /** Reads a fragment. What it does not say stays as in `base`; what cannot be read is reported and stays, too. */
 export function parse(fragment: string, base: State, cases: readonly NamedCase[]): Parsed {
   const given = new Map<string, string>();
-  const complaints: Complaint[] = [];
+  const fieldErrors: FieldError[] = [];
   const text = fragment.replace(/^#/, '');
   for (const part of text === '' ? [] : text.split('&')) {
     const [key = '', value = ''] = part.split(/=(.*)/s).map(decode);
@@ -55,8 +55,8 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
     given.delete(key);
     return value;
   };
-  const complain = (field: string, value: string, message: string): void => {
-    complaints.push({ field, given: value, message });
+  const report = (field: string, value: string, message: string): void => {
+    fieldErrors.push({ field, given: value, message });
   };
 
   let problem = base.problem;
@@ -64,7 +64,7 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
   if (name !== undefined) {
     const named = cases.find((it) => it.name === name);
     if (named) problem = problemOfCase(named);
-    else complain('case', name, `there is no case named '${name}'`);
+    else report('case', name, `there is no case named '${name}'`);
   }
   const system = systemOf(given.keys());
   if (system !== null) {
@@ -75,15 +75,15 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
     const read = (quantity: Quantity): number => {
       const text = take(quantity);
       const number = text === undefined ? null : readNumber(text);
-      if (text !== undefined && number === null) complain(quantity, text, `'${text}' is not a number`);
-      if (text === undefined && otherwise(quantity) === null) complain(quantity, '', 'the link does not give it');
+      if (text !== undefined && number === null) report(quantity, text, `'${text}' is not a number`);
+      if (text === undefined && otherwise(quantity) === null) report(quantity, '', 'the link does not give it');
       return number ?? otherwise(quantity) ?? NaN;
     };
     let until: number | null = null;
     const limit = take(LIMIT[system]);
     if (limit !== undefined) {
       until = readNumber(limit);
-      if (until === null) complain(LIMIT[system], limit, `'${limit}' is not a number`);
+      if (until === null) report(LIMIT[system], limit, `'${limit}' is not a number`);
     }
     problem = problemWith(system, read, until);
   }
@@ -94,7 +94,7 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
     if (value === undefined) return undefined;
     const read = readNumber(value);
     if (read !== null && fits(read)) return read;
-    complain(key, value, what);
+    report(key, value, what);
     return undefined;
   };
   view.time = number('at', Number.isFinite, 'a time is a number') ?? null;
@@ -105,7 +105,7 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
     const value = take(key);
     if (value === undefined) return otherwise;
     if (value === '0' || value === '1') return value === '1';
-    complain(key, value, '0 or 1');
+    report(key, value, '0 or 1');
     return otherwise;
   };
   view.loop = flag('loop', view.loop);
@@ -113,9 +113,9 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
   view.follow = flag('follow', view.follow);
   const theme = take('theme');
   if (theme === 'light' || theme === 'dark' || theme === 'auto') view.theme = theme satisfies Theme;
-  else if (theme !== undefined) complain('theme', theme, 'light, dark or auto');
-  for (const [key, value] of given) complain(key, value, 'is not known');
-  return { state: { problem, view }, complaints };
+  else if (theme !== undefined) report('theme', theme, 'light, dark or auto');
+  for (const [key, value] of given) report(key, value, 'is not known');
+  return { state: { problem, view }, fieldErrors };
 }
 
 /** The system that the keys belong to; none if they say nothing of the problem. */

@@ -34,17 +34,17 @@ export class Fields {
     this.show();
   }
 
-  /** Shows the state and the complaints. What is being typed stays. */
+  /** Shows the state and the fieldErrors. What is being typed stays. */
   show(): void {
     const { problem } = this.lab.state;
     if (problem.system !== this.system) this.build(problem.system);
     for (const row of this.rows) {
       const value = valueOf(problem, row.quantity);
-      const complaint = this.lab.complaints.find((it) => it.field === row.quantity);
-      row.message.textContent = complaint ? complaint.message : '';
-      row.input.setAttribute('aria-invalid', String(complaint !== undefined));
-      if (complaint) {
-        if (document.activeElement !== row.input && complaint.given !== '') row.input.value = complaint.given;
+      const fieldError = this.lab.fieldErrors.find((it) => it.field === row.quantity);
+      row.message.textContent = fieldError ? fieldError.message : '';
+      row.input.setAttribute('aria-invalid', String(fieldError !== undefined));
+      if (fieldError) {
+        if (document.activeElement !== row.input && fieldError.given !== '') row.input.value = fieldError.given;
       } else if (document.activeElement !== row.input || readNumber(row.input.value) !== value) {
         row.input.value = value === null ? '' : String(value);
       }
@@ -103,7 +103,7 @@ export class Fields {
       this.lab.setQuantity(quantity, value);
     } else {
       const message = isEmpty ? 'a number is missing' : `'${text}' is not a number`;
-      this.lab.complain({ field: quantity, given: text, message });
+      this.lab.report({ field: quantity, given: text, message });
     }
   }
 

@@ -51,9 +51,9 @@ export class ProblemBar {
   show(): void {
     const { lab } = this;
     this.cases.value = lab.named ?? '';
-    const complaint = lab.complaints.find((it) => it.field === 'case');
-    byId('case-message', HTMLSpanElement).textContent = complaint?.message ?? '';
-    this.cases.setAttribute('aria-invalid', String(complaint !== undefined));
+    const fieldError = lab.fieldErrors.find((it) => it.field === 'case');
+    byId('case-message', HTMLSpanElement).textContent = fieldError?.message ?? '';
+    this.cases.setAttribute('aria-invalid', String(fieldError !== undefined));
     this.si.checked = lab.state.problem.system === 'si';
     this.massless.checked = lab.problem.isMassless;
     const named = lab.cases.find((it) => it.name === lab.named);

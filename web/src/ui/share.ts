@@ -56,7 +56,7 @@ export class Share {
   private async copy(text: string, field: HTMLTextAreaElement | null): Promise<void> {
     try {
       await navigator.clipboard.writeText(text);
-      this.tell('Copied.');
+      this.notify('Copied.');
     } catch {
       if (!field) {
         this.open();
@@ -64,11 +64,11 @@ export class Share {
       } else {
         field.select();
       }
-      this.tell('The browser does not allow copying: the text is selected instead.');
+      this.notify('The browser does not allow copying: the text is selected instead.');
     }
   }
 
-  private tell(text: string): void {
+  private notify(text: string): void {
     window.clearTimeout(this.timer);
     this.note.textContent = text;
     this.note.classList.add('shown');
@@ -115,7 +115,7 @@ export class Share {
           : await pngOf(view, painter, palette);
       save(`${this.name}-${view}.${format}`, content);
     } catch (error) {
-      this.tell(`The picture could not be made: ${String(error)}`);
+      this.notify(`The picture could not be made: ${String(error)}`);
     }
   }
 }

@@ -15,7 +15,8 @@ export class Story {
   private readonly mode = byId('mode', HTMLSpanElement);
   private readonly sentence = byId('sentence', HTMLSpanElement);
   private readonly rows = byId('events', HTMLTableSectionElement);
-  private told: Event | null = null;
+  /** The event whose sentence is shown. */
+  private shown: Event | null = null;
 
   constructor(private readonly lab: Lab, private readonly go: (time: number) => void) {}
 
@@ -41,15 +42,15 @@ export class Story {
     const hidden = motion.events.length - shown.length;
     byId('more-events', HTMLParagraphElement).textContent = hidden > 0 ? `and ${hidden} more: the exports have them all` : '';
     byId('outcome', HTMLParagraphElement).textContent = motion.outcomeSentence;
-    this.told = null;
+    this.shown = null;
     this.showTime();
   }
 
   showTime(): void {
     const { motion, time } = this.lab;
     const event = motion.eventAt(time);
-    if (event === this.told) return;
-    this.told = event;
+    if (event === this.shown) return;
+    this.shown = event;
     const sample = motion.at(time);
     const mode = event.to ?? (sample === null ? null : modeOf(sample.mode));
     this.mode.textContent = mode === null ? 'no motion' : event.to === null ? `${mode}, ends` : mode;

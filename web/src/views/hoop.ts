@@ -27,6 +27,12 @@ const SLIP = 40;
 /** Radii that are seen to the side at least. */
 const WIDE = 3.5;
 
+const SIGN = {
+  normal: COLUMN_ROWS.normal.signs.dimensionless,
+  friction: COLUMN_ROWS.friction.signs.dimensionless,
+  slip: COLUMN_ROWS.slip.signs.dimensionless,
+};
+
 interface Camera {
   scale: number;
   x(x: number): number;
@@ -208,12 +214,12 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
   arrow(c, x, y, 0, -normal, palette.arrow.normal_force);
   if (normal >= 12) {
     c.textAlign = 'left';
-    label(c, COLUMN_ROWS.normal.signs.dimensionless, x + 8, y - normal + 4, palette.arrow.normal_force, palette.ink.paper);
+    label(c, SIGN.normal, x + 8, y - normal + 4, palette.arrow.normal_force, palette.ink.paper);
   }
   arrow(c, x, y, friction, 0, palette.arrow.friction_force);
   if (Math.abs(friction) >= 12) {
     c.textAlign = 'center';
-    label(c, COLUMN_ROWS.friction.signs.dimensionless, x + friction + Math.sign(friction) * 10, y - 12, palette.arrow.friction_force, palette.ink.paper);
+    label(c, SIGN.friction, x + friction + Math.sign(friction) * 10, y - 12, palette.arrow.friction_force, palette.ink.paper);
   }
   if (sample.slip !== 0 && Number.isFinite(sample.slip)) {
     let fastest = 1;
@@ -223,7 +229,7 @@ function drawArrows(c: CanvasRenderingContext2D, camera: Camera, scene: HoopScen
     arrow(c, x, below, length, 0, palette.arrow.slip);
     c.textAlign = 'center';
     if (Math.abs(length) >= 8) {
-      label(c, COLUMN_ROWS.slip.signs.dimensionless, x + length + Math.sign(length) * 14, below, palette.arrow.slip, palette.ink.paper);
+      label(c, SIGN.slip, x + length + Math.sign(length) * 14, below, palette.arrow.slip, palette.ink.paper);
     }
   }
 }
