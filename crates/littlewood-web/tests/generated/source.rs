@@ -40,7 +40,7 @@ impl Source {
     ) {
         let _ = write!(self.0, "\n/** {doc} */\nexport const {record} = {{");
         for (name, row) in rows {
-            let _ = write!(self.0, "\n  {}: {row},", name);
+            let _ = write!(self.0, "\n  {name}: {row},");
         }
         let _ = write!(self.0, "\n}} as const satisfies Record<{key}, {value}>;\n");
     }
