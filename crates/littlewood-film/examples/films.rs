@@ -5,7 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use littlewood::find_case;
-use littlewood_film::{Film, Framing, GifFilm, Pace, Size};
+use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 
 /// File, case, seconds of film for a unit of time.
 const FILMS: [(&str, &str, f64); 3] = [
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for (file, case, slow) in FILMS {
         let motion = find_case(case).ok_or("no such case")?.simulate()?;
         let pace = Pace { fps: 25, slow, units: None, hold_s: None };
-        let film = Film::new(&motion, &pace, Size::default(), Framing::Auto)?;
+        let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto)?;
         let mut encoder = GifFilm::new(Vec::new(), &film)?;
         film.play(&mut encoder, |_| true)?;
         fs::write(folder.join(file), encoder.finish()?)?;

@@ -2,14 +2,15 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Hoop, Point};
+use littlewood::{Hoop, Position, SampleColumn};
 
 use crate::camera::View;
 use crate::canvas::{Canvas, Place};
+use crate::colour::{FRICTION_FORCE, INK, LINE, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode};
 use crate::letters::Style;
-use crate::palette::{FRICTION, INK, NORMAL, PALE, PAPER, Rgb, SLIP, SOFT, of_mode};
-use crate::scene::{Arrow, Scene};
+use crate::scene::{DrawnArrow, Scene};
 use crate::trail::{Step, Trail};
+use littlewood_style::Rgb;
 
 /// Width of the rim, in radii. Its outer edge is the circle of radius 1.
 const RIM: f64 = 0.07;
@@ -23,11 +24,11 @@ const SHORTEST: f64 = 1e-3;
 /// The trail of the centre and, in the colour of the mode, that of the mass centre.
 pub(crate) fn draw_trail(canvas: &mut Canvas, view: &View, trail: &Trail, scene: &Scene, unit: f64) {
     let pieces = trail.pieces(Step::of(scene));
-    let place = |points: &[Step], which: fn(&Step) -> Point| -> Vec<Place> {
+    let place = |points: &[Step], which: fn(&Step) -> Position| -> Vec<Place> {
         points.iter().map(|step| view.place(which(step))).collect()
     };
     for (_, steps) in &pieces {
-        canvas.line(&place(steps, |step| step.centre), 1.4 * unit, PALE);
+        canvas.line(&place(steps, |step| step.centre), 1.4 * unit, LINE);
     }
     for (mode, steps) in &pieces {
         canvas.line(&place(steps, |step| step.mass_centre), 2.6 * unit, of_mode(*mode));
@@ -40,7 +41,7 @@ pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &
     let radius = view.scale;
     let rim = (RIM * radius).max(1.5 * unit);
     canvas.ring(centre, radius - 0.5 * rim, rim, SOFT);
-    canvas.ring(centre, radius - 0.5 * rim, (rim - 1.6 * unit).max(1.0), PALE);
+    canvas.ring(centre, radius - 0.5 * rim, (rim - 1.6 * unit).max(1.0), LINE);
     let theta = scene.sample.state.theta;
     for mark in 0..MARKS {
         let angle = theta + 2.0 * PI * f64::from(mark) / f64::from(MARKS);
@@ -88,31 +89,46 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         let (tail, head) = (view.place(slip.tail), view.place(slip.head));
         let (tail, head) = ((tail.0, tail.1 + lowered), (head.0, head.1 + lowered));
         let side = draw_arrow(canvas, tail, head, slip.is_cut, SLIP, unit);
-        canvas.label("η′", (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit), style, SLIP);
+        canvas.label(
+            SampleColumn::Slip.sign(),
+            (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit),
+            style,
+            SLIP,
+        );
     }
     if let Some(friction) = visible(&scene.friction) {
         let (tail, head) = ends(view, friction);
-        let side = draw_arrow(canvas, tail, head, friction.is_cut, FRICTION, unit);
+        let side = draw_arrow(canvas, tail, head, friction.is_cut, FRICTION_FORCE, unit);
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
-        canvas.label("F", (head.0 + 7.0 * unit * side.0, head.1 + 15.0 * unit), style, FRICTION);
+        canvas.label(
+            SampleColumn::Friction.sign(),
+            (head.0 + 7.0 * unit * side.0, head.1 + 15.0 * unit),
+            style,
+            FRICTION_FORCE,
+        );
     }
     if let Some(normal) = visible(&scene.normal) {
         let (tail, head) = ends(view, normal);
-        draw_arrow(canvas, tail, head, normal.is_cut, NORMAL, unit);
+        draw_arrow(canvas, tail, head, normal.is_cut, NORMAL_FORCE, unit);
         // On the side where the particle is not.
         let side = if scene.particle.x > scene.centre.x { -11.0 } else { 11.0 };
-        canvas.label("N", (head.0 + side * unit, head.1 + 6.0 * unit), style, NORMAL);
+        canvas.label(
+            SampleColumn::Normal.sign(),
+            (head.0 + side * unit, head.1 + 6.0 * unit),
+            style,
+            NORMAL_FORCE,
+        );
     }
 }
 
 /// An arrow that is longer than a rounding error.
-fn visible(arrow: &Option<Arrow>) -> Option<&Arrow> {
+fn visible(arrow: &Option<DrawnArrow>) -> Option<&DrawnArrow> {
     arrow
         .as_ref()
         .filter(|arrow| (arrow.head.x - arrow.tail.x).abs() + (arrow.head.y - arrow.tail.y).abs() > SHORTEST)
 }
 
-fn ends(view: &View, arrow: &Arrow) -> (Place, Place) {
+fn ends(view: &View, arrow: &DrawnArrow) -> (Place, Place) {
     (view.place(arrow.tail), view.place(arrow.head))
 }
 

@@ -1,8 +1,8 @@
 //! Where the plane and the body lie in the picture: one scale for both directions.
 
-use littlewood::{Point, Trajectory};
+use littlewood::{Position, Trajectory};
 
-use crate::scene::{Scale, Scene};
+use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;
 
 /// What the picture shows of the path.
@@ -71,12 +71,12 @@ impl Camera {
         framing: Framing,
         mut window: Window,
         unit: f64,
-        scale: Scale,
+        scale: ArrowScale,
     ) -> Self {
         window.height -= GROUND * unit;
         let mut bounds = [f64::INFINITY, f64::NEG_INFINITY, 2.0];
         for sample in trajectory.sample_evenly(EXAMINED, schedule.end()) {
-            let [left, right, top] = Scene::of(trajectory.hoop(), sample, scale).extent();
+            let [left, right, top] = Scene::of(sample, scale).extent();
             bounds = [bounds[0].min(left), bounds[1].max(right), bounds[2].max(top)];
         }
         let [left, right, top] = bounds;
@@ -121,7 +121,7 @@ impl Camera {
 
 impl View {
     /// Place of a point in the picture.
-    pub(crate) fn place(&self, point: Point) -> (f64, f64) {
+    pub(crate) fn place(&self, point: Position) -> (f64, f64) {
         (self.origin.0 + self.scale * point.x, self.origin.1 - self.scale * point.y)
     }
 

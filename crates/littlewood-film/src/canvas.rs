@@ -6,10 +6,11 @@ use tiny_skia::{
     StrokeDash, Transform,
 };
 
+use crate::colour::PAPER;
 use crate::error::FilmError;
 use crate::letters::{Letters, Style};
-use crate::palette::{PAPER, Rgb};
-use crate::size::Size;
+use crate::size::FrameSize;
+use littlewood_style::Rgb;
 
 /// A picture that is being drawn.
 #[derive(Debug)]
@@ -23,9 +24,10 @@ pub(crate) type Place = (f64, f64);
 
 impl Canvas {
     /// A white picture.
-    pub(crate) fn new(size: Size) -> Result<Self, FilmError> {
+    pub(crate) fn new(size: FrameSize) -> Result<Self, FilmError> {
         let mut pixels = Pixmap::new(size.width(), size.height()).ok_or(FilmError::Size { size })?;
-        let white = PremultipliedColorU8::from_rgba(PAPER[0], PAPER[1], PAPER[2], 255);
+        let Rgb([red, green, blue]) = PAPER;
+        let white = PremultipliedColorU8::from_rgba(red, green, blue, 255);
         if let Some(white) = white {
             pixels.pixels_mut().fill(white);
         }
@@ -116,7 +118,8 @@ impl Canvas {
 
 fn paint(colour: Rgb) -> Paint<'static> {
     let mut paint = Paint::default();
-    paint.set_color_rgba8(colour[0], colour[1], colour[2], 255);
+    let Rgb([red, green, blue]) = colour;
+    paint.set_color_rgba8(red, green, blue, 255);
     paint.anti_alias = true;
     paint
 }

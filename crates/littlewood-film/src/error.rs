@@ -2,9 +2,10 @@
 
 use std::io;
 
+use littlewood::OutcomeKind;
 use thiserror::Error;
 
-use crate::size::{SIDES, Size};
+use crate::size::{FrameSize, SIDES};
 
 /// A film that cannot be made, or not be written.
 #[derive(Debug, Error)]
@@ -14,13 +15,13 @@ pub enum FilmError {
     #[error("size = {size} px: both sides must be between {} and {} px", SIDES.start(), SIDES.end())]
     Size {
         /// The size that was asked for.
-        size: Size,
+        size: FrameSize,
     },
     /// H.264 halves the resolution of colour.
     #[error("size = {size} px: both sides of an MP4 must be even")]
     OddSize {
         /// The size that was asked for.
-        size: Size,
+        size: FrameSize,
     },
     /// A rate of frames outside the bounds.
     #[error("fps = {fps} must be between 1 and {most} frames per second in {format}")]
@@ -47,10 +48,10 @@ pub enum FilmError {
         most_s: f64,
     },
     /// No motion begins at the start.
-    #[error("there is no motion to show: the start is {outcome}")]
+    #[error("there is no motion to show: {}", outcome.label())]
     NoMotion {
-        /// Name of the outcome.
-        outcome: &'static str,
+        /// What there is instead.
+        outcome: OutcomeKind,
     },
     /// More frames than anyone will look at.
     #[error("the film would have {frames:.0} frames, the most is {most}")]

@@ -9,9 +9,9 @@ use crate::encoder::Encoder;
 use crate::error::FilmError;
 use crate::ground::{draw_contact, draw_plane};
 use crate::panel::{FOOT, HEAD, Panel, short};
-use crate::scene::{Scale, Scene};
+use crate::scene::{ArrowScale, Scene};
 use crate::schedule::{Pace, Schedule};
-use crate::size::Size;
+use crate::size::FrameSize;
 use crate::trail::Trail;
 
 /// A film of a motion.
@@ -22,8 +22,8 @@ pub struct Film<'a> {
     trajectory: &'a Trajectory,
     schedule: Schedule,
     camera: Camera,
-    scale: Scale,
-    size: Size,
+    scale: ArrowScale,
+    size: FrameSize,
     units: Option<Units>,
     note: String,
 }
@@ -36,7 +36,7 @@ impl<'a> Film<'a> {
     pub fn new(
         trajectory: &'a Trajectory,
         pace: &Pace,
-        size: Size,
+        size: FrameSize,
         framing: Framing,
     ) -> Result<Self, FilmError> {
         let schedule = Schedule::new(trajectory, pace)?;
@@ -44,7 +44,7 @@ impl<'a> Film<'a> {
         let (width, height) = (f64::from(size.width()), f64::from(size.height()));
         let window = Window { left: 0.0, top: HEAD * u, width, height: height - (HEAD + FOOT) * u };
         let samples = trajectory.sample_evenly(EXAMINED, schedule.end());
-        let scale = Scale::fitting(trajectory.hoop(), samples);
+        let scale = ArrowScale::fitting(trajectory.hoop(), samples);
         let camera = Camera::new(trajectory, &schedule, framing, window, u, scale);
         Ok(Self { trajectory, schedule, camera, scale, size, units: pace.units, note: note(pace) })
     }
@@ -57,13 +57,13 @@ impl<'a> Film<'a> {
 
     /// Lengths of the arrows.
     #[must_use]
-    pub const fn scale(&self) -> Scale {
+    pub const fn scale(&self) -> ArrowScale {
         self.scale
     }
 
     /// Size of the frames.
     #[must_use]
-    pub const fn size(&self) -> Size {
+    pub const fn size(&self) -> FrameSize {
         self.size
     }
 
@@ -74,7 +74,7 @@ impl<'a> Film<'a> {
     pub fn scene(&self, index: u64) -> Result<Scene, FilmError> {
         let sample = self.trajectory.at(self.schedule.time(index));
         let sample = sample.ok_or(FilmError::NoMotion { outcome: self.trajectory.outcome().kind() })?;
-        Ok(Scene::of(self.trajectory.hoop(), sample, self.scale))
+        Ok(Scene::of(sample, self.scale))
     }
 
     /// Draws all frames and hands them to an encoder. `watch` hears how many are done and says whether to go on.

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::io::Write;
 
 use gif::{DisposalMethod, Encoder as GifEncoder, EncodingError, Frame, Repeat};
+use littlewood_style::Rgb;
 
 use crate::encoder::{Encoder, difference};
 use crate::error::FilmError;
@@ -71,7 +72,7 @@ impl<W: Write> Encoder for GifFilm<W> {
         for ((pixel, before), index) in changes.zip(&mut self.now) {
             // Most pixels are as they were, and looking up a colour takes longer than seeing that.
             if pixel != before {
-                *index = self.quantiser.index([pixel[0], pixel[1], pixel[2]]);
+                *index = self.quantiser.index(Rgb([pixel[0], pixel[1], pixel[2]]));
                 *before = *pixel;
             }
         }

@@ -1,24 +1,24 @@
 //! The plane, the point of contact and the gap.
 
-use littlewood::Point;
+use littlewood::{Dimension, Position, SampleColumn};
 
 use crate::camera::{GROUND, View};
 use crate::canvas::Canvas;
+use crate::colour::{self, INK, PAPER, SOFT};
 use crate::letters::Style;
-use crate::palette::{EARTH, INK, PAPER, SOFT};
 use crate::scene::Scene;
 
 /// The plane with a mark at every radius.
 pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64) {
-    let (_, y) = view.place(Point { x: 0.0, y: 0.0 });
-    canvas.rectangle((0.0, y), width, GROUND * unit, EARTH);
+    let (_, y) = view.place(Position { x: 0.0, y: 0.0 });
+    canvas.rectangle((0.0, y), width, GROUND * unit, colour::GROUND);
     canvas.rectangle((0.0, y), width, (1.4 * unit).max(1.0), INK);
     let style = Style { size: 9.5 * unit, is_bold: false, anchor: 0.5 };
     let each = label_step(view.scale, unit);
     let (first, last) = (libm::ceil(view.x_at(0.0)), libm::floor(view.x_at(width)));
     let mut x = first;
     while x <= last {
-        let (place, _) = view.place(Point { x, y: 0.0 });
+        let (place, _) = view.place(Position { x, y: 0.0 });
         let is_labelled = libm::fmod(x, each) == 0.0;
         let length = if is_labelled { 5.0 } else { 3.0 } * unit;
         canvas.line(&[(place, y), (place, y + length)], unit, INK);
@@ -30,7 +30,8 @@ pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64
     }
     let end = Style { anchor: 1.0, ..style };
     let place = (width - 4.0 * unit, y + (GROUND - 3.5) * unit);
-    canvas.words("x/R", place, end, SOFT);
+    let title = format!("{}/{}", SampleColumn::X.sign(), Dimension::Length.scale_sign());
+    canvas.words(&title, place, end, SOFT);
 }
 
 /// Every how many radii there is room for a number.
@@ -53,7 +54,7 @@ pub(crate) fn draw_contact(canvas: &mut Canvas, view: &View, scene: &Scene, gap:
         canvas.disc(lowest, 2.8 * unit, INK);
         return;
     }
-    let below = view.place(Point { y: 0.0, ..scene.lowest });
+    let below = view.place(Position { y: 0.0, ..scene.lowest });
     let height = below.1 - lowest.1;
     if height > 3.0 * unit {
         canvas.dashes(&[lowest, below], 1.2 * unit, 2.5 * unit, INK);

@@ -7,11 +7,11 @@
 //!
 //! ```
 //! use littlewood::find_case;
-//! use littlewood_film::{Film, Framing, GifFilm, Pace, Size};
+//! use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 //!
 //! let motion = find_case("figure-3").expect("a named case").simulate()?;
 //! let pace = Pace { fps: 5, slow: 1.0, units: None, hold_s: None };
-//! let film = Film::new(&motion, &pace, Size::new(320, 180)?, Framing::Auto)?;
+//! let film = Film::new(&motion, &pace, FrameSize::new(320, 180)?, Framing::Auto)?;
 //! let mut gif = GifFilm::new(Vec::new(), &film)?;
 //! film.play(&mut gif, |_frames_done| true)?;
 //! assert!(gif.finish()?.starts_with(b"GIF89a"));
@@ -21,7 +21,7 @@
 //! # What is drawn
 //!
 //! One scale for both directions. Arrows are proportional to what they show, with one scale for N and F and one for η′,
-//! chosen for the motion ([`Scale`]); an arrow that would be longer than 1.7 R is cut and has two heads. The slip
+//! chosen for the motion ([`ArrowScale`]); an arrow that would be longer than 1.7 R is cut and has two heads. The slip
 //! velocity is drawn below the plane, where F does not cover it. In flight the lowest point is joined to the plane, and
 //! there are no forces. Where the particle of a massless hoop reaches θ = ±π, θ′ (and, with the particle inside the rim,
 //! η′) is infinite: the body is drawn at its place, which is finite, and the value is given as ∞ without an arrow's end.
@@ -37,6 +37,7 @@ mod apng;
 mod body;
 mod camera;
 mod canvas;
+mod colour;
 mod encoder;
 mod error;
 mod film;
@@ -44,7 +45,6 @@ mod gif;
 mod ground;
 mod letters;
 mod mp4;
-mod palette;
 mod panel;
 mod quantise;
 mod scene;
@@ -59,6 +59,6 @@ pub use error::FilmError;
 pub use film::Film;
 pub use gif::GifFilm;
 pub use mp4::Mp4Film;
-pub use scene::{Arrow, Scale, Scene};
+pub use scene::{ArrowScale, DrawnArrow, Scene};
 pub use schedule::{Pace, Schedule, Shown};
-pub use size::Size;
+pub use size::FrameSize;

@@ -1,14 +1,17 @@
 //! The words around the motion: mode, clock, values, the line of phases, and what the signs mean.
 
-use littlewood::{Hoop, Mode, Outcome, Trajectory, Units};
+use littlewood::{
+    Dimension, Direction, Hoop, Mode, Outcome, Quantity, SampleColumn, Setup, Start, Trajectory, Units,
+};
 
 use crate::body::{draw_arrow, draw_mass_centre};
 use crate::canvas::Canvas;
+use crate::colour::{FRICTION_FORCE, INK, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode, on_mode};
 use crate::letters::Style;
-use crate::palette::{FRICTION, INK, NORMAL, PAPER, SLIP, SOFT, of_mode, on_mode};
-use crate::scene::{Scene, caption};
+use crate::scene::Scene;
 use crate::schedule::Schedule;
-use crate::size::Size;
+use crate::size::FrameSize;
+use littlewood_style::Rgb;
 
 /// Distance from the edges.
 const MARGIN: f64 = 12.0;
@@ -37,7 +40,7 @@ struct Band {
 }
 
 impl Panel {
-    pub(crate) fn new(size: Size, units: Option<Units>) -> Self {
+    pub(crate) fn new(size: FrameSize, units: Option<Units>) -> Self {
         let time_decimals = decimals(units.map_or(1.0, |units| units.time_s), 3);
         let (width, height) = (f64::from(size.width()), f64::from(size.height()));
         Self { width, height, unit: size.unit(), units, time_decimals }
@@ -90,7 +93,7 @@ impl Panel {
             let from = if bands.is_empty() { left } else { from };
             bands.push(Band {
                 mode: phase.mode(),
-                words: caption(phase.mode(), phase.direction()),
+                words: phase.mode().with_arrow(phase.direction()),
                 from,
                 to,
             });
@@ -129,10 +132,12 @@ impl Panel {
         let at = word(canvas, 6.0 * u, "centre C");
         canvas.disc((at + 3.0 * u, middle), 3.0 * u, SOFT);
         canvas.disc((at + 3.0 * u, middle), 1.6 * u, PAPER);
-        for (words, colour) in
-            [("normal force N", NORMAL), ("friction F", FRICTION), ("slip velocity η′", SLIP)]
-        {
-            let at = word(canvas, 20.0 * u, words);
+        for (words, column, colour) in [
+            ("normal force", SampleColumn::Normal, NORMAL_FORCE),
+            ("friction", SampleColumn::Friction, FRICTION_FORCE),
+            ("slip velocity", SampleColumn::Slip, SLIP),
+        ] {
+            let at = word(canvas, 20.0 * u, &format!("{words} {}", column.sign()));
             draw_arrow(canvas, (at, middle), (at + 19.0 * u, middle), false, colour, 0.8 * u);
         }
     }
@@ -150,11 +155,15 @@ impl Panel {
         let words = scene.caption();
         let style = self.style(14.0, true, 0.5);
         // Wide enough for the longest, so that it does not change its size.
-        let wide = canvas.width_of("sliding →", style) + 22.0 * u;
+        let widest = Mode::ALL
+            .into_iter()
+            .map(|mode| canvas.width_of(&mode.with_arrow(Some(Direction::Positive)), style))
+            .fold(0.0, f64::max);
+        let wide = widest + 22.0 * u;
         canvas.pill((left, 9.0 * u), wide, 22.0 * u, of_mode(scene.mode()));
         canvas.words(&words, (left + 0.5 * wide, 25.2 * u), style, on_mode(scene.mode()));
-        if let Some(note) = outcome.and_then(note_of) {
-            canvas.words(note, (left + wide + 10.0 * u, 25.0 * u), self.style(13.0, true, 0.0), INK);
+        if let Some(note) = outcome.as_ref().and_then(note_of) {
+            canvas.words(&note, (left + wide + 10.0 * u, 25.0 * u), self.style(13.0, true, 0.0), INK);
         }
         let clock = self.style(18.0, false, 1.0);
         canvas.words(&self.clock(scene.time()), (self.width - left, 26.5 * u), clock, INK);
@@ -180,18 +189,19 @@ impl Panel {
         }
     }
 
-    fn values(&self, scene: &Scene) -> [(&'static str, String, [u8; 3]); 4] {
+    fn values(&self, scene: &Scene) -> [(&'static str, String, Rgb); 4] {
         let sample = &scene.sample;
-        let (force, velocity) = (
-            |value| self.value(value, Units::force_n, " N"),
-            |value| self.value(value, Units::velocity_m_per_s, " m/s"),
-        );
-        let slip = if scene.contact.is_some() { velocity(sample.state.slip) } else { " –".to_owned() };
+        let force = |value| format!(" = {}", self.value(value, Dimension::Force));
+        let slip = if scene.contact.is_some() {
+            format!(" = {}", self.value(sample.state.slip, Dimension::Velocity))
+        } else {
+            " –".to_owned()
+        };
         [
-            ("N", format!(" = {}", force(sample.normal)), NORMAL),
-            ("F", format!(" = {}", force(sample.friction)), FRICTION),
-            ("η′", if scene.contact.is_some() { format!(" = {slip}") } else { slip }, SLIP),
-            ("gap", format!(" = {}", self.gap(scene)), INK),
+            (SampleColumn::Normal.sign(), force(sample.normal), NORMAL_FORCE),
+            (SampleColumn::Friction.sign(), force(sample.friction), FRICTION_FORCE),
+            (SampleColumn::Slip.sign(), slip, SLIP),
+            (SampleColumn::Gap.sign(), format!(" = {}", self.gap(scene)), INK),
         ]
     }
 
@@ -199,48 +209,38 @@ impl Panel {
     pub(crate) fn gap(&self, scene: &Scene) -> String {
         let gap = scene.sample.gap;
         match self.units {
-            Some(units) => format!("{} m", number(gap * units.length_m, decimals(units.length_m, 3))),
-            None => format!("{} R", number(gap, 3)),
+            Some(_) => self.in_si(gap, Dimension::Length, 3),
+            None => format!("{} {}", number(gap, 3), Dimension::Length.scale_sign()),
         }
     }
 
-    fn value(&self, value: f64, unit: impl Fn(&Units) -> f64, name: &str) -> String {
-        match &self.units {
-            Some(units) => {
-                let size = unit(units);
-                format!("{}{name}", number(value * size, decimals(size, 2)))
-            }
-            None => number(value, 2),
-        }
+    fn value(&self, value: f64, dimension: Dimension) -> String {
+        if self.units.is_some() { self.in_si(value, dimension, 2) } else { number(value, 2) }
+    }
+
+    /// A value in SI units, to so many decimals of the unit of (2.9).
+    fn in_si(&self, value: f64, dimension: Dimension, usual: i32) -> String {
+        let unit = self.units.map_or(1.0, |units| units.unit(dimension));
+        format!("{} {}", number(value * unit, decimals(unit, usual)), dimension.si_sign())
     }
 }
 
 /// How the motion ended, where the film ends with it.
-const fn note_of(outcome: Outcome) -> Option<&'static str> {
-    match outcome {
-        Outcome::Landing { .. } => Some("landing"),
-        Outcome::RollsForever { .. } => Some("rolls for ever"),
-        Outcome::SlidesForever { .. } => Some("slides for ever"),
-        Outcome::ParticleAtPlane { .. } => Some("the particle meets the plane, θ′ → ∞"),
-        Outcome::ParticleAtBottom { .. } => Some("the particle is lowest, θ′ → ∞"),
-        Outcome::ParticleAtTop { .. } => Some("the particle is highest, θ′ → ∞"),
-        Outcome::Inconsistent { .. } => Some("no motion is consistent"),
-        Outcome::Ambiguous { .. } => Some("several motions are consistent"),
-        Outcome::Singular { .. } => Some("sliding is not solvable"),
-        _ => None,
-    }
+fn note_of(outcome: &Outcome) -> Option<String> {
+    let rate = outcome.state().theta_rate;
+    let infinite =
+        if rate.is_infinite() { format!(", {} → ∞", Quantity::ThetaRate.sign()) } else { String::new() };
+    outcome.is_final().then(|| format!("{}{infinite}", outcome.kind().label()))
 }
 
-/// The five numbers that define the hoop.
+/// The numbers that define the hoop.
 fn parameters(hoop: &Hoop) -> String {
-    format!(
-        "m₁/m₂ = {}   ℓ/R = {}   I/m₂R² = {}   μₛ = {}   μₖ = {}",
-        short(hoop.mass_ratio()),
-        short(hoop.offset()),
-        short(hoop.inertia()),
-        short(hoop.mu_s()),
-        short(hoop.mu_k())
-    )
+    let setup = Setup::new(hoop.parameters(), Start::default());
+    let words: Vec<String> = Quantity::HOOP
+        .into_iter()
+        .filter_map(|quantity| Some(format!("{} = {}", quantity.sign(), short(setup.get(quantity)?))))
+        .collect();
+    words.join("   ")
 }
 
 /// A parameter with at most four decimals.

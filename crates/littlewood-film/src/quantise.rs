@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::palette::{INKS, PAPER, Rgb};
+use crate::colour::{self, PAPER};
+use littlewood_style::Rgb;
 
 /// Index of the colour that lets the frame before shine through.
 pub(crate) const TRANSPARENT: u8 = 0;
@@ -29,21 +30,22 @@ impl Quantiser {
                 colours.push(colour);
             }
         };
-        INKS.into_iter().for_each(&mut add);
+        let inks = colour::all();
+        inks.iter().copied().for_each(&mut add);
         for step in 1..STEPS {
-            for ink in INKS {
+            for ink in &inks {
                 let mix = |i: usize| {
-                    let (ink, paper) = (u16::from(ink[i]), u16::from(PAPER[i]));
+                    let (ink, paper) = (u16::from(ink.0[i]), u16::from(PAPER.0[i]));
                     ((ink * (STEPS - step) + paper * step + STEPS / 2) / STEPS) as u8
                 };
-                add([mix(0), mix(1), mix(2)]);
+                add(Rgb([mix(0), mix(1), mix(2)]));
             }
         }
         for r in 0..LEVELS[0] {
             for g in 0..LEVELS[1] {
                 for b in 0..LEVELS[2] {
                     let level = |value: u16, i: usize| (value * 255 / (LEVELS[i] - 1)) as u8;
-                    add([level(r, 0), level(g, 1), level(b, 2)]);
+                    add(Rgb([level(r, 0), level(g, 1), level(b, 2)]));
                 }
             }
         }
@@ -53,7 +55,7 @@ impl Quantiser {
 
     /// The colours one after the other.
     pub(crate) fn table(&self) -> Vec<u8> {
-        self.colours.concat()
+        self.colours.iter().flat_map(|colour| colour.0).collect()
     }
 
     /// Index of the nearest colour.
@@ -69,7 +71,7 @@ fn nearest(colours: &[Rgb], colour: Rgb) -> u8 {
         // The eye sees differences of green best and of blue least.
         let distance: u32 = [(0, 3), (1, 6), (2, 1)]
             .into_iter()
-            .map(|(i, weight)| weight * u32::from(candidate[i].abs_diff(colour[i])).pow(2))
+            .map(|(i, weight)| weight * u32::from(candidate.0[i].abs_diff(colour.0[i])).pow(2))
             .sum();
         if distance < best.0 {
             best = (distance, index as u8);
@@ -86,16 +88,16 @@ mod tests {
     fn inks_are_kept_and_mixtures_are_near() {
         let mut quantiser = Quantiser::new();
         assert_eq!(quantiser.table().len(), 768);
-        for ink in INKS {
+        for ink in colour::all() {
             let index = quantiser.index(ink);
             assert!(index != TRANSPARENT);
             assert_eq!(quantiser.colours[usize::from(index)], ink);
             for part in 0..=8_u16 {
                 let mixture = [0, 1, 2]
-                    .map(|i| ((u16::from(ink[i]) * part + u16::from(PAPER[i]) * (8 - part)) / 8) as u8);
-                let index = quantiser.index(mixture);
+                    .map(|i| ((u16::from(ink.0[i]) * part + u16::from(PAPER.0[i]) * (8 - part)) / 8) as u8);
+                let index = quantiser.index(Rgb(mixture));
                 let found = quantiser.colours[usize::from(index)];
-                assert!((0..3).all(|i| found[i].abs_diff(mixture[i]) <= 18), "{mixture:?} {found:?}");
+                assert!((0..3).all(|i| found.0[i].abs_diff(mixture[i]) <= 18), "{mixture:?} {found:?}");
             }
         }
     }

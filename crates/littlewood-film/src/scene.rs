@@ -1,6 +1,6 @@
 //! What is where at an instant: the body, the contact, the forces, in radii.
 
-use littlewood::{Direction, Hoop, Mode, Point, Sample};
+use littlewood::{Hoop, Mode, Position, Sample};
 
 /// Longest arrow, in radii. A longer one is cut there and drawn with two heads.
 const LONGEST: f64 = 1.7;
@@ -12,14 +12,14 @@ const VELOCITY: [f64; 2] = [0.1, 1.0];
 
 /// Lengths of arrows: one scale for both forces, so that their sum is the reaction of the plane, and one for the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scale {
+pub struct ArrowScale {
     /// Radii for the force m2 g.
     pub force: f64,
     /// Radii for the velocity √(gR).
     pub velocity: f64,
 }
 
-impl Scale {
+impl ArrowScale {
     /// Scales with which the largest arrow of these instants has room.
     pub(crate) fn fitting(hoop: &Hoop, samples: impl Iterator<Item = Sample>) -> Self {
         let (mut force, mut velocity) = (0.0_f64, 0.0_f64);
@@ -39,26 +39,26 @@ impl Scale {
 
 /// A vector at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arrow {
+pub struct DrawnArrow {
     /// Where it begins.
-    pub tail: Point,
+    pub tail: Position,
     /// Where it ends.
-    pub head: Point,
+    pub head: Position,
     /// The value that it shows, dimensionless; it may be infinite.
     pub value: f64,
     /// Whether it would be longer than can be shown.
     pub is_cut: bool,
 }
 
-impl Arrow {
+impl DrawnArrow {
     /// An arrow along the unit vector (x, y), none for a value of zero.
-    fn along((x, y): (f64, f64), tail: Point, value: f64, scale: f64) -> Option<Self> {
+    fn along((x, y): (f64, f64), tail: Position, value: f64, scale: f64) -> Option<Self> {
         if value == 0.0 || value.is_nan() {
             return None;
         }
         let wanted = value * scale;
         let length = wanted.clamp(-LONGEST, LONGEST);
-        let head = Point { x: tail.x + length * x, y: tail.y + length * y };
+        let head = Position { x: tail.x + length * x, y: tail.y + length * y };
         Some(Self { tail, head, value, is_cut: wanted != length })
     }
 }
@@ -69,37 +69,37 @@ pub struct Scene {
     /// Everything about the instant.
     pub sample: Sample,
     /// Geometric centre C.
-    pub centre: Point,
+    pub centre: Position,
     /// Particle, at ℓ̂ from C.
-    pub particle: Point,
+    pub particle: Position,
     /// Mass centre X̄, at h from C.
-    pub mass_centre: Point,
+    pub mass_centre: Position,
     /// Lowest point of the rim, below C; in contact it is on the plane, to the last bit.
-    pub lowest: Point,
+    pub lowest: Position,
     /// Point of contact X_P; none in flight.
-    pub contact: Option<Point>,
+    pub contact: Option<Position>,
     /// Normal force N, from the contact point upwards.
-    pub normal: Option<Arrow>,
+    pub normal: Option<DrawnArrow>,
     /// Friction F, from the contact point along the plane.
-    pub friction: Option<Arrow>,
+    pub friction: Option<DrawnArrow>,
     /// Slip velocity η′ of the contact point; none in flight.
-    pub slip: Option<Arrow>,
+    pub slip: Option<DrawnArrow>,
 }
 
 impl Scene {
     /// The scene of an instant. Everything that is drawn is finite: where a gliding particle reaches θ = ±π, θ′ is
     /// infinite, but the body has a place.
     #[must_use]
-    pub fn of(hoop: &Hoop, sample: Sample, scale: Scale) -> Self {
-        let centre = sample.centre();
-        let lowest = Point { x: centre.x, y: sample.gap };
+    pub fn of(sample: Sample, scale: ArrowScale) -> Self {
+        let centre = sample.centre;
+        let lowest = Position { x: centre.x, y: sample.gap };
         let contact = (sample.mode != Mode::Flight).then_some(lowest);
-        let arrow = |direction, value, scale| Arrow::along(direction, contact?, value, scale);
+        let arrow = |direction, value, scale| DrawnArrow::along(direction, contact?, value, scale);
         Self {
             sample,
             centre,
-            particle: sample.particle(hoop),
-            mass_centre: sample.mass_centre(hoop),
+            particle: sample.particle,
+            mass_centre: sample.mass_centre,
             lowest,
             contact,
             normal: arrow((0.0, 1.0), sample.normal, scale.force),
@@ -123,7 +123,7 @@ impl Scene {
     /// The mode in words, with the direction of slip.
     #[must_use]
     pub fn caption(&self) -> String {
-        caption(self.sample.mode, self.sample.direction)
+        self.sample.mode.with_arrow(self.sample.direction)
     }
 
     /// Left, right and upper end of what is drawn.
@@ -136,14 +136,4 @@ impl Scene {
         }
         extent
     }
-}
-
-/// A mode in words, with the direction of slip.
-pub(crate) fn caption(mode: Mode, direction: Option<Direction>) -> String {
-    let arrow = match direction {
-        Some(Direction::Negative) => " ←",
-        Some(Direction::Positive) => " →",
-        None => "",
-    };
-    format!("{mode}{arrow}")
 }

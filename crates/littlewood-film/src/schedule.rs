@@ -1,6 +1,6 @@
 //! Which instant each frame shows, and for how long.
 
-use littlewood::{Outcome, Recurrence, Trajectory, Units};
+use littlewood::{OutcomeKind, RecurrenceKind, Trajectory, Units};
 
 use crate::error::FilmError;
 
@@ -192,18 +192,15 @@ fn shown_until(trajectory: &Trajectory) -> (f64, bool) {
     }
     let outcome = trajectory.outcome();
     let since = outcome.state().time;
-    match outcome {
-        Outcome::RollsForever { recurrence: Recurrence::Libration { period, .. }, .. }
-            if period.is_finite() =>
-        {
-            let is_all = trajectory.phases().len() == 1;
-            (since + if is_all { period } else { 2.0 * period }, is_all)
-        }
-        Outcome::RollsForever { recurrence: Recurrence::Rotation { period }, .. }
-        | Outcome::SlidesForever {
-            recurrence: Recurrence::Libration { period, .. } | Recurrence::Rotation { period },
-            ..
-        } if period.is_finite() => (since + 2.0 * period, false),
-        _ => (since + HORIZON, false),
+    let Some((recurrence, period)) = outcome.recurrence().and_then(|recurrence| {
+        Some((recurrence.kind(), recurrence.period().filter(|period| period.is_finite())?))
+    }) else {
+        return (since + HORIZON, false);
+    };
+    // The hoop that rolls back and forth is back at its place; the one that slides has moved on.
+    let comes_back = outcome.kind() == OutcomeKind::RollsForever && recurrence == RecurrenceKind::Libration;
+    if comes_back && trajectory.phases().len() == 1 {
+        return (since + period, true);
     }
+    (since + 2.0 * period, false)
 }

@@ -10,12 +10,12 @@ pub(crate) const SIDES: RangeInclusive<u32> = 160..=4096;
 
 /// Size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
+pub struct FrameSize {
     width: u32,
     height: u32,
 }
 
-impl Size {
+impl FrameSize {
     /// A size of 160 to 4096 pixels each way.
     ///
     /// # Errors
@@ -52,13 +52,13 @@ impl Size {
     }
 }
 
-impl Default for Size {
+impl Default for FrameSize {
     fn default() -> Self {
         Self { width: 640, height: 360 }
     }
 }
 
-impl fmt::Display for Size {
+impl fmt::Display for FrameSize {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}x{}", self.width, self.height)
     }

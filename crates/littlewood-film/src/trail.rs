@@ -2,9 +2,9 @@
 
 use std::collections::VecDeque;
 
-use littlewood::{Mode, Point, Trajectory};
+use littlewood::{Mode, Position, Trajectory, Transition};
 
-use crate::scene::{Scale, Scene};
+use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;
 
 /// Instants of the trail for a frame.
@@ -17,8 +17,8 @@ const MOST: usize = 8192;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Step {
     pub(crate) mode: Mode,
-    pub(crate) centre: Point,
-    pub(crate) mass_centre: Point,
+    pub(crate) centre: Position,
+    pub(crate) mass_centre: Position,
 }
 
 impl Step {
@@ -42,24 +42,29 @@ impl Trail {
     }
 
     /// Extends the trail to a time.
-    pub(crate) fn extend(&mut self, trajectory: &Trajectory, schedule: &Schedule, scale: Scale, until: f64) {
+    pub(crate) fn extend(
+        &mut self,
+        trajectory: &Trajectory,
+        schedule: &Schedule,
+        scale: ArrowScale,
+        until: f64,
+    ) {
         loop {
             let time = schedule.start() + self.next as f64 * (schedule.step() / FINENESS as f64);
-            let change =
-                trajectory.transitions().get(self.transition).map(|transition| transition.state.time);
+            let change = trajectory.transitions().get(self.transition).map(Transition::time);
             match change {
                 Some(change) if change <= time && change <= until => {
                     let phases = trajectory.phases();
                     let before = phases.get(self.transition).and_then(littlewood::Phase::last);
                     let after = phases.get(self.transition + 1).map(littlewood::Phase::first);
                     for sample in before.into_iter().chain(after) {
-                        self.push(Step::of(&Scene::of(trajectory.hoop(), sample, scale)));
+                        self.push(Step::of(&Scene::of(sample, scale)));
                     }
                     self.transition += 1;
                 }
                 _ if time <= until => {
                     if let Some(sample) = trajectory.at(time) {
-                        self.push(Step::of(&Scene::of(trajectory.hoop(), sample, scale)));
+                        self.push(Step::of(&Scene::of(sample, scale)));
                     }
                     self.next += 1;
                 }

@@ -5,7 +5,7 @@ use std::io::{self, BufReader, Write};
 use std::path::Path;
 
 use littlewood::{Trajectory, find_case};
-use littlewood_film::{ApngFilm, Encoder, Film, FilmError, Framing, GifFilm, Mp4Film, Pace, Size};
+use littlewood_film::{ApngFilm, Encoder, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace};
 
 fn motion(name: &str) -> Trajectory {
     find_case(name).expect("a named case").simulate().expect("it can be simulated")
@@ -13,7 +13,7 @@ fn motion(name: &str) -> Trajectory {
 
 fn film(motion: &Trajectory, fps: u32, size: (u32, u32)) -> Film<'_> {
     let pace = Pace { fps, slow: 1.0, units: None, hold_s: None };
-    Film::new(motion, &pace, Size::new(size.0, size.1).expect("it can be made"), Framing::Auto)
+    Film::new(motion, &pace, FrameSize::new(size.0, size.1).expect("it can be made"), Framing::Auto)
         .expect("it can be made")
 }
 
@@ -105,7 +105,7 @@ fn the_committed_films_are_what_is_drawn() {
     ] {
         let motion = motion(case);
         let pace = Pace { fps: 25, slow, units: None, hold_s: None };
-        let film = Film::new(&motion, &pace, Size::default(), Framing::Auto).unwrap();
+        let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto).unwrap();
         let committed = fs::read(folder.join(file).with_extension("gif")).unwrap();
         assert!(committed.len() < 1_500_000);
         assert!(
@@ -172,7 +172,7 @@ fn a_gif_has_at_most_50_frames_a_second() {
 #[test]
 fn sizes_have_bounds() {
     for (width, height) in [(0, 360), (640, 0), (159, 360), (640, 4097), (u32::MAX, u32::MAX)] {
-        assert!(matches!(Size::new(width, height), Err(FilmError::Size { .. })));
+        assert!(matches!(FrameSize::new(width, height), Err(FilmError::Size { .. })));
     }
     // Small, tall, and wide.
     for size in [(160, 160), (160, 900), (1600, 160)] {

@@ -1,7 +1,7 @@
 //! Scenes against the geometry of the body and the forces of the motion.
 
 use littlewood::{CASES, Mode, Trajectory, find_case};
-use littlewood_film::{Arrow, Film, Framing, Pace, Scene, Size};
+use littlewood_film::{DrawnArrow, Film, FrameSize, Framing, Pace, Scene};
 
 fn motion(name: &str) -> Trajectory {
     find_case(name).expect("a named case").simulate().expect("it can be simulated")
@@ -9,7 +9,7 @@ fn motion(name: &str) -> Trajectory {
 
 fn film(motion: &Trajectory) -> Film<'_> {
     let pace = Pace { fps: 20, slow: 3.0, units: None, hold_s: None };
-    Film::new(motion, &pace, Size::default(), Framing::Auto).expect("it can be made")
+    Film::new(motion, &pace, FrameSize::default(), Framing::Auto).expect("it can be made")
 }
 
 fn scenes<'a>(film: &'a Film<'_>) -> impl Iterator<Item = Scene> + use<'a> {
@@ -17,7 +17,7 @@ fn scenes<'a>(film: &'a Film<'_>) -> impl Iterator<Item = Scene> + use<'a> {
 }
 
 /// Horizontal and vertical extent of an arrow.
-fn extent(arrow: Option<Arrow>) -> (f64, f64) {
+fn extent(arrow: Option<DrawnArrow>) -> (f64, f64) {
     arrow.map_or((0.0, 0.0), |arrow| (arrow.head.x - arrow.tail.x, arrow.head.y - arrow.tail.y))
 }
 
@@ -27,7 +27,7 @@ fn the_body_keeps_its_shape_in_all_modes() {
         let motion = motion(case.name);
         let hoop = motion.hoop();
         for scene in scenes(&film(&motion)) {
-            let to = |point: littlewood::Point| (point.x - scene.centre.x, point.y - scene.centre.y);
+            let to = |point: littlewood::Position| (point.x - scene.centre.x, point.y - scene.centre.y);
             let (sin, cos) = libm::sincos(scene.sample.state.theta);
             for (point, distance) in [(scene.particle, hoop.offset()), (scene.mass_centre, hoop.h())] {
                 // e2 of (2.2) is (−sin θ, cos θ).
@@ -112,8 +112,9 @@ fn a_particle_that_meets_the_plane_is_drawn_there() {
 fn an_infinite_slip_is_cut() {
     // A particle inside the rim: η′ grows without bound towards θ = π.
     let case = find_case("figure-7").unwrap();
-    let hoop = littlewood::Hoop::new(littlewood::HoopParameters { offset: 0.8, ..case.hoop }).unwrap();
-    let motion = hoop.simulate(case.start, littlewood::Limits::default()).unwrap();
+    let hoop = littlewood::Hoop::new(littlewood::HoopParameters::new(0.0, 0.8, 0.0).with_friction(0.5, 0.4))
+        .unwrap();
+    let motion = hoop.simulate(case.setup.start, littlewood::Limits::default()).unwrap();
     let film = film(&motion);
     let last = film.scene(film.schedule().frames() - 1).unwrap();
     let slip = last.slip.unwrap();

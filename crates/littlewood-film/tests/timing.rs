@@ -1,6 +1,6 @@
 //! Number and timing of frames.
 
-use littlewood::{Limits, Trajectory, Units, find_case};
+use littlewood::{Limits, OutcomeKind, Trajectory, Units, find_case};
 use littlewood_film::{FilmError, Pace, Schedule, Shown};
 use proptest::prelude::*;
 
@@ -52,7 +52,10 @@ fn a_rotation_is_shown_for_two_turns_and_a_limit_is_kept() {
     let schedule = Schedule::new(&endless, &PACE).unwrap();
     let turned = endless.at(schedule.end()).unwrap().state.theta - endless.start().theta;
     assert!((turned.abs() - 4.0 * std::f64::consts::PI).abs() < 1e-12, "{turned}");
-    let limited = littlewood::Hoop::new(case.hoop).unwrap().simulate(case.start, Limits::until(1.0)).unwrap();
+    let limited = littlewood::Hoop::new(case.setup.hoop)
+        .unwrap()
+        .simulate(case.setup.start, Limits::until(1.0))
+        .unwrap();
     assert_eq!(Schedule::new(&limited, &PACE).unwrap().end(), 1.0);
 }
 
@@ -73,7 +76,10 @@ fn bad_values_are_refused() {
         assert!(matches!(refused(Pace { slow, ..PACE }), FilmError::TooLong { .. }));
     }
     let still = find_case("painleve").unwrap().simulate().unwrap();
-    assert!(matches!(Schedule::new(&still, &PACE), Err(FilmError::NoMotion { outcome: "inconsistent" })));
+    assert!(matches!(
+        Schedule::new(&still, &PACE),
+        Err(FilmError::NoMotion { outcome: OutcomeKind::Inconsistent })
+    ));
     // Faster than a frame: the start and the end.
     assert_eq!(Schedule::new(&motion, &Pace { slow: 1e-9, ..PACE }).unwrap().frames(), 2);
 }

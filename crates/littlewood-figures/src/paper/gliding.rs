@@ -17,6 +17,8 @@ use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
 const WINDOW: Window = Window { x: [-PI, PI], y: [-2.6, 2.6] };
+/// Many lines side by side, told from rolling by where they are: dashes would only disturb.
+const GLIDING: Stroke = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
 const COLUMNS: [&str; 3] = ["theta", "theta_rate", "w"];
 
 /// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical velocity V as the
@@ -71,8 +73,6 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
     let Some(body) = massless(input) else { return Err(needs(input, NAME)) };
     let mut layers: Vec<Layer> = Vec::new();
     let mut flow = Vec::new();
-    // All lines but the black ones show one mode: no dashes are needed to tell it.
-    let gliding = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
     for w in [-0.75, -0.4, 0.0, 0.4, 0.75, 1.25, 1.75, 2.5, 3.5, 5.0] {
         let v = fastest(&body, w);
         for side in [1.0, -1.0] {
@@ -83,7 +83,7 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
                 flow.extend(heads_at_angle(&pieces, side * 0.5 * PI));
             }
             let name = format!("w={w}");
-            layers.push(Series::new(name, &COLUMNS, pieces).drawn(Mark::Line(gliding)));
+            layers.push(Series::new(name, &COLUMNS, pieces).drawn(Mark::Line(GLIDING)));
         }
     }
     for side in [1.0, -1.0] {
@@ -221,7 +221,7 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(
         Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
     );
-    layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(Mark::Line(Stroke::of_mode(Mode::Gliding))));
+    layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(Mark::Line(GLIDING)));
     layers.push(
         Series::new("rolling", &["theta", "theta_rate"], rolling)
             .drawn(Mark::Line(Stroke::of_mode(Mode::Rolling))),
@@ -237,18 +237,17 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
         Series::new("n", &["theta", "theta_rate"], edges)
             .drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))),
     );
-    layers
-        .push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(Stroke::of_mode(Mode::Gliding).colour)));
+    layers.push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(GLIDING.colour)));
     layers.push(Series::of_rows("transition", &["theta", "theta_rate"], changes).drawn(Mark::Dot(INK, 2.4)));
     layers.extend(portrait.equilibria());
     let labels = vec![
         Label::new("rolls", &[0.0, 0.63]).coloured(Stroke::of_mode(Mode::Rolling).colour),
-        Label::new("glides", &[0.72 * PI, 1.3]).coloured(Stroke::of_mode(Mode::Gliding).colour),
-        Label::new("glides", &[-0.72 * PI, -1.3]).coloured(Stroke::of_mode(Mode::Gliding).colour),
+        Label::new("glides", &[0.72 * PI, 1.3]).coloured(GLIDING.colour),
+        Label::new("glides", &[-0.72 * PI, -1.3]).coloured(GLIDING.colour),
         Label::new("𝓡", &[-0.72 * theta_s, 0.0]).sized(20.0),
     ];
     let caption = format!(
-        "Rolling (solid, in 𝓡, shaded) and gliding (dash-dotted) of the massless hoop together. Motions leave 𝓡 where static \
+        "Rolling (in 𝓡, shaded) and gliding (outside it) of the massless hoop together. Motions leave 𝓡 where static \
          friction gives way (*f*, dashed) or the normal force vanishes (*n*) at the dots and glide on along a line of constant *w* to *θ* = ±π. \
          Gliding motions that enter 𝓡 become rolling ones only if *η*′ = 0 there. Black: stable and unstable manifolds of \
          the equilibrium. *μ*_{{s}} = {}. Gliding by the corrected integral, see Figure 6(a); grey: other gliding motions, outside 𝓡.",
