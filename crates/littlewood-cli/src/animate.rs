@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use littlewood_film::{ApngFilm, Encoder, Film, FilmError, Framing, GifFilm, Mp4Film, Pace, Size};
+use littlewood_film::{ApngFilm, Encoder, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace};
 
 use crate::args::{AnimateArgs, Camera};
 use crate::error::Error;
@@ -38,7 +38,7 @@ enum Kind {
 pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
     let AnimateArgs { problem, run, out, slow, fps, size: (width, height), camera, hold } = args;
     let kind = kind_of(&out)?;
-    let size = Size::new(width, height).map_err(Error::Film)?;
+    let size = FrameSize::new(width, height).map_err(Error::Film)?;
     let mut request = Request::new(&problem, Some(&run))?;
     if request.case.as_deref() == Some(LIBRATION[0]) {
         request.case = Some(LIBRATION[1].to_owned());
