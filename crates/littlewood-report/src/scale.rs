@@ -1,6 +1,6 @@
 //! The system of units that a person sees: none (2.9), or SI.
 
-use littlewood::{Dimension, Quantity, State, Units};
+use littlewood::{Dimension, Quantity, SampleColumn, State, Units};
 
 use crate::number::brief;
 
@@ -23,6 +23,13 @@ impl<'a> Scale<'a> {
             Some(_) => quantity.si_twin().unwrap_or(quantity),
         };
         shown.sign()
+    }
+
+    /// The printed symbol of a column of samples, or of its counterpart in SI units. The columns of a state have the
+    /// names of the quantities that a start is given by.
+    #[must_use]
+    pub fn column_sign(self, column: SampleColumn) -> &'static str {
+        column.name().parse().map_or_else(|_| column.sign(), |quantity| self.sign(quantity))
     }
 
     /// The heading of a column: in SI units with the unit in a second line.
