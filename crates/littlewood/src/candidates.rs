@@ -15,11 +15,11 @@
 //! One candidate is taken. None or several (Painlevé: P ≤ 0) is an answer of its own.
 
 use crate::dimension::Dimension;
+use crate::equations::{ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane};
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::mode::{Direction, Mode};
 use crate::outcome::Detail;
-use crate::rolling::{ContactForces, Hold, RollingLaw, RollingLimit, RollingOrbit};
-use crate::sliding::SlidingLaw;
+use crate::rolling::{Hold, RollingLimit, RollingOrbit};
 use crate::state::State;
 
 /// The motions that might follow at a state, and what decides between them.
@@ -113,53 +113,103 @@ pub(crate) enum Arrival {
     Open,
     /// Rolling has just reached this limit.
     RollingLimit(RollingLimit),
+    /// The normal force of a slide has just vanished, w falling through zero: only flight follows.
+    LiftOff,
 }
 
-/// Decides which motion follows at `state`.
+/// Decides which motion follows at `state`, from the exact conditions.
 pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next {
     match hoop.body() {
-        Body::Heavy(body) => heavy(hoop, &body, state, arrival),
+        Body::Heavy(body) => match arrival {
+            Arrival::LiftOff => Next::Fly { body, grazing: true },
+            Arrival::Open | Arrival::RollingLimit(_) => {
+                weigh(hoop, &body, &Evidence::new(hoop, &body, state, arrival))
+            }
+        },
         Body::Massless(body) => massless(hoop, &body, state, arrival),
     }
 }
 
-fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
-    let (theta, theta_rate) = (state.theta, state.theta_rate);
-    let laws =
-        [Direction::Negative, Direction::Positive].map(|direction| SlidingLaw::new(hoop, body, direction));
-    let rolling = RollingLaw::new(hoop);
-    let contact = laws[0].contact(theta, theta_rate);
+/// What the decision for a heavy hoop rests on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Evidence {
+    /// w = 1 − h cos θ θ′².
+    pub(crate) contact: f64,
+    /// Whether the body leaves the plane.
+    pub(crate) leaves: bool,
+    /// Direction of the slip velocity; none where η′ = 0.
+    pub(crate) slip: Option<Direction>,
+    /// Where η′ = 0: whether static friction sustains rolling.
+    pub(crate) hold: Hold,
+    /// N and F of rolling, and D.
+    pub(crate) rolling_forces: ContactForces,
+    pub(crate) denominator: f64,
+    /// P for σ = −1 and σ = +1.
+    pub(crate) solvability: [f64; 2],
+}
+
+impl Evidence {
+    /// From the state by the exact rules: rolling is decided by the coefficients of the margins from which the end of
+    /// rolling is found, too.
+    fn new(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Self {
+        let (theta, theta_rate) = (state.theta, state.theta_rate);
+        let laws = Direction::ALL.map(|direction| SlidingLaw::of_body(*body, hoop.mu_k(), direction));
+        let rolling = RollingLaw::new(hoop);
+        let contact = laws[0].contact(theta, theta_rate);
+        let slip = Direction::of_sign(state.slip);
+        let hold = match arrival {
+            Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
+                Hold::Slips { direction, excess: 0.0 }
+            }
+            Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => Hold::NoNormalForce,
+            Arrival::Open if slip.is_some() => Hold::NoNormalForce,
+            Arrival::Open => RollingOrbit::new(hoop, theta, theta_rate).hold(),
+        };
+        Self {
+            contact,
+            leaves: leaves_plane(contact, libm::sin(theta), theta_rate),
+            slip,
+            hold,
+            rolling_forces: rolling.forces(theta, theta_rate),
+            denominator: rolling.denominator(theta),
+            solvability: laws.map(|law| law.solvability(theta)),
+        }
+    }
+}
+
+/// Weighs all candidates for the motion of a heavy hoop together.
+pub(crate) fn weigh(hoop: &Hoop, body: &Heavy, evidence: &Evidence) -> Next {
+    let Evidence { contact, leaves, slip, hold, rolling_forces: forces, denominator, solvability } =
+        *evidence;
     let mut candidates = Candidates {
         rolling: false,
         sliding_negative: false,
         sliding_positive: false,
-        flight: leaves_plane(contact, theta, theta_rate),
+        flight: leaves,
         gliding: false,
-        rolling_forces: rolling.forces(theta, theta_rate),
+        rolling_forces: forces,
         contact,
-        solvability: laws.map(|law| law.solvability(theta)),
+        solvability,
     };
     // N = Î m w/P > 0; with w = 0 the normal force grows from zero if the body does not leave the plane.
-    let w = if contact == 0.0 && !candidates.flight { 1.0 } else { contact };
-    let pressed_on = candidates.solvability.map(|p| p != 0.0 && w / p > 0.0);
-    let pressed = |direction: Direction| pressed_on[usize::from(direction == Direction::Positive)];
+    let w = if contact == 0.0 && !leaves { 1.0 } else { contact };
+    let p_of = |direction: Direction| solvability[usize::from(direction == Direction::Positive)];
+    let pressed = |direction: Direction| {
+        let p = p_of(direction);
+        p != 0.0 && w / p > 0.0
+    };
 
     let mut slip_acceleration = None;
-    if let Some(direction) = Direction::of_sign(state.slip) {
+    if let Some(direction) = slip {
         *sliding_flag(&mut candidates, direction) = pressed(direction);
     } else {
-        let forces = candidates.rolling_forces;
-        let slip = match arrival {
-            Arrival::RollingLimit(RollingLimit::Friction(direction)) => Some((direction, 0.0)),
-            Arrival::RollingLimit(RollingLimit::NormalForce) => opposing(&forces, hoop.mu_s()),
-            Arrival::Open => match RollingOrbit::new(hoop, theta, theta_rate).hold() {
-                Hold::Holds => {
-                    candidates.rolling = true;
-                    None
-                }
-                Hold::Slips { direction, excess } => Some((direction, excess)),
-                Hold::NoNormalForce => opposing(&forces, hoop.mu_s()),
-            },
+        let slip = match hold {
+            Hold::Holds => {
+                candidates.rolling = true;
+                None
+            }
+            Hold::Slips { direction, excess } => Some((direction, excess)),
+            Hold::NoNormalForce => opposing(&forces, hoop.mu_s()),
         };
         if let Some((against, excess)) = slip {
             for direction in [against, against.reversed()] {
@@ -170,8 +220,8 @@ fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
                 } else {
                     -forces.friction.abs() - hoop.mu_k() * forces.normal
                 };
-                let p = candidates.solvability[usize::from(direction == Direction::Positive)];
-                let acceleration = rolling.denominator(theta) * drive / (body.mass * p);
+                let law = SlidingLaw::of_body(*body, hoop.mu_k(), direction);
+                let acceleration = law.slip_acceleration_at_rest(denominator, drive, p_of(direction));
                 // On the static limit with μs = μk it is 0, and η‴ has the sign of `against`.
                 if pressed(direction) && (acceleration > 0.0 || (acceleration == 0.0 && direction == against))
                 {
@@ -189,7 +239,7 @@ fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
         }
         (1, Some((Mode::Flight, _))) => Next::Fly { body: *body, grazing: contact == 0.0 },
         (0, _) => Next::None(candidates),
-        _ => Next::Several(candidates),
+        (_, _) => Next::Several(candidates),
     }
 }
 
@@ -206,12 +256,6 @@ fn opposing(forces: &ContactForces, mu_s: f64) -> Option<(Direction, f64)> {
     Some((direction, forces.friction.abs() - mu_s * forces.normal))
 }
 
-/// Flight: 1 − h cos θ θ′² < 0, or = 0 and falling. At w = 0, w′ = h sin θ θ′³; where that vanishes too, at the top,
-/// w″ = h cos θ θ′⁴ > 0 and the body stays.
-fn leaves_plane(contact: f64, theta: f64, theta_rate: f64) -> bool {
-    contact < 0.0 || (contact == 0.0 && libm::sin(theta) * theta_rate < 0.0)
-}
-
 fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Next {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
     let sin = libm::sin(theta);
@@ -223,7 +267,7 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     if rolls {
         return Next::Roll;
     }
-    let contact = 1.0 - body.offset * (libm::cos(theta) * (theta_rate * theta_rate));
+    let contact = contact(1.0, body.offset, libm::cos(theta) * (theta_rate * theta_rate));
     // At the top the particle must have just the acceleration of free fall: ℓ̂ θ′² = 1.
     if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
         let unloaded = arrival == Arrival::RollingLimit(RollingLimit::NormalForce);

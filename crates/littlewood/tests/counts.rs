@@ -49,7 +49,7 @@ fn a_slide_takes_few_steps() {
     let steps: Vec<usize> = motion
         .phases()
         .iter()
-        .filter_map(|phase| match phase.motion() {
+        .filter_map(|phase| match phase.solution() {
             PhaseSolution::Sliding(slide) => Some(slide.steps()),
             _ => None,
         })

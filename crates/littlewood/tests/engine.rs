@@ -159,7 +159,7 @@ fn a_sequence_of_phases_keeps_its_length_in_64_bits() {
         assert_eq!(sequence.len(), (i + 1).min(PhaseSequence::CAPACITY));
         assert_eq!(sequence.is_truncated(), i >= PhaseSequence::CAPACITY);
     }
-    assert_eq!(sequence.to_string(), format!("{}…", "+-".repeat(10)));
+    assert_eq!(sequence.to_string(), format!("{}…", "+-".repeat(7) + "+"));
     assert_eq!(PhaseSequence::from_bits(sequence.bits()), sequence);
     for (code, outcome) in OutcomeKind::ALL.into_iter().enumerate() {
         assert_eq!(outcome as usize, code);

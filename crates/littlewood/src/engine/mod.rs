@@ -5,24 +5,28 @@
 //! close to zero, a turning point, a shape of η′ that might touch zero, is handed to the solver of [`Hoop::simulate`],
 //! phase by phase: the engine is faster, and decides nothing that the simulation would decide otherwise.
 
-mod fast;
 mod interpolant;
 mod jump;
 mod quadrature;
 mod roll;
 mod slide;
 mod slip;
+mod tabulated;
 
+use crate::equations::SlidingLaw;
 use crate::error::ParameterError;
-use crate::hoop::{Body, Hoop};
+use crate::exact::Exact;
+use crate::hoop::{Body, Heavy, Hoop};
+use crate::mode::Direction;
 use crate::simulate::Limits;
 use crate::state::Start;
-use crate::summary::Summary;
+use crate::summary::{Summary, SummaryRecorder};
+use crate::walk::walk;
 
-use fast::Walk;
 use roll::RollTable;
 use slide::SlideTable;
 use slip::SlipTable;
+use tabulated::Tabulated;
 
 /// A hoop prepared for many motions.
 ///
@@ -44,7 +48,9 @@ pub struct Engine {
 
 #[derive(Clone, Debug)]
 struct Tables {
-    body: crate::hoop::Heavy,
+    body: Heavy,
+    /// The laws of sliding for σ = −1 and σ = +1.
+    sliding: [SlidingLaw; 2],
     roll: RollTable,
     slide: SlideTable,
     slip: SlipTable,
@@ -59,11 +65,13 @@ impl Engine {
             Body::Heavy(body) if hoop.mu_k() > 0.0 && body.h > 0.0 => {
                 // P > 0 with μs, too: then never more than one motion is consistent.
                 SlideTable::new(&body, hoop.mu_k())
-                    .filter(|_| slide::solvable(&body, hoop.mu_s()))
+                    .filter(|_| slide::is_solvable(&body, hoop.mu_s()))
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
+                        let sliding =
+                            Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction));
                         let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
-                        Tables { body, roll, slide, slip }
+                        Tables { body, sliding, roll, slide, slip }
                     })
             }
             _ => None,
@@ -109,13 +117,21 @@ impl Engine {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
-        match &self.tables {
+        let state = start.check()?;
+        limits.check(&start)?;
+        let mut recorder = SummaryRecorder::new(&self.hoop);
+        let conservative = limits.is_conservative(&self.hoop);
+        Ok(match &self.tables {
             Some(tables) => {
-                let state = start.check()?;
-                limits.check(&start)?;
-                Ok(Walk::new(&self.hoop, tables, limits).summary(state))
+                let solver = Tabulated::new(&self.hoop, tables, limits);
+                let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+                recorder.finish(end.kind, end.state)
             }
-            None => Ok(self.hoop.simulate(start, limits)?.summary()),
-        }
+            None => {
+                let solver = Exact::new(&self.hoop, limits.until);
+                let outcome = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+                recorder.finish(outcome.kind(), outcome.state())
+            }
+        })
     }
 }

@@ -1,5 +1,7 @@
 //! The walk of a slide through the cells, to its event.
 
+use crate::equations::contact;
+
 use super::cell::{Cell, Polynomial, value};
 use super::{SlideEvent, SlideStart, SlideTable};
 
@@ -35,7 +37,7 @@ impl SlideTable {
         let (sin, cos) = start.direction;
         let (alpha, beta) = self.law.slip_acceleration(sin, cos);
         let u = start.theta_rate * start.theta_rate;
-        let lever = 1.0 + self.law.body.h * (cos + self.law.mu * sin);
+        let lever = self.law.lever(sin, cos);
         let integral = start.slip - start.theta_rate * lever;
         let slip_acceleration = alpha + beta * u;
         let mut here =
@@ -51,7 +53,7 @@ impl SlideTable {
             };
             let exit = &cell.edges[usize::from(travel > 0.0)];
             let exit_u = exit.p + level * exit.h;
-            let lifts_off = 1.0 - self.law.body.h * exit.cos * exit_u < 0.0;
+            let lifts_off = contact(1.0, self.law.body.h, exit.cos * exit_u) < 0.0;
             let there = if lifts_off {
                 self.lift_off(cell, &cell.motion(level), &here, (travel, integral))?
             } else {
@@ -70,7 +72,7 @@ impl SlideTable {
                     z: travel,
                     u: exit_u,
                     elapsed,
-                    slip: integral + rate * exit.lever - self.law.mu * elapsed,
+                    slip: integral + rate * exit.lever - self.law.friction * elapsed,
                     slip_acceleration: exit.alpha + exit.beta * exit_u,
                     direction: (0.0, exit.cos),
                 }
@@ -121,12 +123,12 @@ impl SlideTable {
         let elapsed = here.elapsed + cell.time(motion, here.z.min(z), here.z.max(z));
         let (sin, cos) = cell.direction(z);
         let (alpha, beta) = self.law.slip_acceleration(sin, cos);
-        let lever = 1.0 + self.law.body.h * (cos + self.law.mu * sin);
+        let lever = self.law.lever(sin, cos);
         Some(Waypoint {
             z,
             u,
             elapsed,
-            slip: integral + travel * u.sqrt() * lever - self.law.mu * elapsed,
+            slip: integral + travel * u.sqrt() * lever - self.law.friction * elapsed,
             slip_acceleration: alpha + beta * u,
             direction: (sin, cos),
         })
@@ -146,7 +148,7 @@ impl SlideTable {
         for _ in 0..60 {
             let (sin, cos) = cell.direction(z);
             let u = value(motion, z);
-            let w = 1.0 - h * cos * u;
+            let w = contact(1.0, h, cos * u);
             if w > 0.0 {
                 low = z;
             } else {
