@@ -60,9 +60,26 @@ pub(crate) fn leaves_plane(w: f64, sin: f64, theta_rate: f64) -> bool {
     w < 0.0 || (w == 0.0 && sin * theta_rate < 0.0)
 }
 
+/// σ η″ at η′ = 0 where the forces of rolling exceed static friction: −σ D (F + μk σ N)/(m P) with N and F of (2.12),
+/// from |F| − μk N (`drive`) and D.
+#[inline]
+pub(crate) fn slip_acceleration_at_rest(mass: f64, denominator: f64, drive: f64, p: f64) -> f64 {
+    denominator * drive / (mass * p)
+}
+
 /// Kinetic plus potential energy of a body in contact or above the plane, from velocities alone (2.8).
 pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64 {
-    let (sin, cos) = libm::sincos(state.theta);
+    energy_at(hoop, state, libm::sincos(state.theta), (gap, gap_rate))
+}
+
+/// The same with the sine and cosine of the angle.
+#[inline]
+pub(crate) fn energy_at(
+    hoop: &Hoop,
+    state: &State,
+    (sin, cos): (f64, f64),
+    (gap, gap_rate): (f64, f64),
+) -> f64 {
     let (m, h, rate) = (hoop.mass(), hoop.h(), state.theta_rate);
     let vx = state.slip - (1.0 + h * cos) * rate;
     let vy = gap_rate - h * sin * rate;
@@ -267,13 +284,6 @@ impl SlidingLaw {
                 - self.friction * normal_over_mass
                 - h * sin * theta_rate * theta_rate,
         }
-    }
-
-    /// η″ at η′ = 0 where the forces of rolling exceed static friction: −D (F + μk σ N)/(m P) with N and F of (2.12),
-    /// from |F| − μk N (`drive`) and D.
-    #[inline]
-    pub(crate) fn slip_acceleration_at_rest(&self, denominator: f64, drive: f64, p: f64) -> f64 {
-        denominator * drive / (self.body.mass * p)
     }
 
     /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + μk σ τ.

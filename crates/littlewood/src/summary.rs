@@ -1,13 +1,14 @@
 //! What a sweep keeps of a motion: outcome, sequence of phases, the end, first slip, lift-off and jump.
 
 use crate::automaton::Cause;
-use crate::equations::energy;
+use crate::equations::energy_at;
 use crate::flight::Flight;
 use crate::hoop::Hoop;
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
 use crate::state::State;
 use crate::trajectory::{PhaseSolution, Trajectory, Transition};
+use crate::trig::sincos;
 use crate::walk::{PhaseSeen, Recorder, Solution};
 
 /// What a sweep keeps of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
@@ -72,6 +73,7 @@ pub(crate) struct SummaryRecorder<'a> {
 }
 
 impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
+    #[inline]
     fn phase(&mut self, phase: PhaseSeen, solution: S) {
         self.summary.sequence.push(phase.mode, phase.direction);
         self.flight = solution.flight().map(|flight| (phase.start, *flight));
@@ -80,6 +82,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
         }
     }
 
+    #[inline]
     fn transition(&mut self, transition: Transition) {
         self.summary.transitions = self.summary.transitions.saturating_add(1);
         if transition.cause == Cause::Slip && self.summary.first_slip_time.is_nan() {
@@ -97,16 +100,17 @@ impl<'a> SummaryRecorder<'a> {
     pub(crate) fn finish(self, outcome: OutcomeKind, end: State) -> Summary {
         let Self { hoop, mut summary, flight } = self;
         (summary.outcome, summary.end, summary.painleve) = (outcome, end, outcome.is_painleve());
-        let mut gap = (0.0, 0.0);
+        let mut last = end;
         if let Some((start, flight)) = flight {
-            gap = flight.gap(end.time - start.time);
+            // The energy of a flight is that of its start, where there is no gap.
+            last = start;
             if outcome == OutcomeKind::Landing {
                 summary.jump_length = (end.x - start.x).abs();
                 summary.jump_height = flight.apex().1;
             }
         }
         if !summary.sequence.is_empty() {
-            let energy = energy(hoop, &end, gap.0, gap.1);
+            let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, 0.0));
             // Where a rate is infinite the energy is not a number.
             summary.energy = if energy.is_finite() { energy } else { f64::NAN };
         }

@@ -105,7 +105,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
 ) -> T::Verdict {
     let mut place = solver.place(start);
     let mut next = solver.decide(&place, Arrival::Open);
-    let mut pending: Option<Transition> = None;
+    let mut pending: Option<Pending> = None;
     let mut reversals = Reversals::default();
     let mut count = 0;
     loop {
@@ -153,7 +153,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
                     }
                     _ => cause,
                 };
-                pending = Some(Transition::continuous(end, mode, begins, to_direction, cause));
+                pending = Some(Pending { state: end, from: mode, to: begins, cause });
                 count += 1;
                 if conservative {
                     let returned = reversals.add(cause, end, to_direction, range);
@@ -172,10 +172,19 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     }
 }
 
-/// Tells the recorder of a transition once the direction of the phase behind it is known.
-fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Transition>, direction: Option<Direction>) {
-    if let Some(transition) = pending.take() {
-        recorder.transition(Transition { direction, ..transition });
+/// A transition of which the direction of the phase behind it is not yet known.
+struct Pending {
+    state: State,
+    from: Mode,
+    to: Option<Mode>,
+    cause: Cause,
+}
+
+/// Tells the recorder of a transition once that is known.
+#[inline]
+fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Pending>, direction: Option<Direction>) {
+    if let Some(Pending { state, from, to, cause }) = pending.take() {
+        recorder.transition(Transition::continuous(state, from, to, direction, cause));
     }
 }
 

@@ -1,8 +1,8 @@
 //! Phases looked up in the tables of a hoop where they are sure, and solved exactly where not.
 
 use crate::automaton::Cause;
-use crate::candidates::{Arrival, Evidence, Next, next_motion, weigh};
-use crate::equations::{SlidingLaw, contact};
+use crate::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
+use crate::equations::contact;
 use crate::exact::Exact;
 use crate::flight::Flight;
 use crate::hoop::{Heavy, Hoop, Massless};
@@ -111,53 +111,54 @@ impl<'a> Tabulated<'a> {
 
     /// The evidence from the forces, where it is clear on which side of every limit they are. P is positive at every angle
     /// for a hoop that has tables.
-    fn clear_evidence(&self, place: &Place, arrival: Arrival) -> Option<Evidence> {
-        let Place { state, direction: (sin, cos), .. } = place;
+    #[inline(always)]
+    fn clear_evidence(&self, place: &Place, arrival: Arrival) -> Option<Evidence<impl Fn(Direction) -> f64>> {
+        let Place { state, direction: (sin, cos), .. } = *place;
         let w = self.contact(place);
         if w.abs() <= UNCERTAIN_FORCES {
             return None;
         }
+        let slip = match Direction::of_sign(state.slip) {
+            Some(direction) => SlipEvidence::Moving(direction),
+            None => self.clear_rest(place, w, arrival)?,
+        };
+        let solvability = move |direction| {
+            let law = self.tables.law_of(direction);
+            law.p(sin, law.q(1.0, sin, cos))
+        };
+        Some(Evidence { contact: w, leaves: w < 0.0, slip, solvability, is_solvable: true })
+    }
+
+    /// The same at η′ = 0.
+    #[inline(always)]
+    fn clear_rest(&self, place: &Place, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
         let law = self.tables.roll.law();
         let u = place.u();
-        let denominator = law.denominator_at(*cos);
-        let forces = law.forces_at((*sin, *cos), [1.0, u], denominator);
-        let slip = Direction::of_sign(state.slip);
-        let hold = if w < 0.0 || slip.is_some() {
-            Hold::NoNormalForce
-        } else {
-            let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
-            let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);
-            let hold = match arrival {
-                Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
-                    Hold::Slips { direction, excess: 0.0 }
-                }
-                Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => return None,
-                Arrival::Open if !is_clear => return None,
-                Arrival::Open if excess < 0.0 && state.theta_rate != 0.0 => Hold::Holds,
-                Arrival::Open if excess > 0.0 => {
-                    Hold::Slips { direction: Direction::of_sign(-forces.friction)?, excess }
-                }
-                Arrival::Open => return None,
-            };
-            if let Hold::Slips { excess, .. } = hold {
-                // The slip must begin clearly: with equal coefficients its acceleration vanishes on the limit.
-                let drive = excess + (self.hoop.mu_s() - self.hoop.mu_k()) * forces.normal;
-                if drive <= UNCERTAIN_FORCES {
-                    return None;
-                }
+        let denominator = law.denominator_at(place.direction.1);
+        let forces = law.forces_at(place.direction, [1.0, u], denominator);
+        let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
+        let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);
+        let hold = match arrival {
+            Arrival::Open | Arrival::RollingLimit(_) | Arrival::LiftOff if w < 0.0 => Hold::NoNormalForce,
+            Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
+                Hold::Slips { direction, excess: 0.0 }
             }
-            hold
+            Arrival::Open if is_clear && excess < 0.0 && place.state.theta_rate != 0.0 => Hold::Holds,
+            Arrival::Open if is_clear && excess > 0.0 => {
+                Hold::Slips { direction: Direction::of_sign(-forces.friction)?, excess }
+            }
+            Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff | Arrival::Open => {
+                return None;
+            }
         };
-        let solvability = self.tables.sliding.each_ref().map(|law| law.p(*sin, law.q(1.0, *sin, *cos)));
-        Some(Evidence {
-            contact: w,
-            leaves: w < 0.0,
-            slip,
-            hold,
-            rolling_forces: forces,
-            denominator,
-            solvability,
-        })
+        if let Hold::Slips { excess, .. } = hold {
+            // The slip must begin clearly: with equal coefficients its acceleration vanishes on the limit.
+            let drive = excess + (self.hoop.mu_s() - self.hoop.mu_k()) * forces.normal;
+            if drive <= UNCERTAIN_FORCES {
+                return None;
+            }
+        }
+        Some(SlipEvidence::AtRest { hold, rolling_forces: forces, denominator })
     }
 }
 
@@ -174,13 +175,15 @@ impl Solver for Tabulated<'_> {
         place.state
     }
 
+    #[inline(always)]
     fn decide(&self, place: &Place, arrival: Arrival) -> Next {
         match self.clear_evidence(place, arrival) {
-            Some(evidence) => weigh(self.hoop, &self.tables.body, &evidence),
+            Some(evidence) => weigh(self.hoop, &self.tables.body, &place.state, &evidence),
             None => next_motion(self.hoop, &place.state, arrival),
         }
     }
 
+    #[inline(always)]
     fn roll(&self, place: &Place) -> SolvedBy<Self> {
         let state = place.state;
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
@@ -233,6 +236,7 @@ impl Solver for Tabulated<'_> {
         Solved { solution: None, direction: None, ending }
     }
 
+    #[inline(always)]
     fn slide(
         &self,
         place: &Place,
@@ -260,14 +264,13 @@ impl Solver for Tabulated<'_> {
                 direction: (sigma * sin0, cos0),
             }),
         };
-        let is_fast = |event: &SlideEvent| {
-            state.theta_rate.abs() >= MIN_RATE && event.theta_rate.abs() >= MIN_RATE
-        };
+        let is_fast =
+            |event: &SlideEvent| state.theta_rate.abs() >= MIN_RATE && event.theta_rate.abs() >= MIN_RATE;
         let followed = followed.filter(|event| is_fast(event) && self.is_in_time(&state, event.elapsed));
         let Some(event) = followed else {
             return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));
         };
-        let law: &SlidingLaw = &self.tables.sliding[usize::from(direction == Direction::Positive)];
+        let law = self.tables.law_of(direction);
         let here = (sigma * event.direction.0, event.direction.1);
         let end = State {
             time: state.time + event.elapsed,
@@ -282,6 +285,7 @@ impl Solver for Tabulated<'_> {
         Solved { solution: None, direction: Some(direction), ending: Ending::Event { place, cause, arrival } }
     }
 
+    #[inline(always)]
     fn fly(&self, place: &Place, body: &Heavy, grazing: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };

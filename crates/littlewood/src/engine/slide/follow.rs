@@ -8,6 +8,10 @@ use super::{SlideEvent, SlideStart, SlideTable};
 /// Ratio of the ends of u up to which the Gauss sum of 1/√u is exact to rounding.
 const SMOOTH: f64 = 1.5;
 
+/// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 + |θ′|), so that below this
+/// part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.
+const MIN_SLIP_ACCELERATION: f64 = 2e-3;
+
 /// A point on the way through a cell.
 #[derive(Clone, Copy, Debug)]
 struct Waypoint {
@@ -186,6 +190,9 @@ impl SlideTable {
         let mut z = here.z + guess * span;
         for _ in 0..6 {
             let at = self.at(cell, motion, here, z, (travel, integral))?;
+            if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * (1.0 + at.u.sqrt()) {
+                return None;
+            }
             let rate = at.slip_acceleration / at.u.sqrt() * cell.half * travel;
             let step = -at.slip / rate;
             let next = z + step;
