@@ -111,6 +111,39 @@ impl Bernstein {
         self.search(0.0, 1.0, 0)
     }
 
+    /// All points of (0, 1) at which the sign changes, in order. A zero that is only touched is none.
+    pub(crate) fn sign_changes(&self) -> Vec<f64> {
+        let mut changes = Vec::new();
+        self.collect(0.0, 1.0, 0, &mut changes);
+        changes
+    }
+
+    fn collect(&self, low: f64, high: f64, halvings: u32, changes: &mut Vec<f64>) {
+        let signs = || self.coefficients().iter().copied().filter(|b| *b != 0.0).map(f64::signum);
+        let (Some(first), Some(last)) = (signs().next(), signs().next_back()) else { return };
+        let variations = signs().zip(signs().skip(1)).filter(|(a, b)| a != b).count();
+        if variations == 1 || (halvings == MAX_HALVINGS && first != last) {
+            let falling = if first > 0.0 { *self } else { self.negated() };
+            let at = Bracket { low: 0.0, high: 1.0 }.refine(|x| falling.value_and_slope(x));
+            changes.push(low + at * (high - low));
+        } else if variations > 1 && halvings < MAX_HALVINGS {
+            let (left, right) = self.halves();
+            let middle = 0.5 * (low + high);
+            left.collect(low, middle, halvings + 1, changes);
+            // A zero at the middle itself is in neither half.
+            let ends = (left.final_sign(), right.initial_sign());
+            if left.coefficients().last() == Some(&0.0) && ends.0 * ends.1 < 0.0 {
+                changes.push(middle);
+            }
+            right.collect(middle, high, halvings + 1, changes);
+        }
+    }
+
+    /// Sign just left of 1.
+    pub(crate) fn final_sign(&self) -> f64 {
+        self.coefficients().iter().rev().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
+    }
+
     fn search(&self, low: f64, high: f64, halvings: u32) -> Option<Bracket> {
         let coefficients = self.coefficients();
         let mut changes = 0;

@@ -15,11 +15,13 @@
 //! One candidate is taken. None or several (Painlevé: P ≤ 0) is an answer of its own.
 
 use crate::dimension::Dimension;
+use crate::equations::{
+    ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
+};
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::mode::{Direction, Mode};
 use crate::outcome::Detail;
-use crate::rolling::{ContactForces, Hold, RollingLaw, RollingLimit, RollingOrbit};
-use crate::sliding::SlidingLaw;
+use crate::rolling::{Hold, RollingLimit, RollingOrbit};
 use crate::state::State;
 
 /// The motions that might follow at a state, and what decides between them.
@@ -113,56 +115,154 @@ pub(crate) enum Arrival {
     Open,
     /// Rolling has just reached this limit.
     RollingLimit(RollingLimit),
+    /// The normal force of a slide has just vanished, w falling through zero: only flight follows.
+    LiftOff,
 }
 
-/// Decides which motion follows at `state`.
+/// Decides which motion follows at `state`, from the exact conditions.
 pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next {
     match hoop.body() {
-        Body::Heavy(body) => heavy(hoop, &body, state, arrival),
+        Body::Heavy(body) => match arrival {
+            Arrival::LiftOff => Next::Fly { body, grazing: true },
+            Arrival::Open | Arrival::RollingLimit(_) => {
+                weigh(hoop, &body, state, &exact_evidence(hoop, &body, state, arrival))
+            }
+        },
         Body::Massless(body) => massless(hoop, &body, state, arrival),
     }
 }
 
-fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
-    let (theta, theta_rate) = (state.theta, state.theta_rate);
-    let laws =
-        [Direction::Negative, Direction::Positive].map(|direction| SlidingLaw::new(hoop, body, direction));
-    let rolling = RollingLaw::new(hoop);
-    let contact = laws[0].contact(theta, theta_rate);
-    let mut candidates = Candidates {
-        rolling: false,
-        sliding_negative: false,
-        sliding_positive: false,
-        flight: leaves_plane(contact, theta, theta_rate),
-        gliding: false,
-        rolling_forces: rolling.forces(theta, theta_rate),
-        contact,
-        solvability: laws.map(|law| law.solvability(theta)),
-    };
-    // N = Î m w/P > 0; with w = 0 the normal force grows from zero if the body does not leave the plane.
-    let w = if contact == 0.0 && !candidates.flight { 1.0 } else { contact };
-    let pressed_on = candidates.solvability.map(|p| p != 0.0 && w / p > 0.0);
-    let pressed = |direction: Direction| pressed_on[usize::from(direction == Direction::Positive)];
+/// What the decision for a heavy hoop rests on.
+pub(crate) struct Evidence<P> {
+    /// w = 1 − h cos θ θ′².
+    pub(crate) contact: f64,
+    /// Whether the body leaves the plane.
+    pub(crate) leaves: bool,
+    /// The slip.
+    pub(crate) slip: SlipEvidence,
+    /// P in a direction of slip.
+    pub(crate) solvability: P,
+    /// Whether P > 0 in both directions.
+    pub(crate) is_solvable: bool,
+}
 
-    let mut slip_acceleration = None;
-    if let Some(direction) = Direction::of_sign(state.slip) {
-        *sliding_flag(&mut candidates, direction) = pressed(direction);
-    } else {
-        let forces = candidates.rolling_forces;
-        let slip = match arrival {
-            Arrival::RollingLimit(RollingLimit::Friction(direction)) => Some((direction, 0.0)),
-            Arrival::RollingLimit(RollingLimit::NormalForce) => opposing(&forces, hoop.mu_s()),
-            Arrival::Open => match RollingOrbit::new(hoop, theta, theta_rate).hold() {
-                Hold::Holds => {
-                    candidates.rolling = true;
-                    None
+/// What is known of the slip.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum SlipEvidence {
+    /// η′ ≠ 0.
+    Moving(Direction),
+    /// η′ = 0: whether static friction sustains rolling, N and F of rolling, and D.
+    AtRest { hold: Hold, rolling_forces: ContactForces, denominator: f64 },
+}
+
+/// From the state by the exact rules: rolling is decided by the coefficients of the margins from which the end of
+/// rolling is found, too.
+fn exact_evidence(
+    hoop: &Hoop,
+    body: &Heavy,
+    state: &State,
+    arrival: Arrival,
+) -> Evidence<impl Fn(Direction) -> f64> {
+    let (theta, theta_rate) = (state.theta, state.theta_rate);
+    let laws = Direction::ALL.map(|direction| SlidingLaw::of_body(*body, hoop.mu_k(), direction));
+    let contact = laws[0].contact(theta, theta_rate);
+    let slip = Direction::of_sign(state.slip).map_or_else(
+        || {
+            let rolling = RollingLaw::new(hoop);
+            SlipEvidence::AtRest {
+                hold: match arrival {
+                    Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
+                        Hold::Slips { direction, excess: 0.0 }
+                    }
+                    Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
+                        Hold::NoNormalForce
+                    }
+                    Arrival::Open => RollingOrbit::new(hoop, theta, theta_rate).hold(),
+                },
+                rolling_forces: rolling.forces(theta, theta_rate),
+                denominator: rolling.denominator(theta),
+            }
+        },
+        SlipEvidence::Moving,
+    );
+    let solvability = laws.map(|law| law.solvability(theta));
+    Evidence {
+        contact,
+        leaves: leaves_plane(contact, libm::sin(theta), theta_rate),
+        slip,
+        solvability: move |direction| solvability[place(direction)],
+        is_solvable: solvability.iter().all(|p| *p > 0.0),
+    }
+}
+
+/// Weighs all candidates for the motion of a heavy hoop together.
+#[inline(always)]
+pub(crate) fn weigh<P: Fn(Direction) -> f64>(
+    hoop: &Hoop,
+    body: &Heavy,
+    state: &State,
+    evidence: &Evidence<P>,
+) -> Next {
+    let Evidence { contact, leaves, slip, ref solvability, is_solvable } = *evidence;
+    if is_solvable && contact != 0.0 {
+        // Without Painlevé's paradox the candidates exclude each other: the plane presses on a hoop in contact where w > 0,
+        // and while N > 0 in rolling, friction drives a slide only against its own direction.
+        match slip {
+            _ if leaves => return Next::Fly { body: *body, grazing: false },
+            SlipEvidence::Moving(direction) => {
+                return Next::Slide { body: *body, direction, slip_acceleration: None };
+            }
+            SlipEvidence::AtRest { hold: Hold::Holds, .. } => return Next::Roll,
+            SlipEvidence::AtRest {
+                hold: Hold::Slips { direction, excess },
+                rolling_forces: forces,
+                denominator,
+            } if forces.normal > 0.0 => {
+                let drive = excess + (hoop.mu_s() - hoop.mu_k()) * forces.normal;
+                let p = solvability(direction);
+                let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
+                if acceleration > 0.0 {
+                    let slip_acceleration = Some(direction.sign() * acceleration);
+                    return Next::Slide { body: *body, direction, slip_acceleration };
                 }
+            }
+            SlipEvidence::AtRest { .. } => {}
+        }
+    }
+    weigh_all((hoop, body, state), (contact, leaves), slip, Direction::ALL.map(solvability))
+}
+
+/// The same without a short cut.
+fn weigh_all(
+    (hoop, body, state): (&Hoop, &Heavy, &State),
+    (contact, leaves): (f64, bool),
+    slip: SlipEvidence,
+    solvability: [f64; 2],
+) -> Next {
+    // N = Î m w/P > 0; with w = 0 the normal force grows from zero if the body does not leave the plane.
+    let w = if contact == 0.0 && !leaves { 1.0 } else { contact };
+    let pressed = |direction: Direction| {
+        let p = solvability[place(direction)];
+        (w > 0.0 && p > 0.0) || (w < 0.0 && p < 0.0)
+    };
+
+    // Of a slide that is consistent, η″ where η′ = 0.
+    let mut sliding: [Option<Option<f64>>; 2] = [None; 2];
+    let mut rolling = false;
+    match slip {
+        SlipEvidence::Moving(direction) => {
+            sliding[place(direction)] = pressed(direction).then_some(None);
+        }
+        SlipEvidence::AtRest { hold, rolling_forces: forces, denominator } => {
+            rolling = hold == Hold::Holds;
+            let slip = match hold {
+                Hold::Holds => None,
                 Hold::Slips { direction, excess } => Some((direction, excess)),
                 Hold::NoNormalForce => opposing(&forces, hoop.mu_s()),
-            },
-        };
-        if let Some((against, excess)) = slip {
-            for direction in [against, against.reversed()] {
+            };
+            for (against, direction, excess) in slip.into_iter().flat_map(|(against, excess)| {
+                [against, against.reversed()].map(|direction| (against, direction, excess))
+            }) {
                 // −(σF + μk N): towards `against` it is |F| − μk N, from the excess over μs N that made the
                 // decision, so that its sign cannot differ.
                 let drive = if direction == against {
@@ -170,33 +270,47 @@ fn heavy(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> Next {
                 } else {
                     -forces.friction.abs() - hoop.mu_k() * forces.normal
                 };
-                let p = candidates.solvability[usize::from(direction == Direction::Positive)];
-                let acceleration = rolling.denominator(theta) * drive / (body.mass * p);
+                let p = solvability[place(direction)];
+                let is_away = (drive > 0.0 && p < 0.0) || (drive < 0.0 && p > 0.0);
+                if is_away || !pressed(direction) {
+                    continue;
+                }
+                let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
                 // On the static limit with μs = μk it is 0, and η‴ has the sign of `against`.
-                if pressed(direction) && (acceleration > 0.0 || (acceleration == 0.0 && direction == against))
-                {
-                    *sliding_flag(&mut candidates, direction) = true;
-                    slip_acceleration = Some(direction.sign() * acceleration);
+                if acceleration > 0.0 || (acceleration == 0.0 && direction == against) {
+                    sliding[place(direction)] = Some(Some(direction.sign() * acceleration));
                 }
             }
         }
     }
 
-    match (candidates.count(), candidates.consistent().next()) {
-        (1, Some((Mode::Rolling, _))) => Next::Roll,
-        (1, Some((Mode::Sliding, Some(direction)))) => {
-            Next::Slide { body: *body, direction, slip_acceleration }
+    let slide = |direction, slip_acceleration| Next::Slide { body: *body, direction, slip_acceleration };
+    match (rolling, sliding, leaves) {
+        (true, [None, None], false) => Next::Roll,
+        (false, [Some(acceleration), None], false) => slide(Direction::Negative, acceleration),
+        (false, [None, Some(acceleration)], false) => slide(Direction::Positive, acceleration),
+        (false, [None, None], true) => Next::Fly { body: *body, grazing: contact == 0.0 },
+        (_, [negative, positive], _) => {
+            let candidates = Candidates {
+                rolling,
+                sliding_negative: negative.is_some(),
+                sliding_positive: positive.is_some(),
+                flight: leaves,
+                gliding: false,
+                rolling_forces: RollingLaw::new(hoop).forces(state.theta, state.theta_rate),
+                contact,
+                solvability,
+            };
+            if candidates.count() == 0 { Next::None(candidates) } else { Next::Several(candidates) }
         }
-        (1, Some((Mode::Flight, _))) => Next::Fly { body: *body, grazing: contact == 0.0 },
-        (0, _) => Next::None(candidates),
-        _ => Next::Several(candidates),
     }
 }
 
-fn sliding_flag(candidates: &mut Candidates, direction: Direction) -> &mut bool {
+/// Place of a direction in a pair.
+const fn place(direction: Direction) -> usize {
     match direction {
-        Direction::Negative => &mut candidates.sliding_negative,
-        Direction::Positive => &mut candidates.sliding_positive,
+        Direction::Negative => 0,
+        Direction::Positive => 1,
     }
 }
 
@@ -204,12 +318,6 @@ fn sliding_flag(candidates: &mut Candidates, direction: Direction) -> &mut bool 
 fn opposing(forces: &ContactForces, mu_s: f64) -> Option<(Direction, f64)> {
     let direction = Direction::of_sign(forces.friction)?.reversed();
     Some((direction, forces.friction.abs() - mu_s * forces.normal))
-}
-
-/// Flight: 1 − h cos θ θ′² < 0, or = 0 and falling. At w = 0, w′ = h sin θ θ′³; where that vanishes too, at the top,
-/// w″ = h cos θ θ′⁴ > 0 and the body stays.
-fn leaves_plane(contact: f64, theta: f64, theta_rate: f64) -> bool {
-    contact < 0.0 || (contact == 0.0 && libm::sin(theta) * theta_rate < 0.0)
 }
 
 fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Next {
@@ -223,7 +331,7 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     if rolls {
         return Next::Roll;
     }
-    let contact = 1.0 - body.offset * (libm::cos(theta) * (theta_rate * theta_rate));
+    let contact = contact(1.0, body.offset, libm::cos(theta) * (theta_rate * theta_rate));
     // At the top the particle must have just the acceleration of free fall: ℓ̂ θ′² = 1.
     if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
         let unloaded = arrival == Arrival::RollingLimit(RollingLimit::NormalForce);

@@ -2,12 +2,13 @@
 
 use crate::candidates::{Arrival, Candidates, Next, next_motion};
 use crate::closed_form::{RollingType, rolling_energy};
+use crate::equations::{ContactForces, RollingLaw, contact, energy};
 use crate::error::ParameterError;
 use crate::hoop::{Body, Hoop};
 use crate::mode::{Direction, Mode};
 use crate::named::named;
-use crate::rolling::{ContactForces, Recurrence, RollingEnd, RollingLaw, RollingLimit, RollingOrbit};
-use crate::state::{Start, energy};
+use crate::rolling::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
+use crate::state::Start;
 
 named! {
     /// The part of the state space that a start lies in.
@@ -77,7 +78,7 @@ impl Hoop {
         let state = start.check()?;
         let (theta, theta_rate) = (state.theta, state.theta_rate);
         let forces = RollingLaw::new(self).forces(theta, theta_rate);
-        let contact = 1.0 - self.h() * (libm::cos(theta) * (theta_rate * theta_rate));
+        let contact = contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate));
         let mut found = Classification {
             region: StartRegion::Slipping,
             mode: None,

@@ -310,7 +310,7 @@ impl SummaryColumn {
                 Err(_) => return false,
             },
             (Place::Sequence(sequence), SummaryValue::U64(bits)) => {
-                *sequence = PhaseSequence::from_bits(bits)
+                *sequence = PhaseSequence::from_bits(bits);
             }
             (Place::Count(count), SummaryValue::U32(value)) => *count = value,
             (Place::Flag(flag), SummaryValue::U8(value)) => *flag = value != 0,

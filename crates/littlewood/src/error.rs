@@ -27,6 +27,7 @@ pub enum Bound {
 
 impl Bound {
     /// Whether a value keeps it.
+    #[inline]
     #[must_use]
     pub const fn allows(&self, value: f64) -> bool {
         match *self {

@@ -157,6 +157,26 @@ impl Quantity {
     pub const SI_START: [Self; 5] =
         [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::XM, Self::TimeS];
 
+    /// Bounds besides being a finite number, in the order in which they are checked.
+    #[inline]
+    #[must_use]
+    pub const fn bounds(self) -> &'static [Bound] {
+        match self {
+            Self::MassRatio | Self::Inertia | Self::MuS | Self::MuK => PARAMETER,
+            Self::Offset => &[Bound::NonNegative, Bound::AtMostConstant(1.0)],
+            Self::Theta | Self::X | Self::Time => COORDINATE,
+            Self::ThetaRate | Self::Slip => RATE,
+            Self::Until
+            | Self::ThetaRateRadPerS
+            | Self::SlipMPerS
+            | Self::XM
+            | Self::TimeS
+            | Self::UntilS => &[],
+            Self::DiscMassKg | Self::OffsetM | Self::InertiaKgM2 => NON_NEGATIVE,
+            Self::ParticleMassKg | Self::RadiusM | Self::GravityMPerS2 => POSITIVE,
+        }
+    }
+
     /// Its row of the table.
     #[must_use]
     pub const fn row(self) -> QuantityRow {
@@ -170,7 +190,7 @@ impl Quantity {
             sign: "",
             long_name: "",
             help: "",
-            bounds: &[],
+            bounds: self.bounds(),
             default: None,
             usual: [0.0, 1.0],
         };
@@ -183,7 +203,6 @@ impl Quantity {
                 sign: "m₁/m₂",
                 long_name: "mass of the disc over mass of the particle",
                 help: "Mass of the disc over that of the particle, m1/m2 >= 0",
-                bounds: PARAMETER,
                 usual: [0.0, 5.0],
                 ..row
             },
@@ -194,7 +213,6 @@ impl Quantity {
                 sign: "ℓ/R",
                 long_name: "distance of the particle from the centre over the radius",
                 help: "Distance of the particle from the centre, l/R, 0 to 1",
-                bounds: &[Bound::NonNegative, Bound::AtMostConstant(1.0)],
                 ..row
             },
             Self::Inertia => QuantityRow {
@@ -205,7 +223,6 @@ impl Quantity {
                 long_name: "moment of inertia of the disc about its centre over m2 R^2",
                 help: "Moment of inertia of the disc about its centre, Izz/(m2 R^2) >= 0; 0 together with \
                        --mass-ratio 0 is Littlewood's massless hoop",
-                bounds: PARAMETER,
                 usual: [0.0, 5.0],
                 ..row
             },
@@ -214,7 +231,6 @@ impl Quantity {
                 sign: "μₛ",
                 long_name: "coefficient of static friction",
                 help: "Coefficient of static friction (2.13), with SI parameters too",
-                bounds: PARAMETER,
                 usual: [0.0, 1.5],
                 ..row
             },
@@ -223,7 +239,6 @@ impl Quantity {
                 sign: "μₖ",
                 long_name: "coefficient of kinetic friction",
                 help: "Coefficient of kinetic friction (2.15), from 0 to that of static friction, with SI parameters too",
-                bounds: PARAMETER,
                 usual: [0.0, 1.5],
                 ..row
             },
@@ -234,8 +249,7 @@ impl Quantity {
                 sign: "θ",
                 long_name: "angle of the particle from the upward vertical",
                 help: "Angle theta of the particle from the upward vertical, counterclockwise, with SI parameters too",
-                bounds: COORDINATE,
-                usual: [-3.14, 6.28],
+                usual: [-3.1, 6.2],
                 ..row
             },
             Self::ThetaRate => QuantityRow {
@@ -246,7 +260,6 @@ impl Quantity {
                 sign: "θ′",
                 long_name: "rate of the angle",
                 help: "Rate theta' in sqrt(g/R) rad",
-                bounds: RATE,
                 usual: [-4.0, 4.0],
                 ..row
             },
@@ -258,7 +271,6 @@ impl Quantity {
                 sign: "η′",
                 long_name: "slip velocity of the contact point",
                 help: "Slip velocity eta' of the contact point (2.7) in sqrt(g R)",
-                bounds: RATE,
                 default: Some(0.0),
                 usual: [-2.0, 2.0],
                 ..row
@@ -271,7 +283,6 @@ impl Quantity {
                 sign: "x",
                 long_name: "horizontal position of the geometric centre",
                 help: "Horizontal position of the centre in R",
-                bounds: COORDINATE,
                 default: Some(0.0),
                 usual: [-10.0, 10.0],
                 ..row
@@ -284,7 +295,6 @@ impl Quantity {
                 sign: "τ",
                 long_name: "time",
                 help: "Time of the start, tau, in sqrt(R/g)",
-                bounds: COORDINATE,
                 default: Some(0.0),
                 usual: [-10.0, 10.0],
                 ..row
@@ -307,7 +317,6 @@ impl Quantity {
                 sign: "m₁",
                 long_name: "mass of the disc or hoop",
                 help: "Mass m1 of the disc or hoop, kg",
-                bounds: NON_NEGATIVE,
                 usual: [0.0, 2.0],
                 ..si
             },
@@ -318,7 +327,6 @@ impl Quantity {
                 sign: "m₂",
                 long_name: "mass of the particle",
                 help: "Mass m2 of the particle, kg",
-                bounds: POSITIVE,
                 usual: [0.01, 2.0],
                 ..si
             },
@@ -329,7 +337,6 @@ impl Quantity {
                 sign: "R",
                 long_name: "outer radius",
                 help: "Outer radius R, m",
-                bounds: POSITIVE,
                 usual: [0.05, 1.0],
                 ..si
             },
@@ -340,7 +347,6 @@ impl Quantity {
                 sign: "ℓ",
                 long_name: "distance of the particle from the centre",
                 help: "Distance l of the particle from the centre, m, 0 to R",
-                bounds: NON_NEGATIVE,
                 ..si
             },
             Self::InertiaKgM2 => QuantityRow {
@@ -350,7 +356,6 @@ impl Quantity {
                 sign: "Izz",
                 long_name: "moment of inertia of the disc about its centre",
                 help: "Moment of inertia Izz of the disc about its centre, kg m^2",
-                bounds: NON_NEGATIVE,
                 usual: [0.0, 0.5],
                 ..si
             },
@@ -361,7 +366,6 @@ impl Quantity {
                 sign: "g",
                 long_name: "gravitational acceleration",
                 help: "Gravitational acceleration g, m/s^2",
-                bounds: POSITIVE,
                 default: Some(STANDARD_GRAVITY),
                 usual: [0.5, 25.0],
                 ..si
@@ -519,15 +523,21 @@ impl Quantity {
     ///
     /// # Errors
     /// Names the first bound that the value breaks.
+    #[inline]
     pub fn check(self, value: f64) -> Result<f64, ParameterError> {
-        let broken = core::iter::once(&Bound::Finite)
-            .chain(self.row().bounds)
-            .find(|bound| !bound.allows(value))
-            .copied();
-        match broken {
-            None => Ok(value),
-            Some(bound) => Err(ParameterError::OutOfBounds { quantity: self, value, bound }),
+        if value.is_finite() && self.bounds().iter().all(|bound| bound.allows(value)) {
+            Ok(value)
+        } else {
+            Err(self.refusal(value))
         }
+    }
+
+    /// The first bound that a value breaks.
+    #[cold]
+    fn refusal(self, value: f64) -> ParameterError {
+        let broken = self.bounds().iter().find(|bound| value.is_finite() && !bound.allows(value));
+        let bound = broken.copied().unwrap_or(Bound::Finite);
+        ParameterError::OutOfBounds { quantity: self, value, bound }
     }
 
     /// Advice for the person who typed a value out of bounds.

@@ -1,8 +1,8 @@
 //! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundary curves, separatrix and equilibria.
 
+use crate::equations::{ContactForces, RollingLaw};
 use crate::hoop::{Body, Hoop};
 use crate::mode::Direction;
-use crate::rolling::{ContactForces, RollingLaw};
 
 /// The phase plane of the rolling motions of one hoop.
 ///
@@ -19,7 +19,6 @@ use crate::rolling::{ContactForces, RollingLaw};
 #[derive(Clone, Copy, Debug)]
 pub struct PhasePlane {
     law: RollingLaw,
-    mass: f64,
     offset: f64,
     h: f64,
     mu_s: f64,
@@ -64,7 +63,6 @@ impl PhasePlane {
     pub fn new(hoop: &Hoop) -> Self {
         Self {
             law: RollingLaw::new(hoop),
-            mass: hoop.mass(),
             offset: hoop.offset(),
             h: hoop.h(),
             mu_s: hoop.mu_s(),
@@ -93,12 +91,10 @@ impl PhasePlane {
 
     fn line(&self, theta: f64) -> Line {
         let (sin, cos) = libm::sincos(theta);
-        let driven = self.offset * sin / self.law.denominator(theta);
-        let carried = self.mass + self.offset * cos;
-        Line {
-            normal: [self.mass - self.offset * sin * driven, -self.offset * (sin * driven + cos)],
-            friction: [-carried * driven, self.offset * sin - carried * driven],
-        }
+        let d = self.law.denominator(theta);
+        let [constant, slope] =
+            [[1.0, 0.0], [0.0, 1.0]].map(|one_u| self.law.forces_at((sin, cos), one_u, d));
+        Line { normal: [constant.normal, slope.normal], friction: [constant.friction, slope.friction] }
     }
 
     /// |θ′| on the curve n, where N = 0 in rolling; none where N does not vanish at any rate.

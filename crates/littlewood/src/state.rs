@@ -1,6 +1,7 @@
 //! Starts, states, and all that is known of an instant.
 
 use crate::columns::SampleColumn;
+use crate::equations::energy;
 use crate::error::ParameterError;
 use crate::hoop::Hoop;
 use crate::mode::{Direction, Mode};
@@ -197,14 +198,4 @@ impl Instant {
             particle: along_radius(hoop.offset()),
         }
     }
-}
-
-/// Kinetic plus potential energy of a body in contact or above the plane, from velocities alone (2.8).
-pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64 {
-    let (sin, cos) = libm::sincos(state.theta);
-    let (m, h, rate) = (hoop.mass(), hoop.h(), state.theta_rate);
-    let vx = state.slip - (1.0 + h * cos) * rate;
-    let vy = gap_rate - h * sin * rate;
-    let spin = hoop.body().inertia_about_mass_centre() * rate * rate;
-    0.5 * (m * (vx * vx + vy * vy) + spin) + hoop.offset() * cos + m * gap
 }

@@ -1,10 +1,15 @@
 //! What a sweep keeps of a motion: outcome, sequence of phases, the end, first slip, lift-off and jump.
 
 use crate::automaton::Cause;
+use crate::equations::energy_at;
+use crate::flight::Flight;
+use crate::hoop::Hoop;
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
 use crate::state::State;
-use crate::trajectory::{PhaseSolution, Trajectory};
+use crate::trajectory::{PhaseSolution, Trajectory, Transition};
+use crate::trig::sincos;
+use crate::walk::{PhaseSeen, Recorder, Solution};
 
 /// What a sweep keeps of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,41 +63,90 @@ impl Summary {
     }
 }
 
+/// Makes a summary of a motion from its phases and transitions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SummaryRecorder<'a> {
+    hoop: &'a Hoop,
+    summary: Summary,
+    /// The last phase, if it is a flight: where it begins and what it is.
+    flight: Option<(State, Flight)>,
+}
+
+impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
+    #[inline]
+    fn phase(&mut self, phase: PhaseSeen, solution: S) {
+        self.summary.sequence.push(phase.mode, phase.direction);
+        self.flight = solution.flight().map(|flight| (phase.start, *flight));
+        if self.flight.is_some() && self.summary.lift_off_time.is_nan() {
+            self.summary.lift_off_time = phase.start.time;
+        }
+    }
+
+    #[inline]
+    fn transition(&mut self, transition: Transition) {
+        self.summary.transitions = self.summary.transitions.saturating_add(1);
+        if transition.cause == Cause::Slip && self.summary.first_slip_time.is_nan() {
+            self.summary.first_slip_time = transition.time();
+        }
+    }
+}
+
+impl<'a> SummaryRecorder<'a> {
+    pub(crate) const fn new(hoop: &'a Hoop) -> Self {
+        Self { hoop, summary: Summary::without_motion(OutcomeKind::NotComputed), flight: None }
+    }
+
+    /// The summary of a motion that ended in this way, at this state.
+    pub(crate) fn finish(self, outcome: OutcomeKind, end: State) -> Summary {
+        let Self { hoop, mut summary, flight } = self;
+        (summary.outcome, summary.end, summary.painleve) = (outcome, end, outcome.is_painleve());
+        let mut last = end;
+        if let Some((start, flight)) = flight {
+            // The energy of a flight is that of its start, where there is no gap.
+            last = start;
+            if outcome == OutcomeKind::Landing {
+                summary.jump_length = (end.x - start.x).abs();
+                summary.jump_height = flight.apex().1;
+            }
+        }
+        if !summary.sequence.is_empty() {
+            let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, 0.0));
+            // Where a rate is infinite the energy is not a number.
+            summary.energy = if energy.is_finite() { energy } else { f64::NAN };
+        }
+        summary
+    }
+}
+
+/// A solution that is looked at, not kept.
+impl Solution for &PhaseSolution {
+    fn flight(&self) -> Option<&Flight> {
+        (**self).flight()
+    }
+
+    fn theta_range(&self) -> Option<(f64, f64)> {
+        (**self).theta_range()
+    }
+}
+
 impl Trajectory {
     /// The motion in a few numbers.
     #[must_use]
     pub fn summary(&self) -> Summary {
-        let outcome = self.outcome();
-        let kind = outcome.kind();
-        let mut sequence = PhaseSequence::default();
+        let mut recorder = SummaryRecorder::new(self.hoop());
         for phase in self.phases() {
-            sequence.push(phase.mode(), phase.direction());
+            let seen = PhaseSeen {
+                mode: phase.mode(),
+                direction: phase.direction(),
+                start: phase.start(),
+                end: phase.end(),
+            };
+            recorder.phase(seen, phase.solution());
         }
-        let end = outcome.state();
-        let energy = self.phases().last().map_or(f64::NAN, |phase| {
-            let sample = if kind.is_forever() { Some(phase.first()) } else { phase.last() };
-            sample.map_or(f64::NAN, |sample| sample.energy)
-        });
-        let mut summary = Summary {
-            sequence,
-            transitions: u32::try_from(self.transitions().len()).unwrap_or(u32::MAX),
-            end,
-            energy: if energy.is_finite() { energy } else { f64::NAN },
-            painleve: kind.is_painleve(),
-            ..Summary::without_motion(kind)
-        };
-        if let Some(slip) = self.transitions().iter().find(|transition| transition.cause == Cause::Slip) {
-            summary.first_slip_time = slip.time();
+        for transition in self.transitions() {
+            Recorder::<&PhaseSolution>::transition(&mut recorder, *transition);
         }
-        if let Some(phase) = self.phases().last()
-            && let PhaseSolution::Flight(flight) = phase.motion()
-        {
-            summary.lift_off_time = phase.start().time;
-            if kind == OutcomeKind::Landing {
-                summary.jump_length = (end.x - phase.start().x).abs();
-                summary.jump_height = flight.apex().1;
-            }
-        }
-        summary
+        let outcome = self.outcome();
+        recorder.finish(outcome.kind(), outcome.state())
     }
 }

@@ -9,12 +9,29 @@ use crate::outcome::Outcome;
 use crate::rolling::Rolling;
 use crate::sliding::Sliding;
 use crate::state::{Sample, State};
+use crate::walk::Solution;
+
+impl Solution for PhaseSolution {
+    fn flight(&self) -> Option<&Flight> {
+        match self {
+            Self::Flight(flight) => Some(flight),
+            Self::Rolling(_) | Self::Sliding(_) | Self::Gliding(_) => None,
+        }
+    }
+
+    fn theta_range(&self) -> Option<(f64, f64)> {
+        match self {
+            Self::Sliding(slide) => Some(slide.theta_range()),
+            Self::Rolling(_) | Self::Gliding(_) | Self::Flight(_) => None,
+        }
+    }
+}
 
 /// A phase of motion in one mode.
 #[derive(Clone, Debug)]
 pub struct Phase {
     pub(crate) hoop: Hoop,
-    pub(crate) motion: PhaseSolution,
+    pub(crate) solution: PhaseSolution,
     pub(crate) start: State,
     pub(crate) end: Option<State>,
 }
@@ -36,7 +53,7 @@ impl Phase {
     /// Mode of motion.
     #[must_use]
     pub const fn mode(&self) -> Mode {
-        match self.motion {
+        match self.solution {
             PhaseSolution::Rolling(_) => Mode::Rolling,
             PhaseSolution::Sliding(_) => Mode::Sliding,
             PhaseSolution::Gliding(_) => Mode::Gliding,
@@ -47,7 +64,7 @@ impl Phase {
     /// Direction of slip; none for rolling and flight.
     #[must_use]
     pub fn direction(&self) -> Option<Direction> {
-        match &self.motion {
+        match &self.solution {
             PhaseSolution::Sliding(slide) => Some(slide.direction()),
             PhaseSolution::Gliding(glide) => glide.direction(),
             PhaseSolution::Rolling(_) | PhaseSolution::Flight(_) => None,
@@ -56,8 +73,8 @@ impl Phase {
 
     /// The solution itself.
     #[must_use]
-    pub const fn motion(&self) -> &PhaseSolution {
-        &self.motion
+    pub const fn solution(&self) -> &PhaseSolution {
+        &self.solution
     }
 
     /// State at the start.
@@ -88,7 +105,7 @@ impl Phase {
     /// Energy lost to friction during the phase.
     #[must_use]
     pub fn energy_lost(&self) -> f64 {
-        match (&self.motion, self.last()) {
+        match (&self.solution, self.last()) {
             (PhaseSolution::Sliding(_), Some(last)) if self.hoop.mu_k() > 0.0 => {
                 self.first().energy - last.energy
             }
@@ -99,7 +116,7 @@ impl Phase {
     /// Gliding that is not the limit of the motions of a heavy hoop as its inertia vanishes; false for the other modes.
     #[must_use]
     pub const fn is_outside_small_inertia_limit(&self) -> bool {
-        match &self.motion {
+        match &self.solution {
             PhaseSolution::Gliding(glide) => !glide.is_small_inertia_limit(),
             PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Flight(_) => false,
         }
@@ -109,7 +126,7 @@ impl Phase {
     #[must_use]
     pub fn sample(&self, elapsed: f64) -> Sample {
         let duration = self.duration();
-        let state = match (self.end, &self.motion) {
+        let state = match (self.end, &self.solution) {
             _ if elapsed <= 0.0 => self.start,
             (Some(end), _) if elapsed >= duration => end,
             (_, PhaseSolution::Rolling(rolling)) => rolling.state(elapsed),
@@ -117,7 +134,7 @@ impl Phase {
             (_, PhaseSolution::Gliding(glide)) => glide.state(elapsed),
             (_, PhaseSolution::Flight(flight)) => flight.state(elapsed),
         };
-        match &self.motion {
+        match &self.solution {
             PhaseSolution::Rolling(rolling) => rolling.sample(&self.hoop, state),
             PhaseSolution::Sliding(slide) => slide.sample(&self.hoop, state),
             PhaseSolution::Gliding(glide) => glide.sample(&self.hoop, state),
@@ -172,6 +189,17 @@ pub struct Transition {
 }
 
 impl Transition {
+    /// A transition through which the state is continuous.
+    pub(crate) const fn continuous(
+        state: State,
+        from: Mode,
+        to: Option<Mode>,
+        direction: Option<Direction>,
+        cause: Cause,
+    ) -> Self {
+        Self { before: state, after: state, impulse: None, from, to, direction, cause }
+    }
+
     /// Time.
     #[must_use]
     pub const fn time(&self) -> f64 {

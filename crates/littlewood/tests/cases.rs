@@ -30,7 +30,7 @@ fn figure_3_slides_rolls_slides_and_jumps() {
     // "the jump in the motion of the centre of mass is to the left"
     let flight = &motion.phases()[3];
     assert!(flight.last().expect("lands").mass_centre.x < flight.first().mass_centre.x);
-    let littlewood::PhaseSolution::Flight(exact) = flight.motion() else { panic!("flies") };
+    let littlewood::PhaseSolution::Flight(exact) = flight.solution() else { panic!("flies") };
     // Largest gap of the 40-digit run, at a resolution of 1e-3 in time: 0.63112604… at 3.16467….
     let (time, height) = exact.apex();
     assert!((flight.start().time + time - 3.164_670_213_819_437).abs() < 1e-3);

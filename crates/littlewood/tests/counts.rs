@@ -49,7 +49,7 @@ fn a_slide_takes_few_steps() {
     let steps: Vec<usize> = motion
         .phases()
         .iter()
-        .filter_map(|phase| match phase.motion() {
+        .filter_map(|phase| match phase.solution() {
             PhaseSolution::Sliding(slide) => Some(slide.steps()),
             _ => None,
         })
@@ -61,8 +61,8 @@ fn a_slide_takes_few_steps() {
 const FIGURE_3_STEPS: [usize; 2] = [6, 5];
 
 #[test]
-fn a_phase_of_rolling_costs_the_same_whatever_its_length() {
-    // One orbit evaluation, however far: the state at τ = 10⁶ agrees with the state whole periods earlier.
+fn a_rolling_state_after_a_million_periods_is_that_of_the_first() {
+    // The state at τ = 10⁶ agrees with the state whole periods earlier.
     let motion = find_case("rolls-forever").expect("a case").simulate().expect("a valid case");
     let summary = motion.summary();
     assert_eq!(summary.outcome, OutcomeKind::RollsForever);

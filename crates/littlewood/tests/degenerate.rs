@@ -193,7 +193,7 @@ fn a_start_one_digit_off_the_lift_off_curve_stays_close_to_the_plane() {
             let start = Start::at(-theta, -rate);
             let motion = run(&hoop, start);
             if let Some(PhaseSolution::Flight(flight)) =
-                motion.phases().first().map(littlewood::Phase::motion)
+                motion.phases().first().map(littlewood::Phase::solution)
             {
                 // gap = b φ²/2 − h sin θ0 φ³/6 + …: lands at φ = 3 b/(h sin θ0).
                 assert!(flight.duration() < 1e-12 / theta, "{start:?}: {}", flight.duration());

@@ -10,38 +10,76 @@ use common::{heavy_motion, massless_hoop, moderate_hoop, start};
 use littlewood::{Engine, Hoop, HoopParameters, Limits, OutcomeKind, PhaseSequence, Start, Summary};
 use proptest::prelude::*;
 
-/// A pair of numbers that are both missing or close.
-fn same(a: f64, b: f64, tolerance: f64) -> bool {
-    (a.is_nan() && b.is_nan()) || a == b || (a - b).abs() <= tolerance * (1.0 + b.abs())
+/// The numbers of a summary that are compared.
+fn numbers(s: &Summary) -> [(&'static str, f64); 10] {
+    let end = s.end;
+    [
+        ("end time", end.time),
+        ("end angle", end.theta),
+        ("end rate", end.theta_rate),
+        ("end slip", end.slip),
+        ("end x", end.x),
+        ("energy", s.energy),
+        ("first slip", s.first_slip_time),
+        ("lift-off", s.lift_off_time),
+        ("jump length", s.jump_length),
+        ("jump height", s.jump_height),
+    ]
 }
 
-fn check(ours: &Summary, theirs: &Summary, tolerance: f64) -> Result<(), String> {
+/// Outcome, sequence and number of transitions are the same, and every number within `tolerance` and what `sway` allows
+/// beyond.
+fn compare(
+    ours: &Summary,
+    theirs: &Summary,
+    tolerance: f64,
+    sway: impl FnOnce() -> [f64; 10],
+) -> Result<(), String> {
     if (ours.outcome, ours.sequence, ours.transitions, ours.painleve)
         != (theirs.outcome, theirs.sequence, theirs.transitions, theirs.painleve)
     {
         return Err(format!("{ours:?}\n{theirs:?}"));
     }
-    let numbers = |s: &Summary| {
-        let end = s.end;
-        [
-            ("end time", end.time),
-            ("end angle", end.theta),
-            ("end rate", end.theta_rate),
-            ("end slip", end.slip),
-            ("end x", end.x),
-            ("energy", s.energy),
-            ("first slip", s.first_slip_time),
-            ("lift-off", s.lift_off_time),
-            ("jump length", s.jump_length),
-            ("jump height", s.jump_height),
-        ]
+    let pairs = || numbers(ours).into_iter().zip(numbers(theirs));
+    let is_close = |a: f64, b: f64, sway: f64| {
+        (a.is_nan() && b.is_nan()) || a == b || (a - b).abs() <= tolerance * (1.0 + b.abs()) + sway
     };
-    for ((name, a), (_, b)) in numbers(ours).into_iter().zip(numbers(theirs)) {
-        if !same(a, b, tolerance) {
-            return Err(format!("{name}: {a} {b}\n{ours:?}\n{theirs:?}"));
+    if pairs().all(|((_, a), (_, b))| is_close(a, b, 0.0)) {
+        return Ok(());
+    }
+    for (((name, a), (_, b)), sway) in pairs().zip(sway()) {
+        if !is_close(a, b, sway) {
+            return Err(format!("{name}: {a} {b}, sway {sway:e}\n{ours:?}\n{theirs:?}"));
         }
     }
     Ok(())
+}
+
+fn check(ours: &Summary, theirs: &Summary, tolerance: f64) -> Result<(), String> {
+    compare(ours, theirs, tolerance, || [0.0; 10])
+}
+
+/// By how much the numbers of a simulation move if the start moves by a few units in the last place of 1: what no method in
+/// double precision can be asked to do better.
+fn sway(hoop: &Hoop, start: Start, limits: Limits) -> [f64; 10] {
+    let summary = |start| hoop.simulate(start, limits).expect("a valid start").summary();
+    let here = summary(start);
+    let mut sway = [0.0_f64; 10];
+    for step in [-4.0 * f64::EPSILON, 4.0 * f64::EPSILON] {
+        let size = |value: f64| step * (1.0 + value.abs());
+        let slipping = if start.slip == 0.0 { 0.0 } else { size(start.slip) };
+        for moved in [
+            Start::at(start.theta + size(start.theta), start.theta_rate).with_slip(start.slip),
+            Start::at(start.theta, start.theta_rate + size(start.theta_rate)).with_slip(start.slip),
+            Start::at(start.theta, start.theta_rate).with_slip(start.slip + slipping),
+        ] {
+            let there = summary(moved.with_time(start.time));
+            for ((sway, (_, a)), (_, b)) in sway.iter_mut().zip(numbers(&here)).zip(numbers(&there)) {
+                *sway = sway.max(4.0 * (a - b).abs());
+            }
+        }
+    }
+    sway
 }
 
 /// Errors of a long chain of phases grow with every one of them.
@@ -110,7 +148,7 @@ fn the_tables_are_as_large_as_they_were() {
     // Cells of the table of slides of the Figure 2 hoop, and pieces of the family of slides out of rolling: more of them
     // would mean a slower preparation.
     let engine = Engine::new(&Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2"));
-    assert_eq!((engine.cells(), engine.slip_pieces()), (37, 81));
+    assert_eq!((engine.cells(), engine.slip_pieces()), (37, 84));
 }
 
 #[test]
@@ -159,11 +197,42 @@ fn a_sequence_of_phases_keeps_its_length_in_64_bits() {
         assert_eq!(sequence.len(), (i + 1).min(PhaseSequence::CAPACITY));
         assert_eq!(sequence.is_truncated(), i >= PhaseSequence::CAPACITY);
     }
-    assert_eq!(sequence.to_string(), format!("{}…", "+-".repeat(10)));
+    assert_eq!(sequence.to_string(), format!("{}…", "+-".repeat(7) + "+"));
     assert_eq!(PhaseSequence::from_bits(sequence.bits()), sequence);
-    for (code, outcome) in OutcomeKind::ALL.into_iter().enumerate() {
-        assert_eq!(outcome as usize, code);
+    for outcome in OutcomeKind::ALL {
+        assert_eq!(OutcomeKind::try_from(outcome.code()), Ok(outcome));
+        assert_eq!(outcome.name().parse(), Ok(outcome));
     }
+}
+
+/// The engine of a hoop tells of the same motions as its simulation. Without tables it is the simulation.
+fn agree(hoop: &Hoop, starts: &[Start]) -> Result<(), TestCaseError> {
+    let engine = Engine::new(hoop);
+    for start in starts {
+        let limits = Limits::until(start.time + 20.0).with_transitions(40);
+        let ours = engine.summary(*start, limits).unwrap();
+        let theirs = hoop.simulate(*start, limits).unwrap().summary();
+        let tolerance = if engine.has_tables() { tolerance(&theirs) } else { 0.0 };
+        let difference = compare(&ours, &theirs, tolerance, || sway(hoop, *start, limits));
+        prop_assert!(difference.is_ok(), "{hoop:?}\n{start:?}\n{}", difference.unwrap_err());
+    }
+    Ok(())
+}
+
+/// A very light hoop with next to no friction: each passage of the bottom amplifies rounding by 1e4, so that tables and Taylor
+/// series soon disagree on the number of reversals.
+#[test]
+fn a_hoop_whose_motion_amplifies_rounding_has_no_tables() {
+    let parameters = HoopParameters::thin(1.773_133_977_533_948_6e-9)
+        .with_friction(4.548_147_209_245_034_4e-8, 4.548_147_209_245_034_4e-8);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let start =
+        Start::at(1.436_435_801_570_961_3e-8, 7.332_570_607_245_862e-7).with_slip(0.612_359_007_087_091_5);
+    let engine = Engine::new(&hoop);
+    assert!(!engine.has_tables());
+    let ours = engine.summary(start, Limits::until(20.0)).expect("a valid start");
+    let theirs = hoop.simulate(start, Limits::until(20.0)).expect("a valid start").summary();
+    assert_eq!(check(&ours, &theirs, 0.0), Ok(()));
 }
 
 proptest! {
@@ -173,24 +242,15 @@ proptest! {
     fn any_moderate_hoop_has_the_outcomes_of_the_simulation(
         hoop in moderate_hoop(), starts in prop::collection::vec(start(), 20),
     ) {
-        let engine = Engine::new(&hoop);
-        for start in starts {
-            let limits = Limits::default().with_until(Some(start.time + 20.0)).with_transitions(40);
-            let ours = engine.summary(start, limits).unwrap();
-            let theirs = hoop.simulate(start, limits).unwrap().summary();
-            let difference = check(&ours, &theirs, 10.0 * tolerance(&theirs));
-            prop_assert!(difference.is_ok(), "{start:?}\n{}", difference.unwrap_err());
-        }
+        agree(&hoop, &starts)?;
     }
 
     #[test]
-    fn any_hoop_has_an_outcome((hoop, start) in heavy_motion()) {
-        let limits = Limits::default().with_until(Some(20.0)).with_transitions(5);
-        let ours = Engine::new(&hoop).summary(start, limits).unwrap();
-        let theirs = hoop.simulate(start, limits).unwrap().summary();
-        // On a boundary the last digit decides, and the two may see it differently; the kind of what begins agrees.
-        prop_assert_eq!(ours.sequence.is_empty(), theirs.sequence.is_empty());
-        prop_assert!(ours.end.time.is_finite());
+    fn any_heavy_hoop_has_the_outcomes_of_the_simulation(
+        (hoop, first) in heavy_motion(), starts in prop::collection::vec(start(), 3),
+    ) {
+        agree(&hoop, &starts)?;
+        agree(&hoop, &[first])?;
     }
 
     #[test]

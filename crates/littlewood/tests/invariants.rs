@@ -42,7 +42,7 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
         }
         size = size.max(self::size(hoop, &now));
         prop_assert_eq!(now.mode, phase.mode());
-        match phase.motion() {
+        match phase.solution() {
             PhaseSolution::Rolling(_) => {
                 prop_assert!((now.energy - first.energy).abs() < 1e-13 * size, "energy in rolling");
                 prop_assert_eq!(now.state.slip, 0.0);
@@ -53,9 +53,8 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
                 prop_assert!(held.abs() < 1e-13 * (1.0 + now.state.theta.abs()), "rolling constraint");
             }
             PhaseSolution::Sliding(_) => {
-                let Body::Heavy(body) = hoop.body() else { unreachable!() };
                 let Some(direction) = phase.direction() else { unreachable!() };
-                let law = SlidingLaw::new(hoop, &body, direction);
+                let law = SlidingLaw::new(hoop, direction).expect("a heavy hoop");
                 if law.solvability(now.state.theta) < 1e-13 {
                     continue; // P = 0 to rounding: the end of a singular slide, where N is infinite
                 }
@@ -68,7 +67,11 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
                     slipping > -1e-13 * size - resolution,
                     "direction of slip at {elapsed}: {now:?}"
                 );
-                prop_assert!(now.normal > -1e-9 * size, "normal force at {elapsed}: {now:?}");
+                // N = Î m w/P, and w = 1 − h cos θ θ′² is known to the rounding of θ′.
+                let u = now.state.theta_rate * now.state.theta_rate;
+                let law_at =
+                    hoop.body().inertia_about_mass_centre() * hoop.mass() / law.solvability(now.state.theta);
+                prop_assert!(now.normal > -1e-11 * law_at * (1.0 + u), "normal force at {elapsed}: {now:?}");
                 let integral =
                     |s: &Sample, t| law.momentum_integral(t, s.state.theta, s.state.theta_rate, s.state.slip);
                 let drift = integral(&now, elapsed) - integral(&first, 0.0);
@@ -99,6 +102,51 @@ fn check_phase(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
             }
         }
         before = now;
+    }
+    Ok(())
+}
+
+/// What must not be negative during a phase, with the part of its terms that rounding may take.
+fn margins(hoop: &Hoop, sample: &Sample, direction: Option<Direction>) -> Vec<(&'static str, f64, f64)> {
+    let size = size(hoop, sample);
+    match sample.mode {
+        Mode::Rolling => vec![
+            ("static friction", hoop.mu_s() * sample.normal - sample.friction.abs(), 1e-9 * size),
+            ("normal force", sample.normal, 1e-9 * size),
+        ],
+        Mode::Sliding => vec![("slip", sign(direction) * sample.state.slip, 1e-9 * size)],
+        Mode::Gliding => vec![("slip", sign(direction) * sample.state.slip, 1e-9 * size)],
+        Mode::Flight => vec![("gap", sample.gap, 1e-13 * size)],
+    }
+}
+
+/// Looks for the least of each margin between the instants of [`check_phase`]: around every instant that is lower than its
+/// neighbours the minimum is isolated by ternary search.
+fn check_minima(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseError> {
+    let times: Vec<f64> = instants(phase.duration(), 40).collect();
+    let at = |time: f64| {
+        let sample = phase.sample(time);
+        let is_finite = sample.state.theta_rate.is_finite();
+        is_finite.then(|| margins(hoop, &sample, phase.direction()))
+    };
+    let values: Vec<_> = times.iter().map(|time| at(*time)).collect();
+    for i in 1..times.len() - 1 {
+        let (Some(before), Some(here), Some(after)) = (&values[i - 1], &values[i], &values[i + 1]) else {
+            continue;
+        };
+        for k in 0..here.len() {
+            if here[k].1 > before[k].1 || here[k].1 > after[k].1 {
+                continue;
+            }
+            let value = |time: f64| at(time).map_or(f64::INFINITY, |margins| margins[k].1);
+            let (mut low, mut high) = (times[i - 1], times[i + 1]);
+            for _ in 0..40 {
+                let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+                if value(a) < value(b) { high = b } else { low = a }
+            }
+            let (name, least, rounding) = at(0.5 * (low + high)).map_or(here[k], |margins| margins[k]);
+            prop_assert!(least >= -rounding, "{name} at {low}: {least} in {:?}", phase.mode());
+        }
     }
     Ok(())
 }
@@ -144,6 +192,7 @@ fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
     let motion = simulate(hoop, start);
     for phase in motion.phases() {
         check_phase(hoop, phase)?;
+        check_minima(hoop, phase)?;
     }
     check_transitions(hoop, &motion)?;
     if let Outcome::TimeLimit { state } = motion.outcome() {

@@ -1,28 +1,40 @@
-//! One hoop prepared for many starts.
+//! A table-driven implementation of the same simulation, for many starts of one hoop.
 //!
 //! What depends on the body and the coefficients of friction alone is computed once: where the orbits of rolling slip
-//! ([`roll`]), and the slides ([`slide`]). A motion is then a walk through tables. Whatever is in doubt there, a margin
-//! close to zero, a turning point, a shape of η′ that might touch zero, is handed to the solver of [`Hoop::simulate`],
-//! phase by phase: the engine is faster, and decides nothing that the simulation would decide otherwise.
+//! ([`roll`]), and the slides ([`slide`]). The walk along the automaton is that of [`crate::walk`], as for
+//! [`Hoop::simulate`]; a phase is looked up in the tables. Whatever is in doubt there, a margin close to zero, a turning
+//! point, a shape of η′ that might touch zero, a slow phase, is solved exactly.
 
-mod fast;
 mod interpolant;
 mod jump;
 mod quadrature;
 mod roll;
 mod slide;
 mod slip;
+mod tabulated;
 
+use crate::equations::SlidingLaw;
 use crate::error::ParameterError;
-use crate::hoop::{Body, Hoop};
+use crate::exact::Exact;
+use crate::hoop::{Body, Heavy, Hoop};
+use crate::mode::Direction;
 use crate::simulate::Limits;
 use crate::state::Start;
-use crate::summary::Summary;
+use crate::summary::{Summary, SummaryRecorder};
+use crate::walk::walk;
 
-use fast::Walk;
 use roll::RollTable;
 use slide::SlideTable;
 use slip::SlipTable;
+use tabulated::Tabulated;
+
+/// Lighter hoops, by Î/m, have no tables: each time the particle passes the bottom, rounding is amplified by (Î/m)^(−1/2), and
+/// tables and Taylor series, which round differently, would soon tell of different motions.
+const MIN_INERTIA: f64 = 1e-3;
+
+/// Hoops that are better balanced, by h, have no tables: the forces of rolling change by h over a turn, so that the angles at
+/// which it slips are known to ε/h.
+const MIN_IMBALANCE: f64 = 1e-3;
 
 /// A hoop prepared for many motions.
 ///
@@ -44,26 +56,44 @@ pub struct Engine {
 
 #[derive(Clone, Debug)]
 struct Tables {
-    body: crate::hoop::Heavy,
+    body: Heavy,
+    /// The laws of sliding for σ = −1 and σ = +1.
+    sliding: [SlidingLaw; 2],
     roll: RollTable,
     slide: SlideTable,
     slip: SlipTable,
 }
 
+impl Tables {
+    const fn law_of(&self, direction: Direction) -> &SlidingLaw {
+        match direction {
+            Direction::Negative => &self.sliding[0],
+            Direction::Positive => &self.sliding[1],
+        }
+    }
+}
+
 impl Engine {
-    /// Prepares a hoop. A massless hoop, and one for which sliding is not well posed everywhere (P ≤ 0), has nothing to
-    /// prepare; neither has a body of so small an inertia that the tables would grow too large.
+    /// Prepares a hoop. There are no tables for a massless hoop, without kinetic friction, where sliding is not well posed at
+    /// every angle (P ≤ 0), and for very light and nearly balanced hoops, whose motions amplify rounding: these are
+    /// simulated one by one.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         let tables = match hoop.body() {
-            Body::Heavy(body) if hoop.mu_k() > 0.0 && body.h > 0.0 => {
+            Body::Heavy(body)
+                if hoop.mu_k() > 0.0
+                    && body.h >= MIN_IMBALANCE
+                    && body.inertia >= MIN_INERTIA * body.mass =>
+            {
                 // P > 0 with μs, too: then never more than one motion is consistent.
                 SlideTable::new(&body, hoop.mu_k())
-                    .filter(|_| slide::solvable(&body, hoop.mu_s()))
+                    .filter(|_| slide::is_solvable(&body, hoop.mu_s()))
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
+                        let sliding =
+                            Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction));
                         let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
-                        Tables { body, roll, slide, slip }
+                        Tables { body, sliding, roll, slide, slip }
                     })
             }
             _ => None,
@@ -71,7 +101,7 @@ impl Engine {
         Self { hoop: *hoop, tables }
     }
 
-    /// Number of starts of one hoop from which on the tables repay the time that they take, some milliseconds.
+    /// Number of starts of one hoop from which on the tables repay the time that they take.
     pub const MIN_STARTS_FOR_TABLES: usize = 96;
 
     /// A hoop without tables, whose motions are simulated one by one: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`].
@@ -109,13 +139,21 @@ impl Engine {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
-        match &self.tables {
+        let state = start.check()?;
+        limits.check(&start)?;
+        let mut recorder = SummaryRecorder::new(&self.hoop);
+        let conservative = limits.is_conservative(&self.hoop);
+        Ok(match &self.tables {
             Some(tables) => {
-                let state = start.check()?;
-                limits.check(&start)?;
-                Ok(Walk::new(&self.hoop, tables, limits).summary(state))
+                let solver = Tabulated::new(&self.hoop, tables, limits);
+                let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+                recorder.finish(end.kind, end.state)
             }
-            None => Ok(self.hoop.simulate(start, limits)?.summary()),
-        }
+            None => {
+                let solver = Exact::new(&self.hoop, limits.until);
+                let outcome = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+                recorder.finish(outcome.kind(), outcome.state())
+            }
+        })
     }
 }

@@ -9,16 +9,23 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::hoop::{Body, Hoop};
+use crate::equations::RollingLaw;
+use crate::form::{Form, Trigonometric};
+use crate::hoop::Hoop;
 use crate::rolling::margin_forms;
 use crate::trig::{sincos, sincos_small};
 
 use super::quadrature::{NODE, NODES, WEIGHT};
-use super::slide::sign_changes;
-use super::slip::SlipPoint;
 
-/// Coefficients of a form of degree six in (cos ϑ/2, sin ϑ/2).
-type Form = [f64; 7];
+/// A margin, a form of degree six in (cos ϑ/2, sin ϑ/2).
+type Margin = Form<7>;
+
+/// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SlipPoint {
+    pub(super) side: usize,
+    pub(super) angle: f64,
+}
 
 /// A margin within this part of its terms of zero is left to the slow path.
 const DOUBT: f64 = 1e-12;
@@ -44,10 +51,8 @@ struct Stop {
 /// The rolling orbits of one body.
 #[derive(Clone, Debug)]
 pub(super) struct RollTable {
-    top: f64,
-    bottom: f64,
-    offset: f64,
-    forms: [[Form; 2]; 2],
+    law: RollingLaw,
+    forms: [[Margin; 2]; 2],
     /// From 0 to 2π, ends included.
     stops: Vec<Stop>,
     /// Imaginary part of the nearest zero of D, at ϑ = π.
@@ -82,16 +87,6 @@ struct Orbit {
     turns: f64,
 }
 
-fn evaluate(form: &Form, x: f64, y: f64) -> f64 {
-    let mut power = 1.0;
-    let mut sum = 0.0;
-    for c in form {
-        sum = sum * x + c * power;
-        power *= y;
-    }
-    sum
-}
-
 impl Stop {
     fn surely_holds(&self, k: f64) -> bool {
         k > self.holds.0 && k < self.holds.1
@@ -115,27 +110,21 @@ fn holds(margins: &[[f64; 2]; 2]) -> (f64, f64) {
 }
 
 impl RollTable {
-    /// Prepares the orbits of a heavy hoop.
+    /// Prepares the orbits of a heavy hoop; none of a massless one.
     pub(super) fn new(hoop: &Hoop) -> Option<Self> {
-        let Body::Heavy(body) = hoop.body() else { return None };
         let zero = margin_forms(hoop, 0.0)?;
         let one = margin_forms(hoop, 1.0)?;
-        let split = |i: usize| [zero[i], core::array::from_fn(|k| one[i][k] - zero[i][k])];
-        let forms: [[Form; 2]; 2] = [split(0), split(1)];
-        let at = |form: &Form, angle: f64| {
-            let (y, x) = sincos(0.5 * angle);
-            evaluate(form, x, y)
+        let split = |i: usize| {
+            let slope = core::array::from_fn(|k| one[i].0[k] - zero[i].0[k]);
+            [zero[i], Form(slope)]
         };
+        let forms: [[Margin; 2]; 2] = [split(0), split(1)];
         let mut angles = vec![0.0, 0.5 * PI, PI, 1.5 * PI, TAU];
-        for [a, b] in &forms {
-            angles.extend(sign_changes(|angle| at(b, angle)));
-            // The extrema of −A/B are the zeros of A′B − AB′, by a central difference of the exact forms.
-            let step = 1e-5;
-            angles.extend(sign_changes(|angle| {
-                let (a_low, a_high) = (at(a, angle - step), at(a, angle + step));
-                let (b_low, b_high) = (at(b, angle - step), at(b, angle + step));
-                (a_high - a_low) * (b_high + b_low) - (a_high + a_low) * (b_high - b_low)
-            }));
+        for form in &forms {
+            // The poles of −A/B, and its extrema, the zeros of A′B − AB′.
+            let [a, b] = [0, 1].map(|k: usize| Trigonometric::from_form(&form[k]));
+            angles.extend(b.sign_changes());
+            angles.extend(a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes());
         }
         angles.sort_by(f64::total_cmp);
         angles.dedup_by(|a, b| *a - *b < 1e-9);
@@ -143,24 +132,26 @@ impl RollTable {
             .into_iter()
             .map(|angle| {
                 let (y, x) = sincos(0.5 * angle);
-                let margins =
-                    [0, 1].map(|i: usize| [evaluate(&forms[i][0], x, y), evaluate(&forms[i][1], x, y)]);
+                let margins = [0, 1].map(|i: usize| [0, 1].map(|k: usize| forms[i][k].value([x, y])));
                 Stop { angle, x, y, margins, holds: holds(&margins) }
             })
             .collect();
-        let (m, h) = (body.mass, body.h);
-        let (top, bottom) =
-            (body.inertia + m * (1.0 + h) * (1.0 + h), body.inertia + m * (1.0 - h) * (1.0 - h));
-        let width = libm::acosh((0.5 * (top + bottom) / (2.0 * body.offset).max(1e-300)).max(1.0));
-        Some(Self { top, bottom, offset: body.offset, forms, stops, width })
+        let law = RollingLaw::new(hoop);
+        let width = libm::acosh((law.mean_denominator() / (2.0 * law.offset).max(1e-300)).max(1.0));
+        Some(Self { law, forms, stops, width })
+    }
+
+    /// The equations.
+    pub(super) const fn law(&self) -> &RollingLaw {
+        &self.law
     }
 
     /// θ′² where the margin of a side vanishes on the orbit that reaches it at this angle.
     pub(super) fn limit(&self, side: usize, angle: f64) -> Option<f64> {
         let (y, x) = libm::sincos(0.5 * angle);
         let [a, b] = &self.forms[side];
-        let k = -evaluate(a, x, y) / evaluate(b, x, y);
-        let d = self.bottom + 4.0 * self.offset * x * x;
+        let k = -a.value([x, y]) / b.value([x, y]);
+        let d = self.law.denominator(angle);
         k.is_finite().then_some((k - d) / d)
     }
 
@@ -170,12 +161,12 @@ impl RollTable {
         for pair in self.stops.windows(2) {
             let middle = 0.5 * (pair[0].angle + pair[1].angle);
             let Some(u) = self.limit(side, middle).filter(|u| *u > 0.0) else { continue };
-            let k = (self.bottom + self.offset * 2.0 * (1.0 + libm::cos(middle))) * (1.0 + u);
+            let k = self.law.denominator(middle) * (1.0 + u);
             // The margin on the orbit through the middle, a little before and behind: it changes sign but once.
             let margin = |angle: f64| {
                 let (y, x) = libm::sincos(0.5 * angle);
                 let [a, b] = &self.forms[side];
-                evaluate(a, x, y) + k * evaluate(b, x, y)
+                a.value([x, y]) + k * b.value([x, y])
             };
             if margin(pair[0].angle) > margin(pair[1].angle) {
                 slips.push((pair[0].angle, pair[1].angle));
@@ -196,9 +187,8 @@ impl RollTable {
     ) -> Option<RollEnd> {
         let turns = (theta / TAU).floor();
         let angle = theta - TAU * turns;
-        let denominator = 0.5 * (self.top + self.bottom) + 2.0 * self.offset * cos;
-        let k = denominator * (1.0 + theta_rate * theta_rate);
-        let over_top = k - self.top;
+        let k = self.law.denominator_at(cos) * (1.0 + theta_rate * theta_rate);
+        let over_top = k - self.law.top;
         if over_top > 1e-9 * k {
             self.rotation(Orbit { k, angle, turns }, ahead)
         } else if over_top < -1e-9 * k {
@@ -229,7 +219,7 @@ impl RollTable {
                         (found, direction, self.time(orbit.k, orbit.angle, found + lap)?)
                     }
                 };
-                let d = 0.5 * (self.top + self.bottom) + 2.0 * self.offset * direction.1;
+                let d = self.law.denominator_at(direction.1);
                 return Some(RollEnd::Slip {
                     elapsed,
                     theta: TAU * orbit.turns + (found + lap),
@@ -246,14 +236,13 @@ impl RollTable {
     /// Only the proof that nothing slips between the turning points: a slip on the way is left to the slow path.
     fn libration(&self, k: f64) -> Option<RollEnd> {
         // cos of the turning angle, where K = D.
-        let cos = (k - 0.5 * (self.top + self.bottom)) / (2.0 * self.offset);
+        let cos = (k - self.law.mean_denominator()) / (2.0 * self.law.offset);
         if !(cos > -1.0 && cos < 1.0) {
             return None;
         }
         let (x, y) = ((0.5 * (1.0 + cos)).sqrt(), (0.5 * (1.0 - cos)).sqrt());
         for x in [x, -x] {
-            let margins =
-                [0, 1].map(|i: usize| [evaluate(&self.forms[i][0], x, y), evaluate(&self.forms[i][1], x, y)]);
+            let margins = [0, 1].map(|i: usize| [0, 1].map(|k: usize| self.forms[i][k].value([x, y])));
             if Self::breaks(k, &margins)?.is_some() {
                 return None;
             }
@@ -290,7 +279,7 @@ impl RollTable {
     /// and its cosine.
     fn slip(&self, k: f64, begin: f64, stop: &Stop, side: usize) -> (f64, (f64, f64)) {
         let [a, b] = &self.forms[side];
-        let form: Form = core::array::from_fn(|i| a[i] + k * b[i]);
+        let form: [f64; 7] = core::array::from_fn(|i| a.0[i] + k * b.0[i]);
         // In a chart of the half angle without a pole on the piece: pieces end at odd multiples of π/2.
         let middle = 0.5 * (begin + stop.angle);
         let steep = middle > 0.5 * PI && middle < 1.5 * PI;
@@ -328,10 +317,10 @@ impl RollTable {
 
     /// ∫ √(D/(K − D)) dϑ by panels that keep their distance from the zeros of D and of K − D.
     fn time(&self, k: f64, from: f64, to: f64) -> Option<f64> {
-        let mean = 0.5 * (self.top + self.bottom);
-        let two_l = 2.0 * self.offset;
+        let mean = self.law.mean_denominator();
+        let two_l = 2.0 * self.law.offset;
         // K − D vanishes over the top, at ± i acosh(1 + y), y = (K − top)/2ℓ̂, and acosh(1 + y) > √2y (1 − y/12).
-        let y = (k - self.top) / two_l.max(1e-300);
+        let y = (k - self.law.top) / two_l.max(1e-300);
         let above_top = if y < 2.7 { (2.0 * y).sqrt() * (1.0 - y / 12.0) } else { 1.97 };
         let width = self.width.min(above_top);
         let panels = ((to - from) / (2.0 * PANEL * width)).ceil().max(1.0);

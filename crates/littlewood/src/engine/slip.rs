@@ -13,12 +13,13 @@
 
 use core::f64::consts::TAU;
 
+use crate::equations::{RollingLaw, SlidingLaw, contact};
 use crate::hoop::Heavy;
 use crate::mode::Direction;
 use crate::trig::sincos;
 
 use super::interpolant::{Basis, Interpolant, NODES, Slots};
-use super::roll::{RollAhead, RollEnd, RollTable};
+use super::roll::{RollAhead, RollEnd, RollTable, SlipPoint};
 use super::slide::{SlideEvent, SlideStart, SlideTable};
 
 /// Pieces are not halved below this width.
@@ -26,13 +27,6 @@ const NARROWEST: f64 = 1.0 / 128.0;
 
 /// A slide that may be with or without lift-off, within this of both, is followed on its own.
 const DOUBT: f64 = 1e-9;
-
-/// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a turn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct SlipPoint {
-    pub(super) side: usize,
-    pub(super) angle: f64,
-}
 
 /// What a slide out of rolling leads to.
 #[derive(Clone, Copy, Debug)]
@@ -85,8 +79,8 @@ struct Family {
 /// The slides out of rolling, by the side towards which they slip.
 #[derive(Clone, Debug)]
 pub(super) struct SlipTable {
-    h: f64,
-    mu: f64,
+    /// Of slides towards either side.
+    laws: [SlidingLaw; 2],
     families: [Family; 2],
 }
 
@@ -125,7 +119,7 @@ impl SlipTable {
                 rolls: Pieces::new(rolls, |piece| piece.ends.right),
             }
         });
-        Self { h: body.h, mu: mu_k, families }
+        Self { laws: Direction::ALL.map(|side| SlidingLaw::of_body(*body, mu_k, side)), families }
     }
 
     /// The end of the slide from a point of the curve with this sine, cosine and rate, in the frame of the slide; `theta`
@@ -145,10 +139,11 @@ impl SlipTable {
         let sigma = side_of(point.side).sign();
         let theta = theta + turned;
         let (end_sin, end_cos) = sincos(theta);
-        let w = 1.0 - self.h * end_cos * (rate * rate);
+        let law = &self.laws[point.side];
+        let w = contact(1.0, law.body.h, end_cos * (rate * rate));
         let slip = if lifts_off {
-            let lever = |sin: f64, cos: f64| 1.0 + self.h * (cos + self.mu * sigma * sin);
-            sigma * (rate * lever(end_sin, end_cos) - theta_rate * lever(sin, cos)) - self.mu * elapsed
+            let turned = rate * law.lever(end_sin, end_cos) - theta_rate * law.lever(sin, cos);
+            sigma * turned - sigma * law.friction * elapsed
         } else {
             0.0
         };
@@ -324,13 +319,11 @@ impl Builder<'_> {
     fn start(&self, angle: f64) -> Option<SlideStart> {
         let (sin, cos) = sincos(angle);
         let u = self.roll.limit(self.side, angle)?;
-        let Heavy { mass, offset, inertia, h } = *self.body;
-        if !(u > 0.0 && 1.0 - h * cos * u > DOUBT) {
+        if !(u > 0.0 && contact(1.0, self.body.h, cos * u) > DOUBT) {
             return None;
         }
-        let denominator = inertia + mass * (1.0 + h * (h + 2.0 * cos));
-        let acceleration = offset * sin * (1.0 + u) / denominator;
-        let normal = mass - offset * (sin * acceleration + cos * u);
+        let law: &RollingLaw = self.roll.law();
+        let normal = law.forces_at((sin, cos), [1.0, u], law.denominator_at(cos)).normal;
         if (self.mu_s - self.mu_k) * normal <= DOUBT {
             return None;
         }

@@ -9,16 +9,15 @@
 //! F D² = s [ℓ̂ K (D − m − ℓ̂c) − ℓ̂ D²]
 //! ```
 //!
-//! Restricted to an arc between two directions of (X, Y) a form is a polynomial in Bernstein form, whose first
-//! crossing [`crate::bernstein`] isolates. For a massless hoop the resultant of N and F points at the particle,
+//! [`crate::form`] restricts them to an arc, where the first crossing is isolated. For a massless hoop the resultant of N and F points at the particle,
 //! F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
 
 use crate::automaton::Cause;
 use crate::bernstein::Bernstein;
+use crate::equations::RollingLaw;
+use crate::form::{Form, HalfAngle};
 use crate::hoop::{Body, Hoop};
 use crate::mode::Direction;
-
-use super::RollingLaw;
 
 /// What gives way where rolling ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,40 +46,6 @@ impl RollingLimit {
             Self::Friction(direction) => Some(direction),
             Self::NormalForce => None,
         }
-    }
-}
-
-/// A homogeneous polynomial Σ g_k X^{n−k} Y^k.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Form<const N: usize>([f64; N]);
-
-/// A direction (X, Y) = (cos ϑ/2, sin ϑ/2), up to a positive factor.
-pub(super) type HalfAngle = [f64; 2];
-
-impl<const N: usize> Form<N> {
-    /// The form on the arc from `from` to `to` (less than half a turn of the half angle), by Horner's scheme in
-    /// the barycentric coordinates of the arc.
-    fn on_arc(&self, from: HalfAngle, to: HalfAngle) -> Bernstein {
-        let mut sum = [0.0; N];
-        let mut power = [0.0; N];
-        sum[0] = self.0[0];
-        power[0] = 1.0;
-        for degree in 1..N {
-            multiply_linear(&mut sum, degree, [from[0], to[0]]);
-            multiply_linear(&mut power, degree, [from[1], to[1]]);
-            for k in 0..=degree {
-                sum[k] += self.0[degree] * power[k];
-            }
-        }
-        Bernstein::from_form(&sum)
-    }
-}
-
-/// Multiplies a form of degree `degree − 1` by l_0 a + l_1 b.
-fn multiply_linear<const N: usize>(form: &mut [f64; N], degree: usize, linear: [f64; 2]) {
-    for k in (0..=degree).rev() {
-        let lower = if k > 0 { form[k - 1] * linear[1] } else { 0.0 };
-        form[k] = form[k] * linear[0] + lower;
     }
 }
 
@@ -152,9 +117,9 @@ impl Boundary {
     }
 
     /// The coefficients of (μs N ∓ F) D²; none for a massless hoop.
-    pub(super) fn heavy_forms(&self) -> Option<[[f64; 7]; 2]> {
+    pub(super) const fn heavy_forms(&self) -> Option<[Form<7>; 2]> {
         match self {
-            Self::Heavy([minus, plus]) => Some([minus.0, plus.0]),
+            Self::Heavy([minus, plus]) => Some([*minus, *plus]),
             Self::Massless(..) => None,
         }
     }

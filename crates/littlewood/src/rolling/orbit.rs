@@ -16,11 +16,12 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::bernstein::Bernstein;
 use crate::carlson::{rf, rj};
+use crate::equations::RollingLaw;
+use crate::form::HalfAngle;
 use crate::hoop::Hoop;
 use crate::mode::Direction;
 
-use super::RollingLaw;
-use super::boundary::{Boundary, HalfAngle, RollingLimit};
+use super::boundary::{Boundary, RollingLimit};
 use super::recurrence::Recurrence;
 use super::rim::RimOrbit;
 

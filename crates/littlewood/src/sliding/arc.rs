@@ -3,12 +3,12 @@
 use core::f64::consts::TAU;
 
 use crate::bernstein::{Bernstein, Bracket};
-use crate::hoop::{Heavy, Hoop};
+use crate::equations::{SlidePath, SlidingLaw};
+use crate::hoop::Hoop;
 use crate::mode::{Direction, Mode};
 use crate::rolling::Recurrence;
 use crate::state::{Instant, Sample, State};
 
-use super::SlidingLaw;
 use super::series::{DEGREE, Series, SlideSeries, value, value_and_slope};
 
 /// A step that moves the clock by no more than this part of itself has run into a singularity of the equations.
@@ -48,10 +48,7 @@ pub struct Sliding {
     law: SlidingLaw,
     direction: Direction,
     start: State,
-    /// x̄0, x̄′ + μk σ ȳ′ and cos θ0: the constants of the second integral.
-    mass_centre_x: f64,
-    drift: f64,
-    cos_start: f64,
+    path: SlidePath,
     steps: Vec<Step>,
     /// Time and angle of the turning points, followed without kinetic friction only.
     turnings: Vec<(f64, f64)>,
@@ -96,24 +93,17 @@ enum Event {
 impl Sliding {
     /// Follows the slide to its end, or for the time `allowed`.
     pub(crate) fn run(
-        hoop: &Hoop,
-        body: &Heavy,
+        law: SlidingLaw,
         start: State,
         direction: Direction,
         entry: Entry,
         allowed: Option<f64>,
     ) -> (Self, SlidingEnd) {
-        let law = SlidingLaw::new(hoop, body, direction);
-        let (sin, cos) = libm::sincos(start.theta);
-        let vx = start.slip - (1.0 + body.h * cos) * start.theta_rate;
-        let vy = -body.h * sin * start.theta_rate;
         let mut slide = Self {
             law,
             direction,
             start,
-            mass_centre_x: start.x - body.h * sin,
-            drift: vx + law.friction * vy,
-            cos_start: cos,
+            path: law.path(&start, libm::sincos(start.theta)),
             steps: Vec::new(),
             turnings: Vec::new(),
             cycle: None,
@@ -129,8 +119,7 @@ impl Sliding {
         let mut here =
             Here { elapsed: 0.0, theta: start.theta, theta_rate: start.theta_rate, slip: start.slip };
         loop {
-            let mut series =
-                SlideSeries::new(&self.law.body, self.law.friction, here.theta, here.theta_rate, here.slip);
+            let mut series = SlideSeries::new(&self.law, here.theta, here.theta_rate, here.slip);
             let mut known_roots = 0;
             if let (Entry::FromRest { slip_acceleration }, true) = (entry, self.steps.is_empty()) {
                 series.slip[0] = 0.0;
@@ -174,11 +163,12 @@ impl Sliding {
             let theta_rate = value(&series.theta_rate, width);
             let theta = value(&series.theta, width);
             let elapsed = here.elapsed + width;
+            let (sin, cos) = libm::sincos(theta);
             let next = Here {
                 elapsed,
                 theta,
                 theta_rate,
-                slip: integral + theta_rate * self.law.lever(theta) - self.law.friction * elapsed,
+                slip: integral + theta_rate * self.law.lever(sin, cos) - self.law.friction * elapsed,
             };
             if last {
                 return SlidingEnd::TimeLimit(self.state_from(next));
@@ -266,16 +256,12 @@ impl Sliding {
 
     /// Adds the position, from the second integral.
     fn state_from(&self, here: Here) -> State {
-        let (sin, cos) = libm::sincos(here.theta);
-        let h = self.law.body.h;
-        let fall = h * (cos - self.cos_start) + 0.5 * here.elapsed * here.elapsed;
-        let mass_centre = self.mass_centre_x + self.drift * here.elapsed - self.law.friction * fall;
         State {
             time: self.start.time + here.elapsed,
             theta: here.theta,
             theta_rate: here.theta_rate,
             slip: here.slip,
-            x: mass_centre + h * sin,
+            x: self.path.x(here.elapsed, libm::sincos(here.theta)),
         }
     }
 

@@ -1,8 +1,10 @@
 //! Taylor series of a sliding motion about an instant.
 //!
 //! Automatic differentiation by recurrence: every product is a convolution of coefficients. The series carry
-//! θ, θ′, η′ and the two quantities whose signs limit sliding, w = 1 − h cos θ θ′² and P = Î + m h s q.
+//! θ, θ′, η′ and the two quantities whose signs limit sliding, w and P. The equations are those of [`SlidingLaw`], coefficient
+//! by coefficient; a test holds the two against each other.
 
+use crate::equations::{SlidingLaw, contact};
 use crate::hoop::Heavy;
 
 /// Degree of the series. The step-size rule of Jorba and Zou asks for 20 at double precision; two more cost
@@ -49,9 +51,10 @@ fn integrate_product(a: &Series, b: &Series, order: usize) -> f64 {
 }
 
 impl SlideSeries {
-    /// Series about (θ, θ′, η′); `friction` is μk σ.
-    pub(super) fn new(body: &Heavy, friction: f64, theta: f64, theta_rate: f64, slip: f64) -> Self {
-        let Heavy { mass: m, h, inertia, .. } = *body;
+    /// Series about (θ, θ′, η′).
+    pub(super) fn new(law: &SlidingLaw, theta: f64, theta_rate: f64, slip: f64) -> Self {
+        let Heavy { mass: m, h, inertia, .. } = law.body;
+        let friction = law.friction;
         let zero = [0.0; DEGREE + 1];
         let mut s = Self { theta: zero, theta_rate: zero, slip: zero, contact: zero, solvability: zero };
         let (mut sin, mut cos, mut u, mut q) = (zero, zero, zero, zero);
@@ -70,8 +73,8 @@ impl SlideSeries {
             }
             let constant = if n == 0 { 1.0 } else { 0.0 };
             u[n] = convolve(&s.theta_rate, &s.theta_rate, n);
-            q[n] = h * sin[n] - friction * (constant + h * cos[n]);
-            s.contact[n] = constant - h * convolve(&cos, &u, n);
+            q[n] = law.q(constant, sin[n], cos[n]);
+            s.contact[n] = contact(constant, h, convolve(&cos, &u, n));
             s.solvability[n] = inertia * constant + m * h * convolve(&sin, &q, n);
             let mut remainder = m * convolve(&q, &s.contact, n);
             for j in 1..=n {
@@ -119,4 +122,38 @@ pub(super) fn value(series: &Series, at: f64) -> f64 {
 #[inline]
 pub(super) fn value_and_slope(series: &Series, at: f64) -> (f64, f64) {
     series.iter().rev().fold((0.0, 0.0), |(sum, slope), c| (sum * at + c, slope * at + sum))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::hoop::{Hoop, HoopParameters};
+    use crate::mode::Direction;
+
+    proptest! {
+        #[test]
+        fn the_series_begin_with_the_equations_of_sliding(
+            m1 in 0.1..3.0_f64, offset in 0.1..1.0_f64, inertia in 0.5..3.0_f64, mu in 0.0..0.5_f64,
+            theta in -7.0..7.0_f64, rate in -3.0..3.0_f64, positive in any::<bool>(),
+        ) {
+            let hoop = Hoop::new(HoopParameters::new(m1, offset, inertia).with_friction(mu, mu)).unwrap();
+            let direction = if positive { Direction::Positive } else { Direction::Negative };
+            let law = SlidingLaw::new(&hoop, direction).unwrap();
+            let series = SlideSeries::new(&law, theta, rate, 0.25);
+            let expected = law.accelerations(theta, rate);
+            let size = 1.0 + rate * rate;
+            prop_assert!((series.contact[0] - law.contact(theta, rate)).abs() < 1e-15 * size);
+            prop_assert!((series.solvability[0] - law.solvability(theta)).abs() < 1e-14);
+            prop_assert!((series.theta_rate[1] - expected.theta).abs() < 1e-14 * size);
+            prop_assert!((series.slip[1] - expected.slip).abs() < 1e-13 * size);
+            // The first integral holds along the series, term by term.
+            let at = 0.5 * series.reach();
+            let (theta_then, rate_then) = (value(&series.theta, at), value(&series.theta_rate, at));
+            let drift = law.momentum_integral(at, theta_then, rate_then, value(&series.slip, at))
+                - law.momentum_integral(0.0, theta, rate, 0.25);
+            prop_assert!(drift.abs() < 1e-13 * size, "{drift}");
+        }
+    }
 }

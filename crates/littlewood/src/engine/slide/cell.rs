@@ -1,10 +1,10 @@
 //! A cell of angles, with the slides through it as polynomials.
 
+use crate::equations::SlidingLaw;
 use crate::hoop::Heavy;
 use crate::trig::{sincos, sincos_small};
 
 use super::super::quadrature::{NODE, NODES, WEIGHT};
-use super::law::Law;
 
 /// Degree of the polynomials of a cell.
 const DEGREE: usize = 18;
@@ -44,16 +44,18 @@ pub(super) struct Cell {
     pub(super) edges: [Edge; 2],
 }
 
-impl Law {
-    pub(super) fn edge(&self, theta: f64, p: f64, h: f64) -> Edge {
+impl Edge {
+    fn new(law: &SlidingLaw, theta: f64, p: f64, h: f64) -> Self {
         let (sin, cos) = sincos(theta);
-        let (alpha, beta) = self.slip_acceleration(sin, cos);
-        Edge { p, h, cos, lever: 1.0 + self.body.h * (cos + self.mu * sin), alpha, beta }
+        let (alpha, beta) = law.slip_acceleration(sin, cos);
+        Self { p, h, cos, lever: law.lever(sin, cos), alpha, beta }
     }
+}
 
+impl Cell {
     /// The cell about `left..right`, if its series converge.
-    pub(super) fn cell(&self, left: f64, right: f64) -> Option<Cell> {
-        let Heavy { mass, h, inertia, .. } = self.body;
+    pub(super) fn new(law: &SlidingLaw, left: f64, right: f64) -> Option<Self> {
+        let Heavy { mass, h, inertia, .. } = law.body;
         let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
         let mut sin = [0.0; DEGREE + 1];
         let mut cos = [0.0; DEGREE + 1];
@@ -63,8 +65,7 @@ impl Law {
             sin[k] = factor * cos[k - 1];
             cos[k] = -factor * sin[k - 1];
         }
-        let mut q: Polynomial = core::array::from_fn(|k| h * (sin[k] - self.mu * cos[k]));
-        q[0] -= self.mu;
+        let q: Polynomial = core::array::from_fn(|k| law.q(if k == 0 { 1.0 } else { 0.0 }, sin[k], cos[k]));
         let mut solvability = product(&sin, &q).map(|c| mass * h * c);
         solvability[0] += inertia;
         let drive = quotient(&q.map(|c| 2.0 * mass * c), &solvability);
@@ -88,8 +89,8 @@ impl Law {
         if !(converged(&u_p) && converged(&u_h)) {
             return None;
         }
-        let edge = |theta, z| self.edge(theta, value(&u_p, z), value(&u_h, z));
-        Some(Cell {
+        let edge = |theta, z| Edge::new(law, theta, value(&u_p, z), value(&u_h, z));
+        Some(Self {
             left,
             centre,
             half,

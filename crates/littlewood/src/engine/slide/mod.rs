@@ -16,16 +16,15 @@
 
 mod cell;
 mod follow;
-mod law;
 
 use core::f64::consts::{PI, TAU};
 
+use crate::equations::{SlidingLaw, contact};
+use crate::form::Trigonometric;
 use crate::hoop::Heavy;
 use crate::mode::Direction;
-use crate::trig::sincos;
 
 use self::cell::Cell;
-use self::law::Law;
 
 /// Widest cell; a cell whose series has not converged is halved.
 const WIDEST: f64 = PI / 16.0;
@@ -36,7 +35,8 @@ const MOST_CELLS: usize = 600;
 /// The slides of one body with one coefficient of friction.
 #[derive(Clone, Debug)]
 pub(super) struct SlideTable {
-    law: Law,
+    /// With σ = +1.
+    law: SlidingLaw,
     cells: Vec<Cell>,
     /// Index of the cell that holds the left end of each slot of a turn.
     slots: Vec<u16>,
@@ -77,55 +77,51 @@ pub(super) struct Passing {
     pub(super) contact: f64,
 }
 
-/// Whether P > 0 at every angle.
-pub(super) fn solvable(body: &Heavy, mu: f64) -> bool {
-    let law = Law { body: *body, mu };
-    let p = |theta: f64| {
-        let (sin, cos) = sincos(theta);
-        law.p(sin, cos)
-    };
-    p(0.0) > 0.0 && sign_changes(p).is_empty()
+/// P of a body at every angle, as a trigonometric polynomial, and q.
+fn solvability(body: &Heavy, mu: f64) -> (Trigonometric, Trigonometric) {
+    let Heavy { mass, h, inertia, .. } = *body;
+    let q = Trigonometric::linear(-mu, h, -mu * h);
+    let p = Trigonometric::sin().times(&q).scaled(mass * h).plus(&Trigonometric::linear(inertia, 0.0, 0.0));
+    (p, q)
 }
 
-/// Sign changes of a smooth function on a turn, to rounding.
-pub(super) fn sign_changes(function: impl Fn(f64) -> f64) -> Vec<f64> {
-    const SAMPLES: u32 = 2880;
-    let mut roots = Vec::new();
-    let mut low = 0.0;
-    let mut at_low = function(low);
-    for i in 1..=SAMPLES {
-        let high = TAU * f64::from(i) / f64::from(SAMPLES);
-        let at_high = function(high);
-        if at_low * at_high < 0.0 {
-            let (mut a, mut b) = (low, high);
-            while b - a > 4.0 * f64::EPSILON * b {
-                let middle = 0.5 * (a + b);
-                if function(middle) * at_low > 0.0 { a = middle } else { b = middle }
-            }
-            roots.push(0.5 * (a + b));
-        }
-        (low, at_low) = (high, at_high);
-    }
-    roots
+/// Whether P > 0 at every angle.
+pub(super) fn is_solvable(body: &Heavy, mu: f64) -> bool {
+    body.inertia > 0.0 && solvability(body, mu).0.sign_changes().is_empty()
+}
+
+/// The angles at which the signs change that matter for slides of any speed: those of q, of β and of the slope of the
+/// level −α/β on which η″ = α + β u vanishes. With α = A/P and β = B/P,
+///
+/// ```text
+/// A = m (1 + h c) q − μk Î,    B = −h (c A + s P),    level slope ∝ A′B − A B′ − 2 m h s q B,
+/// ```
+///
+/// trigonometric polynomials of degrees two, three and five.
+fn cuts(body: &Heavy, mu: f64) -> Vec<f64> {
+    let Heavy { mass, h, inertia, .. } = *body;
+    let (p, q) = solvability(body, mu);
+    let (sin, cos) = (Trigonometric::sin(), Trigonometric::cos());
+    let a = Trigonometric::linear(1.0, 0.0, h).times(&q).scaled(mass).minus(&Trigonometric::linear(
+        mu * inertia,
+        0.0,
+        0.0,
+    ));
+    let b = cos.times(&a).plus(&sin.times(&p)).scaled(-h);
+    let turning = a.derivative().times(&b).minus(&a.times(&b.derivative()));
+    let level_slope = turning.minus(&sin.times(&q).times(&b).scaled(2.0 * mass * h));
+    [q, b, level_slope].iter().flat_map(Trigonometric::sign_changes).collect()
 }
 
 impl SlideTable {
     /// Prepares the slides of a body; none where P is not positive everywhere or the cells would be too many.
     pub(super) fn new(body: &Heavy, mu: f64) -> Option<Self> {
-        let law = Law { body: *body, mu };
-        let mut bounds = vec![0.0, PI, TAU];
-        let trigonometric = |f: &dyn Fn(f64, f64) -> f64| {
-            sign_changes(|theta| {
-                let (sin, cos) = sincos(theta);
-                f(sin, cos)
-            })
-        };
-        if !solvable(body, mu) {
+        if !is_solvable(body, mu) {
             return None;
         }
-        bounds.extend(trigonometric(&|sin, cos| law.q(sin, cos)));
-        bounds.extend(trigonometric(&|sin, cos| law.slip_acceleration(sin, cos).1));
-        bounds.extend(sign_changes(|theta| law.level_slope(theta)));
+        let law = SlidingLaw::of_body(*body, mu, Direction::Positive);
+        let mut bounds = vec![0.0, PI, TAU];
+        bounds.extend(cuts(body, mu));
         bounds.sort_by(f64::total_cmp);
         bounds.dedup_by(|a, b| *a - *b < 1e-12);
         let mut cells: Vec<Cell> = Vec::new();
@@ -151,8 +147,8 @@ impl SlideTable {
         Some(Self { law, cells, slots })
     }
 
-    fn fill(law: &Law, left: f64, right: f64, cells: &mut Vec<Cell>) -> Option<()> {
-        if let Some(cell) = law.cell(left, right) {
+    fn fill(law: &SlidingLaw, left: f64, right: f64, cells: &mut Vec<Cell>) -> Option<()> {
+        if let Some(cell) = Cell::new(law, left, right) {
             cells.push(cell);
             return Some(());
         }
@@ -214,7 +210,7 @@ impl SlideTable {
                 angle: end,
                 turned,
                 slip_acceleration: exit.alpha + exit.beta * u,
-                contact: 1.0 - self.law.body.h * exit.cos * u,
+                contact: contact(1.0, self.law.body.h, exit.cos * u),
             });
             if turned >= reach || passings.len() > self.cells.len() {
                 return passings;

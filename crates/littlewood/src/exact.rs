@@ -1,0 +1,163 @@
+//! Phases solved exactly: closed forms, elliptic integrals and converged Taylor series.
+
+use crate::automaton::Cause;
+use crate::candidates::{Arrival, Next, next_motion};
+use crate::equations::SlidingLaw;
+use crate::flight::Flight;
+use crate::gliding::{Gliding, GlidingEnd};
+use crate::hoop::{Heavy, Hoop, Massless};
+use crate::mode::Direction;
+use crate::outcome::Outcome;
+use crate::rolling::Rolling;
+use crate::sliding::{Entry, Sliding, SlidingEnd};
+use crate::state::State;
+use crate::trajectory::PhaseSolution;
+use crate::walk::{Ending, Solved, Solver};
+
+/// Solves the phases of one hoop.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Exact<'a> {
+    hoop: &'a Hoop,
+    until: Option<f64>,
+}
+
+type ExactEnding = Ending<State, Outcome>;
+
+impl<'a> Exact<'a> {
+    pub(crate) const fn new(hoop: &'a Hoop, until: Option<f64>) -> Self {
+        Self { hoop, until }
+    }
+
+    /// Time left until the limit.
+    fn allowed(&self, state: &State) -> Option<f64> {
+        self.until.map(|until| until - state.time)
+    }
+
+    /// A phase cut at the time limit, with just the time that was asked for.
+    fn stopped(&self, state: State) -> ExactEnding {
+        let state = State { time: self.until.unwrap_or(state.time), ..state };
+        Ending::Motion { event: None, end: Some(state), verdict: Outcome::TimeLimit { state } }
+    }
+
+    /// The end of the motion in an event.
+    const fn ended(cause: Cause, state: State, outcome: Outcome) -> ExactEnding {
+        Ending::Motion { event: Some((cause, state)), end: Some(state), verdict: outcome }
+    }
+
+    /// A phase without end; of one with a time limit the state there is its end.
+    fn endless(&self, start: &State, at: impl Fn(f64) -> State, outcome: Outcome) -> ExactEnding {
+        let end = self.allowed(start).map(|allowed| {
+            let state = at(allowed);
+            State { time: self.until.unwrap_or(state.time), ..state }
+        });
+        Ending::Motion { event: None, end, verdict: outcome }
+    }
+}
+
+impl Solver for Exact<'_> {
+    type Place = State;
+    type Solution = PhaseSolution;
+    type Verdict = Outcome;
+
+    fn place(&self, state: State) -> State {
+        state
+    }
+
+    fn state(place: &State) -> State {
+        *place
+    }
+
+    fn decide(&self, state: &State, arrival: Arrival) -> Next {
+        next_motion(self.hoop, state, arrival)
+    }
+
+    fn roll(&self, state: &State) -> Solved<PhaseSolution, State, Outcome> {
+        let rolling = Rolling::new(self.hoop, *state);
+        let allowed = self.allowed(state);
+        let ending = match rolling.orbit().end() {
+            Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => Ending::Event {
+                place: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
+                cause: end.limit.cause(),
+                arrival: Arrival::RollingLimit(end.limit),
+            },
+            Some(_) => self.stopped(rolling.state(allowed.unwrap_or(0.0))),
+            None => {
+                let recurrence = rolling.orbit().recurrence();
+                let outcome = Outcome::RollsForever { since: *state, recurrence };
+                self.endless(state, |allowed| rolling.state(allowed), outcome)
+            }
+        };
+        Solved { solution: PhaseSolution::Rolling(rolling), direction: None, ending }
+    }
+
+    fn slide(
+        &self,
+        state: &State,
+        body: &Heavy,
+        direction: Direction,
+        slip_acceleration: Option<f64>,
+    ) -> Solved<PhaseSolution, State, Outcome> {
+        let entry = slip_acceleration
+            .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
+        let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
+        let (slide, end) = Sliding::run(law, *state, direction, entry, self.allowed(state));
+        let ending = match end {
+            SlidingEnd::Rest(place) => Ending::Event { place, cause: Cause::Stick, arrival: Arrival::Open },
+            SlidingEnd::LiftOff(place) => {
+                Ending::Event { place, cause: Cause::LiftOff, arrival: Arrival::LiftOff }
+            }
+            SlidingEnd::Singular(state) => {
+                let solvability = law.solvability(state.theta);
+                Self::ended(Cause::Singularity, state, Outcome::Singular { state, solvability })
+            }
+            SlidingEnd::Unresolved(state) => {
+                Ending::Motion { event: None, end: Some(state), verdict: Outcome::Unresolved { state } }
+            }
+            SlidingEnd::TimeLimit(state) => self.stopped(state),
+            SlidingEnd::Endless(recurrence) => {
+                let outcome = Outcome::SlidesForever { since: *state, recurrence };
+                self.endless(state, |allowed| slide.state(allowed), outcome)
+            }
+        };
+        let solution = PhaseSolution::Sliding(Box::new(slide));
+        Solved { solution, direction: Some(direction), ending }
+    }
+
+    fn fly(&self, state: &State, body: &Heavy, grazing: bool) -> Solved<PhaseSolution, State, Outcome> {
+        let flight = Flight::new(body, *state, grazing);
+        let duration = flight.duration();
+        let ending = match self.allowed(state) {
+            Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
+            Some(_) | None => {
+                let state = flight.state(duration);
+                let gap_rate = flight.gap(duration).1;
+                Self::ended(Cause::Landing, state, Outcome::Landing { state, gap_rate })
+            }
+        };
+        Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
+    }
+
+    fn glide(
+        &self,
+        state: &State,
+        body: &Massless,
+        from_extremum: bool,
+    ) -> Solved<PhaseSolution, State, Outcome> {
+        let allowed = self.allowed(state);
+        let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, from_extremum, allowed);
+        let ending = match end {
+            GlidingEnd::Rest(place) => Ending::Event { place, cause: Cause::Stick, arrival: Arrival::Open },
+            GlidingEnd::Bottom(state) if body.offset < 1.0 => {
+                Self::ended(Cause::ParticleAtBottom, state, Outcome::ParticleAtBottom { state })
+            }
+            GlidingEnd::Bottom(state) => {
+                Self::ended(Cause::ParticleAtPlane, state, Outcome::ParticleAtPlane { state })
+            }
+            GlidingEnd::Top(state) => {
+                Self::ended(Cause::ParticleAtTop, state, Outcome::ParticleAtTop { state })
+            }
+            GlidingEnd::TimeLimit(state) => self.stopped(state),
+        };
+        Solved { solution: PhaseSolution::Gliding(glide), direction: glide.direction(), ending }
+    }
+}
