@@ -139,7 +139,7 @@ fn slip(event: &Transition, mu_s: f64) -> String {
 }
 
 fn landing(phase: &Phase, end: &State, scale: Scale<'_>) -> String {
-    let PhaseSolution::Flight(flight) = phase.motion() else {
+    let PhaseSolution::Flight(flight) = phase.solution() else {
         return "Lands.".to_owned();
     };
     let start = phase.start();

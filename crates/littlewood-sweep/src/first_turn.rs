@@ -132,7 +132,7 @@ impl FirstTurn {
 
 /// The period of a phase that lasts for ever; none if it does not come back.
 fn period(phase: &Phase, outcome: &Outcome) -> Option<f64> {
-    match phase.motion() {
+    match phase.solution() {
         PhaseSolution::Rolling(rolling) => rolling.orbit().recurrence().period(),
         PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => {
             outcome.recurrence().and_then(|recurrence| recurrence.period())

@@ -300,7 +300,7 @@ fn examined(candidates: &Candidates) -> Vec<String> {
 /// The highest point of every flight.
 fn jumps(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
     let line = |phase: &Phase| {
-        let PhaseSolution::Flight(flight) = phase.motion() else {
+        let PhaseSolution::Flight(flight) = phase.solution() else {
             return None;
         };
         let (elapsed, height) = flight.apex();
