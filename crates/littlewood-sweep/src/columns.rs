@@ -1,7 +1,6 @@
 //! The results of a sweep, column by column.
 
-use littlewood::{ColumnType, OutcomeKind, Summary, SummaryColumn, SummaryValue};
-use rayon::prelude::*;
+use littlewood::{Class, ColumnType, OutcomeKind, Summary, SummaryColumn, SummaryValue};
 
 /// Number of columns.
 const COLUMNS: usize = SummaryColumn::ALL.len();
@@ -12,7 +11,8 @@ const COLUMNS: usize = SummaryColumn::ALL.len();
 pub struct Columns {
     /// In the order of [`SummaryColumn::ALL`].
     columns: [ColumnValues; COLUMNS],
-    len: usize,
+    /// The class of each point: pictures and counts need it, and it takes much longer to find from the columns.
+    classes: Vec<Class>,
 }
 
 /// The values of a column.
@@ -84,11 +84,11 @@ impl ColumnValues {
         }
     }
 
-    /// Sets the value of a column from a summary, at the place of each point.
-    fn fill(&mut self, column: SummaryColumn, summaries: &[(u32, Summary)]) {
-        for (i, summary) in summaries {
-            let i = *i as usize;
-            match (&mut *self, column.of(summary)) {
+    /// The values of a column in some summaries.
+    fn of_summaries(column: SummaryColumn, summaries: &[Summary]) -> Self {
+        let mut values = Self::repeat(not_computed(column), summaries.len());
+        for (i, summary) in summaries.iter().enumerate() {
+            match (&mut values, column.of(summary)) {
                 (Self::U8(values), SummaryValue::U8(value)) => values[i] = value,
                 (Self::U32(values), SummaryValue::U32(value)) => values[i] = value,
                 (Self::U64(values), SummaryValue::U64(value)) => values[i] = value,
@@ -96,6 +96,25 @@ impl ColumnValues {
                 (Self::U8(_) | Self::U32(_) | Self::U64(_) | Self::F64(_), _) => {
                     unreachable!("a column has values of one type")
                 }
+            }
+        }
+        values
+    }
+
+    /// Sets the values at some places to those of another column of the same type.
+    pub(crate) fn spread(&mut self, places: impl Iterator<Item = usize>, values: &Self) {
+        fn spread<T: Copy>(full: &mut [T], places: impl Iterator<Item = usize>, values: &[T]) {
+            for (place, &value) in places.zip(values) {
+                full[place] = value;
+            }
+        }
+        match (self, values) {
+            (Self::U8(full), Self::U8(values)) => spread(full, places, values),
+            (Self::U32(full), Self::U32(values)) => spread(full, places, values),
+            (Self::U64(full), Self::U64(values)) => spread(full, places, values),
+            (Self::F64(full), Self::F64(values)) => spread(full, places, values),
+            (Self::U8(_) | Self::U32(_) | Self::U64(_) | Self::F64(_), _) => {
+                unreachable!("a column has values of one type")
             }
         }
     }
@@ -116,7 +135,13 @@ impl Columns {
     /// Columns of this many points that have not been computed.
     pub(crate) fn blank(len: usize) -> Self {
         let columns = SummaryColumn::ALL.map(|column| ColumnValues::repeat(not_computed(column), len));
-        Self { columns, len }
+        Self { columns, classes: vec![Class::of(&Summary::NOT_COMPUTED); len] }
+    }
+
+    /// From some summaries.
+    pub(crate) fn of_summaries(summaries: &[Summary]) -> Self {
+        let columns = SummaryColumn::ALL.map(|column| ColumnValues::of_summaries(column, summaries));
+        Self { columns, classes: summaries.iter().map(Class::of).collect() }
     }
 
     /// From the values of each column of [`SummaryColumn::ALL`].
@@ -142,28 +167,32 @@ impl Columns {
                 }
             }
         }
-        Ok(Self { columns, len })
+        let mut columns = Self { columns, classes: Vec::new() };
+        columns.classes = (0..len).map(|i| Class::of(&columns.summary(i))).collect();
+        Ok(columns)
     }
 
-    /// Sets the summaries of some points, each at its place.
-    pub(crate) fn fill(&mut self, summaries: &[Vec<(u32, Summary)>]) {
-        self.columns.par_iter_mut().zip(SummaryColumn::ALL).for_each(|(values, column)| {
-            for summaries in summaries {
-                values.fill(column, summaries);
-            }
-        });
+    /// Sets the results of some points to other results.
+    pub(crate) fn spread(&mut self, places: &[u32], results: &Self) {
+        let places = || places.iter().map(|&place| place as usize);
+        for (full, values) in self.columns.iter_mut().zip(&results.columns) {
+            full.spread(places(), values);
+        }
+        for (place, &class) in places().zip(&results.classes) {
+            self.classes[place] = class;
+        }
     }
 
     /// Number of points.
     #[must_use]
     pub const fn len(&self) -> usize {
-        self.len
+        self.classes.len()
     }
 
     /// Whether there are no points.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
-        self.len == 0
+        self.classes.is_empty()
     }
 
     /// The values of a column.
@@ -199,7 +228,13 @@ impl Columns {
 
     /// All summaries in order.
     pub fn summaries(&self) -> impl ExactSizeIterator<Item = Summary> + '_ {
-        (0..self.len).map(|i| self.summary(i))
+        (0..self.len()).map(|i| self.summary(i))
+    }
+
+    /// The classes of all points in order.
+    #[must_use]
+    pub fn classes(&self) -> &[Class] {
+        &self.classes
     }
 }
 

@@ -54,11 +54,14 @@ impl Prepared {
     }
 }
 
-/// The summaries of a task, each with the place of its point.
-type Task = Vec<(u32, Summary)>;
+/// The results of a task: points at some places, of one hoop.
+struct Task<'a> {
+    places: &'a [u32],
+    columns: Columns,
+}
 
 /// The tasks of a hoop, and its engine, if it is kept.
-type Group = (Option<Prepared>, Vec<Task>);
+type Group<'a> = (Option<Prepared>, Vec<Task<'a>>);
 
 /// A point that was refused, by its place among the points.
 #[derive(Clone, Debug, PartialEq)]
@@ -139,7 +142,7 @@ impl Workers {
         let groups = group_by_hoop(points);
         let known = std::mem::take(&mut *self.engines.lock().unwrap_or_else(PoisonError::into_inner));
         let keep = groups.len() <= KEPT;
-        let results: Vec<Group> = self
+        let results: Vec<Group<'_>> = self
             .install(|| {
                 groups
                     .par_iter()
@@ -168,12 +171,12 @@ impl Workers {
 
         let mut columns = Columns::blank(points.len());
         let mut engines = Vec::new();
-        let mut summaries = Vec::new();
         for (prepared, tasks) in results {
             engines.extend(prepared);
-            summaries.extend(tasks);
+            for Task { places, columns: results } in tasks {
+                columns.spread(places, &results);
+            }
         }
-        self.install(|| columns.fill(&summaries));
         *self.engines.lock().unwrap_or_else(PoisonError::into_inner) = engines;
         Ok(columns)
     }
@@ -191,20 +194,19 @@ fn first_refused<T>(so_far: Result<Vec<T>, Refused>, next: Result<T, Refused>) -
     }
 }
 
-fn compute_task(
+fn compute_task<'a>(
     points: &[Setup],
-    indices: &[u32],
+    places: &'a [u32],
     engine: Option<&Engine>,
     limits: Limits,
-) -> Result<Task, Refused> {
-    let summary = |index: u32| {
-        let Some(engine) = engine else { return Ok((index, Summary::INVALID)) };
-        match engine.summary(points[index as usize].start, limits) {
-            Ok(summary) => Ok((index, summary)),
-            Err(error) => Err(Refused { index: index as usize, error }),
-        }
+) -> Result<Task<'a>, Refused> {
+    let summary = |&place: &u32| {
+        let Some(engine) = engine else { return Ok(Summary::INVALID) };
+        let index = place as usize;
+        engine.summary(points[index].start, limits).map_err(|error| Refused { index, error })
     };
-    indices.iter().map(|&index| summary(index)).collect()
+    let summaries = places.iter().map(summary).collect::<Result<Vec<Summary>, Refused>>()?;
+    Ok(Task { places, columns: Columns::of_summaries(&summaries) })
 }
 
 /// The places of the points of each hoop, hoops in the order in which they first occur.

@@ -24,8 +24,8 @@ impl Tally {
     #[must_use]
     pub fn of_columns(columns: &Columns) -> Self {
         let mut tally = Self::default();
-        for summary in columns.summaries() {
-            tally.add(Class::of(&summary), 1);
+        for &class in columns.classes() {
+            tally.add(class, 1);
         }
         tally
     }

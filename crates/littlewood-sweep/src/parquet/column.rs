@@ -59,7 +59,10 @@ fn field(name: &str, data_type: DataType, attributes: Attributes) -> Field {
 pub(super) fn arrays(column: SummaryColumn, values: &ColumnValues) -> Vec<ArrayRef> {
     match (column.column_type(), values) {
         (ColumnType::Outcome, ColumnValues::U8(codes)) => {
-            let name = |code| OutcomeKind::try_from(code).map_or("", OutcomeKind::name).to_owned();
+            let name = |code: u8| match OutcomeKind::try_from(code) {
+                Ok(kind) => kind.to_string(),
+                Err(unknown) => unknown.to_string(),
+            };
             vec![words(codes, name), Arc::new(UInt8Array::from(codes.clone()))]
         }
         (ColumnType::Sequence, ColumnValues::U64(codes)) => {

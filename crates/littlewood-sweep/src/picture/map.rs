@@ -72,8 +72,7 @@ impl Picture {
             Shade::Class => None,
             Shade::Column(column) => columns.reals(column),
         };
-        for ((i, indices), summary) in chunk.indices().enumerate().zip(columns.summaries()) {
-            let class = Class::of(&summary);
+        for ((i, indices), &class) in chunk.indices().enumerate().zip(columns.classes()) {
             self.tally.add(class, 1);
             let [Some(x), Some(y)] = [0, 1].map(|k| cell(indices[k], axes[k], self.counts[k])) else {
                 continue;

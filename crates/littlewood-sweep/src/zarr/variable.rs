@@ -33,26 +33,12 @@ pub(super) fn to_bytes(
     size: usize,
 ) -> Vec<u8> {
     let mut full = ColumnValues::repeat(not_computed(column), size);
-    match (&mut full, values) {
-        (ColumnValues::U8(full), ColumnValues::U8(values)) => spread(full, values, places),
-        (ColumnValues::U32(full), ColumnValues::U32(values)) => spread(full, values, places),
-        (ColumnValues::U64(full), ColumnValues::U64(values)) => spread(full, values, places),
-        (ColumnValues::F64(full), ColumnValues::F64(values)) => spread(full, values, places),
-        (ColumnValues::U8(_) | ColumnValues::U32(_) | ColumnValues::U64(_) | ColumnValues::F64(_), _) => {
-            unreachable!("a column has values of one type")
-        }
-    }
+    full.spread(places.iter().copied(), values);
     match full {
         ColumnValues::U8(values) => values,
         ColumnValues::U32(values) => values.into_iter().flat_map(u32::to_le_bytes).collect(),
         ColumnValues::U64(values) => values.into_iter().flat_map(u64::to_le_bytes).collect(),
         ColumnValues::F64(values) => values.into_iter().flat_map(f64::to_le_bytes).collect(),
-    }
-}
-
-fn spread<T: Copy>(full: &mut [T], values: &[T], places: &[usize]) {
-    for (&place, &value) in places.iter().zip(values) {
-        full[place] = value;
     }
 }
 
