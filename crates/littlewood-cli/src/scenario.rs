@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 use std::fs;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -14,16 +14,10 @@ use miette::NamedSource;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::args::Format;
+use crate::args::{Format, MAX_TRANSITIONS, SAMPLES};
 use crate::error::Error;
 use crate::nearest;
 use crate::values::{Given, Origin, si_name};
-
-/// Bounds of the number of samples.
-pub(crate) const SAMPLES: (u64, u64) = (2, 10_000_000);
-
-/// Bounds of the largest number of transitions.
-const MAX_TRANSITIONS: (u64, u64) = (1, u64::MAX);
 
 /// A scenario file that has been read.
 #[derive(Debug)]
@@ -269,14 +263,14 @@ impl<'a> Section<'a> {
     }
 
     /// A count within bounds, which are those of the flag.
-    fn count(&self, key: &str, (least, most): (u64, u64)) -> Result<Option<u64>, Error> {
+    fn count(&self, key: &str, bounds: RangeInclusive<u64>) -> Result<Option<u64>, Error> {
         let Some((_, value)) = self.find(key) else { return Ok(None) };
         let whole = whole(value.get_ref())
             .ok_or_else(|| self.of_other_type(key, "a whole number", value.get_ref(), value.span()))?;
         match u64::try_from(whole) {
-            Ok(count) if (least..=most).contains(&count) => Ok(Some(count)),
+            Ok(count) if bounds.contains(&count) => Ok(Some(count)),
             Ok(_) | Err(_) => Err(self.source.complain(
-                format!("{key} = {whole} is not between {least} and {most}"),
+                format!("{key} = {whole} is not between {} and {}", bounds.start(), bounds.end()),
                 format!("give another number for {key}, or leave it out"),
                 value.span(),
             )),

@@ -93,7 +93,7 @@ fn broken_toml_is_shown_where_it_breaks() {
 fn an_unknown_key_is_shown_with_those_that_exist() {
     let message = refused("case = \"figure-3\"\n\n[hoop]\nmu = 0.5\n");
     assert!(message.contains("there is no key 'mu' in [hoop]"), "{message}");
-    assert!(message.contains("did you mean 'mu_k' or 'mu_s'?"), "{message}");
+    assert!(message.contains("did you mean 'mu_s' or 'mu_k'?"), "{message}");
     assert!(message.contains("hoop.toml:4:1"), "{message}");
     assert!(refused("[hop]\n").contains("did you mean 'hoop'?"));
     assert!(refused("[si.start]\ntheta = 1.0\n").contains("did you mean 'theta_rad'"));

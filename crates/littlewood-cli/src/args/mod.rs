@@ -12,9 +12,10 @@ pub(crate) use animate::{AnimateArgs, Camera};
 pub(crate) use figures::{FigureFormat, FiguresArgs};
 pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;
-pub(crate) use problem::{ProblemArgs, RunArgs, number};
+pub(crate) use problem::{MAX_TRANSITIONS, ProblemArgs, RunArgs, number};
 pub(crate) use sweep::{AtlasArgs, MapArgs, SweepArgs, WorkArgs, size};
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -105,6 +106,9 @@ Examples:
   littlewood classify figure-3
   littlewood classify figure-3 --theta -.7 --theta-rate 1.6 --format json";
 
+/// Numbers of samples that can be asked for.
+pub(crate) const SAMPLES: RangeInclusive<u64> = 2..=10_000_000;
+
 /// Arguments of `littlewood simulate`.
 #[derive(Debug, Args)]
 pub(crate) struct SimulateArgs {
@@ -117,8 +121,7 @@ pub(crate) struct SimulateArgs {
     pub(crate) format: Option<Format>,
     /// Add N instants, evenly spaced in time, and every transition between them. A motion without an end is sampled
     /// for two periods of its last phase (10 units of time if that has no period), or to --until
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=10_000_000),
-          help_heading = "Output")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(SAMPLES), help_heading = "Output")]
     pub(crate) samples: Option<u64>,
     /// Write to this file; it is replaced only once everything has been written
     #[arg(long, value_name = "FILE", help_heading = "Output")]

@@ -1,8 +1,10 @@
 //! A hoop, a start and limits as they are typed.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args;
+use littlewood::Limits;
 
 use super::quantity::{LimitArgs, SetupArgs};
 
@@ -26,10 +28,20 @@ pub(crate) struct ProblemArgs<const PLACE: bool> {
 pub(crate) struct RunArgs {
     #[command(flatten)]
     pub(crate) limits: LimitArgs,
-    /// Stop after this many transitions. Only equal coefficients of friction can need it: there slips may shrink
-    /// without end [default: 10000]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(MAX_TRANSITIONS),
+          help = max_transitions())]
     pub(crate) max_transitions: Option<u64>,
+}
+
+/// Largest numbers of transitions that can be asked for.
+pub(crate) const MAX_TRANSITIONS: RangeInclusive<u64> = 1..=u64::MAX;
+
+fn max_transitions() -> String {
+    format!(
+        "Stop after this many transitions. Only equal coefficients of friction can need it: there slips may shrink \
+         without end [default: {}]",
+        Limits::default().transitions
+    )
 }
 
 /// A number after a flag.
