@@ -15,6 +15,7 @@ __all__ = [
     "CLASSES",
     "DIRECTIONS",
     "HOOP",
+    "MAX_TRANSITIONS",
     "MIN_STARTS_FOR_TABLES",
     "MODES",
     "OUTCOMES",
@@ -76,6 +77,7 @@ CAUSES: list[tuple[int, str, str]]
 CLASSES: list[tuple[int, str, str]]
 DIRECTIONS: list[tuple[int, str]]
 HOOP: list[str]
+MAX_TRANSITIONS: int
 MIN_STARTS_FOR_TABLES: int
 MODES: list[tuple[int, str]]
 OUTCOMES: list[tuple[int, str, str, bool]]

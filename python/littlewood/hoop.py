@@ -8,7 +8,7 @@ from . import _core
 from .html import hoop_html
 from .motion import Classification, State, _frozen
 from .phase_plane import PhasePlane
-from .tables import HOOP, SI_HOOP, SI_START, START
+from .tables import HOOP, MAX_TRANSITIONS, SI_HOOP, SI_START, START
 from .trajectory import Trajectory
 from .units import Units
 
@@ -154,7 +154,7 @@ class Hoop:
         x: float = 0.0,
         time: float = 0.0,
         until: float | None = None,
-        max_transitions: int = 10_000,
+        max_transitions: int = MAX_TRANSITIONS,
     ) -> Trajectory:
         """Follow a motion to its end, or to a limit.
 
@@ -198,7 +198,7 @@ class Hoop:
         x_m: float = 0.0,
         time_s: float = 0.0,
         until_s: float | None = None,
-        max_transitions: int = 10_000,
+        max_transitions: int = MAX_TRANSITIONS,
     ) -> Trajectory:
         """Follow a motion from a start in SI units.
 

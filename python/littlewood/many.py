@@ -17,6 +17,7 @@ from .extras import require
 from .hoop import Hoop
 from .lazy import lazy_columns
 from .points import Points, broadcast, check_hoop, fill, grid
+from .tables import MAX_TRANSITIONS
 from .variables import CONVENTIONS, RESULTS, result_attributes
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ def simulate_many(
     hoop: Hoop | None = None,
     *,
     until: float | None = None,
-    max_transitions: int = 10_000,
+    max_transitions: int = MAX_TRANSITIONS,
     chunks: Any = None,
     threads: int | None = None,
     progress: bool = False,
@@ -114,7 +115,7 @@ def outcome_map(
     hoop: Hoop | None = None,
     *,
     until: float | None = None,
-    max_transitions: int = 10_000,
+    max_transitions: int = MAX_TRANSITIONS,
     chunks: Any = None,
     threads: int | None = None,
     progress: bool = False,

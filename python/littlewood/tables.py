@@ -93,6 +93,9 @@ SUMMARY_COLUMNS: Mapping[str, SummaryColumn] = _frozen(
 )
 """Columns of summaries by their names."""
 
+MAX_TRANSITIONS: int = _core.MAX_TRANSITIONS
+"""Number of transitions after which a motion is stopped by default."""
+
 MODES: tuple[str, ...] = tuple(name for _, name in _core.MODES)
 """Names of the modes of motion; their places are the codes in arrays. Outside a motion the code is -1."""
 

@@ -1,7 +1,7 @@
 //! Tables of the core: quantities, modes, causes, outcomes, classes, regions, phases, columns, cases, edges.
 
 use littlewood::{
-    CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, Mode, OutcomeKind, PhaseCode,
+    CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, Limits, Mode, OutcomeKind, PhaseCode,
     PhaseSequence, Quantity, RollingType, STANDARD_GRAVITY, SampleColumn, StartRegion, State, SummaryColumn,
 };
 use numpy::PyReadonlyArray1;
@@ -137,6 +137,7 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("SI_START", names(Quantity::SI_START))?;
     module.add("STATE", State::COLUMNS.map(SampleColumn::name).to_vec())?;
     module.add("STANDARD_GRAVITY", STANDARD_GRAVITY)?;
+    module.add("MAX_TRANSITIONS", Limits::default().transitions)?;
     module.add("OUTSIDE", OUTSIDE)?;
     module.add("MODES", Mode::ALL.map(|mode| (mode.code(), mode.name())).to_vec())?;
     let arrows = Direction::ALL.map(|direction| (Direction::code(Some(direction)), direction.arrow()));
