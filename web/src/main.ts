@@ -153,7 +153,11 @@ function writeSoon(lab: Lab): void {
   window.clearTimeout(timer);
   // A link that is wrong stays in sight, to be mended.
   if (lab.fieldErrors.length > 0) return;
-  timer = window.setTimeout(() => history.replaceState(null, '', address(lab)), ADDRESS_PAUSE);
+  const shown = location.hash;
+  timer = window.setTimeout(() => {
+    // Another address that has come meanwhile, as by going back, is yet to be read.
+    if (location.hash === shown) history.replaceState(null, '', address(lab));
+  }, ADDRESS_PAUSE);
 }
 
 /** What is wrong in a link is shown at the top, too: its field may be out of sight, or there may be none. */
