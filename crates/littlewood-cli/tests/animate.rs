@@ -96,7 +96,7 @@ fn bad_values_are_refused_with_a_bound_and_a_hint() {
     assert!(refused(&["--size", "big"], 2).contains("WIDTHxHEIGHT"));
     let folder = TempDir::new().unwrap();
     let message = complaint(&["animate", "painleve", "--out", &path(&folder, "film.gif")], 2);
-    assert!(message.contains("there is no motion to show: the start is inconsistent"), "{message}");
+    assert!(message.contains("there is no motion to show: no motion is consistent"), "{message}");
     let message = complaint(&["animate", "figure-33", "--out", &path(&folder, "film.gif")], 2);
     assert!(message.contains("did you mean 'figure-3'"), "{message}");
 }
