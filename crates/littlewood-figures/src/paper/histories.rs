@@ -1,6 +1,6 @@
 //! Forces and energy of a motion against time, with its transitions.
 
-use littlewood::{Dimension, Hoop, Mode, Phase, Sample, SampleColumn, Trajectory};
+use littlewood::{Dimension, Hoop, Mode, Phase, Sample, SampleColumn, Trajectory, Transition};
 
 use crate::axes::{plain, time};
 use crate::error::FigureError;
@@ -56,7 +56,7 @@ fn transitions(motion: &Trajectory, axis: &PlotAxis) -> Layer {
     let pieces = motion
         .transitions()
         .iter()
-        .map(|transition| transition.time())
+        .map(Transition::time)
         .filter(|time| *time < until)
         .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
         .collect();
