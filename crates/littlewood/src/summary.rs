@@ -7,7 +7,8 @@ use crate::hoop::Hoop;
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
 use crate::state::State;
-use crate::trajectory::{PhaseSolution, Trajectory, Transition};
+use crate::trajectory::{PhaseSolution, Trajectory};
+use crate::transition::Transition;
 use crate::trig::sincos;
 use crate::walk::{PhaseSeen, Recorder, Solution};
 
