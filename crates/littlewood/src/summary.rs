@@ -23,7 +23,7 @@ pub struct Summary {
     pub sequence: PhaseSequence,
     /// Number of transitions.
     pub transitions: u32,
-    /// State at the end, or where the phase begins that lasts for ever ([`Outcome::state`]).
+    /// State at the end, or where the phase begins that lasts for ever ([`crate::Outcome::state`]).
     pub end: State,
     /// Energy there (2.8). Infinite rates make it NaN.
     pub energy: f64,
