@@ -14,13 +14,13 @@
 //!
 //! One candidate is taken. None or several (Painlevé: P ≤ 0) is an answer of its own.
 
+use crate::detail::Detail;
 use crate::dimension::Dimension;
 use crate::equations::{
     ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
 };
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::mode::{Direction, Mode};
-use crate::outcome::Detail;
 use crate::rolling::{Hold, RollingLimit, RollingOrbit};
 use crate::state::State;
 

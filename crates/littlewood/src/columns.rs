@@ -4,8 +4,9 @@ use crate::dimension::Dimension;
 use crate::mode::{Direction, Mode};
 use crate::named::named;
 use crate::outcome::OutcomeKind;
+use crate::sample::Sample;
 use crate::sequence::PhaseSequence;
-use crate::state::Sample;
+use crate::state::State;
 use crate::summary::Summary;
 
 named! {
@@ -49,6 +50,24 @@ named! {
         ParticleX = 17, "particle_x";
         /// Height of the particle.
         ParticleY = 18, "particle_y";
+    }
+}
+
+impl State {
+    /// The columns that make a state, in the order of records.
+    pub const COLUMNS: [SampleColumn; 5] = [
+        SampleColumn::Time,
+        SampleColumn::Theta,
+        SampleColumn::ThetaRate,
+        SampleColumn::Slip,
+        SampleColumn::X,
+    ];
+
+    /// The numbers, in the order of [`State::COLUMNS`].
+    #[must_use]
+    pub const fn numbers(&self) -> [f64; 5] {
+        let Self { time, theta, theta_rate, slip, x } = *self;
+        [time, theta, theta_rate, slip, x]
     }
 }
 

@@ -1,73 +1,8 @@
 //! What is wrong with a parameter: the quantity, its value, the bound it breaks and its unit.
 
-use core::fmt;
-
 use thiserror::Error;
 
-use crate::quantity::Quantity;
-
-/// The bound that a value breaks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Bound {
-    /// The value must be a finite number.
-    Finite,
-    /// The value must be greater than zero.
-    Positive,
-    /// The value must be zero or greater.
-    NonNegative,
-    /// The value must not exceed that of another quantity.
-    AtMost(Quantity, f64),
-    /// The value must not exceed a constant.
-    AtMostConstant(f64),
-    /// The magnitude must not exceed a constant.
-    MagnitudeAtMost(f64),
-    /// The value must not be less than that of another quantity.
-    AtLeast(Quantity, f64),
-}
-
-impl Bound {
-    /// Whether a value keeps it.
-    #[inline]
-    #[must_use]
-    pub const fn allows(&self, value: f64) -> bool {
-        match *self {
-            Self::Finite => value.is_finite(),
-            Self::Positive => value > 0.0,
-            Self::NonNegative => value >= 0.0,
-            Self::AtMost(_, most) | Self::AtMostConstant(most) => value <= most,
-            Self::MagnitudeAtMost(most) => value.abs() <= most,
-            Self::AtLeast(_, least) => value >= least,
-        }
-    }
-}
-
-impl fmt::Display for Bound {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Finite => f.write_str("must be a finite number"),
-            Self::Positive => f.write_str("must be greater than 0"),
-            Self::NonNegative => f.write_str("must not be negative"),
-            Self::AtMost(quantity, value) => write!(f, "must not exceed {}", Reading(*quantity, *value)),
-            Self::AtMostConstant(value) => write!(f, "must not exceed {value}"),
-            Self::MagnitudeAtMost(value) => write!(f, "must lie between {:e} and {value:e}", -value),
-            Self::AtLeast(quantity, value) => {
-                write!(f, "must not be less than {}", Reading(*quantity, *value))
-            }
-        }
-    }
-}
-
-struct Reading(Quantity, f64);
-
-impl fmt::Display for Reading {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(quantity, value) = self;
-        match quantity.unit() {
-            "" => write!(f, "{quantity} = {value}"),
-            unit => write!(f, "{quantity} = {value} {unit}"),
-        }
-    }
-}
+use crate::quantity::{Bound, Quantity, Reading};
 
 /// A parameter of a hoop or of a start that has no physical meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -126,6 +61,29 @@ impl ParameterError {
             Self::NoMotion { .. }
                 | Self::OutOfBounds { quantity: Quantity::MuK, bound: Bound::AtMost(..), .. }
         )
+    }
+}
+
+impl Quantity {
+    /// Refuses what is not a finite number within the bounds of the table.
+    ///
+    /// # Errors
+    /// Names the first bound that the value breaks.
+    #[inline]
+    pub fn check(self, value: f64) -> Result<f64, ParameterError> {
+        if value.is_finite() && self.bounds().iter().all(|bound| bound.allows(value)) {
+            Ok(value)
+        } else {
+            Err(self.refusal(value))
+        }
+    }
+
+    /// The first bound that a value breaks.
+    #[cold]
+    fn refusal(self, value: f64) -> ParameterError {
+        let broken = self.bounds().iter().find(|bound| value.is_finite() && !bound.allows(value));
+        let bound = broken.copied().unwrap_or(Bound::Finite);
+        ParameterError::OutOfBounds { quantity: self, value, bound }
     }
 }
 

@@ -12,7 +12,7 @@ use crate::rolling::Rolling;
 use crate::sliding::{Entry, Sliding, SlidingEnd};
 use crate::state::State;
 use crate::trajectory::PhaseSolution;
-use crate::walk::{Ending, Solved, Solver};
+use crate::walk::{Ending, Solution, Solved, Solver};
 
 /// Solves the phases of one hoop.
 #[derive(Clone, Copy, Debug)]
@@ -159,5 +159,21 @@ impl Solver for Exact<'_> {
             GlidingEnd::TimeLimit(state) => self.stopped(state),
         };
         Solved { solution: PhaseSolution::Gliding(glide), direction: glide.direction(), ending }
+    }
+}
+
+impl Solution for PhaseSolution {
+    fn flight(&self) -> Option<&Flight> {
+        match self {
+            Self::Flight(flight) => Some(flight),
+            Self::Rolling(_) | Self::Sliding(_) | Self::Gliding(_) => None,
+        }
+    }
+
+    fn theta_range(&self) -> Option<(f64, f64)> {
+        match self {
+            Self::Sliding(slide) => Some(slide.theta_range()),
+            Self::Rolling(_) | Self::Gliding(_) | Self::Flight(_) => None,
+        }
     }
 }

@@ -15,7 +15,8 @@ use core::f64::consts::{PI, TAU};
 use crate::bernstein::Bracket;
 use crate::hoop::{Heavy, Hoop};
 use crate::mode::Mode;
-use crate::state::{Instant, Sample, State};
+use crate::sample::{Instant, Sample};
+use crate::state::State;
 use crate::trig::sincos;
 
 /// A phase of flight.
@@ -62,8 +63,8 @@ impl Bound {
     }
 }
 
-/// A bound of the gap is sure above this part of the gaps it is computed from.
-const SURE: f64 = 1e-9;
+/// Where tangents bound the gap by more than this part of the gaps they are computed from, it is open.
+const MIN_CLEARANCE: f64 = 1e-9;
 
 impl Gap {
     fn value_and_slope(&self, phi: f64) -> (f64, f64) {
@@ -74,7 +75,7 @@ impl Gap {
     /// gap and its first three derivatives in φ.
     #[inline]
     fn derivatives(&self, phi: f64) -> (f64, f64, f64, f64) {
-        let Ramps { sine, versine, odd, even } = Ramps::new(phi);
+        let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(phi);
         (
             0.5 * self.opening * phi * phi - self.h * (self.cos * even + self.sin * odd),
             self.opening * phi - self.h * (self.cos * odd + self.sin * versine),
@@ -141,7 +142,7 @@ impl Gap {
                     apex = (highest, height);
                 }
                 from = Bound { phi: highest, gap: height, slope: 0.0 };
-            } else if from.slope < 0.0 && to.slope > 0.0 && bound <= SURE * (from.gap + to.gap) {
+            } else if from.slope < 0.0 && to.slope > 0.0 && bound <= MIN_CLEARANCE * (from.gap + to.gap) {
                 let lowest = self.turning(&from, &to);
                 let at_lowest = self.bound(lowest);
                 if at_lowest.gap <= 0.0 {
@@ -239,7 +240,7 @@ impl Inflections {
     }
 }
 
-/// 1/(k(k + 1)) and 1/((k + 1)(k + 2)) for k = 20, 18, …, 4: the ratios of terms of the series of `Ramps`.
+/// 1/(k(k + 1)) and 1/((k + 1)(k + 2)) for k = 20, 18, …, 4: the ratios of terms of the series of `TruncatedSeries`.
 const RECIPROCALS: [(f64, f64); 9] = {
     let mut table = [(0.0, 0.0); 9];
     let mut i = 0;
@@ -253,14 +254,14 @@ const RECIPROCALS: [(f64, f64); 9] = {
 
 /// sin φ, 1 − cos φ, φ − sin φ and cos φ − 1 + φ²/2, the latter without cancellation.
 #[derive(Clone, Copy, Debug)]
-struct Ramps {
+struct TruncatedSeries {
     sine: f64,
     versine: f64,
     odd: f64,
     even: f64,
 }
 
-impl Ramps {
+impl TruncatedSeries {
     fn new(phi: f64) -> Self {
         let square = phi * phi;
         if phi.abs() > 1.0 {

@@ -15,7 +15,8 @@ use core::f64::consts::{PI, TAU};
 use crate::bernstein::{Bernstein, Bracket};
 use crate::hoop::{Hoop, Massless};
 use crate::mode::{Direction, Mode};
-use crate::state::{Instant, Sample, State};
+use crate::sample::{Instant, Sample};
+use crate::state::State;
 
 /// A phase of gliding in one direction of slip.
 #[derive(Clone, Copy, Debug)]

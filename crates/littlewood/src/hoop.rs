@@ -1,7 +1,7 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
-use crate::error::{Bound, ParameterError, within};
-use crate::quantity::Quantity;
+use crate::error::{ParameterError, within};
+use crate::quantity::{Bound, Quantity};
 
 /// The numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
 ///
@@ -65,8 +65,9 @@ pub enum Body {
     Massless(Massless),
 }
 
-/// A hoop with inertia.
+/// A hoop with inertia; its mass ratio may be 0. Only [`Hoop::new`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Heavy {
     /// Total mass m = 1 + m̂1.
     pub mass: f64,
@@ -78,8 +79,9 @@ pub struct Heavy {
     pub inertia: f64,
 }
 
-/// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1.
+/// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Only [`Hoop::new`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Massless {
     /// Offset of the particle, ℓ̂ = h. Littlewood has ℓ̂ = 1; footnote 7 of the paper relaxes it.
     pub offset: f64,

@@ -1,14 +1,13 @@
 //! The quantities that a user can set: one table from which flags, scenario files, records, axes, messages and the
 //! fields of the laboratory derive.
 //!
-//! A new quantity of a hoop or a start is one item and one row here, one field of [`HoopParameters`] or [`Start`], and
-//! one line of [`Setup::place`].
+//! A new quantity of a hoop or a start is one item and one row here, one field of [`crate::HoopParameters`] or
+//! [`crate::Start`], and one line of [`crate::Setup::place`].
+
+use core::fmt;
 
 use crate::dimension::{Dimension, System};
-use crate::error::{Bound, ParameterError};
-use crate::hoop::HoopParameters;
 use crate::named::named;
-use crate::state::Start;
 
 named! {
     /// A quantity that a user can set.
@@ -102,6 +101,70 @@ pub struct QuantityRow {
     pub default: Option<f64>,
     /// Range in which a person usually sets it.
     pub usual: [f64; 2],
+}
+
+/// The bound that a value breaks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// The value must be a finite number.
+    Finite,
+    /// The value must be greater than zero.
+    Positive,
+    /// The value must be zero or greater.
+    NonNegative,
+    /// The value must not exceed that of another quantity.
+    AtMost(Quantity, f64),
+    /// The value must not exceed a constant.
+    AtMostConstant(f64),
+    /// The magnitude must not exceed a constant.
+    MagnitudeAtMost(f64),
+    /// The value must not be less than that of another quantity.
+    AtLeast(Quantity, f64),
+}
+
+impl Bound {
+    /// Whether a value keeps it.
+    #[inline]
+    #[must_use]
+    pub const fn allows(&self, value: f64) -> bool {
+        match *self {
+            Self::Finite => value.is_finite(),
+            Self::Positive => value > 0.0,
+            Self::NonNegative => value >= 0.0,
+            Self::AtMost(_, most) | Self::AtMostConstant(most) => value <= most,
+            Self::MagnitudeAtMost(most) => value.abs() <= most,
+            Self::AtLeast(_, least) => value >= least,
+        }
+    }
+}
+
+impl fmt::Display for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Finite => f.write_str("must be a finite number"),
+            Self::Positive => f.write_str("must be greater than 0"),
+            Self::NonNegative => f.write_str("must not be negative"),
+            Self::AtMost(quantity, value) => write!(f, "must not exceed {}", Reading(*quantity, *value)),
+            Self::AtMostConstant(value) => write!(f, "must not exceed {value}"),
+            Self::MagnitudeAtMost(value) => write!(f, "must lie between {:e} and {value:e}", -value),
+            Self::AtLeast(quantity, value) => {
+                write!(f, "must not be less than {}", Reading(*quantity, *value))
+            }
+        }
+    }
+}
+
+/// A quantity with its value and unit.
+pub(crate) struct Reading(pub(crate) Quantity, pub(crate) f64);
+
+impl fmt::Display for Reading {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(quantity, value) = self;
+        match quantity.unit() {
+            "" => write!(f, "{quantity} = {value}"),
+            unit => write!(f, "{quantity} = {value} {unit}"),
+        }
+    }
 }
 
 /// Standard acceleration of free fall, m/s².
@@ -519,27 +582,6 @@ impl Quantity {
         if self.is_si() { None } else { self.row().twin }
     }
 
-    /// Refuses what is not a finite number within the bounds of the table.
-    ///
-    /// # Errors
-    /// Names the first bound that the value breaks.
-    #[inline]
-    pub fn check(self, value: f64) -> Result<f64, ParameterError> {
-        if value.is_finite() && self.bounds().iter().all(|bound| bound.allows(value)) {
-            Ok(value)
-        } else {
-            Err(self.refusal(value))
-        }
-    }
-
-    /// The first bound that a value breaks.
-    #[cold]
-    fn refusal(self, value: f64) -> ParameterError {
-        let broken = self.bounds().iter().find(|bound| value.is_finite() && !bound.allows(value));
-        let bound = broken.copied().unwrap_or(Bound::Finite);
-        ParameterError::OutOfBounds { quantity: self, value, bound }
-    }
-
     /// Advice for the person who typed a value out of bounds.
     pub(crate) const fn hint(self) -> &'static str {
         match self.dimensionless() {
@@ -573,73 +615,6 @@ impl Quantity {
     }
 }
 
-/// A hoop and a start as they are given, not yet checked.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Setup {
-    /// The hoop, in the dimensionless parameters of (2.9).
-    pub hoop: HoopParameters,
-    /// The start, dimensionless.
-    pub start: Start,
-}
-
-impl Setup {
-    /// A hoop with a start.
-    #[must_use]
-    pub const fn new(hoop: HoopParameters, start: Start) -> Self {
-        Self { hoop, start }
-    }
-
-    /// Where a quantity stands; none for a limit and for what is in SI units.
-    pub const fn place(&mut self, quantity: Quantity) -> Option<&mut f64> {
-        let Self { hoop, start } = self;
-        Some(match quantity {
-            Quantity::MassRatio => &mut hoop.mass_ratio,
-            Quantity::Offset => &mut hoop.offset,
-            Quantity::Inertia => &mut hoop.inertia,
-            Quantity::MuS => &mut hoop.mu_s,
-            Quantity::MuK => &mut hoop.mu_k,
-            Quantity::Theta => &mut start.theta,
-            Quantity::ThetaRate => &mut start.theta_rate,
-            Quantity::Slip => &mut start.slip,
-            Quantity::X => &mut start.x,
-            Quantity::Time => &mut start.time,
-            Quantity::Until
-            | Quantity::DiscMassKg
-            | Quantity::ParticleMassKg
-            | Quantity::RadiusM
-            | Quantity::OffsetM
-            | Quantity::InertiaKgM2
-            | Quantity::GravityMPerS2
-            | Quantity::ThetaRateRadPerS
-            | Quantity::SlipMPerS
-            | Quantity::XM
-            | Quantity::TimeS
-            | Quantity::UntilS => return None,
-        })
-    }
-
-    /// The value of a quantity; none for a limit and for what is in SI units.
-    #[must_use]
-    pub fn get(&self, quantity: Quantity) -> Option<f64> {
-        let mut copy = *self;
-        copy.place(quantity).copied()
-    }
-
-    /// Sets a quantity; nothing happens for a limit and for what is in SI units.
-    pub const fn set(&mut self, quantity: Quantity, value: f64) {
-        if let Some(place) = self.place(quantity) {
-            *place = value;
-        }
-    }
-
-    /// The values of some quantities; NaN for those that are not part of a setup.
-    #[must_use]
-    pub fn values<const N: usize>(&self, quantities: [Quantity; N]) -> [f64; N] {
-        quantities.map(|quantity| self.get(quantity).unwrap_or(f64::NAN))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -661,18 +636,5 @@ mod tests {
             let [least, most] = quantity.row().usual;
             assert!(least < most && quantity.check(least).is_ok() && quantity.check(most).is_ok());
         }
-    }
-
-    #[test]
-    fn a_setup_has_every_quantity_of_a_hoop_and_a_start() {
-        let mut setup = Setup::new(HoopParameters::default(), Start::default());
-        for (value, quantity) in (1_u8..).zip(Quantity::HOOP.into_iter().chain(Quantity::START)) {
-            setup.set(quantity, f64::from(value));
-        }
-        for (value, quantity) in (1_u8..).zip(Quantity::HOOP.into_iter().chain(Quantity::START)) {
-            assert_eq!(setup.get(quantity), Some(f64::from(value)));
-            assert_eq!(setup.get(quantity.si_twin().unwrap_or(Quantity::Until)), None);
-        }
-        assert!(Quantity::AXES.iter().all(|axis| setup.get(*axis).is_some()));
     }
 }

@@ -1,9 +1,10 @@
 //! Conversion between SI units and the dimensionless quantities of (2.9), both ways.
 
 use crate::dimension::{Dimension, Units};
-use crate::error::{Bound, ParameterError, within};
+use crate::error::{ParameterError, within};
 use crate::hoop::{Hoop, HoopParameters};
-use crate::quantity::{Quantity, Setup};
+use crate::quantity::{Bound, Quantity};
+use crate::setup::Setup;
 use crate::state::{Start, State};
 
 /// A hoop in SI units.

@@ -1,12 +1,13 @@
 //! The simulation: the walk along the automaton with exact solutions, kept as a trajectory.
 
-use crate::error::{Bound, ParameterError, within};
+use crate::error::{ParameterError, within};
 use crate::exact::Exact;
 use crate::hoop::Hoop;
 use crate::outcome::Outcome;
-use crate::quantity::Quantity;
+use crate::quantity::{Bound, Quantity};
 use crate::state::Start;
-use crate::trajectory::{Phase, PhaseSolution, Trajectory, Transition};
+use crate::trajectory::{Phase, PhaseSolution, Trajectory};
+use crate::transition::Transition;
 use crate::walk::{PhaseSeen, Recorder, walk};
 
 /// When to stop a motion that has not come to its end.

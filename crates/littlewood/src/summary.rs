@@ -7,7 +7,8 @@ use crate::hoop::Hoop;
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
 use crate::state::State;
-use crate::trajectory::{PhaseSolution, Trajectory, Transition};
+use crate::trajectory::{PhaseSolution, Trajectory};
+use crate::transition::Transition;
 use crate::trig::sincos;
 use crate::walk::{PhaseSeen, Recorder, Solution};
 
@@ -22,7 +23,7 @@ pub struct Summary {
     pub sequence: PhaseSequence,
     /// Number of transitions.
     pub transitions: u32,
-    /// State at the end, or where the phase begins that lasts for ever ([`Outcome::state`]).
+    /// State at the end, or where the phase begins that lasts for ever ([`crate::Outcome::state`]).
     pub end: State,
     /// Energy there (2.8). Infinite rates make it NaN.
     pub energy: f64,

@@ -1,31 +1,15 @@
 //! A motion as a whole: its phases, the transitions between them, how it ends, and the state at any time.
 
-use crate::automaton::Cause;
 use crate::flight::Flight;
 use crate::gliding::Gliding;
 use crate::hoop::Hoop;
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::rolling::Rolling;
+use crate::sample::Sample;
 use crate::sliding::Sliding;
-use crate::state::{Sample, State};
-use crate::walk::Solution;
-
-impl Solution for PhaseSolution {
-    fn flight(&self) -> Option<&Flight> {
-        match self {
-            Self::Flight(flight) => Some(flight),
-            Self::Rolling(_) | Self::Sliding(_) | Self::Gliding(_) => None,
-        }
-    }
-
-    fn theta_range(&self) -> Option<(f64, f64)> {
-        match self {
-            Self::Sliding(slide) => Some(slide.theta_range()),
-            Self::Rolling(_) | Self::Gliding(_) | Self::Flight(_) => None,
-        }
-    }
-}
+use crate::state::State;
+use crate::transition::Transition;
 
 /// A phase of motion in one mode.
 #[derive(Clone, Debug)]
@@ -154,56 +138,6 @@ impl Phase {
     #[must_use]
     pub fn last(&self) -> Option<Sample> {
         self.end.map(|end| self.sample(end.time - self.start.time))
-    }
-}
-
-/// The impulse of the plane on the body at a transition, over m2 √(gR).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Impulse {
-    /// Upwards.
-    pub normal: f64,
-    /// Along E1.
-    pub friction: f64,
-}
-
-/// A change of the mode of motion, or the event that ends the simulation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub struct Transition {
-    /// State just before.
-    pub before: State,
-    /// State just after: the same, unless there is an impulse.
-    pub after: State,
-    /// The impulse, if the velocities jump.
-    pub impulse: Option<Impulse>,
-    /// Mode that ends.
-    pub from: Mode,
-    /// Mode that begins; none where the motion is not followed further.
-    pub to: Option<Mode>,
-    /// Direction of slip of the motion that begins.
-    pub direction: Option<Direction>,
-    /// Event.
-    pub cause: Cause,
-}
-
-impl Transition {
-    /// A transition through which the state is continuous.
-    pub(crate) const fn continuous(
-        state: State,
-        from: Mode,
-        to: Option<Mode>,
-        direction: Option<Direction>,
-        cause: Cause,
-    ) -> Self {
-        Self { before: state, after: state, impulse: None, from, to, direction, cause }
-    }
-
-    /// Time.
-    #[must_use]
-    pub const fn time(&self) -> f64 {
-        self.before.time
     }
 }
 

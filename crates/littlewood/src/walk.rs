@@ -15,7 +15,7 @@ use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::rolling::Recurrence;
 use crate::state::State;
-use crate::trajectory::Transition;
+use crate::transition::Transition;
 
 /// Two states of a conservative orbit that differ by no more are the same but for rounding.
 const SAME_STATE: f64 = 1e-9;

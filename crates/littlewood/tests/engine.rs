@@ -210,11 +210,13 @@ fn agree(hoop: &Hoop, starts: &[Start]) -> Result<(), TestCaseError> {
     let engine = Engine::new(hoop);
     for start in starts {
         let limits = Limits::until(start.time + 20.0).with_transitions(40);
-        let ours = engine.summary(*start, limits).unwrap();
-        let theirs = hoop.simulate(*start, limits).unwrap().summary();
+        let ours = engine.summary(*start, limits).expect("a valid start");
+        let theirs = hoop.simulate(*start, limits).expect("a valid start").summary();
         let tolerance = if engine.has_tables() { tolerance(&theirs) } else { 0.0 };
         let difference = compare(&ours, &theirs, tolerance, || sway(hoop, *start, limits));
-        prop_assert!(difference.is_ok(), "{hoop:?}\n{start:?}\n{}", difference.unwrap_err());
+        if let Err(difference) = difference {
+            return Err(TestCaseError::fail(format!("{hoop:?}\n{start:?}\n{difference}")));
+        }
     }
     Ok(())
 }

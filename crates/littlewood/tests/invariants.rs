@@ -114,8 +114,9 @@ fn margins(hoop: &Hoop, sample: &Sample, direction: Option<Direction>) -> Vec<(&
             ("static friction", hoop.mu_s() * sample.normal - sample.friction.abs(), 1e-9 * size),
             ("normal force", sample.normal, 1e-9 * size),
         ],
-        Mode::Sliding => vec![("slip", sign(direction) * sample.state.slip, 1e-9 * size)],
-        Mode::Gliding => vec![("slip", sign(direction) * sample.state.slip, 1e-9 * size)],
+        Mode::Sliding | Mode::Gliding => {
+            vec![("slip", sign(direction) * sample.state.slip, 1e-9 * size)]
+        }
         Mode::Flight => vec![("gap", sample.gap, 1e-13 * size)],
     }
 }

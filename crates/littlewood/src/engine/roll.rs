@@ -28,7 +28,7 @@ pub(super) struct SlipPoint {
 }
 
 /// A margin within this part of its terms of zero is left to the slow path.
-const DOUBT: f64 = 1e-12;
+const UNCERTAIN_MARGIN: f64 = 1e-12;
 
 /// Gauss panels are not wider than this part of the distance to the nearest singularity.
 const PANEL: f64 = 0.2;
@@ -99,9 +99,9 @@ fn holds(margins: &[[f64; 2]; 2]) -> (f64, f64) {
     for [a, b] in margins {
         let level = -a / b;
         if *b > 0.0 {
-            bounds.0 = f64::max(bounds.0, level + 4.0 * DOUBT * level.abs());
+            bounds.0 = f64::max(bounds.0, level + 4.0 * UNCERTAIN_MARGIN * level.abs());
         } else if *b < 0.0 {
-            bounds.1 = f64::min(bounds.1, level - 4.0 * DOUBT * level.abs());
+            bounds.1 = f64::min(bounds.1, level - 4.0 * UNCERTAIN_MARGIN * level.abs());
         } else if *a <= 0.0 {
             bounds.1 = 0.0;
         }
@@ -262,7 +262,7 @@ impl RollTable {
         let mut broken = None;
         for (side, [a, b]) in margins.iter().enumerate() {
             let margin = a + k * b;
-            if margin.abs() <= DOUBT * (a.abs() + (k * b).abs()) {
+            if margin.abs() <= UNCERTAIN_MARGIN * (a.abs() + (k * b).abs()) {
                 return None;
             }
             if margin < 0.0 {

@@ -26,7 +26,7 @@ use super::slide::{SlideEvent, SlideStart, SlideTable};
 const NARROWEST: f64 = 1.0 / 128.0;
 
 /// A slide that may be with or without lift-off, within this of both, is followed on its own.
-const DOUBT: f64 = 1e-9;
+const UNCERTAIN_END: f64 = 1e-9;
 
 /// What a slide out of rolling leads to.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +147,7 @@ impl SlipTable {
         } else {
             0.0
         };
-        let sure = if lifts_off { slip > DOUBT } else { w > DOUBT };
+        let sure = if lifts_off { slip > UNCERTAIN_END } else { w > UNCERTAIN_END };
         let rolls = family.rolls.find(point.angle, |piece| (piece.ends.left, piece.ends.right));
         let ahead = rolls.filter(|_| !lifts_off).map_or(Ahead::Open, |piece| {
             let [turned, elapsed] = piece.ends.at(point.angle);
@@ -319,12 +319,12 @@ impl Builder<'_> {
     fn start(&self, angle: f64) -> Option<SlideStart> {
         let (sin, cos) = sincos(angle);
         let u = self.roll.limit(self.side, angle)?;
-        if !(u > 0.0 && contact(1.0, self.body.h, cos * u) > DOUBT) {
+        if !(u > 0.0 && contact(1.0, self.body.h, cos * u) > UNCERTAIN_END) {
             return None;
         }
         let law: &RollingLaw = self.roll.law();
         let normal = law.forces_at((sin, cos), [1.0, u], law.denominator_at(cos)).normal;
-        if (self.mu_s - self.mu_k) * normal <= DOUBT {
+        if (self.mu_s - self.mu_k) * normal <= UNCERTAIN_END {
             return None;
         }
         let sigma = side_of(self.side).sign();

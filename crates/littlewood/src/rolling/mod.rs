@@ -10,20 +10,23 @@
 //! an elliptic integral, [`boundary`] the angle at which static friction gives way as a root of a polynomial.
 
 mod boundary;
+mod end;
 mod orbit;
 mod recurrence;
 mod rim;
 
 pub use boundary::RollingLimit;
-pub(crate) use orbit::Hold;
-pub use orbit::{RollingEnd, RollingOrbit};
+pub(crate) use end::Hold;
+pub use end::RollingEnd;
+pub use orbit::RollingOrbit;
 pub use recurrence::{Recurrence, RecurrenceKind};
 
 use crate::equations::RollingLaw;
 use crate::form::Form;
 use crate::hoop::Hoop;
 use crate::mode::Mode;
-use crate::state::{Instant, Sample, State};
+use crate::sample::{Instant, Sample};
+use crate::state::State;
 
 /// Coefficients of (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2) on the orbit with
 /// constant K; none for a massless hoop.

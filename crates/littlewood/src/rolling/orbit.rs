@@ -22,33 +22,9 @@ use crate::hoop::Hoop;
 use crate::mode::Direction;
 
 use super::boundary::{Boundary, RollingLimit};
+use super::end::{Hold, RollingEnd, turned};
 use super::recurrence::Recurrence;
 use super::rim::RimOrbit;
-
-/// The end of rolling: where and when static friction or the normal force gives way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct RollingEnd {
-    /// Time since the orbit was entered.
-    pub elapsed: f64,
-    /// Angle.
-    pub theta: f64,
-    /// Rate.
-    pub theta_rate: f64,
-    /// What gives way.
-    pub limit: RollingLimit,
-}
-
-/// Whether static friction can sustain rolling at a state with η′ = 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Hold {
-    /// Rolling holds, now and for some time.
-    Holds,
-    /// The friction demand exceeds μs N by `excess` ≥ 0; zero on the boundary, when the orbit leaves 𝓡.
-    Slips { direction: Direction, excess: f64 },
-    /// N would have to be negative, or vanishes and would become so.
-    NoNormalForce,
-}
 
 /// The orbit of a rolling body through a state.
 #[derive(Clone, Copy, Debug)]
@@ -439,14 +415,6 @@ impl Elliptic {
 
 fn start_value(margin: &Bernstein) -> f64 {
     margin.coefficients()[0]
-}
-
-/// A limit seen in the frame of the body instead of the direction of motion.
-pub(super) fn turned(limit: RollingLimit, travel: f64) -> RollingLimit {
-    match limit {
-        RollingLimit::Friction(direction) if travel < 0.0 => RollingLimit::Friction(direction.reversed()),
-        other => other,
-    }
 }
 
 /// Part of an orbit between two directions of the half angle.

@@ -1,8 +1,8 @@
 //! How a motion that lasts for ever recurs.
 
+use crate::detail::Detail;
 use crate::dimension::Dimension;
 use crate::named::named;
-use crate::outcome::Detail;
 
 /// How a motion that lasts for ever recurs.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -14,7 +14,7 @@ use core::f64::consts::{PI, TAU};
 use crate::mode::Direction;
 
 use super::boundary::RollingLimit;
-use super::orbit::{Hold, RollingEnd};
+use super::end::{Hold, RollingEnd};
 use super::recurrence::Recurrence;
 
 #[derive(Clone, Copy, Debug)]

@@ -7,7 +7,8 @@ use crate::equations::{SlidePath, SlidingLaw};
 use crate::hoop::Hoop;
 use crate::mode::{Direction, Mode};
 use crate::rolling::Recurrence;
-use crate::state::{Instant, Sample, State};
+use crate::sample::{Instant, Sample};
+use crate::state::State;
 
 use super::series::{DEGREE, Series, SlideSeries, value, value_and_slope};
 
