@@ -1,0 +1,286 @@
+//! The impact against stepping Newton's and Euler's equations in the impulse, without a table of cases; its balances of momentum
+//! and energy; its mirror image; and numbers computed with 40 digits.
+#![allow(clippy::panic)] // a failed expectation
+
+mod common;
+
+use common::heavy_hoop;
+use littlewood::{
+    Body, Hoop, HoopParameters, Impact, ImpactCase, ImpactError, Outcome, Restitution, RestitutionLaw, Start,
+    State, find_case,
+};
+use proptest::prelude::*;
+
+fn restitution(coefficient: f64, law: RestitutionLaw) -> Restitution {
+    Restitution::new(coefficient, law).expect("a coefficient between 0 and 1")
+}
+
+fn landing() -> (Hoop, State, f64) {
+    let motion = find_case("figure-3").expect("a case").simulate().expect("a valid case");
+    let Outcome::Landing { state, gap_rate } = motion.outcome() else { panic!("lands") };
+    (*motion.hoop(), state, gap_rate)
+}
+
+/// Computed with 40 digits from the equations of the impact.
+#[test]
+fn the_landing_of_figure_3_has_the_impact_of_the_40_digit_computation() {
+    let (hoop, state, gap_rate) = landing();
+    assert!((gap_rate + 1.913_012_569_038_374_6).abs() < 1e-13);
+    assert!((state.slip + 0.785_244_687_128_996_2).abs() < 1e-13);
+    let plastic = hoop.impact(&state, gap_rate, restitution(0.0, RestitutionLaw::Energetic)).expect("lands");
+    assert_eq!(plastic.case, ImpactCase::Slides);
+    assert!((plastic.after.theta_rate - 1.989_854_986_135_947_2).abs() < 1e-12);
+    assert!((plastic.after.slip + 0.025_733_797_279_415_87).abs() < 1e-12);
+    assert!(plastic.after.gap_rate.abs() < 1e-15);
+    assert!((plastic.energy_lost() - 4.275_729_468_652_908).abs() < 1e-12);
+    let half = hoop.impact(&state, gap_rate, restitution(0.5, RestitutionLaw::Energetic)).expect("lands");
+    assert_eq!(half.case, ImpactCase::SticksInRestitution);
+    assert!((half.after.theta_rate - 1.803_947_379_026_181_2).abs() < 1e-12);
+    assert_eq!(half.after.slip, 0.0);
+    assert!((half.after.gap_rate - 0.978_517_419_970_790_8).abs() < 1e-12);
+    assert!((half.energy_lost() - 3.362_443_419_227_28).abs() < 1e-12);
+}
+
+#[test]
+fn a_jam_without_restitution_leaves_with_the_rate_of_the_reference() {
+    // P = −0.1996 at the start: without a closing gap the slip is stopped all the same.
+    let hoop = Hoop::new(HoopParameters::thin(0.125).with_friction(0.75, 0.75)).expect("a valid hoop");
+    let state = State::from(Start::at(0.5, -0.5).with_slip(1.0));
+    let jam = hoop.impact(&state, 0.0, restitution(0.0, RestitutionLaw::Energetic)).expect("heavy");
+    assert_eq!(jam.case, ImpactCase::Jams);
+    assert!((jam.after.theta_rate + 1.0).abs() < 1e-14, "{jam:?}");
+    assert_eq!(jam.after.slip, 0.0);
+    assert!(jam.after.gap_rate.abs() < 1e-15);
+}
+
+#[test]
+fn what_is_no_impact_is_refused_or_said() {
+    let (hoop, state, _) = landing();
+    for value in [-0.1, 1.5, f64::NAN] {
+        assert!(matches!(
+            Restitution::new(value, RestitutionLaw::Newton),
+            Err(ImpactError::Coefficient { .. })
+        ));
+    }
+    let e = restitution(0.5, RestitutionLaw::Poisson);
+    assert_eq!(hoop.impact(&state, 0.25, e), Err(ImpactError::Opening { gap_rate: 0.25 }));
+    let massless = Hoop::littlewood(0.5, 0.4).expect("a valid hoop");
+    assert_eq!(massless.impact(&state, -1.0, e), Err(ImpactError::Massless));
+    let still = hoop.impact(&State { slip: 0.0, ..state }, 0.0, e).expect("heavy");
+    assert_eq!((still.case, still.after), (ImpactCase::None, still.before));
+}
+
+/// Velocities of the body: those of the mass centre, and θ′.
+#[derive(Clone, Copy, Debug)]
+struct Velocities {
+    x: f64,
+    y: f64,
+    spin: f64,
+}
+
+/// Newton's and Euler's equations in the impulse, in small steps: friction opposes the slip that there is, and where there is
+/// none it is what keeps it so, within the limit of static friction.
+struct Stepper {
+    mass: f64,
+    inertia: f64,
+    arm: [f64; 2],
+    mu: (f64, f64),
+}
+
+impl Stepper {
+    fn contact(&self, v: &Velocities) -> (f64, f64) {
+        (v.x - v.spin * self.arm[1], v.y + v.spin * self.arm[0])
+    }
+
+    fn push(&self, v: &Velocities, friction: f64, normal: f64) -> Velocities {
+        Velocities {
+            x: v.x + friction / self.mass,
+            y: v.y + normal / self.mass,
+            spin: v.spin + (self.arm[0] * normal - self.arm[1] * friction) / self.inertia,
+        }
+    }
+
+    /// dJ/dP for this slip velocity, and whether the contact sticks.
+    fn friction(&self, v: &Velocities) -> (f64, bool) {
+        let slip = self.contact(v).0;
+        if slip != 0.0 {
+            return (-self.mu.1 * slip.signum(), false);
+        }
+        // What keeps the contact at rest: the slip of a unit of P, and of a unit of J.
+        let still = Velocities { x: 0.0, y: 0.0, spin: 0.0 };
+        let (of_normal, of_friction) =
+            (self.contact(&self.push(&still, 0.0, 1.0)).0, self.contact(&self.push(&still, 1.0, 0.0)).0);
+        let needed = -of_normal / of_friction;
+        if needed.abs() <= self.mu.0 { (needed, true) } else { (-self.mu.1 * of_normal.signum(), false) }
+    }
+
+    /// To the end of the impact: velocities, impulses, and the greatest magnitude of velocity on the way.
+    fn run(&self, mut v: Velocities, e: f64, law: RestitutionLaw) -> (Velocities, [f64; 2]) {
+        let closing = -self.contact(&v).1;
+        let (mut normal, mut friction) = (0.0, 0.0);
+        let (mut taken, mut given, mut compression) = (0.0, 0.0, None);
+        let step = 2e-3 * closing * self.mass;
+        for _ in 0..4_000_000 {
+            let (rate, sticks) = self.friction(&v);
+            let (slip, gap) = self.contact(&v);
+            let next = self.push(&v, rate * step, step);
+            let (slip_next, gap_next) = self.contact(&next);
+            let mut part = 1.0_f64;
+            if slip != 0.0 && slip * slip_next < 0.0 {
+                part = slip / (slip - slip_next);
+            }
+            if compression.is_none() && gap < 0.0 && gap_next > 0.0 {
+                part = part.min(gap / (gap - gap_next));
+            }
+            let slope = (gap_next - gap) / step;
+            let mut last = false;
+            if let Some(compressed) = compression {
+                let rest = match law {
+                    RestitutionLaw::Poisson => (1.0 + e) * compressed - normal,
+                    RestitutionLaw::Newton => (e * closing - gap) / slope,
+                    RestitutionLaw::Energetic => {
+                        let left: f64 = e * e * taken - given;
+                        ((gap * gap + 2.0 * slope * left).max(0.0).sqrt() - gap) / slope
+                    }
+                };
+                if rest <= part * step {
+                    (part, last) = ((rest / step).max(0.0), true);
+                }
+            }
+            let stops =
+                part < 1.0 && !last && slip != 0.0 && (slip - part * (slip - slip_next)).abs() < 1e-14;
+            let p = part * step;
+            v = self.push(&v, rate * p, p);
+            normal += p;
+            friction += rate * p;
+            let work = p * (gap + 0.5 * slope * p);
+            if compression.is_none() {
+                taken -= work;
+            } else {
+                given += work;
+            }
+            if stops || sticks {
+                // The slip velocity is zero here, but for rounding.
+                v.x -= self.contact(&v).0;
+            }
+            if compression.is_none() && self.contact(&v).1 >= -1e-15 * closing {
+                compression = Some(normal);
+                if e == 0.0 {
+                    return (v, [normal, friction]);
+                }
+            }
+            if last {
+                return (v, [normal, friction]);
+            }
+        }
+        panic!("the impact does not end");
+    }
+}
+
+fn heavy(hoop: &Hoop) -> (f64, f64) {
+    let Body::Heavy(body) = hoop.body() else { panic!("heavy") };
+    (body.inertia, body.h)
+}
+
+fn laws() -> impl Strategy<Value = RestitutionLaw> {
+    prop::sample::select(RestitutionLaw::ALL.to_vec())
+}
+
+fn coefficients() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64]
+}
+
+/// (1/2) m v² + (1/2) Î θ′² from contact velocities.
+fn kinetic(hoop: &Hoop, theta: f64, v: &littlewood::ContactVelocities) -> f64 {
+    let (inertia, h) = heavy(hoop);
+    let (sin, cos) = libm::sincos(theta);
+    let x = v.slip - (1.0 + h * cos) * v.theta_rate;
+    let y = v.gap_rate - h * sin * v.theta_rate;
+    0.5 * (hoop.mass() * (x * x + y * y) + inertia * v.theta_rate * v.theta_rate)
+}
+
+fn impact(hoop: &Hoop, state: &State, gap_rate: f64, e: f64, law: RestitutionLaw) -> Impact {
+    hoop.impact(state, gap_rate, restitution(e, law)).expect("a heavy hoop that lands")
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn stepping_in_the_impulse_finds_the_same_impact(
+        (m1, offset, inertia) in (0.1..4.0_f64, 0.05..1.0_f64, 0.05..3.0_f64),
+        (mu_s, part) in (0.0..1.5_f64, 0.0..=1.0_f64),
+        theta in -3.2..3.2_f64, rate in -3.0..3.0_f64,
+        slip in prop_oneof![3 => -2.0..2.0_f64, 1 => Just(0.0)],
+        closing in 0.05..3.0_f64, e in coefficients(), law in laws(),
+    ) {
+        let hoop =
+            Hoop::new(HoopParameters::new(m1, offset, inertia).with_friction(mu_s, part * mu_s)).expect("heavy");
+        let (about_centre, h) = heavy(&hoop);
+        let (sin, cos) = libm::sincos(theta);
+        let stepper = Stepper {
+            mass: hoop.mass(),
+            inertia: about_centre,
+            arm: [h * sin, -(1.0 + h * cos)],
+            mu: (mu_s, part * mu_s),
+        };
+        let start = Velocities { x: slip - (1.0 + h * cos) * rate, y: -closing - h * sin * rate, spin: rate };
+        let state = State::from(Start::at(theta, rate).with_slip(slip));
+        let ours = impact(&hoop, &state, -closing, e, law);
+        let (stepped, [normal, friction]) = stepper.run(start, e, law);
+        let (slip_after, gap_after) = stepper.contact(&stepped);
+        let size = 1.0 + rate.abs() + slip.abs() + closing + ours.impulse.normal * (1.0 + 1.0 / about_centre);
+        for (name, a, b) in [
+            ("θ′", ours.after.theta_rate, stepped.spin),
+            ("slip", ours.after.slip, slip_after),
+            ("gap rate", ours.after.gap_rate, gap_after),
+            ("P", ours.impulse.normal, normal),
+            ("J", ours.impulse.friction, friction),
+        ] {
+            prop_assert!((a - b).abs() < 1e-9 * size, "{name}: {a} {b}\n{ours:?}");
+        }
+    }
+
+    #[test]
+    fn momentum_and_energy_are_balanced_and_friction_keeps_its_limits(
+        hoop in heavy_hoop(), theta in -7.0..7.0_f64, rate in -4.0..4.0_f64,
+        slip in prop_oneof![3 => -2.0..2.0_f64, 1 => Just(0.0), 1 => -1e-9..1e-9_f64],
+        closing in prop_oneof![4 => 0.0..3.0_f64, 1 => Just(0.0), 1 => 0.0..1e-9_f64],
+        e in coefficients(), law in laws(),
+    ) {
+        let state = State::from(Start::at(theta, rate).with_slip(slip));
+        let found = impact(&hoop, &state, -closing, e, law);
+        let before = kinetic(&hoop, theta, &found.before);
+        let after = kinetic(&hoop, theta, &found.after);
+        let (inertia, h) = heavy(&hoop);
+        let scale = 1.0 + before + after + (h + 1.0) * found.impulse.normal * found.impulse.normal / inertia;
+        prop_assert!((before - after - found.energy_lost()).abs() < 1e-12 * scale, "{found:?}");
+        prop_assert!(found.friction_work <= 1e-15 * scale, "{found:?}");
+        prop_assert!(found.impulse.normal >= 0.0 && found.after.gap_rate >= -1e-12 * scale, "{found:?}");
+        prop_assert!(found.impulse.friction.abs() <= hoop.mu_s() * found.impulse.normal * (1.0 + 1e-14));
+        if law != RestitutionLaw::Newton {
+            prop_assert!(found.energy_lost() >= -1e-13 * scale, "gains energy: {found:?}");
+        }
+        if law == RestitutionLaw::Energetic && e == 1.0 {
+            prop_assert!(found.normal_work.abs() < 1e-12 * scale, "gives back all: {found:?}");
+        }
+        if law == RestitutionLaw::Newton {
+            prop_assert!((found.after.gap_rate - e * closing).abs() < 1e-12 * scale, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn the_mirror_image_of_an_impact_is_that_of_the_mirror_image(
+        hoop in heavy_hoop(), theta in -7.0..7.0_f64, rate in -4.0..4.0_f64, slip in -2.0..2.0_f64,
+        closing in 0.0..3.0_f64, e in coefficients(), law in laws(),
+    ) {
+        let ours = impact(&hoop, &State::from(Start::at(theta, rate).with_slip(slip)), -closing, e, law);
+        let theirs = impact(&hoop, &State::from(Start::at(-theta, -rate).with_slip(-slip)), -closing, e, law);
+        prop_assert_eq!(ours.case, theirs.case);
+        prop_assert_eq!(ours.impulse.normal.to_bits(), theirs.impulse.normal.to_bits());
+        prop_assert_eq!(ours.after.gap_rate.to_bits(), theirs.after.gap_rate.to_bits());
+        prop_assert_eq!(ours.after.theta_rate, -theirs.after.theta_rate);
+        prop_assert_eq!(ours.after.slip, -theirs.after.slip);
+        prop_assert_eq!(ours.impulse.friction, -theirs.impulse.friction);
+    }
+}
