@@ -61,7 +61,7 @@ export const QUANTITY_ROWS = {
   inertia: { group: 'hoop', system: 'dimensionless', twin: 'inertia_kg_m2', sign: 'Izz/(m₂R²)', unit: '', longName: 'moment of inertia of the disc about its centre over m2 R^2', otherwise: null, usual: [0, 5] },
   mu_s: { group: 'hoop', system: 'dimensionless', twin: null, sign: 'μₛ', unit: '', longName: 'coefficient of static friction', otherwise: null, usual: [0, 1.5] },
   mu_k: { group: 'hoop', system: 'dimensionless', twin: null, sign: 'μₖ', unit: '', longName: 'coefficient of kinetic friction', otherwise: null, usual: [0, 1.5] },
-  theta: { group: 'start', system: 'dimensionless', twin: null, sign: 'θ', unit: 'rad', longName: 'angle of the particle from the upward vertical', otherwise: null, usual: [-3.14, 6.28] },
+  theta: { group: 'start', system: 'dimensionless', twin: null, sign: 'θ', unit: 'rad', longName: 'angle of the particle from the upward vertical', otherwise: null, usual: [-3.1, 6.2] },
   theta_rate: { group: 'start', system: 'dimensionless', twin: 'theta_rate_rad_per_s', sign: 'θ′', unit: '√(g/R)', longName: 'rate of the angle', otherwise: null, usual: [-4, 4] },
   slip: { group: 'start', system: 'dimensionless', twin: 'slip_m_per_s', sign: 'η′', unit: '√(gR)', longName: 'slip velocity of the contact point', otherwise: 0, usual: [-2, 2] },
   x: { group: 'place', system: 'dimensionless', twin: 'x_m', sign: 'x', unit: 'R', longName: 'horizontal position of the geometric centre', otherwise: 0, usual: [-10, 10] },
