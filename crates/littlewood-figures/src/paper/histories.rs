@@ -125,10 +125,11 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         PlotAxis { title: String::new(), ticks, ..x() }
     };
 
-    let normal = history(&motion, "normal force", NORMAL, &|_, sample| Some(sample.normal));
+    let normal = history(&motion, SampleColumn::Normal.long_name(), NORMAL, &|_, sample| Some(sample.normal));
     let weight = hoop.mass();
     let normal_axis = axis_of(NORMAL, &quotient(SampleColumn::Normal), &[&normal], &[0.0]);
-    let friction = history(&motion, "friction force", FRICTION, &|_, sample| Some(sample.friction));
+    let friction =
+        history(&motion, SampleColumn::Friction.long_name(), FRICTION, &|_, sample| Some(sample.friction));
     let friction_axis = axis_of(FRICTION, &quotient(SampleColumn::Friction), &[&friction], &[0.0]);
     let demand = history(&motion, "friction over normal force", "demand", &|phase, sample| {
         let in_contact = matches!(phase.mode(), Mode::Rolling | Mode::Sliding);
@@ -147,7 +148,7 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     let zero = |column| level("zero", column, 0.0, Stroke::solid(FAINT, FINE));
 
     let mut top = panel(
-        "normal force",
+        SampleColumn::Normal.long_name(),
         38.0,
         190.0,
         bare(),
@@ -164,7 +165,7 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
     );
     let middle = panel(
-        "friction force",
+        SampleColumn::Friction.long_name(),
         196.0,
         190.0,
         bare(),
