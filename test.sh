@@ -11,5 +11,6 @@ cargo fmt --all --check
 cargo clippy --workspace --all-targets --locked -- -D warnings
 cargo doc --workspace --no-deps --locked
 cargo test --workspace --locked --no-fail-fast
+cargo test --package littlewood --features serde --test serde --locked
 python/test.sh
 web/test.sh

@@ -4,7 +4,6 @@ use littlewood::{OutcomeKind, ParameterError};
 
 /// A figure that cannot be made.
 #[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
 pub enum FigureError {
     /// A hoop or a start out of bounds.
     #[error(transparent)]

@@ -34,6 +34,7 @@
 
 mod axes;
 mod catalogue;
+mod columns;
 mod csv;
 mod draw;
 mod error;

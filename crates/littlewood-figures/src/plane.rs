@@ -4,13 +4,12 @@ use core::f64::consts::{PI, TAU};
 
 use littlewood::closed_form::slip_angle;
 use littlewood::{Body, Direction, Hoop, ParameterError, PhasePlane, RollingLaw, Stability};
+use littlewood_style::Curve;
 
+use crate::columns::{ENERGY, MU_S, PLANE, THETA, THETA_RATE};
 use crate::figure::{Label, Layer, Mark, Series};
 use crate::style::INK;
 use crate::trace::Window;
-
-/// Columns of a curve in the plane.
-pub(crate) const PLANE: [&str; 2] = ["theta", "theta_rate"];
 
 /// Intervals in which a curve is looked for.
 const CELLS: u32 = 480;
@@ -62,7 +61,7 @@ impl Portrait {
             .into_iter()
             .flat_map(|direction| self.graph(&|theta| plane.slip_rate(theta, direction)))
             .collect();
-        Ok(Series::new(format!("f mu_s={mu_s}"), &["theta", "theta_rate", "mu_s"], rows_with(pieces, mu_s)))
+        Ok(Series::new(format!("f {MU_S}={mu_s}"), &[THETA, THETA_RATE, MU_S], rows_with(pieces, mu_s)))
     }
 
     /// The locus N = 0.
@@ -178,7 +177,7 @@ impl Portrait {
         };
         Series::new(
             format!("orbit E={}", rounded(energy)),
-            &["theta", "theta_rate", "energy"],
+            &[THETA, THETA_RATE, ENERGY],
             rows_with(pieces, energy),
         )
     }
@@ -201,7 +200,7 @@ impl Portrait {
 
     /// The separatrix through the unstable equilibrium.
     pub(crate) fn separatrix(&self) -> Series {
-        Series { name: "separatrix".to_owned(), ..self.orbit(self.law.separatrix_energy()) }
+        Series { name: Curve::Separatrix.name().to_owned(), ..self.orbit(self.law.separatrix_energy()) }
     }
 
     /// Energies of orbits that fill the window: librations by equal steps of θ′ at the bottom, rotations at the top.

@@ -9,7 +9,6 @@ use crate::size::{FrameSize, SIDES};
 
 /// A film that cannot be made, or not be written.
 #[derive(Debug, Error)]
-#[non_exhaustive]
 pub enum FilmError {
     /// A side that is too short to read, or too long.
     #[error("size = {size} px: both sides must be between {} and {} px", SIDES.start(), SIDES.end())]

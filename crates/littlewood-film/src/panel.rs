@@ -133,7 +133,7 @@ impl Panel {
         canvas.disc((at + 3.0 * u, middle), 3.0 * u, SOFT);
         canvas.disc((at + 3.0 * u, middle), 1.6 * u, PAPER);
         for (words, column, colour) in [
-            ("normal force", SampleColumn::Normal, NORMAL_FORCE),
+            (SampleColumn::Normal.long_name(), SampleColumn::Normal, NORMAL_FORCE),
             ("friction", SampleColumn::Friction, FRICTION_FORCE),
             ("slip velocity", SampleColumn::Slip, SLIP),
         ] {

@@ -53,7 +53,7 @@ impl Curve {
     #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
-            Self::SlipLimit => "f: |F| = μs N in rolling",
+            Self::SlipLimit => "f: |F| = μₛ N in rolling",
             Self::NormalForceZero => "n: N = 0 in rolling",
             Self::Separatrix => "separatrix",
             Self::LiftOff => "lift-off: h cos θ θ′² = 1",

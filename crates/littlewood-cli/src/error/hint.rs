@@ -15,7 +15,8 @@ pub(super) fn of_figure(error: &FigureError) -> String {
         }
         FigureError::Scale { .. } => "give another --scale, such as 2",
         FigureError::Parameter(error) => error.hint(),
-        _ => "this is a defect of the program: please report it",
+        FigureError::UnknownCase { .. } => "`littlewood cases` lists the names",
+        FigureError::Drawing(_) => "this is a defect of the program: please report it",
     }
     .to_owned()
 }

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 use littlewood::{
-    CASES, Candidates, Classification, Dimension, Hoop, Outcome, Phase, PhaseSolution, Quantity, Recurrence,
-    RollingLimit, RollingType, Sample, SampleColumn, SampleValue, Setup, SiSetup, Start, StartRegion, State,
-    Trajectory,
+    CASES, Candidates, Classification, Dimension, Hoop, Outcome, OutcomeKind, Phase, PhaseSolution, Quantity,
+    Recurrence, RollingLimit, RollingType, Sample, SampleColumn, SampleValue, Setup, SiSetup, Start,
+    StartRegion, State, Trajectory,
 };
 use littlewood_report::number::{brief, column};
 use littlewood_report::scale::Scale;
@@ -156,7 +156,7 @@ fn phases(sheet: &mut Sheet<'_>, trajectory: &Trajectory, scale: Scale<'_>) -> i
         let start = phase.start();
         let ends_by = match trajectory.transitions().get(index) {
             Some(transition) => transition.cause.label(),
-            None if phase.end().is_some() => "time limit",
+            None if phase.end().is_some() => OutcomeKind::TimeLimit.label(),
             None => "never",
         };
         rows.push(vec![

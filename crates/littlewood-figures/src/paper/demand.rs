@@ -5,6 +5,7 @@ use core::f64::consts::{PI, TAU};
 use littlewood::{PhasePlane, RollingLaw};
 
 use crate::axes::{angle, plain};
+use crate::columns::{ENERGY, MU_S, THETA};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Mark, Panel, PlotAxis, Series, View};
 use crate::input::FigureInput;
@@ -46,14 +47,14 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     };
     let orbits = [
         ("start", start, Stroke::solid(FIRST, BOLD)),
-        ("separatrix", separatrix, Stroke::of_curve(Curve::Separatrix)),
+        (Curve::Separatrix.name(), separatrix, Stroke::of_curve(Curve::Separatrix)),
         ("libration", first, Stroke::solid(SOFT, CURVE).dashed(Dash::DashDot)),
         ("rotation", second, Stroke::solid(SOFT, CURVE).dashed(Dash::Short)),
     ];
     let mut layers = Vec::new();
     let mut keys = Vec::new();
     for (i, (name, energy, stroke)) in orbits.into_iter().enumerate() {
-        let series = Series::new(name, &["theta", "demand", "energy"], demand_on(&plane, energy, window));
+        let series = Series::new(name, &[THETA, "demand", ENERGY], demand_on(&plane, energy, window));
         layers.push(series.drawn(Mark::Line(stroke)));
         let what = if name == "start" { "orbit of the start" } else { name };
         let text = format!("{what}, *E* = {}", short(libm::round(energy * 100.0) / 100.0));
@@ -64,7 +65,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         });
     }
     layers.reverse();
-    let limit = Series::of_rows("mu_s", &["theta", "demand"], turn.map(|theta| vec![theta, mu_s]).to_vec());
+    let limit = Series::of_rows(MU_S, &[THETA, "demand"], turn.map(|theta| vec![theta, mu_s]).to_vec());
     layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE))));
     let at = libm::remainder(input.start.theta, TAU);
     let at = if at < turn[0] { at + TAU } else { at };
@@ -72,7 +73,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     if here <= most {
         let row = vec![at, here, start];
         layers.push(
-            Series::of_rows("start", &["theta", "demand", "energy"], vec![row]).drawn(Mark::Ring(INK, 3.6)),
+            Series::of_rows("start", &[THETA, "demand", ENERGY], vec![row]).drawn(Mark::Ring(INK, 3.6)),
         );
     }
     let label = Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0).coloured(FRICTION_FORCE);

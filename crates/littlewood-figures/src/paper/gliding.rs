@@ -6,6 +6,7 @@ use littlewood::{Body, GlidingIntegrals, Limits, Massless, Mode, Start};
 
 use super::portrait::massless_limit;
 use crate::axes::{angle, rate};
+use crate::columns::{PLANE, THETA, THETA_RATE};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, Series, View};
 use crate::input::FigureInput;
@@ -19,7 +20,7 @@ use littlewood_style::{Curve, Dash};
 const WINDOW: Window = Window { x: [-PI, PI], y: [-2.6, 2.6] };
 /// Many lines side by side, told from rolling by where they are: dashes would only disturb.
 const GLIDING: Stroke = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
-const COLUMNS: [&str; 3] = ["theta", "theta_rate", "w"];
+const COLUMNS: [&str; 3] = [THETA, THETA_RATE, "w"];
 
 /// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical velocity V as the
 /// parameter, ℓ̂ cos θ = w − ½ V² and θ′ = −V/(ℓ̂ sin θ).
@@ -94,11 +95,7 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
         layers.push(Series::new("w=1", &COLUMNS, pieces).drawn(Mark::Line(Stroke::solid(INK, CURVE))));
     }
     layers.push(Series::new("flow", &COLUMNS, flow).drawn(Mark::Head(INK)));
-    let singular = Series::of_rows(
-        "singular",
-        &["theta", "theta_rate"],
-        vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]],
-    );
+    let singular = Series::of_rows("singular", &PLANE, vec![vec![0.0, WINDOW.y[0]], vec![0.0, WINDOW.y[1]]]);
     layers.push(singular.drawn(Mark::Line(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed))));
     let labels = vec![
         Label::new("*w* = 1", &[0.0, 1.0]).shifted(32.0, -11.0),
@@ -222,10 +219,7 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
         Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
     );
     layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(Mark::Line(GLIDING)));
-    layers.push(
-        Series::new("rolling", &["theta", "theta_rate"], rolling)
-            .drawn(Mark::Line(Stroke::of_mode(Mode::Rolling))),
-    );
+    layers.push(Series::new("rolling", &PLANE, rolling).drawn(Mark::Line(Stroke::of_mode(Mode::Rolling))));
     let manifolds =
         Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
     layers.push(manifolds.drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
@@ -233,12 +227,9 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
         layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
     }
     let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
-    layers.push(
-        Series::new("n", &["theta", "theta_rate"], edges)
-            .drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))),
-    );
+    layers.push(Series::new("n", &PLANE, edges).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
     layers.push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(GLIDING.colour)));
-    layers.push(Series::of_rows("transition", &["theta", "theta_rate"], changes).drawn(Mark::Dot(INK, 2.4)));
+    layers.push(Series::of_rows("transition", &PLANE, changes).drawn(Mark::Dot(INK, 2.4)));
     layers.extend(portrait.equilibria());
     let labels = vec![
         Label::new("rolls", &[0.0, 0.63]).coloured(Stroke::of_mode(Mode::Rolling).colour),

@@ -3,6 +3,7 @@
 use littlewood::{Dimension, Hoop, Mode, Phase, Sample, SampleColumn, Trajectory, Transition};
 
 use crate::axes::{plain, time};
+use crate::columns::{ENERGY, FRICTION, MU_K, MU_S, NORMAL, TIME};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Series, View};
 use crate::input::FigureInput;
@@ -34,7 +35,7 @@ fn history(
         })
         .filter(|piece| piece.len() > 1)
         .collect();
-    Series::new(name, &["time", column], pieces)
+    Series::new(name, &[TIME, column], pieces)
 }
 
 fn axis_of(column: &'static str, title: &str, series: &[&Series], also: &[f64]) -> PlotAxis {
@@ -60,7 +61,7 @@ fn transitions(motion: &Trajectory, axis: &PlotAxis) -> Layer {
         .filter(|time| *time < until)
         .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
         .collect();
-    Series::new("transition", &["time", axis.column], pieces)
+    Series::new("transition", &[TIME, axis.column], pieces)
         .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)))
 }
 
@@ -124,11 +125,12 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         PlotAxis { title: String::new(), ticks, ..x() }
     };
 
-    let normal = history(&motion, "normal force", "normal", &|_, sample| Some(sample.normal));
+    let normal = history(&motion, SampleColumn::Normal.long_name(), NORMAL, &|_, sample| Some(sample.normal));
     let weight = hoop.mass();
-    let normal_axis = axis_of("normal", &quotient(SampleColumn::Normal), &[&normal], &[0.0]);
-    let friction = history(&motion, "friction force", "friction", &|_, sample| Some(sample.friction));
-    let friction_axis = axis_of("friction", &quotient(SampleColumn::Friction), &[&friction], &[0.0]);
+    let normal_axis = axis_of(NORMAL, &quotient(SampleColumn::Normal), &[&normal], &[0.0]);
+    let friction =
+        history(&motion, SampleColumn::Friction.long_name(), FRICTION, &|_, sample| Some(sample.friction));
+    let friction_axis = axis_of(FRICTION, &quotient(SampleColumn::Friction), &[&friction], &[0.0]);
     let demand = history(&motion, "friction over normal force", "demand", &|phase, sample| {
         let in_contact = matches!(phase.mode(), Mode::Rolling | Mode::Sliding);
         (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
@@ -140,21 +142,21 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     };
     let demand_axis = PlotAxis { ticks: ticks::round(0.0, demand_axis.range[1], 5), ..demand_axis };
     let level = |name: &str, column: &'static str, value: f64, stroke: Stroke| {
-        Series::of_rows(name, &["time", column], range.map(|time| vec![time, value]).to_vec())
+        Series::of_rows(name, &[TIME, column], range.map(|time| vec![time, value]).to_vec())
             .drawn(Mark::Line(stroke))
     };
     let zero = |column| level("zero", column, 0.0, Stroke::solid(FAINT, FINE));
 
     let mut top = panel(
-        "normal force",
+        SampleColumn::Normal.long_name(),
         38.0,
         190.0,
         bare(),
         normal_axis.clone(),
         vec![
             transitions(&motion, &normal_axis),
-            zero("normal"),
-            level("weight", "normal", weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
+            zero(NORMAL),
+            level("weight", NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
             normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
         ],
     );
@@ -163,14 +165,14 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
     );
     let middle = panel(
-        "friction force",
+        SampleColumn::Friction.long_name(),
         196.0,
         190.0,
         bare(),
         friction_axis.clone(),
         vec![
             transitions(&motion, &friction_axis),
-            zero("friction"),
+            zero(FRICTION),
             friction.drawn(Mark::Line(Stroke::solid(FRICTION_FORCE, 2.0))),
         ],
     );
@@ -182,8 +184,8 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         demand_axis.clone(),
         vec![
             transitions(&motion, &demand_axis),
-            level("mu_s", "demand", mu_s, Stroke::of_curve(Curve::SlipLimit).wide(1.2)),
-            level("mu_k", "demand", mu_k, Stroke::of_curve(Curve::SlipLimit).wide(1.2).dashed(Dash::Dotted)),
+            level(MU_S, "demand", mu_s, Stroke::of_curve(Curve::SlipLimit).wide(1.2)),
+            level(MU_K, "demand", mu_k, Stroke::of_curve(Curve::SlipLimit).wide(1.2).dashed(Dash::Dotted)),
             demand.drawn(Mark::Line(Stroke::solid(INK, 2.0))),
         ],
     );
@@ -214,12 +216,12 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     let range = [motion.start().time, horizon(&motion)];
     let potential_of =
         |sample: &Sample| hoop.offset() * libm::cos(sample.state.theta) + hoop.mass() * sample.gap;
-    let total = history(&motion, "total energy", "energy", &|_, sample| Some(sample.energy));
+    let total = history(&motion, "total energy", ENERGY, &|_, sample| Some(sample.energy));
     let kinetic =
-        history(&motion, "kinetic energy", "energy", &|_, sample| Some(sample.energy - potential_of(sample)));
-    let potential = history(&motion, "potential energy", "energy", &|_, sample| Some(potential_of(sample)));
+        history(&motion, "kinetic energy", ENERGY, &|_, sample| Some(sample.energy - potential_of(sample)));
+    let potential = history(&motion, "potential energy", ENERGY, &|_, sample| Some(potential_of(sample)));
     let axis = axis_of(
-        "energy",
+        ENERGY,
         &format!("energy/({})", marked(Dimension::Energy.scale_sign())),
         &[&total, &kinetic, &potential],
         &[0.0],
@@ -229,7 +231,7 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         Mark::Line(Stroke::solid(FIRST, CURVE).dashed(Dash::Dashed)),
         Mark::Line(Stroke::solid(SECOND, CURVE).dashed(Dash::DashDot)),
     ];
-    let zero = Series::of_rows("zero", &["time", "energy"], range.map(|time| vec![time, 0.0]).to_vec());
+    let zero = Series::of_rows("zero", &[TIME, ENERGY], range.map(|time| vec![time, 0.0]).to_vec());
     let mut panel = panel(
         "energy",
         62.0,

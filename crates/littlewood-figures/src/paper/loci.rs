@@ -3,10 +3,11 @@
 use core::f64::consts::PI;
 
 use crate::axes::{angle, plane_window, rate};
+use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
-use crate::plane::{PLANE, Portrait};
+use crate::plane::Portrait;
 use crate::style::{HATCH, INK, Stroke};
 use crate::words::{body_in_words, marked, short};
 use littlewood::Quantity;

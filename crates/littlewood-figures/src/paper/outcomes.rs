@@ -6,6 +6,7 @@ use littlewood::{Class, Engine, Limits, Start};
 use littlewood_style::{Curve, of_class};
 
 use crate::axes::{angle, plane_window, rate};
+use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Mark, Panel, Series, View};
 use crate::input::FigureInput;
@@ -60,9 +61,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         let colour = of_class(class, THEME);
         let share = libm::round(1000.0 * rows.len() as f64 / total) / 10.0;
         legend.push((Mark::Fill(colour), format!("{}, {}%", class.label(), short(share))));
-        layers.push(
-            Series::of_rows(class.name(), &["theta", "theta_rate"], rows).drawn(Mark::Cell(colour, cell)),
-        );
+        layers.push(Series::of_rows(class.name(), &PLANE, rows).drawn(Mark::Cell(colour, cell)));
     }
     // A massless hoop does not leave the plane.
     let mut remark = "";

@@ -3,6 +3,7 @@
 use littlewood::{Cause, Mode, Sample, Trajectory};
 
 use crate::axes::plain;
+use crate::columns::{THETA, TIME, X};
 use crate::draw::ROOM;
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, Series, View};
@@ -12,7 +13,7 @@ use crate::style::{HATCH, INK, SMALL, SOFT, Stroke};
 use crate::words::{hoop_in_words, short, start_in_words};
 use littlewood_style::width::{BOLD, FINE};
 
-const COLUMNS: [&str; 3] = ["time", "x", "y"];
+const COLUMNS: [&str; 3] = [TIME, X, "y"];
 /// Most hoops of a picture.
 const HOOPS: usize = 8;
 /// Width of the picture in pixels.
@@ -70,7 +71,7 @@ impl Picture {
                 vec![sample.state.time, centre.x, centre.y, sample.state.theta]
             })
             .collect();
-        layers.push(Series::of_rows("hoop", &["time", "x", "y", "theta"], rows).drawn(Mark::Hoop {
+        layers.push(Series::of_rows("hoop", &[TIME, X, "y", THETA], rows).drawn(Mark::Hoop {
             offset: hoop.offset(),
             h: hoop.h(),
             rim: Stroke::solid(SOFT, 1.2),

@@ -6,10 +6,11 @@ use littlewood::Body;
 use littlewood::closed_form::slip_angle;
 
 use crate::axes::{angle, plane_window, rate};
+use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
-use crate::plane::{PLANE, Portrait, nearest};
+use crate::plane::{Portrait, nearest};
 use crate::style::{FAINT, FRICTION_FORCE, HATCH, INK, NORMAL_FORCE, REGION, Stroke};
 use crate::trace::Window;
 use crate::words::{rolling_in_words, short};

@@ -6,6 +6,7 @@ use littlewood::{Cause, Mode, Sample};
 
 use super::portrait::massless_limit;
 use crate::axes::{angle, plain, rate, slip, time};
+use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
@@ -17,7 +18,7 @@ use crate::words::{hoop_in_words, short, start_in_words};
 use littlewood_style::width::{BOLD, FINE};
 use littlewood_style::{Curve, Dash};
 
-const COLUMNS: [&str; 4] = ["time", "theta", "theta_rate", "slip"];
+const COLUMNS: [&str; 4] = [TIME, THETA, THETA_RATE, SLIP];
 
 fn row(sample: &Sample) -> Vec<f64> {
     let state = sample.state;
@@ -42,7 +43,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     let floor = floor.map(|[theta, rate]| vec![theta, rate, 0.0]).to_vec();
     let mut outline = floor.clone();
     outline.push(floor[0].clone());
-    let names = ["theta", "theta_rate", "slip"];
+    let names = [THETA, THETA_RATE, SLIP];
     let mut layers = vec![
         Series::of_rows("plane of rolling", &names, floor).drawn(Mark::Fill(REGION.over(PAPER, 0.6))),
         Series::of_rows("plane of rolling", &names, outline).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
@@ -118,8 +119,8 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             frame: [0.0, 0.0, 620.0, 480.0],
             view: View::Space {
                 x: angle(x),
-                y: plain("slip", "*η*′", y),
-                z: plain("theta_rate", "*θ*′", z),
+                y: plain(SLIP, "*η*′", y),
+                z: plain(THETA_RATE, "*θ*′", z),
                 yaw: 0.55,
                 pitch: 0.32,
             },
@@ -142,8 +143,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
     let mut plane = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
     plane.push(
-        Series::new("n", &["theta", "theta_rate"], edges)
-            .drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero).wide(1.2))),
+        Series::new("n", &PLANE, edges).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero).wide(1.2))),
     );
     if let Some((_, limit)) = massless_limit(&portrait) {
         plane.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(1.2))));
@@ -151,7 +151,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
     let mut trace = vec![
         Series::of_rows(
             "zero",
-            &["time", "slip"],
+            &[TIME, SLIP],
             vec![vec![motion.start().time, 0.0], vec![horizon(&motion), 0.0]],
         )
         .drawn(Mark::Line(Stroke::solid(SOFT, FINE))),
@@ -192,7 +192,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
     for (i, change) in changes.iter().enumerate() {
         let vertical = vec![vec![change[0], range[0]], vec![change[0], range[1]]];
         trace.push(
-            Series::of_rows("time of transition", &["time", "slip"], vertical)
+            Series::of_rows("time of transition", &[TIME, SLIP], vertical)
                 .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
         );
         if i == 0 {

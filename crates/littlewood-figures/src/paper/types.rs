@@ -4,10 +4,11 @@ use littlewood::closed_form::{rolling_energy, stable_manifold_rate, unstable_man
 
 use super::portrait::massless_limit;
 use crate::axes::{angle, rate};
+use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
-use crate::plane::{PLANE, Portrait, rows};
+use crate::plane::{Portrait, rows};
 use crate::style::{FIRST, FRICTION_FORCE, INK, NORMAL_FORCE, PAPER, REGION, SECOND, Stroke};
 use crate::trace::Window;
 use crate::words::short;
@@ -99,7 +100,7 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     let mut layers = vec![
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         Series::new("Type I", &PLANE, rows(unloaded_first)).drawn(Mark::Fill(FIRST.over(PAPER, 0.3))),
-        Series::new("Type II", &["theta", "theta_rate"], rows(border))
+        Series::new("Type II", &PLANE, rows(border))
             .drawn(Mark::Line(Stroke::solid(INK, CURVE).dashed(Dash::DashDot))),
     ];
     let window = Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] };
@@ -211,9 +212,7 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
                 .into_iter()
                 .map(|piece| piece.into_iter().map(|[theta, rate]| vec![theta, rate, energy]).collect())
                 .collect();
-            layers.push(
-                Series::new(name, &["theta", "theta_rate", "energy"], pieces).drawn(Mark::Line(stroke)),
-            );
+            layers.push(Series::new(name, &[THETA, THETA_RATE, ENERGY], pieces).drawn(Mark::Line(stroke)));
         }
     }
     let manifolds = Series::new("manifolds", &PLANE, rows(in_region(&portrait, theta_s, 1.0)));
@@ -223,8 +222,7 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
         layers.push(Series::new("flow", &PLANE, vec![piece]).drawn(Mark::Head(colour)));
     }
     layers.push(
-        Series::of_rows("end of rolling", &["theta", "theta_rate", "energy"], exits)
-            .drawn(Mark::Dot(INK, 3.0)),
+        Series::of_rows("end of rolling", &[THETA, THETA_RATE, ENERGY], exits).drawn(Mark::Dot(INK, 3.0)),
     );
     layers.extend(portrait.equilibria());
     let labels = vec![

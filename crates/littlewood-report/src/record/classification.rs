@@ -1,6 +1,6 @@
 //! What is known of a start.
 
-use littlewood::{Classification, RollingEnd, RollingType};
+use littlewood::{Classification, RollingEnd, RollingType, SampleColumn};
 use serde::Serialize;
 
 use super::candidates::CandidatesRecord;
@@ -26,10 +26,10 @@ pub(crate) struct ClassificationRecord {
 fn rolling_end(end: RollingEnd) -> Fields {
     [
         ("elapsed", Value::Real(end.elapsed)),
-        ("theta", Value::Real(end.theta)),
-        ("theta_rate", Value::Real(end.theta_rate)),
+        (SampleColumn::Theta.name(), Value::Real(end.theta)),
+        (SampleColumn::ThetaRate.name(), Value::Real(end.theta_rate)),
         ("cause", Value::Word(Some(end.limit.cause().name()))),
-        ("direction", end.limit.direction().into()),
+        (SampleColumn::Direction.name(), end.limit.direction().into()),
     ]
     .into_iter()
     .collect()
