@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Instant;
 
-use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeCode, Start, Summary};
+use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeKind, Start, Summary};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let hoop = Hoop::figure_2(0.5, 0.4)?;
@@ -50,7 +50,7 @@ fn trajectory(hoop: &Hoop, engine: &Engine) -> Result<Vec<String>, Box<dyn Error
     let summary = engine.summary(start, limits)?;
     let motion = hoop.simulate(start, limits)?;
     let events: Vec<f64> =
-        motion.transitions().iter().take(3).map(|transition| transition.state.time).collect();
+        motion.transitions().iter().take(3).map(|transition| transition.time()).collect();
     let engine_seconds = median_seconds(|| engine.summary(black_box(start), limits), 1000);
     let simulate_seconds = median_seconds(|| hoop.simulate(black_box(start), limits), 10);
     let prepare_seconds = median_seconds(|| Engine::new(black_box(hoop)), 1);
@@ -67,7 +67,7 @@ fn trajectory(hoop: &Hoop, engine: &Engine) -> Result<Vec<String>, Box<dyn Error
 /// When the hoop leaves the plane: `0` at once, `1` later, `2` not; `9` where the motion has not one continuation.
 fn digit(summary: &Summary) -> u8 {
     match summary.outcome {
-        OutcomeCode::Landing | OutcomeCode::RollsForever | OutcomeCode::TimeLimit => {
+        OutcomeKind::Landing | OutcomeKind::RollsForever | OutcomeKind::TimeLimit => {
             let lift = summary.lift_off_time;
             if lift.is_nan() {
                 b'2'
