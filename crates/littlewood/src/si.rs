@@ -1,11 +1,12 @@
 //! Conversion between SI units and the dimensionless quantities of (2.9), both ways.
 
-use crate::dimension::{Dimension, Units};
+use crate::dimension::Dimension;
 use crate::error::{ParameterError, within};
 use crate::hoop::{Hoop, HoopParameters};
 use crate::quantity::{Bound, Quantity};
 use crate::setup::Setup;
 use crate::state::{Start, State};
+use crate::units::Units;
 
 /// A hoop in SI units.
 ///
