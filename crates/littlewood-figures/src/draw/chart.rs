@@ -23,7 +23,7 @@ use littlewood_style::width::FINE;
 
 /// The sheet.
 pub(crate) type Area = DrawingArea<Canvas, Shift>;
-/// What the library says when it fails.
+/// Message of the plotting library.
 pub(crate) type Failure = DrawingAreaErrorKind<Infallible>;
 
 impl From<Failure> for FigureError {
