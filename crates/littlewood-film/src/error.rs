@@ -76,7 +76,7 @@ pub enum FilmError {
     Encoding {
         /// The format.
         format: &'static str,
-        /// What it said.
+        /// Its message.
         message: String,
     },
     /// ffmpeg cannot be started.
@@ -92,7 +92,7 @@ pub enum FilmError {
     Ffmpeg {
         /// Its exit status.
         status: String,
-        /// The end of what it said.
+        /// The end of its messages.
         message: String,
     },
 }
