@@ -5,17 +5,14 @@ use std::io;
 use littlewood::OutcomeKind;
 use thiserror::Error;
 
-use crate::size::{FrameSize, SIDES};
+use crate::size::{FrameSize, SizeError};
 
 /// A film that cannot be made, or not be written.
 #[derive(Debug, Error)]
 pub enum FilmError {
     /// A side that is too short to read, or too long.
-    #[error("size = {size} px: both sides must be between {} and {} px", SIDES.start(), SIDES.end())]
-    Size {
-        /// The size that was asked for.
-        size: FrameSize,
-    },
+    #[error(transparent)]
+    Size(#[from] SizeError),
     /// H.264 halves the resolution of colour.
     #[error("size = {size} px: both sides of an MP4 must be even")]
     OddSize {
