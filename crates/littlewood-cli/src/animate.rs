@@ -38,7 +38,7 @@ enum Kind {
 pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
     let AnimateArgs { problem, run, out, slow, fps, size: (width, height), camera, hold } = args;
     let kind = kind_of(&out)?;
-    let size = FrameSize::new(width, height).map_err(Error::Film)?;
+    let size = FrameSize::new(width, height).map_err(|error| Error::Film(error.into()))?;
     let mut request = Request::new(&problem, Some(&run))?;
     if request.case.as_deref() == Some(LIBRATION[0]) {
         request.case = Some(LIBRATION[1].to_owned());

@@ -67,12 +67,12 @@ pub(crate) fn parse_axis(text: &str) -> Result<TypedAxis, String> {
     Ok(axis)
 }
 
-/// What an axis may be of: what a motion depends on, then that of it which has a unit, in SI units.
+/// Quantities that an axis can vary: those of a motion, then those of them that have a unit, in SI units.
 pub(crate) fn quantities() -> impl Iterator<Item = Quantity> {
     Quantity::AXES.into_iter().chain(si_quantities())
 }
 
-/// What an axis in SI units may be of.
+/// Quantities that an axis in SI units can vary.
 pub(crate) fn si_quantities() -> impl Iterator<Item = Quantity> {
     Quantity::AXES.into_iter().filter_map(Quantity::si_twin)
 }

@@ -41,7 +41,7 @@ impl Output {
         open_file(path).map_err(|source| Error::Unwritable { path: path.to_owned(), source })
     }
 
-    /// Whether colours will be seen.
+    /// Whether the terminal shows colours.
     pub(crate) fn has_colour(&self) -> bool {
         match self {
             Self::Stdout => anstream::AutoStream::choice(&io::stdout()) != anstream::ColorChoice::Never,
@@ -116,7 +116,7 @@ fn open_file(path: &Path) -> io::Result<Output> {
     Ok(Output::File { temporary, path })
 }
 
-/// The message of the system alone: the name of the temporary file means nothing to the reader.
+/// The message of the system alone: it leaves out the name of the temporary file.
 fn without_path(error: io::Error) -> io::Error {
     error.kind().into()
 }

@@ -39,7 +39,7 @@ pub(crate) struct Varied {
 }
 
 impl Varied {
-    /// What axes vary.
+    /// Quantities that the axes vary.
     pub(crate) fn by(axes: &[TypedAxis]) -> Self {
         Self {
             quantities: axes.iter().map(TypedAxis::quantity).collect(),
@@ -110,7 +110,7 @@ pub(crate) fn options<'a>(
     }
 }
 
-/// What a run has left behind: what can be read, and resumed if it is not complete.
+/// Files of a run that can be read, and resumed if it is not complete.
 pub(crate) fn kept(targets: &[Target<'_>], report: &Report, pictures: Vec<PathBuf>) -> Vec<PathBuf> {
     let stores = targets.iter().map(|target| match target {
         Target::Parquet(path) if !report.complete => with_ending(path, ".parts"),

@@ -1,7 +1,7 @@
 //! The figures of the loaded hoop: as SVG, as PNG, and as the data that they show.
 //!
 //! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. It is made by name from
-//! [`FIGURES`], of a hoop and a start ([`FigureInput`]), by functions that ask the library `littlewood` and nothing else;
+//! [`FIGURES`], of a hoop and a start ([`FigureInput`]), by functions that take all numbers from the library `littlewood`;
 //! nothing is drawn by hand or from stored data. [`Figure::svg`] and [`Figure::png`] draw it, [`Figure::csv`] writes the
 //! rows that are drawn. No file is touched here.
 //!

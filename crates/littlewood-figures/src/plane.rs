@@ -214,7 +214,7 @@ impl Portrait {
             .collect()
     }
 
-    /// Where the flow goes: places on the orbits of these energies over an angle, each with the next place.
+    /// Arrows of the flow: places on the orbits of these energies over an angle, each with the next place.
     pub(crate) fn flow(&self, energies: &[f64], theta: f64) -> Series {
         let step = 0.01;
         let pieces = energies

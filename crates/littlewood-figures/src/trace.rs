@@ -111,7 +111,7 @@ impl Window {
     }
 }
 
-/// The last place that is seen between one that is and one that is not.
+/// The last visible place between a visible one and one that is not.
 fn border(
     mut seen_at: f64,
     mut unseen_at: f64,

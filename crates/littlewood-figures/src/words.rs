@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 use littlewood::{Dimension, Group, Hoop, Quantity, Setup, Start};
 use littlewood_style::ticks;
 
-/// What a motion in contact depends on while it rolls.
+/// Parameters on which rolling depends.
 const ROLLING: [Quantity; 4] = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::MuS];
 
 /// The parameters of a hoop, with marks.

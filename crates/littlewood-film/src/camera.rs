@@ -13,7 +13,7 @@ pub enum Framing {
     Auto,
     /// The whole path, however small the hoop is.
     Whole,
-    /// The camera goes with the mass centre.
+    /// The camera follows the mass centre.
     Follow,
 }
 
@@ -50,7 +50,7 @@ pub(crate) struct Camera {
     scale: f64,
     /// Middle of the path.
     middle: f64,
-    /// Whether the camera goes with the body to the side, and upwards.
+    /// Whether the camera follows the body sideways, and upwards.
     follows: [bool; 2],
 }
 

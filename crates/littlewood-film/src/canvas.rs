@@ -9,7 +9,7 @@ use tiny_skia::{
 use crate::colour::PAPER;
 use crate::error::FilmError;
 use crate::letters::{Letters, Style};
-use crate::size::FrameSize;
+use crate::size::{FrameSize, SizeError};
 use littlewood_style::Rgb;
 
 /// A picture that is being drawn.
@@ -25,7 +25,8 @@ pub(crate) type Place = (f64, f64);
 impl Canvas {
     /// A white picture.
     pub(crate) fn new(size: FrameSize) -> Result<Self, FilmError> {
-        let mut pixels = Pixmap::new(size.width(), size.height()).ok_or(FilmError::Size { size })?;
+        let mut pixels =
+            Pixmap::new(size.width(), size.height()).ok_or(FilmError::from(SizeError { size }))?;
         let Rgb([red, green, blue]) = PAPER;
         let white = PremultipliedColorU8::from_rgba(red, green, blue, 255);
         if let Some(white) = white {

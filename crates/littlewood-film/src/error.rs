@@ -5,17 +5,14 @@ use std::io;
 use littlewood::OutcomeKind;
 use thiserror::Error;
 
-use crate::size::{FrameSize, SIDES};
+use crate::size::{FrameSize, SizeError};
 
 /// A film that cannot be made, or not be written.
 #[derive(Debug, Error)]
 pub enum FilmError {
     /// A side that is too short to read, or too long.
-    #[error("size = {size} px: both sides must be between {} and {} px", SIDES.start(), SIDES.end())]
-    Size {
-        /// The size that was asked for.
-        size: FrameSize,
-    },
+    #[error(transparent)]
+    Size(#[from] SizeError),
     /// H.264 halves the resolution of colour.
     #[error("size = {size} px: both sides of an MP4 must be even")]
     OddSize {
@@ -76,7 +73,7 @@ pub enum FilmError {
     Encoding {
         /// The format.
         format: &'static str,
-        /// What it said.
+        /// Its message.
         message: String,
     },
     /// ffmpeg cannot be started.
@@ -92,7 +89,7 @@ pub enum FilmError {
     Ffmpeg {
         /// Its exit status.
         status: String,
-        /// The end of what it said.
+        /// The end of its messages.
         message: String,
     },
 }

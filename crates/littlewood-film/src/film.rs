@@ -16,7 +16,7 @@ use crate::trail::Trail;
 
 /// A film of a motion.
 ///
-/// Frames are drawn one after the other and handed to an [`Encoder`]; never is more than one of them kept.
+/// Frames are drawn one after the other and handed to an [`Encoder`]; at most one is kept.
 #[derive(Debug)]
 pub struct Film<'a> {
     trajectory: &'a Trajectory,
@@ -77,10 +77,10 @@ impl<'a> Film<'a> {
         Ok(Scene::of(sample, self.scale))
     }
 
-    /// Draws all frames and hands them to an encoder. `watch` hears how many are done and says whether to go on.
+    /// Draws all frames and hands them to an encoder. `watch` is called with the number of frames done; it returns whether to go on.
     ///
     /// # Errors
-    /// The encoder's, or [`FilmError::Stopped`] if `watch` says no.
+    /// The encoder's, or [`FilmError::Stopped`] if `watch` returns false.
     pub fn play(
         &self,
         encoder: &mut impl Encoder,

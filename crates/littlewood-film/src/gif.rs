@@ -11,6 +11,7 @@ use crate::error::FilmError;
 use crate::film::Film;
 use crate::quantise::{Quantiser, TRANSPARENT};
 use crate::schedule::Shown;
+use crate::size::SizeError;
 
 /// Most frames per second: programs slow down what is shown for less than two hundredths of a second.
 const MOST_FPS: u32 = 50;
@@ -37,7 +38,7 @@ impl<W: Write> GifFilm<W> {
             return Err(FilmError::FrameRate { fps, most: MOST_FPS, format: "GIF" });
         }
         let quantiser = Quantiser::new();
-        let side = |pixels: u32| u16::try_from(pixels).map_err(|_| FilmError::Size { size });
+        let side = |pixels: u32| u16::try_from(pixels).map_err(|_| FilmError::from(SizeError { size }));
         let (width, height) = (side(size.width())?, side(size.height())?);
         let mut encoder = GifEncoder::new(writer, width, height, &quantiser.table()).map_err(error)?;
         encoder.set_repeat(Repeat::Infinite).map_err(error)?;

@@ -61,4 +61,4 @@ pub use gif::GifFilm;
 pub use mp4::Mp4Film;
 pub use scene::{ArrowScale, DrawnArrow, Scene};
 pub use schedule::{Pace, Schedule, Shown};
-pub use size::FrameSize;
+pub use size::{FrameSize, SizeError};

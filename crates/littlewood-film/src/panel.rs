@@ -27,7 +27,7 @@ pub(crate) struct Panel {
     height: f64,
     unit: f64,
     units: Option<Units>,
-    /// What a change of the time of a pixel is, for the clock.
+    /// Decimals of the clock.
     time_decimals: usize,
 }
 

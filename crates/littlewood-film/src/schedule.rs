@@ -23,7 +23,7 @@ pub struct Pace {
     pub fps: u32,
     /// Seconds of film for a unit of time √(R/g); with `units`, for a second of the motion.
     pub slow: f64,
-    /// Units, if the film is to speak of seconds, metres and newtons.
+    /// Units, if the film shows seconds, metres and newtons.
     pub units: Option<Units>,
     /// Time for which the last picture stays, in seconds; the default is 1.5, and 0 for a film that closes.
     pub hold_s: Option<f64>,

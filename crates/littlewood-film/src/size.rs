@@ -3,10 +3,18 @@
 use core::fmt;
 use core::ops::RangeInclusive;
 
-use crate::error::FilmError;
+use thiserror::Error;
 
 /// Shortest and longest side.
 pub(crate) const SIDES: RangeInclusive<u32> = 160..=4096;
+
+/// A side that is too short to read, or too long.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("size = {size} px: both sides must be between {} and {} px", SIDES.start(), SIDES.end())]
+pub struct SizeError {
+    /// The size that was asked for.
+    pub size: FrameSize,
+}
 
 /// Size in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,13 +28,9 @@ impl FrameSize {
     ///
     /// # Errors
     /// A side outside these bounds.
-    pub fn new(width: u32, height: u32) -> Result<Self, FilmError> {
+    pub fn new(width: u32, height: u32) -> Result<Self, SizeError> {
         let size = Self { width, height };
-        if SIDES.contains(&width) && SIDES.contains(&height) {
-            Ok(size)
-        } else {
-            Err(FilmError::Size { size })
-        }
+        if SIDES.contains(&width) && SIDES.contains(&height) { Ok(size) } else { Err(SizeError { size }) }
     }
 
     /// Width.

@@ -5,7 +5,9 @@ use std::io::{self, BufReader, Write};
 use std::path::Path;
 
 use littlewood::{Trajectory, find_case};
-use littlewood_film::{ApngFilm, Encoder, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace};
+use littlewood_film::{
+    ApngFilm, Encoder, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace, SizeError,
+};
 
 fn motion(name: &str) -> Trajectory {
     find_case(name).expect("a named case").simulate().expect("it can be simulated")
@@ -172,7 +174,7 @@ fn a_gif_has_at_most_50_frames_a_second() {
 #[test]
 fn sizes_have_bounds() {
     for (width, height) in [(0, 360), (640, 0), (159, 360), (640, 4097), (u32::MAX, u32::MAX)] {
-        assert!(matches!(FrameSize::new(width, height), Err(FilmError::Size { .. })));
+        assert!(matches!(FrameSize::new(width, height), Err(SizeError { .. })));
     }
     // Small, tall, and wide.
     for size in [(160, 160), (160, 900), (1600, 160)] {

@@ -1,4 +1,4 @@
-//! The closed forms of §3 over arrays of equal length. What is not there is NaN.
+//! The closed forms of §3 over arrays of equal length. Undefined values are NaN.
 
 use littlewood::{Body, Hoop, HoopParameters, RollingType, closed_form};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};

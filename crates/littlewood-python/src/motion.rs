@@ -33,7 +33,7 @@ fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
 #[pyclass(frozen, module = "littlewood._core")]
 struct Trajectory(Core);
 
-/// Simulates a motion. Long ones do not hold the interpreter.
+/// Simulates a motion, with the interpreter released.
 #[pyfunction]
 fn simulate(
     py: Python<'_>,

@@ -14,7 +14,7 @@ enum Values {
     Real(Vec<f64>),
 }
 
-/// Columns that grow by one instant after the other.
+/// Columns to which instants are added.
 pub(crate) struct Samples(Vec<(SampleColumn, Values)>);
 
 impl Samples {
@@ -49,7 +49,7 @@ impl Samples {
         }
     }
 
-    /// Hands the columns over to Python; nothing is copied.
+    /// The columns as NumPy arrays, without a copy.
     pub(crate) fn into_dict(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         let dict = PyDict::new(py);
         for (column, values) in self.0 {

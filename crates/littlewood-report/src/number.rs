@@ -1,4 +1,4 @@
-//! Numbers for a person.
+//! Numbers as a reader sees them.
 
 /// Up to six significant digits, without trailing zeros.
 #[must_use]

@@ -2,7 +2,7 @@
 
 use littlewood::Trajectory;
 
-/// Time after which a motion without an end and without a period has shown what it does.
+/// Length of the samples of a motion that has neither an end nor a period.
 const APERIODIC: f64 = 10.0;
 
 /// Which instants to sample.
@@ -15,8 +15,8 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// `count` instants of a motion, to its end. A motion without an end is sampled far enough to see what it does: for
-    /// two periods of the last phase, or ten units of time where that has none.
+    /// `count` instants of a motion, to its end. A motion without an end is sampled for two periods of the last
+    /// phase, or for ten units of time where that has none.
     #[must_use]
     pub fn of(trajectory: &Trajectory, count: usize) -> Self {
         Self { count, until: horizon(trajectory) }

@@ -3,9 +3,9 @@
 /// Dashes of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dash {
-    /// None.
+    /// An unbroken line.
     Solid,
-    /// Long.
+    /// Long dashes.
     Dashed,
     /// Dots.
     Dotted,

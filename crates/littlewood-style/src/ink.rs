@@ -6,23 +6,23 @@ use crate::theme::Theme;
 /// A colour without a meaning of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Ink {
-    /// What everything stands on.
+    /// The background.
     Paper,
     /// Letters, axes, the body.
     Ink,
     /// Letters and lines of less weight.
     Soft,
-    /// Lines behind others.
+    /// Lines of the least weight.
     Faint,
-    /// Grids, frames, hoops of the past.
+    /// Grids, frames, earlier positions of the hoop.
     Line,
-    /// Hatches of what cannot be.
+    /// Hatching of states that cannot occur.
     Hatch,
     /// The region where the hoop can roll.
     Region,
     /// The ground under the plane.
     Ground,
-    /// A point of a map of numbers that has none.
+    /// A point without a value in a map of numbers.
     NoValue,
 }
 

@@ -5,9 +5,9 @@ use core::f64::consts::PI;
 /// A tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tick {
-    /// Where.
+    /// Position on the axis.
     pub value: f64,
-    /// What it says.
+    /// Label.
     pub label: String,
 }
 

@@ -4,5 +4,5 @@
 pub const FINE: f64 = 0.8;
 /// A curve, 1.2 pt.
 pub const CURVE: f64 = 1.6;
-/// A curve that matters, 1.8 pt.
+/// An emphasised curve, 1.8 pt.
 pub const BOLD: f64 = 2.4;

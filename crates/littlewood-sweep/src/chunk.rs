@@ -124,7 +124,7 @@ impl Chunk {
         self.shape.iter().product()
     }
 
-    /// Whether there are no points; never so for a chunk of a grid.
+    /// Whether there are no points; which no chunk of a grid is.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0

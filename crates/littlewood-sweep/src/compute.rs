@@ -17,13 +17,13 @@ const TASK: usize = 512;
 /// Hoops whose engines are kept for the next call.
 const KEPT: usize = 8;
 
-/// The operating system gives no threads.
+/// Threads could not be started.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("cannot start {threads} threads: {reason}")]
 pub struct ThreadsError {
     /// How many were asked for; 0 for as many as there are cores.
     pub threads: usize,
-    /// What the system says.
+    /// Message of the operating system.
     pub reason: String,
 }
 
@@ -74,7 +74,7 @@ impl Workers {
     /// Starts this many threads; all cores if none is given.
     ///
     /// # Errors
-    /// If the operating system gives no threads.
+    /// If threads could not be started.
     pub fn new(threads: Option<NonZeroUsize>) -> Result<Self, ThreadsError> {
         let threads = threads.map_or(0, NonZeroUsize::get);
         let pool = rayon::ThreadPoolBuilder::new()
@@ -98,8 +98,7 @@ impl Workers {
     /// Computes points, in their order. The result does not depend on the number of threads.
     ///
     /// Points that share their hoop share its engine, wherever they stand; a hoop with few points is simulated without
-    /// tables, with the same outcomes and times that agree to rounding. Where the parameters of a hoop contradict
-    /// each other (μk > μs, or a point mass at the centre) the outcome is
+    /// tables; results with and without tables agree to rounding. Where the parameters of a hoop contradict each other (μk > μs, or a point mass at the centre) the outcome is
     /// [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid).
     ///
     /// ```

@@ -17,7 +17,7 @@ const FIRST_FORMAT: u64 = 1;
 /// A version of a store that this program does not read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ForeignVersion {
-    /// What it is the version of.
+    /// The part that has a version: the format, or the code of sequences.
     pub what: &'static str,
     /// The version that is there.
     pub found: u64,

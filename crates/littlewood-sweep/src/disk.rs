@@ -4,7 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-/// What a sweep asks of a disk. Tests give it one that fills up.
+/// File operations of a sweep; tests replace them by a disk that fills up.
 pub trait Disk: Sync {
     /// Makes a folder and those above it.
     ///

@@ -27,7 +27,7 @@ pub enum Stop {
     LiftsOff,
     /// The motion ends in another way: a Painlevé paradox, or a particle at the plane.
     Ends,
-    /// None of it ever happens, or not within 200 transitions: rest, or an orbit that ends at the top.
+    /// None of these happens, or not within 200 transitions: rest, or an orbit that approaches the top.
     Never,
 }
 

@@ -37,7 +37,7 @@ impl Motion {
         Ok(Self { problem: problem.clone(), case, trajectory })
     }
 
-    /// Time at which the motion ends, or until which it is worth showing if it never does.
+    /// Time at which the motion ends, or up to which it is shown if it has no end.
     #[must_use]
     pub fn horizon(&self) -> f64 {
         Sampling::of(&self.trajectory, 2).until

@@ -22,13 +22,13 @@ impl Ticks {
         Self(angular(a, b, most.max(1)))
     }
 
-    /// Where they are.
+    /// Positions on the axis.
     #[must_use]
     pub fn values(&self) -> Vec<f64> {
         self.0.iter().map(|tick| tick.value).collect()
     }
 
-    /// What they say.
+    /// Labels.
     #[must_use]
     pub fn labels(&self) -> Vec<String> {
         self.0.iter().map(|tick| tick.label.clone()).collect()

@@ -1,4 +1,4 @@
-//! The command line as it is typed. What it means, together with a case and a scenario file, is decided elsewhere.
+//! The command line as it is typed. [`crate::problem`] combines it with a case and a scenario file.
 
 mod animate;
 mod figures;

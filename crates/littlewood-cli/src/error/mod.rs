@@ -1,4 +1,4 @@
-//! What can go wrong, for the person who typed it, and the exit code that a program sees.
+//! Failures of the command line, as messages and as exit codes.
 
 mod hint;
 
@@ -17,7 +17,7 @@ use thiserror::Error;
 
 use hint::{of_axis, of_figure, of_sweep};
 
-/// A failure of the command line. Physical outcomes, whatever they are, are not failures.
+/// A failure of the command line. No physical outcome is a failure.
 #[derive(Debug, Error, Diagnostic)]
 pub(crate) enum Error {
     /// A value has no physical meaning.

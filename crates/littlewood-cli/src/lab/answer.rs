@@ -2,7 +2,7 @@
 
 use super::assets::Asset;
 
-/// What the page may do: run its own code and WebAssembly, draw, and ask nobody but this server. The page has the same
+/// What the page may do: run its own code and WebAssembly, draw, and load from this server only. The page has the same
 /// line for other hosts, without `frame-ancestors`, which only a header can have.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; \
                       img-src 'self' data: blob:; connect-src 'self'; worker-src 'self'; manifest-src 'self'; \

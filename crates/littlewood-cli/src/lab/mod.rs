@@ -18,7 +18,7 @@ use crate::interrupt;
 
 use answer::{Answer, Question, answer};
 
-/// Threads that answer. A browser asks for a handful of files at once.
+/// Threads that answer requests. A browser requests several files at once.
 const THREADS: usize = 4;
 
 /// How long a thread waits before it looks whether Ctrl-C has come.

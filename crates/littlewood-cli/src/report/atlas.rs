@@ -19,7 +19,7 @@ pub(crate) struct Page {
     pub(crate) atlas: Atlas,
     /// Starts that were asked for.
     pub(crate) total: u64,
-    /// What differs between starts, and is told of examples.
+    /// Quantities that differ between starts, shown for examples.
     pub(crate) shown: Vec<Quantity>,
     /// Columns of the list of hoops.
     pub(crate) listed: Vec<Quantity>,
@@ -46,7 +46,7 @@ impl Page {
     }
 }
 
-/// Numbers of sequences, by what is told apart.
+/// Numbers of sequences, with and without the direction of sliding.
 fn counts(atlas: &Atlas) -> [(&'static str, usize); 2] {
     let sequences: BTreeSet<PhaseSequence> = atlas.entries.iter().map(|entry| entry.sequence).collect();
     // Directions of gliding are told apart all the same.

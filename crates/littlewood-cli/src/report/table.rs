@@ -419,7 +419,7 @@ const fn region(region: StartRegion) -> &'static str {
     }
 }
 
-/// The friction that rolling needs, and what becomes of it.
+/// The friction that rolling needs, and whether static friction supplies it.
 fn rolling(hoop: &Hoop, found: &Classification, scale: Scale<'_>) -> Vec<String> {
     let forces = found.rolling_forces;
     let force = |value| scale.show_with_unit(Dimension::Force, value);

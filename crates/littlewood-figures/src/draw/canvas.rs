@@ -1,5 +1,5 @@
 //! A backend of the plotting library that writes SVG: real dashes, hatches, symbols set in two faces, and the faces
-//! themselves, none of which the library's own SVG backend knows.
+//! themselves, none of which the library's own SVG backend has.
 
 use std::cell::{Cell, RefCell};
 use std::convert::Infallible;

@@ -1,36 +1,21 @@
 //! A figure on a sheet: axes and projection are the plotting library's, the marks are placed by its coordinates.
 
-use std::convert::Infallible;
-
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
-use plotters::coord::Shift;
 use plotters::coord::ranged1d::ValueFormatter as _;
 use plotters::coord::ranged3d::ProjectionMatrixBuilder;
-use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea as _};
+use plotters::drawing::IntoDrawingArea as _;
 use plotters::element::{Rectangle, Text};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color as _, IntoFont as _, RGBColor, ShapeStyle, TextStyle};
+use plotters::style::Color as _;
+use plotters::style::text_anchor::HPos;
 
-use super::canvas::{Canvas, Ink, PLAIN, STEPS, steps};
-use super::face::FAMILY;
+use super::canvas::{Canvas, Ink, PLAIN, steps};
+use super::library::{Area, letters, line, rgb};
 use super::marks::Pen;
 use super::ruler::Ruler;
 use crate::error::FigureError;
 use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, Series, View};
 use crate::style::{GRID, INK, LETTER, PAPER, SMALL, Stroke};
-use littlewood_style::Rgb;
 use littlewood_style::width::FINE;
-
-/// The sheet.
-pub(crate) type Area = DrawingArea<Canvas, Shift>;
-/// What the library says when it fails.
-pub(crate) type Failure = DrawingAreaErrorKind<Infallible>;
-
-impl From<Failure> for FigureError {
-    fn from(error: Failure) -> Self {
-        Self::Drawing(error.to_string())
-    }
-}
 
 impl Figure {
     /// The figure as SVG: text as text, in two faces that the file carries.
@@ -45,23 +30,6 @@ impl Figure {
         }
         Ok(canvas.finish(self))
     }
-}
-
-/// A colour of the library.
-pub(crate) const fn rgb(Rgb([r, g, b]): Rgb) -> RGBColor {
-    RGBColor(r, g, b)
-}
-
-/// A line style of the library.
-pub(crate) fn line(stroke: Stroke) -> ShapeStyle {
-    rgb(stroke.colour).stroke_width(steps(stroke.width).unsigned_abs())
-}
-
-/// A text style of the library.
-pub(crate) fn letters(size: f64, colour: Rgb, across: HPos) -> TextStyle<'static> {
-    let font = (FAMILY, size * STEPS).into_font();
-    let pos = Pos::new(across, VPos::Center);
-    TextStyle { font, color: rgb(colour).to_backend_color(), pos }
 }
 
 fn draw_panel(root: &Area, canvas: &Canvas, panel: &Panel) -> Result<(), FigureError> {

@@ -16,7 +16,7 @@ pub(crate) const FACES: [&[u8]; 2] = [
     include_bytes!("../../fonts/littlewood-italic.ttf"),
 ];
 
-/// Size of what stands below or above the line.
+/// Size of an index or exponent.
 pub(crate) const SCRIPT_SIZE: f64 = 0.72;
 
 /// Rules that bring the faces into a picture.

@@ -4,7 +4,7 @@ use plotters::element::{Circle, PathElement, Polygon};
 use plotters::style::Color as _;
 
 use super::canvas::{Canvas, Ink, PLAIN, steps};
-use super::chart::{Area, Failure, line, rgb};
+use super::library::{Area, Failure, line, rgb};
 use crate::figure::Mark;
 use crate::style::{INK, PAPER, Stroke};
 use littlewood_style::{Dash, Rgb};

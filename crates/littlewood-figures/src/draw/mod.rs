@@ -3,6 +3,7 @@
 mod canvas;
 mod chart;
 mod face;
+mod library;
 mod marks;
 mod markup;
 mod raster;

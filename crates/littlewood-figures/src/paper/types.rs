@@ -242,7 +242,7 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
     Ok(figure(NAME, "Figure 5(b): motions of Types I, II and III", caption, &portrait, layers, labels, keys))
 }
 
-/// Where an orbit goes, on its way.
+/// Direction of an orbit, along it.
 fn head(piece: &[[f64; 2]], colour: Rgb) -> Option<(Rgb, Vec<Vec<f64>>)> {
     let i = piece.len() * 2 / 3;
     let (a, b) = (piece.get(i)?, piece.get(i + 1)?);

@@ -67,7 +67,7 @@ pub enum ListError {
         line: u64,
         /// Column.
         column: Quantity,
-        /// What it says.
+        /// Its text.
         cell: String,
     },
     /// A cell whose value has no physical meaning.
@@ -105,7 +105,7 @@ pub enum ListError {
     BadParquet {
         /// The file.
         path: PathBuf,
-        /// What the reader says.
+        /// Message of the reader.
         reason: String,
     },
     /// The file is not the one that was opened.

@@ -97,7 +97,7 @@ pub enum StoreError {
     Encoding {
         /// What was encoded.
         what: String,
-        /// What the encoder says.
+        /// Message of the encoder.
         reason: String,
     },
 }

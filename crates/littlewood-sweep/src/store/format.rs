@@ -12,7 +12,7 @@ use crate::description::{Description, ForeignVersion};
 /// A file of a store: its path within the store, and its bytes.
 pub(crate) type StoreFile = (PathBuf, Vec<u8>);
 
-/// What the header of a store says.
+/// Content of the header of a store.
 pub(crate) struct Header {
     /// The version of the format, if the header has one.
     pub(crate) format: Option<Value>,
@@ -62,7 +62,7 @@ pub(crate) trait Format: Sync {
     fn lock_path(&self) -> &'static str;
     /// The header as a file.
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError>;
-    /// What it says; none if it is not of this program.
+    /// Its content; none if this program has not written it.
     fn read_header(&self, header: &Value) -> Option<Header>;
     /// Files that are written before the first chunk.
     fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError>;
