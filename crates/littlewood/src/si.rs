@@ -70,12 +70,22 @@ impl SiParameters {
     /// # Errors
     /// m2, R, g > 0; m1, `I_zz` ≥ 0; 0 ≤ ℓ ≤ R; 0 ≤ μk ≤ μs; all finite; and as [`Hoop::new`].
     pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
-        let mass = Quantity::DiscMassKg.check(self.disc_mass_kg)?;
-        let radius = Quantity::RadiusM.check(self.radius_m)?;
-        let offset = Quantity::OffsetM.check(self.offset_m)?;
+        let Self {
+            disc_mass_kg,
+            particle_mass_kg,
+            radius_m,
+            offset_m,
+            inertia_kg_m2,
+            gravity_m_per_s2,
+            mu_s,
+            mu_k,
+        } = *self;
+        let mass = Quantity::DiscMassKg.check(disc_mass_kg)?;
+        let radius = Quantity::RadiusM.check(radius_m)?;
+        let offset = Quantity::OffsetM.check(offset_m)?;
         within(Quantity::OffsetM, offset, Bound::AtMost(Quantity::RadiusM, radius))?;
-        let inertia = Quantity::InertiaKgM2.check(self.inertia_kg_m2)?;
-        let units = Units::new(self.particle_mass_kg, radius, self.gravity_m_per_s2)?;
+        let inertia = Quantity::InertiaKgM2.check(inertia_kg_m2)?;
+        let units = Units::new(particle_mass_kg, radius, gravity_m_per_s2)?;
         let plain = |quantity: Quantity, value| units.from_si(quantity.dimension(), value);
         let hoop = Hoop::new(
             HoopParameters::new(
@@ -83,7 +93,7 @@ impl SiParameters {
                 plain(Quantity::OffsetM, offset),
                 plain(Quantity::InertiaKgM2, inertia),
             )
-            .with_friction(self.mu_s, self.mu_k),
+            .with_friction(mu_s, mu_k),
         )?;
         Ok((hoop, units))
     }
