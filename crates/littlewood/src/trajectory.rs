@@ -89,11 +89,14 @@ impl Phase {
     /// Energy lost to friction during the phase.
     #[must_use]
     pub fn energy_lost(&self) -> f64 {
-        match (&self.solution, self.last()) {
-            (PhaseSolution::Sliding(_), Some(last)) if self.hoop.mu_k() > 0.0 => {
-                self.first().energy - last.energy
+        match &self.solution {
+            PhaseSolution::Sliding(_) if self.hoop.mu_k() > 0.0 => {
+                self.last().map_or(0.0, |last| self.first().energy - last.energy)
             }
-            _ => 0.0,
+            PhaseSolution::Rolling(_)
+            | PhaseSolution::Sliding(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Flight(_) => 0.0,
         }
     }
 
