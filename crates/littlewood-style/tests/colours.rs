@@ -1,6 +1,8 @@
 //! The colours are told apart: by hue, in grey, and on the paper they stand on.
 
-use littlewood::{Class, Mode};
+use std::collections::BTreeSet;
+
+use littlewood::{BodyClass, Class, EDGES, Mode};
 use littlewood_style::{Accent, Arrow, Curve, Ink, Rgb, Swatch, Theme, dash_of, of_class, of_mode, swatches};
 
 /// Distance in the CIE L*a*b* space; about 2 can just be seen.
@@ -47,14 +49,23 @@ fn meet(a: Class, b: Class) -> bool {
 #[test]
 fn modes_that_meet_differ_in_grey() {
     for theme in Theme::ALL {
-        for set in [&[Mode::Rolling, Mode::Sliding, Mode::Flight][..], &[Mode::Rolling, Mode::Gliding]] {
-            for (i, &a) in set.iter().enumerate() {
-                for &b in &set[..i] {
+        let mut seen: BTreeSet<Mode> = BTreeSet::new();
+        for body in BodyClass::ALL {
+            let set: BTreeSet<Mode> = EDGES
+                .iter()
+                .filter(|edge| edge.body == body)
+                .flat_map(|edge| [Some(edge.from), edge.to])
+                .flatten()
+                .collect();
+            seen.extend(&set);
+            for &a in &set {
+                for &b in set.range(..a) {
                     let gap = (of_mode(a, theme).lightness() - of_mode(b, theme).lightness()).abs();
                     assert!(gap > 12.0, "{a} and {b}, {theme:?}: {gap}");
                 }
             }
         }
+        assert_eq!(seen.into_iter().collect::<Vec<_>>(), Mode::ALL);
     }
 }
 
@@ -62,6 +73,8 @@ fn modes_that_meet_differ_in_grey() {
 fn classes_that_meet_in_one_map_differ_in_grey() {
     for theme in Theme::ALL {
         for (i, a) in Class::ALL.into_iter().enumerate() {
+            let is_of_a_motion = !matches!(a, Class::Invalid | Class::NotComputed);
+            assert_eq!(meet(a, a), is_of_a_motion, "{a} is in a map of some kind of hoop");
             for b in Class::ALL.into_iter().take(i).filter(|b| meet(a, *b)) {
                 let gap = (of_class(a, theme).lightness() - of_class(b, theme).lightness()).abs();
                 assert!(gap > 12.0, "{a} and {b}, {theme:?}: {gap}");
