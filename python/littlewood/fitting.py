@@ -6,7 +6,7 @@ import itertools
 import math
 import warnings
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -173,12 +173,7 @@ class _Problem:
 
     def motion(self, unknowns: _Reals) -> Trajectory:
         values = self.values(unknowns)
-        hoop = Hoop(
-            mass_ratio=self.hoop.mass_ratio,
-            offset=self.hoop.offset,
-            units=self.hoop.units,
-            **{name: values[name] for name in _OF_HOOP},
-        )
+        hoop = replace(self.hoop, units=self.hoop.units, **{name: values[name] for name in _OF_HOOP})
         return hoop.simulate(
             theta=values["start_theta"],
             theta_rate=values["start_theta_rate"],
