@@ -1,11 +1,12 @@
 //! What a native program makes of a thousand random starts, for the tests of the page: WebAssembly has to make the same
 //! of them, bit for bit.
 //!
-//! A line has the ten dimensionless numbers of a problem as the bits of doubles, and hashes (FNV-1a, 64 bits) of the JSON
+//! A line has the dimensionless numbers of a problem as the bits of doubles, and hashes (FNV-1a, 64 bits) of the JSON
 //! with 20 samples and of the CSV of its transitions.
 
 use std::io::{self, BufWriter, Write};
 
+use littlewood::{HoopParameters, Quantity, Setup, Start};
 use littlewood_web::{Motion, Problem};
 
 const STARTS: u32 = 1000;
@@ -29,7 +30,7 @@ impl Random {
 }
 
 /// Hoops of all kinds: that of Figure 2, Littlewood's, and any other.
-fn problem(random: &mut Random, index: u32) -> [f64; 10] {
+fn setup(random: &mut Random, index: u32) -> Setup {
     let [mass_ratio, offset, inertia] = match index % 4 {
         0 | 1 => [1.0, 1.0, 1.0],
         2 => [0.0, 1.0, 0.0],
@@ -39,7 +40,8 @@ fn problem(random: &mut Random, index: u32) -> [f64; 10] {
     let mu_k = mu_s * random.between(0.0, 1.0);
     let slip = if index.is_multiple_of(3) { random.between(-2.0, 2.0) } else { 0.0 };
     let (theta, rate) = (random.between(-4.0, 7.0), random.between(-4.0, 4.0));
-    [mass_ratio, offset, inertia, mu_s, mu_k, theta, rate, slip, 0.0, 0.0]
+    let hoop = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+    Setup::new(hoop, Start::at(theta, rate).with_slip(slip))
 }
 
 fn hash(text: &str) -> u64 {
@@ -51,7 +53,8 @@ fn main() -> io::Result<()> {
     let mut out = BufWriter::new(io::stdout().lock());
     let mut random = Random(2019);
     for index in 0..STARTS {
-        let numbers = problem(&mut random, index);
+        let setup = setup(&mut random, index);
+        let numbers = [&setup.values(Quantity::HOOP)[..], &setup.values(Quantity::START)].concat();
         let motion = Problem::dimensionless(&numbers, None).and_then(|problem| Motion::new(&problem, None));
         let motion = motion.map_err(|refusal| io::Error::other(refusal.message()))?;
         for number in numbers {

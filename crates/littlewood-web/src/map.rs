@@ -98,10 +98,13 @@ impl OutcomeMap {
 
 #[cfg(test)]
 mod tests {
+    use littlewood::Hoop;
+
     use super::*;
 
     fn figure_2(slip: f64) -> Problem {
-        Problem::dimensionless(&[1.0, 1.0, 1.0, 0.5, 0.4, 0.0, 0.0, slip, 0.0, 0.0], None).unwrap()
+        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+        Problem { hoop, start: Start::default().with_slip(slip), limits: Limits::default(), units: None }
     }
 
     #[test]
