@@ -110,8 +110,8 @@ fn every_quantity_is_a_key_of_its_table() {
     let plain = format!("[hoop]\n{}[start]\n{}", numbers(&Quantity::HOOP), numbers(&Quantity::START));
     let (_folder, path) = scenario(&plain);
     let document = json(&["classify", "--scenario", path.to_str().unwrap()]);
-    for (table, quantities) in [("hoop", Quantity::HOOP), ("start", Quantity::START)] {
-        for quantity in quantities {
+    for (table, quantities) in [("hoop", &Quantity::HOOP[..]), ("start", &Quantity::START)] {
+        for &quantity in quantities {
             assert_eq!(document[table][quantity.name()], 0.5, "{quantity}");
         }
     }
