@@ -42,8 +42,8 @@ fn the_classes_are_those_of_the_core() {
 #[test]
 fn the_columns_of_a_list_are_quantities_of_a_hoop_and_a_start() {
     let text = SWEEP.split_whitespace().collect::<Vec<_>>().join(" ");
-    let (_, listed) = text.split_once(" Columns are ").expect("the columns of a list");
-    let (listed, _) = listed.split_once(", in any order").expect("the end of them");
+    let (listed, _) = text.split_once(", in any order").expect("the columns of a list");
+    let (_, listed) = listed.rsplit_once(" Columns are ").expect("the first of them");
     let mut listed: Vec<&str> = listed.split(", ").map(|name| name.trim_matches('`')).collect();
     let mut known: Vec<&str> =
         Quantity::HOOP.into_iter().chain(Quantity::START).map(Quantity::name).collect();
