@@ -2,9 +2,9 @@
 //!
 //! In Bernstein form on [0, 1] a polynomial has at most as many roots in (0, 1) as its coefficients have sign
 //! changes, and the same parity. No change to a negative sign proves that it stays non-negative, one change
-//! proves that there is exactly one root; anything else is halved (de Casteljau) and looked at again, left part
+//! proves that there is exactly one root; anything else is halved (de Casteljau) and examined again, left part
 //! first. So a crossing is neither missed nor stepped over, however short the excursion. Only an excursion
-//! shorter than 2⁻⁵⁰ of the interval, which no double can tell from a touch, is decided by its end values.
+//! shorter than 2⁻⁵⁰ of the interval, which doubles do not resolve from a touch, is decided by its end values.
 
 /// Largest degree in use: a Taylor step of a slide, with room to spare.
 pub(crate) const MAX_DEGREE: usize = 24;

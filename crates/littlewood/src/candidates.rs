@@ -111,7 +111,7 @@ pub(crate) enum Next {
 /// How the state was reached, which resolves ties on a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Arrival {
-    /// Nothing: a start, or a slide or glide that came to rest.
+    /// No boundary: a start, or a slide or glide that came to rest.
     Open,
     /// Rolling has just reached this limit.
     RollingLimit(RollingLimit),
@@ -132,7 +132,7 @@ pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next 
     }
 }
 
-/// What the decision for a heavy hoop rests on.
+/// Quantities on which the decision for a heavy hoop rests.
 pub(crate) struct Evidence<P> {
     /// w = 1 − h cos θ θ′².
     pub(crate) contact: f64,
@@ -146,7 +146,7 @@ pub(crate) struct Evidence<P> {
     pub(crate) is_solvable: bool,
 }
 
-/// What is known of the slip.
+/// State of the slip.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum SlipEvidence {
     /// η′ ≠ 0.

@@ -6,7 +6,7 @@ use crate::outcome::OutcomeKind;
 use crate::summary::Summary;
 
 named! {
-    /// What a map shows of a motion: a coarser division than the outcome, which tells the jumps apart by when they begin.
+    /// Class of outcomes that maps show: coarser than the outcome, but with jumps divided by when they begin.
     pub enum Class, "class of outcomes" {
         /// In flight from the start.
         LeavesAtOnce = 0, "leaves_at_once";

@@ -1,7 +1,7 @@
 //! The equations of motion, each written once: those of rolling (2.8, 2.11, 2.12), of sliding (2.15, 2.16, 2.18), and
 //! 1 − h cos θ θ′² of contact.
 //!
-//! Every formula takes the sine and the cosine of θ and u = θ′², so that a solver that knows them pays for nothing
+//! Every formula takes the sine and the cosine of θ and u = θ′², so that a solver that has them computes nothing
 //! twice. Where a formula is linear in (1, u), or in (1, sin θ, cos θ), its first argument stands for the 1: with the
 //! coefficients of power series in place of numbers the same formula gives the series.
 //!

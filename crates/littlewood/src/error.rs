@@ -1,4 +1,4 @@
-//! What is wrong with a parameter: the quantity, its value, the bound it breaks and its unit.
+//! Errors of parameters: the quantity, its value, the bound it breaks and its unit.
 
 use thiserror::Error;
 

@@ -293,7 +293,7 @@ impl Gliding {
         self.direction
     }
 
-    /// Whether this phase is what a heavy hoop does as its inertia vanishes. It is not where μk σ sin θ is positive
+    /// Whether this phase is the limit of the motions of a heavy hoop as its inertia vanishes. It is not where μk σ sin θ is positive
     /// and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ): a sliding hoop of small inertia has no such motion (Painlevé).
     #[must_use]
     pub const fn is_small_inertia_limit(&self) -> bool {

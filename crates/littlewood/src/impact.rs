@@ -91,7 +91,7 @@ impl Restitution {
 }
 
 named! {
-    /// What the contact point does during an impact.
+    /// Course of the slip during an impact.
     pub enum ImpactCase, "case of an impact" {
         /// Nothing: the gap does not close, and nothing forces an impulse.
         None = 0, "none";
@@ -153,7 +153,7 @@ impl Impact {
     }
 }
 
-/// Stretch of an impact on which everything is linear in P: how J, u and w change with P.
+/// Part of an impact on which everything is linear in P: how J, u and w change with P.
 #[derive(Clone, Copy, Debug)]
 struct Slope {
     friction: f64,
@@ -202,7 +202,7 @@ impl Compliance {
     }
 }
 
-/// The two stretches of an impact: slip as it was, up to the impulse `first`, and what follows.
+/// The two parts of an impact: slip as it was, up to the impulse `first`, and what follows.
 #[derive(Clone, Copy, Debug)]
 struct Course {
     before: ContactVelocities,
@@ -315,7 +315,7 @@ impl Course {
         (case, normal)
     }
 
-    /// The velocities after, and the works on both stretches.
+    /// The velocities after, and the works on both parts.
     fn after(&self, body: &Heavy, (sin, cos): (f64, f64), case: ImpactCase, normal: f64) -> Impact {
         let before = self.before;
         let one = normal.min(self.first);

@@ -47,7 +47,8 @@
 //! # How exact
 //!
 //! Rolling, gliding and flight are evaluated from closed forms and elliptic integrals, sliding from Taylor series that
-//! have converged to rounding. Events are isolated, not sampled: see `DESIGN.md`. There is no tolerance to choose.
+//! have converged to rounding. Events are isolated, not sampled: see `DESIGN.md`. Constants that decide are
+//! at the level of rounding; the user chooses none.
 
 mod automaton;
 mod bernstein;

@@ -48,7 +48,7 @@ pub struct Position {
     pub y: f64,
 }
 
-/// What a mode of motion knows of an instant besides the state; the rest follows for all modes alike.
+/// Values at an instant that depend on the mode; the rest follows for all modes alike.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant {
     pub(crate) mode: Mode,

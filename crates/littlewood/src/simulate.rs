@@ -15,7 +15,7 @@ use crate::walk::{PhaseSeen, Recorder, walk};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Limits {
-    /// Time τ at which to stop, if any. A motion that is proved to roll for ever is reported as such all the same.
+    /// Time τ at which to stop, if any. A motion that is proved to roll for ever is reported as such in any case.
     pub until: Option<f64>,
     /// Largest number of transitions. Only μs = μk needs it: there slips can shrink without end towards the orbit
     /// that grazes the static limit.

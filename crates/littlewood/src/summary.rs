@@ -1,4 +1,4 @@
-//! What a sweep keeps of a motion: outcome, sequence of phases, the end, first slip, lift-off and jump.
+//! The summary of a motion: outcome, sequence of phases, the end, first slip, lift-off and jump.
 
 use crate::automaton::Cause;
 use crate::equations::energy_at;
@@ -12,7 +12,7 @@ use crate::transition::Transition;
 use crate::trig::sincos;
 use crate::walk::{PhaseSeen, Recorder, Solution};
 
-/// What a sweep keeps of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
+/// The summary of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -119,7 +119,7 @@ impl<'a> SummaryRecorder<'a> {
     }
 }
 
-/// A solution that is looked at, not kept.
+/// A borrowed solution.
 impl Solution for &PhaseSolution {
     fn flight(&self) -> Option<&Flight> {
         (**self).flight()

@@ -22,7 +22,7 @@ const SAME_STATE: f64 = 1e-9;
 
 /// Solves phases of motion, each from the place where it begins to the event that ends it, or to the time limit.
 pub(crate) trait Solver {
-    /// A state, with what the solver knows of it besides.
+    /// A state, with what the solver has computed for it.
     type Place;
     /// The solution of a phase.
     type Solution: Solution;
@@ -48,7 +48,7 @@ pub(crate) trait Solver {
     fn glide(&self, place: &Self::Place, body: &Massless, from_extremum: bool) -> SolvedBy<Self>;
 }
 
-/// What is asked of the solution of a phase, exact or not.
+/// Properties of a solved phase, exact or tabulated.
 pub(crate) trait Solution {
     /// The flight, if it is one.
     fn flight(&self) -> Option<&Flight>;
@@ -75,15 +75,15 @@ pub(crate) enum Ending<P, V> {
     Motion { event: Option<(Cause, State)>, end: Option<State>, verdict: V },
 }
 
-/// Keeps what it is told of a motion.
+/// Records the phases and transitions of a motion.
 pub(crate) trait Recorder<S> {
     /// A phase in a mode, from a state to a state, or without end.
     fn phase(&mut self, phase: PhaseSeen, solution: S);
-    /// The transition that ends the phase told last.
+    /// The transition that ends the last phase.
     fn transition(&mut self, transition: Transition);
 }
 
-/// A phase as a recorder is told of it.
+/// A phase as it is passed to a recorder.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PhaseSeen {
     pub(crate) mode: Mode,
@@ -180,7 +180,7 @@ struct Pending {
     cause: Cause,
 }
 
-/// Tells the recorder of a transition once that is known.
+/// Passes the pending transition to the recorder.
 #[inline]
 fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Pending>, direction: Option<Direction>) {
     if let Some(Pending { state, from, to, cause }) = pending.take() {
@@ -209,7 +209,7 @@ const fn direction_of(next: &Next) -> Option<Direction> {
 
 /// The reversals of a motion without any friction. Energy and horizontal momentum are conserved through them, and the
 /// orbit of (θ, θ′) is closed: once a reversal comes back to the place of an earlier one, a whole period has passed,
-/// and nothing new can happen.
+/// and the motion repeats itself.
 #[derive(Debug, Default)]
 struct Reversals(Vec<Reversal>);
 

@@ -52,7 +52,7 @@ fn counts(atlas: &Atlas) -> [(&'static str, usize); 2] {
     // Directions of gliding are told apart all the same.
     let phase = |code: PhaseCode| match code.mode() {
         (Mode::Sliding, _) => (Mode::Sliding, None),
-        other => other,
+        (mode @ (Mode::Rolling | Mode::Gliding | Mode::Flight), direction) => (mode, direction),
     };
     let without: BTreeSet<Vec<_>> = sequences
         .iter()

@@ -2,7 +2,7 @@
 //!
 //! What depends on the body and the coefficients of friction alone is computed once: where the orbits of rolling slip
 //! ([`roll`]), and the slides ([`slide`]). The walk along the automaton is that of [`crate::walk`], as for
-//! [`Hoop::simulate`]; a phase is looked up in the tables. Whatever is in doubt there, a margin close to zero, a turning
+//! [`Hoop::simulate`]; a phase is looked up in the tables. A phase that the tables do not resolve, with a margin close to zero, a turning
 //! point, a shape of η′ that might touch zero, a slow phase, is solved exactly.
 
 mod interpolant;
@@ -29,7 +29,7 @@ use slip::SlipTable;
 use tabulated::Tabulated;
 
 /// Lighter hoops, by Î/m, have no tables: each time the particle passes the bottom, rounding is amplified by (Î/m)^(−1/2), and
-/// tables and Taylor series, which round differently, would soon tell of different motions.
+/// tables and Taylor series, which round differently, would soon diverge.
 const MIN_INERTIA: f64 = 1e-3;
 
 /// Hoops that are better balanced, by h, have no tables: the forces of rolling change by h over a turn, so that the angles at
@@ -101,7 +101,7 @@ impl Engine {
         Self { hoop: *hoop, tables }
     }
 
-    /// Number of starts of one hoop from which on the tables repay the time that they take.
+    /// Number of starts of one hoop from which on tables save more time than they cost.
     pub const MIN_STARTS_FOR_TABLES: usize = 96;
 
     /// A hoop without tables, whose motions are simulated one by one: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`].

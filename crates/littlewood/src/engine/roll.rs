@@ -27,7 +27,7 @@ pub(super) struct SlipPoint {
     pub(super) angle: f64,
 }
 
-/// A margin within this part of its terms of zero is left to the slow path.
+/// A margin within this part of its terms of zero is solved exactly.
 const UNCERTAIN_MARGIN: f64 = 1e-12;
 
 /// Gauss panels are not wider than this part of the distance to the nearest singularity.
@@ -44,7 +44,7 @@ struct Stop {
     y: f64,
     /// A and B of the margins of friction to the negative and to the positive side.
     margins: [[f64; 2]; 2],
-    /// Constants K of the orbits that surely hold here on both sides.
+    /// Constants K of the orbits that hold here on both sides by more than the uncertainty.
     holds: (f64, f64),
 }
 
@@ -59,7 +59,7 @@ pub(super) struct RollTable {
     width: f64,
 }
 
-/// What an orbit leads to.
+/// End of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RollEnd {
     /// Slips at the angle, in the frame of motion.
@@ -233,7 +233,7 @@ impl RollTable {
         Some(RollEnd::Never)
     }
 
-    /// Only the proof that nothing slips between the turning points: a slip on the way is left to the slow path.
+    /// Only the proof that nothing slips between the turning points: a slip on the way is solved exactly.
     fn libration(&self, k: f64) -> Option<RollEnd> {
         // cos of the turning angle, where K = D.
         let cos = (k - self.law.mean_denominator()) / (2.0 * self.law.offset);

@@ -5,7 +5,7 @@
 //! of the curve these functions are polynomials, interpolated at Chebyshev nodes through slides that the
 //! [`SlideTable`] has followed.
 //!
-//! That a piece has no other event between its nodes is proved by order. Slides in the (ϑ, u) plane do not cross, so
+//! That a piece has no other event between its nodes follows from the order of slides, compared from each node to the next. Slides in the (ϑ, u) plane do not cross, so
 //! that on a piece along which they leave the curve to one side everything linear in u has its extremes, at every
 //! angle, on the first and the last slide of the piece. If these two agree on the signs at the ends of all cells (η″ falls
 //! through zero but once, and 1 − h cos ϑ u stays positive), every slide between them does. What is not proved is left
@@ -28,16 +28,16 @@ const NARROWEST: f64 = 1.0 / 128.0;
 /// A slide that may be with or without lift-off, within this of both, is followed on its own.
 const UNCERTAIN_END: f64 = 1e-9;
 
-/// What a slide out of rolling leads to.
+/// End of a slide out of rolling.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlipEnd {
     /// The end of the slide.
     pub(super) event: SlideEvent,
-    /// What is known of the phase behind it.
+    /// Precomputed data of the phase behind it.
     pub(super) ahead: Ahead,
 }
 
-/// What is known of the phase that follows.
+/// Precomputed data of the phase that follows.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Ahead {
     /// Nothing.
@@ -190,12 +190,12 @@ impl<T> Pieces<T> {
     }
 }
 
-/// What came of an interval.
+/// Result for an interval.
 enum Fit<T> {
     Found(T),
     /// Its halves may do better.
     Divide,
-    /// There is nothing to interpolate.
+    /// No slide here can be interpolated.
     Nothing,
 }
 

@@ -1,4 +1,4 @@
-//! Phases looked up in the tables of a hoop where they are sure, and solved exactly where not.
+//! Phases looked up in the tables of a hoop where these resolve them to rounding, and solved exactly elsewhere.
 
 use crate::automaton::Cause;
 use crate::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
@@ -42,7 +42,7 @@ pub(super) struct Place {
     direction: (f64, f64),
     /// Where it is the end of rolling by the table.
     slip: Option<SlipPoint>,
-    /// What is known of the phase that begins here.
+    /// Precomputed data of the phase that begins here.
     ahead: Ahead,
 }
 
@@ -94,7 +94,7 @@ impl<'a> Tabulated<'a> {
         elapsed <= self.until - state.time
     }
 
-    /// What the exact solver found.
+    /// Converts a phase that was solved exactly.
     fn take(solved: SolvedBy<Exact<'_>>) -> SolvedBy<Self> {
         let ending = match solved.ending {
             Ending::Event { place, cause, arrival } => {

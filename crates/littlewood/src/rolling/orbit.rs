@@ -107,7 +107,7 @@ impl RollingOrbit {
         }
     }
 
-    /// How the orbit recurs if nothing gives way.
+    /// How the orbit recurs if friction and the normal force hold.
     #[must_use]
     pub fn recurrence(&self) -> Recurrence {
         match &self.0 {
@@ -184,7 +184,7 @@ impl Elliptic {
     }
 
     /// D ϑ′² at another angle of the same turn, with its z, from that at the start: K − D changes by 4ℓ̂ (z0² − z²),
-    /// whose factor z0 − z is taken from the angles lest it cancel next to a turning point.
+    /// whose factor z0 − z is taken from the angles to avoid cancellation next to a turning point.
     fn kinetic_at(&self, angle: f64, z: f64) -> f64 {
         let difference = -2.0
             * flip(self.lap)

@@ -38,7 +38,7 @@ pub(crate) enum SlidingEnd {
     Unresolved(State),
     /// The time limit.
     TimeLimit(State),
-    /// Nothing will ever end it: without kinetic friction, energy and horizontal momentum are conserved, and a motion
+    /// Lasts for ever: without kinetic friction, energy and horizontal momentum are conserved, and a motion
     /// that has passed a whole period without an event repeats itself.
     Endless(Recurrence),
 }

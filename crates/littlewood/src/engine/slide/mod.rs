@@ -9,7 +9,7 @@
 //! - 1 − h cos ϑ u falls through zero at most once, and then stays (its derivative there is h sin ϑ u);
 //! - η″ changes sign at most once, so that η′ has at most one extremum.
 //!
-//! The ends of a cell then tell what happens inside; the one doubtful shape, η′ with a minimum inside, is handed back.
+//! The ends of a cell then tell what happens inside; the one doubtful shape, η′ with a minimum inside, is solved by Taylor series.
 //! The time is a Gauss sum of dϑ/√u, and η′ follows from it by the first integral of sliding.
 //!
 //! Everything is seen in the frame in which σ = +1 (mirrored for σ = −1).
@@ -64,7 +64,7 @@ pub(super) struct SlideEvent {
     pub(super) lifts_off: bool,
 }
 
-/// What a slide meets at the end of a cell.
+/// State of a slide at the end of a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passing {
     /// The end of the cell, reduced to a turn.
