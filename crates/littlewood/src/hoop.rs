@@ -95,7 +95,13 @@ impl Hoop {
     /// [`ParameterError::NoMotion`].
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
         let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k } = parameters;
-        for (quantity, value) in Quantity::HOOP.into_iter().zip([mass_ratio, offset, inertia, mu_s, mu_k]) {
+        for (quantity, value) in [
+            (Quantity::MassRatio, mass_ratio),
+            (Quantity::Offset, offset),
+            (Quantity::Inertia, inertia),
+            (Quantity::MuS, mu_s),
+            (Quantity::MuK, mu_k),
+        ] {
             quantity.check(value)?;
         }
         within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;

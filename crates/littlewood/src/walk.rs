@@ -146,12 +146,12 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
                 let begins = mode_of(&next);
                 let to_direction = direction_of(&next);
                 // Only now is it known what coming to rest leads to.
-                let cause = match (cause, begins) {
-                    (Cause::Stick, Some(to)) if to != Mode::Rolling => {
-                        let same = to_direction.is_some() && to_direction == direction;
-                        if same { Cause::Graze } else { Cause::Reversal }
-                    }
-                    _ => cause,
+                let goes_on = begins.is_some_and(|to| to != Mode::Rolling);
+                let cause = if cause == Cause::Stick && goes_on {
+                    let same = to_direction.is_some() && to_direction == direction;
+                    if same { Cause::Graze } else { Cause::Reversal }
+                } else {
+                    cause
                 };
                 pending = Some(Pending { state: end, from: mode, to: begins, cause });
                 count += 1;
