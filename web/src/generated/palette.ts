@@ -179,7 +179,7 @@ export interface CurveRow {
 
 /** The table of curves. */
 export const CURVE_ROWS = {
-  slip_limit: { label: 'f: |F| = μs N in rolling', letter: 'f', dash: [5.0, 2.5], width: 2.4 },
+  slip_limit: { label: 'f: |F| = μₛ N in rolling', letter: 'f', dash: [5.0, 2.5], width: 2.4 },
   normal_force_zero: { label: 'n: N = 0 in rolling', letter: 'n', dash: [], width: 2.4 },
   separatrix: { label: 'separatrix', letter: null, dash: [], width: 1.6 },
   lift_off: { label: 'lift-off: h cos θ θ′² = 1', letter: null, dash: [2.5, 1.8], width: 1.6 },

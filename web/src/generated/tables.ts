@@ -24,7 +24,6 @@ export const QUANTITIES = [
   'x_m',
   'time_s',
   'until_s',
-  'restitution',
 ] as const;
 export type Quantity = (typeof QUANTITIES)[number];
 
@@ -79,7 +78,6 @@ export const QUANTITY_ROWS = {
   x_m: { group: 'place', system: 'si', twin: 'x', sign: 'x', unit: 'm', longName: 'horizontal position of the geometric centre', otherwise: 0, usual: [-10, 10] },
   time_s: { group: 'place', system: 'si', twin: 'time', sign: 't', unit: 's', longName: 'time', otherwise: 0, usual: [-10, 10] },
   until_s: { group: 'run', system: 'si', twin: 'until', sign: 't', unit: 's', longName: 'time limit', otherwise: null, usual: [0, 10] },
-  restitution: { group: 'hoop', system: 'dimensionless', twin: null, sign: 'e', unit: '', longName: 'coefficient of restitution', otherwise: 0, usual: [0, 1] },
 } as const satisfies Record<Quantity, QuantityRow>;
 
 /** The numbers of a problem without dimension, in the order in which the core takes them. */
@@ -89,7 +87,6 @@ export const DIMENSIONLESS = [
   'inertia',
   'mu_s',
   'mu_k',
-  'restitution',
   'theta',
   'theta_rate',
   'slip',
@@ -108,7 +105,6 @@ export const SI = [
   'gravity_m_per_s2',
   'mu_s',
   'mu_k',
-  'restitution',
   'theta',
   'theta_rate_rad_per_s',
   'slip_m_per_s',
@@ -290,4 +286,4 @@ export const CLASS_LABELS = {
 } as const satisfies Record<Class, string>;
 
 /** What a core of the same version says of the order of names. */
-export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k restitution theta theta_rate slip x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k restitution theta theta_rate_rad_per_s slip_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever slides_forever in_contact_at_limit particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';
+export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever slides_forever in_contact_at_limit particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';
