@@ -23,7 +23,7 @@ impl ArrowScale {
     /// Scales with which the largest arrow of these instants has room.
     pub(crate) fn fitting(hoop: &Hoop, samples: impl Iterator<Item = Sample>) -> Self {
         let (mut force, mut velocity) = (0.0_f64, 0.0_f64);
-        for sample in samples.filter(|sample| sample.mode != Mode::Flight) {
+        for sample in samples.filter(|sample| sample.mode.touches_plane()) {
             force = force.max(sample.normal.abs()).max(sample.friction.abs());
             if sample.state.slip.is_finite() {
                 velocity = velocity.max(sample.state.slip.abs());
@@ -93,7 +93,7 @@ impl Scene {
     pub fn of(sample: Sample, scale: ArrowScale) -> Self {
         let centre = sample.centre;
         let lowest = Position { x: centre.x, y: sample.gap };
-        let contact = (sample.mode != Mode::Flight).then_some(lowest);
+        let contact = sample.mode.touches_plane().then_some(lowest);
         let arrow = |direction, value, scale| DrawnArrow::along(direction, contact?, value, scale);
         Self {
             sample,

@@ -4,8 +4,7 @@
 use core::f64::consts::TAU;
 
 use littlewood::{
-    Direction, Hoop, Limits, Mode, Outcome, OutcomeKind, ParameterError, Phase, PhaseSequence, PhaseSolution,
-    Start,
+    Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, PhaseSequence, PhaseSolution, Start,
 };
 
 /// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of its orbit, in which
@@ -100,7 +99,7 @@ impl FirstTurn {
         let turn = Turn { theta: start.theta, travel: travel.sign() };
         for phase in motion.phases() {
             sequence.push(phase.mode(), phase.direction());
-            if phase.mode() == Mode::Flight {
+            if !phase.mode().touches_plane() {
                 return Ok(Ok(Self { sequence, stop: Stop::LiftsOff, time: phase.start().time }));
             }
             let duration = if phase.duration().is_finite() {

@@ -1,6 +1,5 @@
 //! The coarser division of outcomes that maps show.
 
-use crate::mode::Mode;
 use crate::named::named;
 use crate::outcome::OutcomeKind;
 use crate::summary::Summary;
@@ -39,7 +38,7 @@ impl Class {
     /// The class of a motion.
     #[must_use]
     pub fn of(summary: &Summary) -> Self {
-        if let Some((Mode::Flight, _)) = summary.sequence.first() {
+        if summary.sequence.first().is_some_and(|(mode, _)| !mode.touches_plane()) {
             return Self::LeavesAtOnce;
         }
         if !summary.lift_off_time.is_nan() {

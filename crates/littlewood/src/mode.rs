@@ -17,6 +17,24 @@ named! {
 }
 
 impl Mode {
+    /// Whether the rim touches the plane.
+    #[must_use]
+    pub const fn touches_plane(self) -> bool {
+        match self {
+            Self::Rolling | Self::Sliding | Self::Gliding => true,
+            Self::Flight => false,
+        }
+    }
+
+    /// Whether the plane presses on the rim: N > 0.
+    #[must_use]
+    pub const fn has_normal_force(self) -> bool {
+        match self {
+            Self::Rolling | Self::Sliding => true,
+            Self::Gliding | Self::Flight => false,
+        }
+    }
+
     /// The mode with an arrow for the direction of slip, for tables and films: `sliding ←`.
     #[must_use]
     pub fn with_arrow(self, direction: Option<Direction>) -> String {

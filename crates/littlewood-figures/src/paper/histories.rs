@@ -1,6 +1,6 @@
 //! Forces and energy of a motion against time, with its transitions.
 
-use littlewood::{Dimension, Hoop, Mode, Phase, Sample, SampleColumn, Trajectory, Transition};
+use littlewood::{Dimension, Hoop, Phase, Sample, SampleColumn, Trajectory, Transition};
 
 use crate::axes::{plain, time};
 use crate::columns::{ENERGY, FRICTION, MU_K, MU_S, NORMAL, TIME};
@@ -132,7 +132,7 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         history(&motion, SampleColumn::Friction.long_name(), FRICTION, &|_, sample| Some(sample.friction));
     let friction_axis = axis_of(FRICTION, &quotient(SampleColumn::Friction), &[&friction], &[0.0]);
     let demand = history(&motion, "friction over normal force", "demand", &|phase, sample| {
-        let in_contact = matches!(phase.mode(), Mode::Rolling | Mode::Sliding);
+        let in_contact = phase.mode().has_normal_force();
         (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
     });
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());

@@ -165,7 +165,7 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     for (mode, series) in of_mass_centre {
         picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
     }
-    let flight = motion.phases().iter().any(|phase| phase.mode() == Mode::Flight);
+    let flight = motion.phases().iter().any(|phase| !phase.mode().touches_plane());
     let caption = format!(
         "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at each \
          transition. Black dot: particle; ring: mass centre.{} {}; {}. *m*_{{2}} = \

@@ -33,7 +33,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     let until = horizon(&motion);
     // Before the lift-off only, as in the paper.
     let on_ground: Vec<(Mode, Series)> =
-        by_mode(&motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| *mode != Mode::Flight).collect();
+        by_mode(&motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| mode.touches_plane()).collect();
     let all = || on_ground.iter().flat_map(|(_, series)| series.rows());
     let x = bounds(all().map(|row| row[1]), 0.06);
     let z = bounds(all().map(|row| row[2]), 0.12);
@@ -87,7 +87,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
             continue;
         }
         changes.push(vec![state.time, state.theta, state.theta_rate, state.slip]);
-        if transition.to == Some(Mode::Flight) {
+        if transition.to.is_some_and(|mode| !mode.touches_plane()) {
             labels.push(Label::new("*L*", &[state.theta, state.slip, state.theta_rate]).shifted(13.0, -3.0));
         }
     }
