@@ -141,7 +141,7 @@ impl Hoop {
                     (RollingLimit::Friction(_), _) => Some(RollingType::III),
                 }
             }
-            _ => None,
+            Body::Massless(_) | Body::Heavy(_) => None,
         }
     }
 }

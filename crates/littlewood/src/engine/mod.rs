@@ -96,7 +96,7 @@ impl Engine {
                         Tables { body, sliding, roll, slide, slip }
                     })
             }
-            _ => None,
+            Body::Heavy(_) | Body::Massless(_) => None,
         };
         Self { hoop: *hoop, tables }
     }

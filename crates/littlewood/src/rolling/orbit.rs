@@ -169,7 +169,7 @@ impl Elliptic {
                 Swing::Libration => {
                     orbit.time_from_bottom(orbit.phase_sine(z), (kinetic / orbit.swing).sqrt())
                 }
-                _ => orbit.time_from_bottom(z, y),
+                Swing::Rest | Swing::Rotation => orbit.time_from_bottom(z, y),
             };
             if orbit.excess > 0.0 {
                 orbit.quarter = orbit.time_from_bottom(1.0, 0.0);
