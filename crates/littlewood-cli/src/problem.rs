@@ -2,8 +2,8 @@
 //! units.
 
 use littlewood::{
-    CASES, Classification, Group, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Quantity, Setup,
-    SiSetup, Start, Trajectory, Units, find_case,
+    CASES, Classification, Group, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Presence,
+    Quantity, Setup, SiSetup, Start, Trajectory, Units, find_case,
 };
 use littlewood_report::Subject;
 
@@ -107,7 +107,9 @@ impl Inputs {
         let missing: Vec<Quantity> = setup
             .chain(units)
             .map(|quantity| if is_si { quantity.si_twin().unwrap_or(quantity) } else { quantity })
-            .filter(|quantity| quantity.row().default.is_none() && self.values.find(*quantity).is_none())
+            .filter(|quantity| {
+                quantity.row().presence == Presence::Required && self.values.find(*quantity).is_none()
+            })
             .collect();
         if missing.is_empty() {
             return Ok(());
@@ -148,7 +150,7 @@ impl Inputs {
 
     /// The number that was given for a quantity, or its default; NaN, which no check lets through, if it has none.
     fn or_default(&self, quantity: Quantity) -> f64 {
-        self.values.get(quantity).or(quantity.row().default).unwrap_or(f64::NAN)
+        self.values.get(quantity).or(quantity.row().presence.default_value()).unwrap_or(f64::NAN)
     }
 
     /// The dimensionless numbers that were given, over those of another setup, over the defaults.
@@ -156,7 +158,9 @@ impl Inputs {
         let mut setup = Setup::new(HoopParameters::default(), Start::default());
         for quantity in Quantity::HOOP.into_iter().chain(Quantity::START) {
             let given = self.values.get(quantity).or_else(|| below(quantity));
-            setup.set(quantity, given.unwrap_or_else(|| self.or_default(quantity)));
+            if given.is_some() || quantity.row().presence != Presence::Optional {
+                setup.set(quantity, given.unwrap_or_else(|| self.or_default(quantity)));
+            }
         }
         setup
     }
@@ -165,14 +169,15 @@ impl Inputs {
     /// not count.
     fn in_si(&self, units: &Units) -> SiSetup {
         let hoop = SiSetup::new(&self.over(|_| None), units);
-        SiSetup::from_values(|quantity| match quantity.group() {
-            Group::Hoop => self.values.get(quantity).or(hoop.get(quantity)).unwrap_or(f64::NAN),
-            Group::Units => self.or_default(quantity),
+        let value = |quantity: Quantity| match quantity.group() {
+            Group::Hoop => self.values.get(quantity).or(hoop.get(quantity)),
+            Group::Units => Some(self.or_default(quantity)),
             Group::Start | Group::Place => {
-                self.values.get(quantity).or(quantity.row().default).unwrap_or(0.0)
+                self.values.get(quantity).or(quantity.row().presence.default_value()).or(Some(0.0))
             }
-            Group::Run => f64::NAN,
-        })
+            Group::Run => None,
+        };
+        SiSetup::from_values(value, None)
     }
 
     /// The quantities of the hoop and the start that do not come from the case.

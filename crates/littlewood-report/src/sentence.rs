@@ -46,7 +46,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
     Some(match event.cause {
         Cause::Slip => slip(event, mu_s),
         Cause::Stick => format!("Sticks and rolls: the slip has died away, and {}.", holds(&forces, mu_s)),
-        Cause::Reversal if event.from == Mode::Gliding => {
+        Cause::Reversal if event.from == Some(Mode::Gliding) => {
             "The slip of the glide reverses: outside 𝓡 nothing holds the contact point.".to_owned()
         }
         Cause::Reversal => {
@@ -69,6 +69,10 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
         Cause::ParticleAtTop => {
             "The particle reaches its highest place with velocity to spare: it would lift the hoop."
                 .to_owned()
+        }
+        Cause::Settle => "The bounces have come to an end: the rim stays at the plane.".to_owned(),
+        Cause::Jam => {
+            "Jams: the plane stops the slip in an impact without a collision (Painlevé).".to_owned()
         }
         Cause::Singularity => {
             "The slide jams: beyond P = 0 no sliding motion presses on the plane (Painlevé).".to_owned()

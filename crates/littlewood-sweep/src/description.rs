@@ -112,7 +112,9 @@ impl Description {
     pub(crate) fn grid(value: &Value) -> Option<(Grid, Limits, Vec<usize>)> {
         let mut base = Setup::new(HoopParameters::default(), Start::default());
         for (name, number) in value.get("fixed")?.as_object()? {
-            *base.place(name.parse().ok()?)? = number.as_f64()?;
+            let quantity = name.parse().ok()?;
+            base.set(quantity, number.as_f64()?);
+            base.get(quantity)?;
         }
         let mut axes = Vec::new();
         for axis in value.get("axes")?.as_array()? {

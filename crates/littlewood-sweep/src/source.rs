@@ -123,7 +123,10 @@ impl Source for ListSource<'_> {
             // A time limit before the start: the list may have the time of the start, never the limit.
             ParameterError::OutOfBounds { quantity: Quantity::Until, .. } => Quantity::Time,
             ParameterError::OutOfBounds { quantity, .. } => quantity,
-            ParameterError::NoMotion { .. } => refused.error.quantity(),
+            ParameterError::NoMotion { .. }
+            | ParameterError::LawAlone { .. }
+            | ParameterError::MasslessImpact { .. }
+            | ParameterError::MasslessFlight { .. } => refused.error.quantity(),
         };
         match line {
             Some(line) if self.list.columns().contains(&column) => {

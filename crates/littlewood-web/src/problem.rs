@@ -49,9 +49,9 @@ impl Problem {
     /// Values without physical meaning.
     pub fn si(numbers: &[f64], until_s: Option<f64>) -> Result<Self, Refusal> {
         let value = |wanted: Quantity| {
-            si_quantities().position(|quantity| quantity == wanted).map_or(f64::NAN, |i| number(numbers, i))
+            si_quantities().position(|quantity| quantity == wanted).map(|i| number(numbers, i))
         };
-        let (setup, units) = SiSetup::from_values(value).to_setup()?;
+        let (setup, units) = SiSetup::from_values(value, None).to_setup()?;
         let until = until_s.map(|until_s| units.until(until_s, &setup.start)).transpose()?;
         Self::checked(&setup, until, Some(units))
     }

@@ -21,7 +21,7 @@ named! {
         Graze = 4, "graze";
         /// Sliding: N = 0 with the mass centre rising (§2d).
         LiftOff = 5, "lift_off";
-        /// Flight: the rim touches the plane; the instant before the impact (§2e).
+        /// Flight: the rim touches the plane (§2e). With a coefficient of restitution the impact is part of it.
         Landing = 6, "landing";
         /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
         ParticleAtPlane = 7, "particle_at_plane";
@@ -31,6 +31,10 @@ named! {
         ParticleAtTop = 9, "particle_at_top";
         /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
         Singularity = 10, "singularity";
+        /// Flight: bounces without number have come to their end, and the rim stays at the plane.
+        Settle = 11, "settle";
+        /// Sliding where P ≤ 0: an impact without a collision ends the slip (Painlevé).
+        Jam = 12, "jam";
     }
 }
 
@@ -50,6 +54,8 @@ impl Cause {
             Self::ParticleAtBottom => "particle at the bottom",
             Self::ParticleAtTop => "particle at the top",
             Self::Singularity => "P = 0",
+            Self::Settle => "settles",
+            Self::Jam => "jam",
         }
     }
 }
@@ -69,8 +75,8 @@ named! {
 pub struct Edge {
     /// Bodies that have it.
     pub body: BodyClass,
-    /// Mode that ends.
-    pub from: Mode,
+    /// Mode that ends; none where no motion was consistent.
+    pub from: Option<Mode>,
     /// Event.
     pub cause: Cause,
     /// Condition, in the symbols of the paper.
@@ -85,7 +91,7 @@ pub struct Edge {
 
 const fn edge(
     body: BodyClass,
-    (from, to): (Mode, Option<Mode>),
+    (from, to): (Option<Mode>, Option<Mode>),
     cause: Cause,
     (guard, reset, source): (&'static str, &'static str, &'static str),
 ) -> Edge {
@@ -99,58 +105,135 @@ pub const EDGES: &[Edge] = {
     &[
         edge(
             Heavy,
-            (Rolling, Some(Sliding)),
+            (Some(Rolling), Some(Sliding)),
             Cause::Slip,
             ("|F| = mu_s N and |F| - mu_s N grows", "sigma = -sign F", "(2.13), 2(c)"),
         ),
         edge(
             Heavy,
-            (Sliding, Some(Rolling)),
+            (Some(Sliding), Some(Rolling)),
             Cause::Stick,
             ("eta' = 0 and |F_roll| <= mu_s N_roll", "eta' = 0", "2(c)"),
         ),
         edge(
             Heavy,
-            (Sliding, Some(Sliding)),
+            (Some(Sliding), Some(Sliding)),
             Cause::Reversal,
             ("eta' = 0 and |F_roll| > mu_s N_roll", "sigma = -sigma", "2(c)"),
         ),
         edge(
             Heavy,
-            (Sliding, Some(Flight)),
+            (Some(Sliding), Some(Flight)),
             Cause::LiftOff,
             ("h cos(theta) theta'^2 = 1 and sin(theta) theta' < 0", "none", "(2.18), 2(d)"),
         ),
-        edge(Heavy, (Flight, None), Cause::Landing, ("gap = 0, falling", "none", "2(e)")),
+        edge(Heavy, (Some(Flight), None), Cause::Landing, ("gap = 0, falling, no e", "none", "2(e)")),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Flight)),
+            Cause::Landing,
+            ("gap = 0, falling", "theta', eta', gap' by the impact", "Routh, Keller"),
+        ),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Rolling)),
+            Cause::Landing,
+            ("gap = 0, falling, e = 0", "theta', eta' = 0 by the impact", "Routh, Keller"),
+        ),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Sliding)),
+            Cause::Landing,
+            ("gap = 0, falling, e = 0", "theta', eta' by the impact", "Routh, Keller"),
+        ),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Rolling)),
+            Cause::Settle,
+            ("bounces accumulate", "theta', eta' = 0 by the sum of the impacts", "Zeno"),
+        ),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Sliding)),
+            Cause::Settle,
+            ("bounces accumulate", "theta', eta' by the sum of the impacts", "Zeno"),
+        ),
+        edge(
+            Heavy,
+            (None, Some(Rolling)),
+            Cause::Jam,
+            ("P <= 0, e = 0", "theta', eta' = 0 by the impact", "Painleve"),
+        ),
+        edge(
+            Heavy,
+            (None, Some(Sliding)),
+            Cause::Jam,
+            ("P <= 0, e = 0", "theta', eta' = 0 by the impact", "Painleve"),
+        ),
+        edge(
+            Heavy,
+            (None, Some(Flight)),
+            Cause::Jam,
+            ("P <= 0", "theta', eta' = 0, gap' by the impact", "Painleve"),
+        ),
+        edge(
+            Heavy,
+            (Some(Sliding), Some(Rolling)),
+            Cause::Jam,
+            ("P = 0, N > 0", "theta', eta' = 0 by the impact", "Painleve"),
+        ),
+        edge(
+            Heavy,
+            (Some(Sliding), Some(Sliding)),
+            Cause::Jam,
+            ("P = 0, N > 0", "theta', eta' = 0 by the impact", "Painleve"),
+        ),
+        edge(
+            Heavy,
+            (Some(Sliding), Some(Flight)),
+            Cause::Jam,
+            ("P = 0, N > 0", "theta', eta' = 0, gap' by the impact", "Painleve"),
+        ),
+        edge(Heavy, (Some(Sliding), None), Cause::Singularity, ("P = 0, N > 0, no e", "none", "Painleve")),
         edge(
             Massless,
-            (Rolling, Some(Gliding)),
+            (Some(Rolling), Some(Gliding)),
             Cause::Slip,
             ("|tan(theta/2)| = mu_s, leaving", "N = F = 0", "(3.9), 3(d)"),
         ),
         edge(
             Massless,
-            (Rolling, Some(Gliding)),
+            (Some(Rolling), Some(Gliding)),
             Cause::NormalForceZero,
             ("theta'^2 = 1, growing", "N = F = 0", "(3.8), 3(d)"),
         ),
         edge(
             Massless,
-            (Gliding, Some(Rolling)),
+            (Some(Gliding), Some(Rolling)),
             Cause::Stick,
             ("eta' = 0 inside R", "eta' = 0", "(3.10), 3(e)"),
         ),
         edge(
             Massless,
-            (Gliding, Some(Gliding)),
+            (Some(Gliding), Some(Gliding)),
             Cause::Reversal,
             ("eta' = 0 outside R", "sigma = -sigma", "3(e)"),
         ),
-        edge(Massless, (Gliding, None), Cause::ParticleAtPlane, ("theta = +-pi, l = 1", "none", "(3.20)")),
-        edge(Massless, (Gliding, None), Cause::ParticleAtBottom, ("theta = +-pi, l < 1", "none", "(3.20)")),
         edge(
             Massless,
-            (Gliding, None),
+            (Some(Gliding), None),
+            Cause::ParticleAtPlane,
+            ("theta = +-pi, l = 1", "none", "(3.20)"),
+        ),
+        edge(
+            Massless,
+            (Some(Gliding), None),
+            Cause::ParticleAtBottom,
+            ("theta = +-pi, l < 1", "none", "(3.20)"),
+        ),
+        edge(
+            Massless,
+            (Some(Gliding), None),
             Cause::ParticleAtTop,
             ("theta = 0 with l sin(theta) theta' not 0", "none", "(3.18)"),
         ),
@@ -159,6 +242,11 @@ pub const EDGES: &[Edge] = {
 
 /// The edge that a transition takes, if the table has it.
 #[must_use]
-pub fn find_edge(body: BodyClass, from: Mode, cause: Cause, to: Option<Mode>) -> Option<&'static Edge> {
+pub fn find_edge(
+    body: BodyClass,
+    from: Option<Mode>,
+    cause: Cause,
+    to: Option<Mode>,
+) -> Option<&'static Edge> {
     EDGES.iter().find(|edge| edge.body == body && edge.from == from && edge.cause == cause && edge.to == to)
 }

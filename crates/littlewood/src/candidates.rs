@@ -19,6 +19,7 @@ use crate::dimension::Dimension;
 use crate::equations::{
     ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
 };
+use crate::flight::TakeOff;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::mode::{Direction, Mode};
 use crate::rolling::{Hold, RollingLimit, RollingOrbit};
@@ -99,10 +100,9 @@ pub(crate) enum Next {
         body: Massless,
         from_extremum: bool,
     },
-    /// `grazing` where the normal force has just vanished.
     Fly {
         body: Heavy,
-        grazing: bool,
+        take_off: TakeOff,
     },
     None(Candidates),
     Several(Candidates),
@@ -123,7 +123,7 @@ pub(crate) enum Arrival {
 pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next {
     match hoop.body() {
         Body::Heavy(body) => match arrival {
-            Arrival::LiftOff => Next::Fly { body, grazing: true },
+            Arrival::LiftOff => Next::Fly { body, take_off: TakeOff::Grazing },
             Arrival::Open | Arrival::RollingLimit(_) => {
                 weigh(hoop, &body, state, &exact_evidence(hoop, &body, state, arrival))
             }
@@ -208,7 +208,7 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
         // Without Painlevé's paradox the candidates exclude each other: the plane presses on a hoop in contact where w > 0,
         // and while N > 0 in rolling, friction drives a slide only against its own direction.
         match slip {
-            _ if leaves => return Next::Fly { body: *body, grazing: false },
+            _ if leaves => return Next::Fly { body: *body, take_off: TakeOff::Unloaded },
             SlipEvidence::Moving(direction) => {
                 return Next::Slide { body: *body, direction, slip_acceleration: None };
             }
@@ -289,7 +289,10 @@ fn weigh_all(
         (true, [None, None], false) => Next::Roll,
         (false, [Some(acceleration), None], false) => slide(Direction::Negative, acceleration),
         (false, [None, Some(acceleration)], false) => slide(Direction::Positive, acceleration),
-        (false, [None, None], true) => Next::Fly { body: *body, grazing: contact == 0.0 },
+        (false, [None, None], true) => {
+            let take_off = if contact == 0.0 { TakeOff::Grazing } else { TakeOff::Unloaded };
+            Next::Fly { body: *body, take_off }
+        }
         (_, [negative, positive], _) => {
             let candidates = Candidates {
                 rolling,

@@ -4,6 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use crate::error::ParameterError;
 use crate::hoop::{Hoop, HoopParameters};
+use crate::law::RestitutionLaw;
 use crate::setup::Setup;
 use crate::simulate::Limits;
 use crate::state::Start;
@@ -49,6 +50,17 @@ const fn case(
 ) -> NamedCase {
     NamedCase { name, title, source, setup: Setup::new(hoop, start) }
 }
+
+const fn thin_hoop_with(restitution: f64) -> HoopParameters {
+    THIN_HOOP.with_restitution(restitution, RestitutionLaw::Energetic)
+}
+
+/// Angle of the impacts of [`crate::BouncingOrbit`], of those at which a small disturbance does not grow.
+const BOUNCING_ANGLE: f64 = 2.2;
+
+/// The rates of that motion over the top.
+const BOUNCING_RATE: f64 = 1.239_306_550_206_238_1;
+const BOUNCING_GAP_RATE: f64 = 1.274_198_847_857_927_4;
 
 /// √(3/5): from the top, θ′² = cos θ_s for μs = ½, so that N and the static friction give way together.
 const TYPE_II_RATE: f64 = 0.774_596_669_241_483_4;
@@ -113,5 +125,32 @@ pub const CASES: &[NamedCase] = &[
         ("painleve", "no motion is consistent: sliding is not solvable there", "beyond the paper"),
         HoopParameters::thin(1.0 / 3.0).with_friction(1.0, 1.0),
         Start::at(0.7, 0.5).with_slip(1.0),
+    ),
+    case(
+        ("figure-3-bounces", "Figure 3 goes on: bounces, settles, and rolls for ever", "beyond the paper"),
+        thin_hoop_with(0.5),
+        Start::at(FRAC_PI_2, 2.0),
+    ),
+    case(
+        ("lands-and-rolls", "slides, jumps, lands without a rebound, and rolls for ever", "beyond the paper"),
+        thin_hoop_with(0.0),
+        Start::at(4.2, 2.5),
+    ),
+    case(
+        ("two-hops", "jumps, lands without a rebound, rolls, and jumps again", "beyond the paper"),
+        thin_hoop_with(0.0),
+        Start::at(2.0, 3.4),
+    ),
+    case(
+        ("jam", "slides where P < 0: jams in an impact without a collision, and rolls", "beyond the paper"),
+        HoopParameters::thin(0.125)
+            .with_friction(0.75, 0.75)
+            .with_restitution(0.0, RestitutionLaw::Energetic),
+        Start::at(0.5, -0.5).with_slip(1.0),
+    ),
+    case(
+        ("bounces-forever", "bounces twice a turn for ever, and never slips", "beyond the paper"),
+        thin_hoop_with(1.0),
+        Start::at(-BOUNCING_ANGLE, BOUNCING_RATE).with_gap_rate(BOUNCING_GAP_RATE),
     ),
 ];

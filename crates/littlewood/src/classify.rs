@@ -75,7 +75,7 @@ impl Hoop {
     /// # Errors
     /// A start that is not finite.
     pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
-        let state = start.check()?;
+        let state = self.check(start)?;
         let (theta, theta_rate) = (state.theta, state.theta_rate);
         let forces = RollingLaw::new(self).forces(theta, theta_rate);
         let contact = contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate));

@@ -202,6 +202,12 @@ named! {
         JumpLength = 12, "jump_length";
         /// [`Summary::jump_height`].
         JumpHeight = 13, "jump_height";
+        /// [`Summary::landings`].
+        Landings = 14, "landings";
+        /// [`Summary::impact_energy_lost`].
+        ImpactEnergyLost = 15, "impact_energy_lost";
+        /// [`Summary::settle_time`].
+        SettleTime = 16, "settle_time";
     }
 }
 
@@ -259,6 +265,9 @@ impl SummaryColumn {
             Self::LiftOffTime => &mut summary.lift_off_time,
             Self::JumpLength => &mut summary.jump_length,
             Self::JumpHeight => &mut summary.jump_height,
+            Self::Landings => return Place::Count(&mut summary.landings),
+            Self::ImpactEnergyLost => &mut summary.impact_energy_lost,
+            Self::SettleTime => &mut summary.settle_time,
         })
     }
 
@@ -279,8 +288,11 @@ impl SummaryColumn {
             Self::Energy => (D::Energy, "energy at the end"),
             Self::FirstSlipTime => (D::Time, "time of the first slip out of rolling"),
             Self::LiftOffTime => (D::Time, "time of lift-off"),
-            Self::JumpLength => (D::Length, "length of the jump"),
-            Self::JumpHeight => (D::Length, "height of the jump"),
+            Self::JumpLength => (D::Length, "length of the first jump"),
+            Self::JumpHeight => (D::Length, "height of the first jump"),
+            Self::Landings => return (ColumnType::Count, D::Ratio, "number of landings"),
+            Self::ImpactEnergyLost => (D::Energy, "energy lost in impacts"),
+            Self::SettleTime => (D::Time, "time from which on the rim stays at the plane"),
         };
         (ColumnType::Real, dimension, long_name)
     }

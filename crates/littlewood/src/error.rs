@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::law::RestitutionLaw;
 use crate::quantity::{Bound, Quantity, Reading};
 
 /// A parameter of a hoop or of a start that has no physical meaning.
@@ -26,6 +27,32 @@ pub enum ParameterError {
         /// The mass ratio that was given.
         mass_ratio: f64,
     },
+    /// A law of restitution that has nothing to act on.
+    #[error(
+        "restitution_law = {law} without restitution: without a coefficient the motion ends where the rim lands"
+    )]
+    LawAlone {
+        /// The law that was given.
+        law: RestitutionLaw,
+    },
+    /// A coefficient of restitution of a massless hoop.
+    #[error(
+        "restitution = {restitution} of a massless hoop (mass_ratio = 0, inertia = 0): \
+         its rim has no inertia that an impulse could act on, so it has no impact"
+    )]
+    MasslessImpact {
+        /// The coefficient that was given.
+        restitution: f64,
+    },
+    /// A massless hoop that is thrown: nothing determines how it turns in the air.
+    #[error(
+        "gap_rate = {gap_rate} of a massless hoop (mass_ratio = 0, inertia = 0): \
+         without inertia its rotation in the air is not determined"
+    )]
+    MasslessFlight {
+        /// The rate that was given.
+        gap_rate: f64,
+    },
 }
 
 impl ParameterError {
@@ -33,6 +60,10 @@ impl ParameterError {
     #[must_use]
     pub const fn hint(&self) -> &'static str {
         match self {
+            Self::LawAlone { .. } => "give the coefficient too, 0 to 1, or leave out the law",
+            Self::MasslessImpact { .. } | Self::MasslessFlight { .. } => {
+                "leave it out, or give the hoop a mass or a moment of inertia"
+            }
             Self::NoMotion { .. } => "give the disc a moment of inertia, or move the particle off the centre",
             Self::OutOfBounds { bound: Bound::Finite, .. } => {
                 "NaN and infinities are not numbers to start from"
@@ -50,6 +81,8 @@ impl ParameterError {
         match self {
             Self::OutOfBounds { quantity, .. } => *quantity,
             Self::NoMotion { .. } => Quantity::Offset,
+            Self::LawAlone { .. } | Self::MasslessImpact { .. } => Quantity::Restitution,
+            Self::MasslessFlight { .. } => Quantity::GapRate,
         }
     }
 
@@ -59,6 +92,8 @@ impl ParameterError {
         matches!(
             self,
             Self::NoMotion { .. }
+                | Self::MasslessImpact { .. }
+                | Self::MasslessFlight { .. }
                 | Self::OutOfBounds { quantity: Quantity::MuK, bound: Bound::AtMost(..), .. }
         )
     }

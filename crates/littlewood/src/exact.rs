@@ -3,12 +3,13 @@
 use crate::automaton::Cause;
 use crate::candidates::{Arrival, Next, next_motion};
 use crate::equations::SlidingLaw;
-use crate::flight::Flight;
+use crate::flight::{Flight, TakeOff};
 use crate::gliding::{Gliding, GlidingEnd};
 use crate::hoop::{Heavy, Hoop, Massless};
 use crate::mode::Direction;
 use crate::outcome::Outcome;
 use crate::rolling::Rolling;
+use crate::settling::Settling;
 use crate::sliding::{Entry, Sliding, SlidingEnd};
 use crate::state::State;
 use crate::trajectory::PhaseSolution;
@@ -59,6 +60,10 @@ impl Solver for Exact<'_> {
     type Solution = PhaseSolution;
     type Verdict = Outcome;
 
+    fn hoop(&self) -> &Hoop {
+        self.hoop
+    }
+
     fn place(&self, state: State) -> State {
         state
     }
@@ -106,9 +111,8 @@ impl Solver for Exact<'_> {
             SlidingEnd::LiftOff(place) => {
                 Ending::Event { place, cause: Cause::LiftOff, arrival: Arrival::LiftOff }
             }
-            SlidingEnd::Singular(state) => {
-                let solvability = law.solvability(state.theta);
-                Self::ended(Cause::Singularity, state, Outcome::Singular { state, solvability })
+            SlidingEnd::Singular(place) => {
+                Ending::Singular { place, solvability: law.solvability(place.theta) }
             }
             SlidingEnd::Unresolved(state) => {
                 Ending::Motion { event: None, end: Some(state), verdict: Outcome::Unresolved { state } }
@@ -123,16 +127,29 @@ impl Solver for Exact<'_> {
         Solved { solution, direction: Some(direction), ending }
     }
 
-    fn fly(&self, state: &State, body: &Heavy, grazing: bool) -> Solved<PhaseSolution, State, Outcome> {
-        let flight = Flight::new(body, *state, grazing);
+    fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> Solved<PhaseSolution, State, Outcome> {
+        let flight = Flight::new(body, *state, take_off);
         let duration = flight.duration();
         let ending = match self.allowed(state) {
             Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
             Some(_) | None => {
-                let state = flight.state(duration);
-                let gap_rate = flight.gap(duration).1;
-                Self::ended(Cause::Landing, state, Outcome::Landing { state, gap_rate })
+                Ending::Landing { place: flight.state(duration), gap_rate: flight.gap(duration).1 }
             }
+        };
+        Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
+    }
+
+    fn settle(
+        &self,
+        state: &State,
+        body: &Heavy,
+        settling: &Settling,
+    ) -> Solved<PhaseSolution, State, Outcome> {
+        let duration = settling.duration;
+        let flight = Flight::settling(body, *state, duration);
+        let ending = match self.allowed(state) {
+            Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
+            Some(_) | None => Ending::Settled { place: flight.state(duration), settling: *settling },
         };
         Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
     }

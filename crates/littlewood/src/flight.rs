@@ -1,14 +1,17 @@
 //! Free flight (§2e): the mass centre on a parabola, the rotation at constant rate, until the rim touches down.
 //!
-//! In the angle φ = |θ′| Δτ since the start, seen in the direction of rotation, the gap under the rim is
+//! A flight begins with the rim at the plane: where a normal force has vanished, or with a rate v ≥ 0 of the gap, after an
+//! impact or thrown. In the angle φ = ω Δτ since the start, ω = |θ′|, seen in the direction of rotation, the gap under the rim is
 //!
 //! ```text
-//! gap = b φ²/2 − h [c0 C(φ) + s0 S(φ)],   C = cos φ − 1 + φ²/2,   S = φ − sin φ,   b = h c0 − 1/θ′² ≥ 0,
+//! gap = v φ/ω + b φ²/2 − h [c0 C(φ) + s0 S(φ)],   C = cos φ − 1 + φ²/2,   S = φ − sin φ,   b = h c0 − 1/θ′²,
 //! ```
 //!
-//! with a double root at the start, triple where sliding lifts off (b = 0). Those roots are never searched for: the
-//! second derivative b + h (cos(θ0 + φ) − c0) has known zeros, so that gap″, then gap′, then gap are monotone between
-//! points that follow from each other, and the first sign change after the start is the landing.
+//! with a simple root at the start for v > 0, a double one for v = 0 and b > 0, and a triple one where sliding lifts off
+//! (v = b = 0). Those roots are never searched for. The second derivative b + h (cos(θ0 + φ) − c0) has known zeros, so that
+//! gap″, then gap′, then gap are monotone between points that follow from each other, and the first sign change after the
+//! start is the landing. Where h θ′² ≤ 1 it has none: the gap is concave in time, and there is one landing; the same
+//! formula is then taken in time, which a hoop needs that does not turn.
 
 use core::f64::consts::{PI, TAU};
 
@@ -18,6 +21,17 @@ use crate::mode::Mode;
 use crate::sample::{Instant, Sample};
 use crate::state::State;
 use crate::trig::sincos;
+
+/// How the rim leaves the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum TakeOff {
+    /// The normal force has just vanished: 1 = h cos θ θ′².
+    Grazing,
+    /// 1 < h cos θ θ′²: the plane cannot hold the rim.
+    Unloaded,
+    /// The gap opens at this rate.
+    Rising { gap_rate: f64 },
+}
 
 /// A phase of flight.
 #[derive(Clone, Copy, Debug)]
@@ -29,20 +43,28 @@ pub struct Flight {
     vy: f64,
     mass_centre_x: f64,
     gap: Gap,
-    /// Angle φ of the landing.
+    /// Rate of the argument of the gap in time: |θ′|, or 1.
+    clock: f64,
+    /// Argument at the landing.
     landing: f64,
-    /// Angle φ at which the gap is largest.
+    /// Argument at which the gap is largest; NaN where it has not been computed.
     apex: f64,
+    /// Bounces without number, all together: a gap below 1e-14.
+    settles: bool,
 }
 
-/// The gap as a function of φ.
+/// The gap as a function of its argument p: the angle φ, or the time where the hoop turns so slowly that the gap is concave.
 #[derive(Clone, Copy, Debug)]
 struct Gap {
     h: f64,
     sin: f64,
     cos: f64,
-    /// b; exactly zero at a lift-off from sliding.
+    /// Rate of the gap in p at the start.
+    rise: f64,
+    /// Its second derivative at the start; exactly zero at a lift-off from sliding.
     opening: f64,
+    /// dφ/dp.
+    spin: f64,
     /// θ0 in the direction of rotation.
     theta: f64,
 }
@@ -63,28 +85,67 @@ impl Bound {
     }
 }
 
+/// The largest gap that has been found, and where.
+#[derive(Clone, Copy, Debug, Default)]
+struct Reach {
+    apex: f64,
+    height: f64,
+}
+
 /// Where tangents bound the gap by more than this part of the gaps they are computed from, it is open.
 const MIN_CLEARANCE: f64 = 1e-9;
 
 impl Gap {
-    fn value_and_slope(&self, phi: f64) -> (f64, f64) {
-        let (value, slope, ..) = self.derivatives(phi);
+    fn value_and_slope(&self, p: f64) -> (f64, f64) {
+        let (value, slope, ..) = self.derivatives(p);
         (value, slope)
     }
 
-    /// gap and its first three derivatives in φ.
+    /// gap and its first three derivatives in p.
     #[inline]
-    fn derivatives(&self, phi: f64) -> (f64, f64, f64, f64) {
-        let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(phi);
+    fn derivatives(&self, p: f64) -> (f64, f64, f64, f64) {
+        let Self { h, spin, rise, opening, .. } = *self;
+        let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(spin * p);
         (
-            0.5 * self.opening * phi * phi - self.h * (self.cos * even + self.sin * odd),
-            self.opening * phi - self.h * (self.cos * odd + self.sin * versine),
-            self.opening - self.h * (self.cos * versine + self.sin * sine),
-            -self.h * (self.cos * sine + self.sin * (1.0 - versine)),
+            rise * p + (0.5 * opening * p * p - h * (self.cos * even + self.sin * odd)),
+            rise + (opening * p - h * spin * (self.cos * odd + self.sin * versine)),
+            opening - h * (spin * spin) * (self.cos * versine + self.sin * sine),
+            -h * (spin * spin * spin) * (self.cos * sine + self.sin * (1.0 - versine)),
         )
     }
 
-    /// The zeros of gap″ ahead of the start, at cos(θ0 + φ) = c0 − b/h, where it turns from + to − and back.
+    /// The landing of a gap that is concave: between zero, where the gap rises, and the landing of a gap that is wider.
+    fn only_landing(&self) -> f64 {
+        // With the time as p, gap″ = −1 + h θ′² cos(θ0 + φ): the gap falls faster than with h θ′² − 1, and than the
+        // parabola of the mass centre with a rim 2 h lower.
+        let fast = self.h * self.spin * self.spin;
+        let drift = self.rise - self.h * self.sin * self.spin;
+        let widest = drift + (drift * drift + 4.0 * self.h).sqrt();
+        let high = if fast < 1.0 { (2.0 * self.rise / (1.0 - fast)).min(widest) } else { widest };
+        // The parabola at the start, then one with the third derivative there.
+        let weight = -self.opening;
+        let flat = 2.0 * self.rise / weight;
+        let jerk = self.h * self.sin * self.spin * self.spin * self.spin / 3.0;
+        let guess = if weight > 0.0 { flat * weight / (weight + jerk * flat) } else { high };
+        // gap/p, which falls: a convex combination of the slopes up to p. It has no root at zero.
+        Bracket { low: 0.0, high: high * (1.0 + 8.0 * f64::EPSILON) }.refine_from(guess, |p| {
+            let (gap, slope, curvature, _) = self.derivatives(p);
+            let (value, fall) = (gap / p, slope / p);
+            (value, fall - value / p, (curvature - 2.0 * (fall - value / p)) / p)
+        })
+    }
+
+    /// The largest gap of one that is concave, before the landing.
+    fn only_apex(&self, landing: f64) -> f64 {
+        let guess = if self.opening < 0.0 { self.rise / -self.opening } else { 0.5 * landing };
+        Bracket { low: 0.0, high: landing }.refine_from(guess, |p| {
+            let (_, slope, curvature, jerk) = self.derivatives(p);
+            (slope, curvature, jerk)
+        })
+    }
+
+    /// The zeros of gap″, at cos(θ0 + φ) = c0 − b/h, where it turns from + to − and back. The first is ahead of the start if
+    /// gap″ ≥ 0 there. Otherwise it is the second turn ahead, behind the one from − to +.
     fn inflections(&self) -> Inflections {
         let from_top = self.theta - TAU * (self.theta / TAU).round();
         // A lift-off from sliding starts on the inflection −level itself.
@@ -95,14 +156,19 @@ impl Gap {
             let versine = (2.0 * half * half + self.opening / self.h).min(2.0);
             2.0 * libm::atan2(versine.sqrt(), (2.0 - versine).sqrt())
         };
-        let first = if from_top > 0.0 {
-            // level − θ0 without cancellation: cos θ0 − cos(level) = b/h.
-            let sine = self.opening / (2.0 * self.h * libm::sin(0.5 * (level + from_top)));
+        // level − |θ0| without cancellation: cos θ0 − cos(level) = b/h.
+        let ahead = || {
+            let sine = self.opening / (2.0 * self.h * libm::sin(0.5 * (level + from_top.abs())));
             2.0 * libm::asin(sine.min(1.0))
-        } else {
-            level - from_top
         };
-        Inflections { first, fall: 2.0 * (PI - level) }
+        let fall = 2.0 * (PI - level);
+        if self.opening >= 0.0 {
+            let first = if from_top > 0.0 { ahead() } else { level - from_top };
+            Inflections { first, fall }
+        } else {
+            let turn = if from_top > 0.0 { fall + ahead() } else { -ahead() };
+            Inflections { first: turn + 2.0 * level, fall }
+        }
     }
 
     /// Where gap′ vanishes between two inflections at which it has these values of different sign.
@@ -115,14 +181,24 @@ impl Gap {
         })
     }
 
-    /// φ of the largest gap and of the landing.
+    /// Arguments of the largest gap and of the landing.
     fn extent(&self) -> (f64, f64) {
         let inflections = self.inflections();
         let (opens, closes) = self.clear();
-        // Up to the first inflection gap′ and gap grow from zero.
+        let mut reach = Reach::default();
         let mut index = 0;
-        let mut from = self.bound(inflections.at(index));
-        let mut apex = (0.0, 0.0);
+        let mut from = self.bound(inflections.first);
+        if self.opening < 0.0 {
+            // The gap is concave at first. It is convex from the turn before the first.
+            let turn = self.bound(inflections.first - (TAU - inflections.fall));
+            let start = Bound { phi: 0.0, gap: 0.0, slope: self.rise };
+            for (start, end) in [(start, turn), (turn, from)] {
+                if let Some(landing) = self.advance(start, &end, &mut reach) {
+                    return (reach.apex, landing);
+                }
+            }
+        }
+        // Otherwise gap′ and gap grow from the start to the first inflection.
         let mut skipped = false;
         loop {
             let last = inflections.last_before(closes);
@@ -133,31 +209,34 @@ impl Gap {
                 from = self.bound(inflections.at(index));
             }
             let to = self.bound(inflections.at(index + 1));
-            // Between inflections the gap is concave or convex: the tangents at the ends bound its extremum.
-            let bound = from.tangents_meet(&to);
-            if from.slope > 0.0 && to.slope <= 0.0 && bound > apex.1 {
-                let highest = self.turning(&from, &to);
-                let height = self.value_and_slope(highest).0;
-                if height > apex.1 {
-                    apex = (highest, height);
-                }
-                from = Bound { phi: highest, gap: height, slope: 0.0 };
-            } else if from.slope < 0.0 && to.slope > 0.0 && bound <= MIN_CLEARANCE * (from.gap + to.gap) {
-                let lowest = self.turning(&from, &to);
-                let at_lowest = self.bound(lowest);
-                if at_lowest.gap <= 0.0 {
-                    let landing = self.touchdown(&from, &at_lowest);
-                    return (if skipped { self.apex(landing) } else { apex.0 }, landing);
-                }
-                from = at_lowest;
-            }
-            if to.gap <= 0.0 {
-                let landing = self.touchdown(&from, &to);
-                return (if skipped { self.apex(landing) } else { apex.0 }, landing);
+            if let Some(landing) = self.advance(from, &to, &mut reach) {
+                return (if skipped { self.apex(landing) } else { reach.apex }, landing);
             }
             index += 1;
             from = to;
         }
+    }
+
+    /// The landing between two inflections, if there is one; the largest gap so far is kept.
+    fn advance(&self, mut from: Bound, to: &Bound, reach: &mut Reach) -> Option<f64> {
+        // Between inflections the gap is concave or convex: the tangents at the ends bound its extremum.
+        let bound = from.tangents_meet(to);
+        if from.slope > 0.0 && to.slope <= 0.0 && bound > reach.height {
+            let highest = self.turning(&from, to);
+            let height = self.value_and_slope(highest).0;
+            if height > reach.height {
+                *reach = Reach { apex: highest, height };
+            }
+            from = Bound { phi: highest, gap: height, slope: 0.0 };
+        } else if from.slope < 0.0 && to.slope > 0.0 && bound <= MIN_CLEARANCE * (from.gap + to.gap) {
+            let lowest = self.turning(&from, to);
+            let at_lowest = self.bound(lowest);
+            if at_lowest.gap <= 0.0 {
+                return Some(self.touchdown(&from, &at_lowest));
+            }
+            from = at_lowest;
+        }
+        (to.gap <= 0.0).then(|| self.touchdown(&from, to))
     }
 
     /// Gap and slope at φ.
@@ -182,7 +261,7 @@ impl Gap {
     /// φ of the largest gap of a flight of many turns: within half a turn of the top of the parabola.
     fn apex(&self, landing: f64) -> f64 {
         let inflections = self.inflections();
-        let top = (-self.h * self.sin / self.weight()).max(0.0);
+        let top = ((self.rise - self.h * self.sin) / self.weight()).max(0.0);
         let mut index = inflections.last_before(top - TAU);
         let mut best = (0.0, 0.0);
         loop {
@@ -208,9 +287,9 @@ impl Gap {
         self.h * self.cos - self.opening
     }
 
-    /// Where the parabola alone proves that the gap is open: gap ≥ h (c0 − 1) − h s0 φ − φ²/(2θ′²).
+    /// Where the parabola alone proves that the gap is open: gap ≥ h (c0 − 1) + (v/ω − h s0) φ − φ²/(2θ′²).
     fn clear(&self) -> (f64, f64) {
-        let slope = -self.h * self.sin;
+        let slope = self.rise - self.h * self.sin;
         let discriminant = slope * slope - 2.0 * self.weight() * self.h * (1.0 - self.cos);
         if slope <= 0.0 || discriminant <= 0.0 {
             return (f64::INFINITY, 0.0);
@@ -281,15 +360,23 @@ impl TruncatedSeries {
 }
 
 impl Flight {
-    /// From a state in contact; `grazing` where the normal force has just vanished, so that 1 = h cos θ θ′². Otherwise
-    /// the cosine is that of the decision on flight, so that its sign of 1 − h cos θ θ′² is found again.
-    pub(crate) fn new(body: &Heavy, start: State, grazing: bool) -> Self {
-        Self::from_direction(body, start, grazing, libm::sincos(start.theta))
+    /// From a state with the rim at the plane. The cosine is that of the decision on flight, so that its sign of
+    /// 1 − h cos θ θ′² is found again.
+    pub(crate) fn new(body: &Heavy, start: State, take_off: TakeOff) -> Self {
+        Self::from_direction(body, start, take_off, libm::sincos(start.theta))
     }
 
     /// The same with the sine and cosine of the angle.
-    pub(crate) fn from_direction(body: &Heavy, start: State, grazing: bool, (sin, cos): (f64, f64)) -> Self {
-        let flight = Self::with_angles(body, start, grazing, (sin, cos), [f64::NAN; 2]);
+    pub(crate) fn from_direction(
+        body: &Heavy,
+        start: State,
+        take_off: TakeOff,
+        (sin, cos): (f64, f64),
+    ) -> Self {
+        let flight = Self::with_angles(body, start, take_off, (sin, cos), [f64::NAN; 2]);
+        if flight.is_concave() {
+            return Self { landing: flight.gap.only_landing(), ..flight };
+        }
         let (apex, landing) = flight.gap.extent();
         Self { landing, apex, ..flight }
     }
@@ -298,25 +385,63 @@ impl Flight {
     pub(crate) fn with_angles(
         body: &Heavy,
         start: State,
-        grazing: bool,
+        take_off: TakeOff,
         (sin, cos): (f64, f64),
         [landing, apex]: [f64; 2],
     ) -> Self {
         let h = body.h;
         let rate = start.theta_rate;
         let travel = if rate < 0.0 { -1.0 } else { 1.0 };
-        // b = −w/θ′², with the w < 0 that decided on flight.
-        let opening = if grazing { 0.0 } else { (h * (cos * (rate * rate)) - 1.0) / (rate * rate) };
+        // −w, of the w that decided on flight.
+        let opening = h * (cos * (rate * rate)) - 1.0;
+        let gap_rate = match take_off {
+            TakeOff::Rising { gap_rate } => gap_rate,
+            TakeOff::Grazing | TakeOff::Unloaded => 0.0,
+        };
+        let in_time = gap_rate > 0.0 && h * (rate * rate) <= 1.0;
+        let (clock, spin, opening) = match (in_time, take_off) {
+            (true, _) => (1.0, rate.abs(), opening),
+            (false, TakeOff::Grazing) => (rate.abs(), 1.0, 0.0),
+            (false, TakeOff::Unloaded | TakeOff::Rising { .. }) => (rate.abs(), 1.0, opening / (rate * rate)),
+        };
         Self {
             h,
             start,
             vx: start.slip - (1.0 + h * cos) * rate,
-            vy: -h * sin * rate,
+            vy: gap_rate - h * sin * rate,
             mass_centre_x: start.x - h * sin,
-            gap: Gap { h: body.h, sin: travel * sin, cos, opening, theta: travel * start.theta },
+            gap: Gap {
+                h,
+                sin: travel * sin,
+                cos,
+                rise: gap_rate / clock,
+                opening,
+                spin,
+                theta: travel * start.theta,
+            },
+            clock,
             landing,
             apex,
+            settles: false,
         }
+    }
+
+    /// Bounces without number that take so much time together, as one flight.
+    pub(crate) fn settling(body: &Heavy, start: State, duration: f64) -> Self {
+        let direction = libm::sincos(start.theta);
+        let flight = Self::with_angles(body, start, TakeOff::Grazing, direction, [f64::NAN; 2]);
+        Self { clock: 1.0, landing: duration, apex: 0.0, settles: true, ..flight }
+    }
+
+    /// Whether the gap is concave, and taken in time.
+    fn is_concave(&self) -> bool {
+        self.gap.rise > 0.0 && self.h * (self.start.theta_rate * self.start.theta_rate) <= 1.0
+    }
+
+    /// Whether it stands for bounces without number, by which the hoop settles.
+    #[must_use]
+    pub const fn settles(&self) -> bool {
+        self.settles
     }
 
     /// Angles φ of the landing and of the largest gap.
@@ -324,16 +449,27 @@ impl Flight {
         [self.landing, self.apex]
     }
 
+    /// Rate of the gap at the start.
+    #[must_use]
+    pub fn take_off_rate(&self) -> f64 {
+        self.gap.rise * self.clock
+    }
+
     /// Time from the start of the flight to the landing.
     #[must_use]
     pub fn duration(&self) -> f64 {
-        self.landing / self.start.theta_rate.abs()
+        self.landing / self.clock
     }
 
-    /// Time since the start, and height, of the largest gap between the rim and the plane.
+    /// Time since the start, and height, of the largest gap between the rim and the plane. Of bounces by which the hoop
+    /// settles it is not resolved: zero.
     #[must_use]
     pub fn apex(&self) -> (f64, f64) {
-        (self.apex / self.start.theta_rate.abs(), self.gap.value_and_slope(self.apex).0)
+        if self.settles {
+            return (0.0, 0.0);
+        }
+        let apex = if self.is_concave() { self.gap.only_apex(self.landing) } else { self.apex };
+        (apex / self.clock, self.gap.value_and_slope(apex).0)
     }
 
     /// State after the time `elapsed`.
@@ -351,12 +487,14 @@ impl Flight {
         }
     }
 
-    /// Gap under the rim and its rate after the time `elapsed`.
+    /// Gap under the rim and its rate after the time `elapsed`; zero, both, where bounces settle.
     #[must_use]
     pub fn gap(&self, elapsed: f64) -> (f64, f64) {
-        let rate = self.start.theta_rate.abs();
-        let (gap, slope) = self.gap.value_and_slope(rate * elapsed);
-        (gap, rate * slope)
+        if self.settles {
+            return (0.0, 0.0);
+        }
+        let (gap, slope) = self.gap.value_and_slope(self.clock * elapsed);
+        (gap, self.clock * slope)
     }
 
     /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved.

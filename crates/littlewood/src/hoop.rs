@@ -1,7 +1,9 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
 use crate::error::{ParameterError, within};
+use crate::law::RestitutionLaw;
 use crate::quantity::{Bound, Quantity};
+use crate::restitution::Restitution;
 
 /// The numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
 ///
@@ -27,13 +29,17 @@ pub struct HoopParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction, μk ≥ 0.
     pub mu_k: f64,
+    /// Coefficient of restitution 0 ≤ e ≤ 1; without one a motion ends where the rim lands.
+    pub restitution: Option<f64>,
+    /// What e is a ratio of; the energetic law where e is given alone.
+    pub restitution_law: Option<RestitutionLaw>,
 }
 
 impl HoopParameters {
     /// Mass ratio m̂1, offset ℓ̂ and moment of inertia Î_zz, without friction.
     #[must_use]
     pub const fn new(mass_ratio: f64, offset: f64, inertia: f64) -> Self {
-        Self { mass_ratio, offset, inertia, mu_s: 0.0, mu_k: 0.0 }
+        Self { mass_ratio, offset, inertia, mu_s: 0.0, mu_k: 0.0, restitution: None, restitution_law: None }
     }
 
     /// A thin hoop with the particle on its rim, without friction: ℓ = R, I_zz = m1 R².
@@ -47,6 +53,12 @@ impl HoopParameters {
     pub const fn with_friction(self, mu_s: f64, mu_k: f64) -> Self {
         Self { mu_s, mu_k, ..self }
     }
+
+    /// The same hoop with this coefficient of restitution, by this law: its motion goes on after a landing.
+    #[must_use]
+    pub const fn with_restitution(self, coefficient: f64, law: RestitutionLaw) -> Self {
+        Self { restitution: Some(coefficient), restitution_law: Some(law), ..self }
+    }
 }
 
 /// A hoop whose parameters have been checked.
@@ -54,6 +66,7 @@ impl HoopParameters {
 pub struct Hoop {
     parameters: HoopParameters,
     body: Body,
+    restitution: Option<Restitution>,
 }
 
 /// The two bodies of the paper, which obey different equations: with inertia (§2) and without (§3).
@@ -88,13 +101,15 @@ pub struct Massless {
 }
 
 impl Hoop {
-    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, and a body that can move.
+    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, 0 ≤ e ≤ 1, and a body that can move.
     ///
     /// # Errors
     /// Names the first value that breaks a bound. ℓ̂ = 0 with Î = 0 is refused: see
-    /// [`ParameterError::NoMotion`].
+    /// [`ParameterError::NoMotion`]; so are a law of restitution without a coefficient, and a coefficient of restitution
+    /// of a massless hoop, which no impulse can act on.
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
-        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k } = parameters;
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } =
+            parameters;
         for (quantity, value) in [
             (Quantity::MassRatio, mass_ratio),
             (Quantity::Offset, offset),
@@ -115,7 +130,18 @@ impl Hoop {
         } else {
             return Err(ParameterError::NoMotion { mass_ratio });
         };
-        Ok(Self { parameters, body })
+        let restitution = match (body, restitution, restitution_law) {
+            (_, None, Some(law)) => return Err(ParameterError::LawAlone { law }),
+            (_, None, None) => None,
+            (Body::Massless(_), Some(restitution), _) => {
+                Quantity::Restitution.check(restitution)?;
+                return Err(ParameterError::MasslessImpact { restitution });
+            }
+            (Body::Heavy(_), Some(coefficient), law) => {
+                Some(Restitution::new(coefficient, law.unwrap_or_default())?)
+            }
+        };
+        Ok(Self { parameters, body, restitution })
     }
 
     /// Littlewood's own hoop (§3): massless, the particle on the rim.
@@ -168,6 +194,20 @@ impl Hoop {
     #[must_use]
     pub const fn mu_k(&self) -> f64 {
         self.parameters.mu_k
+    }
+
+    /// The restitution of an impact; none where a motion ends at the landing.
+    #[must_use]
+    pub const fn restitution(&self) -> Option<Restitution> {
+        self.restitution
+    }
+
+    /// The same hoop with a restitution.
+    ///
+    /// # Errors
+    /// A massless hoop has none.
+    pub fn with_restitution(&self, restitution: Restitution) -> Result<Self, ParameterError> {
+        Self::new(self.parameters.with_restitution(restitution.coefficient(), restitution.law()))
     }
 
     /// The body with or without inertia.

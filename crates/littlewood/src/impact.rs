@@ -18,40 +18,25 @@
 use thiserror::Error;
 
 use crate::hoop::{Body, Heavy, Hoop};
+use crate::law::RestitutionLaw;
 use crate::mode::Direction;
 use crate::named::named;
+use crate::restitution::Restitution;
 use crate::state::State;
-use crate::transition::Impulse;
 
-named! {
-    /// What the coefficient of restitution is a ratio of.
-    pub enum RestitutionLaw, "law of restitution" {
-        /// Of works: the work that the normal force gives back is e² of what it has taken up (Stronge).
-        Energetic = 0, "energetic";
-        /// Of impulses: that of restitution is e times that of compression.
-        Poisson = 1, "poisson";
-        /// Of velocities: the gap opens e times as fast as it has closed. It can gain energy where friction changes on the
-        /// way.
-        Newton = 2, "newton";
-    }
-}
-
-/// A coefficient of restitution 0 ≤ e ≤ 1 with its law.
+/// The impulse of the plane on the body, over m2 √(gR).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Restitution {
-    coefficient: f64,
-    law: RestitutionLaw,
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Impulse {
+    /// Upwards, P.
+    pub normal: f64,
+    /// Along E1, J.
+    pub friction: f64,
 }
 
 /// Why there is no impact to compute.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ImpactError {
-    /// The coefficient of restitution is outside 0 to 1.
-    #[error("restitution = {value} must lie between 0 and 1")]
-    Coefficient {
-        /// The coefficient that was given.
-        value: f64,
-    },
     /// The gap does not close.
     #[error("gap_rate = {gap_rate} sqrt(g R) must be finite and not positive: the gap has to close")]
     Opening {
@@ -62,32 +47,6 @@ pub enum ImpactError {
     /// without bound.
     #[error("a massless hoop has no impact: its rim has no inertia that an impulse could act on")]
     Massless,
-}
-
-impl Restitution {
-    /// A coefficient with a law.
-    ///
-    /// # Errors
-    /// The coefficient must lie between 0 and 1.
-    pub fn new(coefficient: f64, law: RestitutionLaw) -> Result<Self, ImpactError> {
-        if (0.0..=1.0).contains(&coefficient) {
-            Ok(Self { coefficient, law })
-        } else {
-            Err(ImpactError::Coefficient { value: coefficient })
-        }
-    }
-
-    /// The coefficient e.
-    #[must_use]
-    pub const fn coefficient(&self) -> f64 {
-        self.coefficient
-    }
-
-    /// The law.
-    #[must_use]
-    pub const fn law(&self) -> RestitutionLaw {
-        self.law
-    }
 }
 
 named! {
@@ -110,8 +69,25 @@ named! {
     }
 }
 
+impl ImpactCase {
+    /// In words, for tables and pictures.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::None => "no impulse",
+            Self::Slides => "slides",
+            Self::SticksInCompression => "sticks in compression",
+            Self::ReversesInCompression => "reverses in compression",
+            Self::SticksInRestitution => "sticks in restitution",
+            Self::ReversesInRestitution => "reverses in restitution",
+            Self::Jams => "jams",
+        }
+    }
+}
+
 /// The velocities that an impact changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactVelocities {
     /// Rate θ′.
     pub theta_rate: f64,
@@ -121,8 +97,9 @@ pub struct ContactVelocities {
     pub gap_rate: f64,
 }
 
-/// An impact.
+/// An impact, or all those of the bounces by which a hoop settles, together.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Impact {
     /// What the contact point does.
@@ -202,16 +179,6 @@ impl Compliance {
     }
 }
 
-/// The two parts of an impact: slip as it was, up to the impulse `first`, and what follows.
-#[derive(Clone, Copy, Debug)]
-struct Course {
-    before: ContactVelocities,
-    slipping: Slope,
-    first: f64,
-    then: Slope,
-    reverses: bool,
-}
-
 impl Hoop {
     /// The impact of a hoop whose rim touches the plane in `state`, the gap closing at `gap_rate` ≤ 0, with friction μk where
     /// it slips and μs where it sticks.
@@ -240,100 +207,182 @@ impl Hoop {
         if !(gap_rate.is_finite() && gap_rate <= 0.0) {
             return Err(ImpactError::Opening { gap_rate });
         }
-        let (sin, cos) = libm::sincos(state.theta);
-        let compliance = Compliance::new(&body, sin, cos);
         let before = ContactVelocities { theta_rate: state.theta_rate, slip: state.slip, gap_rate };
-        let (then, reverses) = compliance.at_rest(self);
-        let direction = Direction::of_sign(state.slip);
-        let slipping = direction.map_or(then, |direction| compliance.slipping(self.mu_k(), direction));
+        Ok(Contact::new(self, &body, state.theta).impact(before, restitution))
+    }
+}
+
+/// An angle at which the rim touches the plane, with what an impact there depends on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Contact {
+    compliance: Compliance,
+    inertia: f64,
+    /// h sin θ and 1 + h cos θ.
+    arm: f64,
+    lever: f64,
+    /// While it slips with σ = −1 and σ = +1.
+    slipping: [Slope; 2],
+    /// From rest, and whether it slips then.
+    at_rest: Slope,
+    reverses: bool,
+}
+
+impl Contact {
+    pub(crate) fn new(hoop: &Hoop, body: &Heavy, theta: f64) -> Self {
+        let (sin, cos) = libm::sincos(theta);
+        let compliance = Compliance::new(body, sin, cos);
+        let (at_rest, reverses) = compliance.at_rest(hoop);
+        Self {
+            compliance,
+            inertia: body.inertia,
+            arm: body.h * sin,
+            lever: 1.0 + body.h * cos,
+            slipping: Direction::ALL.map(|direction| compliance.slipping(hoop.mu_k(), direction)),
+            at_rest,
+            reverses,
+        }
+    }
+
+    fn slope(&self, direction: Direction) -> Slope {
+        match direction {
+            Direction::Negative => self.slipping[0],
+            Direction::Positive => self.slipping[1],
+        }
+    }
+
+    /// The impact with these velocities, the gap not opening.
+    pub(crate) fn impact(&self, before: ContactVelocities, restitution: Restitution) -> Impact {
+        let direction = Direction::of_sign(before.slip);
+        let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
+        let jams = direction.is_some() && slipping.gap_rate <= 0.0;
+        if before.gap_rate == 0.0 && !jams {
+            return Impact {
+                case: ImpactCase::None,
+                before,
+                after: before,
+                impulse: Impulse { normal: 0.0, friction: 0.0 },
+                normal_work: 0.0,
+                friction_work: 0.0,
+            };
+        }
+        self.course(before, direction, slipping).impact(jams, restitution)
+    }
+
+    /// The jam of a hoop that slips where P ≤ 0, the rim at the plane and the gap neither closing nor opening. Where a slide
+    /// has run into P = 0 the rounded P may have either sign; it is zero.
+    pub(crate) fn jam(&self, before: ContactVelocities, restitution: Restitution) -> Impact {
+        let direction = Direction::of_sign(before.slip);
+        let slope = direction.map_or(self.at_rest, |direction| self.slope(direction));
+        let slipping = Slope { gap_rate: slope.gap_rate.min(0.0), ..slope };
+        self.course(before, direction, slipping).impact(true, restitution)
+    }
+
+    /// Whether P ≤ 0 in this direction of slip.
+    pub(crate) fn jams(&self, direction: Direction) -> bool {
+        self.slope(direction).gap_rate <= 0.0
+    }
+
+    fn course(&self, before: ContactVelocities, direction: Option<Direction>, slipping: Slope) -> Course<'_> {
         let first = match direction {
             None => 0.0,
             Some(direction) => {
                 let deceleration = -direction.sign() * slipping.slip;
-                if deceleration > 0.0 { state.slip.abs() / deceleration } else { f64::INFINITY }
+                if deceleration > 0.0 { before.slip.abs() / deceleration } else { f64::INFINITY }
             }
         };
-        let course = Course { before, slipping, first, then, reverses };
-        let jams = direction.is_some() && slipping.gap_rate <= 0.0;
-        if gap_rate == 0.0 && !jams {
-            return Ok(course.nothing());
-        }
-        let (case, normal) = course.end(jams, restitution);
-        Ok(course.after(&body, (sin, cos), case, normal))
+        Course { contact: self, before, slipping, first }
+    }
+
+    /// Jump of the gap rate by an impulse.
+    pub(crate) fn gap_rate(&self, impulse: Impulse) -> f64 {
+        self.compliance.b * impulse.friction + self.compliance.c * impulse.normal
+    }
+
+    /// Jump of θ′ by an impulse.
+    pub(crate) fn spin(&self, impulse: Impulse) -> f64 {
+        (self.lever * impulse.friction + self.arm * impulse.normal) / self.inertia
     }
 }
 
-impl Course {
-    fn nothing(&self) -> Impact {
-        Impact {
-            case: ImpactCase::None,
-            before: self.before,
-            after: self.before,
-            impulse: Impulse { normal: 0.0, friction: 0.0 },
-            normal_work: 0.0,
-            friction_work: 0.0,
-        }
-    }
+/// The two parts of an impact: slip as it was, up to the impulse `first`, and what follows.
+#[derive(Clone, Copy, Debug)]
+struct Course<'a> {
+    contact: &'a Contact,
+    before: ContactVelocities,
+    slipping: Slope,
+    first: f64,
+}
 
-    /// The case and the normal impulse.
-    fn end(&self, jams: bool, Restitution { coefficient: e, law }: Restitution) -> (ImpactCase, f64) {
+/// How an impact ends.
+struct End {
+    case: ImpactCase,
+    /// P.
+    normal: f64,
+    /// Rate at which the gap opens, from the law itself: as a sum over P it would be lost in rounding where e is small.
+    opening: f64,
+}
+
+impl Course<'_> {
+    /// The end by the law of restitution.
+    fn end(&self, jams: bool, restitution: Restitution) -> End {
+        let (e, law) = (restitution.coefficient(), restitution.law());
         let closing = -self.before.gap_rate;
-        let (k1, k2, first) = (self.slipping.gap_rate, self.then.gap_rate, self.first);
+        let (k1, k2, first) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate, self.first);
+        let reverses = self.contact.reverses;
         if !jams && first * k1 >= (1.0 + e) * closing {
-            return (ImpactCase::Slides, (1.0 + e) * closing / k1);
+            return End { case: ImpactCase::Slides, normal: (1.0 + e) * closing / k1, opening: e * closing };
         }
         // The gap rate where slip ends.
         let at_end = k1 * first - closing;
         if at_end <= 0.0 {
-            let case = match (jams, self.reverses) {
+            let case = match (jams, reverses) {
                 (true, _) => ImpactCase::Jams,
                 (false, true) => ImpactCase::ReversesInCompression,
                 (false, false) => ImpactCase::SticksInCompression,
             };
             let compression = first - at_end / k2;
-            let normal = match law {
+            let opening = match law {
                 RestitutionLaw::Energetic => {
                     let work = 0.5 * (closing - at_end) * first + 0.5 * at_end * at_end / k2;
-                    compression + e * (2.0 * work / k2).sqrt()
+                    e * (2.0 * work * k2).sqrt()
                 }
-                RestitutionLaw::Poisson => (1.0 + e) * compression,
-                RestitutionLaw::Newton => compression + e * closing / k2,
+                RestitutionLaw::Poisson => e * compression * k2,
+                RestitutionLaw::Newton => e * closing,
             };
-            return (case, normal);
+            return End { case, normal: compression + opening / k2, opening };
         }
-        let case =
-            if self.reverses { ImpactCase::ReversesInRestitution } else { ImpactCase::SticksInRestitution };
-        let normal = match law {
+        let case = if reverses { ImpactCase::ReversesInRestitution } else { ImpactCase::SticksInRestitution };
+        let opening = match law {
             RestitutionLaw::Energetic => {
                 let given_back = e * e * closing * closing - at_end * at_end;
-                let opening = (at_end * at_end + k2 / k1 * given_back).sqrt();
-                first + (opening - at_end) / k2
+                (at_end * at_end + k2 / k1 * given_back).sqrt()
             }
-            RestitutionLaw::Poisson => (1.0 + e) * closing / k1,
-            RestitutionLaw::Newton => first + (e * closing - at_end) / k2,
+            RestitutionLaw::Poisson => at_end + k2 * ((1.0 + e) * closing / k1 - first),
+            RestitutionLaw::Newton => e * closing,
         };
-        (case, normal)
+        End { case, normal: first + (opening - at_end) / k2, opening }
     }
 
     /// The velocities after, and the works on both parts.
-    fn after(&self, body: &Heavy, (sin, cos): (f64, f64), case: ImpactCase, normal: f64) -> Impact {
+    fn impact(&self, jams: bool, restitution: Restitution) -> Impact {
+        let End { case, normal, opening } = self.end(jams, restitution);
         let before = self.before;
+        let then = self.contact.at_rest;
         let one = normal.min(self.first);
         let two = normal - one;
-        let friction = self.slipping.friction * one + self.then.friction * two;
+        let impulse = Impulse { normal, friction: self.slipping.friction * one + then.friction * two };
         let slips_on = normal <= self.first;
         let slip_between = if slips_on { before.slip + self.slipping.slip * one } else { 0.0 };
         let gap_between = before.gap_rate + self.slipping.gap_rate * one;
         let after = ContactVelocities {
-            theta_rate: before.theta_rate
-                + ((1.0 + body.h * cos) * friction + body.h * sin * normal) / body.inertia,
-            slip: slip_between + self.then.slip * two,
-            gap_rate: gap_between + self.then.gap_rate * two,
+            theta_rate: before.theta_rate + self.contact.spin(impulse),
+            slip: slip_between + then.slip * two,
+            gap_rate: opening,
         };
         let normal_work =
             0.5 * one * (before.gap_rate + gap_between) + 0.5 * two * (gap_between + after.gap_rate);
         let friction_work = 0.5 * self.slipping.friction * one * (before.slip + slip_between)
-            + 0.5 * self.then.friction * two * (slip_between + after.slip);
-        Impact { case, before, after, impulse: Impulse { normal, friction }, normal_work, friction_work }
+            + 0.5 * then.friction * two * (slip_between + after.slip);
+        Impact { case, before, after, impulse, normal_work, friction_work }
     }
 }

@@ -56,6 +56,34 @@ named! {
         TimeS = 20, "time_s";
         /// Time limit in seconds.
         UntilS = 21, "until_s";
+        /// Coefficient of restitution e of an impact.
+        Restitution = 22, "restitution";
+        /// Rate at which the gap under the rim opens.
+        GapRate = 23, "gap_rate";
+        /// Rate at which the gap opens in metres per second.
+        GapRateMPerS = 24, "gap_rate_m_per_s";
+    }
+}
+
+/// What holds where a quantity is not given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Presence {
+    /// It must be given.
+    Required,
+    /// It is this.
+    Default(f64),
+    /// There is none, which has a meaning of its own.
+    Optional,
+}
+
+impl Presence {
+    /// The value that is assumed, if there is one.
+    #[must_use]
+    pub const fn default_value(self) -> Option<f64> {
+        match self {
+            Self::Default(value) => Some(value),
+            Self::Required | Self::Optional => None,
+        }
     }
 }
 
@@ -97,8 +125,8 @@ pub struct QuantityRow {
     pub help: &'static str,
     /// Bounds besides being a finite number, in the order in which they are checked.
     pub bounds: &'static [Bound],
-    /// What it is if it is not given; none where it must be given, or there is nothing to assume.
-    pub default: Option<f64>,
+    /// What holds where it is not given.
+    pub presence: Presence,
     /// Range in which a person usually sets it.
     pub usual: [f64; 2],
 }
@@ -187,25 +215,29 @@ const NON_NEGATIVE: &[Bound] = &[Bound::NonNegative];
 
 impl Quantity {
     /// The parameters of a hoop, without dimension.
-    pub const HOOP: [Self; 5] = [Self::MassRatio, Self::Offset, Self::Inertia, Self::MuS, Self::MuK];
+    pub const HOOP: [Self; 6] =
+        [Self::MassRatio, Self::Offset, Self::Inertia, Self::MuS, Self::MuK, Self::Restitution];
 
     /// The numbers of a start, without dimension.
-    pub const START: [Self; 5] = [Self::Theta, Self::ThetaRate, Self::Slip, Self::X, Self::Time];
+    pub const START: [Self; 6] =
+        [Self::Theta, Self::ThetaRate, Self::Slip, Self::GapRate, Self::X, Self::Time];
 
     /// What a motion depends on, and what a sweep can therefore vary, in the order in which tables have it.
-    pub const AXES: [Self; 8] = [
+    pub const AXES: [Self; 10] = [
         Self::Theta,
         Self::ThetaRate,
         Self::Slip,
+        Self::GapRate,
         Self::MassRatio,
         Self::Offset,
         Self::Inertia,
         Self::MuS,
         Self::MuK,
+        Self::Restitution,
     ];
 
     /// The numbers of a hoop in SI units, with the units of (2.9) among them.
-    pub const SI_HOOP: [Self; 8] = [
+    pub const SI_HOOP: [Self; 9] = [
         Self::DiscMassKg,
         Self::ParticleMassKg,
         Self::RadiusM,
@@ -214,11 +246,12 @@ impl Quantity {
         Self::GravityMPerS2,
         Self::MuS,
         Self::MuK,
+        Self::Restitution,
     ];
 
     /// The numbers of a start in SI units.
-    pub const SI_START: [Self; 5] =
-        [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::XM, Self::TimeS];
+    pub const SI_START: [Self; 6] =
+        [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::GapRateMPerS, Self::XM, Self::TimeS];
 
     /// Bounds besides being a finite number, in the order in which they are checked.
     #[inline]
@@ -226,16 +259,17 @@ impl Quantity {
     pub const fn bounds(self) -> &'static [Bound] {
         match self {
             Self::MassRatio | Self::Inertia | Self::MuS | Self::MuK => PARAMETER,
-            Self::Offset => &[Bound::NonNegative, Bound::AtMostConstant(1.0)],
+            Self::Offset | Self::Restitution => &[Bound::NonNegative, Bound::AtMostConstant(1.0)],
             Self::Theta | Self::X | Self::Time => COORDINATE,
             Self::ThetaRate | Self::Slip => RATE,
+            Self::GapRate => &[Bound::NonNegative, Bound::MagnitudeAtMost(LARGEST_RATE)],
             Self::Until
             | Self::ThetaRateRadPerS
             | Self::SlipMPerS
             | Self::XM
             | Self::TimeS
             | Self::UntilS => &[],
-            Self::DiscMassKg | Self::OffsetM | Self::InertiaKgM2 => NON_NEGATIVE,
+            Self::DiscMassKg | Self::OffsetM | Self::InertiaKgM2 | Self::GapRateMPerS => NON_NEGATIVE,
             Self::ParticleMassKg | Self::RadiusM | Self::GravityMPerS2 => POSITIVE,
         }
     }
@@ -254,7 +288,7 @@ impl Quantity {
             long_name: "",
             help: "",
             bounds: self.bounds(),
-            default: None,
+            presence: Presence::Required,
             usual: [0.0, 1.0],
         };
         let si = QuantityRow { system: System::Si, ..row };
@@ -305,6 +339,15 @@ impl Quantity {
                 usual: [0.0, 1.5],
                 ..row
             },
+            Self::Restitution => QuantityRow {
+                symbol: "e",
+                sign: "e",
+                long_name: "coefficient of restitution",
+                help: "Coefficient of restitution of the impact of the rim on the plane, 0 to 1, with SI parameters \
+                       too; without it the motion ends where the rim lands",
+                presence: Presence::Optional,
+                ..row
+            },
             Self::Theta => QuantityRow {
                 group: Group::Start,
                 dimension: D::Angle,
@@ -334,8 +377,20 @@ impl Quantity {
                 sign: "η′",
                 long_name: "slip velocity of the contact point",
                 help: "Slip velocity eta' of the contact point (2.7) in sqrt(g R)",
-                default: Some(0.0),
+                presence: Presence::Default(0.0),
                 usual: [-2.0, 2.0],
+                ..row
+            },
+            Self::GapRate => QuantityRow {
+                group: Group::Start,
+                dimension: D::Velocity,
+                twin: Some(Self::GapRateMPerS),
+                symbol: "gap'",
+                sign: "gap′",
+                long_name: "rate at which the gap under the rim opens",
+                help: "Rate at which the rim leaves the plane, in sqrt(g R)",
+                presence: Presence::Default(0.0),
+                usual: [0.0, 3.0],
                 ..row
             },
             Self::X => QuantityRow {
@@ -346,7 +401,7 @@ impl Quantity {
                 sign: "x",
                 long_name: "horizontal position of the geometric centre",
                 help: "Horizontal position of the centre in R",
-                default: Some(0.0),
+                presence: Presence::Default(0.0),
                 usual: [-10.0, 10.0],
                 ..row
             },
@@ -358,7 +413,7 @@ impl Quantity {
                 sign: "τ",
                 long_name: "time",
                 help: "Time of the start, tau, in sqrt(R/g)",
-                default: Some(0.0),
+                presence: Presence::Default(0.0),
                 usual: [-10.0, 10.0],
                 ..row
             },
@@ -370,6 +425,7 @@ impl Quantity {
                 sign: "τ",
                 long_name: "time limit",
                 help: "Stop at this time tau, in sqrt(R/g) [default: run to a final outcome]",
+                presence: Presence::Optional,
                 usual: [0.0, 50.0],
                 ..row
             },
@@ -429,7 +485,7 @@ impl Quantity {
                 sign: "g",
                 long_name: "gravitational acceleration",
                 help: "Gravitational acceleration g, m/s^2",
-                default: Some(STANDARD_GRAVITY),
+                presence: Presence::Default(STANDARD_GRAVITY),
                 usual: [0.5, 25.0],
                 ..si
             },
@@ -452,8 +508,20 @@ impl Quantity {
                 sign: "dη/dt",
                 long_name: "slip velocity of the contact point",
                 help: "Slip velocity of the contact point, m/s",
-                default: Some(0.0),
+                presence: Presence::Default(0.0),
                 usual: [-5.0, 5.0],
+                ..si
+            },
+            Self::GapRateMPerS => QuantityRow {
+                group: Group::Start,
+                dimension: D::Velocity,
+                twin: Some(Self::GapRate),
+                symbol: "d gap/dt",
+                sign: "d gap/dt",
+                long_name: "rate at which the gap under the rim opens",
+                help: "Rate at which the rim leaves the plane, m/s",
+                presence: Presence::Default(0.0),
+                usual: [0.0, 5.0],
                 ..si
             },
             Self::XM => QuantityRow {
@@ -464,7 +532,7 @@ impl Quantity {
                 sign: "x",
                 long_name: "horizontal position of the geometric centre",
                 help: "Horizontal position of the centre, m",
-                default: Some(0.0),
+                presence: Presence::Default(0.0),
                 usual: [-10.0, 10.0],
                 ..si
             },
@@ -476,7 +544,7 @@ impl Quantity {
                 sign: "t",
                 long_name: "time",
                 help: "Time of the start, s",
-                default: Some(0.0),
+                presence: Presence::Default(0.0),
                 usual: [-10.0, 10.0],
                 ..si
             },
@@ -488,6 +556,7 @@ impl Quantity {
                 sign: "t",
                 long_name: "time limit",
                 help: "Stop at this time in SI units, s",
+                presence: Presence::Optional,
                 usual: [0.0, 10.0],
                 ..si
             },
@@ -593,6 +662,8 @@ impl Quantity {
             }
             Self::MassRatio => "a massless hoop has mass 0; less is not possible",
             Self::Until => "the time limit is absolute: it lies at or after the start",
+            Self::Restitution => "0 is an impact without rebound, 1 one that gives everything back",
+            Self::GapRate => "the rim is at the plane at the start: it can leave it, not enter it",
             Self::Theta
             | Self::ThetaRate
             | Self::Slip
@@ -606,6 +677,7 @@ impl Quantity {
             | Self::GravityMPerS2
             | Self::ThetaRateRadPerS
             | Self::SlipMPerS
+            | Self::GapRateMPerS
             | Self::XM
             | Self::TimeS
             | Self::UntilS => {

@@ -14,6 +14,12 @@ pub struct Setup {
     pub start: Start,
 }
 
+/// Where a quantity stands in a setup.
+enum Place<'a> {
+    Number(&'a mut f64),
+    Optional(&'a mut Option<f64>),
+}
+
 impl Setup {
     /// A hoop with a start.
     #[must_use]
@@ -22,17 +28,19 @@ impl Setup {
     }
 
     /// Where a quantity stands; none for a limit and for what is in SI units.
-    pub const fn place(&mut self, quantity: Quantity) -> Option<&mut f64> {
+    const fn place(&mut self, quantity: Quantity) -> Option<Place<'_>> {
         let Self { hoop, start } = self;
-        Some(match quantity {
+        Some(Place::Number(match quantity {
             Quantity::MassRatio => &mut hoop.mass_ratio,
             Quantity::Offset => &mut hoop.offset,
             Quantity::Inertia => &mut hoop.inertia,
             Quantity::MuS => &mut hoop.mu_s,
             Quantity::MuK => &mut hoop.mu_k,
+            Quantity::Restitution => return Some(Place::Optional(&mut hoop.restitution)),
             Quantity::Theta => &mut start.theta,
             Quantity::ThetaRate => &mut start.theta_rate,
             Quantity::Slip => &mut start.slip,
+            Quantity::GapRate => &mut start.gap_rate,
             Quantity::X => &mut start.x,
             Quantity::Time => &mut start.time,
             Quantity::Until
@@ -44,27 +52,33 @@ impl Setup {
             | Quantity::GravityMPerS2
             | Quantity::ThetaRateRadPerS
             | Quantity::SlipMPerS
+            | Quantity::GapRateMPerS
             | Quantity::XM
             | Quantity::TimeS
             | Quantity::UntilS => return None,
-        })
+        }))
     }
 
-    /// The value of a quantity; none for a limit and for what is in SI units.
+    /// The value of a quantity; none for one that is not given, for a limit and for what is in SI units.
     #[must_use]
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         let mut copy = *self;
-        copy.place(quantity).copied()
+        match copy.place(quantity)? {
+            Place::Number(value) => Some(*value),
+            Place::Optional(value) => *value,
+        }
     }
 
     /// Sets a quantity; nothing happens for a limit and for what is in SI units.
     pub const fn set(&mut self, quantity: Quantity, value: f64) {
-        if let Some(place) = self.place(quantity) {
-            *place = value;
+        match self.place(quantity) {
+            Some(Place::Number(place)) => *place = value,
+            Some(Place::Optional(place)) => *place = Some(value),
+            None => {}
         }
     }
 
-    /// The values of some quantities; NaN for those that are not part of a setup.
+    /// The values of some quantities; NaN for those that are not given or not part of a setup.
     #[must_use]
     pub fn values<const N: usize>(&self, quantities: [Quantity; N]) -> [f64; N] {
         quantities.map(|quantity| self.get(quantity).unwrap_or(f64::NAN))
@@ -86,5 +100,8 @@ mod tests {
             assert_eq!(setup.get(quantity.si_twin().unwrap_or(Quantity::Until)), None);
         }
         assert!(Quantity::AXES.iter().all(|axis| setup.get(*axis).is_some()));
+        let bare = Setup::new(HoopParameters::default(), Start::default());
+        assert_eq!(bare.get(Quantity::Restitution), None);
+        assert!(bare.values([Quantity::Restitution])[0].is_nan());
     }
 }

@@ -3,6 +3,7 @@
 use crate::dimension::Dimension;
 use crate::error::{ParameterError, within};
 use crate::hoop::{Hoop, HoopParameters};
+use crate::law::RestitutionLaw;
 use crate::quantity::{Bound, Quantity};
 use crate::setup::Setup;
 use crate::state::{Start, State};
@@ -23,6 +24,8 @@ use crate::units::Units;
 ///     gravity_m_per_s2: 9.81,
 ///     mu_s: 0.5,
 ///     mu_k: 0.4,
+///     restitution: None,
+///     restitution_law: None,
 /// }
 /// .to_hoop()?;
 /// assert!((hoop.mass_ratio() - 0.4 / 0.14).abs() < 1e-15);
@@ -47,6 +50,10 @@ pub struct SiParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction μk.
     pub mu_k: f64,
+    /// Coefficient of restitution e, if the motion goes on after a landing.
+    pub restitution: Option<f64>,
+    /// Law of restitution; the energetic one where e is given alone.
+    pub restitution_law: Option<RestitutionLaw>,
 }
 
 /// A start, or a state, in SI units.
@@ -60,6 +67,8 @@ pub struct SiState {
     pub theta_rate_rad_per_s: f64,
     /// Slip velocity dη/dt, m/s.
     pub slip_m_per_s: f64,
+    /// Rate at which the gap under the rim opens, m/s. Of a state in flight it is not told: zero.
+    pub gap_rate_m_per_s: f64,
     /// Position x of the geometric centre, m.
     pub x_m: f64,
 }
@@ -79,6 +88,8 @@ impl SiParameters {
             gravity_m_per_s2,
             mu_s,
             mu_k,
+            restitution,
+            restitution_law,
         } = *self;
         let mass = Quantity::DiscMassKg.check(disc_mass_kg)?;
         let radius = Quantity::RadiusM.check(radius_m)?;
@@ -87,21 +98,19 @@ impl SiParameters {
         let inertia = Quantity::InertiaKgM2.check(inertia_kg_m2)?;
         let units = Units::new(particle_mass_kg, radius, gravity_m_per_s2)?;
         let plain = |quantity: Quantity, value| units.from_si(quantity.dimension(), value);
-        let hoop = Hoop::new(
-            HoopParameters::new(
-                plain(Quantity::DiscMassKg, mass),
-                plain(Quantity::OffsetM, offset),
-                plain(Quantity::InertiaKgM2, inertia),
-            )
-            .with_friction(mu_s, mu_k),
-        )?;
-        Ok((hoop, units))
+        let parameters = HoopParameters::new(
+            plain(Quantity::DiscMassKg, mass),
+            plain(Quantity::OffsetM, offset),
+            plain(Quantity::InertiaKgM2, inertia),
+        )
+        .with_friction(mu_s, mu_k);
+        Ok((Hoop::new(HoopParameters { restitution, restitution_law, ..parameters })?, units))
     }
 
     /// The parameters of a hoop, which need not have been checked, in SI units.
     #[must_use]
     pub fn new(hoop: &HoopParameters, units: &Units) -> Self {
-        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k } = *hoop;
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } = *hoop;
         let si = |quantity: Quantity, value| units.to_si(quantity.dimension(), value);
         Self {
             disc_mass_kg: si(Quantity::DiscMassKg, mass_ratio),
@@ -112,6 +121,8 @@ impl SiParameters {
             gravity_m_per_s2: units.gravity_m_per_s2,
             mu_s,
             mu_k,
+            restitution,
+            restitution_law,
         }
     }
 }
@@ -129,29 +140,39 @@ impl SiSetup {
     /// A setup in SI units.
     #[must_use]
     pub fn new(setup: &Setup, units: &Units) -> Self {
-        Self { hoop: SiParameters::new(&setup.hoop, units), start: units.state(&setup.start.into()) }
+        let gap_rate = units.to_si(Quantity::GapRateMPerS.dimension(), setup.start.gap_rate);
+        let start = SiState { gap_rate_m_per_s: gap_rate, ..units.state(&setup.start.into()) };
+        Self { hoop: SiParameters::new(&setup.hoop, units), start }
     }
 
-    /// From the value of each quantity of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`].
+    /// From the value of each quantity of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. What must be given and is not is
+    /// NaN, which [`SiSetup::to_setup`] refuses.
     #[must_use]
-    pub fn from_values(value: impl Fn(Quantity) -> f64) -> Self {
+    pub fn from_values(
+        value: impl Fn(Quantity) -> Option<f64>,
+        restitution_law: Option<RestitutionLaw>,
+    ) -> Self {
+        let number = |quantity| value(quantity).unwrap_or(f64::NAN);
         Self {
             hoop: SiParameters {
-                disc_mass_kg: value(Quantity::DiscMassKg),
-                particle_mass_kg: value(Quantity::ParticleMassKg),
-                radius_m: value(Quantity::RadiusM),
-                offset_m: value(Quantity::OffsetM),
-                inertia_kg_m2: value(Quantity::InertiaKgM2),
-                gravity_m_per_s2: value(Quantity::GravityMPerS2),
-                mu_s: value(Quantity::MuS),
-                mu_k: value(Quantity::MuK),
+                disc_mass_kg: number(Quantity::DiscMassKg),
+                particle_mass_kg: number(Quantity::ParticleMassKg),
+                radius_m: number(Quantity::RadiusM),
+                offset_m: number(Quantity::OffsetM),
+                inertia_kg_m2: number(Quantity::InertiaKgM2),
+                gravity_m_per_s2: number(Quantity::GravityMPerS2),
+                mu_s: number(Quantity::MuS),
+                mu_k: number(Quantity::MuK),
+                restitution: value(Quantity::Restitution),
+                restitution_law,
             },
             start: SiState {
-                time_s: value(Quantity::TimeS),
-                theta_rad: value(Quantity::Theta),
-                theta_rate_rad_per_s: value(Quantity::ThetaRateRadPerS),
-                slip_m_per_s: value(Quantity::SlipMPerS),
-                x_m: value(Quantity::XM),
+                time_s: number(Quantity::TimeS),
+                theta_rad: number(Quantity::Theta),
+                theta_rate_rad_per_s: number(Quantity::ThetaRateRadPerS),
+                slip_m_per_s: number(Quantity::SlipMPerS),
+                gap_rate_m_per_s: number(Quantity::GapRateMPerS),
+                x_m: number(Quantity::XM),
             },
         }
     }
@@ -169,9 +190,11 @@ impl SiSetup {
             Quantity::GravityMPerS2 => hoop.gravity_m_per_s2,
             Quantity::MuS => hoop.mu_s,
             Quantity::MuK => hoop.mu_k,
+            Quantity::Restitution => return hoop.restitution,
             Quantity::Theta => start.theta_rad,
             Quantity::ThetaRateRadPerS => start.theta_rate_rad_per_s,
             Quantity::SlipMPerS => start.slip_m_per_s,
+            Quantity::GapRateMPerS => start.gap_rate_m_per_s,
             Quantity::XM => start.x_m,
             Quantity::TimeS => start.time_s,
             Quantity::MassRatio
@@ -179,6 +202,7 @@ impl SiSetup {
             | Quantity::Inertia
             | Quantity::ThetaRate
             | Quantity::Slip
+            | Quantity::GapRate
             | Quantity::X
             | Quantity::Time
             | Quantity::Until
@@ -200,7 +224,7 @@ impl Units {
     /// A start given in SI units.
     ///
     /// # Errors
-    /// All values must be finite.
+    /// All values must be finite, the rate of the gap not negative.
     pub fn start(&self, si: &SiState) -> Result<Start, ParameterError> {
         let plain = |quantity: Quantity, value: f64| -> Result<f64, ParameterError> {
             Ok(self.from_si(quantity.dimension(), within(quantity, value, Bound::Finite)?))
@@ -210,6 +234,10 @@ impl Units {
             theta: plain(Quantity::Theta, si.theta_rad)?,
             theta_rate: plain(Quantity::ThetaRateRadPerS, si.theta_rate_rad_per_s)?,
             slip: plain(Quantity::SlipMPerS, si.slip_m_per_s)?,
+            gap_rate: {
+                Quantity::GapRateMPerS.check(si.gap_rate_m_per_s)?;
+                plain(Quantity::GapRateMPerS, si.gap_rate_m_per_s)?
+            },
             x: plain(Quantity::XM, si.x_m)?,
         })
     }
@@ -236,6 +264,7 @@ impl Units {
             theta_rad: state.theta,
             theta_rate_rad_per_s: si(Quantity::ThetaRateRadPerS, state.theta_rate),
             slip_m_per_s: si(Quantity::SlipMPerS, state.slip),
+            gap_rate_m_per_s: 0.0,
             x_m: si(Quantity::XM, state.x),
         }
     }
@@ -255,6 +284,7 @@ mod tests {
             let si = SiParameters {
                 disc_mass_kg: m1, particle_mass_kg: m2, radius_m: radius, offset_m: part * radius,
                 inertia_kg_m2: inertia, gravity_m_per_s2: g, mu_s: 0.5, mu_k: 0.25,
+                restitution: None, restitution_law: None,
             };
             let (hoop, units) = si.to_hoop().unwrap();
             let back = SiParameters::new(&hoop.parameters(), &units);
@@ -264,7 +294,7 @@ mod tests {
             ] {
                 prop_assert!((a - b).abs() <= 4.0 * f64::EPSILON * a.abs());
             }
-            let state = SiState { time_s: time, theta_rad: 1.0, theta_rate_rad_per_s: -time, slip_m_per_s: slip, x_m: slip };
+            let state = SiState { time_s: time, theta_rad: 1.0, theta_rate_rad_per_s: -time, slip_m_per_s: slip, gap_rate_m_per_s: 0.0, x_m: slip };
             let start = units.start(&state).unwrap();
             let again = units.state(&start.check().unwrap());
             for (a, b) in [
@@ -287,6 +317,8 @@ mod tests {
             gravity_m_per_s2: 9.81,
             mu_s: 0.5,
             mu_k: 0.4,
+            restitution: None,
+            restitution_law: None,
         };
         let error = si.to_hoop().unwrap_err();
         assert_eq!(error.to_string(), "offset_m = 0.6 m must not exceed radius_m = 0.5 m");

@@ -2,10 +2,10 @@
 
 use crate::error::{ParameterError, within};
 use crate::exact::Exact;
-use crate::hoop::Hoop;
+use crate::hoop::{Body, Hoop};
 use crate::outcome::Outcome;
 use crate::quantity::{Bound, Quantity};
-use crate::state::Start;
+use crate::state::{Start, State};
 use crate::trajectory::{Phase, PhaseSolution, Trajectory};
 use crate::transition::Transition;
 use crate::walk::{PhaseSeen, Recorder, walk};
@@ -83,7 +83,7 @@ impl Hoop {
     /// # Errors
     /// A start or a limit that is not finite, or a time limit before the start.
     pub fn simulate(&self, start: Start, limits: Limits) -> Result<Trajectory, ParameterError> {
-        let state = start.check()?;
+        let state = self.check(start)?;
         limits.check(&start)?;
         let mut trajectory = Trajectory {
             hoop: *self,
@@ -93,19 +93,40 @@ impl Hoop {
             outcome: Outcome::TimeLimit { state },
         };
         let solver = Exact::new(self, limits.until);
-        trajectory.outcome =
-            walk(&solver, state, limits.transitions, limits.is_conservative(self), &mut trajectory);
+        trajectory.outcome = walk(
+            &solver,
+            (state, start.gap_rate),
+            limits.transitions,
+            limits.is_conservative(self),
+            &mut trajectory,
+        );
         Ok(trajectory)
+    }
+
+    /// Refuses a start that this hoop cannot have.
+    pub(crate) fn check(&self, start: Start) -> Result<State, ParameterError> {
+        let state = start.check()?;
+        match self.body() {
+            Body::Massless(_) if start.gap_rate > 0.0 => {
+                Err(ParameterError::MasslessFlight { gap_rate: start.gap_rate })
+            }
+            Body::Massless(_) | Body::Heavy(_) => Ok(state),
+        }
     }
 }
 
 impl Recorder<PhaseSolution> for Trajectory {
     fn phase(&mut self, phase: PhaseSeen, solution: PhaseSolution) {
         let PhaseSeen { start, end, .. } = phase;
-        self.phases.push(Phase { hoop: self.hoop, solution, start, end });
+        self.phases.push(Phase { hoop: self.hoop, solution, start, end, ended_by: None });
     }
 
     fn transition(&mut self, transition: Transition) {
+        if transition.from.is_some()
+            && let Some(phase) = self.phases.last_mut()
+        {
+            phase.ended_by = Some(self.transitions.len());
+        }
         self.transitions.push(transition);
     }
 }

@@ -3,7 +3,7 @@
 use crate::error::ParameterError;
 use crate::quantity::Quantity;
 
-/// A start in contact with the plane: dimensionless time, angle, rate, slip velocity and position.
+/// A start with the rim at the plane: dimensionless time, angle, rate, slip velocity, rate of the gap and position.
 ///
 /// ```
 /// let start = littlewood::Start::at(0.5, -1.0).with_slip(0.25);
@@ -21,6 +21,8 @@ pub struct Start {
     pub theta_rate: f64,
     /// Slip velocity η′ of the contact point (2.7).
     pub slip: f64,
+    /// Rate at which the gap under the rim opens, zero or positive: a hoop thrown from the plane.
+    pub gap_rate: f64,
     /// Horizontal position x of the geometric centre.
     pub x: f64,
 }
@@ -29,13 +31,19 @@ impl Start {
     /// A start at τ = 0, x = 0 without slip.
     #[must_use]
     pub const fn at(theta: f64, theta_rate: f64) -> Self {
-        Self { time: 0.0, theta, theta_rate, slip: 0.0, x: 0.0 }
+        Self { time: 0.0, theta, theta_rate, slip: 0.0, gap_rate: 0.0, x: 0.0 }
     }
 
     /// The same start with a slip velocity η′.
     #[must_use]
     pub const fn with_slip(self, slip: f64) -> Self {
         Self { slip, ..self }
+    }
+
+    /// The same start, but leaving the plane at this rate.
+    #[must_use]
+    pub const fn with_gap_rate(self, gap_rate: f64) -> Self {
+        Self { gap_rate, ..self }
     }
 
     /// The same start at another time τ.
@@ -55,6 +63,7 @@ impl Start {
     /// # Errors
     /// Names the first value that breaks a bound of [`Quantity::START`].
     pub fn check(self) -> Result<State, ParameterError> {
+        Quantity::GapRate.check(self.gap_rate)?;
         Ok(State {
             time: Quantity::Time.check(self.time)?,
             theta: Quantity::Theta.check(self.theta)?,
@@ -68,7 +77,7 @@ impl Start {
 impl From<State> for Start {
     fn from(state: State) -> Self {
         let State { time, theta, theta_rate, slip, x } = state;
-        Self { time, theta, theta_rate, slip, x }
+        Self { time, theta, theta_rate, slip, gap_rate: 0.0, x }
     }
 }
 
@@ -89,10 +98,10 @@ pub struct State {
     pub x: f64,
 }
 
-/// A start that has not been checked, as a state.
+/// A start that has not been checked, as a state, which has no rate of the gap.
 impl From<Start> for State {
     fn from(start: Start) -> Self {
-        let Start { time, theta, theta_rate, slip, x } = start;
+        let Start { time, theta, theta_rate, slip, x, .. } = start;
         Self { time, theta, theta_rate, slip, x }
     }
 }

@@ -4,6 +4,7 @@ use crate::automaton::Cause;
 use crate::equations::energy_at;
 use crate::flight::Flight;
 use crate::hoop::Hoop;
+use crate::mode::Mode;
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
 use crate::state::State;
@@ -31,10 +32,17 @@ pub struct Summary {
     pub first_slip_time: f64,
     /// Time of the lift-off: the start of the flight, which may be the start of the motion; NaN if none.
     pub lift_off_time: f64,
-    /// Distance that the geometric centre travels in flight; NaN without landing.
+    /// Distance that the geometric centre travels in the first flight; NaN without landing.
     pub jump_length: f64,
-    /// Largest gap between the rim and the plane in flight; NaN without landing.
+    /// Largest gap between the rim and the plane in the first flight; NaN without landing.
     pub jump_height: f64,
+    /// Number of landings; bounces that settle, all together, count as none.
+    pub landings: u32,
+    /// Energy lost in impacts, those of settling and jams among them.
+    pub impact_energy_lost: f64,
+    /// Time from which on the rim stays at the plane after it has left it: of the last landing without rebound, or of the end
+    /// of the last bounces. NaN where it has never left it, or is off it at the end.
+    pub settle_time: f64,
     /// Whether the motion met P ≤ 0 (Painlevé): no motion, several, or a singular slide.
     pub painleve: bool,
 }
@@ -59,6 +67,9 @@ impl Summary {
             lift_off_time: f64::NAN,
             jump_length: f64::NAN,
             jump_height: f64::NAN,
+            landings: 0,
+            impact_energy_lost: f64::NAN,
+            settle_time: f64::NAN,
             painleve: false,
         }
     }
@@ -69,8 +80,10 @@ impl Summary {
 pub(crate) struct SummaryRecorder<'a> {
     hoop: &'a Hoop,
     summary: Summary,
-    /// The last phase, if it is a flight: where it begins and what it is.
+    /// The last phase, if it is a flight that no impact has ended: where it begins and what it is.
     flight: Option<(State, Flight)>,
+    /// Rate of the gap after the last impact, if no phase has followed it.
+    gap_rate: f64,
 }
 
 impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
@@ -78,8 +91,12 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     fn phase(&mut self, phase: PhaseSeen, solution: S) {
         self.summary.sequence.push(phase.mode, phase.direction);
         self.flight = solution.flight().map(|flight| (phase.start, *flight));
-        if self.flight.is_some() && self.summary.lift_off_time.is_nan() {
-            self.summary.lift_off_time = phase.start.time;
+        self.gap_rate = 0.0;
+        if self.flight.is_some() {
+            self.summary.settle_time = f64::NAN;
+            if self.summary.lift_off_time.is_nan() {
+                self.summary.lift_off_time = phase.start.time;
+            }
         }
     }
 
@@ -89,29 +106,41 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
         if transition.cause == Cause::Slip && self.summary.first_slip_time.is_nan() {
             self.summary.first_slip_time = transition.time();
         }
+        if transition.cause == Cause::Landing {
+            if let Some((start, flight)) = self.flight.filter(|_| self.summary.landings == 0) {
+                self.summary.jump_length = (transition.before.x - start.x).abs();
+                self.summary.jump_height = flight.apex().1;
+            }
+            self.summary.landings += 1;
+        }
+        if let Some(impact) = transition.impact {
+            (self.flight, self.gap_rate) = (None, impact.after.gap_rate);
+            self.summary.impact_energy_lost += impact.energy_lost();
+            if transition.from == Some(Mode::Flight) && transition.to != Some(Mode::Flight) {
+                self.summary.settle_time = transition.time();
+            }
+        }
     }
 }
 
 impl<'a> SummaryRecorder<'a> {
     pub(crate) const fn new(hoop: &'a Hoop) -> Self {
-        Self { hoop, summary: Summary::without_motion(OutcomeKind::NotComputed), flight: None }
+        let summary =
+            Summary { impact_energy_lost: 0.0, ..Summary::without_motion(OutcomeKind::NotComputed) };
+        Self { hoop, summary, flight: None, gap_rate: 0.0 }
     }
 
     /// The summary of a motion that ended in this way, at this state.
     pub(crate) fn finish(self, outcome: OutcomeKind, end: State) -> Summary {
-        let Self { hoop, mut summary, flight } = self;
+        let Self { hoop, mut summary, flight, mut gap_rate } = self;
         (summary.outcome, summary.end, summary.painleve) = (outcome, end, outcome.is_painleve());
         let mut last = end;
         if let Some((start, flight)) = flight {
             // The energy of a flight is that of its start, where there is no gap.
-            last = start;
-            if outcome == OutcomeKind::Landing {
-                summary.jump_length = (end.x - start.x).abs();
-                summary.jump_height = flight.apex().1;
-            }
+            (last, gap_rate) = (start, flight.take_off_rate());
         }
         if !summary.sequence.is_empty() {
-            let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, 0.0));
+            let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, gap_rate));
             // Where a rate is infinite the energy is not a number.
             summary.energy = if energy.is_finite() { energy } else { f64::NAN };
         }
@@ -135,7 +164,18 @@ impl Trajectory {
     #[must_use]
     pub fn summary(&self) -> Summary {
         let mut recorder = SummaryRecorder::new(self.hoop());
+        let mut transitions = self.transitions().iter().peekable();
+        let mut tell = |recorder: &mut SummaryRecorder<'_>, ends: bool| {
+            while let Some(transition) = transitions.next_if(|next| next.from.is_some() == ends) {
+                Recorder::<&PhaseSolution>::transition(recorder, *transition);
+                if ends {
+                    return;
+                }
+            }
+        };
         for phase in self.phases() {
+            // Jams from states without a consistent motion come before the phase that they lead to.
+            tell(&mut recorder, false);
             let seen = PhaseSeen {
                 mode: phase.mode(),
                 direction: phase.direction(),
@@ -143,10 +183,9 @@ impl Trajectory {
                 end: phase.end(),
             };
             recorder.phase(seen, phase.solution());
+            tell(&mut recorder, true);
         }
-        for transition in self.transitions() {
-            Recorder::<&PhaseSolution>::transition(&mut recorder, *transition);
-        }
+        tell(&mut recorder, false);
         let outcome = self.outcome();
         recorder.finish(outcome.kind(), outcome.state())
     }

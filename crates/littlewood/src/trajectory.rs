@@ -18,6 +18,8 @@ pub struct Phase {
     pub(crate) solution: PhaseSolution,
     pub(crate) start: State,
     pub(crate) end: Option<State>,
+    /// Index of the transition that ends it.
+    pub(crate) ended_by: Option<usize>,
 }
 
 /// The exact solution during a phase.
@@ -173,10 +175,17 @@ impl Trajectory {
         &self.phases
     }
 
-    /// The transitions in order: transition i ends phase i.
+    /// The transitions in order. Each ends a phase, but for a jam from a state at which no motion was consistent:
+    /// [`Trajectory::end_of`] says which ends a phase.
     #[must_use]
     pub fn transitions(&self) -> &[Transition] {
         &self.transitions
+    }
+
+    /// The transition that ends a phase; none for the last phase of a motion that stops or lasts for ever.
+    #[must_use]
+    pub fn end_of(&self, phase: &Phase) -> Option<&Transition> {
+        self.transitions.get(phase.ended_by?)
     }
 
     /// How the motion ended.
@@ -191,10 +200,20 @@ impl Trajectory {
         self.phases.last().map_or(self.start.time, Phase::end_time)
     }
 
-    /// Energy lost to friction.
+    /// Energy lost: to friction in sliding, and in impacts.
     #[must_use]
     pub fn energy_lost(&self) -> f64 {
-        self.phases.iter().map(Phase::energy_lost).sum()
+        self.phases.iter().map(Phase::energy_lost).sum::<f64>() + self.impact_energy_lost()
+    }
+
+    /// Energy lost in impacts.
+    #[must_use]
+    pub fn impact_energy_lost(&self) -> f64 {
+        self.transitions
+            .iter()
+            .filter_map(|transition| transition.impact)
+            .map(|impact| impact.energy_lost())
+            .sum()
     }
 
     /// The instant `time`, found in O(log n) of the number of phases and steps; none outside the motion. At a

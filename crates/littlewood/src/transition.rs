@@ -1,18 +1,9 @@
 //! Changes of the mode of motion.
 
 use crate::automaton::Cause;
+use crate::impact::Impact;
 use crate::mode::{Direction, Mode};
 use crate::state::State;
-
-/// The impulse of the plane on the body at a transition, over m2 √(gR).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Impulse {
-    /// Upwards.
-    pub normal: f64,
-    /// Along E1.
-    pub friction: f64,
-}
 
 /// A change of the mode of motion, or the event that ends the simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,12 +12,12 @@ pub struct Impulse {
 pub struct Transition {
     /// State just before.
     pub before: State,
-    /// State just after: the same, unless there is an impulse.
+    /// State just after: the same, unless there is an impact.
     pub after: State,
-    /// The impulse, if the velocities jump.
-    pub impulse: Option<Impulse>,
-    /// Mode that ends.
-    pub from: Mode,
+    /// The impact, if the velocities jump. Where bounces have settled it is all of theirs together.
+    pub impact: Option<Impact>,
+    /// Mode that ends; none where a hoop jams from a state at which no motion was consistent.
+    pub from: Option<Mode>,
     /// Mode that begins; none where the motion is not followed further.
     pub to: Option<Mode>,
     /// Direction of slip of the motion that begins.
@@ -37,14 +28,15 @@ pub struct Transition {
 
 impl Transition {
     /// A transition through which the state is continuous.
-    pub(crate) const fn continuous(
-        state: State,
-        from: Mode,
-        to: Option<Mode>,
-        direction: Option<Direction>,
-        cause: Cause,
-    ) -> Self {
-        Self { before: state, after: state, impulse: None, from, to, direction, cause }
+    pub(crate) const fn continuous(state: State, from: Mode, to: Option<Mode>, cause: Cause) -> Self {
+        Self { before: state, after: state, impact: None, from: Some(from), to, direction: None, cause }
+    }
+
+    /// A transition by an impact.
+    pub(crate) fn by_impact(before: State, from: Option<Mode>, impact: Impact, cause: Cause) -> Self {
+        let (theta_rate, slip) = (impact.after.theta_rate, impact.after.slip);
+        let after = State { theta_rate, slip, ..before };
+        Self { before, after, impact: Some(impact), from, to: None, direction: None, cause }
     }
 
     /// Time.

@@ -281,7 +281,7 @@ fn even_samples_contain_every_transition_twice() {
         let at: Vec<_> =
             samples.iter().filter(|sample| sample.state.time == transition.before.time).collect();
         let [before, after] = at[..] else { panic!("two instants at a transition") };
-        assert_eq!((before.mode, Some(after.mode)), (transition.from, transition.to));
+        assert_eq!((Some(before.mode), Some(after.mode)), (transition.from, transition.to));
     }
     assert_eq!(samples.last().map(|sample| sample.state), Some(motion.outcome().state()));
 }

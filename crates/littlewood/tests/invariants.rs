@@ -156,7 +156,7 @@ fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), TestCaseErr
     for (phase, transition) in motion.phases().iter().zip(motion.transitions()) {
         let Some(last) = phase.last() else { unreachable!("a phase with a transition ends") };
         let size = size(hoop, &last);
-        prop_assert_eq!(phase.mode(), transition.from);
+        prop_assert_eq!(Some(phase.mode()), transition.from);
         match transition.cause {
             Cause::Slip if phase.mode() == Mode::Rolling => {
                 let excess = last.friction.abs() - hoop.mu_s() * last.normal;

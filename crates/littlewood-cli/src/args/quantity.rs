@@ -30,7 +30,7 @@ fn texts(quantity: Quantity) -> Texts {
     Texts {
         long: long(quantity.name()),
         value_name: value_name(quantity),
-        help: match row.default {
+        help: match row.presence.default_value() {
             Some(default) => format!("{} [default: {default}]", row.help),
             None => row.help.to_owned(),
         },

@@ -60,7 +60,10 @@ fn quantities(source: &mut Source) {
             ("sign", quoted(row.sign)),
             ("unit", quoted(quantity.unit_sign())),
             ("longName", quoted(row.long_name)),
-            ("otherwise", row.default.map_or_else(|| "null".to_owned(), |value| value.to_string())),
+            (
+                "otherwise",
+                row.presence.default_value().map_or_else(|| "null".to_owned(), |value| value.to_string()),
+            ),
             ("usual", format!("[{}, {}]", row.usual[0], row.usual[1])),
         ];
         (quantity.name(), object(&fields))

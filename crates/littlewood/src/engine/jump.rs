@@ -8,7 +8,7 @@
 use core::f64::consts::TAU;
 use std::sync::LazyLock;
 
-use crate::flight::Flight;
+use crate::flight::{Flight, TakeOff};
 use crate::hoop::Heavy;
 use crate::state::State;
 
@@ -55,7 +55,9 @@ impl JumpTable {
                 let (sin, cos) = libm::sincos(angle);
                 let theta_rate = 1.0 / (body.h * cos).sqrt();
                 let start = State { time: 0.0, theta: -angle, theta_rate, slip: 0.0, x: 0.0 };
-                Flight::from_direction(&body, start, true, (-sin, cos)).angles().map(|phi| phi / angle)
+                Flight::from_direction(&body, start, TakeOff::Grazing, (-sin, cos))
+                    .angles()
+                    .map(|phi| phi / angle)
             });
             pieces.push(basis.through(left, right, &values)?);
             left = right;

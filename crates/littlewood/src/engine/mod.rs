@@ -139,7 +139,7 @@ impl Engine {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
-        let state = start.check()?;
+        let state = (self.hoop.check(start)?, start.gap_rate);
         limits.check(&start)?;
         let mut recorder = SummaryRecorder::new(&self.hoop);
         let conservative = limits.is_conservative(&self.hoop);

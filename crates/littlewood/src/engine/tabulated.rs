@@ -4,11 +4,12 @@ use crate::automaton::Cause;
 use crate::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
 use crate::equations::contact;
 use crate::exact::Exact;
-use crate::flight::Flight;
+use crate::flight::{Flight, TakeOff};
 use crate::hoop::{Heavy, Hoop, Massless};
 use crate::mode::Direction;
 use crate::outcome::{Outcome, OutcomeKind};
 use crate::rolling::{Hold, RollingLimit};
+use crate::settling::Settling;
 use crate::simulate::Limits;
 use crate::state::State;
 use crate::trig::sincos;
@@ -100,6 +101,11 @@ impl<'a> Tabulated<'a> {
             Ending::Event { place, cause, arrival } => {
                 Ending::Event { place: Place::new(place), cause, arrival }
             }
+            Ending::Landing { place, gap_rate } => Ending::Landing { place: Place::new(place), gap_rate },
+            Ending::Settled { place, settling } => Ending::Settled { place: Place::new(place), settling },
+            Ending::Singular { place, solvability } => {
+                Ending::Singular { place: Place::new(place), solvability }
+            }
             Ending::Motion { event, end, verdict } => Ending::Motion { event, end, verdict: verdict.into() },
         };
         Solved { solution: solved.solution.flight().copied(), direction: solved.direction, ending }
@@ -166,6 +172,10 @@ impl Solver for Tabulated<'_> {
     type Place = Place;
     type Solution = Option<Flight>;
     type Verdict = Verdict;
+
+    fn hoop(&self) -> &Hoop {
+        self.hoop
+    }
 
     fn place(&self, state: State) -> Place {
         Place::new(state)
@@ -286,24 +296,25 @@ impl Solver for Tabulated<'_> {
     }
 
     #[inline(always)]
-    fn fly(&self, place: &Place, body: &Heavy, grazing: bool) -> SolvedBy<Self> {
+    fn fly(&self, place: &Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let state = place.state;
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let known = if grazing { jump::angles(travel * state.theta) } else { None };
-        let flight = match known {
-            Some(angles) => Flight::with_angles(body, state, grazing, place.direction, angles),
+        let flight = match take_off {
+            TakeOff::Grazing => match jump::angles(travel * state.theta) {
+                Some(angles) => Flight::with_angles(body, state, take_off, place.direction, angles),
+                None => Flight::from_direction(body, state, take_off, place.direction),
+            },
             // So close to w = 0 the exact rules have decided, with their own cosine.
-            None if !grazing && self.contact(place) > -UNCERTAIN_FORCES => Flight::new(body, state, grazing),
-            None => Flight::from_direction(body, state, grazing, place.direction),
+            TakeOff::Unloaded if self.contact(place) > -UNCERTAIN_FORCES => {
+                Flight::new(body, state, take_off)
+            }
+            TakeOff::Unloaded | TakeOff::Rising { .. } => {
+                Flight::from_direction(body, state, take_off, place.direction)
+            }
         };
         let duration = flight.duration();
         let ending = if self.is_in_time(&state, duration) {
-            let end = flight.state(duration);
-            Ending::Motion {
-                event: Some((Cause::Landing, end)),
-                end: Some(end),
-                verdict: Verdict { kind: OutcomeKind::Landing, state: end },
-            }
+            Ending::Landing { place: Place::new(flight.state(duration)), gap_rate: flight.gap(duration).1 }
         } else {
             let end = State { time: self.until, ..flight.state(self.until - state.time) };
             Ending::Motion {
@@ -313,6 +324,10 @@ impl Solver for Tabulated<'_> {
             }
         };
         Solved { solution: Some(flight), direction: None, ending }
+    }
+
+    fn settle(&self, place: &Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
+        Self::take(self.exact.settle(&place.state, body, settling))
     }
 
     fn glide(&self, place: &Place, body: &Massless, from_extremum: bool) -> SolvedBy<Self> {

@@ -1,0 +1,246 @@
+//! How bounces come to an end: the rest of a sequence of ever smaller bounces, summed.
+//!
+//! Where W = 1 − h cos θ θ′² > 0 and each bounce gives back less than it takes, bounces accumulate: infinitely many in a
+//! finite time. Once they are short, θ, W, the compliances of the impact and the acceleration a = −h sin θ θ′² of the slip in
+//! flight hardly change any more. With those held fixed a flight of the rate v takes 2v/W and adds 2 a v/W to the slip, the
+//! impact is homogeneous in (u, v), and the sum of all of them is found from a few: where it sticks each time, or slips each
+//! time, it is geometric. What is neglected is of the order of the square of the time that is left.
+
+use thiserror::Error;
+
+use crate::hoop::{Body, Heavy, Hoop};
+use crate::impact::{Contact, ContactVelocities, Impact, ImpactCase, Impulse};
+use crate::restitution::Restitution;
+use crate::state::State;
+
+/// Bounces are followed one by one until those that remain take less than this, also in units of 1/|θ′|: its square is
+/// the order of the error.
+pub(crate) const LONGEST: f64 = 1e-7;
+
+/// Largest part of W that may change on the way.
+const LARGEST_CHANGE: f64 = 1e-6;
+
+/// Bounces of changing kind that are summed one by one.
+const MAX_BOUNCES: usize = 4096;
+
+/// The end of bouncing, from a flight on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Settling {
+    /// Time from the start of the flight.
+    pub duration: f64,
+    /// Ratio of the rates of successive bounces in the end: the effective coefficient of restitution.
+    pub ratio: f64,
+    /// All impacts together, as one at the end of the time.
+    pub impact: Impact,
+}
+
+/// Why bounces do not settle.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum NoSettling {
+    /// A massless hoop has no impacts.
+    #[error("a massless hoop has no impacts")]
+    Massless,
+    /// The gap does not open.
+    #[error("gap_rate = {gap_rate} sqrt(g R) must be finite and greater than 0")]
+    Closed {
+        /// The gap rate that was given.
+        gap_rate: f64,
+    },
+    /// 1 − h cos θ θ′² ≤ 0: the gap opens further by itself.
+    #[error("1 - h cos(theta) theta'^2 = {contact} is not positive: the plane does not pull the rim back")]
+    LeavesPlane {
+        /// 1 − h cos θ θ′².
+        contact: f64,
+    },
+    /// The bounces do not shrink. With e < 1 this is reverse chatter: a hoop at rest against the plane could as well begin to
+    /// bounce, so that its motion is not unique.
+    #[error("each bounce is {ratio} times as fast as the one before")]
+    Grows {
+        /// Ratio of the rates of successive bounces.
+        ratio: f64,
+    },
+    /// The bounces change their kind more often than are summed.
+    #[error("the bounces have not taken one kind within {bounces}")]
+    Unsettled {
+        /// Number of bounces that were followed.
+        bounces: usize,
+    },
+}
+
+impl Hoop {
+    /// The sum of all bounces from a state on in which the gap opens at a small rate, with the angle and the rate held fixed.
+    ///
+    /// ```
+    /// use littlewood::{Hoop, Restitution, RestitutionLaw, Start};
+    ///
+    /// // A balanced hoop bounces like a ball: 2v/(1 − e).
+    /// let hoop = Hoop::new(littlewood::HoopParameters::new(1.0, 0.0, 1.0))?;
+    /// let settling = hoop.settling(
+    ///     &Start::at(0.0, 0.0).check()?,
+    ///     1e-9,
+    ///     Restitution::new(0.5, RestitutionLaw::Energetic)?,
+    /// )?;
+    /// assert!((settling.duration - 4e-9).abs() < 1e-24);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Says why they do not settle; reverse chatter is [`NoSettling::Grows`].
+    pub fn settling(
+        &self,
+        state: &State,
+        gap_rate: f64,
+        restitution: Restitution,
+    ) -> Result<Settling, NoSettling> {
+        let Body::Heavy(body) = self.body() else { return Err(NoSettling::Massless) };
+        if !(gap_rate.is_finite() && gap_rate > 0.0) {
+            return Err(NoSettling::Closed { gap_rate });
+        }
+        Bounces::new(self, &body, state, restitution)?.sum(state, gap_rate)
+    }
+
+    /// The same where the bounces that remain are short enough for it.
+    #[inline]
+    pub(crate) fn short_settling(
+        &self,
+        body: &Heavy,
+        state: &State,
+        gap_rate: f64,
+        restitution: Restitution,
+    ) -> Option<Settling> {
+        // No sum is shorter than its first bounce.
+        if gap_rate > LONGEST {
+            return None;
+        }
+        let bounces = Bounces::new(self, body, state, restitution).ok()?;
+        let rate = state.theta_rate.abs();
+        let is_short = |duration: f64| {
+            duration * (1.0 + rate) <= LONGEST
+                && body.h * (rate * rate * rate) * duration <= LARGEST_CHANGE * bounces.contact_force
+        };
+        if !is_short(2.0 * gap_rate / bounces.contact_force) {
+            return None;
+        }
+        bounces.sum(state, gap_rate).ok().filter(|settling| is_short(settling.duration))
+    }
+}
+
+/// Bounces at a fixed angle and rate.
+struct Bounces {
+    contact: Contact,
+    restitution: Restitution,
+    /// W = 1 − h cos θ θ′².
+    contact_force: f64,
+    /// a = −h sin θ θ′².
+    slip_acceleration: f64,
+}
+
+/// Sums over bounces.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    duration: f64,
+    normal: f64,
+    friction: f64,
+    normal_work: f64,
+    friction_work: f64,
+}
+
+impl Sums {
+    /// Adds a bounce `times` over, its works `works` times.
+    fn add(&mut self, duration: f64, impact: &Impact, times: f64, works: f64) {
+        self.duration += duration * times;
+        self.normal += impact.impulse.normal * times;
+        self.friction += impact.impulse.friction * times;
+        self.normal_work += impact.normal_work * works;
+        self.friction_work += impact.friction_work * works;
+    }
+}
+
+impl Bounces {
+    fn new(hoop: &Hoop, body: &Heavy, state: &State, restitution: Restitution) -> Result<Self, NoSettling> {
+        let (sin, cos) = libm::sincos(state.theta);
+        let rate = state.theta_rate;
+        let contact_force = crate::equations::contact(1.0, body.h, cos * (rate * rate));
+        if contact_force <= 0.0 {
+            return Err(NoSettling::LeavesPlane { contact: contact_force });
+        }
+        Ok(Self {
+            contact: Contact::new(hoop, body, state.theta),
+            restitution,
+            contact_force,
+            slip_acceleration: -body.h * sin * (rate * rate),
+        })
+    }
+
+    fn sum(&self, state: &State, gap_rate: f64) -> Result<Settling, NoSettling> {
+        let mut sums = Sums::default();
+        let (mut slip, mut opening) = (state.slip, gap_rate);
+        for _ in 0..MAX_BOUNCES {
+            let duration = 2.0 * opening / self.contact_force;
+            let before = ContactVelocities {
+                theta_rate: state.theta_rate,
+                slip: slip + self.slip_acceleration * duration,
+                gap_rate: -opening,
+            };
+            let impact = self.contact.impact(before, self.restitution);
+            let ratio = impact.after.gap_rate / opening;
+            // As long as the bounces do the same, everything changes from one to the next by this ratio.
+            let (count, squares) = (1.0 / (1.0 - ratio), 1.0 / (1.0 - ratio * ratio));
+            if slip == 0.0 && impact.after.slip == 0.0 {
+                if ratio >= 1.0 {
+                    return Err(NoSettling::Grows { ratio });
+                }
+                sums.add(duration, &impact, count, squares);
+                return Ok(self.settled(state, &sums, 0.0, ratio));
+            }
+            if impact.case == ImpactCase::Slides && ratio < 1.0 {
+                let change = impact.after.slip - slip;
+                let end = slip + change * count;
+                // The slip velocities before and after the impacts lie between those of this one and the end.
+                if before.slip * end > 0.0 && impact.after.slip * end > 0.0 {
+                    let mean = end * count + (0.5 * (before.slip - slip + change) - change * count) * squares;
+                    let friction_work = impact.impulse.friction * mean;
+                    sums.add(duration, &Impact { friction_work, ..impact }, count, squares);
+                    sums.friction_work += friction_work * (1.0 - squares);
+                    return Ok(self.settled(state, &sums, end, ratio));
+                }
+            }
+            sums.add(duration, &impact, 1.0, 1.0);
+            (slip, opening) = (impact.after.slip, impact.after.gap_rate);
+            if opening <= f64::MIN_POSITIVE {
+                return Ok(self.settled(state, &sums, slip, ratio));
+            }
+            if opening > gap_rate / f64::EPSILON {
+                return Err(NoSettling::Grows { ratio });
+            }
+        }
+        Err(NoSettling::Unsettled { bounces: MAX_BOUNCES })
+    }
+
+    fn settled(&self, state: &State, sums: &Sums, slip: f64, ratio: f64) -> Settling {
+        let impulse = Impulse { normal: sums.normal, friction: sums.friction };
+        let before = ContactVelocities {
+            theta_rate: state.theta_rate,
+            slip: state.slip + self.slip_acceleration * sums.duration,
+            gap_rate: -self.contact.gap_rate(impulse),
+        };
+        let after = ContactVelocities {
+            theta_rate: state.theta_rate + self.contact.spin(impulse),
+            slip,
+            gap_rate: 0.0,
+        };
+        // What the bounces do in the end; of the first the kind may differ.
+        let case = if slip == 0.0 { ImpactCase::SticksInRestitution } else { ImpactCase::Slides };
+        let impact = Impact {
+            case,
+            before,
+            after,
+            impulse,
+            normal_work: sums.normal_work,
+            friction_work: sums.friction_work,
+        };
+        Settling { duration: sums.duration, ratio, impact }
+    }
+}
