@@ -138,12 +138,16 @@ struct Slope {
     gap_rate: f64,
 }
 
-/// A, B and C.
-#[derive(Clone, Copy, Debug)]
-struct Compliance {
-    a: f64,
-    b: f64,
-    c: f64,
+/// How the velocities of the contact point answer to an impulse (J, P): u′ − u = A J + B P, w′ − w = B J + C P, over 1/m2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Compliance {
+    /// A: slip by friction.
+    pub a: f64,
+    /// B: slip by the normal impulse, and the rate of the gap by friction.
+    pub b: f64,
+    /// C: the rate of the gap by the normal impulse.
+    pub c: f64,
     determinant: f64,
 }
 
@@ -180,6 +184,14 @@ impl Compliance {
 }
 
 impl Hoop {
+    /// What an impact at an angle depends on; none for a massless hoop.
+    #[must_use]
+    pub fn compliance(&self, theta: f64) -> Option<Compliance> {
+        let Body::Heavy(body) = self.body() else { return None };
+        let (sin, cos) = libm::sincos(theta);
+        Some(Compliance::new(&body, sin, cos))
+    }
+
     /// The impact of a hoop whose rim touches the plane in `state`, the gap closing at `gap_rate` ≤ 0, with friction μk where
     /// it slips and μs where it sticks.
     ///
