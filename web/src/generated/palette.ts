@@ -21,6 +21,7 @@ export const ARROWS = [
   'normal_force',
   'friction_force',
   'slip',
+  'impulse',
 ] as const;
 export type Arrow = (typeof ARROWS)[number];
 
@@ -92,6 +93,7 @@ export const PALETTES = {
       normal_force: '#006d4e',
       friction_force: '#9a1b6a',
       slip: '#7f6100',
+      impulse: '#d7263d',
     },
     curve: {
       slip_limit: '#9a1b6a',
@@ -99,6 +101,19 @@ export const PALETTES = {
       separatrix: '#222222',
       lift_off: '#006d4e',
       level: '#9a9a9a',
+    },
+    impulse: {
+      sticking: '#7f6100',
+      greatest_compression: '#222222',
+      termination: '#222222',
+      static_cone: '#9a1b6a',
+      kinetic_cone: '#9a1b6a',
+    },
+    energy: {
+      kinetic: '#693c99',
+      potential: '#08828e',
+      lost_to_friction: '#9a1b6a',
+      lost_in_impacts: '#d7263d',
     },
     accent: {
       violet: '#693c99',
@@ -143,6 +158,7 @@ export const PALETTES = {
       normal_force: '#4fd1a1',
       friction_force: '#fe79b7',
       slip: '#f0c44c',
+      impulse: '#ff4d4d',
     },
     curve: {
       slip_limit: '#fe79b7',
@@ -150,6 +166,19 @@ export const PALETTES = {
       separatrix: '#eceef2',
       lift_off: '#4fd1a1',
       level: '#7d8594',
+    },
+    impulse: {
+      sticking: '#f0c44c',
+      greatest_compression: '#eceef2',
+      termination: '#eceef2',
+      static_cone: '#fe79b7',
+      kinetic_cone: '#fe79b7',
+    },
+    energy: {
+      kinetic: '#9a7fd1',
+      potential: '#35aab5',
+      lost_to_friction: '#fe79b7',
+      lost_in_impacts: '#ff4d4d',
     },
     accent: {
       violet: '#9a7fd1',
