@@ -192,6 +192,21 @@ impl Hoop {
         Some(Compliance::new(&body, sin, cos))
     }
 
+    /// The impulses through which an impact at an angle goes, with straight lines between them: from none to all of it, and
+    /// on the way that at which the slip ends, if it does. Empty for a massless hoop; bounces that settle have no such course.
+    #[must_use]
+    pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<Impulse> {
+        let Body::Heavy(body) = self.body() else { return Vec::new() };
+        let contact = Contact::new(self, &body, theta);
+        let direction = Direction::of_sign(impact.before.slip);
+        let slipping = direction.map_or(contact.at_rest, |direction| contact.slope(direction));
+        let first = contact.course(impact.before, direction, slipping).first;
+        let bend = (first > 0.0 && first < impact.impulse.normal)
+            .then(|| Impulse { normal: first, friction: slipping.friction * first });
+        let none = Impulse { normal: 0.0, friction: 0.0 };
+        [Some(none), bend, Some(impact.impulse)].into_iter().flatten().collect()
+    }
+
     /// The impact of a hoop whose rim touches the plane in `state`, the gap closing at `gap_rate` ≤ 0, with friction μk where
     /// it slips and μs where it sticks.
     ///
