@@ -7,8 +7,10 @@ use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, Subject, csv, json, sentence};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::energy::Energies;
 use crate::problem::Problem;
 use crate::refusal::Refusal;
+use crate::routh::Routh;
 
 /// A motion from its start to its end, or to a limit.
 #[wasm_bindgen]
@@ -74,8 +76,22 @@ impl Motion {
     #[must_use]
     pub fn transition_sentences(&self) -> Vec<String> {
         (0..self.trajectory.transitions().len())
-            .filter_map(|index| sentence::transition(&self.trajectory, index, self.scale()))
+            .map(|index| sentence::transition(&self.trajectory, index, self.scale()).unwrap_or_default())
             .collect()
+    }
+
+    /// Kinetic energy, potential energy, energy lost in sliding and energy lost in impacts at a time, over m2 g R. They add
+    /// up to the energy of the start; empty outside the motion.
+    #[must_use]
+    pub fn energies(&self, time: f64) -> Vec<f64> {
+        Energies::at(&self.trajectory, time)
+            .map_or_else(Vec::new, |it| vec![it.kinetic, it.potential, it.sliding, it.impacts])
+    }
+
+    /// Routh's diagram of the impact at a transition, if there is one.
+    #[must_use]
+    pub fn routh(&self, transition: usize) -> Option<Routh> {
+        Routh::of(self.trajectory.hoop(), self.trajectory.transitions().get(transition)?)
     }
 
     /// How the motion ends, or does not.

@@ -51,6 +51,8 @@ export interface Palette {
   arrow: Readonly<Record<Arrow, string>>;
   curve: Readonly<Record<Curve, string>>;
   accent: Readonly<Record<Accent, string>>;
+  /** A class of landings in a map, the lower the paler. */
+  hops: readonly string[];
   /** The region where the hoop can roll, over whatever is below. */
   region: string;
 }
@@ -120,6 +122,7 @@ export const PALETTES = {
       teal: '#08828e',
       brown: '#b08163',
     },
+    hops: ['#f9f7fb', '#eae4f1', '#dcd1e7', '#cdbedd', '#bfabd3', '#b098c9', '#a185bf', '#9372b5', '#845fab'],
     region: '#2222221f',
   },
   dark: {
@@ -185,6 +188,7 @@ export const PALETTES = {
       teal: '#35aab5',
       brown: '#dcc0ae',
     },
+    hops: ['#191b24', '#262536', '#332f47', '#413a59', '#4e446a', '#5b4e7c', '#68588e', '#75629f', '#826cb1'],
     region: '#eceef21f',
   },
 } as const satisfies Record<'light' | 'dark', Palette>;

@@ -4,11 +4,15 @@ use core::fmt::Write;
 
 use littlewood::Mode;
 use littlewood_style::{Accent, Arrow, Curve, Dash, Ink, Rgb, Swatch, Theme, dash_of, of_mode, swatches};
+use littlewood_web::hops;
 
 use crate::source::{Source, WRITTEN, object, quoted, quoted_or_null};
 
 /// How much of the colour of a class a map shows that lies behind curves and letters.
 const MAP_OPACITY: f64 = 0.55;
+
+/// How much of its colour a map shows of a motion without landing, and of one with the most.
+const HOP_OPACITY: [f64; 2] = [0.04, 0.82];
 
 /// How much of the ink the region where the hoop can roll adds to what is below it.
 const REGION_OPACITY: f64 = 0.12;
@@ -30,6 +34,8 @@ pub(crate) fn typescript() -> String {
   arrow: Readonly<Record<Arrow, string>>;
   curve: Readonly<Record<Curve, string>>;
   accent: Readonly<Record<Accent, string>>;
+  /** A class of landings in a map, the lower the paler. */
+  hops: readonly string[];
   /** The region where the hoop can roll, over whatever is below. */
   region: string;
 }",
@@ -71,7 +77,8 @@ fn palette(theme: Theme) -> String {
         }
         text.push_str("\n    },");
     }
-    let _ = write!(text, "\n    region: {},\n  }}", quoted(&region(theme)));
+    let hops = hops(theme).map(|colour| quoted(&colour.hex())).join(", ");
+    let _ = write!(text, "\n    hops: [{hops}],\n    region: {},\n  }}", quoted(&region(theme)));
     text
 }
 
@@ -80,7 +87,8 @@ fn pattern(dash: Dash) -> String {
 }
 
 /// `palette.css`: inks and accents as variables of the document; the colour of a mode, a class, an arrow or a curve as a
-/// variable of the element that names it in an attribute, with a colour for letters on it.
+/// variable of the element that names it in an attribute, with a colour for letters on it; that of a class of landings by its
+/// place.
 pub(crate) fn css() -> String {
     let mut variables = String::new();
     let mut rules = String::new();
@@ -97,6 +105,10 @@ pub(crate) fn css() -> String {
                 "\n[data-{group}='{name}'] {{\n  --{group}: {colour};\n  --on-{group}: {letters};\n}}\n"
             );
         }
+    }
+    for (class, (light, dark)) in hops(Theme::Light).into_iter().zip(hops(Theme::Dark)).enumerate() {
+        let colour = light_dark(light.hex(), dark.hex());
+        let _ = write!(rules, "\n[data-hops='{class}'] {{\n  --hops: {colour};\n}}\n");
     }
     let region = light_dark(region(Theme::Light), region(Theme::Dark));
     format!(
@@ -115,6 +127,15 @@ fn shown(swatch: &Swatch, theme: Theme) -> Rgb {
     } else {
         swatch.colour
     }
+}
+
+/// The colours of the classes of landings: one colour, so that its strength, in grey too, tells more from fewer.
+fn hops(theme: Theme) -> [Rgb; hops::CLASSES] {
+    let [least, most] = HOP_OPACITY;
+    core::array::from_fn(|class| {
+        let part = class as f64 / (hops::CLASSES - 1) as f64;
+        Accent::Violet.colour(theme).over(Ink::Paper.colour(theme), least + (most - least) * part)
+    })
 }
 
 /// The more legible colour for letters on a colour.
