@@ -22,10 +22,9 @@ def _number(value: float) -> str:
     return "∞" if math.isinf(value) else f"{value:.5f}"
 
 
-def _ends(motion: Trajectory, i: int) -> str:
-    if i < len(motion.transitions):
-        return CAUSE_LABELS[motion.transitions[i].cause]
-    return motion.outcome.label
+def _ends(motion: Trajectory, phase: Phase) -> str:
+    end = motion.end_of(phase)
+    return motion.outcome.label if end is None else CAUSE_LABELS[end.cause]
 
 
 _TIME = SAMPLE_COLUMNS["time"]
@@ -41,7 +40,7 @@ def _row(motion: Trajectory, i: int, phase: Phase) -> tuple[str, ...]:
         f"{phase.mode} {ARROWS[phase.direction]}".strip(),
         *(_number(value) for value in (start.time, phase.duration, *(getattr(start, one.name) for one in _TOLD))),
         _number(phase.energy_lost),
-        _ends(motion, i),
+        _ends(motion, phase),
     )
 
 
