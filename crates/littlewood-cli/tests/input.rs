@@ -145,7 +145,8 @@ fn every_quantity_has_a_flag_with_its_help_and_default() {
         let row = quantity.row();
         let flag = format!("--{} <", quantity.name().replace('_', "-"));
         let (_, text) = help.split_once(&flag).unwrap_or_else(|| panic!("{flag} is not in\n{help}"));
-        let default = row.default.map(|default| format!(" [default: {default}]")).unwrap_or_default();
+        let default =
+            row.presence.default_value().map(|default| format!(" [default: {default}]")).unwrap_or_default();
         let (_, text) = text.split_once("> ").expect("the name of a value ends");
         assert!(text.starts_with(&words(&format!("{}{default}", row.help))), "{flag}: {text}");
     }
