@@ -21,13 +21,22 @@ const WIDTH: f64 = 760.0;
 /// Most rows of names under the hoops.
 const ROWS: usize = 3;
 
+/// Distance of the hoops of two bounces, at least.
+const APART: f64 = 1.2;
+
 /// The instants at which the hoop is drawn, each with its name: the start and the transitions, the first and the last
-/// where there are too many.
+/// where there are too many; of bounces those that are apart.
 fn instants(motion: &Trajectory) -> Vec<(String, Sample)> {
+    let until = horizon(motion);
     let mut found: Vec<(String, Sample)> = Vec::new();
-    found.extend(motion.phases().first().map(|phase| ("start".to_owned(), phase.first())));
-    for (transition, phase) in motion.transitions().iter().zip(motion.phases()) {
-        if let Some(sample) = phase.last() {
+    let jams = motion.transitions().first().filter(|transition| transition.from.is_none());
+    let start = jams.map_or_else(|| "start".to_owned(), |jam| format!("start, {}", jam.cause.label()));
+    found.extend(motion.phases().first().map(|phase| (start, phase.first())));
+    for phase in motion.phases() {
+        let Some((transition, sample)) = motion.end_of(phase).zip(phase.last()) else { continue };
+        let is_bounce = transition.to == Some(Mode::Flight) && transition.impact.is_some();
+        let is_close = |(_, other): &(String, Sample)| (other.centre.x - sample.centre.x).abs() < APART;
+        if transition.time() <= until && !(is_bounce && found.iter().any(is_close)) {
             found.push((transition.cause.label().to_owned(), sample));
         }
     }
