@@ -1,6 +1,7 @@
 //! Where the energy of the start is at a time.
 
 use littlewood::{Phase, Sample, Trajectory};
+use littlewood_style::EnergyPart;
 
 /// Shares of the energy, over m2 g R, which add up to that of the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,12 +11,22 @@ pub(crate) struct Energies {
     /// Potential, above that of a hoop at the plane with its particle at the bottom.
     pub(crate) potential: f64,
     /// Lost to friction in sliding.
-    pub(crate) sliding: f64,
+    pub(crate) friction: f64,
     /// Lost in impacts; negative where Newton's law has gained some.
     pub(crate) impacts: f64,
 }
 
 impl Energies {
+    /// One of the parts.
+    pub(crate) const fn part(&self, part: EnergyPart) -> f64 {
+        match part {
+            EnergyPart::Kinetic => self.kinetic,
+            EnergyPart::Potential => self.potential,
+            EnergyPart::Friction => self.friction,
+            EnergyPart::Impacts => self.impacts,
+        }
+    }
+
     /// At the instant `time`, after a transition there; none outside the motion.
     pub(crate) fn at(trajectory: &Trajectory, time: f64) -> Option<Self> {
         let sample = trajectory.at(time)?;
@@ -27,7 +38,7 @@ impl Energies {
         Some(Self {
             kinetic: sample.energy + hoop.offset() - potential,
             potential,
-            sliding: phases[..index].iter().map(Phase::energy_lost).sum::<f64>()
+            friction: phases[..index].iter().map(Phase::energy_lost).sum::<f64>()
                 + lost_so_far(phase, &sample),
             impacts: impacts_before(trajectory, phase),
         })
@@ -66,7 +77,7 @@ mod tests {
     use super::*;
 
     fn sum(energies: &Energies) -> f64 {
-        energies.kinetic + energies.potential + energies.sliding + energies.impacts
+        energies.kinetic + energies.potential + energies.friction + energies.impacts
     }
 
     #[test]
@@ -113,7 +124,7 @@ mod tests {
         let after = Energies::at(&motion, landing + 1e-9).unwrap();
         assert_eq!(before.impacts, 0.0);
         assert!((after.impacts - 3.36244341922728).abs() < 1e-12);
-        assert!(before.sliding > 0.0 && after.sliding == before.sliding);
+        assert!(before.friction > 0.0 && after.friction == before.friction);
         assert_eq!(motion.at(landing + 1e-9).unwrap().mode, Mode::Flight);
     }
 }

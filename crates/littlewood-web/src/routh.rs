@@ -7,7 +7,7 @@
 //! The way begins at the origin. It goes on with the slope −μk σ to the line of sticking, η′ = 0, and from there along that line
 //! or with the slope of the slip that follows; where it crosses the line of greatest compression, gap′ = 0, the gap begins to open.
 
-use littlewood::{Body, Cause, Heavy, Hoop, Impact, Transition};
+use littlewood::{Cause, Compliance, Hoop, Impact, Impulse, Transition};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A point of the plane of impulses: P and J.
@@ -71,9 +71,8 @@ impl Routh {
     /// Of an impact of this hoop; none for a transition without one, and for bounces that settle, which are many.
     pub(crate) fn of(hoop: &Hoop, transition: &Transition) -> Option<Self> {
         let impact = transition.impact.filter(|impact| impact.impulse.normal > 0.0)?;
-        let Body::Heavy(body) = hoop.body() else { return None };
         match transition.cause {
-            Cause::Landing | Cause::Jam => Some(Self::new(hoop, &body, transition.before.theta, &impact)),
+            Cause::Landing | Cause::Jam => Self::new(hoop, transition.before.theta, &impact),
             Cause::Settle
             | Cause::Slip
             | Cause::NormalForceZero
@@ -88,32 +87,26 @@ impl Routh {
         }
     }
 
-    fn new(hoop: &Hoop, body: &Heavy, theta: f64, impact: &Impact) -> Self {
-        let compliance = Compliance::new(body, theta);
-        let sticking = Line { friction: compliance.a, normal: compliance.b, value: -impact.before.slip };
-        let compression =
-            Line { friction: compliance.b, normal: compliance.c, value: -impact.before.gap_rate };
-        let end = [impact.impulse.normal, impact.impulse.friction];
-        let slip_ends = end_of_slip(hoop.mu_k(), impact, &compliance);
-        let mut way = vec![[0.0, 0.0]];
-        way.extend(slip_ends.filter(|corner| 0.0 < corner[0] && corner[0] < end[0]));
-        way.push(end);
-        let in_sight = slip_ends.filter(|corner| corner[0] <= NEAR * end[0]);
-        let frame = Frame::around(way.iter().copied().chain(in_sight));
+    fn new(hoop: &Hoop, theta: f64, impact: &Impact) -> Option<Self> {
+        let Compliance { a, b, c, .. } = hoop.compliance(theta)?;
+        let sticking = Line { friction: a, normal: b, value: -impact.before.slip };
+        let compression = Line { friction: b, normal: c, value: -impact.before.gap_rate };
+        let way: Vec<Point> = hoop.impact_course(theta, impact).into_iter().map(point).collect();
+        let frame = Frame::around(way.iter().copied().chain(sticking_in_sight(&way, &sticking)));
         let greatest_compression = crossing(&way, impact, &compression);
-        Self { way, greatest_compression, frame, sticking, compression }
+        Some(Self { way, greatest_compression, frame, sticking, compression })
     }
 }
 
-/// Where the slip of the start ends, or would if the impact lasted; none if it does not grow less.
-fn end_of_slip(mu_k: f64, impact: &Impact, compliance: &Compliance) -> Option<Point> {
-    let slip = impact.before.slip;
-    let sigma = if slip == 0.0 { 0.0 } else { slip.signum() };
-    let deceleration = mu_k * compliance.a - sigma * compliance.b;
-    (slip != 0.0 && deceleration > 0.0).then(|| {
-        let normal = slip.abs() / deceleration;
-        [normal, -mu_k * sigma * normal]
-    })
+const fn point(impulse: Impulse) -> Point {
+    [impulse.normal, impulse.friction]
+}
+
+/// Where a way without a bend would come to the line of sticking, if that is not far beyond its end.
+fn sticking_in_sight(way: &[Point], sticking: &Line) -> Option<Point> {
+    let &[[0.0, 0.0], end] = way else { return None };
+    let part = -sticking.excess([0.0, 0.0]) / (sticking.excess(end) - sticking.excess([0.0, 0.0]));
+    (part > 1.0 && part <= NEAR).then(|| end.map(|coordinate| coordinate * part))
 }
 
 /// Where the gap rate, linear along each part of the way, stops being negative.
@@ -130,26 +123,6 @@ fn crossing(way: &[Point], impact: &Impact, compression: &Line) -> Option<Point>
             [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part]
         })
     })
-}
-
-/// A, B and C.
-struct Compliance {
-    a: f64,
-    b: f64,
-    c: f64,
-}
-
-impl Compliance {
-    fn new(body: &Heavy, theta: f64) -> Self {
-        let Heavy { mass, h, inertia, .. } = *body;
-        let (sin, cos) = libm::sincos(theta);
-        let (arm, lever) = (h * sin, 1.0 + h * cos);
-        Self {
-            a: 1.0 / mass + lever * lever / inertia,
-            b: arm * lever / inertia,
-            c: 1.0 / mass + arm * arm / inertia,
-        }
-    }
 }
 
 /// The line friction J + normal P = value.

@@ -43,6 +43,25 @@ export const ACCENTS = [
 ] as const;
 export type Accent = (typeof ACCENTS)[number];
 
+/** Lines of the plane of impulses. */
+export const IMPULSE_LINES = [
+  'sticking',
+  'greatest_compression',
+  'termination',
+  'static_cone',
+  'kinetic_cone',
+] as const;
+export type ImpulseLine = (typeof IMPULSE_LINES)[number];
+
+/** Where the energy of the start is, in the order in which the core gives it. */
+export const ENERGY_PARTS = [
+  'kinetic',
+  'potential',
+  'lost_to_friction',
+  'lost_in_impacts',
+] as const;
+export type EnergyPart = (typeof ENERGY_PARTS)[number];
+
 export interface Palette {
   ink: Readonly<Record<Ink, string>>;
   mode: Readonly<Record<Mode, string>>;
@@ -50,6 +69,8 @@ export interface Palette {
   class: Readonly<Record<Class, string>>;
   arrow: Readonly<Record<Arrow, string>>;
   curve: Readonly<Record<Curve, string>>;
+  impulse: Readonly<Record<ImpulseLine, string>>;
+  energy: Readonly<Record<EnergyPart, string>>;
   accent: Readonly<Record<Accent, string>>;
   /** A class of landings in a map, the lower the paler. */
   hops: readonly string[];
@@ -201,13 +222,16 @@ export const MODE_DASHES = {
   flight: [1.0, 1.8],
 } as const satisfies Record<Mode, readonly number[]>;
 
-export interface CurveRow {
+export interface LineRow {
   label: string;
-  /** The letter of the paper. */
-  letter: string | null;
   /** In units of the width. */
   dash: readonly number[];
   width: number;
+}
+
+export interface CurveRow extends LineRow {
+  /** The letter of the paper. */
+  letter: string | null;
 }
 
 /** The table of curves. */
@@ -218,3 +242,20 @@ export const CURVE_ROWS = {
   lift_off: { label: 'lift-off: h cos θ θ′² = 1', letter: null, dash: [2.5, 1.8], width: 1.6 },
   level: { label: 'constant energy', letter: null, dash: [], width: 0.8 },
 } as const satisfies Record<Curve, CurveRow>;
+
+/** The table of lines of the plane of impulses. */
+export const IMPULSE_LINE_ROWS = {
+  sticking: { label: 'sticking: u = 0', dash: [6.0, 2.0, 1.0, 2.0], width: 1.6 },
+  greatest_compression: { label: 'greatest compression: w = 0', dash: [5.0, 2.5], width: 1.6 },
+  termination: { label: 'termination', dash: [], width: 0.8 },
+  static_cone: { label: 'friction cone: |J| = μₛ P', dash: [5.0, 2.5], width: 1.6 },
+  kinetic_cone: { label: 'friction cone: |J| = μₖ P', dash: [1.0, 1.8], width: 1.6 },
+} as const satisfies Record<ImpulseLine, LineRow>;
+
+/** In words. */
+export const ENERGY_LABELS = {
+  kinetic: 'kinetic',
+  potential: 'potential',
+  lost_to_friction: 'lost to friction',
+  lost_in_impacts: 'lost in impacts',
+} as const satisfies Record<EnergyPart, string>;

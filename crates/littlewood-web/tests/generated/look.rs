@@ -3,7 +3,9 @@
 use core::fmt::Write;
 
 use littlewood::Mode;
-use littlewood_style::{Accent, Arrow, Curve, Dash, Ink, Rgb, Swatch, Theme, dash_of, of_mode, swatches};
+use littlewood_style::{
+    Accent, Arrow, Curve, Dash, EnergyPart, ImpulseLine, Ink, Rgb, Swatch, Theme, dash_of, of_mode, swatches,
+};
 use littlewood_web::hops;
 
 use crate::source::{Source, WRITTEN, object, quoted, quoted_or_null};
@@ -25,6 +27,15 @@ pub(crate) fn typescript() -> String {
     source.names("ARROWS", "Arrow", "Vectors that are drawn at the hoop.", Arrow::ALL.map(Arrow::name));
     source.names("CURVES", "Curve", "Curves of the phase plane.", Curve::ALL.map(Curve::name));
     source.names("ACCENTS", "Accent", "Colours for what has none of its own.", Accent::ALL.map(Accent::name));
+    let lines = ImpulseLine::ALL.map(ImpulseLine::name);
+    source.names("IMPULSE_LINES", "ImpulseLine", "Lines of the plane of impulses.", lines);
+    let parts = EnergyPart::ALL.map(EnergyPart::name);
+    source.names(
+        "ENERGY_PARTS",
+        "EnergyPart",
+        "Where the energy of the start is, in the order in which the core gives it.",
+        parts,
+    );
     source.lines(
         "export interface Palette {
   ink: Readonly<Record<Ink, string>>;
@@ -33,6 +44,8 @@ pub(crate) fn typescript() -> String {
   class: Readonly<Record<Class, string>>;
   arrow: Readonly<Record<Arrow, string>>;
   curve: Readonly<Record<Curve, string>>;
+  impulse: Readonly<Record<ImpulseLine, string>>;
+  energy: Readonly<Record<EnergyPart, string>>;
   accent: Readonly<Record<Accent, string>>;
   /** A class of landings in a map, the lower the paler. */
   hops: readonly string[];
@@ -46,13 +59,17 @@ pub(crate) fn typescript() -> String {
     let doc = "Dashes of a line that shows a mode, in units of its width.";
     source.record("MODE_DASHES", ("Mode", "readonly number[]"), doc, dashes);
     source.lines(
-        "export interface CurveRow {
+        "export interface LineRow {
   label: string;
-  /** The letter of the paper. */
-  letter: string | null;
   /** In units of the width. */
   dash: readonly number[];
   width: number;
+}",
+    );
+    source.lines(
+        "export interface CurveRow extends LineRow {
+  /** The letter of the paper. */
+  letter: string | null;
 }",
     );
     let curves = Curve::ALL.map(|curve| {
@@ -65,6 +82,18 @@ pub(crate) fn typescript() -> String {
         (curve.name(), object(&fields))
     });
     source.record("CURVE_ROWS", ("Curve", "CurveRow"), "The table of curves.", curves);
+    let lines = ImpulseLine::ALL.map(|line| {
+        let fields = [
+            ("label", quoted(line.label())),
+            ("dash", pattern(line.dash())),
+            ("width", line.width().to_string()),
+        ];
+        (line.name(), object(&fields))
+    });
+    let doc = "The table of lines of the plane of impulses.";
+    source.record("IMPULSE_LINE_ROWS", ("ImpulseLine", "LineRow"), doc, lines);
+    let labels = EnergyPart::ALL.map(|part| (part.name(), quoted(part.label())));
+    source.record("ENERGY_LABELS", ("EnergyPart", "string"), "In words.", labels);
     source.text()
 }
 
