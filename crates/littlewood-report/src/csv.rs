@@ -75,7 +75,8 @@ fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
     for transition in trajectory.transitions() {
         let Some(impact) = &transition.impact else {
             let mut gap_rate = 0.0;
-            if let (Cause::Landing, Outcome::Landing { gap_rate: closing, .. }) = (transition.cause, outcome) {
+            if let (Cause::Landing, Outcome::Landing { gap_rate: closing, .. }) = (transition.cause, outcome)
+            {
                 gap_rate = closing;
             }
             rows.push(Row::smooth(transition.after, gap_rate, edge_of(transition)));

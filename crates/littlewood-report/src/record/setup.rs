@@ -1,7 +1,8 @@
 //! Hoops, starts and units.
 
 use littlewood::{
-    Detail, Dimension, Direction, HoopParameters, Mode, Phase, Quantity, Setup, SiSetup, Start, Trajectory, Units,
+    Detail, Dimension, Direction, HoopParameters, Mode, Phase, Quantity, Setup, SiSetup, Start, Trajectory,
+    Units,
 };
 use serde::Serialize;
 

@@ -14,14 +14,9 @@ pub(crate) fn edge(
     direction: Option<Direction>,
     cause: Option<&'static str>,
 ) -> Fields {
-    [
-        ("from", from.into()),
-        ("to", to.into()),
-        ("direction", direction.into()),
-        ("cause", Value::Word(cause)),
-    ]
-    .into_iter()
-    .collect()
+    [("from", from.into()), ("to", to.into()), ("direction", direction.into()), ("cause", Value::Word(cause))]
+        .into_iter()
+        .collect()
 }
 
 /// The edge that a transition takes.
@@ -70,10 +65,7 @@ impl TransitionRecord {
             (SampleColumn::Slip.name(), Detail::Real(impact.after.slip, Dimension::Velocity)),
         ];
         Self {
-            plain: JumpRecord {
-                after: Fields::of_details(after),
-                impact: Some(ImpactRecord::new(impact)),
-            },
+            plain: JumpRecord { after: Fields::of_details(after), impact: Some(ImpactRecord::new(impact)) },
             si: units.map(|units| JumpRecord {
                 after: Fields::of_si_details(units, after),
                 impact: Some(ImpactRecord::in_si(units, impact)),

@@ -26,7 +26,12 @@ pub(super) fn jam(hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale
 }
 
 /// The end of bounces, which is transition `index`.
-pub(super) fn settling(trajectory: &Trajectory, index: usize, event: &Transition, scale: Scale<'_>) -> String {
+pub(super) fn settling(
+    trajectory: &Trajectory,
+    index: usize,
+    event: &Transition,
+    scale: Scale<'_>,
+) -> String {
     let before = trajectory.transitions().get(..index).unwrap_or_default();
     let bounces = before
         .iter()

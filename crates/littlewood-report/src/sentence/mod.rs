@@ -11,7 +11,8 @@ use crate::number::brief;
 use crate::scale::Scale;
 
 /// Why nothing follows where a massless hoop strikes the plane.
-pub const NO_IMPACT: &str = "there is no impact: a rim without inertia has nothing that an impulse could act on";
+pub const NO_IMPACT: &str =
+    "there is no impact: a rim without inertia has nothing that an impulse could act on";
 
 /// What begins at the start, and why.
 #[must_use]
