@@ -26,6 +26,8 @@ const INNER: f64 = WIDTH - 26.0;
 /// Fewest landings and decades that the axes show.
 const FEWEST: f64 = 3.0;
 const DECADES: f64 = 1.0;
+/// Landings that are shown by smaller marks.
+const MANY: usize = 60;
 /// Most ticks of the decades.
 const TICKS: usize = 8;
 
@@ -122,9 +124,16 @@ fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>]) -> P
     }
 }
 
-/// Powers of ten.
+/// Powers of ten; within few of them their double and five times as much, too.
 fn decades([from, to]: [f64; 2]) -> Vec<Tick> {
     let (first, last) = (libm::ceil(from) as i32, libm::floor(to) as i32);
+    if last - first < 2 {
+        return (first - 1..=last)
+            .flat_map(|power| [1.0, 2.0, 5.0].map(|factor| factor * libm::pow(10.0, f64::from(power))))
+            .map(|rate| Tick { value: libm::log10(rate), label: short(rate) })
+            .filter(|tick| (from..=to).contains(&tick.value))
+            .collect();
+    }
     let each = (last - first).max(0) as usize / TICKS + 1;
     (first..=last)
         .rev()
@@ -147,7 +156,8 @@ fn rate_panel(landings: &[(f64, Impact)], settled: &[Settled<'_>]) -> Panel {
     let (before, after) = (side(|impact| impact.before.gap_rate), side(|impact| impact.after.gap_rate));
     let x_range = [0.0, FEWEST.max(landings.len() as f64 + 1.0)];
     let [low, high] = bounds(before.iter().chain(&after).map(|row| row[1]), 0.0);
-    let (low, high) = (low.min(high - DECADES), high);
+    let widen = (0.5 * (DECADES - (high - low))).max(0.0);
+    let (low, high) = (low - widen, high + widen);
     let y_range = [low - 0.08 * (high - low), high + 0.1 * (high - low)];
     let mut layers = Vec::new();
     let mut labels = Vec::new();
@@ -160,17 +170,18 @@ fn rate_panel(landings: &[(f64, Impact)], settled: &[Settled<'_>]) -> Panel {
             Series::of_rows("limit", &columns[..2], line)
                 .drawn(Mark::Line(Stroke::solid(SOFT, CURVE).dashed(Dash::Dashed))),
         );
-        let middle = from + 0.62 * (last - from);
-        let text = format!("each *e*_{{eff}} = {} times the one before", short(end.ratio));
-        let label = Label::new(text, &[middle, at + slope * (middle - last)]);
-        labels.push(label.shifted(12.0, -10.0).left().sized(SMALL).coloured(SOFT));
+        let text = format!("in the end each *e*_{{eff}} = {} times the one before", short(end.ratio));
+        let down = 16.0 + 17.0 * labels.len() as f64;
+        let label = Label::new(text, &[x_range[1], y_range[1]]);
+        labels.push(label.shifted(-10.0, down).right().sized(SMALL).coloured(SOFT));
     }
-    let marks = [Mark::Dot(INK, 3.2), Mark::Ring(IMPULSE, 3.2)];
-    layers.push(Series::of_rows("before the impact", &columns, before).drawn(marks[0]));
+    let size = if landings.len() > MANY { 0.5 } else { 1.0 };
+    let marks = [Mark::Dot(INK, 2.4 * size), Mark::Ring(IMPULSE, 4.4 * size)];
     layers.push(Series::of_rows("after the impact", &columns, after).drawn(marks[1]));
+    layers.push(Series::of_rows("before the impact", &columns, before).drawn(marks[0]));
     let title = format!("rate of the gap/({})", marked(littlewood::Dimension::Velocity.scale_sign()));
-    let mut x = plain(NUMBER, "number of the landing", x_range);
-    x.ticks.retain(|tick| tick.value == libm::round(tick.value));
+    let whole = littlewood_style::ticks::round(x_range[0], x_range[1], (x_range[1] as usize).min(TICKS));
+    let x = PlotAxis { ticks: whole, ..plain(NUMBER, "number of the landing", x_range) };
     let y = PlotAxis { ticks: decades(y_range), ..plain(LOGARITHM, &title, y_range) };
     let keys = ["before the impact, closing", "after the impact, opening"]
         .into_iter()
@@ -216,18 +227,27 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         return Err(FigureError::NoImpact { figure: NAME, outcome: motion.outcome().kind() });
     };
     let settled = settled(&motion, input);
+    let mut panels = vec![gap_panel(&motion, range, &settled)];
+    let bounces = found.iter().any(|(_, impact)| impact.after.gap_rate > 0.0);
+    if bounces {
+        panels.push(rate_panel(&found, &settled));
+    }
+    let below = if bounces {
+        " Below: the rate of the gap just before and just after each landing."
+    } else {
+        " No landing rebounds."
+    };
     Ok(Figure {
         name: NAME,
         title: "The bounces of a motion".to_owned(),
         caption: format!(
-            "Above: the gap under the rim against time; dots: landings. Below: the rate of the gap just before and just \
-             after each landing. {} {}; {}.",
+            "The gap under the rim against time; dots: landings.{below} {} {}; {}.",
             in_words(&settled, found.len()),
             hoop_in_words(&input.hoop),
             start_in_words(&input.hoop, &input.start)
         ),
         width: WIDTH,
-        height: 570.0,
-        panels: vec![gap_panel(&motion, range, &settled), rate_panel(&found, &settled)],
+        height: if bounces { 570.0 } else { 266.0 },
+        panels,
     })
 }

@@ -99,7 +99,8 @@ fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
     let mut taken: Vec<f64> = Vec::new();
     for transition in others.into_iter().chain(bounces) {
         let at = transition.time();
-        if at <= until && taken.iter().all(|place| (pixels(at) - place).abs() > NAME) {
+        let room = if is_bounce(transition) { 1.4 * NAME } else { NAME };
+        if at <= until && taken.iter().all(|place| (pixels(at) - place).abs() > room) {
             taken.push(pixels(at));
             let label = Label::new(transition.cause.label(), &[at, top]).sized(SMALL).coloured(SOFT);
             labels.push(if width - pixels(at) < 24.0 {
@@ -200,12 +201,16 @@ impl Spikes {
     }
 
     /// The name and the value of the largest.
-    fn label(&self, sign: &str, part: impl Fn(&Impulse) -> f64) -> Option<Label> {
+    fn label(&self, sign: &str, end: f64, part: impl Fn(&Impulse) -> f64) -> Option<Label> {
         let size = |impulse: &Impulse| part(impulse).abs();
-        let (time, largest) = self.impulses.iter().max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)))?;
+        let (time, largest) =
+            self.impulses.iter().rev().max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)))?;
         let value = part(largest);
         let label = Label::new(format!("{sign} = {}", short(value)), &[*time, self.scale * value]);
-        Some(label.left().shifted(7.0, if value < 0.0 { -4.0 } else { 4.0 }).sized(SMALL).coloured(IMPULSE))
+        let down = if value < 0.0 { -4.0 } else { 4.0 };
+        let is_late = *time > self.impulses[0].0 + 0.8 * (end - self.impulses[0].0);
+        let label = if is_late { label.right().shifted(-7.0, down) } else { label.left().shifted(7.0, down) };
+        Some(label.sized(SMALL).coloured(IMPULSE))
     }
 
     fn in_words(&self) -> String {
@@ -244,7 +249,9 @@ fn zero(range: [f64; 2], column: &'static str) -> Layer {
 fn normal_panel(motion: &Trajectory, range: [f64; 2], normal: Series, spikes: &Spikes) -> Panel {
     let weight = motion.hoop().mass();
     let part = |impulse: &Impulse| impulse.normal;
-    let heights = [vec![0.0], spikes.heights(part)].concat();
+    let mut heights = [vec![0.0], spikes.heights(part)].concat();
+    // A motion that only bounces has no other force to compare with.
+    heights.extend(Some(weight).filter(|_| !spikes.impulses.is_empty()));
     let axis = axis_of(NORMAL, &quotient(SampleColumn::Normal), &[&normal], &heights);
     let mut layers = vec![
         transitions(motion, &axis),
@@ -259,7 +266,7 @@ fn normal_panel(motion: &Trajectory, range: [f64; 2], normal: Series, spikes: &S
     panel.labels.push(
         Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
     );
-    panel.labels.extend(spikes.label("*P*", part));
+    panel.labels.extend(spikes.label("*P*", range[1], part));
     panel
 }
 
@@ -277,7 +284,7 @@ fn friction_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes) -> Pane
     ];
     layers.extend(spikes.layers([TIME, FRICTION, FRICTION_IMPULSE], part));
     let mut panel = panel(SampleColumn::Friction.long_name(), 196.0, 190.0, bare(range), axis, layers);
-    panel.labels.extend(spikes.label("*J*", part));
+    panel.labels.extend(spikes.label("*J*", range[1], part));
     panel
 }
 

@@ -148,32 +148,52 @@ impl Diagram {
         layers
     }
 
-    /// "u = 0" and so on, each at the end of its line that is farther from the course.
+    /// "u = 0" and so on: at the top of the line without slip, which is steep, and at the side of the others that is away from
+    /// the course.
     fn labels(&self) -> Vec<Label> {
-        let side = if self.impact.impulse.friction > 0.0 { self.window.x[0] } else { self.window.x[1] };
+        let side = if self.impact.impulse.friction > 0.0 { 0 } else { 1 };
         let mut taken: Vec<f64> = Vec::new();
         let least = 0.055 * self.window.y[1];
         let mut labels = Vec::new();
         for (line, coefficients) in self.lines() {
-            let Some(ends) = across(coefficients, self.window) else { continue };
-            let at = if (ends[0][0] - side).abs() < (ends[1][0] - side).abs() { ends[0] } else { ends[1] };
-            if taken.iter().any(|other| (other - at[1]).abs() < least) {
-                continue;
+            let Some([mut left, mut right]) = across(coefficients, self.window) else { continue };
+            if left[0] > right[0] {
+                (left, right) = (right, left);
             }
-            taken.push(at[1]);
             let text = match line {
                 ImpulseLine::Sticking => "*u* = 0",
                 ImpulseLine::Compression => "*w* = 0",
                 ImpulseLine::Termination => "end",
                 ImpulseLine::StaticCone | ImpulseLine::KineticCone => continue,
             };
-            let label = Label::new(text, &at).coloured(Stroke::of_impulse_line(line).colour);
-            let inwards = if at[0] > 0.0 {
-                label.shifted(-8.0, -13.0).right()
+            let colour = Stroke::of_impulse_line(line).colour;
+            if line == ImpulseLine::Sticking {
+                let top = if left[1] > right[1] { left } else { right };
+                let label = Label::new(text, &top).coloured(colour);
+                let inwards = if top[0] > 0.5 * self.window.x[1] {
+                    label.shifted(-8.0, 14.0).right()
+                } else {
+                    label.shifted(8.0, 14.0).left()
+                };
+                labels.push(inwards);
+                continue;
+            }
+            // A jam is compressed most on a line through the origin, where there is no room.
+            let is_low = |end: [f64; 2]| end[1] < least;
+            let is_left = if side == 0 { !is_low(left) } else { is_low(right) };
+            let [at, other] = if is_left { [left, right] } else { [right, left] };
+            if taken.iter().any(|place| (place - at[1]).abs() < least) {
+                continue;
+            }
+            taken.push(at[1]);
+            // Where the line does not run.
+            let down = if other[1] > at[1] || at[1] + least > self.window.y[1] { 13.0 } else { -13.0 };
+            let label = Label::new(text, &at).coloured(colour);
+            labels.push(if is_left {
+                label.shifted(8.0, down).left()
             } else {
-                label.shifted(8.0, -13.0).left()
-            };
-            labels.push(inwards);
+                label.shifted(-8.0, down).right()
+            });
         }
         labels
     }
