@@ -35,6 +35,9 @@ _TRY_STEP = (0.01, 0.05, 0.1, 0.2, 0.4)
 _TRY_INERTIA = (0.6, 0.8, 1.0, 1.25, 1.6)
 _TRY_RESTITUTION = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 _BEST = 6
+# Parts of the track over which a coefficient of restitution is sought, and how many guesses are followed over each.
+_PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
+_BEST_OF_PART = 4
 _DEPENDENT = "the motion does not depend on it, apart from the others"
 
 
@@ -156,12 +159,26 @@ class _Problem:
     sigma: dict[str, float]
     slips: bool
 
-    def guess(self, values: Mapping[str, float | None]) -> _Reals:
+    def guess(self, **values: float) -> _Reals:
         """Return the unknowns at a guess; `mu_s` is stored as its excess over `mu_k`, which must not be negative."""
-        known: dict[str, Any] = {name: getattr(self.hoop, name) for name in _OF_HOOP} | dict(values)
+        known = {name: getattr(self.hoop, name) for name in _OF_HOOP} | values
+        if known["restitution"] is None:
+            known["restitution"] = _TRY_RESTITUTION[0]
         known["mu_s"] = max(known["mu_s"] - known["mu_k"], 1e-6) if "mu_k" in self.names else known["mu_s"]
         known |= {f"start_{name}": value for name, value in {**self.first, **values}.items()}
         return np.array([known[name] for name in self.names])
+
+    def with_restitutions(self, guess: _Reals) -> list[_Reals]:
+        """Return a guess as it is, and with other coefficients of restitution if that is free."""
+        if "restitution" not in self.names:
+            return [guess]
+        place = self.names.index("restitution")
+        return [guess, *(np.insert(np.delete(guess, place), place, e) for e in _TRY_RESTITUTION)]
+
+    def part(self, part: float) -> _Problem:
+        """Return the same for the first part of the track."""
+        begin, end = float(self.track.time[0]), float(self.track.time[-1])
+        return self if part == 1.0 else replace(self, track=self.track.until(begin + part * (end - begin)))
 
     def bounds(self) -> tuple[list[float], list[float]]:
         low = {"mu_s": 0.0 if "mu_k" in self.names else self.hoop.mu_k, "mu_k": 0.0, "inertia": _LEAST_INERTIA}
@@ -260,30 +277,41 @@ def _first_guess(track: Track, given: dict[str, float]) -> dict[str, float]:
     return guess | given
 
 
-def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
-    """Refine the best of many guesses."""
+def _guesses(problem: _Problem, any_angle: bool) -> list[_Reals]:
+    """Return the unknowns at many places."""
     free = problem.names
     angles = np.linspace(-math.pi, math.pi, 24, endpoint=False) if any_angle else [problem.first["theta"]]
     mu_k = (problem.hoop.mu_k, *_TRY_MU_K) if "mu_k" in free else (problem.hoop.mu_k,)
     inertias = (
         [problem.hoop.inertia * factor for factor in _TRY_INERTIA] if "inertia" in free else [problem.hoop.inertia]
     )
-    restitutions = [problem.hoop.restitution]
-    if "restitution" in free:
-        restitutions = [e for e in (problem.hoop.restitution, *_TRY_RESTITUTION) if e is not None]
-    guesses: list[_Reals] = []
-    for angle, kinetic, inertia, e in itertools.product(angles, mu_k, inertias, restitutions):
+    guesses = []
+    for angle, kinetic, inertia in itertools.product(angles, mu_k, inertias):
         static = (
             (problem.hoop.mu_s, *(kinetic + step for step in _TRY_STEP)) if "mu_s" in free else (problem.hoop.mu_s,)
         )
         for mu_s in static:
             if kinetic <= mu_s:
                 inertia = max(inertia, 2.0 * _LEAST_INERTIA)
-                tried = {"mu_s": mu_s, "mu_k": kinetic, "inertia": inertia, "restitution": e, "theta": float(angle)}
-                guesses.append(problem.guess(tried))
-    costs = [float(np.sum(np.abs(problem.scaled(guess)))) for guess in guesses]
-    found = [problem.refine(guesses[i], loss) for i in np.argsort(costs, kind="stable")[:_BEST]]
-    return min(found, key=lambda result: float(result.cost))
+                guesses.append(problem.guess(mu_s=mu_s, mu_k=kinetic, inertia=inertia, theta=float(angle)))
+    return guesses
+
+
+def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
+    """Refine the best of many guesses.
+
+    Bounces hang on each other: a coefficient of restitution is sought over a growing part of the track.
+    """
+    guesses = _guesses(problem, any_angle)
+    parts, best = (_PARTS, _BEST_OF_PART) if "restitution" in problem.names else ((1.0,), _BEST)
+    for part in parts:
+        shorter = problem.part(part)
+        guesses = [other for guess in guesses for other in problem.with_restitutions(guess)]
+        costs = [float(np.sum(np.abs(shorter.scaled(guess)))) for guess in guesses]
+        found = [shorter.refine(guesses[i], loss) for i in np.argsort(costs, kind="stable")[:best]]
+        found.sort(key=lambda result: float(result.cost))
+        guesses = [result.x for result in found]
+    return found[0]
 
 
 def _result(problem: _Problem, best: Any) -> FitResult:

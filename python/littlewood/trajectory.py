@@ -185,7 +185,8 @@ class Trajectory:
         -------
         Samples
             Of the same shape. Before the start and after the end `mode` is -1 and the rest NaN. The start and the end
-            have one side only.
+            have one side only; but for a start that jams, before which no motion is consistent: `mode` is -1 and forces
+            are NaN.
 
         Examples
         --------
@@ -228,10 +229,7 @@ class Trajectory:
     @property
     def shown_until(self) -> float:
         """Time up to which plots and tables show the motion by default, √(R/g)."""
-        if math.isfinite(self.end_time):
-            return self.end_time
-        period = self.outcome.period
-        return self.outcome.state.time + (2.0 * period if period is not None else 10.0)
+        return self._core.shown_until()
 
     def _instants(self, times: npt.ArrayLike | None, count: int) -> Samples:
         return self.sample(count) if times is None else self.at(np.atleast_1d(np.asarray(times)))

@@ -4,6 +4,7 @@ use littlewood::{
     BouncingOrbit, Candidates, Classification, ContactVelocities, Detail, Direction, Hoop, HoopParameters,
     Impact, Limits, Mode, Phase, RestitutionLaw, RollingType, Sample, Start, Trajectory as Core,
 };
+use littlewood_report::{Instant, Sampling, instants};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -84,11 +85,21 @@ fn impact_row(impact: &Impact) -> ImpactRow {
     )
 }
 
-/// The instant `time`, at a transition the last of the motion that ends; none outside the motion.
-fn before_transition(motion: &Core, time: f64) -> Option<Sample> {
+/// The instant `time`, at a transition just before it; none outside the motion.
+fn before(motion: &Core, time: f64) -> Option<Instant> {
+    if time == motion.start().time {
+        // The first of all instants, which is just before a jam if the start jams.
+        return instants(motion, Sampling::of(motion, 2)).next();
+    }
     let earlier = motion.phases().partition_point(|phase| phase.start().time < time);
     let last = motion.phases().get(..earlier).and_then(<[Phase]>::last);
-    last.filter(|phase| phase.end_time() == time).and_then(Phase::last).or_else(|| motion.at(time))
+    let ended = last.filter(|phase| phase.end_time() == time).and_then(Phase::last);
+    ended.or_else(|| motion.at(time)).map(after)
+}
+
+/// An instant of a motion that begins or goes on.
+fn after(sample: Sample) -> Instant {
+    Instant { sample, mode: Some(sample.mode), event: None }
 }
 
 #[pymethods]
@@ -146,6 +157,11 @@ impl Trajectory {
         self.0.end_time()
     }
 
+    /// Time up to which plots and tables show the motion: its end, or two periods of one that lasts for ever.
+    fn shown_until(&self) -> f64 {
+        Sampling::of(&self.0, 2).until
+    }
+
     fn energy_lost(&self) -> f64 {
         self.0.energy_lost()
     }
@@ -158,19 +174,20 @@ impl Trajectory {
         self.0.summary().sequence.to_string()
     }
 
-    /// The instants `times`; at a transition the last of what ends (`before`), or the first of what begins.
+    /// The instants `times`; at a transition the last of what ends (`is_before`), or the first of what begins.
     fn at<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
-        before: bool,
+        is_before: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let times: Vec<f64> = times.as_array().iter().copied().collect();
         let samples = py.detach(|| {
             let mut samples = Samples::with_capacity(times.len());
             for time in times {
-                match if before { before_transition(&self.0, time) } else { self.0.at(time) } {
-                    Some(sample) => samples.push(&sample),
+                let instant = if is_before { before(&self.0, time) } else { self.0.at(time).map(after) };
+                match instant {
+                    Some(Instant { sample, mode, .. }) => samples.push(&sample, mode),
                     None => samples.push_nothing(time),
                 }
             }
@@ -183,8 +200,8 @@ impl Trajectory {
     fn sample_evenly<'py>(&self, py: Python<'py>, count: usize, until: f64) -> PyResult<Bound<'py, PyDict>> {
         let samples = py.detach(|| {
             let mut samples = Samples::with_capacity(count + 2 * self.0.transitions().len());
-            for sample in self.0.sample_evenly(count, until) {
-                samples.push(&sample);
+            for Instant { sample, mode, .. } in instants(&self.0, Sampling { count, until }) {
+                samples.push(&sample, mode);
             }
             samples
         });
