@@ -15,8 +15,8 @@ use super::sheet::Sheet;
 const FIRST_PARTS: usize = 30;
 const LAST_PARTS: usize = 10;
 
-/// Smaller energies are rounding where an impact loses none.
-const ROUNDING: f64 = 1e-14;
+/// Smaller energies and slip velocities are rounding where an impact loses nothing, or nothing slips.
+const ROUNDING: f64 = 1e-13;
 
 /// The columns of numbers.
 const NUMBERS: [usize; 7] = [0, 2, 3, 4, 5, 6, 7];
@@ -64,9 +64,14 @@ fn motion_of(phase: &Phase) -> String {
     format!("{}{mark}", phase.mode().with_arrow(phase.direction()))
 }
 
-/// Energy that an impact has lost, without rounding where that is none.
+/// Energy that an impact has lost.
 fn lost(impact: &Impact) -> f64 {
-    Some(impact.energy_lost()).filter(|lost| lost.abs() > ROUNDING).unwrap_or(0.0)
+    rounded(impact.energy_lost())
+}
+
+/// Zero instead of what is only rounding.
+fn rounded(value: f64) -> f64 {
+    if value.abs() > ROUNDING { value } else { 0.0 }
 }
 
 struct Rows<'a> {
@@ -122,7 +127,8 @@ impl Rows<'_> {
         let impact = transition.impact?;
         let name = if transition.cause == Cause::Jam { "jam" } else { "impact" };
         let labels = [String::new(), name.to_owned()];
-        let mut row = self.row(labels, &transition.before, 0.0, lost(&impact), impact.case.label());
+        let before = State { slip: rounded(transition.before.slip), ..transition.before };
+        let mut row = self.row(labels, &before, 0.0, lost(&impact), impact.case.label());
         if let Some(duration) = row.get_mut(3) {
             duration.clear();
         }
