@@ -371,8 +371,15 @@ impl Course<'_> {
         let one = normal.min(self.first);
         let two = normal - one;
         let impulse = Impulse { normal, friction: self.slipping.friction * one + then.friction * two };
-        let slips_on = normal <= self.first;
-        let slip_between = if slips_on { before.slip + self.slipping.slip * one } else { 0.0 };
+        let slip_between = match case {
+            ImpactCase::Slides => before.slip + self.slipping.slip * one,
+            ImpactCase::None
+            | ImpactCase::SticksInCompression
+            | ImpactCase::ReversesInCompression
+            | ImpactCase::SticksInRestitution
+            | ImpactCase::ReversesInRestitution
+            | ImpactCase::Jams => 0.0,
+        };
         let gap_between = before.gap_rate + self.slipping.gap_rate * one;
         let after = ContactVelocities {
             theta_rate: before.theta_rate + self.contact.spin(impulse),
