@@ -6,8 +6,8 @@ mod common;
 
 use common::heavy_hoop;
 use littlewood::{
-    Body, Hoop, HoopParameters, Impact, ImpactCase, ImpactError, Outcome, Quantity, Restitution, RestitutionLaw, Start,
-    State, find_case,
+    Body, Hoop, HoopParameters, Impact, ImpactCase, ImpactError, Outcome, Quantity, Restitution,
+    RestitutionLaw, Start, State, find_case,
 };
 use proptest::prelude::*;
 
