@@ -19,15 +19,28 @@ Examples
 
 from . import closed_form, plot
 from ._core import ParameterError, __version__
+from .bouncing import BouncingOrbit
 from .cases import CASES, Case, case
 from .fit_result import Estimate, FitResult, IdentifiabilityWarning
 from .fitting import fit
 from .hoop import STANDARD_GRAVITY, Hoop
 from .many import outcome_map, sequence_names, simulate_many
-from .motion import EDGES, Classification, Edge, Impulse, Outcome, Phase, State, Transition
+from .motion import (
+    EDGES,
+    Classification,
+    ContactVelocities,
+    Edge,
+    Impact,
+    Impulse,
+    Outcome,
+    Phase,
+    Start,
+    State,
+    Transition,
+)
 from .phase_plane import Equilibrium, PhasePlane
 from .samples import Samples
-from .tables import CAUSES, CLASSES, MODES, OUTCOMES, REGIONS
+from .tables import CAUSES, CLASSES, IMPACT_CASES, MODES, OUTCOMES, REGIONS, RESTITUTION_LAWS
 from .track import Track
 from .trajectory import Trajectory
 from .units import Units
@@ -37,24 +50,30 @@ __all__ = [
     "CAUSES",
     "CLASSES",
     "EDGES",
+    "IMPACT_CASES",
     "MODES",
     "OUTCOMES",
     "REGIONS",
+    "RESTITUTION_LAWS",
     "STANDARD_GRAVITY",
+    "BouncingOrbit",
     "Case",
     "Classification",
+    "ContactVelocities",
     "Edge",
     "Equilibrium",
     "Estimate",
     "FitResult",
     "Hoop",
     "IdentifiabilityWarning",
+    "Impact",
     "Impulse",
     "Outcome",
     "ParameterError",
     "Phase",
     "PhasePlane",
     "Samples",
+    "Start",
     "State",
     "Track",
     "Trajectory",

@@ -35,6 +35,7 @@ class Limits(NamedTuple):
 def compute(
     arrays: Mapping[str, npt.NDArray[np.float64]],
     axes: Mapping[str, tuple[int, ...]],
+    law: str | None,
     limits: Limits,
     tables: bool,
     threads: int,
@@ -45,9 +46,11 @@ def compute(
     Parameters
     ----------
     arrays : mapping of str to ndarray
-        The quantities that a sweep can vary, each over its own axes.
+        The quantities that a sweep can vary, each over its own axes; without those that no point has.
     axes : mapping of str to tuple of int
         The places of those axes among the axes of the result.
+    law : str or None
+        Law of restitution.
     limits : Limits
         When to stop.
     tables : bool
@@ -75,7 +78,8 @@ def compute(
         return flat(np.broadcast_to(spread, shape))
 
     columns = _core.summaries(
-        [column(name) for name in AXES],
+        [column(name) if name in arrays else None for name in AXES],
+        law,
         int(np.prod(shape, dtype=np.int64)),
         limits.until,
         limits.max_transitions,

@@ -1,4 +1,4 @@
-"""The motions that the paper shows or speaks of, by name."""
+"""The motions that the paper shows or speaks of, and some that go on after it, by name."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import Any
 
 from . import _core
 from .hoop import Hoop
-from .motion import State
+from .motion import Start
 from .tables import HOOP, START
 from .trajectory import Trajectory
 
@@ -18,7 +19,7 @@ __all__ = ["CASES", "Case", "case"]
 
 @dataclass(frozen=True)
 class Case:
-    """A motion of the paper: a hoop and a start.
+    """A motion with a name: a hoop and a start.
 
     Attributes
     ----------
@@ -27,10 +28,10 @@ class Case:
     title : str
         What the motion does.
     source : str
-        Where the paper has it.
+        Where the paper has it, if it does.
     hoop : Hoop
         The hoop.
-    start : State
+    start : Start
         The start.
     """
 
@@ -38,7 +39,7 @@ class Case:
     title: str
     source: str
     hoop: Hoop
-    start: State
+    start: Start
 
     def simulate(self, *, until: float | None = None) -> Trajectory:
         """Follow the motion to its end, or until a time τ in √(R/g).
@@ -55,9 +56,12 @@ class Case:
         return self.hoop.simulate(**vars(self.start), until=until)
 
 
-def _case(name: str, title: str, source: str, hoop: Sequence[float], start: Sequence[float]) -> Case:
-    body = Hoop(**dict(zip(HOOP, hoop, strict=True)), units=None)
-    return Case(name, title, source, body, State(**dict(zip(START, start, strict=True))))
+def _case(
+    name: str, title: str, source: str, hoop: Sequence[float | None], law: str | None, start: Sequence[float]
+) -> Case:
+    parameters: dict[str, Any] = dict(zip(HOOP, hoop, strict=True))
+    body = Hoop(**parameters, law=law, units=None)
+    return Case(name, title, source, body, Start(**dict(zip(START, start, strict=True))))
 
 
 CASES: Mapping[str, Case] = MappingProxyType({row[0]: _case(*row) for row in _core.cases()})

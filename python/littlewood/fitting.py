@@ -1,4 +1,4 @@
-"""Friction and inertia from a tracked motion, by least squares."""
+"""Friction, inertia and restitution from a tracked motion, by least squares."""
 
 from __future__ import annotations
 
@@ -23,15 +23,21 @@ __all__ = ["fit"]
 
 _Reals = npt.NDArray[np.float64]
 
-_OF_HOOP = ("mu_s", "mu_k", "inertia")
+_OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution")
+# The coefficient of restitution says how a motion goes on that would end at its landing: it is asked for.
+_BY_DEFAULT = ("mu_s", "mu_k", "inertia")
 # Least inertia that is tried: without any, a hoop without mass is another body, with other equations.
 _LEAST_INERTIA = 1e-6
-# Friction coefficients and inertias that are tried first, because a motion depends smoothly on them only as long as
-# the sequence of its phases is the same.
+# Coefficients and inertias that are tried first, because a motion depends smoothly on them only as long as the sequence
+# of its phases is the same.
 _TRY_MU_K = (0.05, 0.12, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0)
 _TRY_STEP = (0.01, 0.05, 0.1, 0.2, 0.4)
 _TRY_INERTIA = (0.6, 0.8, 1.0, 1.25, 1.6)
+_TRY_RESTITUTION = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 _BEST = 6
+# Parts of the track over which a coefficient of restitution is sought, and how many guesses are followed over each.
+_PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
+_BEST_OF_PART = 4
 _DEPENDENT = "the motion does not depend on it, apart from the others"
 
 
@@ -39,14 +45,14 @@ def fit(
     track: Track | str | Path,
     hoop: Hoop,
     *,
-    free: Iterable[str] = _OF_HOOP,
+    free: Iterable[str] = _BY_DEFAULT,
     slips_at_start: bool = False,
     start: Mapping[str, float] | None = None,
     sigma: Mapping[str, float] | None = None,
     until: float | None = None,
     loss: str = "linear",
 ) -> FitResult:
-    """Estimate friction and inertia of a hoop from a tracked motion.
+    """Estimate friction, inertia and restitution of a hoop from a tracked motion.
 
     The start (angle, rate, position, and slip velocity if asked for) is estimated along with them. Masses and the place
     of the particle are taken from `hoop`: they are weighed and measured.
@@ -56,9 +62,11 @@ def fit(
     track : Track, str or Path
         What was tracked, or a CSV file of it (:meth:`Track.from_csv`).
     hoop : Hoop
-        The hoop with what is known; its values of what is free are a first guess.
-    free : iterable of {"mu_s", "mu_k", "inertia"}, optional
-        What to estimate.
+        The hoop with what is known; its values of what is free are a first guess. Its law of restitution is taken as it
+        is.
+    free : iterable of {"mu_s", "mu_k", "inertia", "restitution"}, optional
+        What to estimate; the first three by default. With "restitution", or with a hoop that has one, the track may go
+        on after a landing.
     slips_at_start : bool, optional
         Whether the hoop is thrown with a slip velocity, which is then estimated, too; else it starts without slip.
     start : mapping, optional
@@ -67,7 +75,8 @@ def fit(
         Standard deviations of the measurements of `theta` (rad), `x` and `y` (R). By default they are estimated from
         the residuals, each channel for itself.
     until : float, optional
-        Last time τ, √(R/g), that is used. Leave out what comes after the landing, which is not simulated.
+        Last time τ, √(R/g), that is used. Without a coefficient of restitution leave out what comes after the landing,
+        which is not simulated then.
     loss : {"linear", "soft_l1", "huber", "cauchy", "arctan"}, optional
         As :func:`scipy.optimize.least_squares` has it; all but the first bear outliers.
 
@@ -79,8 +88,9 @@ def fit(
     -----
     IdentifiabilityWarning
         If the motion does not depend on something that is free. μs enters by the instant of a slip out of rolling alone
-        (a motion without one tells only that μs is at least the friction that rolling needed), μk by slides alone;
-        the inertia enters by rolling and sliding, not by flight.
+        (a motion without one tells only that μs is at least the friction that rolling needed), μk by slides and by
+        impacts that slip; the inertia enters by rolling, sliding and impacts, not by flight; the coefficient of
+        restitution by impacts alone.
 
     Raises
     ------
@@ -91,9 +101,10 @@ def fit(
     -----
     Standard errors are those of the linearised problem: covariance (JᵀJ)⁻¹ of residuals over their standard deviations.
     A parameter counts as not identifiable where the residuals do not depend on it apart from the others, where its
-    standard error would exceed its value, or where the fit ends at the bound μs = μk: there the motion depends on μs to
-    second order only. The exact simulation makes the residuals smooth in all parameters as long as the sequence of
-    phases is the same; over the sequences the fit starts from several places.
+    standard error would exceed its value (or half of its range, for the coefficient of restitution), or where the fit
+    ends at the bound μs = μk: there the motion depends on μs to second order only. The exact simulation makes the
+    residuals smooth in all parameters as long as the sequence of phases is the same, and each impact of the same kind;
+    over the sequences the fit starts from several places.
 
     Examples
     --------
@@ -151,19 +162,35 @@ class _Problem:
     def guess(self, **values: float) -> _Reals:
         """Return the unknowns at a guess; `mu_s` is stored as its excess over `mu_k`, which must not be negative."""
         known = {name: getattr(self.hoop, name) for name in _OF_HOOP} | values
+        if known["restitution"] is None:
+            known["restitution"] = _TRY_RESTITUTION[0]
         known["mu_s"] = max(known["mu_s"] - known["mu_k"], 1e-6) if "mu_k" in self.names else known["mu_s"]
         known |= {f"start_{name}": value for name, value in {**self.first, **values}.items()}
         return np.array([known[name] for name in self.names])
 
+    def with_restitutions(self, guess: _Reals) -> list[_Reals]:
+        """Return a guess as it is, and with other coefficients of restitution if that is free."""
+        if "restitution" not in self.names:
+            return [guess]
+        place = self.names.index("restitution")
+        return [guess, *(np.insert(np.delete(guess, place), place, e) for e in _TRY_RESTITUTION)]
+
+    def part(self, part: float) -> _Problem:
+        """Return the same for the first part of the track."""
+        begin, end = float(self.track.time[0]), float(self.track.time[-1])
+        return self if part == 1.0 else replace(self, track=self.track.until(begin + part * (end - begin)))
+
     def bounds(self) -> tuple[list[float], list[float]]:
         low = {"mu_s": 0.0 if "mu_k" in self.names else self.hoop.mu_k, "mu_k": 0.0, "inertia": _LEAST_INERTIA}
-        high = {"mu_k": self.hoop.mu_s} if "mu_s" not in self.names else {}
+        low["restitution"] = 0.0
+        high = {"restitution": 1.0, **({"mu_k": self.hoop.mu_s} if "mu_s" not in self.names else {})}
         return (
             [low.get(name, -math.inf) for name in self.names],
             [high.get(name, math.inf) for name in self.names],
         )
 
-    def values(self, unknowns: _Reals) -> dict[str, float]:
+    def values(self, unknowns: _Reals) -> dict[str, Any]:
+        """Return everything by name; a coefficient of restitution may be absent."""
         found = {name: getattr(self.hoop, name) for name in _OF_HOOP}
         found |= {f"start_{name}": value for name, value in self.first.items()}
         found |= dict(zip(self.names, map(float, unknowns), strict=True))
@@ -250,8 +277,8 @@ def _first_guess(track: Track, given: dict[str, float]) -> dict[str, float]:
     return guess | given
 
 
-def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
-    """Refine the best of many guesses."""
+def _guesses(problem: _Problem, any_angle: bool) -> list[_Reals]:
+    """Return the unknowns at many places."""
     free = problem.names
     angles = np.linspace(-math.pi, math.pi, 24, endpoint=False) if any_angle else [problem.first["theta"]]
     mu_k = (problem.hoop.mu_k, *_TRY_MU_K) if "mu_k" in free else (problem.hoop.mu_k,)
@@ -267,35 +294,50 @@ def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
             if kinetic <= mu_s:
                 inertia = max(inertia, 2.0 * _LEAST_INERTIA)
                 guesses.append(problem.guess(mu_s=mu_s, mu_k=kinetic, inertia=inertia, theta=float(angle)))
-    costs = [float(np.sum(np.abs(problem.scaled(guess)))) for guess in guesses]
-    found = [problem.refine(guesses[i], loss) for i in np.argsort(costs, kind="stable")[:_BEST]]
-    return min(found, key=lambda result: float(result.cost))
+    return guesses
+
+
+def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
+    """Refine the best of many guesses.
+
+    Bounces hang on each other: a coefficient of restitution is sought over a growing part of the track.
+    """
+    guesses = _guesses(problem, any_angle)
+    parts, best = (_PARTS, _BEST_OF_PART) if "restitution" in problem.names else ((1.0,), _BEST)
+    for part in parts:
+        shorter = problem.part(part)
+        guesses = [other for guess in guesses for other in problem.with_restitutions(guess)]
+        costs = [float(np.sum(np.abs(shorter.scaled(guess)))) for guess in guesses]
+        found = [shorter.refine(guesses[i], loss) for i in np.argsort(costs, kind="stable")[:best]]
+        found.sort(key=lambda result: float(result.cost))
+        guesses = [result.x for result in found]
+    return found[0]
 
 
 def _result(problem: _Problem, best: Any) -> FitResult:
     names = problem.names
     covariance, lost = _covariance(best.jac)
-    reasons = {names[i]: _DEPENDENT for i in np.flatnonzero(lost)}
+    at_bound = False
     if "mu_s" in names and "mu_k" in names:
         # The unknown is the excess of mu_s over mu_k.
         excess, kinetic = names.index("mu_s"), names.index("mu_k")
         change = np.eye(len(names))
         change[excess, kinetic] = 1.0
         covariance = change @ covariance @ change.T
-        if best.active_mask[excess] != 0:
-            reasons |= dict.fromkeys(("mu_s", "mu_k"), "the fit ends at mu_s = mu_k: here the two cannot be told apart")
-        elif lost[kinetic]:
-            reasons["mu_s"] = _DEPENDENT
+        at_bound = best.active_mask[excess] != 0
+        lost[excess] |= lost[kinetic]
     values = problem.values(best.x)
     motion = problem.motion(best.x)
-    for name in names:
-        if name in _OF_HOOP and covariance[names.index(name), names.index(name)] > values[name] ** 2:
-            reasons.setdefault(name, "its standard error would exceed its value")
     demand = _demand(motion)
-    if not any(transition.cause == "slip" for transition in motion.transitions):
-        reasons["mu_s"] = f"no slip out of rolling was seen, so that only mu_s >= {demand:.4g} is known"
-    if not any(phase.mode == "sliding" for phase in motion.phases):
-        reasons["mu_k"] = "no slide was seen"
+    reasons = {names[i]: _DEPENDENT for i in np.flatnonzero(lost)}
+    if at_bound:
+        reasons |= dict.fromkeys(("mu_s", "mu_k"), "the fit ends at mu_s = mu_k: here the two cannot be told apart")
+    for i, name in enumerate(names):
+        if name == "restitution" and covariance[i, i] > 0.25:
+            reasons.setdefault(name, "its standard error would exceed half of its range")
+        elif name in _BY_DEFAULT and covariance[i, i] > values[name] ** 2:
+            reasons.setdefault(name, "its standard error would exceed its value")
+    reasons |= _unseen(motion, demand)
     reasons = {name: reasons[name] for name in names if name in reasons}
     for i in (names.index(name) for name in reasons):
         covariance[i, :] = covariance[:, i] = 0.0
@@ -320,6 +362,19 @@ def _result(problem: _Problem, best: Any) -> FitResult:
         message = f"not identifiable from this motion: {words}"
         warnings.warn(IdentifiabilityWarning(message, tuple(reasons)), stacklevel=3)
     return result
+
+
+def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:
+    """Return what nothing in a motion tells of, and why."""
+    reasons = {}
+    impacts = [transition.impact for transition in motion.transitions if transition.impact is not None]
+    if not any(transition.cause == "slip" for transition in motion.transitions):
+        reasons["mu_s"] = f"no slip out of rolling was seen, so that only mu_s >= {demand:.4g} is known"
+    if not (any(phase.mode == "sliding" for phase in motion.phases) or any(one.before.slip != 0.0 for one in impacts)):
+        reasons["mu_k"] = "no slide was seen, nor an impact that slips"
+    if not impacts:
+        reasons["restitution"] = "no impact was seen"
+    return reasons
 
 
 def _covariance(jacobian: _Reals) -> tuple[_Reals, npt.NDArray[np.bool_]]:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from . import _core
+from .bouncing import BouncingOrbit
 from .html import hoop_html
-from .motion import Classification, State, _frozen
+from .motion import Classification, Start, _frozen
 from .phase_plane import PhasePlane
-from .tables import HOOP, MAX_TRANSITIONS, SI_HOOP, SI_START, START
+from .tables import HOOP, MAX_TRANSITIONS, QUANTITIES, SI_HOOP, SI_START, START
 from .trajectory import Trajectory
 from .units import Units
 
@@ -35,6 +37,13 @@ class Hoop:
         Coefficient of static friction, μs ≥ μk.
     mu_k : float
         Coefficient of kinetic friction, μk ≥ 0.
+    restitution : float, optional
+        Coefficient of restitution of the impact of the rim on the plane, 0 ≤ e ≤ 1. Without one (None) a motion ends
+        where the rim lands; with one it goes on: bounces, settles, rolls or slides, jumps again. A massless hoop has
+        none: its rim has no inertia that an impulse could act on.
+    law : {"energetic", "poisson", "newton"}, optional
+        What e is a ratio of: of works (Stronge), which is the default where e is given, of impulses, or of velocities.
+        Only the last can gain energy.
     units : Units, optional
         What the hoop measures in; :meth:`from_si` sets it.
 
@@ -52,6 +61,12 @@ class Hoop:
     >>> motion = hoop.simulate(theta=math.pi / 2, theta_rate=2)
     >>> [phase.mode for phase in motion.phases]
     ['sliding', 'rolling', 'sliding', 'flight']
+
+    The same hoop lands without a rebound, goes on sliding, and rolls in the end:
+
+    >>> soft = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, restitution=0)
+    >>> [phase.mode for phase in soft.simulate(theta=math.pi / 2, theta_rate=2).phases][3:]
+    ['flight', 'sliding', 'rolling']
     """
 
     mass_ratio: float
@@ -59,12 +74,17 @@ class Hoop:
     inertia: float
     mu_s: float
     mu_k: float
+    restitution: float | None = None
+    law: str | None = None
     units: Units | None = None
 
     def __post_init__(self) -> None:
         for name in HOOP:
-            object.__setattr__(self, name, float(getattr(self, name)))
-        _core.check_hoop(self._numbers)
+            value = getattr(self, name)
+            if value is not None or not QUANTITIES[name].is_optional:
+                object.__setattr__(self, name, float(value))
+        *_, law = _core.check_hoop(self._given)
+        object.__setattr__(self, "law", law)
 
     @classmethod
     def from_si(
@@ -77,6 +97,8 @@ class Hoop:
         inertia_kg_m2: float,
         mu_s: float,
         mu_k: float,
+        restitution: float | None = None,
+        law: str | None = None,
         gravity_m_per_s2: float = STANDARD_GRAVITY,
     ) -> Hoop:
         """Make a hoop from SI units.
@@ -95,6 +117,8 @@ class Hoop:
             Moment of inertia I_zz of the disc about its centre, kg m²: m1 R² for a thin hoop.
         mu_s, mu_k : float
             Coefficients of static and kinetic friction, 0 ≤ μk ≤ μs.
+        restitution, law : optional
+            Coefficient of restitution and its law, as those of :class:`Hoop`.
         gravity_m_per_s2 : float, optional
             Gravitational acceleration g, m/s².
 
@@ -117,28 +141,37 @@ class Hoop:
             "gravity_m_per_s2": gravity_m_per_s2,
             "mu_s": mu_s,
             "mu_k": mu_k,
+            "restitution": restitution,
         }
-        numbers, units = _core.hoop_from_si([given[name] for name in SI_HOOP])
-        return cls(**dict(zip(HOOP, numbers, strict=True)), units=Units(*units))
+        numbers, units = _core.hoop_from_si([given[name] for name in SI_HOOP], law)
+        parameters: dict[str, Any] = dict(zip(HOOP, numbers, strict=True))
+        return cls(**parameters, law=law, units=Units(*units))
 
     @property
-    def _numbers(self) -> list[float]:
-        return [getattr(self, name) for name in HOOP]
+    def _given(self) -> tuple[list[float | None], str | None]:
+        """The hoop as the core takes it."""
+        return [getattr(self, name) for name in HOOP], self.law
+
+    @property
+    def attributes(self) -> dict[str, float | str]:
+        """What data sets say of the hoop: its parameters and the law of restitution, as far as it has them."""
+        named = {**{name: getattr(self, name) for name in HOOP}, "restitution_law": self.law}
+        return {name: value for name, value in named.items() if value is not None}
 
     @property
     def mass(self) -> float:
         """Total mass m = 1 + m1/m2, m2."""
-        return _core.check_hoop(self._numbers)[0]
+        return _core.check_hoop(self._given)[0]
 
     @property
     def h(self) -> float:
         """Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4), R."""
-        return _core.check_hoop(self._numbers)[1]
+        return _core.check_hoop(self._given)[1]
 
     @property
     def inertia_about_mass_centre(self) -> float:
         """Moment of inertia about the mass centre, Î of (2.9), m2 R²."""
-        return _core.check_hoop(self._numbers)[2]
+        return _core.check_hoop(self._given)[2]
 
     @property
     def phase_plane(self) -> PhasePlane:
@@ -151,6 +184,7 @@ class Hoop:
         theta: float,
         theta_rate: float,
         slip: float = 0.0,
+        gap_rate: float = 0.0,
         x: float = 0.0,
         time: float = 0.0,
         until: float | None = None,
@@ -168,6 +202,8 @@ class Hoop:
             Rate θ′, √(g/R). Rolling to the right has θ′ < 0.
         slip : float, optional
             Slip velocity η′ of the contact point (2.7), √(gR).
+        gap_rate : float, optional
+            Rate ≥ 0 at which the gap under the rim opens, √(gR): that of a hoop thrown from the plane.
         x : float, optional
             Horizontal position of the geometric centre, R.
         time : float, optional
@@ -175,7 +211,7 @@ class Hoop:
         until : float, optional
             Time τ at which to stop, √(R/g). A motion is followed to its end by default.
         max_transitions : int, optional
-            Largest number of transitions. Only μs = μk needs it.
+            Largest number of transitions. Only μs = μk and a hoop that bounces for ever need it.
 
         Returns
         -------
@@ -186,7 +222,7 @@ class Hoop:
         ParameterError
             For a start or a limit without physical meaning.
         """
-        start = State(time=time, theta=theta, theta_rate=theta_rate, slip=slip, x=x)
+        start = Start(time=time, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=x)
         return Trajectory(self, start, until, max_transitions)
 
     def simulate_si(
@@ -195,6 +231,7 @@ class Hoop:
         theta_rad: float,
         theta_rate_rad_per_s: float,
         slip_m_per_s: float = 0.0,
+        gap_rate_m_per_s: float = 0.0,
         x_m: float = 0.0,
         time_s: float = 0.0,
         until_s: float | None = None,
@@ -210,6 +247,8 @@ class Hoop:
             Rate dθ/dt, rad/s.
         slip_m_per_s : float, optional
             Slip velocity dη/dt, m/s.
+        gap_rate_m_per_s : float, optional
+            Rate ≥ 0 at which the gap under the rim opens, m/s.
         x_m : float, optional
             Horizontal position of the geometric centre, m.
         time_s, until_s : float, optional
@@ -233,20 +272,21 @@ class Hoop:
             "theta": theta_rad,
             "theta_rate_rad_per_s": theta_rate_rad_per_s,
             "slip_m_per_s": slip_m_per_s,
+            "gap_rate_m_per_s": gap_rate_m_per_s,
             "x_m": x_m,
             "time_s": time_s,
         }
         numbers, until = _core.start_from_si(self.require_units().scales, [given[name] for name in SI_START], until_s)
-        start = State(**dict(zip(START, numbers, strict=True)))
+        start = Start(**dict(zip(START, numbers, strict=True)))
         return Trajectory(self, start, until, max_transitions)
 
-    def classify(self, *, theta: float, theta_rate: float, slip: float = 0.0) -> Classification:
+    def classify(self, *, theta: float, theta_rate: float, slip: float = 0.0, gap_rate: float = 0.0) -> Classification:
         """Say which region a start lies in, and what begins there, without simulating it.
 
         Parameters
         ----------
-        theta, theta_rate, slip : float
-            Start: θ in rad, θ′ in √(g/R), η′ in √(gR).
+        theta, theta_rate, slip, gap_rate : float
+            Start: θ in rad, θ′ in √(g/R), η′ and the rate of the gap in √(gR).
 
         Returns
         -------
@@ -257,9 +297,38 @@ class Hoop:
         ParameterError
             For a start without physical meaning.
         """
-        start = State(time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, x=0.0)
-        found = _core.classify(self._numbers, start.numbers)
+        start = Start(time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=0.0)
+        found = _core.classify(self._given, start.numbers)
         return Classification(**{**found, "details": _frozen(found["details"])})
+
+    def bouncing_orbit(self, angle: float) -> BouncingOrbit | None:
+        """Return the motion that bounces for ever with impacts at this angle.
+
+        It needs e = 1, and friction that holds in the impacts: `simulate` of its start by a hoop with `restitution=1`
+        shows it.
+
+        Parameters
+        ----------
+        angle : float
+            Angle φ of the impacts, 0 < φ < π, rad.
+
+        Returns
+        -------
+        BouncingOrbit or None
+            None for a massless or a balanced hoop, for another angle, and where the rim would have to pass through the
+            plane.
+
+        Examples
+        --------
+        >>> import littlewood as lw
+        >>> hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, restitution=1)
+        >>> orbit = hoop.bouncing_orbit(1.0)
+        >>> motion = hoop.simulate(**vars(orbit.start), until=3 * orbit.period)
+        >>> {phase.mode for phase in motion.phases}
+        {'flight'}
+        """
+        found = _core.bouncing_orbit(self._given, float(angle))
+        return None if found is None else BouncingOrbit.of(float(angle), *found)
 
     def require_units(self) -> Units:
         """Return the units, or raise ValueError if the hoop has none."""

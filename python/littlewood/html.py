@@ -6,56 +6,35 @@ import math
 from html import escape
 from typing import TYPE_CHECKING
 
+from .phase_table import HEADINGS, LEFT, TIME, TOLD, rows
 from .style import FAINT, MODE_COLOURS
-from .tables import ARROWS, CAUSE_LABELS, HOOP, QUANTITIES, SAMPLE_COLUMNS
+from .tables import HOOP, LAW_LABELS, QUANTITIES, SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
     from .hoop import Hoop
-    from .motion import Phase
     from .trajectory import Trajectory
 
 # Colours follow the page, so that dark themes stay readable.
 _CELL = "padding:2px 10px;text-align:{};border:none;background:none"
 
 
-def _number(value: float) -> str:
-    return "∞" if math.isinf(value) else f"{value:.5f}"
-
-
-def _ends(motion: Trajectory, i: int) -> str:
-    if i < len(motion.transitions):
-        return CAUSE_LABELS[motion.transitions[i].cause]
-    return motion.outcome.label
-
-
-_TIME = SAMPLE_COLUMNS["time"]
-# What is told of the start of a phase besides the time.
-_TOLD = [SAMPLE_COLUMNS[name] for name in ("theta", "theta_rate", "slip")]
-_HEADINGS = ("#", "motion", f"from {_TIME.sign}", "duration", *(one.sign for one in _TOLD), "lost", "ends by")
-
-
-def _row(motion: Trajectory, i: int, phase: Phase) -> tuple[str, ...]:
-    start = phase.start
-    return (
-        str(i + 1),
-        f"{phase.mode} {ARROWS[phase.direction]}".strip(),
-        *(_number(value) for value in (start.time, phase.duration, *(getattr(start, one.name) for one in _TOLD))),
-        _number(phase.energy_lost),
-        _ends(motion, i),
-    )
+def _hoop_rows(hoop: Hoop) -> list[tuple[str, str, str]]:
+    """Return sign, value and meaning of each parameter that a hoop has."""
+    values = [(QUANTITIES[name], getattr(hoop, name)) for name in HOOP]
+    rows = [(one.sign, f"{value:.6g}", one.long_name) for one, value in values if value is not None]
+    return rows if hoop.law is None else [*rows, ("", LAW_LABELS[hoop.law], "law of restitution")]
 
 
 def trajectory_text(motion: Trajectory) -> str:
     """Return a motion as a table in plain text."""
-    rows = [_HEADINGS, *(_row(motion, i, phase) for i, phase in enumerate(motion.phases))]
-    widths = [max(len(row[k]) for row in rows) for k in range(len(_HEADINGS))]
-    left = (0, 1, 8)
+    table = [HEADINGS, *(row.cells for row in rows(motion))]
+    widths = [max(len(row[k]) for row in table) for k in range(len(HEADINGS))]
     lines = [
         "  ".join(
-            cell.ljust(width) if k in left else cell.rjust(width)
+            cell.ljust(width) if k in LEFT else cell.rjust(width)
             for k, (cell, width) in enumerate(zip(row, widths, strict=True))
         ).rstrip()
-        for row in rows
+        for row in table
     ]
     lines.insert(1, "─" * max(len(line) for line in lines))
     if not motion.phases:
@@ -80,25 +59,23 @@ def _table(head: tuple[str, ...], rows: list[tuple[str, ...]], left: tuple[int, 
 
 def trajectory_html(motion: Trajectory) -> str:
     """Return a motion as a table for a notebook."""
-    rows = []
-    for i, phase in enumerate(motion.phases):
-        number, mode, *rest = _row(motion, i, phase)
-        mark = (
-            f'<span style="display:inline-block;width:0.7em;height:0.7em;margin-right:0.5em;'
-            f'background:{MODE_COLOURS[phase.mode]};border:1px solid {FAINT}"></span>'
-        )
-        rows.append((number, mark + escape(mode), *(escape(cell) for cell in rest)))
+    body = []
+    for mode, (order, name, *rest) in rows(motion):
+        paint = f"background:{MODE_COLOURS[mode]};border:1px solid {FAINT}" if mode is not None else ""
+        mark = f'<span style="display:inline-block;width:0.7em;height:0.7em;margin-right:0.5em;{paint}"></span>'
+        body.append((order, mark + escape(name), *(escape(cell) for cell in rest)))
     start = motion.start
-    hoop = ", ".join(f"{QUANTITIES[name].sign} = {getattr(motion.hoop, name):.6g}" for name in HOOP)
-    state = ", ".join(f"{one.sign} = {getattr(start, one.name):.6g}" for one in _TOLD)
+    hoop = ", ".join(f"{sign} = {value}" if sign else value for sign, value, _ in _hoop_rows(motion.hoop))
+    told = [SAMPLE_COLUMNS["gap_rate"], *TOLD] if start.gap_rate > 0.0 else TOLD
+    state = ", ".join(f"{one.sign} = {getattr(start, one.name):.6g}" for one in told)
     outcome = motion.outcome
     final = "" if outcome.is_final else ", not its end"
-    measured = [f"{one.sign} in {one.unit_sign or 'rad'}" for one in (_TIME, *_TOLD)]
+    measured = [f"{one.sign} in {one.unit_sign or 'rad'}" for one in (TIME, *TOLD)]
     units = f"<small>{', '.join(measured)}, energy lost in {SAMPLE_COLUMNS['energy'].unit_sign}</small>"
-    table = _table(_HEADINGS, rows, (0, 1, 8)) if rows else ""
+    table = _table(HEADINGS, body, LEFT) if body else ""
     return (
         f"<div><div><b>Motion of a hoop</b> with {escape(hoop)}</div><div>from {escape(state)}</div>{table}"
-        f"<div>Outcome: <b>{escape(str(outcome))}</b> at {_TIME.sign} = {outcome.state.time:.6g}{final}</div>"
+        f"<div>Outcome: <b>{escape(str(outcome))}</b> at {TIME.sign} = {outcome.state.time:.6g}{final}</div>"
         f"{units}</div>"
     )
 
@@ -123,12 +100,10 @@ def _sketch(hoop: Hoop) -> str:
 
 def hoop_html(hoop: Hoop) -> str:
     """Return a hoop as a sketch and a table for a notebook."""
-    rows: list[tuple[str, ...]] = [
-        (QUANTITIES[name].sign, f"{getattr(hoop, name):.6g}", escape(QUANTITIES[name].long_name)) for name in HOOP
-    ]
+    table: list[tuple[str, ...]] = [(sign, value, escape(name)) for sign, value, name in _hoop_rows(hoop)]
     if hoop.units is not None:
         for name, value in (("radius_m", hoop.units.length_m), ("particle_mass_kg", hoop.units.mass_kg)):
             quantity = QUANTITIES[name]
-            rows.append((quantity.sign, f"{value:.6g} {quantity.unit_sign}", escape(quantity.long_name)))
-        rows.append((str(_TIME.unit_sign), f"{hoop.units.time_s:.6g} {_TIME.si_unit}", "unit of time"))
-    return f'<div style="display:flex;align-items:center;gap:16px">{_sketch(hoop)}{_table((), rows, (0, 2))}</div>'
+            table.append((quantity.sign, f"{value:.6g} {quantity.unit_sign}", escape(quantity.long_name)))
+        table.append((str(TIME.unit_sign), f"{hoop.units.time_s:.6g} {TIME.si_unit}", "unit of time"))
+    return f'<div style="display:flex;align-items:center;gap:16px">{_sketch(hoop)}{_table((), table, (0, 2))}</div>'

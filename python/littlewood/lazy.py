@@ -39,6 +39,7 @@ def lazy_columns(points: Points, limits: Limits) -> dict[str, Any]:
         names=tuple(varying),
         axes=axes,
         fixed=fixed,
+        law=points.law,
         limits=tuple(limits),
         tables=points.tables,
         dtype=DTYPE,
@@ -55,13 +56,14 @@ def _records(
     names: tuple[str, ...],
     axes: Mapping[str, tuple[int, ...]],
     fixed: Mapping[str, float],
+    law: str | None,
     limits: tuple[float | None, int],
     tables: bool,
 ) -> npt.NDArray[Any]:
     arrays = dict(zip(names, blocks, strict=True))
     arrays.update((name, np.asarray(value)) for name, value in fixed.items())
     # A worker of Dask runs as many blocks at a time as it has threads: one thread for each.
-    columns = compute(arrays, axes, Limits(*limits), tables, threads=1)
+    columns = compute(arrays, axes, law, Limits(*limits), tables, threads=1)
     records = np.empty(columns["outcome"].shape, dtype=DTYPE)
     for name, values in columns.items():
         records[name] = values

@@ -33,16 +33,19 @@ class Quantities(TypedDict, total=False):
     theta: Any
     theta_rate: Any
     slip: Any
+    gap_rate: Any
     mass_ratio: Any
     offset: Any
     inertia: Any
     mu_s: Any
     mu_k: Any
+    restitution: Any
 
 
 def simulate_many(
     hoop: Hoop | None = None,
     *,
+    law: str | None = None,
     until: float | None = None,
     max_transitions: int = MAX_TRANSITIONS,
     chunks: Any = None,
@@ -59,12 +62,17 @@ def simulate_many(
     ----------
     hoop : Hoop, optional
         Where the parameters of the hoop come from that are not given by name.
+    law : {"energetic", "poisson", "newton"}, optional
+        Law of restitution, for all; that of the hoop by default.
     theta, theta_rate : array_like
         Angle θ, rad, and rate θ′, √(g/R).
     slip : array_like, optional
         Slip velocity η′, √(gR); 0 by default.
-    mass_ratio, offset, inertia, mu_s, mu_k : array_like, optional
-        Parameters of the hoop, as :class:`Hoop` has them.
+    gap_rate : array_like, optional
+        Rate at which the gap under the rim opens, √(gR); 0 by default.
+    mass_ratio, offset, inertia, mu_s, mu_k, restitution : array_like, optional
+        Parameters of the hoop, as :class:`Hoop` has them. Without a coefficient of restitution motions end where the
+        rim lands; NaN is none, and is refused.
     until : float, optional
         Time τ at which to stop, √(R/g). Motions are followed to their end by default.
     max_transitions : int, optional
@@ -82,15 +90,16 @@ def simulate_many(
     xarray.Dataset
         Of the common shape, with `outcome`, `sequence`, `transitions`, `painleve`, `end_time`, `end_theta`,
         `end_theta_rate`, `end_slip`, `end_x`, `energy`, `first_slip_time`, `lift_off_time`, `jump_length` and
-        `jump_height`, with their units and long names. What did not happen is NaN. Dimensions are those of the
-        DataArrays; of arrays they are `start`, or `dim_0`, `dim_1`, …
+        `jump_height` of the first flight, `landings`, `impact_energy_lost` and `settle_time`, with their units and
+        long names. What did not happen is NaN. Dimensions are those of the DataArrays; of arrays they are `start`, or
+        `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of restitution, if there is one.
 
     Raises
     ------
     ParameterError
         For the first start, in the order of the points, or the first hoop that has a value without physical meaning;
         `index` is its place. Where two parameters that vary contradict each other (μk > μs, a point mass at the
-        centre) the outcome is `invalid` instead.
+        centre, an impact of a massless hoop) the outcome is `invalid` instead.
 
     Notes
     -----
@@ -107,13 +116,14 @@ def simulate_many(
     ['R', 'F']
     """
     values = fill(hoop, quantities)
-    check_hoop(values)
-    return _simulate(broadcast(values), until, max_transitions, chunks, threads, progress)
+    law = _law(hoop, law, values)
+    return _simulate(broadcast(values, law), until, max_transitions, chunks, threads, progress)
 
 
 def outcome_map(
     hoop: Hoop | None = None,
     *,
+    law: str | None = None,
     until: float | None = None,
     max_transitions: int = MAX_TRANSITIONS,
     chunks: Any = None,
@@ -125,9 +135,9 @@ def outcome_map(
 
     Parameters
     ----------
-    hoop, until, max_transitions, chunks, threads, progress
+    hoop, law, until, max_transitions, chunks, threads, progress
         As those of :func:`simulate_many`.
-    theta, theta_rate, slip, mass_ratio, offset, inertia, mu_s, mu_k : array_like, optional
+    theta, theta_rate, slip, gap_rate, mass_ratio, offset, inertia, mu_s, mu_k, restitution : array_like, optional
         Axes of shape (n,), in the order in which they are given, or numbers. `theta` and `theta_rate` are required.
 
     Returns
@@ -150,8 +160,8 @@ def outcome_map(
     {'theta': 7, 'theta_rate': 9}
     """
     values = fill(hoop, quantities)
-    check_hoop(values)
-    return _simulate(grid(values, [*quantities]), until, max_transitions, chunks, threads, progress)
+    law = _law(hoop, law, values)
+    return _simulate(grid(values, law, [*quantities]), until, max_transitions, chunks, threads, progress)
 
 
 def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
@@ -169,6 +179,11 @@ def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
     """
     names = _core.sequence_names(flat(sequence, np.uint64))
     return np.array(names, dtype=np.str_).reshape(np.shape(sequence))
+
+
+def _law(hoop: Hoop | None, law: str | None, values: Mapping[str, Any]) -> str | None:
+    """Return the law of restitution of a sweep; refuse hoops without physical meaning."""
+    return check_hoop(values, hoop.law if law is None and hoop is not None else law)
 
 
 def _simulate(
@@ -192,7 +207,7 @@ def _simulate(
     else:
         arrays = {name: variable.data for name, variable in points.variables.items()}
         with _bar(points.count, progress) as show:
-            data = compute(arrays, points.axes, limits, points.tables, threads or 0, show)
+            data = compute(arrays, points.axes, points.law, limits, points.tables, threads or 0, show)
     dimensions = tuple(points.sizes)
     dataset: xarray.Dataset = require("xarray").Dataset(
         {name: (dimensions, data[name], result_attributes(name)) for name in RESULTS},
@@ -202,6 +217,7 @@ def _simulate(
             "title": "sweep of Littlewood's hoop",
             "source": f"littlewood {_core.__version__}",
             "max_transitions": limits.max_transitions,
+            **({} if points.law is None else {"restitution_law": points.law}),
             **({} if limits.until is None else {"until": limits.until}),
         },
     )

@@ -9,9 +9,21 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from . import _core
-from .tables import FINAL_OUTCOMES, OUTCOME_LABELS, START
+from .tables import FINAL_OUTCOMES, IMPACT_LABELS, OUTCOME_LABELS, START
 
-__all__ = ["EDGES", "Classification", "Edge", "Impulse", "Outcome", "Phase", "State", "Transition"]
+__all__ = [
+    "EDGES",
+    "Classification",
+    "ContactVelocities",
+    "Edge",
+    "Impact",
+    "Impulse",
+    "Outcome",
+    "Phase",
+    "Start",
+    "State",
+    "Transition",
+]
 
 
 @dataclass(frozen=True)
@@ -38,6 +50,21 @@ class State:
     slip: float
     x: float
 
+
+@dataclass(frozen=True)
+class Start(State):
+    """A start with the rim at the plane.
+
+    Attributes
+    ----------
+    time, theta, theta_rate, slip, x : float
+        As those of :class:`State`.
+    gap_rate : float
+        Rate at which the gap under the rim opens, zero or positive, √(gR): that of a hoop thrown from the plane.
+    """
+
+    gap_rate: float = 0.0
+
     @property
     def numbers(self) -> list[float]:
         """The numbers of a start, as the core takes them."""
@@ -61,9 +88,11 @@ class Phase:
     energy_start : float
         Energy at the start (2.8), m2 g R.
     energy_lost : float
-        Energy lost to friction during the phase, m2 g R.
+        Energy lost to friction during the phase, m2 g R; an impact that ends it is not part of it.
     is_small_inertia_limit : bool
         False for a glide that is not the limit of motions of a heavy hoop as its inertia vanishes.
+    ended_by : int or None
+        Place of the transition that ends it among those of the motion; None if none does.
     """
 
     mode: str
@@ -73,6 +102,7 @@ class Phase:
     energy_start: float
     energy_lost: float
     is_small_inertia_limit: bool
+    ended_by: int | None
 
     @property
     def start_time(self) -> float:
@@ -91,10 +121,55 @@ class Phase:
 
 
 class Impulse(NamedTuple):
-    """The impulse of the plane on the body at a transition, m2 √(gR): `normal` upwards, `friction` along E1."""
+    """The impulse of the plane on the body in an impact, m2 √(gR): `normal` upwards, `friction` along E1."""
 
     normal: float
     friction: float
+
+
+class ContactVelocities(NamedTuple):
+    """The velocities that an impact changes: θ′ in √(g/R), and η′ and the rate of the gap in √(gR)."""
+
+    theta_rate: float
+    slip: float
+    gap_rate: float
+
+
+@dataclass(frozen=True)
+class Impact:
+    """An impact, or all those of the bounces by which a hoop settles, together.
+
+    Attributes
+    ----------
+    case : str
+        What the contact point does, one of :data:`littlewood.IMPACT_CASES`.
+    before, after : ContactVelocities
+        Velocities on either side.
+    impulse : Impulse
+        Impulse of the plane on the body, m2 √(gR).
+    normal_work, friction_work : float
+        Works of the two parts of the impulse, m2 g R.
+    energy_lost : float
+        Energy lost, m2 g R. Negative where Newton's law gains energy.
+    """
+
+    case: str
+    before: ContactVelocities
+    after: ContactVelocities
+    impulse: Impulse
+    normal_work: float
+    friction_work: float
+    energy_lost: float
+
+    @property
+    def label(self) -> str:
+        """The case in words."""
+        return IMPACT_LABELS[self.case]
+
+    @property
+    def gains_energy(self) -> bool:
+        """Whether the law has gained energy, which only Newton's can."""
+        return self.energy_lost < 0.0
 
 
 @dataclass(frozen=True)
@@ -106,11 +181,11 @@ class Transition:
     state : State
         State just before.
     after : State
-        State just after: the same, unless there is an impulse.
-    impulse : Impulse or None
-        The impulse, if the velocities jump.
-    from_mode : str
-        Mode that ends.
+        State just after: the same, unless there is an impact.
+    impact : Impact or None
+        The impact, if the velocities jump. Where bounces have settled it is all of theirs together.
+    from_mode : str or None
+        Mode that ends; None where a hoop jams from a state at which no motion was consistent.
     to_mode : str or None
         Mode that begins; None where the motion is not followed further.
     direction : {-1, 0, 1}
@@ -121,8 +196,8 @@ class Transition:
 
     state: State
     after: State
-    impulse: Impulse | None
-    from_mode: str
+    impact: Impact | None
+    from_mode: str | None
     to_mode: str | None
     direction: int
     cause: str
@@ -228,8 +303,8 @@ class Edge:
     ----------
     body : {"heavy", "massless"}
         Bodies that have it.
-    from_mode : str
-        Mode that ends.
+    from_mode : str or None
+        Mode that ends; None where no motion was consistent.
     cause : str
         Event.
     guard : str
@@ -243,7 +318,7 @@ class Edge:
     """
 
     body: str
-    from_mode: str
+    from_mode: str | None
     cause: str
     guard: str
     reset: str

@@ -57,7 +57,7 @@ class PhasePlane:
 
     def __init__(self, hoop: Hoop) -> None:
         self.hoop = hoop
-        self._core = _core.PhasePlane(hoop._numbers)
+        self._core = _core.PhasePlane(hoop._given)
 
     def __repr__(self) -> str:
         return f"PhasePlane({self.hoop!r})"

@@ -28,14 +28,18 @@ class Points:
     sizes : mapping of str to int
         Sizes of the dimensions, in order.
     variables : mapping of str to xarray.Variable
-        The quantities that a sweep can vary, each over some of the dimensions; in memory, or arrays of Dask.
+        The quantities that a sweep can vary, each over some of the dimensions; in memory, or arrays of Dask. Those that
+        no point has are not there.
     coordinates : mapping of str to xarray.Variable
         Coordinates of the result.
+    law : str or None
+        Law of restitution.
     """
 
     sizes: Mapping[str, int]
     variables: Mapping[str, xarray.Variable]
     coordinates: Mapping[str, Any]
+    law: str | None
 
     @property
     def count(self) -> int:
@@ -55,7 +59,7 @@ class Points:
         It is decided by the dimensions alone, not by the values nor by blocks, so that the digits of a result do not
         depend on how it is cut.
         """
-        of_hoops = {dimension for name in HOOP for dimension in self.variables[name].dims}
+        of_hoops = {dimension for name in HOOP if name in self.variables for dimension in self.variables[name].dims}
         starts = math.prod(size for dimension, size in self.sizes.items() if dimension not in of_hoops)
         return starts >= _core.MIN_STARTS_FOR_TABLES
 
@@ -81,7 +85,7 @@ class Points:
             name: variable if variable.dims in ((), (name,)) else variable.chunk({d: blocks[d] for d in variable.dims})
             for name, variable in self.coordinates.items()
         }
-        return Points(self.sizes, variables, coordinates)
+        return Points(self.sizes, variables, coordinates, self.law)
 
 
 def is_lazy(data: Any) -> bool:
@@ -101,6 +105,8 @@ def _real(name: str, value: Any) -> Any:
 def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
     """Return all quantities that a sweep can vary: what is given, over the hoop, over the defaults of the table.
 
+    An optional one that is not given is left out.
+
     Raises
     ------
     TypeError
@@ -111,24 +117,29 @@ def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
         raise TypeError(f"there is no quantity {', '.join(unknown)}; there are {', '.join(AXES)}")
     values: dict[str, Any] = {name: QUANTITIES[name].default for name in AXES if QUANTITIES[name].default is not None}
     if hoop is not None:
-        values.update(zip(HOOP, hoop._numbers, strict=True))
+        values.update((name, getattr(hoop, name)) for name in HOOP if getattr(hoop, name) is not None)
     values.update((name, value) for name, value in given.items() if value is not None)
-    missing = [name for name in AXES if name not in values]
+    missing = [name for name in AXES if name not in values and not QUANTITIES[name].is_optional]
     if missing:
         raise TypeError(f"missing: {', '.join(missing)}" + ("; give a hoop" if hoop is None else ""))
     return values
 
 
 # Parameters of a hoop that can contradict each other.
-_RELATED = (("mu_s", "mu_k"), ("mass_ratio", "offset", "inertia"))
+_RELATED = (("mu_s", "mu_k"), ("mass_ratio", "offset", "inertia", "restitution"))
 
 
-def check_hoop(values: Mapping[str, Any]) -> None:
-    """Refuse a hoop without physical meaning, as far as it does not lie in a combination of two that vary."""
-    fixed = {name for name in HOOP if np.ndim(values[name]) == 0 and not is_lazy(values[name])}
+def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
+    """Refuse a hoop without physical meaning, as far as it does not lie in a combination of two that vary.
+
+    Returns the law of restitution that holds, if any.
+    """
+    given = [name for name in HOOP if name in values]
+    fixed = {name for name in given if np.ndim(values[name]) == 0 and not is_lazy(values[name])}
     # The parameters that are not looked at are those of a hoop that has a meaning.
-    harmless = dict.fromkeys(HOOP, 1.0)
-    for related in _RELATED:
+    harmless: dict[str, Any] = {name: 1.0 for name in given}
+    law = Hoop(**harmless, law=law, units=None).law
+    for related in ([name for name in names if name in given] for names in _RELATED):
         varying = [name for name in related if name not in fixed]
         if len(varying) > 1 or any(is_lazy(values[name]) for name in varying):
             continue
@@ -136,6 +147,7 @@ def check_hoop(values: Mapping[str, Any]) -> None:
         if varying:
             known[varying[0]] = _worst(varying[0], known)
         Hoop(**{**harmless, **{name: float(value) for name, value in known.items()}}, units=None)
+    return law
 
 
 def _worst(name: str, known: Mapping[str, Any]) -> Any:
@@ -145,15 +157,18 @@ def _worst(name: str, known: Mapping[str, Any]) -> Any:
         bad = values > known["mu_s"]
     elif name == "mu_s":
         bad = values < known["mu_k"]
+    elif name == "restitution":
+        # A hoop that has no impacts refuses any coefficient.
+        bad = (values >= 0.0) & (values <= 1.0)
     else:
         # Only a zero can make a hoop without any inertia.
         bad = values == 0.0
     if bad.any():
         return values[np.argmax(bad)]
-    return 1.0 if name in ("mass_ratio", "offset", "inertia") else known["mu_k" if name == "mu_s" else "mu_s"]
+    return known["mu_k" if name == "mu_s" else "mu_s"] if name in ("mu_s", "mu_k") else 1.0
 
 
-def broadcast(values: Mapping[str, Any]) -> Points:
+def broadcast(values: Mapping[str, Any], law: str | None) -> Points:
     """Broadcast quantities: xarray objects by names of dimensions, arrays by position."""
     xr = require("xarray")
     named = {name: value for name, value in values.items() if isinstance(value, xr.DataArray)}
@@ -176,7 +191,7 @@ def broadcast(values: Mapping[str, Any]) -> Points:
             else xr.Variable((), _real(name, value))
             for name, value in values.items()
         }
-        return _with_coordinates(sizes, variables, coordinates)
+        return _with_coordinates(sizes, variables, coordinates, law)
     arrays = {name: _real(name, value) for name, value in values.items()}
     shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     dimensions = ("start",) if len(shape) == 1 else tuple(f"dim_{i}" for i in range(len(shape)))
@@ -189,10 +204,10 @@ def broadcast(values: Mapping[str, Any]) -> Points:
             tuple(d for k, d in enumerate(own) if k not in spread),
             array.reshape(tuple(n for k, n in enumerate(array.shape) if k not in spread)),
         )
-    return _with_coordinates(dict(zip(dimensions, shape, strict=True)), variables, {})
+    return _with_coordinates(dict(zip(dimensions, shape, strict=True)), variables, {}, law)
 
 
-def grid(values: Mapping[str, Any], order: Iterable[str]) -> Points:
+def grid(values: Mapping[str, Any], law: str | None, order: Iterable[str]) -> Points:
     """Make a grid: each one-dimensional quantity is an axis of its own, in this order; scalars are fixed."""
     xr = require("xarray")
     sizes: dict[str, int] = {}
@@ -203,12 +218,14 @@ def grid(values: Mapping[str, Any], order: Iterable[str]) -> Points:
             raise ValueError(f"{name} has {array.ndim} dimensions: an axis has one, a fixed value none")
         variables[name] = xr.Variable((name,) if array.ndim else (), array)
     for name in order:
-        if variables[name].ndim:
+        if name in variables and variables[name].ndim:
             sizes[name] = variables[name].size
-    return _with_coordinates(sizes, variables, {})
+    return _with_coordinates(sizes, variables, {}, law)
 
 
-def _with_coordinates(sizes: Mapping[str, int], variables: Mapping[str, Any], coordinates: Mapping[str, Any]) -> Points:
+def _with_coordinates(
+    sizes: Mapping[str, int], variables: Mapping[str, Any], coordinates: Mapping[str, Any], law: str | None
+) -> Points:
     empty = [name for name, size in sizes.items() if size == 0]
     if empty:
         raise ValueError(f"{', '.join(empty)} is empty: there is nothing to simulate")
@@ -216,7 +233,7 @@ def _with_coordinates(sizes: Mapping[str, int], variables: Mapping[str, Any], co
     for name, one in described.items():
         if name in AXES and not one.attrs:
             one.attrs = quantity_attributes(name)
-    for name in AXES:
+    for name in variables:
         # An index that came with the arrays stays; so does a dimension that only has the name of a quantity.
         if name in sizes and (name in described or variables[name].dims != (name,)):
             continue
@@ -225,4 +242,4 @@ def _with_coordinates(sizes: Mapping[str, int], variables: Mapping[str, Any], co
         if name in sizes and is_lazy(described[name].data):
             # An index cannot be lazy.
             described[name] = described[name].compute()
-    return Points(sizes, variables, described)
+    return Points(sizes, variables, described, law)

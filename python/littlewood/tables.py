@@ -22,7 +22,8 @@ def _frozen(items: Iterable[tuple[_K, _V]]) -> Mapping[_K, _V]:
 class Quantity(NamedTuple):
     """What a quantity is, how it is printed, its units, bounds and default.
 
-    `cf_unit` and `scale` are those of a value in the system of (2.9): the value is a multiple of the scale.
+    One that is optional has no default, and a meaning where it is absent. `cf_unit` and `scale` are those of a value in
+    the system of (2.9): the value is a multiple of the scale.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Quantity(NamedTuple):
     help: str
     bounds: list[str]
     default: float | None
+    is_optional: bool
 
 
 class SampleColumn(NamedTuple):
@@ -110,6 +112,18 @@ CAUSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CAUSES)
 
 CAUSE_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.CAUSES)
 """Causes in words."""
+
+IMPACT_CASES: tuple[str, ...] = tuple(name for _, name, _ in _core.IMPACT_CASES)
+"""Names of what the contact point does in an impact."""
+
+IMPACT_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.IMPACT_CASES)
+"""The same in words."""
+
+RESTITUTION_LAWS: tuple[str, ...] = tuple(name for _, name, _ in _core.RESTITUTION_LAWS)
+"""Names of the laws of restitution."""
+
+LAW_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _core.RESTITUTION_LAWS)
+"""Laws of restitution in words."""
 
 OUTCOMES: Mapping[int, str] = _frozen((code, name) for code, name, _, _ in _core.OUTCOMES)
 """Names of the outcomes by their codes in arrays; `not_computed` and `invalid` are those of points without a motion."""

@@ -6,7 +6,7 @@ import math
 import operator
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -15,9 +15,9 @@ from . import _core
 from .elementwise import flat
 from .extras import require
 from .html import trajectory_html, trajectory_text
-from .motion import Impulse, Outcome, Phase, State, Transition, _frozen
+from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition, _frozen
 from .samples import Samples
-from .tables import HOOP, MODES, SAMPLE_COLUMNS, SampleColumn
+from .tables import CAUSES, IMPACT_CASES, MODES, SAMPLE_COLUMNS, SampleColumn
 from .variables import CONVENTIONS
 
 if TYPE_CHECKING:
@@ -44,9 +44,15 @@ class Trajectory:
     ('-R+F', 'landing')
     >>> motion.at([0.0, 0.7]).mode_names.tolist()
     ['sliding', 'rolling']
+
+    With a coefficient of restitution it goes on after the landing:
+
+    >>> motion = lw.case("figure-3-bounces").simulate()
+    >>> motion.outcome.kind, motion.transitions[-1].cause
+    ('rolls_forever', 'settle')
     """
 
-    def __init__(self, hoop: Hoop, start: State, until: float | None, max_transitions: int) -> None:
+    def __init__(self, hoop: Hoop, start: Start, until: float | None, max_transitions: int) -> None:
         transitions = operator.index(max_transitions)
         if transitions < 0:
             raise ValueError(f"max_transitions = {transitions} must not be negative")
@@ -54,7 +60,7 @@ class Trajectory:
         self._start = start
         self._until = until
         self._max_transitions = transitions
-        self._core = _core.simulate(hoop._numbers, start.numbers, until, transitions)
+        self._core = _core.simulate(hoop._given, start.numbers, until, transitions)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Trajectory, (self._hoop, self._start, self._until, self._max_transitions)
@@ -65,7 +71,7 @@ class Trajectory:
         return self._hoop
 
     @property
-    def start(self) -> State:
+    def start(self) -> Start:
         """The start."""
         return self._start
 
@@ -73,25 +79,66 @@ class Trajectory:
     def phases(self) -> tuple[Phase, ...]:
         """The phases in order. Empty where no motion, or more than one, is consistent at the start."""
         return tuple(
-            Phase(mode, direction, State(*start), None if end is None else State(*end), energy, lost, is_limit)
-            for mode, direction, start, end, energy, lost, is_limit in self._core.phases()
+            Phase(mode, direction, State(*start), None if end is None else State(*end), energy, lost, limit, ended_by)
+            for mode, direction, start, end, energy, lost, limit, ended_by in self._core.phases()
         )
 
     @cached_property
     def transitions(self) -> tuple[Transition, ...]:
-        """The transitions in order: transition i ends phase i."""
+        """The transitions in order.
+
+        Each ends a phase, but for a jam from a state at which no motion was consistent: :meth:`end_of` says which ends
+        a phase.
+        """
         return tuple(
             Transition(
                 State(*before),
                 State(*after),
-                None if impulse is None else Impulse(*impulse),
+                None if impact is None else _impact(*impact),
                 from_mode,
                 to_mode,
                 direction,
                 cause,
             )
-            for before, after, impulse, from_mode, to_mode, direction, cause in self._core.transitions()
+            for before, after, impact, from_mode, to_mode, direction, cause in self._core.transitions()
         )
+
+    def end_of(self, phase: Phase) -> Transition | None:
+        """Return the transition that ends a phase; None for the last of a motion that stops or lasts for ever."""
+        return None if phase.ended_by is None else self.transitions[phase.ended_by]
+
+    @property
+    def impacts(self) -> pandas.DataFrame:
+        """The impacts as a table, one row each.
+
+        The index is the place among the :attr:`transitions`. Columns: `time`, √(R/g); `cause` (`landing`, `settle` or
+        `jam`), `case` and `to`, the mode that begins, as categories; `theta`, rad; `theta_rate`, √(g/R), `slip` and
+        `gap_rate`, √(gR), each with `_before` and `_after`; `normal_impulse` upwards and `friction_impulse` along E1,
+        m2 √(gR); `energy_lost`, m2 g R, which is negative where Newton's law gains energy. The bounces by which a hoop
+        settles are one row, that of `settle`.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
+        pd = require("pandas")
+        found = [(i, one, one.impact) for i, one in enumerate(self.transitions) if one.impact is not None]
+        table: dict[str, Any] = {
+            "time": [one.time for _, one, _ in found],
+            "cause": pd.Categorical([one.cause for _, one, _ in found], categories=list(CAUSES)),
+            "case": pd.Categorical([impact.case for *_, impact in found], categories=list(IMPACT_CASES)),
+            "to": pd.Categorical([one.to_mode for _, one, _ in found], categories=list(MODES)),
+            "theta": [one.state.theta for _, one, _ in found],
+        }
+        for side in ("before", "after"):
+            for name in ContactVelocities._fields:
+                table[f"{name}_{side}"] = [getattr(getattr(impact, side), name) for *_, impact in found]
+        for name in Impulse._fields:
+            table[f"{name}_impulse"] = [getattr(impact.impulse, name) for *_, impact in found]
+        table["energy_lost"] = [impact.energy_lost for *_, impact in found]
+        index = pd.Index([i for i, *_ in found], name="transition", dtype=np.int64)
+        frame: pandas.DataFrame = pd.DataFrame(table, index=index)
+        return frame
 
     @cached_property
     def outcome(self) -> Outcome:
@@ -115,24 +162,43 @@ class Trajectory:
 
     @property
     def energy_lost(self) -> float:
-        """Energy lost to friction, m2 g R."""
+        """Energy lost, m2 g R: to friction in sliding, and in impacts."""
         return self._core.energy_lost()
 
-    def at(self, times: npt.ArrayLike) -> Samples:
+    @property
+    def impact_energy_lost(self) -> float:
+        """Energy lost in impacts, m2 g R."""
+        return self._core.impact_energy_lost()
+
+    def at(self, times: npt.ArrayLike, *, side: Literal["after", "before"] = "after") -> Samples:
         """Return instants of the motion.
 
         Parameters
         ----------
         times : array_like
             Times τ, √(R/g), of any shape.
+        side : {"after", "before"}, optional
+            Which side of a transition it is where a time is that of one, to the last bit: the first instant of the
+            motion that begins, or the last of the motion that ends. Forces may jump there, and velocities in an impact.
 
         Returns
         -------
         Samples
-            Of the same shape. At a transition it is the first instant of the motion that begins; before the start and
-            after the end `mode` is -1 and the rest NaN.
+            Of the same shape. Before the start and after the end `mode` is -1 and the rest NaN. The start and the end
+            have one side only; but for a start that jams, before which no motion is consistent: `mode` is -1 and forces
+            are NaN.
+
+        Examples
+        --------
+        >>> import littlewood as lw
+        >>> motion = lw.case("lands-and-rolls").simulate()
+        >>> landing = motion.impacts.time.iloc[0]
+        >>> [str(motion.at(landing, side=side).mode_names) for side in ("before", "after")]
+        ['flight', 'rolling']
         """
-        return Samples(self._core.at(flat(times)), np.shape(times))
+        if side not in ("after", "before"):
+            raise ValueError(f"side = {side!r} must be 'after' or 'before'")
+        return Samples(self._core.at(flat(times), side == "before"), np.shape(times))
 
     def sample(self, count: int = 1001, until: float | None = None) -> Samples:
         """Return evenly spaced instants, and both sides of each transition in between.
@@ -148,7 +214,7 @@ class Trajectory:
         -------
         Samples
             Of shape (n,). A transition appears twice, as the last instant of the phase that ends and as the first of
-            the phase that begins, because the forces may jump there.
+            the phase that begins, because forces may jump there, and velocities in an impact.
         """
         number = operator.index(count)
         if number < 2:
@@ -163,10 +229,7 @@ class Trajectory:
     @property
     def shown_until(self) -> float:
         """Time up to which plots and tables show the motion by default, √(R/g)."""
-        if math.isfinite(self.end_time):
-            return self.end_time
-        period = self.outcome.period
-        return self.outcome.state.time + (2.0 * period if period is not None else 10.0)
+        return self._core.shown_until()
 
     def _instants(self, times: npt.ArrayLike | None, count: int) -> Samples:
         return self.sample(count) if times is None else self.at(np.atleast_1d(np.asarray(times)))
@@ -201,7 +264,7 @@ class Trajectory:
                 "source": f"littlewood {_core.__version__}",
                 "sequence": self.sequence,
                 "outcome": self.outcome.kind,
-                **dict(zip(HOOP, self.hoop._numbers, strict=True)),
+                **self.hoop.attributes,
             },
         )
         with_time: xarray.Dataset = dataset.set_coords(time)
@@ -269,6 +332,16 @@ class Trajectory:
 
     def _repr_html_(self) -> str:
         return trajectory_html(self)
+
+
+def _impact(
+    case: str,
+    before: tuple[float, float, float],
+    after: tuple[float, float, float],
+    impulse: tuple[float, float],
+    *energies: float,
+) -> Impact:
+    return Impact(case, ContactVelocities(*before), ContactVelocities(*after), Impulse(*impulse), *energies)
 
 
 def _attributes(column: SampleColumn, si: bool) -> tuple[str, dict[str, Any]]:

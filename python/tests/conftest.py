@@ -49,6 +49,8 @@ def hoop() -> lw.Hoop:
     return lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
 
 
-def flags(**values: float) -> list[str]:
-    """Values as flags, to the last digit."""
-    return [f"--{name.replace('_', '-')}={value!r}" for name, value in values.items()]
+def flags(**values: float | str) -> list[str]:
+    """Values as flags, to the last digit. The law of restitution has a longer name there."""
+    names = {name: "restitution-law" if name == "law" else name.replace("_", "-") for name in values}
+    texts = {name: value if isinstance(value, str) else repr(value) for name, value in values.items()}
+    return [f"--{names[name]}={texts[name]}" for name in values]

@@ -30,9 +30,58 @@ def random_problems(count):
         yield {k: float(v) for k, v in hoop.items()}, {k: float(v) for k, v in start.items()}
 
 
+def with_impacts(count):
+    """Hoops that are not massless, with a coefficient of restitution and a law; some are thrown from the plane."""
+    random = np.random.default_rng(1986)
+    problems = ((hoop, start) for hoop, start in random_problems(2 * count) if hoop["mass_ratio"] + hoop["inertia"] > 0)
+    for i, (hoop, start) in zip(range(count), problems, strict=False):
+        e = float(random.choice([0.0, 1.0, random.uniform(0.05, 0.9)]))
+        thrown = {"gap_rate": float(random.uniform(0.1, 1.5))} if i % 3 == 0 else {}
+        yield {**hoop, "restitution": e, "law": lw.RESTITUTION_LAWS[i % 3]}, {**start, **thrown}
+
+
 def same(ours, said):
     # JSON has no infinity: the rate of a particle that has reached the plane is null.
     return (not math.isfinite(ours)) if said is None else ours == said
+
+
+def compare(motion, said):
+    assert motion.outcome.kind == said["outcome"]["kind"]
+    for key, value in motion.outcome.details.items():
+        if isinstance(value, float):
+            assert same(value, said["outcome"][key]), key
+    assert len(motion.transitions) == len(said["transitions"])
+    for ours, theirs in zip(motion.transitions, said["transitions"], strict=True):
+        assert (ours.from_mode, ours.to_mode, ours.direction, ours.cause) == tuple(
+            theirs[key] for key in ("from", "to", "direction", "cause")
+        )
+        for key in vars(ours.after):
+            assert same(getattr(ours.after, key), theirs[key]), key
+        compare_impacts(ours.impact, theirs.get("impact"))
+    for ours, theirs in zip(motion.phases, said["phases"], strict=True):
+        assert (ours.mode, ours.direction) == (theirs["mode"], theirs["direction"])
+        assert same(ours.duration, theirs["duration"])
+        assert same(ours.energy_start, theirs["energy_start"])
+        assert same(ours.energy_lost, theirs["energy_lost"])
+        assert ours.is_small_inertia_limit == theirs["small_inertia_limit"]
+    if said["samples"]:
+        samples = motion.sample(7, said["sampled_until"])
+        for i, row in enumerate(said["samples"]):
+            # Just before a jam there is none.
+            assert samples.mode_names[i] == (row["mode"] or "")
+            for key, value in row.items():
+                if key != "mode":
+                    assert same(float(samples[key][i]), value), key
+
+
+def compare_impacts(ours, theirs):
+    assert (ours is None) == (theirs is None)
+    if ours is not None:
+        assert ours.case == theirs["case"]
+        assert ours.impulse == (theirs["normal_impulse"], theirs["friction_impulse"])
+        assert ours.energy_lost == theirs["energy_lost"]
+        assert ours.before._asdict() == theirs["before"]
+        assert ours.after.gap_rate == theirs["gap_rate"]
 
 
 def test_a_hundred_random_starts(command_json):
@@ -41,32 +90,31 @@ def test_a_hundred_random_starts(command_json):
         said = command_json("simulate", *flags(**hoop, **start, until=40.0), "--samples", "7")
         motion = lw.Hoop(**hoop).simulate(**start, until=40.0)
         sequences.add(motion.sequence[:2])
-        assert motion.outcome.kind == said["outcome"]["kind"]
-        for key, value in motion.outcome.details.items():
-            if isinstance(value, float):
-                assert same(value, said["outcome"][key]), key
-        assert len(motion.transitions) == len(said["transitions"])
-        for ours, theirs in zip(motion.transitions, said["transitions"], strict=True):
-            assert (ours.from_mode, ours.to_mode, ours.direction, ours.cause) == tuple(
-                theirs[key] for key in ("from", "to", "direction", "cause")
-            )
-            for key in vars(ours.state):
-                assert same(getattr(ours.state, key), theirs[key]), key
-        for ours, theirs in zip(motion.phases, said["phases"], strict=True):
-            assert (ours.mode, ours.direction) == (theirs["mode"], theirs["direction"])
-            assert same(ours.duration, theirs["duration"])
-            assert same(ours.energy_start, theirs["energy_start"])
-            assert same(ours.energy_lost, theirs["energy_lost"])
-            assert ours.is_small_inertia_limit == theirs["small_inertia_limit"]
-        if said["samples"]:
-            samples = motion.sample(7, said["sampled_until"])
-            for i, row in enumerate(said["samples"]):
-                assert lw.MODES[samples["mode"][i]] == row["mode"]
-                for key, value in row.items():
-                    if key != "mode":
-                        assert same(float(samples[key][i]), value), key
+        compare(motion, said)
     # The starts are of many kinds.
     assert len(sequences) >= 8, sequences
+
+
+def test_random_motions_with_impacts(command_json):
+    seen = set()
+    for hoop, start in with_impacts(60):
+        said = command_json("simulate", *flags(**hoop, **start, until=20.0), "--samples", "7")
+        motion = lw.Hoop(**hoop).simulate(**start, until=20.0)
+        compare(motion, said)
+        assert said["hoop"]["restitution_law"] == motion.hoop.law
+        assert motion.energy_lost == said["energy_lost"]
+        seen |= {(one.cause, one.to_mode) for one in motion.transitions if one.impact is not None}
+    # Landings with and without a rebound, and the ends of bounces.
+    assert seen >= {("landing", "flight"), ("landing", "rolling"), ("landing", "sliding"), ("settle", "rolling")}
+
+
+@pytest.mark.parametrize("name", [name for name, case in lw.CASES.items() if case.hoop.restitution is not None])
+def test_cases_with_impacts(name, command_json):
+    said = command_json("simulate", name, "--until", "50", "--samples", "7")
+    motion = lw.case(name).simulate(until=50.0)
+    compare(motion, said)
+    assert any(one.impact is not None for one in motion.transitions)
+    assert (said["hoop"]["restitution"], said["hoop"]["restitution_law"]) == (motion.hoop.restitution, motion.hoop.law)
 
 
 @pytest.mark.parametrize(
@@ -75,6 +123,11 @@ def test_a_hundred_random_starts(command_json):
         ({"theta": (-3.0, 3.0, 23), "theta_rate": (-4.0, 4.0, 31)}, {}),
         ({"mu_k": (0.1, 0.5, 5), "theta_rate": (0.5, 3.0, 26)}, {"theta": 0.3}),
         ({"mu_k": (0.1, 0.9, 9), "mu_s": (0.2, 1.0, 5)}, {"theta": 2.5, "theta_rate": 3.0}),
+        ({"restitution": (0.0, 1.0, 11), "theta_rate": (1.0, 4.0, 7)}, {"theta": 1.5}),
+        (
+            {"theta": (-3.0, 3.0, 13), "gap_rate": (0.0, 2.0, 9)},
+            {"theta_rate": 1.5, "restitution": 0.5, "law": "newton"},
+        ),
     ],
 )
 def test_a_map_is_the_store_of_the_command_line(axes, fixed, command, hoop, tmp_path):

@@ -25,10 +25,10 @@ def arguments(function):
 @pytest.mark.parametrize(
     ("function", "names"),
     [
-        (lw.Hoop, [*tables.HOOP, "units"]),
-        (lw.Hoop.from_si, tables.SI_HOOP),
+        (lw.Hoop, [*tables.HOOP, "law", "units"]),
+        (lw.Hoop.from_si, [*tables.SI_HOOP, "law"]),
         (lw.Hoop.simulate, [*tables.START, *LIMITS]),
-        (lw.Hoop.simulate_si, [*SI_STATE, "until_s", "max_transitions"]),
+        (lw.Hoop.simulate_si, [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions"]),
         (lw.State, _core.STATE),
     ],
 )
@@ -47,16 +47,21 @@ def test_a_sweep_takes_the_axes_of_the_table():
 @pytest.mark.parametrize("function", [lw.Hoop, lw.Hoop.from_si, lw.Hoop.simulate, lw.Hoop.simulate_si])
 def test_defaults_are_those_of_the_table(function):
     # What a start in SI units calls `theta_rad` has the name `theta` in the table.
-    ours = {"theta_rad": "theta", "units": None, "until": None, "until_s": None, "max_transitions": None}
+    ours = {"theta_rad": "theta", **dict.fromkeys(["law", "units", "until", "until_s", "max_transitions"])}
     for name, one in arguments(function).items():
         row = ours.get(name, name)
         if row is not None:
             default = None if one.default is inspect.Parameter.empty else one.default
             assert default == tables.QUANTITIES[row].default, name
+            # What may be left out without a default is absent: None.
+            assert (one.default is None) == tables.QUANTITIES[row].is_optional, name
 
 
-def test_a_start_of_a_case_is_a_state():
-    assert sorted(tables.START) == sorted(field.name for field in dataclasses.fields(lw.State))
+def test_a_start_is_a_state_and_the_rate_of_the_gap():
+    names = [field.name for field in dataclasses.fields(lw.Start)]
+    assert sorted(tables.START) == sorted(names)
+    assert [name for name in names if name not in _core.STATE] == ["gap_rate"]
+    assert all(isinstance(case.start, lw.Start) for case in lw.CASES.values())
 
 
 @pytest.mark.parametrize(
@@ -66,6 +71,8 @@ def test_a_start_of_a_case_is_a_state():
         (lw.CAUSES, _core.CAUSES),
         (lw.CLASSES, _core.CLASSES),
         (lw.REGIONS, _core.REGIONS),
+        (lw.IMPACT_CASES, _core.IMPACT_CASES),
+        (lw.RESTITUTION_LAWS, _core.RESTITUTION_LAWS),
     ],
 )
 def test_codes_are_places(names, rows):
@@ -105,7 +112,7 @@ def test_details_that_are_documented(hoop):
     documented = lw.Outcome.__doc__
     seen = set()
     for case in lw.CASES.values():
-        seen |= set(case.simulate().outcome.details)
+        seen |= set(case.simulate(until=50.0).outcome.details)
     seen |= set(hoop.simulate(theta=1.5, theta_rate=2.0, max_transitions=1).outcome.details)
     assert len(seen) > 10
     for name in seen:
@@ -152,6 +159,7 @@ def test_labels_of_axes_are_those_of_the_table():
 def test_no_source_repeats_a_table():
     """Colours, labels and codes of the core are not typed again anywhere in the package."""
     labels = {*tables.CAUSE_LABELS.values(), *tables.OUTCOME_LABELS.values(), *tables.CLASS_LABELS.values()}
+    labels |= {*tables.IMPACT_LABELS.values(), *tables.LAW_LABELS.values()}
     # One word is a name or plain English; words with a blank between them are not met by chance.
     labels = {label for label in labels if " " in label}
     assert len(labels) > 10

@@ -44,8 +44,8 @@ def test_a_transition_has_a_state_on_either_side(motion):
     for transition, phase, following in zip(motion.transitions, motion.phases, motion.phases[1:], strict=False):
         assert transition.state == phase.end
         assert transition.after == following.start
-        # No velocity jumps at these transitions, and so there is no impulse.
-        assert transition.impulse is None
+        # No velocity jumps at these transitions, and so there is no impact.
+        assert transition.impact is None
         assert transition.after == transition.state
     assert motion.transitions[-1].to_mode is None
 

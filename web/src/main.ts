@@ -10,13 +10,15 @@ import './style/screens.css';
 import { namesAgree } from './core/motion';
 import { cases as casesOfCore, load, provokePanic } from './core/wasm';
 import { Lab, type Change } from './state/lab';
-import { problemOfCase, VIEW, type NamedCase, type State, type Theme } from './state/state';
+import { casesOf, problemOfCase, VIEW, type NamedCase, type State, type Theme } from './state/state';
 import { format, parse, type FieldError } from './state/url';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
 import { byId } from './dom';
+import { EnergyBar } from './ui/energy-bar';
 import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
+import { ImpactPane } from './ui/impact-pane';
 import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
 import { Share } from './ui/share';
@@ -31,7 +33,7 @@ const ADDRESS_PAUSE = 250;
 watch();
 await load(showDefect);
 if (!namesAgree()) throw new Error('the page and its core are of different versions');
-start(JSON.parse(casesOfCore()) as NamedCase[]);
+start(casesOf(casesOfCore()));
 
 function start(cases: NamedCase[]): void {
   if (location.hash === '#panic') provokePanic();
@@ -56,6 +58,8 @@ function start(cases: NamedCase[]): void {
   const bar = new ProblemBar(lab, () => clock.pause());
   const transport = new Transport(lab, clock);
   const story = new Story(lab, go);
+  const energy = new EnergyBar(lab);
+  const impact = new ImpactPane(lab, palette, draw, go);
   new Share(lab,
     { hoop: (c, width, height) => hoop.drawOn(c, width, height), plane: (c, width, height) => plane.drawOn(c, width, height) },
     () => palette, () => address(lab));
@@ -69,6 +73,7 @@ function start(cases: NamedCase[]): void {
     stale.time = false;
     plane.paint();
     hoop.paint();
+    impact.paint();
   }
 
   const showTheme = (): void => {
@@ -77,6 +82,7 @@ function start(cases: NamedCase[]): void {
     hoop.setPalette(palette);
     plane.setPalette(palette);
     plots.setPalette(palette);
+    impact.setPalette(palette);
     draw();
   };
   let theme: Theme = lab.state.view.theme;
@@ -87,6 +93,8 @@ function start(cases: NamedCase[]): void {
       stale.motion = true;
       transport.showMotion();
       story.showMotion();
+      energy.showMotion();
+      impact.showMotion();
       bar.show();
     }
     if (changes.has('errors')) {
@@ -108,6 +116,8 @@ function start(cases: NamedCase[]): void {
       stale.time = true;
       transport.showTime();
       story.showTime();
+      energy.showTime();
+      impact.showTime();
     }
     plane.motionChanged();
     draw();

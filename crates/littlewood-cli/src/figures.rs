@@ -109,7 +109,8 @@ fn prepare(folder: &Path) -> Result<(), Error> {
 /// The hoop and the start of a figure: those of its own case, as far as nothing else is asked for.
 fn subject(args: &FiguresArgs, entry: &FigureEntry) -> Result<FigureInput, Error> {
     let problem = Problem::resolve(Request::new(&args.problem(entry.case), Some(&args.run))?)?;
-    Ok(FigureInput { hoop: problem.hoop, start: problem.start, limits: problem.limits })
+    let input = FigureInput::new(problem.hoop, problem.start, problem.limits);
+    Ok(FigureInput { impact: args.impact, ..input })
 }
 
 const fn is_about_the_hoop(error: &FigureError) -> bool {
@@ -119,7 +120,9 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
             | FigureError::NeedsMassless { .. }
             | FigureError::NeedsRim { .. }
             | FigureError::NeedsOffset { .. }
+            | FigureError::NeedsRestitution { .. }
             | FigureError::NoMotion { .. }
+            | FigureError::NoImpact { .. }
     )
 }
 

@@ -5,21 +5,21 @@ use littlewood::{
     CASES, Classification, Group, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Presence,
     Quantity, Setup, SiSetup, Start, Trajectory, Units, find_case,
 };
-use littlewood_report::Subject;
+use littlewood_report::{RESTITUTION_LAW, Subject};
 
 use crate::error::Error;
 use crate::nearest;
 use crate::request::Request;
 use crate::scenario::Scenario;
-use crate::values::{Given, Origin, Values, find_mixture, flag};
+use crate::values::{Given, GivenLaw, Origin, Values, find_mixture, flag};
 
 /// What is to be simulated or classified.
 #[derive(Debug)]
 pub(crate) struct Problem {
     /// The case that it starts from.
     pub(crate) case: Option<&'static NamedCase>,
-    /// The quantities that differ from those of the case.
-    pub(crate) changed: Vec<Quantity>,
+    /// What differs from the case.
+    pub(crate) changes: Changes,
     /// Hoop.
     pub(crate) hoop: Hoop,
     /// Start.
@@ -31,10 +31,20 @@ pub(crate) struct Problem {
     inputs: Inputs,
 }
 
+/// What a problem has other than its case: the names.
+#[derive(Debug, Default)]
+pub(crate) struct Changes {
+    /// What the case has, too.
+    pub(crate) replaced: Vec<&'static str>,
+    /// What it has not.
+    pub(crate) added: Vec<&'static str>,
+}
+
 /// What was given, kept to say where a value comes from that turns out to be wrong.
 #[derive(Debug)]
 struct Inputs {
     values: Values,
+    law: Option<GivenLaw>,
     scenario: Option<Scenario>,
 }
 
@@ -44,7 +54,7 @@ impl Problem {
     /// # Errors
     /// An unknown case, a missing value, a value out of bounds, or a mixture of units.
     pub(crate) fn resolve(request: Request) -> Result<Self, Error> {
-        let Request { case, scenario, flags, si, max_transitions, overrides } = request;
+        let Request { case, scenario, flags, law, si, max_transitions, overrides } = request;
         let case = find(case.as_deref(), scenario.as_ref())?;
         let mut values = case.map(|case| Values::of_case(&case.setup)).unwrap_or_default();
         if let Some(scenario) = &scenario {
@@ -60,15 +70,20 @@ impl Problem {
 
         let max_transitions = max_transitions.or(scenario.as_ref().and_then(Scenario::max_transitions));
         let is_si = overrides.si || si || values.any_si() || scenario.as_ref().is_some_and(Scenario::is_si);
-        let inputs = Inputs { values, scenario };
+        let of_case = || case.and_then(|case| case.setup.hoop.restitution_law);
+        let law = law
+            .map(|law| GivenLaw { law, origin: Origin::Flag })
+            .or_else(|| scenario.as_ref().and_then(Scenario::law))
+            .or_else(|| of_case().map(|law| GivenLaw { law, origin: Origin::Case }));
+        let inputs = Inputs { values, law, scenario };
         inputs.refuse_gaps(is_si)?;
         let (hoop, start, until, units) = inputs.convert(is_si).map_err(|error| inputs.blame(error))?;
         let transitions = max_transitions
             .and_then(|count| usize::try_from(count).ok())
             .unwrap_or(Limits::default().transitions);
         let limits = Limits::default().with_until(until).with_transitions(transitions);
-        let changed = case.map(|_| inputs.changed()).unwrap_or_default();
-        Ok(Self { case, changed, hoop, start, limits, units, inputs })
+        let changes = case.map(|case| inputs.changes(&case.setup)).unwrap_or_default();
+        Ok(Self { case, changes, hoop, start, limits, units, inputs })
     }
 
     /// Follows the motion.
@@ -123,7 +138,7 @@ impl Inputs {
     fn convert(&self, is_si: bool) -> Result<(Hoop, Start, Option<f64>, Option<Units>), ParameterError> {
         if !is_si {
             let Setup { hoop, start } = self.over(|_| None);
-            return Ok((Hoop::new(hoop)?, start, self.values.get(Quantity::Until), None));
+            return Ok((Hoop::new(self.with_law(hoop))?, start, self.values.get(Quantity::Until), None));
         }
         let units = Units::new(
             self.or_default(Quantity::ParticleMassKg),
@@ -138,7 +153,7 @@ impl Inputs {
         let Setup { hoop, .. } = self.over(|quantity| {
             hoop.and_then(|hoop: HoopParameters| Setup::new(hoop, Start::default()).get(quantity))
         });
-        let hoop = Hoop::new(hoop)?;
+        let hoop = Hoop::new(self.with_law(hoop))?;
         let converted = Setup::new(hoop.parameters(), units.start(&si.start)?);
         let Setup { start, .. } = self.over(|quantity| converted.get(quantity));
         let until = match self.values.get(Quantity::UntilS) {
@@ -177,30 +192,51 @@ impl Inputs {
             }
             Group::Run => None,
         };
-        SiSetup::from_values(value, None)
+        SiSetup::from_values(value, self.law.as_ref().map(|given| given.law))
     }
 
-    /// The quantities of the hoop and the start that do not come from the case.
-    fn changed(&self) -> Vec<Quantity> {
+    /// The hoop with the law of restitution that was given.
+    fn with_law(&self, hoop: HoopParameters) -> HoopParameters {
+        let mut hoop = hoop;
+        hoop.restitution_law = self.law.as_ref().map(|given| given.law);
+        hoop
+    }
+
+    /// What of the hoop and the start does not come from the case.
+    fn changes(&self, case: &Setup) -> Changes {
         let is_of_motion = |quantity: Quantity| match quantity.group() {
             Group::Hoop | Group::Start | Group::Place => true,
             Group::Units | Group::Run => false,
         };
-        self.values
+        let given = self
+            .values
             .iter()
             .filter(|given| given.origin != Origin::Case && is_of_motion(given.quantity))
-            .map(|given| given.quantity)
-            .collect()
+            .map(|given| (given.quantity.name(), case.get(given.quantity.dimensionless()).is_some()));
+        let law = self.law.iter().filter(|given| given.origin != Origin::Case);
+        let law = law.map(|_| (RESTITUTION_LAW, case.hoop.restitution_law.is_some()));
+        let (replaced, added): (Vec<_>, Vec<_>) = given.chain(law).partition(|(_, has)| *has);
+        let names = |list: Vec<(&'static str, bool)>| list.into_iter().map(|(name, _)| name).collect();
+        Changes { replaced: names(replaced), added: names(added) }
     }
 
     /// Says where the value comes from that an error is about.
     fn blame(&self, error: ParameterError) -> Error {
-        match (self.values.find(error.quantity()), &self.scenario) {
-            (Some(Given { origin: Origin::File(span), .. }), Some(scenario)) => {
+        let origin = match error {
+            ParameterError::LawAlone { .. } => self.law.as_ref().map(|given| &given.origin),
+            ParameterError::OutOfBounds { .. }
+            | ParameterError::NoMotion { .. }
+            | ParameterError::MasslessImpact { .. }
+            | ParameterError::MasslessFlight { .. } => {
+                self.values.find(error.quantity()).map(|given| &given.origin)
+            }
+        };
+        match (origin, &self.scenario) {
+            (Some(Origin::File(span)), Some(scenario)) => {
                 let source_code = scenario.source_code();
                 Error::ScenarioValue { error, source_code, span: span.clone().into() }
             }
-            (Some(_) | None, _) => Error::Value { error },
+            (Some(Origin::File(_) | Origin::Case | Origin::Flag) | None, _) => Error::Value { error },
         }
     }
 }

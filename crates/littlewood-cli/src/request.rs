@@ -1,5 +1,7 @@
 //! What was asked for on the command line and in a scenario file, before it is put together.
 
+use littlewood::RestitutionLaw;
+
 use crate::args::{ProblemArgs, RunArgs};
 use crate::error::Error;
 use crate::scenario::Scenario;
@@ -14,6 +16,8 @@ pub(crate) struct Request {
     pub(crate) scenario: Option<Scenario>,
     /// The numbers among the flags.
     pub(crate) flags: Vec<Given>,
+    /// The law of restitution, by a flag.
+    pub(crate) law: Option<RestitutionLaw>,
     /// Whether a flag asks for SI units.
     pub(crate) si: bool,
     /// Largest number of transitions, by a flag.
@@ -45,6 +49,7 @@ impl Request {
             case: problem.case.clone(),
             scenario: problem.scenario.as_deref().map(Scenario::read).transpose()?,
             flags: problem.setup.given.iter().cloned().chain(limits).collect(),
+            law: problem.setup.law,
             si: problem.setup.si,
             max_transitions: run.and_then(|run| run.max_transitions),
             overrides: Overrides::default(),

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::ValueEnum;
-use littlewood::{Group, Quantity};
+use littlewood::{Group, Quantity, RestitutionLaw};
+use littlewood_report::RESTITUTION_LAW;
 use miette::NamedSource;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -17,7 +18,7 @@ use toml::de::{DeTable, DeValue};
 use crate::args::{Format, MAX_TRANSITIONS, SAMPLES};
 use crate::error::Error;
 use crate::nearest;
-use crate::values::{Given, Origin, si_name};
+use crate::values::{Given, GivenLaw, Origin, si_name};
 
 /// A scenario file that has been read.
 #[derive(Debug)]
@@ -25,6 +26,7 @@ pub(crate) struct Scenario {
     source: Source,
     case: Option<(String, Range<usize>)>,
     given: Vec<Given>,
+    law: Option<GivenLaw>,
     is_si: bool,
     run: Run,
 }
@@ -58,8 +60,10 @@ impl Scenario {
             None => None,
         };
         let mut given = Vec::new();
+        let mut law = None;
         if let Some(hoop) = whole.section("hoop", "[hoop]")? {
-            given.extend(hoop.quantities(&keys(Quantity::HOOP), &[])?);
+            given.extend(hoop.quantities(&keys(Quantity::HOOP), &[RESTITUTION_LAW])?);
+            law = hoop.law()?;
         }
         if let Some(start) = whole.section("start", "[start]")? {
             given.extend(start.quantities(&keys(Quantity::START), &[])?);
@@ -70,19 +74,20 @@ impl Scenario {
             given.extend(section.quantities(&keys(limits), &Run::KEYS)?);
             run = Run::read(&section)?;
         }
-        // θ, μs and μk, which can stand in both, are taken from [si].
+        // θ, μs, μk and e with its law, which can stand in both, are taken from [si].
         let si = whole.section("si", "[si]")?;
         if let Some(si) = &si {
             si.refuse_other_keys(&["hoop", "start"])?;
             if let Some(hoop) = si.section("hoop", "[si.hoop]")? {
-                given.extend(hoop.quantities(&si_keys(Quantity::SI_HOOP), &[])?);
+                given.extend(hoop.quantities(&si_keys(Quantity::SI_HOOP), &[RESTITUTION_LAW])?);
+                law = hoop.law()?.or(law);
             }
             if let Some(start) = si.section("start", "[si.start]")? {
                 given.extend(start.quantities(&si_keys(Quantity::SI_START), &[])?);
             }
         }
         let is_si = si.is_some();
-        Ok(Self { source, case, given, is_si, run })
+        Ok(Self { source, case, given, law, is_si, run })
     }
 
     /// The name of the case that the file starts from, and its place.
@@ -93,6 +98,11 @@ impl Scenario {
     /// The numbers in the file. Of two for the same quantity the later one counts.
     pub(crate) fn given(&self) -> Vec<Given> {
         self.given.clone()
+    }
+
+    /// The law of restitution.
+    pub(crate) fn law(&self) -> Option<GivenLaw> {
+        self.law.clone()
     }
 
     /// Whether the file has an `[si]` table.
@@ -177,7 +187,8 @@ fn overview() -> String {
         quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ")
     };
     format!(
-        "the keys are `case`; [hoop] {}; [start] {}; [run] until, {}; and [si.hoop], [si.start] with units in the names",
+        "the keys are `case`; [hoop] {}, {RESTITUTION_LAW}; [start] {}; [run] until, {}; and [si.hoop], [si.start] with \
+         units in the names",
         names(&Quantity::HOOP),
         names(&Quantity::START),
         Run::KEYS.join(", "),
@@ -242,6 +253,19 @@ impl<'a> Section<'a> {
                 Ok(Given { quantity, value: self.number(key, value)?, origin })
             })
             .collect()
+    }
+
+    /// The law of restitution.
+    fn law(&self) -> Result<Option<GivenLaw>, Error> {
+        let Some((_, value)) = self.find(RESTITUTION_LAW) else { return Ok(None) };
+        let name = self.text(RESTITUTION_LAW, value)?;
+        let span = value.span();
+        let law = name.parse().map_err(|_| {
+            let message = format!("there is no law of restitution '{name}'");
+            let all = format!("the laws are {}", RestitutionLaw::NAMES.join(", "));
+            self.source.complain(message, nearest::hint(name, RestitutionLaw::NAMES, &all), span.clone())
+        })?;
+        Ok(Some(GivenLaw { law, origin: Origin::File(span) }))
     }
 
     fn number(&self, key: &str, value: &Spanned<DeValue<'_>>) -> Result<f64, Error> {

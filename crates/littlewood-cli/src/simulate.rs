@@ -6,6 +6,7 @@ use crate::args::{Format, SimulateArgs};
 use crate::error::Error;
 use crate::output::Output;
 use crate::problem::Problem;
+use crate::report::table::Look;
 use crate::report::{self, Sampling};
 use crate::request::Request;
 use crate::scenario::Scenario;
@@ -28,9 +29,9 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let trajectory = problem.simulate()?;
     let sampling =
         samples.map(|count| Sampling::of(&trajectory, usize::try_from(count).unwrap_or(usize::MAX)));
-    let colour = output.has_colour();
+    let look = Look { sampling, all_bounces: args.all_bounces, colour: output.has_colour() };
     output.write(|writer| match format {
-        Format::Table => report::table::motion(writer, &problem, &trajectory, sampling, colour),
+        Format::Table => report::table::motion(writer, &problem, &trajectory, look),
         Format::Json => report::json::motion(writer, &problem.subject(), &trajectory, sampling),
         Format::Csv => report::csv::motion(writer, &problem.subject(), &trajectory, sampling),
     })

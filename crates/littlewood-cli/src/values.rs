@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use littlewood::{Quantity, Setup};
+use littlewood::{Quantity, RestitutionLaw, Setup};
 
 /// Where a number was given.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,6 +32,15 @@ impl Given {
     pub(crate) const fn by_flag(quantity: Quantity, value: f64) -> Self {
         Self { quantity, value, origin: Origin::Flag }
     }
+}
+
+/// A law of restitution as it was given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct GivenLaw {
+    /// The law.
+    pub(crate) law: RestitutionLaw,
+    /// Where it comes from.
+    pub(crate) origin: Origin,
 }
 
 /// At most one number for each quantity of (2.9), dimensionless or in SI units.
@@ -102,7 +111,10 @@ mod tests {
     #[test]
     fn names_in_si_units_end_in_the_unit() {
         let names: Vec<_> = Quantity::SI_START.into_iter().map(si_name).collect();
-        assert_eq!(names, ["theta_rad", "theta_rate_rad_per_s", "slip_m_per_s", "x_m", "time_s"]);
+        assert_eq!(
+            names,
+            ["theta_rad", "theta_rate_rad_per_s", "slip_m_per_s", "gap_rate_m_per_s", "x_m", "time_s"]
+        );
         assert_eq!(si_name(Quantity::MuS), "mu_s");
     }
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use littlewood::{HoopParameters, Limits, Quantity, Setup, Start, Units};
+use littlewood::{HoopParameters, Limits, Quantity, RestitutionLaw, Setup, Start, Units};
 use littlewood_sweep::{Axis, AxisError, Grid, Options, Progress, Report, Target, Workers};
 
 use crate::args::{ProblemArgs, RunArgs, WorkArgs};
@@ -15,8 +15,12 @@ use crate::values::Given;
 
 /// A setup whose numbers go with all values of any one of them, for what an axis or a list puts its own value in place
 /// of. 1e9 is the largest coefficient of friction that a hoop may have.
-pub(crate) const STAND_IN: Setup =
-    Setup::new(HoopParameters::new(1.0, 0.5, 1.0).with_friction(1e9, 0.0), Start::at(0.0, 0.0));
+pub(crate) const STAND_IN: Setup = Setup::new(
+    HoopParameters::new(1.0, 0.5, 1.0)
+        .with_friction(1e9, 0.0)
+        .with_restitution(0.0, RestitutionLaw::Energetic),
+    Start::at(0.0, 0.0),
+);
 
 /// The setup that the others are taken from, and the limits.
 #[derive(Debug)]

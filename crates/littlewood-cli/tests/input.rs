@@ -2,7 +2,7 @@
 
 mod support;
 
-use littlewood::{Group, Quantity};
+use littlewood::{Group, Quantity, RestitutionLaw};
 use support::{FIGURE_3, complaint, littlewood, text};
 
 /// The message for Figure 3 with these flags on top.
@@ -14,7 +14,40 @@ fn refused(flags: &[&str]) -> String {
 
 #[test]
 fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
-    let cases: [(&[&str], &str, &str); 14] = [
+    let massless = ["--mass-ratio", "0", "--inertia", "0"];
+    let massless_impact = [&massless[..], &["--restitution", "0.5"]].concat();
+    let massless_flight = [&massless[..], &["--gap-rate", "0.5"]].concat();
+    let cases: [(&[&str], &str, &str); 24] = [
+        (&["--restitution", "1.5"], "restitution = 1.5 must not exceed 1", "one that gives everything back"),
+        (
+            &["--restitution", "-0.1"],
+            "restitution = -0.1 must not be negative",
+            "0 is an impact without rebound",
+        ),
+        (&["--restitution", "nan"], "restitution = NaN must be a finite number", "not numbers to start from"),
+        (&["--restitution", "inf"], "restitution = inf must be a finite number", "not numbers to start from"),
+        (
+            &["--restitution-law", "newton"],
+            "restitution_law = newton without restitution",
+            "give the coefficient too, 0 to 1, or leave out the law",
+        ),
+        (
+            &massless_impact,
+            "restitution = 0.5 of a massless hoop (mass_ratio = 0, inertia = 0): its rim has no inertia",
+            "give the hoop a mass or a moment of inertia",
+        ),
+        (
+            &massless_flight,
+            "gap_rate = 0.5 of a massless hoop",
+            "give the hoop a mass or a moment of inertia",
+        ),
+        (&["--gap-rate", "-1"], "gap_rate = -1 sqrt(g R) must not be negative", "the rim is at the plane"),
+        (
+            &["--gap-rate", "nan"],
+            "gap_rate = NaN sqrt(g R) must be a finite number",
+            "not numbers to start from",
+        ),
+        (&["--gap-rate", "1e7"], "gap_rate = 10000000 sqrt(g R) must lie between", "no longer resolves"),
         (&["--mu-k", "0.6"], "mu_k = 0.6 must not exceed mu_s = 0.5", "0 <= mu_k <= mu_s"),
         (&["--mu-s", "-0.1"], "mu_s = -0.1 must not be negative", "0 <= mu_k <= mu_s"),
         (&["--mu-k=-1e-9"], "mu_k = -0.000000001 must not be negative", "0 <= mu_k <= mu_s"),
@@ -50,6 +83,10 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
 fn classify_refuses_the_same_values() {
     let message = complaint(&["classify", "figure-3", "--offset", "1.5"], 2);
     assert!(message.contains("offset = 1.5 must not exceed 1"), "{message}");
+    let message = complaint(&["classify", "figure-3", "--restitution", "2"], 2);
+    assert!(message.contains("restitution = 2 must not exceed 1"), "{message}");
+    let message = complaint(&["classify", "figure-3", "--restitution-law", "poisson"], 2);
+    assert!(message.contains("restitution_law = poisson without restitution"), "{message}");
     let message = complaint(&["classify", "figure-3", "--theta", "inf"], 2);
     assert!(message.contains("theta = inf rad must be a finite number"), "{message}");
 }
@@ -66,6 +103,8 @@ fn what_is_no_number_is_refused() {
         (&["--samples", "-5"], "-5"),
         (&["--max-transitions", "0"], "'0'"),
         (&["--format", "xml"], "possible values"),
+        (&["--restitution", "0.5", "--restitution-law", "stronge"], "energetic, poisson, newton"),
+        (&["--restitution-law"], "a value is required for '--restitution-law <LAW>'"),
     ] {
         let message = refused(flags);
         assert!(message.contains(part), "{part} is not in\n{message}");
@@ -128,6 +167,9 @@ fn a_wrong_si_value_is_named_in_its_unit() {
         (&["--theta-rate-rad-per-s", "nan"], "theta_rate_rad_per_s = NaN rad/s must be a finite number"),
         (&["--time-s", "3", "--until-s", "2"], "until_s = 2 s must not be less than time_s = 3 s"),
         (&["--until-s", "inf"], "until_s = inf s must be a finite number"),
+        (&["--gap-rate-m-per-s", "-1"], "gap_rate_m_per_s = -1 m/s must not be negative"),
+        (&["--restitution", "nan"], "restitution = NaN must be a finite number"),
+        (&["--restitution-law", "newton"], "restitution_law = newton without restitution"),
     ] {
         let message = refused(&[&size, flags].concat());
         assert!(message.contains(part), "{part} is not in\n{message}");
@@ -145,11 +187,20 @@ fn every_quantity_has_a_flag_with_its_help_and_default() {
         let row = quantity.row();
         let flag = format!("--{} <", quantity.name().replace('_', "-"));
         let (_, text) = help.split_once(&flag).unwrap_or_else(|| panic!("{flag} is not in\n{help}"));
-        let default = row.default.map(|default| format!(" [default: {default}]")).unwrap_or_default();
+        let default =
+            row.presence.default_value().map(|default| format!(" [default: {default}]")).unwrap_or_default();
         let (_, text) = text.split_once("> ").expect("the name of a value ends");
         assert!(text.starts_with(&words(&format!("{}{default}", row.help))), "{flag}: {text}");
     }
     assert!(help.contains("[alias: --theta-rad]"), "{help}");
+    // Every command that takes a hoop takes the law of its impacts.
+    for command in ["simulate", "classify", "map", "sweep", "atlas", "figures", "animate"] {
+        let help = text(&[command, "--help"]);
+        assert!(help.contains("--restitution <RATIO>") && help.contains("--restitution-law <LAW>"), "{help}");
+        for law in RestitutionLaw::NAMES {
+            assert!(help.contains(law), "{law} is not in\n{help}");
+        }
+    }
     // The axes of a map have the names of x; where and when a motion starts changes nothing else.
     let map = text(&["map", "--help"]);
     for quantity in Quantity::ALL {

@@ -122,9 +122,86 @@ fn every_quantity_is_a_key_of_its_table() {
     for quantity in Quantity::SI_HOOP {
         assert_close(number(&document["si"]["hoop"][quantity.name()]), 0.5, 1e-15);
     }
-    for name in ["theta_rad", "theta_rate_rad_per_s", "slip_m_per_s", "x_m", "time_s"] {
+    let names = ["theta_rad", "theta_rate_rad_per_s", "slip_m_per_s", "gap_rate_m_per_s", "x_m", "time_s"];
+    for name in names {
         assert_close(number(&document["start"]["si"][name]), 0.5, 1e-15);
     }
+}
+
+/// A run in JSON as the scenario that gives it again.
+fn scenario_of(document: &serde_json::Value, run: &str) -> String {
+    let table = |name: &str| {
+        let fields = document[name].as_object().expect("an object").iter();
+        let fields = fields.filter(|(key, _)| !["mode", "direction", "si"].contains(&key.as_str()));
+        let lines: String = fields.map(|(key, value)| format!("{key} = {value}\n")).collect();
+        format!("[{name}]\n{lines}")
+    };
+    format!("{}{}[run]\n{run}\n", table("hoop"), table("start"))
+}
+
+#[test]
+fn a_motion_with_impacts_comes_back_from_its_json() {
+    for (case, law) in [
+        ("figure-3-bounces", "poisson"),
+        ("figure-3-bounces", "energetic"),
+        ("jam", "energetic"),
+        ("bounces-forever", "newton"),
+    ] {
+        let mut document = json(&["simulate", case, "--restitution-law", law, "--until", "12"]);
+        document.as_object_mut().unwrap().remove("case");
+        let (_folder, path) = scenario(&scenario_of(&document, "until = 12"));
+        assert_eq!(json(&["simulate", "--scenario", path.to_str().unwrap()]), document, "{case}, {law}");
+    }
+}
+
+#[test]
+fn the_law_of_restitution_is_a_key_of_both_hoops() {
+    let run = |content: &str, flags: &[&str]| {
+        let (_folder, path) = scenario(content);
+        let document = json(&[&["simulate", "--scenario", path.to_str().unwrap()], flags].concat());
+        document["hoop"]["restitution_law"].clone()
+    };
+    let plain = "case = \"figure-3\"\n[hoop]\nrestitution = 0.5\nrestitution_law = \"poisson\"\n";
+    assert_eq!(run(plain, &[]), "poisson");
+    assert_eq!(run(plain, &["--restitution-law", "newton"]), "newton");
+    let si = "case = \"figure-3\"\n[si.hoop]\nradius_m = 1\nparticle_mass_kg = 1\nrestitution = 0.5\n";
+    assert_eq!(run(si, &[]), "energetic");
+    assert_eq!(run(&format!("{si}restitution_law = \"newton\"\n"), &[]), "newton");
+    // A coefficient and its law may come from different places.
+    let law = "case = \"figure-3\"\n[hoop]\nrestitution_law = \"poisson\"\n";
+    assert_eq!(run(law, &["--restitution", "0.2"]), "poisson");
+    assert_eq!(run("case = \"figure-3-bounces\"\n[hoop]\nrestitution_law = \"newton\"\n", &[]), "newton");
+}
+
+#[test]
+fn a_law_that_is_wrong_is_shown_with_its_place() {
+    let message = refused("case = \"figure-3\"\n[hoop]\nrestitution_law = \"newton\"\n");
+    assert!(message.contains("restitution_law = newton without restitution"), "{message}");
+    assert!(message.contains("hoop.toml:3:19") && message.contains("give the coefficient too"), "{message}");
+    let message = refused("case = \"figure-3\"\n[hoop]\nrestitution = 0.5\nrestitution_law = \"newtons\"\n");
+    assert!(message.contains("there is no law of restitution 'newtons'"), "{message}");
+    assert!(message.contains("did you mean 'newton'") && message.contains("hoop.toml:4:19"), "{message}");
+    let message = refused("case = \"figure-3\"\n[hoop]\nrestitution = 0.5\nrestitution_law = 1\n");
+    assert!(message.contains("restitution_law is not a string"), "{message}");
+    let message = refused("case = \"figure-3\"\n[si.hoop]\nrestitution_law = \"newton\"\n");
+    assert!(message.contains("missing: particle_mass_kg, radius_m"), "{message}");
+    let size = "radius_m = 1\nparticle_mass_kg = 1\n";
+    let message = refused(&format!("case = \"figure-3\"\n[si.hoop]\n{size}restitution_law = \"newton\"\n"));
+    assert!(
+        message.contains("newton without restitution") && message.contains("hoop.toml:5:19"),
+        "{message}"
+    );
+    let message = refused("case = \"figure-3\"\n[hoop]\nrestitution = 1.25\n");
+    assert!(message.contains("restitution = 1.25 must not exceed 1"), "{message}");
+    assert!(message.contains("hoop.toml:3:15"), "{message}");
+    let message = refused("case = \"figure-3\"\n[hoop]\nrestitution = nan\n");
+    assert!(message.contains("restitution = NaN must be a finite number"), "{message}");
+    let message = refused("case = \"figure-7\"\n[hoop]\nrestitution = 0.5\n");
+    assert!(message.contains("of a massless hoop") && message.contains("hoop.toml:3:15"), "{message}");
+    let message = refused("case = \"figure-3\"\n[start]\ngap_rate = -0.5\n");
+    assert!(message.contains("gap_rate = -0.5 sqrt(g R) must not be negative"), "{message}");
+    let message = refused("case = \"figure-3\"\n[hoop]\nrestitution_lav = \"newton\"\n");
+    assert!(message.contains("did you mean 'restitution_law'"), "{message}");
 }
 
 #[test]

@@ -161,7 +161,7 @@ fn every_case_is_printed_as_the_library_has_it() {
         assert_eq!(transitions.len(), motion.transitions().len());
         for (printed, transition) in transitions.iter().zip(motion.transitions()) {
             // Every digit is there: the number that is read back is the same, bit for bit.
-            for (name, value) in STATE.iter().zip(transition.before.numbers()) {
+            for (name, value) in STATE.iter().zip(transition.after.numbers()) {
                 let expected = value.is_finite().then(|| value.to_bits());
                 assert_eq!(printed[name].as_f64().map(f64::to_bits), expected, "{} {name}", case.name);
             }

@@ -82,6 +82,8 @@ pub const FIGURES: &[FigureEntry] = &[
     ),
     entry("energy", "energies of a motion against time", "figure-3", paper::histories::energy),
     entry("friction-demand", "friction that rolling demands along orbits", "figure-3", paper::demand::figure),
+    entry("impact", "an impact in the plane of impulses", "figure-3-bounces", paper::impact::figure),
+    entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", paper::bounces::figure),
     entry("outcomes", "what becomes of the starts of the plane", "figure-3", paper::outcomes::figure),
 ];
 
@@ -92,7 +94,7 @@ const PREFACE: &str = "\
 # Gallery
 
 Every figure of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of Littlewood's
-rolling hoop* (Proc. R. Soc. A 475, 2019), and four that it does not have, made from the library's results:
+rolling hoop* (Proc. R. Soc. A 475, 2019), and six that it does not have, made from the library's results:
 
 ```sh
 littlewood figures --out figures

@@ -13,5 +13,9 @@ pub(crate) const ENERGY: &str = SampleColumn::Energy.name();
 pub(crate) const MU_S: &str = Quantity::MuS.name();
 pub(crate) const MU_K: &str = Quantity::MuK.name();
 
+/// Impulses of an impact, as records of motions name them.
+pub(crate) const NORMAL_IMPULSE: &str = "normal_impulse";
+pub(crate) const FRICTION_IMPULSE: &str = "friction_impulse";
+
 /// Columns of a curve in the plane (θ, θ′).
 pub(crate) const PLANE: [&str; 2] = [THETA, THETA_RATE];

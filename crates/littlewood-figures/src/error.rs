@@ -52,6 +52,30 @@ pub enum FigureError {
         /// What there is instead.
         outcome: OutcomeKind,
     },
+    /// A figure of impacts asked for a hoop whose motion ends at the landing.
+    #[error(
+        "{figure} shows what follows a landing; without a coefficient of restitution the motion ends there"
+    )]
+    NeedsRestitution {
+        /// Name of the figure.
+        figure: &'static str,
+    },
+    /// A figure of impacts asked for a motion without one.
+    #[error("{figure} shows impacts, but the motion has none: {}", outcome.label())]
+    NoImpact {
+        /// Name of the figure.
+        figure: &'static str,
+        /// How the motion ends.
+        outcome: OutcomeKind,
+    },
+    /// An impact that the motion does not have.
+    #[error("impact {number} is asked for, but the impacts of the motion are 1 to {impacts}")]
+    ImpactNumber {
+        /// The number.
+        number: usize,
+        /// How many impacts there are, without those by which the hoop settles.
+        impacts: usize,
+    },
     /// A scale out of bounds.
     #[error(
         "scale is {scale}, but must be from {least} to {most} pixels of the picture to one of the drawing"

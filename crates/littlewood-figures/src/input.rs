@@ -13,6 +13,8 @@ pub struct FigureInput {
     pub start: Start,
     /// Where it is stopped.
     pub limits: Limits,
+    /// Which impact of the motion is shown, from 1, by the figure that shows one.
+    pub impact: usize,
 }
 
 impl FigureInput {
@@ -23,7 +25,13 @@ impl FigureInput {
     pub fn of_case(name: &str) -> Result<Self, FigureError> {
         let case =
             littlewood::find_case(name).ok_or_else(|| FigureError::UnknownCase { name: name.to_owned() })?;
-        Ok(Self { hoop: Hoop::new(case.setup.hoop)?, start: case.setup.start, limits: Limits::default() })
+        Ok(Self::new(Hoop::new(case.setup.hoop)?, case.setup.start, Limits::default()))
+    }
+
+    /// A hoop and a start; of the impacts the first.
+    #[must_use]
+    pub const fn new(hoop: Hoop, start: Start, limits: Limits) -> Self {
+        Self { hoop, start, limits, impact: 1 }
     }
 
     /// The motion.

@@ -22,7 +22,7 @@
 //! use littlewood_figures::{FigureInput, find_figure};
 //!
 //! let hoop = Hoop::new(HoopParameters::new(2.0, 0.8, 2.0).with_friction(0.7, 0.5))?;
-//! let input = FigureInput { hoop, start: Start::at(1.0, 2.0), limits: Limits::default() };
+//! let input = FigureInput::new(hoop, Start::at(1.0, 2.0), Limits::default());
 //! let portrait = find_figure("figure-2b").expect("a name of the catalogue").figure(&input)?;
 //! assert_eq!(portrait.panels.len(), 1);
 //! # Ok::<(), littlewood_figures::FigureError>(())
@@ -39,6 +39,7 @@ mod csv;
 mod draw;
 mod error;
 mod figure;
+mod impacts;
 mod input;
 mod motion;
 mod paper;

@@ -1,20 +1,35 @@
 //! A motion as series: one piece for each phase of a mode.
 
-use littlewood::{Mode, Phase, Sample, Trajectory};
+use core::f64::consts::TAU;
+
+use littlewood::{Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
 
 use crate::figure::Series;
 
 /// Instants of a phase.
 const INSTANTS: u32 = 160;
 
+/// Instants of a motion with impacts, and of the shortest of its phases: there may be thousands.
+const INSTANTS_IN_ALL: f64 = 960.0;
+const FEWEST_INSTANTS: u32 = 2;
+
+/// Most transitions that are shown of a motion that was stopped at a number of them.
+const TRANSITIONS: usize = 12;
+
 /// The instants of a phase, evenly spaced; one that lasts for ever is cut at `until`.
-pub(crate) fn instants(phase: &Phase, until: f64) -> Vec<Sample> {
+pub(crate) fn instants(motion: &Trajectory, phase: &Phase, until: f64) -> Vec<Sample> {
     let duration = f64::min(phase.duration(), until - phase.start().time);
     if duration <= 0.0 {
         return Vec::new();
     }
-    (0..=INSTANTS)
-        .map(|i| phase.sample(duration * f64::from(i) / f64::from(INSTANTS)))
+    let intervals = if motion.hoop().restitution().is_some() {
+        let share = duration / (until - motion.start().time);
+        (libm::ceil(INSTANTS_IN_ALL * share) as u32).clamp(FEWEST_INSTANTS, INSTANTS)
+    } else {
+        INSTANTS
+    };
+    (0..=intervals)
+        .map(|i| phase.sample(duration * f64::from(i) / f64::from(intervals)))
         .filter(|sample| sample.state.theta_rate.is_finite())
         .collect()
 }
@@ -24,11 +39,31 @@ pub(crate) fn instants(phase: &Phase, until: f64) -> Vec<Sample> {
 pub(crate) fn horizon(motion: &Trajectory) -> f64 {
     let end = motion.end_time();
     let Some(last) = motion.phases().last() else { return end };
+    if motion.hoop().restitution().is_some() {
+        return horizon_with_impacts(motion, last);
+    }
     if end.is_finite() && motion.outcome().is_final() {
         return end;
     }
     let turns = 14.0 / f64::max(last.start().theta_rate.abs(), 14.0 / 12.0);
     f64::min(end, last.start().time + turns)
+}
+
+/// The same of a motion that goes on after its landings: it has more to show before its last phase, of which a turn is
+/// enough. Where it bounces until it is stopped, its first flights.
+fn horizon_with_impacts(motion: &Trajectory, last: &Phase) -> f64 {
+    let end = motion.end_time();
+    let stopped = motion.transitions().get(TRANSITIONS).map(Transition::time);
+    if motion.outcome().kind() == OutcomeKind::TransitionLimit
+        && let Some(time) = stopped
+    {
+        return time;
+    }
+    if end.is_finite() && motion.outcome().is_final() {
+        return end;
+    }
+    let turn = TAU / f64::max(last.start().theta_rate.abs(), 1.0);
+    f64::min(end, last.start().time + turn)
 }
 
 /// The modes of a motion, each with the series of its phases.
@@ -46,7 +81,7 @@ pub(crate) fn by_mode(
                 .phases()
                 .iter()
                 .filter(|phase| phase.mode() == mode)
-                .map(|phase| instants(phase, until).iter().map(row).collect())
+                .map(|phase| instants(motion, phase, until).iter().map(row).collect())
                 .collect();
             (!pieces.is_empty()).then(|| (mode, Series::new(format!("{prefix}{mode}"), columns, pieces)))
         })

@@ -1,7 +1,7 @@
 //! Lines and letters of the figures, in the colours of [`littlewood_style`] on white paper.
 
 use littlewood::Mode;
-use littlewood_style::{Accent, Arrow, Curve, Dash, Ink, Rgb, Theme, dash_of, of_mode, width};
+use littlewood_style::{Accent, Arrow, Curve, Dash, ImpulseLine, Ink, Rgb, Theme, dash_of, of_mode, width};
 
 /// What figures are drawn on.
 pub(crate) const THEME: Theme = Theme::Light;
@@ -24,6 +24,8 @@ pub(crate) const REGION: Rgb = Ink::Region.colour(THEME);
 pub(crate) const NORMAL_FORCE: Rgb = Arrow::NormalForce.colour(THEME);
 /// Friction force, and the curve f.
 pub(crate) const FRICTION_FORCE: Rgb = Arrow::FrictionForce.colour(THEME);
+/// Impulse of an impact.
+pub(crate) const IMPULSE: Rgb = Arrow::Impulse.colour(THEME);
 /// The first colour without a meaning of its own.
 pub(crate) const FIRST: Rgb = Accent::Violet.colour(THEME);
 /// The second.
@@ -51,6 +53,12 @@ impl Stroke {
     #[must_use]
     pub const fn of_curve(curve: Curve) -> Self {
         Self { colour: curve.colour(THEME), width: curve.width(), dash: curve.dash() }
+    }
+
+    /// A line of the plane of impulses.
+    #[must_use]
+    pub const fn of_impulse_line(line: ImpulseLine) -> Self {
+        Self { colour: line.colour(THEME), width: line.width(), dash: line.dash() }
     }
 
     /// A motion in a mode.

@@ -8,9 +8,10 @@ use littlewood_style::ticks;
 /// Parameters on which rolling depends.
 const ROLLING: [Quantity; 4] = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::MuS];
 
-/// The parameters of a hoop, with marks.
+/// The parameters of a hoop, with marks; with the law, if it has a coefficient of restitution.
 pub(crate) fn hoop_in_words(hoop: &Hoop) -> String {
-    listed(hoop, Quantity::HOOP)
+    let law = hoop.restitution().map_or_else(String::new, |e| format!(", law: {}", e.law().label()));
+    listed(hoop, Quantity::HOOP) + &law
 }
 
 /// Those parameters of a hoop on which rolling depends, with marks.
@@ -40,6 +41,10 @@ pub(crate) fn start_in_words(hoop: &Hoop, start: &Start) -> String {
         .filter(|quantity| quantity.group() == Group::Start)
         .filter_map(|quantity| {
             let value = setup.get(quantity)?;
+            // Only a hoop that is thrown has a rate of the gap to speak of.
+            if quantity == Quantity::GapRate && value == 0.0 {
+                return None;
+            }
             let angle = Some(value).filter(|_| quantity.dimension() == Dimension::Angle);
             let number = angle.and_then(fraction_of_pi).unwrap_or_else(|| short(value));
             Some(format!("{}(0) = {number}", marked(quantity.sign())))

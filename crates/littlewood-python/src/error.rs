@@ -1,6 +1,6 @@
 //! Parameters without physical meaning, as a Python exception.
 
-use littlewood::ParameterError as Refusal;
+use littlewood::{ParameterError as Refusal, RestitutionLaw, UnknownName};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -13,16 +13,26 @@ pyo3::create_exception!(
 
 /// The exception of an error, with the sentence of the command line; `index` is the place of the start in an array.
 pub(crate) fn refuse(py: Python<'_>, error: &Refusal, index: Option<usize>) -> PyErr {
-    let exception = ParameterError::new_err(error.to_string());
+    exception(py, error.to_string(), error.quantity().name(), error.hint(), index)
+}
+
+/// The exception of a law of restitution that there is not.
+pub(crate) fn unknown_law(py: Python<'_>, error: &UnknownName) -> PyErr {
+    let hint = format!("leave it out for the {} law", RestitutionLaw::default());
+    exception(py, error.to_string(), "law", &hint, None)
+}
+
+fn exception(py: Python<'_>, message: String, quantity: &str, hint: &str, index: Option<usize>) -> PyErr {
+    let exception = ParameterError::new_err(message);
     let value = exception.value(py);
     let told = value
-        .setattr("quantity", error.quantity().name())
-        .and_then(|()| value.setattr("hint", error.hint()))
+        .setattr("quantity", quantity)
+        .and_then(|()| value.setattr("hint", hint))
         .and_then(|()| value.setattr("index", index))
         .and_then(|()| {
             // Python 3.10 has no notes.
             if value.hasattr("add_note")? {
-                value.call_method1("add_note", (format!("help: {}", error.hint()),))?;
+                value.call_method1("add_note", (format!("help: {hint}"),))?;
             }
             Ok(())
         });

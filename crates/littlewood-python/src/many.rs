@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use littlewood::{
-    Class, Engine, Group, Hoop, Limits, OutcomeKind, ParameterError, PhaseSequence, Quantity, Setup, Summary,
-    SummaryColumn, SummaryValue,
+    Class, Engine, Group, Hoop, Limits, OutcomeKind, ParameterError, PhaseSequence, Quantity, RestitutionLaw,
+    Setup, Summary, SummaryColumn, SummaryValue,
 };
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 
 use crate::error::refuse;
-use crate::record::setup;
+use crate::record::{LawName, law, setup};
 use crate::waiting::{self, Cancelled, Signals};
 
 /// Starts of a task: short enough to share the work evenly, long enough to pay for the task.
@@ -31,22 +31,24 @@ impl Column {
     }
 }
 
-/// The points, by their [`AXES`].
+/// The points, by their [`AXES`]; none for a quantity that all of them lack.
 struct Points {
-    columns: [Column; AXES.len()],
+    columns: [Option<Column>; AXES.len()],
+    law: Option<RestitutionLaw>,
     count: usize,
 }
 
 impl Points {
     fn setup(&self, i: usize) -> Setup {
-        setup(AXES.into_iter().zip(self.columns.iter().map(|column| column.get(i))))
+        let values = self.columns.iter().map(|column| column.as_ref().map(|column| column.get(i)));
+        setup(AXES.into_iter().zip(values), self.law)
     }
 
     fn have_one_hoop(&self) -> bool {
         AXES.iter()
             .zip(&self.columns)
             .filter(|(axis, _)| axis.group() == Group::Hoop)
-            .all(|(_, column)| column.0.len() == 1)
+            .all(|(_, column)| column.as_ref().is_none_or(|column| column.0.len() == 1))
     }
 
     /// The places of the points of each hoop, hoops in the order in which they first occur.
@@ -55,10 +57,11 @@ impl Points {
             return Ok(vec![(0..self.count).collect()]);
         }
         let mut groups: Vec<Vec<usize>> = Vec::new();
-        let mut places: HashMap<[u64; Quantity::HOOP.len()], usize> = HashMap::new();
+        let mut places: HashMap<[Option<u64>; Quantity::HOOP.len()], usize> = HashMap::new();
         for i in 0..self.count {
             signals.check()?;
-            let bits = self.setup(i).values(Quantity::HOOP).map(f64::to_bits);
+            let setup = self.setup(i);
+            let bits = Quantity::HOOP.map(|quantity| setup.get(quantity).map(f64::to_bits));
             let place = *places.entry(bits).or_insert_with(|| {
                 groups.push(Vec::new());
                 groups.len() - 1
@@ -196,13 +199,14 @@ fn compute(
 
 /// Summaries of many motions.
 ///
-/// `columns` are the axes of the table, each of one value or of `count` values. `tables` makes tables of each hoop
-/// first, which pays from `MIN_STARTS_FOR_TABLES` starts of it.
+/// `columns` are the axes of the table, each of one value or of `count` values, or none if no point has it. `tables` makes
+/// tables of each hoop first, which pays from `MIN_STARTS_FOR_TABLES` starts of it.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "they are named where a person writes them, in the package")]
 fn summaries<'py>(
     py: Python<'py>,
-    columns: [PyReadonlyArray1<'py, f64>; AXES.len()],
+    columns: [Option<PyReadonlyArray1<'py, f64>>; AXES.len()],
+    law_name: LawName,
     count: usize,
     until: Option<f64>,
     max_transitions: usize,
@@ -210,11 +214,12 @@ fn summaries<'py>(
     threads: usize,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let columns = columns.map(|column| Column(column.as_array().iter().copied().collect()));
-    if columns.iter().any(|column| column.0.len() != 1 && column.0.len() != count) {
+    let columns = columns
+        .map(|column| column.map(|column| Column(column.as_array().iter().copied().collect::<Vec<_>>())));
+    if columns.iter().flatten().any(|column| column.0.len() != 1 && column.0.len() != count) {
         return Err(PyRuntimeError::new_err("columns of unequal length"));
     }
-    let points = Points { columns, count };
+    let points = Points { columns, law: law(py, &law_name)?, count };
     let limits = Limits::default().with_until(until).with_transitions(max_transitions);
     let result =
         waiting::run(py, threads, progress.as_ref(), |signals| compute(&points, limits, tables, signals))?;

@@ -1,22 +1,25 @@
 //! One hoop, one start, one motion.
 
 use littlewood::{
-    Candidates, Classification, Detail, Direction, Hoop, HoopParameters, Limits, Mode, RollingType, Start,
-    Trajectory as Core,
+    BouncingOrbit, Candidates, Classification, ContactVelocities, Detail, Direction, Hoop, HoopParameters,
+    Impact, Limits, Mode, Phase, RestitutionLaw, RollingType, Sample, Start, Trajectory as Core,
 };
+use littlewood_report::{Instant, Sampling, instants};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::refuse;
-use crate::record::{HoopNumbers, StartNumbers, StateNumbers, hoop, start};
+use crate::record::{GivenHoop, StartNumbers, StateNumbers, hoop, start, start_numbers};
 use crate::samples::Samples;
 
-/// Checks the parameters of a hoop; returns its mass m, h and its moment of inertia about the mass centre.
+/// Checks the parameters of a hoop; returns its mass m, h, its moment of inertia about the mass centre, and its law of
+/// restitution.
 #[pyfunction]
-fn check_hoop(py: Python<'_>, numbers: HoopNumbers) -> PyResult<(f64, f64, f64)> {
-    let hoop = hoop(py, numbers)?;
-    Ok((hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre()))
+fn check_hoop(py: Python<'_>, given: GivenHoop) -> PyResult<(f64, f64, f64, Option<&'static str>)> {
+    let hoop = hoop(py, &given)?;
+    let law = hoop.restitution().map(|restitution| RestitutionLaw::name(restitution.law()));
+    Ok((hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre(), law))
 }
 
 /// Checks a time limit for a start at τ = 0, before anything is computed.
@@ -37,27 +40,73 @@ struct Trajectory(Core);
 #[pyfunction]
 fn simulate(
     py: Python<'_>,
-    hoop_numbers: HoopNumbers,
+    given: GivenHoop,
     start_numbers: StartNumbers,
     until: Option<f64>,
     max_transitions: usize,
 ) -> PyResult<Trajectory> {
-    let hoop = hoop(py, hoop_numbers)?;
+    let hoop = hoop(py, &given)?;
     let limits = Limits::default().with_until(until).with_transitions(max_transitions);
     let motion = py.detach(|| hoop.simulate(start(start_numbers), limits));
     motion.map(Trajectory).map_err(|error| refuse(py, &error, None))
 }
 
-/// Before, after, the impulse upwards and along E1, mode that ends, mode that begins, its direction, cause.
-type TransitionRow =
-    (StateNumbers, StateNumbers, Option<(f64, f64)>, &'static str, Option<&'static str>, i8, &'static str);
+/// θ′, η′ and the rate of the gap.
+type Velocities = (f64, f64, f64);
+
+/// Case, velocities before and after, the impulse upwards and along E1, the works of both, energy lost.
+type ImpactRow = (&'static str, Velocities, Velocities, (f64, f64), f64, f64, f64);
+
+/// Before, after, impact, mode that ends, mode that begins, its direction, cause.
+type TransitionRow = (
+    StateNumbers,
+    StateNumbers,
+    Option<ImpactRow>,
+    Option<&'static str>,
+    Option<&'static str>,
+    i8,
+    &'static str,
+);
+
+/// Mode, direction, start and end state, energy at the start, energy lost, whether a glide is a limit of small inertia, and
+/// the place of the transition that ends it.
+type PhaseRow = (&'static str, i8, StateNumbers, Option<StateNumbers>, f64, f64, bool, Option<usize>);
+
+fn impact_row(impact: &Impact) -> ImpactRow {
+    let velocities = |ContactVelocities { theta_rate, slip, gap_rate }| (theta_rate, slip, gap_rate);
+    (
+        impact.case.name(),
+        velocities(impact.before),
+        velocities(impact.after),
+        (impact.impulse.normal, impact.impulse.friction),
+        impact.normal_work,
+        impact.friction_work,
+        impact.energy_lost(),
+    )
+}
+
+/// The instant `time`, at a transition just before it; none outside the motion.
+fn before(motion: &Core, time: f64) -> Option<Instant> {
+    if time == motion.start().time {
+        // The first of all instants, which is just before a jam if the start jams.
+        return instants(motion, Sampling::of(motion, 2)).next();
+    }
+    let earlier = motion.phases().partition_point(|phase| phase.start().time < time);
+    let last = motion.phases().get(..earlier).and_then(<[Phase]>::last);
+    let ended = last.filter(|phase| phase.end_time() == time).and_then(Phase::last);
+    ended.or_else(|| motion.at(time)).map(after)
+}
+
+/// An instant of a motion that begins or goes on.
+fn after(sample: Sample) -> Instant {
+    Instant { sample, mode: Some(sample.mode), event: None }
+}
 
 #[pymethods]
 impl Trajectory {
-    /// The phases: mode, direction, start and end state, energy at the start, energy lost, and whether a glide is a
-    /// limit of small inertia.
-    #[expect(clippy::type_complexity, reason = "a row of a table, read in one place of the package")]
-    fn phases(&self) -> Vec<(&'static str, i8, StateNumbers, Option<StateNumbers>, f64, f64, bool)> {
+    /// The phases.
+    fn phases(&self) -> Vec<PhaseRow> {
+        let transitions = self.0.transitions();
         self.0
             .phases()
             .iter()
@@ -70,6 +119,7 @@ impl Trajectory {
                     phase.first().energy,
                     phase.energy_lost(),
                     !phase.is_outside_small_inertia_limit(),
+                    self.0.end_of(phase).and_then(|end| transitions.element_offset(end)),
                 )
             })
             .collect()
@@ -84,8 +134,8 @@ impl Trajectory {
                 (
                     transition.before.numbers(),
                     transition.after.numbers(),
-                    transition.impulse.map(|impulse| (impulse.normal, impulse.friction)),
-                    transition.from.name(),
+                    transition.impact.as_ref().map(impact_row),
+                    transition.from.map(Mode::name),
                     transition.to.map(Mode::name),
                     Direction::code(transition.direction),
                     transition.cause.name(),
@@ -107,22 +157,37 @@ impl Trajectory {
         self.0.end_time()
     }
 
+    /// Time up to which plots and tables show the motion: its end, or two periods of one that lasts for ever.
+    fn shown_until(&self) -> f64 {
+        Sampling::of(&self.0, 2).until
+    }
+
     fn energy_lost(&self) -> f64 {
         self.0.energy_lost()
+    }
+
+    fn impact_energy_lost(&self) -> f64 {
+        self.0.impact_energy_lost()
     }
 
     fn sequence(&self) -> String {
         self.0.summary().sequence.to_string()
     }
 
-    /// The instants `times`.
-    fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Bound<'py, PyDict>> {
+    /// The instants `times`; at a transition the last of what ends (`is_before`), or the first of what begins.
+    fn at<'py>(
+        &self,
+        py: Python<'py>,
+        times: PyReadonlyArray1<'py, f64>,
+        is_before: bool,
+    ) -> PyResult<Bound<'py, PyDict>> {
         let times: Vec<f64> = times.as_array().iter().copied().collect();
         let samples = py.detach(|| {
             let mut samples = Samples::with_capacity(times.len());
             for time in times {
-                match self.0.at(time) {
-                    Some(sample) => samples.push(&sample),
+                let instant = if is_before { before(&self.0, time) } else { self.0.at(time).map(after) };
+                match instant {
+                    Some(Instant { sample, mode, .. }) => samples.push(&sample, mode),
                     None => samples.push_nothing(time),
                 }
             }
@@ -135,8 +200,8 @@ impl Trajectory {
     fn sample_evenly<'py>(&self, py: Python<'py>, count: usize, until: f64) -> PyResult<Bound<'py, PyDict>> {
         let samples = py.detach(|| {
             let mut samples = Samples::with_capacity(count + 2 * self.0.transitions().len());
-            for sample in self.0.sample_evenly(count, until) {
-                samples.push(&sample);
+            for Instant { sample, mode, .. } in instants(&self.0, Sampling { count, until }) {
+                samples.push(&sample, mode);
             }
             samples
         });
@@ -169,13 +234,9 @@ fn add_candidates(dict: &Bound<'_, PyDict>, candidates: Option<Candidates>) -> P
 
 /// Where a start lies, as a dictionary.
 #[pyfunction]
-fn classify(
-    py: Python<'_>,
-    hoop_numbers: HoopNumbers,
-    start_numbers: StartNumbers,
-) -> PyResult<Bound<'_, PyDict>> {
+fn classify(py: Python<'_>, given: GivenHoop, start_numbers: StartNumbers) -> PyResult<Bound<'_, PyDict>> {
     let found: Classification =
-        hoop(py, hoop_numbers)?.classify(start(start_numbers)).map_err(|error| refuse(py, &error, None))?;
+        hoop(py, &given)?.classify(start(start_numbers)).map_err(|error| refuse(py, &error, None))?;
     let dict = PyDict::new(py);
     dict.set_item("region", found.region.name())?;
     dict.set_item("mode", found.mode.map(Mode::name))?;
@@ -196,10 +257,24 @@ fn classify(
     Ok(dict)
 }
 
+/// Rates of the flights over the top and under the bottom, rate of the gap, friction, period, start.
+type OrbitRow = (f64, f64, f64, f64, f64, StartNumbers);
+
+/// The motion that bounces for ever with impacts at this angle, if there is one.
+#[pyfunction]
+fn bouncing_orbit(py: Python<'_>, given: GivenHoop, angle: f64) -> PyResult<Option<OrbitRow>> {
+    let orbit = BouncingOrbit::new(&hoop(py, &given)?, angle);
+    Ok(orbit.map(|orbit| {
+        let BouncingOrbit { top_rate, bottom_rate, gap_rate, friction, .. } = orbit;
+        (top_rate, bottom_rate, gap_rate, friction, orbit.period(), start_numbers(orbit.start()))
+    }))
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Trajectory>()?;
     module.add_function(wrap_pyfunction!(check_hoop, module)?)?;
     module.add_function(wrap_pyfunction!(check_until, module)?)?;
     module.add_function(wrap_pyfunction!(simulate, module)?)?;
-    module.add_function(wrap_pyfunction!(classify, module)?)
+    module.add_function(wrap_pyfunction!(classify, module)?)?;
+    module.add_function(wrap_pyfunction!(bouncing_orbit, module)?)
 }

@@ -5,7 +5,7 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::error::refuse;
-use crate::record::{HoopNumbers, hoop};
+use crate::record::{GivenHoop, hoop};
 
 type Reals<'py> = Bound<'py, PyArray1<f64>>;
 
@@ -38,8 +38,8 @@ fn over_two<'py, T: numpy::Element>(
 #[pymethods]
 impl PhasePlane {
     #[new]
-    fn new(py: Python<'_>, numbers: HoopNumbers) -> PyResult<Self> {
-        let hoop = hoop(py, numbers)?;
+    fn new(py: Python<'_>, given: GivenHoop) -> PyResult<Self> {
+        let hoop = hoop(py, &given)?;
         Ok(Self { hoop, plane: Core::new(&hoop) })
     }
 

@@ -1,12 +1,18 @@
 //! Numbers of a hoop, a start, a state and a setup in SI units, in the order of the tables of the core.
 
-use littlewood::{Hoop, HoopParameters, Quantity, Setup, SiSetup, Start, State};
+use littlewood::{Hoop, HoopParameters, Quantity, RestitutionLaw, Setup, SiSetup, Start, State, UnknownName};
 use pyo3::prelude::*;
 
-use crate::error::refuse;
+use crate::error::{refuse, unknown_law};
 
-/// The values of [`Quantity::HOOP`].
-pub(crate) type HoopNumbers = [f64; Quantity::HOOP.len()];
+/// The values of [`Quantity::HOOP`]; none for one that is absent.
+pub(crate) type HoopNumbers = [Option<f64>; Quantity::HOOP.len()];
+
+/// The name of a law of restitution, if one is given.
+pub(crate) type LawName = Option<String>;
+
+/// A hoop as the package has it: its numbers and its law of restitution.
+pub(crate) type GivenHoop = (HoopNumbers, LawName);
 
 /// The values of [`Quantity::START`].
 pub(crate) type StartNumbers = [f64; Quantity::START.len()];
@@ -14,36 +20,55 @@ pub(crate) type StartNumbers = [f64; Quantity::START.len()];
 /// The values of [`State::COLUMNS`].
 pub(crate) type StateNumbers = [f64; State::COLUMNS.len()];
 
-/// The values of [`Quantity::SI_HOOP`].
-pub(crate) type SiHoopNumbers = [f64; Quantity::SI_HOOP.len()];
+/// The values of [`Quantity::SI_HOOP`]; none for one that is absent.
+pub(crate) type SiHoopNumbers = [Option<f64>; Quantity::SI_HOOP.len()];
 
 /// The values of [`Quantity::SI_START`].
 pub(crate) type SiStartNumbers = [f64; Quantity::SI_START.len()];
 
-/// A setup with these values; the quantities that are not among them are zero.
-pub(crate) fn setup(values: impl IntoIterator<Item = (Quantity, f64)>) -> Setup {
+/// The law of this name.
+pub(crate) fn law(py: Python<'_>, name: &LawName) -> PyResult<Option<RestitutionLaw>> {
+    let parse = |name: &String| name.parse().map_err(|error: UnknownName| unknown_law(py, &error));
+    name.as_ref().map(parse).transpose()
+}
+
+/// A setup with these values; the quantities that are not given are zero, or absent if they can be.
+pub(crate) fn setup(
+    values: impl IntoIterator<Item = (Quantity, Option<f64>)>,
+    law: Option<RestitutionLaw>,
+) -> Setup {
     let mut setup = Setup::new(HoopParameters::default(), Start::default());
+    setup.hoop.restitution_law = law;
     for (quantity, value) in values {
-        setup.set(quantity, value);
+        if let Some(value) = value {
+            setup.set(quantity, value);
+        }
     }
     setup
 }
 
-pub(crate) fn parameters(numbers: HoopNumbers) -> HoopParameters {
-    setup(Quantity::HOOP.into_iter().zip(numbers)).hoop
+pub(crate) fn hoop(py: Python<'_>, (numbers, name): &GivenHoop) -> PyResult<Hoop> {
+    let setup = setup(Quantity::HOOP.into_iter().zip(*numbers), law(py, name)?);
+    Hoop::new(setup.hoop).map_err(|error| refuse(py, &error, None))
 }
 
-pub(crate) fn hoop(py: Python<'_>, numbers: HoopNumbers) -> PyResult<Hoop> {
-    Hoop::new(parameters(numbers)).map_err(|error| refuse(py, &error, None))
+/// A hoop as the package has it, from its parameters.
+pub(crate) fn given(parameters: HoopParameters) -> (HoopNumbers, Option<&'static str>) {
+    let setup = Setup::new(parameters, Start::default());
+    (Quantity::HOOP.map(|quantity| setup.get(quantity)), parameters.restitution_law.map(RestitutionLaw::name))
 }
 
 pub(crate) fn start(numbers: StartNumbers) -> Start {
-    setup(Quantity::START.into_iter().zip(numbers)).start
+    setup(Quantity::START.into_iter().zip(numbers.map(Some)), None).start
 }
 
-/// A setup in SI units; the quantities that are not among the values are zero.
-pub(crate) fn si_setup(values: &[(Quantity, f64)]) -> SiSetup {
-    SiSetup::from_values(|wanted| {
-        values.iter().find(|(quantity, _)| *quantity == wanted).map_or(0.0, |(_, value)| *value)
-    })
+/// The numbers of a start.
+pub(crate) fn start_numbers(start: Start) -> StartNumbers {
+    Setup::new(HoopParameters::default(), start).values(Quantity::START)
+}
+
+/// A setup in SI units.
+pub(crate) fn si_setup(values: &[(Quantity, Option<f64>)], law: Option<RestitutionLaw>) -> SiSetup {
+    let value = |wanted| values.iter().find(|(quantity, _)| *quantity == wanted)?.1;
+    SiSetup::from_values(value, law)
 }

@@ -1,11 +1,11 @@
 //! Instants of a motion, column by column.
 
-use littlewood::{Direction, Sample, SampleColumn, SampleValue};
+use littlewood::{Direction, Mode, Sample, SampleColumn, SampleValue};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Code of the mode where there is no instant: before the start or after the end.
+/// Code of the mode where there is no motion: before the start, after the end, and just before a jam.
 pub(crate) const OUTSIDE: i8 = -1;
 
 /// The values of a column.
@@ -26,10 +26,14 @@ impl Samples {
         Self(SampleColumn::ALL.into_iter().map(|column| (column, values(column))).collect())
     }
 
-    pub(crate) fn push(&mut self, sample: &Sample) {
+    /// An instant; of one just before a jam there is no mode.
+    pub(crate) fn push(&mut self, sample: &Sample, mode: Option<Mode>) {
         for (column, values) in &mut self.0 {
             let value = column.of(sample);
             match values {
+                Values::Code(codes) if *column == SampleColumn::Mode => {
+                    codes.push(mode.map_or(OUTSIDE, |mode| mode.code().cast_signed()));
+                }
                 Values::Code(codes) => codes.push(code(value)),
                 Values::Real(reals) => reals.push(value.number()),
             }

@@ -1,14 +1,16 @@
-//! Tables of the core: quantities, modes, causes, outcomes, classes, regions, phases, columns, cases, edges.
+//! Tables of the core: quantities, modes, causes, kinds and laws of impacts, outcomes, classes, regions, phases, columns,
+//! cases, edges.
 
 use littlewood::{
-    CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, Limits, Mode, OutcomeKind, PhaseCode,
-    PhaseSequence, Quantity, RollingType, STANDARD_GRAVITY, SampleColumn, StartRegion, State, SummaryColumn,
+    CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, ImpactCase, Limits, Mode, OutcomeKind,
+    PhaseCode, PhaseSequence, Presence, Quantity, RestitutionLaw, RollingType, STANDARD_GRAVITY,
+    SampleColumn, StartRegion, State, SummaryColumn,
 };
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::record::{HoopNumbers, StartNumbers};
+use crate::record::{HoopNumbers, StartNumbers, given, start_numbers};
 use crate::samples::OUTSIDE;
 
 /// The quantities that a user can set, one dictionary each.
@@ -32,7 +34,8 @@ fn quantities(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
             dict.set_item("long_name", row.long_name)?;
             dict.set_item("help", row.help)?;
             dict.set_item("bounds", row.bounds.iter().map(ToString::to_string).collect::<Vec<_>>())?;
-            dict.set_item("default", row.default)?;
+            dict.set_item("default", row.presence.default_value())?;
+            dict.set_item("is_optional", row.presence == Presence::Optional)?;
             Ok(dict)
         })
         .collect()
@@ -84,14 +87,17 @@ fn summary_columns(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
         .collect()
 }
 
-/// The named cases: name, title, source, hoop, start.
+/// A named case: name, title, source, hoop, law of restitution, start.
+type CaseRow = (&'static str, &'static str, &'static str, HoopNumbers, Option<&'static str>, StartNumbers);
+
+/// The named cases.
 #[pyfunction]
-fn cases() -> Vec<(&'static str, &'static str, &'static str, HoopNumbers, StartNumbers)> {
+fn cases() -> Vec<CaseRow> {
     CASES
         .iter()
         .map(|case| {
-            let (hoop, start) = (case.setup.values(Quantity::HOOP), case.setup.values(Quantity::START));
-            (case.name, case.title, case.source, hoop, start)
+            let (hoop, law) = given(case.setup.hoop);
+            (case.name, case.title, case.source, hoop, law, start_numbers(case.setup.start))
         })
         .collect()
 }
@@ -99,7 +105,7 @@ fn cases() -> Vec<(&'static str, &'static str, &'static str, HoopNumbers, StartN
 /// An edge of the automaton: body, from, cause, guard, reset, to, source.
 type EdgeRow = (
     &'static str,
-    &'static str,
+    Option<&'static str>,
     &'static str,
     &'static str,
     &'static str,
@@ -113,8 +119,8 @@ fn edges() -> Vec<EdgeRow> {
     EDGES
         .iter()
         .map(|edge| {
-            let to = edge.to.map(Mode::name);
-            (edge.body.name(), edge.from.name(), edge.cause.name(), edge.guard, edge.reset, to, edge.source)
+            let (from, to) = (edge.from.map(Mode::name), edge.to.map(Mode::name));
+            (edge.body.name(), from, edge.cause.name(), edge.guard, edge.reset, to, edge.source)
         })
         .collect()
 }
@@ -144,6 +150,10 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("DIRECTIONS", arrows.to_vec())?;
     let causes = Cause::ALL.map(|cause| (cause.code(), cause.name(), cause.label()));
     module.add("CAUSES", causes.to_vec())?;
+    let impacts = ImpactCase::ALL.map(|case| (case.code(), case.name(), case.label()));
+    module.add("IMPACT_CASES", impacts.to_vec())?;
+    let laws = RestitutionLaw::ALL.map(|law| (law.code(), law.name(), law.label()));
+    module.add("RESTITUTION_LAWS", laws.to_vec())?;
     let outcomes = OutcomeKind::ALL.map(|kind| (kind.code(), kind.name(), kind.label(), kind.is_final()));
     module.add("OUTCOMES", outcomes.to_vec())?;
     let classes = Class::ALL.map(|class| (class.code(), class.name(), class.label()));

@@ -1,12 +1,14 @@
 //! SI units: hoops and starts into the dimensionless system of (2.9), samples out of it.
 
-use littlewood::{Dimension, Quantity, SampleColumn, Setup, Start, Units};
+use littlewood::{Dimension, Quantity, SampleColumn, Units};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::error::refuse;
-use crate::record::{HoopNumbers, SiHoopNumbers, SiStartNumbers, StartNumbers, si_setup};
+use crate::record::{
+    HoopNumbers, LawName, SiHoopNumbers, SiStartNumbers, StartNumbers, given, law, si_setup, start_numbers,
+};
 
 /// m2, R and g in SI units.
 type Scales = (f64, f64, f64);
@@ -17,10 +19,15 @@ fn units(py: Python<'_>, (mass_kg, length_m, gravity): Scales) -> PyResult<Units
 
 /// A hoop in SI units: the dimensionless one, and m2, R, √(R/g), g.
 #[pyfunction]
-fn hoop_from_si(py: Python<'_>, numbers: SiHoopNumbers) -> PyResult<(HoopNumbers, (f64, f64, f64, f64))> {
+fn hoop_from_si(
+    py: Python<'_>,
+    numbers: SiHoopNumbers,
+    law_name: LawName,
+) -> PyResult<(HoopNumbers, (f64, f64, f64, f64))> {
     let values: Vec<_> = Quantity::SI_HOOP.into_iter().zip(numbers).collect();
-    let (hoop, units) = si_setup(&values).hoop.to_hoop().map_err(|error| refuse(py, &error, None))?;
-    let numbers = Setup::new(hoop.parameters(), Start::default()).values(Quantity::HOOP);
+    let si = si_setup(&values, law(py, &law_name)?);
+    let (hoop, units) = si.hoop.to_hoop().map_err(|error| refuse(py, &error, None))?;
+    let (numbers, _) = given(hoop.parameters());
     Ok((numbers, (units.mass_kg, units.length_m, units.time_s, units.gravity_m_per_s2)))
 }
 
@@ -33,12 +40,12 @@ fn start_from_si(
     until_s: Option<f64>,
 ) -> PyResult<(StartNumbers, Option<f64>)> {
     let units = units(py, scales)?;
-    let values: Vec<_> = Quantity::SI_START.into_iter().zip(numbers).collect();
-    let si = si_setup(&values);
+    let values: Vec<_> = Quantity::SI_START.into_iter().zip(numbers.map(Some)).collect();
+    let si = si_setup(&values, None);
     let convert = || {
         let start = units.start(&si.start)?;
         let until = until_s.map(|until_s| units.until(until_s, &start)).transpose()?;
-        Ok((Setup::new(Default::default(), start).values(Quantity::START), until))
+        Ok((start_numbers(start), until))
     };
     convert().map_err(|error| refuse(py, &error, None))
 }

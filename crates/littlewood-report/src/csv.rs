@@ -3,9 +3,12 @@
 use std::io::{self, Write};
 
 use csv::{ErrorKind, Writer, WriterBuilder};
-use littlewood::{Phase, Trajectory};
+use littlewood::{Cause, Impact, Outcome, OutcomeKind, Phase, State, Trajectory};
 
-use crate::record::{Fields, Value, edge, edge_of, sample, si_sample, si_state, state};
+use crate::instants::{START, instants};
+use crate::record::{
+    Fields, Value, edge, edge_of, jump, opening, sample, si_jump, si_sample, si_state, state,
+};
 use crate::{Sampling, Subject};
 
 /// A motion. In SI units the columns in SI units follow the dimensionless ones.
@@ -33,25 +36,96 @@ fn events<W: Write>(
     subject: &Subject<'_>,
     trajectory: &Trajectory,
 ) -> csv::Result<()> {
-    let first = trajectory.phases().first();
-    let mut rows = vec![(
-        trajectory.start(),
-        edge(None, first.map(Phase::mode), first.and_then(Phase::direction), START),
-    )];
-    rows.extend(trajectory.transitions().iter().map(|transition| (transition.after, edge_of(transition))));
-    let outcome = trajectory.outcome();
-    if outcome.kind().last_event().is_none() {
-        let last = trajectory.phases().last().map(Phase::mode);
-        rows.push((outcome.state(), edge(last, None, None, outcome.kind().name())));
-    }
-    let mut rows = rows.into_iter().map(|(at, edge)| {
-        let row = state(&at).followed_by(edge);
-        match subject.units {
-            Some(units) => row.followed_by(si_state(units, &at)),
-            None => row,
-        }
+    // Without impacts every row has the state of its instant, and the gap does not open but by itself.
+    let may_jump = trajectory.hoop().restitution().is_some() || subject.start.gap_rate != 0.0;
+    let mut rows = rows(subject, trajectory).into_iter().map(|row| {
+        let Row { state: at, edge, gap_rate, side, impact } = row;
+        let fields = state(&at).followed_by(edge);
+        let fields = if may_jump { fields.followed_by(jump(gap_rate, side, impact)) } else { fields };
+        let Some(units) = subject.units else { return fields };
+        let fields = fields.followed_by(si_state(units, &at));
+        if may_jump { fields.followed_by(si_jump(units, gap_rate, impact)) } else { fields }
     });
     write_rows(writer, &mut rows).map(drop)
+}
+
+/// A row of the table of events.
+struct Row<'a> {
+    state: State,
+    edge: Fields,
+    /// Rate of the gap.
+    gap_rate: f64,
+    /// Of which side of a jump the state is.
+    side: Option<&'static str>,
+    /// The impact, behind it.
+    impact: Option<&'a Impact>,
+}
+
+impl Row<'_> {
+    const fn smooth(state: State, gap_rate: f64, edge: Fields) -> Self {
+        Self { state, edge, gap_rate, side: None, impact: None }
+    }
+}
+
+fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
+    let (mode, direction) = opening(trajectory);
+    let start = edge(None, mode, direction, Some(START));
+    let mut rows = vec![Row::smooth(trajectory.start(), subject.start.gap_rate, start)];
+    let outcome = trajectory.outcome();
+    for transition in trajectory.transitions() {
+        let Some(impact) = &transition.impact else {
+            let mut gap_rate = 0.0;
+            if let (Cause::Landing, Outcome::Landing { gap_rate: closing, .. }) = (transition.cause, outcome)
+            {
+                gap_rate = closing;
+            }
+            rows.push(Row::smooth(transition.after, gap_rate, edge_of(transition)));
+            continue;
+        };
+        rows.push(Row {
+            state: transition.before,
+            edge: edge(transition.from, None, None, None),
+            gap_rate: impact.before.gap_rate,
+            side: Some("before"),
+            impact: None,
+        });
+        rows.push(Row {
+            state: transition.after,
+            edge: edge_of(transition),
+            gap_rate: impact.after.gap_rate,
+            side: Some("after"),
+            impact: Some(impact),
+        });
+    }
+    if outcome.kind().last_event().is_none() {
+        let last = trajectory.phases().last().map(Phase::mode);
+        let edge = edge(last, None, None, Some(outcome.kind().name()));
+        rows.push(Row::smooth(outcome.state(), gap_rate_at_limit(trajectory), edge));
+    }
+    rows
+}
+
+/// Rate of the gap where a limit has stopped a motion; zero where it ends otherwise.
+fn gap_rate_at_limit(trajectory: &Trajectory) -> f64 {
+    let by_time = || trajectory.phases().last().and_then(Phase::last).map(|last| last.gap_rate);
+    let by_count = || trajectory.transitions().last()?.impact.map(|impact| impact.after.gap_rate);
+    let rate = match trajectory.outcome().kind() {
+        OutcomeKind::TimeLimit => by_time(),
+        OutcomeKind::TransitionLimit => by_count(),
+        OutcomeKind::Landing
+        | OutcomeKind::RollsForever
+        | OutcomeKind::SlidesForever
+        | OutcomeKind::ParticleAtPlane
+        | OutcomeKind::ParticleAtBottom
+        | OutcomeKind::ParticleAtTop
+        | OutcomeKind::Inconsistent
+        | OutcomeKind::Ambiguous
+        | OutcomeKind::Singular
+        | OutcomeKind::Unresolved
+        | OutcomeKind::NotComputed
+        | OutcomeKind::Invalid => None,
+    };
+    rate.unwrap_or(0.0)
 }
 
 fn samples<W: Write>(
@@ -60,9 +134,8 @@ fn samples<W: Write>(
     trajectory: &Trajectory,
     sampling: Sampling,
 ) -> csv::Result<()> {
-    let mut names = Events::new(trajectory);
-    let mut rows = trajectory.sample_evenly(sampling.count, sampling.until).map(|instant| {
-        let event = [("event", Value::Word(Some(names.at(instant.state.time))))];
+    let mut rows = instants(trajectory, sampling).map(|instant| {
+        let event = [("event", Value::Word(Some(instant.event.unwrap_or_default())))];
         let row = sample(&instant).followed_by(event.into_iter().collect());
         match subject.units {
             Some(units) => row.followed_by(si_sample(units, &instant)),
@@ -91,37 +164,6 @@ fn write_rows<W: Write>(
         writer.serialize(row.values().collect::<Vec<_>>())?;
     }
     Ok(any)
-}
-
-/// What stands for an event in the first row.
-const START: &str = "start";
-
-/// Names the events in the order of the samples. A transition appears as the last instant of the phase that ends,
-/// where it is named, and as the first of the phase that begins.
-struct Events<'a> {
-    trajectory: &'a Trajectory,
-    next: usize,
-    started: bool,
-}
-
-impl<'a> Events<'a> {
-    const fn new(trajectory: &'a Trajectory) -> Self {
-        Self { trajectory, next: 0, started: false }
-    }
-
-    fn at(&mut self, time: f64) -> &'static str {
-        if !self.started {
-            self.started = true;
-            return START;
-        }
-        match self.trajectory.transitions().get(self.next) {
-            Some(transition) if transition.time() == time => {
-                self.next += 1;
-                transition.cause.name()
-            }
-            Some(_) | None => "",
-        }
-    }
 }
 
 fn into_io(error: csv::Error) -> io::Error {

@@ -2,14 +2,14 @@
 
 use std::io::{self, Write};
 
-use littlewood::{CASES, Classification, Hoop, Phase, Trajectory, Units};
+use littlewood::{CASES, Classification, Detail, Dimension, Hoop, Trajectory, Units};
 use serde::{Serialize, Serializer};
 
 use crate::record::{
     CaseRecord, ClassificationRecord, Fields, OutcomeRecord, PhaseRecord, SiRecord, StartRecord,
     TransitionRecord, hoop, sample, si_sample,
 };
-use crate::{Sampling, Subject};
+use crate::{Sampling, Subject, instants, jam_of};
 
 #[derive(Serialize)]
 struct MotionDocument<'a> {
@@ -20,7 +20,8 @@ struct MotionDocument<'a> {
     transitions: Vec<TransitionRecord>,
     outcome: OutcomeRecord,
     phases: Vec<PhaseRecord>,
-    energy_lost: f64,
+    #[serde(flatten)]
+    energy: Fields,
     #[serde(skip_serializing_if = "Option::is_none")]
     si: Option<SiRecord>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -47,8 +48,7 @@ struct SampleEntry {
 impl Serialize for Samples<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self { trajectory, sampling, units } = self;
-        let instants = trajectory.sample_evenly(sampling.count, sampling.until);
-        serializer.collect_seq(instants.map(|instant| SampleEntry {
+        serializer.collect_seq(instants(trajectory, *sampling).map(|instant| SampleEntry {
             sample: sample(&instant),
             si: units.map(|units| si_sample(units, &instant)),
         }))
@@ -66,27 +66,28 @@ pub fn motion(
     sampling: Option<Sampling>,
 ) -> io::Result<()> {
     let units = subject.units;
-    let first = trajectory.phases().first();
+    let energy = energy_lost(trajectory);
     let document = MotionDocument {
         case: subject.case.map(|case| case.name),
         hoop: hoop(trajectory.hoop().parameters()),
-        start: StartRecord::new(
-            subject.start,
-            first.map(Phase::mode),
-            first.and_then(Phase::direction),
-            units,
-        ),
+        start: StartRecord::of(trajectory, subject.start, units),
         transitions: trajectory.transitions().iter().map(|it| TransitionRecord::new(it, units)).collect(),
         outcome: OutcomeRecord::new(&trajectory.outcome(), units),
         phases: trajectory.phases().iter().map(|phase| PhaseRecord::new(phase, units)).collect(),
-        energy_lost: trajectory.energy_lost(),
-        si: units.map(|units| {
-            SiRecord::new(trajectory.hoop().parameters(), units, Some(trajectory.energy_lost()))
-        }),
+        energy: Fields::of_details(energy.clone()),
+        si: units.map(|units| SiRecord::new(trajectory.hoop().parameters(), units, energy)),
         sampled_until: sampling.map(|sampling| sampling.until),
         samples: sampling.map(|sampling| Samples { trajectory, sampling, units }),
     };
     write(writer, &document)
+}
+
+/// The energy lost, and the part of it that impacts have where there can be any.
+fn energy_lost(trajectory: &Trajectory) -> Vec<(&'static str, Detail)> {
+    let energy = |name, value| (name, Detail::Real(value, Dimension::Energy));
+    let impacts = trajectory.hoop().restitution().map(|_| trajectory.impact_energy_lost());
+    let impacts = impacts.map(|lost| energy("impact_energy_lost", lost));
+    [energy("energy_lost", trajectory.energy_lost())].into_iter().chain(impacts).collect()
 }
 
 #[derive(Serialize)]
@@ -97,6 +98,8 @@ struct ClassificationDocument {
     start: StartRecord,
     #[serde(flatten)]
     classification: ClassificationRecord,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    jam: Option<TransitionRecord>,
     #[serde(skip_serializing_if = "Option::is_none")]
     si: Option<SiRecord>,
 }
@@ -117,6 +120,7 @@ pub fn classification(
         hoop: hoop(body.parameters()),
         start: StartRecord::new(subject.start, found.mode, found.direction, units),
         classification: found.into(),
+        jam: jam_of(body, subject.start, found).map(|impact| TransitionRecord::of_jam(&impact, units)),
         si: units.map(|units| SiRecord::new(body.parameters(), units, None)),
     };
     write(writer, &document)

@@ -20,6 +20,9 @@
 //! happens at an instant.
 
 pub mod csv;
+mod energy;
+mod instants;
+mod jam;
 pub mod json;
 pub mod number;
 mod record;
@@ -28,5 +31,9 @@ pub mod scale;
 pub mod sentence;
 mod subject;
 
+pub use energy::kinetic_energy;
+pub use instants::{Instant, instants};
+pub use jam::jam_of;
+pub use record::RESTITUTION_LAW;
 pub use sampling::Sampling;
 pub use subject::Subject;

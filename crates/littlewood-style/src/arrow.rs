@@ -1,4 +1,4 @@
-//! Forces and the velocity of slip, as arrows and as curves against time.
+//! Forces, impulses and the velocity of slip, as arrows and as curves against time.
 
 use crate::rgb::Rgb;
 use crate::theme::Theme;
@@ -12,11 +12,13 @@ pub enum Arrow {
     FrictionForce,
     /// Velocity of slip η′.
     Slip,
+    /// Impulse (J, P) of an impact.
+    Impulse,
 }
 
 impl Arrow {
     /// All, in order.
-    pub const ALL: [Self; 3] = [Self::NormalForce, Self::FrictionForce, Self::Slip];
+    pub const ALL: [Self; 4] = [Self::NormalForce, Self::FrictionForce, Self::Slip, Self::Impulse];
 
     /// Lower-case name.
     #[must_use]
@@ -25,6 +27,7 @@ impl Arrow {
             Self::NormalForce => "normal_force",
             Self::FrictionForce => "friction_force",
             Self::Slip => "slip",
+            Self::Impulse => "impulse",
         }
     }
 
@@ -35,6 +38,7 @@ impl Arrow {
             Self::NormalForce => theme.pick(0x006d4e, 0x4fd1a1),
             Self::FrictionForce => theme.pick(0x9a1b6a, 0xfe79b7),
             Self::Slip => theme.pick(0x7f6100, 0xf0c44c),
+            Self::Impulse => theme.pick(0xd7263d, 0xff4d4d),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The look of all pictures of `littlewood`: figures, maps, films, the page and the pictures of the Python package.
 //!
-//! A colour means one thing. Modes, classes of outcomes, forces and curves each have their own; what has none (the
-//! parts of an energy, the types of motion of one figure) takes an [`Accent`]. Colours are told apart by the
+//! A colour means one thing. Modes, classes of outcomes, forces and curves each have their own; what has none (kinetic
+//! and potential energy, the types of motion of one figure) takes an [`Accent`]. Colours are told apart by the
 //! colour-blind, and in grey: modes and classes that meet in one picture differ in lightness, and lines in their dashes
 //! too. Each colour has a variant for a light and for a dark paper.
 
@@ -10,6 +10,8 @@ mod arrow;
 mod class;
 mod curve;
 mod dash;
+mod energy;
+mod impulse;
 mod ink;
 mod mode;
 mod rgb;
@@ -23,6 +25,8 @@ pub use arrow::Arrow;
 pub use class::of_class;
 pub use curve::Curve;
 pub use dash::Dash;
+pub use energy::EnergyPart;
+pub use impulse::ImpulseLine;
 pub use ink::Ink;
 pub use mode::{dash_of, of_mode};
 pub use rgb::Rgb;

@@ -6,6 +6,8 @@ use crate::accent::Accent;
 use crate::arrow::Arrow;
 use crate::class::of_class;
 use crate::curve::Curve;
+use crate::energy::EnergyPart;
+use crate::impulse::ImpulseLine;
 use crate::ink::Ink;
 use crate::mode::of_mode;
 use crate::rgb::Rgb;
@@ -14,7 +16,8 @@ use crate::theme::Theme;
 /// A colour with its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Swatch {
-    /// What kind of thing has it: `ink`, `mode`, `class`, `arrow`, `curve` or `accent`.
+    /// What kind of thing has it: `ink`, `mode`, `class`, `arrow`, `curve`, `impulse`, `energy` or
+    /// `accent`.
     pub group: &'static str,
     /// Which one.
     pub name: &'static str,
@@ -41,6 +44,12 @@ pub fn swatches(theme: Theme) -> Vec<Swatch> {
     }
     for curve in Curve::ALL {
         add("curve", curve.name(), curve.colour(theme));
+    }
+    for line in ImpulseLine::ALL {
+        add("impulse", line.name(), line.colour(theme));
+    }
+    for part in EnergyPart::ALL {
+        add("energy", part.name(), part.colour(theme));
     }
     for accent in Accent::ALL {
         add("accent", accent.name(), accent.colour(theme));

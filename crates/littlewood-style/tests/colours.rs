@@ -3,7 +3,10 @@
 use std::collections::BTreeSet;
 
 use littlewood::{BodyClass, Class, EDGES, Mode};
-use littlewood_style::{Accent, Arrow, Curve, Ink, Rgb, Swatch, Theme, dash_of, of_class, of_mode, swatches};
+use littlewood_style::{
+    Accent, Arrow, Curve, EnergyPart, ImpulseLine, Ink, Rgb, Swatch, Theme, dash_of, of_class, of_mode,
+    swatches,
+};
 
 /// Distance in the CIE L*a*b* space; about 2 can just be seen.
 fn distance(a: Rgb, b: Rgb) -> f64 {
@@ -54,7 +57,7 @@ fn modes_that_meet_differ_in_grey() {
             let set: BTreeSet<Mode> = EDGES
                 .iter()
                 .filter(|edge| edge.body == body)
-                .flat_map(|edge| [Some(edge.from), edge.to])
+                .flat_map(|edge| [edge.from, edge.to])
                 .flatten()
                 .collect();
             seen.extend(&set);
@@ -132,6 +135,25 @@ fn lines_are_told_apart_without_colours() {
                 let gap = (a.colour(theme).lightness() - b.colour(theme).lightness()).abs();
                 assert!(a.dash() != b.dash() || gap > 12.0, "{a:?} and {b:?}, {theme:?}: {gap}");
             }
+        }
+    }
+}
+
+#[test]
+fn lines_of_impulses_and_parts_of_an_energy_are_told_apart() {
+    for theme in Theme::ALL {
+        for (i, a) in ImpulseLine::ALL.into_iter().enumerate() {
+            for b in ImpulseLine::ALL.into_iter().take(i) {
+                let apart = distance(a.colour(theme), b.colour(theme));
+                assert!(a.dash() != b.dash() || apart > 20.0, "{a:?} and {b:?}, {theme:?}");
+            }
+            assert!(a.colour(theme).contrast(Ink::Paper.colour(theme)) > 4.5, "{a:?}, {theme:?}");
+        }
+        // Those that lie side by side in a bar.
+        for pair in EnergyPart::ALL.windows(2) {
+            let [a, b] = [pair[0].colour(theme), pair[1].colour(theme)];
+            let in_grey = (a.lightness() - b.lightness()).abs();
+            assert!(distance(a, b) > 20.0 && in_grey > 4.0, "{pair:?}, {theme:?}: {in_grey}");
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The core of `littlewood` for the browser.
 //!
 //! A thin boundary: numbers cross it as `Float64Array`s, so that not a bit is lost on the way, and texts as the command
-//! line writes them. [`Motion`] is a simulated motion, [`Plane`] the (θ, θ′) plane with its curves, [`OutcomeMap`] what
-//! becomes of every start of that plane, [`Problem`] a hoop and a start in either system of units. A value that has no
-//! physical meaning is a [`Refusal`], which names the quantity.
+//! line writes them. [`Motion`] is a simulated motion, [`Routh`] the diagram of an impact, [`Plane`] the (θ, θ′) plane with
+//! its curves, [`OutcomeMap`] what becomes of every start of that plane, [`Problem`] a hoop and a start in either system of
+//! units. A value that has no physical meaning is a [`Refusal`], which names the quantity.
 //!
 //! Names, labels, units, codes and colours do not cross it: the page has them in files that are generated from the
 //! tables of the core and of `littlewood-style` (`tests/generated`), and [`boundary`] lets it check that both are of one
@@ -11,6 +11,8 @@
 
 mod boundary;
 mod cases;
+mod energy;
+pub mod hops;
 mod map;
 mod motion;
 mod panic;
@@ -18,14 +20,16 @@ mod plane;
 mod polyline;
 mod problem;
 mod refusal;
+mod routh;
 mod ticks;
 
 pub use boundary::boundary;
 pub use cases::cases;
-pub use map::OutcomeMap;
+pub use map::{MapSubject, OutcomeMap};
 pub use motion::Motion;
 pub use panic::{begin, provoke_panic};
 pub use plane::Plane;
-pub use problem::Problem;
+pub use problem::{Problem, dimensionless_quantities, si_quantities};
 pub use refusal::Refusal;
+pub use routh::Routh;
 pub use ticks::Ticks;

@@ -2,13 +2,33 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Engine, Limits, Start};
+use littlewood::{Class, Engine, Hoop, Limits, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::hops;
 use crate::problem::Problem;
 
-/// Largest number of transitions that a map follows. Only with μs = μk can there be more.
+/// Largest number of transitions that a map follows. Only with μs = μk, and with bounces, can there be more.
 const TRANSITIONS: usize = 200;
+
+/// What a map shows of each motion.
+#[wasm_bindgen]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapSubject {
+    /// Its class ([`Class`]).
+    Outcome,
+    /// The class of the number of its landings ([`hops`]).
+    Hops,
+}
+
+impl MapSubject {
+    const fn not_computed(self) -> u8 {
+        match self {
+            Self::Outcome => Class::NotComputed.code(),
+            Self::Hops => hops::NOT_COMPUTED,
+        }
+    }
+}
 
 /// A square map of one turn, −π < θ < π, and of −r < θ′ < r, row by row from the top.
 ///
@@ -17,8 +37,13 @@ const TRANSITIONS: usize = 200;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct OutcomeMap {
+    subject: MapSubject,
     engine: Engine,
+    /// Without restitution.
+    until_landing: Engine,
+    bounces: bool,
     slip: f64,
+    gap_rate: f64,
     rate: f64,
     side: usize,
     cells: Vec<u8>,
@@ -27,17 +52,22 @@ pub struct OutcomeMap {
 
 #[wasm_bindgen]
 impl OutcomeMap {
-    /// An empty map of the hoop and the slip of a problem, with `side` starts each way and rates below `rate`.
+    /// An empty map of the hoop, the slip and the rate of the gap of a problem, with `side` starts each way and rates
+    /// below `rate`.
     #[wasm_bindgen(constructor)]
     #[must_use]
-    pub fn new(problem: &Problem, rate: f64, side: usize) -> Self {
-        let slip = problem.start.slip;
+    pub fn new(problem: &Problem, rate: f64, side: usize, subject: MapSubject) -> Self {
+        let Start { slip, gap_rate, .. } = problem.start;
         Self {
+            subject,
             engine: Engine::new(&problem.hoop),
+            until_landing: Engine::new(&without_restitution(&problem.hoop)),
+            bounces: problem.hoop.restitution().is_some(),
             slip,
+            gap_rate,
             rate,
             side,
-            cells: vec![Class::NotComputed.code(); side * side],
+            cells: vec![subject.not_computed(); side * side],
             symmetric: slip == 0.0 && side.is_multiple_of(2),
         }
     }
@@ -56,10 +86,10 @@ impl OutcomeMap {
             for column in 0..self.side.div_ceil(stride) {
                 let (x, y) = (column * stride, row * stride);
                 let cell = y * self.side + x;
-                if self.cells[cell] != Class::NotComputed.code() {
+                if self.cells[cell] != self.subject.not_computed() {
                     continue;
                 }
-                let class = self.class_at(x, y).code();
+                let class = self.code_at(x, y);
                 self.cells[cell] = class;
                 if self.symmetric {
                     let mirrored = self.side * self.side - 1 - cell;
@@ -87,18 +117,45 @@ impl OutcomeMap {
 }
 
 impl OutcomeMap {
-    fn class_at(&self, x: usize, y: usize) -> Class {
+    fn code_at(&self, x: usize, y: usize) -> u8 {
         // Odd numbers over the side: exactly opposite for opposite cells.
         let centre = |i: usize| ((2 * i + 1) as f64 - self.side as f64) / self.side as f64;
-        let start = Start::at(PI * centre(x), -self.rate * centre(y)).with_slip(self.slip);
-        let limits = Limits::default().with_transitions(TRANSITIONS);
-        self.engine.summary(start, limits).map_or(Class::Invalid, |summary| Class::of(&summary))
+        let start = Start::at(PI * centre(x), -self.rate * centre(y));
+        let start = start.with_slip(self.slip).with_gap_rate(self.gap_rate);
+        match self.subject {
+            MapSubject::Outcome => self.class_of(start).code(),
+            MapSubject::Hops => {
+                let summary = self.engine.summary(start, limits());
+                summary.map_or(hops::NOT_COMPUTED, |summary| hops::code(summary.landings))
+            }
+        }
     }
+
+    /// The class is decided where the body first leaves the plane, so that bounces need not be followed for it. Only a jam
+    /// comes before that.
+    fn class_of(&self, start: Start) -> Class {
+        let class = |engine: &Engine| {
+            engine.summary(start, limits()).map_or(Class::Invalid, |summary| Class::of(&summary))
+        };
+        let decided = class(&self.until_landing);
+        if self.bounces && decided == Class::Painleve { class(&self.engine) } else { decided }
+    }
+}
+
+fn limits() -> Limits {
+    Limits::default().with_transitions(TRANSITIONS)
+}
+
+fn without_restitution(hoop: &Hoop) -> Hoop {
+    let mut parameters = hoop.parameters();
+    (parameters.restitution, parameters.restitution_law) = (None, None);
+    // Nothing is refused that was not before.
+    Hoop::new(parameters).unwrap_or(*hoop)
 }
 
 #[cfg(test)]
 mod tests {
-    use littlewood::Hoop;
+    use littlewood::{Restitution, RestitutionLaw, find_case};
 
     use super::*;
 
@@ -107,14 +164,28 @@ mod tests {
         Problem { hoop, start: Start::default().with_slip(slip), limits: Limits::default(), units: None }
     }
 
+    fn bouncing(restitution: f64) -> Problem {
+        let problem = figure_2(0.0);
+        let restitution = Restitution::new(restitution, RestitutionLaw::Energetic).unwrap();
+        Problem { hoop: problem.hoop.with_restitution(restitution).unwrap(), ..problem }
+    }
+
+    fn outcome(problem: &Problem, rate: f64, side: usize) -> OutcomeMap {
+        OutcomeMap::new(problem, rate, side, MapSubject::Outcome)
+    }
+
+    fn landings(problem: &Problem, rate: f64, side: usize) -> OutcomeMap {
+        OutcomeMap::new(problem, rate, side, MapSubject::Hops)
+    }
+
     #[test]
     fn levels_end_with_every_start_and_the_folded_half_is_right() {
-        let mut folded = OutcomeMap::new(&figure_2(0.0), 4.0, 64);
+        let mut folded = outcome(&figure_2(0.0), 4.0, 64);
         assert!(folded.symmetric);
         for stride in [8, 4, 2, 1] {
             folded.compute(stride, 0, folded.rows(stride));
         }
-        let mut whole = OutcomeMap::new(&figure_2(0.0), 4.0, 64);
+        let mut whole = outcome(&figure_2(0.0), 4.0, 64);
         whole.symmetric = false;
         whole.compute(1, 0, 64);
         assert_eq!(folded.classes(1), whole.classes(1));
@@ -124,7 +195,7 @@ mod tests {
     #[test]
     fn a_coarse_level_fills_the_map() {
         for slip in [0.0, 0.5] {
-            let mut map = OutcomeMap::new(&figure_2(slip), 4.0, 32);
+            let mut map = outcome(&figure_2(slip), 4.0, 32);
             map.compute(8, 0, map.rows(8));
             assert!(!map.classes(8).contains(&Class::NotComputed.code()));
         }
@@ -132,10 +203,52 @@ mod tests {
 
     #[test]
     fn footnote_3_leaves_at_once_and_the_bottom_rolls_for_ever() {
-        let mut map = OutcomeMap::new(&figure_2(0.0), 4.2, 101);
+        let mut map = outcome(&figure_2(0.0), 4.2, 101);
         map.compute(1, 0, 101);
         let classes = map.classes(1);
         assert_eq!(classes[2 * 101 + 50], Class::LeavesAtOnce.code());
         assert_eq!(classes[50 * 101], Class::RollsForever.code());
+    }
+
+    #[test]
+    fn hops_are_the_landings_of_each_motion() {
+        let problem = bouncing(0.3);
+        let mut map = landings(&problem, 4.0, 16);
+        map.compute(1, 0, map.rows(1));
+        let centre = |i: usize| ((2 * i + 1) as f64 - 16.0) / 16.0;
+        for (cell, code) in map.classes(1).into_iter().enumerate() {
+            let start = Start::at(PI * centre(cell % 16), -4.0 * centre(cell / 16));
+            let motion = problem.hoop.simulate(start, Limits::default()).unwrap();
+            let count =
+                motion.transitions().iter().filter(|it| it.cause == littlewood::Cause::Landing).count();
+            assert_eq!(code, hops::code(count as u32), "{start:?}");
+        }
+    }
+
+    #[test]
+    fn without_restitution_no_motion_lands_twice() {
+        let mut map = landings(&figure_2(0.0), 4.0, 32);
+        map.compute(1, 0, map.rows(1));
+        assert!(map.classes(1).into_iter().all(|code| code <= hops::code(1)));
+    }
+
+    #[test]
+    fn restitution_changes_the_outcome_only_where_it_jams() {
+        let classes = |problem: &Problem| {
+            let mut map = outcome(problem, 4.0, 32);
+            map.compute(1, 0, 32);
+            map.classes(1)
+        };
+        assert_eq!(classes(&bouncing(0.5)), classes(&figure_2(0.0)));
+        let jam = find_case("jam").unwrap();
+        let hoop = Hoop::new(jam.setup.hoop).unwrap();
+        let problem = |hoop| Problem { hoop, start: jam.setup.start, limits: Limits::default(), units: None };
+        let (with, without) = (classes(&problem(hoop)), classes(&problem(without_restitution(&hoop))));
+        let mut jams = 0;
+        for (with, without) in with.into_iter().zip(without) {
+            assert!(with == without || without == Class::Painleve.code());
+            jams += usize::from(with != without);
+        }
+        assert!(jams > 0);
     }
 }

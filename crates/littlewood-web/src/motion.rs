@@ -2,13 +2,19 @@
 
 use core::fmt;
 
-use littlewood::{NamedCase, Sample, SampleColumn, Trajectory, find_case};
+use littlewood::{NamedCase, OutcomeKind, Sample, SampleColumn, Trajectory, Transition, find_case};
 use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, Subject, csv, json, sentence};
+use littlewood_style::EnergyPart;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::energy::Energies;
 use crate::problem::Problem;
 use crate::refusal::Refusal;
+use crate::routh::Routh;
+
+/// Transitions that are shown of bounces without end.
+const SHOWN: usize = 20;
 
 /// A motion from its start to its end, or to a limit.
 #[wasm_bindgen]
@@ -37,10 +43,15 @@ impl Motion {
         Ok(Self { problem: problem.clone(), case, trajectory })
     }
 
-    /// Time at which the motion ends, or up to which it is shown if it has no end.
+    /// Time at which the motion ends, or up to which it is shown if it has no end. Of bounces that only a limit has stopped
+    /// the first are shown.
     #[must_use]
     pub fn horizon(&self) -> f64 {
-        Sampling::of(&self.trajectory, 2).until
+        let until = Sampling::of(&self.trajectory, 2).until;
+        let bounces = self.trajectory.hoop().restitution().is_some();
+        let is_stopped = self.trajectory.outcome().kind() == OutcomeKind::TransitionLimit;
+        let shown = self.trajectory.transitions().get(SHOWN).filter(|_| bounces && is_stopped);
+        shown.map_or(until, Transition::time)
     }
 
     /// `count` instants evenly spaced in time up to `until`, and every transition twice: the columns of
@@ -74,8 +85,22 @@ impl Motion {
     #[must_use]
     pub fn transition_sentences(&self) -> Vec<String> {
         (0..self.trajectory.transitions().len())
-            .filter_map(|index| sentence::transition(&self.trajectory, index, self.scale()))
+            .map(|index| sentence::transition(&self.trajectory, index, self.scale()).unwrap_or_default())
             .collect()
+    }
+
+    /// The parts of the energy at a time, over m2 g R, in the order of `EnergyPart` of the style crate. They add up to the
+    /// energy of the start; empty outside the motion.
+    #[must_use]
+    pub fn energies(&self, time: f64) -> Vec<f64> {
+        Energies::at(&self.trajectory, time)
+            .map_or_else(Vec::new, |it| EnergyPart::ALL.map(|part| it.part(part)).to_vec())
+    }
+
+    /// Routh's diagram of the impact at a transition, if there is one.
+    #[must_use]
+    pub fn routh(&self, transition: usize) -> Option<Routh> {
+        Routh::of(self.trajectory.hoop(), self.trajectory.transitions().get(transition)?)
     }
 
     /// How the motion ends, or does not.

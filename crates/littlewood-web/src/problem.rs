@@ -1,20 +1,30 @@
 //! A hoop and a start, in either system of units.
 
 use littlewood::{
-    Body, Dimension, Hoop, HoopParameters, Limits, Quantity, SampleColumn, Setup, SiSetup, Start, Units,
+    Body, Dimension, Hoop, HoopParameters, Limits, Presence, Quantity, Restitution, RestitutionLaw,
+    SampleColumn, Setup, SiSetup, Start, Units,
 };
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::refusal::Refusal;
 
-/// The numbers of a problem without dimension, in the order in which they cross the boundary.
-pub(crate) fn dimensionless_quantities() -> impl Iterator<Item = Quantity> {
-    Quantity::HOOP.into_iter().chain(Quantity::START)
+/// The numbers of a problem without dimension, in the order in which they cross the boundary: all but those whose absence
+/// has a meaning.
+pub fn dimensionless_quantities() -> impl Iterator<Item = Quantity> {
+    Quantity::HOOP.into_iter().chain(Quantity::START).filter(has_value)
 }
 
-/// The numbers of a problem in SI units, in the order in which they cross the boundary.
-pub(crate) fn si_quantities() -> impl Iterator<Item = Quantity> {
-    Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START)
+/// The numbers of a problem in SI units, in the order in which they cross the boundary, likewise.
+pub fn si_quantities() -> impl Iterator<Item = Quantity> {
+    Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START).filter(has_value)
+}
+
+/// Whether a problem always has a value of a quantity.
+fn has_value(quantity: &Quantity) -> bool {
+    match quantity.row().presence {
+        Presence::Required | Presence::Default(_) => true,
+        Presence::Optional => false,
+    }
 }
 
 /// A hoop, a start and a time limit that have been checked.
@@ -29,29 +39,43 @@ pub struct Problem {
 
 #[wasm_bindgen]
 impl Problem {
-    /// Without dimension (2.9): the numbers of [`Quantity::HOOP`], then those of [`Quantity::START`]. `until` limits
-    /// the time; none to follow the motion to its end. A number that is missing is refused as NaN is.
+    /// Without dimension (2.9): the numbers of [`dimensionless_quantities`]; the coefficient of restitution and the name
+    /// of its law, none where the motion ends at the landing. `until` limits the time; none to follow the motion to its
+    /// end. A number that is missing is refused as NaN is.
     ///
     /// # Errors
     /// Values without physical meaning.
-    pub fn dimensionless(numbers: &[f64], until: Option<f64>) -> Result<Self, Refusal> {
+    pub fn dimensionless(
+        numbers: &[f64],
+        restitution: Option<f64>,
+        law: Option<String>,
+        until: Option<f64>,
+    ) -> Result<Self, Refusal> {
         let mut setup = Setup::new(HoopParameters::default(), Start::default());
         for (index, quantity) in dimensionless_quantities().enumerate() {
             setup.set(quantity, number(numbers, index));
         }
+        setup.hoop.restitution = restitution;
+        setup.hoop.restitution_law = law_named(law)?;
         Self::checked(&setup, until, None)
     }
 
-    /// In SI units: the numbers of [`Quantity::SI_HOOP`], then those of [`Quantity::SI_START`]. Converted just as the
-    /// command line does.
+    /// In SI units: the numbers of [`si_quantities`], and the rest as without dimension. Converted just as the command
+    /// line does.
     ///
     /// # Errors
     /// Values without physical meaning.
-    pub fn si(numbers: &[f64], until_s: Option<f64>) -> Result<Self, Refusal> {
+    pub fn si(
+        numbers: &[f64],
+        restitution: Option<f64>,
+        law: Option<String>,
+        until_s: Option<f64>,
+    ) -> Result<Self, Refusal> {
         let value = |wanted: Quantity| {
-            si_quantities().position(|quantity| quantity == wanted).map(|i| number(numbers, i))
+            let place = si_quantities().position(|quantity| quantity == wanted);
+            place.map(|i| number(numbers, i)).or(restitution.filter(|_| wanted == Quantity::Restitution))
         };
-        let (setup, units) = SiSetup::from_values(value, None).to_setup()?;
+        let (setup, units) = SiSetup::from_values(value, law_named(law)?).to_setup()?;
         let until = until_s.map(|until_s| units.until(until_s, &setup.start)).transpose()?;
         Self::checked(&setup, until, Some(units))
     }
@@ -62,6 +86,27 @@ impl Problem {
     pub fn to_dimensionless(&self) -> Vec<f64> {
         let setup = self.setup();
         dimensionless_quantities().filter_map(|quantity| setup.get(quantity)).collect()
+    }
+
+    /// The coefficient of restitution; none where the motion ends at the landing.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn restitution(&self) -> Option<f64> {
+        self.hoop.restitution().map(|restitution| restitution.coefficient())
+    }
+
+    /// The name of its law.
+    #[wasm_bindgen(getter, js_name = restitutionLaw)]
+    #[must_use]
+    pub fn restitution_law(&self) -> Option<String> {
+        self.hoop.restitution().as_ref().map(Restitution::law).map(|law| law.name().to_owned())
+    }
+
+    /// What one unit of (2.9) of an impulse is worth in the units of the problem: 1 without dimension.
+    #[wasm_bindgen(getter, js_name = impulseUnit)]
+    #[must_use]
+    pub fn impulse_unit(&self) -> f64 {
+        self.units.map_or(1.0, |units| units.unit(Dimension::Impulse))
     }
 
     /// The numbers in SI units, in the order of [`Problem::si`], for m2, R and g.
@@ -117,6 +162,11 @@ impl Problem {
     }
 }
 
+/// The law of a name.
+fn law_named(name: Option<String>) -> Result<Option<RestitutionLaw>, Refusal> {
+    Ok(name.as_deref().map(str::parse).transpose()?)
+}
+
 /// A number by its place; NaN, which is refused, where there is none.
 fn number(numbers: &[f64], index: usize) -> f64 {
     numbers.get(index).copied().unwrap_or(f64::NAN)
@@ -126,14 +176,23 @@ fn number(numbers: &[f64], index: usize) -> f64 {
 mod tests {
     use super::*;
 
+    /// m1, m2, R, ℓ, Izz, g, μs, μk, θ, dθ/dt, dη/dt, rate of the gap, x, t.
+    const SI: [f64; 14] = [1.5, 0.5, 2.0, 1.0, 3.0, 8.0, 0.5, 0.4, 0.25, 6.0, 1.0, 2.0, 4.0, 3.0];
+
+    const POINT_MASS: [f64; 11] = [1.0, 0.0, 0.0, 0.5, 0.4, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+
     #[test]
     fn a_problem_in_si_units_has_the_quotients_of_2_9() {
-        // m2 = 0.5, R = 2, g = 8: the unit of time is 1/2, that of velocity 4, that of inertia 2.
-        let numbers = [1.5, 0.5, 2.0, 1.0, 3.0, 8.0, 0.5, 0.4, 0.25, 6.0, 1.0, 4.0, 3.0];
-        let problem = Problem::si(&numbers, Some(5.0)).unwrap();
-        assert_eq!(problem.to_dimensionless(), [3.0, 0.5, 1.5, 0.5, 0.4, 0.25, 3.0, 0.25, 2.0, 6.0]);
-        assert_eq!(problem.to_si(0.5, 2.0, 8.0).unwrap(), numbers);
+        // m2 = 0.5, R = 2, g = 8: the unit of time is 1/2, that of velocity 4, that of inertia 2, that of impulse 2.
+        let problem = Problem::si(&SI, Some(0.25), Some("newton".to_owned()), Some(5.0)).unwrap();
+        assert_eq!(problem.to_dimensionless(), [3.0, 0.5, 1.5, 0.5, 0.4, 0.25, 3.0, 0.25, 0.5, 2.0, 6.0]);
+        assert_eq!(problem.to_si(0.5, 2.0, 8.0).unwrap(), SI);
         assert_eq!(problem.limits.until, Some(10.0));
+        assert_eq!(
+            (problem.restitution(), problem.restitution_law().as_deref()),
+            (Some(0.25), Some("newton"))
+        );
+        assert_eq!(problem.impulse_unit(), 2.0);
         let units = problem.column_units();
         let unit = |column: SampleColumn| units[usize::from(column.code())];
         assert_eq!([SampleColumn::Time, SampleColumn::Slip, SampleColumn::Mode].map(unit), [0.5, 4.0, 1.0]);
@@ -141,13 +200,35 @@ mod tests {
 
     #[test]
     fn a_refusal_names_the_quantity_that_was_given() {
-        let refused = |numbers: &[f64], until: Option<f64>| Problem::si(numbers, until).unwrap_err();
-        let mut numbers = [1.5, 0.5, 2.0, 1.0, 3.0, 8.0, 0.5, 0.4, 0.25, 6.0, 1.0, 4.0, 3.0];
+        let refused =
+            |numbers: &[f64], until: Option<f64>| Problem::si(numbers, None, None, until).unwrap_err();
+        let mut numbers = SI;
         assert_eq!(refused(&numbers, Some(2.0)).quantity(), "until_s");
-        assert_eq!(refused(&numbers[..12], None).quantity(), "time_s");
+        assert_eq!(refused(&numbers[..13], None).quantity(), "time_s");
         numbers[3] = 2.5;
         assert_eq!(refused(&numbers, None).quantity(), "offset_m");
-        let point_mass = [1.0, 0.0, 0.0, 0.5, 0.4, 0.0, 0.0, 0.0, 0.0, 0.0];
-        assert_eq!(Problem::dimensionless(&point_mass, None).unwrap_err().quantity(), "offset");
+        assert_eq!(Problem::dimensionless(&POINT_MASS, None, None, None).unwrap_err().quantity(), "offset");
+    }
+
+    #[test]
+    fn a_restitution_that_means_nothing_is_refused_and_never_taken_as_none() {
+        let refused = |restitution: Option<f64>, law: Option<&str>| {
+            Problem::si(&SI, restitution, law.map(str::to_owned), None).unwrap_err()
+        };
+        for (restitution, law, message) in [
+            (Some(f64::NAN), None, "restitution = NaN must be a finite number"),
+            (Some(1.5), Some("newton"), "restitution = 1.5 must not exceed 1"),
+            (Some(-0.1), None, "restitution = -0.1 must not be negative"),
+            (None, Some("poisson"), "restitution_law = poisson without restitution"),
+            (Some(0.5), Some("hooke"), "there is no law of restitution named 'hooke'"),
+        ] {
+            let refusal = refused(restitution, law);
+            assert_eq!(refusal.quantity(), "restitution");
+            assert!(refusal.message().starts_with(message), "{}", refusal.message());
+            assert!(!refusal.hint().is_empty());
+        }
+        let massless = [0.0, 1.0, 0.0, 0.5, 0.4, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0];
+        let refusal = Problem::dimensionless(&massless, Some(0.5), None, None).unwrap_err();
+        assert!(refusal.message().contains("massless"), "{}", refusal.message());
     }
 }

@@ -19,7 +19,7 @@ named! {
         BeyondFriction = 1, "beyond_friction";
         /// N ≤ 0 in rolling, yet 1 − h cos θ θ′² > 0: slides in contact. The paper calls it loss of contact.
         SlidingBand = 2, "sliding_band";
-        /// 1 − h cos θ θ′² < 0, or zero and falling: leaves the plane.
+        /// 1 − h cos θ θ′² < 0, or zero and falling, or a start at which the gap opens: leaves the plane.
         LossOfContact = 3, "loss_of_contact";
         /// η′ ≠ 0 and in contact.
         Slipping = 4, "slipping";
@@ -83,7 +83,7 @@ impl Hoop {
             region: StartRegion::Slipping,
             mode: None,
             direction: None,
-            energy: energy(self, &state, 0.0, 0.0),
+            energy: energy(self, &state, 0.0, start.gap_rate),
             rolling_forces: forces,
             contact,
             rolling_end: None,
@@ -91,6 +91,10 @@ impl Hoop {
             rolling_type: None,
             candidates: None,
         };
+        if start.gap_rate > 0.0 {
+            (found.region, found.mode) = (StartRegion::LossOfContact, Some(Mode::Flight));
+            return Ok(found);
+        }
         match next_motion(self, &state, Arrival::Open) {
             Next::Roll => {
                 let orbit = RollingOrbit::new(self, theta, theta_rate);

@@ -140,7 +140,46 @@ struct Slope {
     gap_rate: f64,
 }
 
+/// How the velocities of the contact point answer to an impulse (J, P): u′ − u = A J + B P, w′ − w = B J + C P, over 1/m2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Compliance {
+    /// A: slip by friction.
+    pub a: f64,
+    /// B: slip by the normal impulse, and the rate of the gap by friction.
+    pub b: f64,
+    /// C: the rate of the gap by the normal impulse.
+    pub c: f64,
+}
 impl Hoop {
+    /// What an impact at an angle depends on; none for a massless hoop.
+    #[must_use]
+    pub fn compliance(&self, theta: f64) -> Option<Compliance> {
+        let Body::Heavy(body) = self.body() else { return None };
+        let Heavy { mass, h, inertia, .. } = body;
+        let (arm, lever) = (h * libm::sin(theta), 1.0 + h * libm::cos(theta));
+        Some(Compliance {
+            a: 1.0 / mass + lever * lever / inertia,
+            b: arm * lever / inertia,
+            c: 1.0 / mass + arm * arm / inertia,
+        })
+    }
+
+    /// The impulses through which an impact at an angle goes, with straight lines between them: from none to all of it, and
+    /// on the way that at which the slip ends, if it does. Empty for a massless hoop; bounces that settle have no such course.
+    #[must_use]
+    pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<Impulse> {
+        let Body::Heavy(body) = self.body() else { return Vec::new() };
+        let contact = Contact::new(self, &body, theta);
+        let direction = Direction::of_sign(impact.before.slip);
+        let slipping = direction.map_or(contact.at_rest, |direction| contact.slope(direction));
+        let first = contact.course(impact.before, direction, slipping).first;
+        let bend = (first > 0.0 && first < impact.impulse.normal)
+            .then(|| Impulse { normal: first, friction: slipping.friction * first });
+        let none = Impulse { normal: 0.0, friction: 0.0 };
+        [Some(none), bend, Some(impact.impulse)].into_iter().flatten().collect()
+    }
+
     /// The impact of a hoop whose rim touches the plane in `state`, the gap closing at `gap_rate` ≤ 0, with friction μk where
     /// it slips and μs where it sticks.
     ///

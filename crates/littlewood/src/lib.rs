@@ -110,7 +110,7 @@ pub use error::ParameterError;
 pub use flight::Flight;
 pub use gliding::{Gliding, GlidingIntegrals, gliding_accelerations};
 pub use hoop::{Body, Heavy, Hoop, HoopParameters, Massless};
-pub use impact::{ContactVelocities, Impact, ImpactCase, ImpactError, Impulse};
+pub use impact::{Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, Impulse};
 pub use law::RestitutionLaw;
 pub use mode::{Direction, Mode};
 pub use named::{UnknownCode, UnknownName};

@@ -3,8 +3,8 @@
 //! Where W = 1 − h cos θ θ′² > 0 and each bounce gives back less than it takes, bounces accumulate: infinitely many in a
 //! finite time. Once they are short, θ, W, the compliances of the impact and the acceleration a = −h sin θ θ′² of the slip in
 //! flight hardly change any more. With those held fixed a flight of the rate v takes 2v/W and adds 2 a v/W to the slip, the
-//! impact is homogeneous in (u, v), and the sum of all of them is found from a few: where it sticks each time, or slips each
-//! time, it is geometric. What is neglected is of the order of the square of the time that is left.
+//! impact is homogeneous in (u, v), and the sum of all of them is found from a few: where it does the same each time, sticks,
+//! reverses or slips on, it is geometric. What is neglected is of the order of the square of the time that is left.
 //!
 //! Bounces never grow for e < 1, as they do for other bodies near k1 = 0 (reverse chatter). Where they stick, a drives the slip
 //! of each flight against sign B, so that k1 = C + μk |B| at first and k2 < k1 behind it: the ratio of the rates of successive
@@ -23,6 +23,12 @@ pub(crate) const LONGEST: f64 = 1e-7;
 
 /// Largest part of W that may change on the way.
 const LARGEST_CHANGE: f64 = 1e-6;
+
+/// Slip velocities that are the same part of the rate of their bounces, but for this, repeat themselves.
+const SAME_KIND: f64 = 1e-14;
+
+/// Bounces slower than the first by this factor add nothing to the sums.
+const NEGLIGIBLE: f64 = 1e-20;
 
 /// Bounces of changing kind that are summed one by one.
 const MAX_BOUNCES: usize = 4096;
@@ -200,7 +206,8 @@ impl Bounces {
             let ratio = impact.after.gap_rate / opening;
             // As long as the bounces do the same, everything changes from one to the next by this ratio.
             let (count, squares) = (1.0 / (1.0 - ratio), 1.0 / (1.0 - ratio * ratio));
-            if slip == 0.0 && impact.after.slip == 0.0 {
+            let repeats = (impact.after.slip - slip * ratio).abs() <= SAME_KIND * slip.abs() * ratio;
+            if repeats && impact.case != ImpactCase::Slides {
                 if ratio >= 1.0 {
                     return Err(NoSettling::Grows { ratio });
                 }
@@ -221,7 +228,7 @@ impl Bounces {
             }
             sums.add(duration, &impact, 1.0, 1.0);
             (slip, opening) = (impact.after.slip, impact.after.gap_rate);
-            if opening <= f64::MIN_POSITIVE {
+            if opening <= NEGLIGIBLE * gap_rate {
                 return Ok(self.settled((state, gap_rate), &sums, slip, ratio));
             }
             if opening > gap_rate / f64::EPSILON {

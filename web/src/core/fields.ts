@@ -35,6 +35,11 @@ export function inOrder<S extends System>(system: S, values: Values<S>): Float64
 /** The time limit in each system. */
 export const LIMIT: Readonly<Record<System, Quantity>> = { dimensionless: 'until', si: 'until_s' };
 
+/** Whether a quantity may be left out, which has a meaning of its own. */
+export function isOptional(quantity: Quantity): boolean {
+  return quantity === 'restitution' || quantity === LIMIT.dimensionless || quantity === LIMIT.si;
+}
+
 /** The quantity that stands for another in a system: its twin, or itself where both systems have the same number. */
 export function inSystem(system: System, quantity: Quantity): Quantity {
   const row = QUANTITY_ROWS[quantity];
@@ -54,9 +59,11 @@ const REMARKS: Partial<Record<Quantity, string>> = {
   inertia: 'A thin hoop has Izz = m₁R², a uniform disc half of that.',
   mu_s: 'The hoop rolls while |F| ≤ μₛN (2.13).',
   mu_k: 'While the contact point slips |F| = μₖN (2.15). Never above μₛ.',
+  restitution: '0: no rebound; 1: nothing is lost in restitution. Empty: the motion ends where the rim lands.',
   theta: 'Positive counterclockwise.',
   theta_rate: 'Negative for a hoop that rolls to the right.',
   slip: '0 lets friction decide what follows.',
+  gap_rate: 'Above 0 the hoop is thrown from the plane.',
   x: 'The place of the start; no motion depends on it.',
   time: 'The time of the start; no motion depends on it.',
   until: 'Stops the motion. Empty: it is followed to its end.',

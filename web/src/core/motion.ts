@@ -1,8 +1,9 @@
 // A motion as the views read it: columns of samples, phases and events.
 
+import { ENERGY_PARTS, type EnergyPart } from '../generated/palette';
 import {
-  BOUNDARY, CAUSE_LABELS, CAUSES, MODES, OUTCOME_ROWS, OUTCOMES, SAMPLE_COLUMNS, type Cause, type Mode, type OutcomeKind,
-  type SampleColumn,
+  BOUNDARY, CAUSE_LABELS, CAUSES, IMPACT_CASE_LABELS, IMPACT_CASES, MODES, OUTCOME_ROWS, OUTCOMES, SAMPLE_COLUMNS,
+  type Cause, type Mode, type OutcomeKind, type SampleColumn,
 } from '../generated/tables';
 import { boundary, Motion as CoreMotion, type Problem } from './wasm';
 
@@ -19,6 +20,34 @@ export interface Phase {
   end: number;
 }
 
+/** The velocities that an impact changes. */
+export const VELOCITIES = ['theta_rate', 'slip', 'gap_rate'] as const satisfies readonly SampleColumn[];
+export type Velocities = Readonly<Record<(typeof VELOCITIES)[number], number>>;
+
+/** An impact, or all those of bounces that settle, together. */
+export interface Impact {
+  label: string;
+  before: Velocities;
+  after: Velocities;
+  normal: number;
+  friction: number;
+  /** Negative where the law has gained energy. */
+  lost: number;
+}
+
+/** Routh's diagram: points are P and J, in turn. */
+export interface Routh {
+  way: Float64Array;
+  greatestCompression: Float64Array;
+  /** Least and largest P, least and largest J. */
+  frame: Float64Array;
+  sticking: Float64Array;
+  compression: Float64Array;
+}
+
+/** Where the energy of the start is. What an impact has gained is lost below zero. */
+export type Energies = Readonly<Record<EnergyPart, number>>;
+
 export interface Event {
   time: number;
   theta: number;
@@ -30,15 +59,30 @@ export interface Event {
   /** The mode that begins, or goes on; none where the motion ends. */
   to: Mode | null;
   sentence: string;
+  impact: Impact | null;
+  /** Its place among the transitions of the core; none where it is none of them. */
+  transition: number | null;
 }
+
+/** An event at which the velocities jump. */
+export type ImpactEvent = Event & { impact: Impact; transition: number };
 
 /** What the page reads of the JSON of a motion. */
 interface Document {
   start: { time: number; theta: number; theta_rate: number; slip: number; mode: string | null };
   transitions: { time: number; theta: number; theta_rate: number | null; slip: number | null; to: string | null;
-    cause: string }[];
+    cause: string; impact?: ImpactDocument }[];
   outcome: { kind: string; time: number; theta: number; theta_rate: number | null; slip: number | null };
   phases: { mode: string; start_time: number; duration: number | null }[];
+}
+
+interface ImpactDocument {
+  case: string;
+  normal_impulse: number;
+  friction_impulse: number;
+  energy_lost: number;
+  before: Velocities;
+  gap_rate: number;
 }
 
 /** Samples for the views: for a motion of few phases, and for each phase of one with many. */
@@ -47,8 +91,11 @@ const PER_PHASE = 40;
 const MOST = 8000;
 
 export class Motion {
+  /** As far as the motion is shown. */
   readonly phases: Phase[];
   readonly events: Event[];
+  /** Those of the events that are impacts, as far as the motion is shown. */
+  readonly impacts: ImpactEvent[];
   readonly outcomeSentence: string;
   readonly begin: number;
   /** Until when the motion is shown. */
@@ -60,12 +107,13 @@ export class Motion {
     this.outcomeSentence = core.outcomeSentence();
     this.begin = document.start.time;
     this.end = core.horizon();
-    this.phases = document.phases.map((phase) => ({
+    this.phases = document.phases.filter((phase) => phase.start_time <= this.end).map((phase) => ({
       mode: named(MODES, phase.mode),
       start: phase.start_time,
       end: phase.duration === null ? Infinity : phase.start_time + phase.duration,
     }));
     this.events = eventsOf(document, core.startSentence(), core.transitionSentences(), this.outcomeSentence);
+    this.impacts = this.events.filter((event) => isImpact(event)).filter((event) => event.time <= this.end);
     this.samples = this.sample(Math.min(Math.max(COUNT, PER_PHASE * this.phases.length), MOST));
   }
 
@@ -94,6 +142,25 @@ export class Motion {
     let last = this.events[0]!;
     for (const event of this.events) if (event.time <= time) last = event;
     return last;
+  }
+
+  /** Where the energy of the start is at a time; none where nothing moves. */
+  energies(time: number): Energies | null {
+    const parts = this.core.energies(Math.min(Math.max(time, this.begin), this.end));
+    if (!parts.every(Number.isFinite) || parts.length === 0) return null;
+    return Object.fromEntries(ENERGY_PARTS.map((name, i) => [name, parts[i]])) as Record<EnergyPart, number>;
+  }
+
+  /** Routh's diagram of an impact; none for many together. */
+  routh({ transition }: ImpactEvent): Routh | null {
+    const core = this.core.routh(transition);
+    if (core === undefined) return null;
+    const routh: Routh = {
+      way: core.way(), greatestCompression: core.greatestCompression(), frame: core.frame(),
+      sticking: core.lineOfSticking(), compression: core.lineOfCompression(),
+    };
+    core.free();
+    return routh;
   }
 
   json(samples?: number): string {
@@ -130,11 +197,24 @@ function byColumn(row: Float64Array): Record<SampleColumn, number> {
   return Object.fromEntries(SAMPLE_COLUMNS.map((name, i) => [name, row[i]])) as Record<SampleColumn, number>;
 }
 
+const NO_IMPACT = { impact: null, transition: null } as const;
+
 /** A name of the core as one of a list that the page has. */
 function named<T extends string>(list: readonly T[], name: string): T {
   const found = list.find((it) => it === name);
   if (found === undefined) throw new Error(`'${name}' is none of ${list.join(', ')}`);
   return found;
+}
+
+function isImpact(event: Event): event is ImpactEvent {
+  return event.impact !== null && event.transition !== null;
+}
+
+function impactOf(it: ImpactDocument, { theta_rate, slip }: Event): Impact {
+  return {
+    label: IMPACT_CASE_LABELS[named(IMPACT_CASES, it.case)], before: it.before, after: { theta_rate, slip, gap_rate: it.gap_rate },
+    normal: it.normal_impulse, friction: it.friction_impulse, lost: it.energy_lost,
+  };
 }
 
 function eventsOf(document: Document, first: string, others: string[], last: string): Event[] {
@@ -146,17 +226,21 @@ function eventsOf(document: Document, first: string, others: string[], last: str
   });
   const { time, theta, theta_rate, slip } = start;
   const events: Event[] = [
-    { time, theta, theta_rate, slip, name: 'start', label: 'start', to: modeNamed(start.mode), sentence: first },
+    { time, theta, theta_rate, slip, name: 'start', label: 'start', to: modeNamed(start.mode), sentence: first, ...NO_IMPACT },
   ];
   transitions.forEach((it, i) => {
     const cause = named(CAUSES, it.cause);
-    events.push({ ...state(it), name: cause, label: CAUSE_LABELS[cause], to: modeNamed(it.to), sentence: others[i]! });
+    const event: Event = {
+      ...state(it), name: cause, label: CAUSE_LABELS[cause], to: modeNamed(it.to), sentence: others[i]!, ...NO_IMPACT,
+    };
+    events.push(it.impact ? { ...event, impact: impactOf(it.impact, event), transition: i } : event);
   });
   const kind = named(OUTCOMES, outcome.kind);
   const { label, forever, lastEvent } = OUTCOME_ROWS[kind];
   if (lastEvent === null) {
     const mode = document.phases.at(-1)?.mode ?? null;
-    events.push({ ...state(outcome), name: kind, label, to: forever ? modeNamed(mode) : null, sentence: last });
+    const to = forever ? modeNamed(mode) : null;
+    events.push({ ...state(outcome), name: kind, label, to, sentence: last, ...NO_IMPACT });
   }
   return events;
 }

@@ -25,5 +25,5 @@ export async function load(panicked: (message: string) => void): Promise<void> {
   begin();
 }
 
-export { boundary, cases, Motion, OutcomeMap, Plane, Problem, provokePanic, Refusal, Ticks } from
+export { boundary, cases, MapSubject, Motion, OutcomeMap, Plane, Problem, provokePanic, Refusal, Ticks } from
   '../wasm/littlewood_web.js';

@@ -21,6 +21,7 @@ export const ARROWS = [
   'normal_force',
   'friction_force',
   'slip',
+  'impulse',
 ] as const;
 export type Arrow = (typeof ARROWS)[number];
 
@@ -42,6 +43,25 @@ export const ACCENTS = [
 ] as const;
 export type Accent = (typeof ACCENTS)[number];
 
+/** Lines of the plane of impulses. */
+export const IMPULSE_LINES = [
+  'sticking',
+  'greatest_compression',
+  'termination',
+  'static_cone',
+  'kinetic_cone',
+] as const;
+export type ImpulseLine = (typeof IMPULSE_LINES)[number];
+
+/** Where the energy of the start is, in the order in which the core gives it. */
+export const ENERGY_PARTS = [
+  'kinetic',
+  'potential',
+  'lost_to_friction',
+  'lost_in_impacts',
+] as const;
+export type EnergyPart = (typeof ENERGY_PARTS)[number];
+
 export interface Palette {
   ink: Readonly<Record<Ink, string>>;
   mode: Readonly<Record<Mode, string>>;
@@ -49,7 +69,11 @@ export interface Palette {
   class: Readonly<Record<Class, string>>;
   arrow: Readonly<Record<Arrow, string>>;
   curve: Readonly<Record<Curve, string>>;
+  impulse: Readonly<Record<ImpulseLine, string>>;
+  energy: Readonly<Record<EnergyPart, string>>;
   accent: Readonly<Record<Accent, string>>;
+  /** A class of landings in a map, the lower the paler. */
+  hops: readonly string[];
   /** The region where the hoop can roll, over whatever is below. */
   region: string;
 }
@@ -92,6 +116,7 @@ export const PALETTES = {
       normal_force: '#006d4e',
       friction_force: '#9a1b6a',
       slip: '#7f6100',
+      impulse: '#d7263d',
     },
     curve: {
       slip_limit: '#9a1b6a',
@@ -100,11 +125,25 @@ export const PALETTES = {
       lift_off: '#006d4e',
       level: '#9a9a9a',
     },
+    impulse: {
+      sticking: '#7f6100',
+      greatest_compression: '#222222',
+      termination: '#222222',
+      static_cone: '#9a1b6a',
+      kinetic_cone: '#9a1b6a',
+    },
+    energy: {
+      kinetic: '#693c99',
+      potential: '#08828e',
+      lost_to_friction: '#9a1b6a',
+      lost_in_impacts: '#d7263d',
+    },
     accent: {
       violet: '#693c99',
       teal: '#08828e',
       brown: '#b08163',
     },
+    hops: ['#f9f7fb', '#eae4f1', '#dcd1e7', '#cdbedd', '#bfabd3', '#b098c9', '#a185bf', '#9372b5', '#845fab'],
     region: '#2222221f',
   },
   dark: {
@@ -143,6 +182,7 @@ export const PALETTES = {
       normal_force: '#4fd1a1',
       friction_force: '#fe79b7',
       slip: '#f0c44c',
+      impulse: '#ff4d4d',
     },
     curve: {
       slip_limit: '#fe79b7',
@@ -151,11 +191,25 @@ export const PALETTES = {
       lift_off: '#4fd1a1',
       level: '#7d8594',
     },
+    impulse: {
+      sticking: '#f0c44c',
+      greatest_compression: '#eceef2',
+      termination: '#eceef2',
+      static_cone: '#fe79b7',
+      kinetic_cone: '#fe79b7',
+    },
+    energy: {
+      kinetic: '#9a7fd1',
+      potential: '#35aab5',
+      lost_to_friction: '#fe79b7',
+      lost_in_impacts: '#ff4d4d',
+    },
     accent: {
       violet: '#9a7fd1',
       teal: '#35aab5',
       brown: '#dcc0ae',
     },
+    hops: ['#191b24', '#262536', '#332f47', '#413a59', '#4e446a', '#5b4e7c', '#68588e', '#75629f', '#826cb1'],
     region: '#eceef21f',
   },
 } as const satisfies Record<'light' | 'dark', Palette>;
@@ -168,13 +222,16 @@ export const MODE_DASHES = {
   flight: [1.0, 1.8],
 } as const satisfies Record<Mode, readonly number[]>;
 
-export interface CurveRow {
+export interface LineRow {
   label: string;
-  /** The letter of the paper. */
-  letter: string | null;
   /** In units of the width. */
   dash: readonly number[];
   width: number;
+}
+
+export interface CurveRow extends LineRow {
+  /** The letter of the paper. */
+  letter: string | null;
 }
 
 /** The table of curves. */
@@ -185,3 +242,20 @@ export const CURVE_ROWS = {
   lift_off: { label: 'lift-off: h cos θ θ′² = 1', letter: null, dash: [2.5, 1.8], width: 1.6 },
   level: { label: 'constant energy', letter: null, dash: [], width: 0.8 },
 } as const satisfies Record<Curve, CurveRow>;
+
+/** The table of lines of the plane of impulses. */
+export const IMPULSE_LINE_ROWS = {
+  sticking: { label: 'sticking: u = 0', dash: [6.0, 2.0, 1.0, 2.0], width: 1.6 },
+  greatest_compression: { label: 'greatest compression: w = 0', dash: [5.0, 2.5], width: 1.6 },
+  termination: { label: 'termination', dash: [], width: 0.8 },
+  static_cone: { label: 'friction cone: |J| = μₛ P', dash: [5.0, 2.5], width: 1.6 },
+  kinetic_cone: { label: 'friction cone: |J| = μₖ P', dash: [1.0, 1.8], width: 1.6 },
+} as const satisfies Record<ImpulseLine, LineRow>;
+
+/** In words. */
+export const ENERGY_LABELS = {
+  kinetic: 'kinetic',
+  potential: 'potential',
+  lost_to_friction: 'lost to friction',
+  lost_in_impacts: 'lost in impacts',
+} as const satisfies Record<EnergyPart, string>;

@@ -24,6 +24,9 @@ export const QUANTITIES = [
   'x_m',
   'time_s',
   'until_s',
+  'restitution',
+  'gap_rate',
+  'gap_rate_m_per_s',
 ] as const;
 export type Quantity = (typeof QUANTITIES)[number];
 
@@ -78,6 +81,9 @@ export const QUANTITY_ROWS = {
   x_m: { group: 'place', system: 'si', twin: 'x', sign: 'x', unit: 'm', longName: 'horizontal position of the geometric centre', otherwise: 0, usual: [-10, 10] },
   time_s: { group: 'place', system: 'si', twin: 'time', sign: 't', unit: 's', longName: 'time', otherwise: 0, usual: [-10, 10] },
   until_s: { group: 'run', system: 'si', twin: 'until', sign: 't', unit: 's', longName: 'time limit', otherwise: null, usual: [0, 10] },
+  restitution: { group: 'hoop', system: 'dimensionless', twin: null, sign: 'e', unit: '', longName: 'coefficient of restitution', otherwise: null, usual: [0, 1] },
+  gap_rate: { group: 'start', system: 'dimensionless', twin: 'gap_rate_m_per_s', sign: 'gap′', unit: '√(gR)', longName: 'rate at which the gap under the rim opens', otherwise: 0, usual: [0, 3] },
+  gap_rate_m_per_s: { group: 'start', system: 'si', twin: 'gap_rate', sign: 'd gap/dt', unit: 'm/s', longName: 'rate at which the gap under the rim opens', otherwise: 0, usual: [0, 5] },
 } as const satisfies Record<Quantity, QuantityRow>;
 
 /** The numbers of a problem without dimension, in the order in which the core takes them. */
@@ -90,6 +96,7 @@ export const DIMENSIONLESS = [
   'theta',
   'theta_rate',
   'slip',
+  'gap_rate',
   'x',
   'time',
 ] as const;
@@ -108,6 +115,7 @@ export const SI = [
   'theta',
   'theta_rate_rad_per_s',
   'slip_m_per_s',
+  'gap_rate_m_per_s',
   'x_m',
   'time_s',
 ] as const;
@@ -158,7 +166,7 @@ export const COLUMN_ROWS = {
   normal: { longName: 'normal force', signs: { dimensionless: 'N', si: 'N' }, units: { dimensionless: 'm₂g', si: 'N' } },
   friction: { longName: 'friction force', signs: { dimensionless: 'F', si: 'F' }, units: { dimensionless: 'm₂g', si: 'N' } },
   gap: { longName: 'height of the lowest point of the rim over the plane', signs: { dimensionless: 'gap', si: 'gap' }, units: { dimensionless: 'R', si: 'm' } },
-  gap_rate: { longName: 'rate of the gap', signs: { dimensionless: 'gap′', si: 'gap′' }, units: { dimensionless: '√(gR)', si: 'm/s' } },
+  gap_rate: { longName: 'rate of the gap', signs: { dimensionless: 'gap′', si: 'd gap/dt' }, units: { dimensionless: '√(gR)', si: 'm/s' } },
   energy: { longName: 'kinetic and potential energy', signs: { dimensionless: 'E', si: 'E' }, units: { dimensionless: 'm₂gR', si: 'J' } },
   centre_y: { longName: 'height of the geometric centre', signs: { dimensionless: 'y', si: 'y' }, units: { dimensionless: 'R', si: 'm' } },
   mass_centre_x: { longName: 'horizontal position of the mass centre', signs: { dimensionless: 'x̄', si: 'x̄' }, units: { dimensionless: 'R', si: 'm' } },
@@ -189,6 +197,8 @@ export const CAUSES = [
   'particle_at_bottom',
   'particle_at_top',
   'singularity',
+  'settle',
+  'jam',
 ] as const;
 export type Cause = (typeof CAUSES)[number];
 
@@ -205,6 +215,8 @@ export const CAUSE_LABELS = {
   particle_at_bottom: 'particle at the bottom',
   particle_at_top: 'particle at the top',
   singularity: 'P = 0',
+  settle: 'settles',
+  jam: 'jam',
 } as const satisfies Record<Cause, string>;
 
 /** How a motion ends. */
@@ -285,5 +297,63 @@ export const CLASS_LABELS = {
   not_computed: 'not computed',
 } as const satisfies Record<Class, string>;
 
+/** Laws of restitution. The first is that of a coefficient alone. */
+export const LAWS = [
+  'energetic',
+  'poisson',
+  'newton',
+] as const;
+export type Law = (typeof LAWS)[number];
+
+/** In words. */
+export const LAW_LABELS = {
+  energetic: 'energetic (Stronge)',
+  poisson: 'impulses (Poisson)',
+  newton: 'velocities (Newton)',
+} as const satisfies Record<Law, string>;
+
+/** What the contact point does in an impact. */
+export const IMPACT_CASES = [
+  'none',
+  'slides',
+  'sticks_in_compression',
+  'reverses_in_compression',
+  'sticks_in_restitution',
+  'reverses_in_restitution',
+  'jams',
+] as const;
+export type ImpactCase = (typeof IMPACT_CASES)[number];
+
+/** In words. */
+export const IMPACT_CASE_LABELS = {
+  none: 'no impulse',
+  slides: 'slides',
+  sticks_in_compression: 'sticks in compression',
+  reverses_in_compression: 'reverses in compression',
+  sticks_in_restitution: 'sticks in restitution',
+  reverses_in_restitution: 'reverses in restitution',
+  jams: 'jams',
+} as const satisfies Record<ImpactCase, string>;
+
+/** The unit of an impulse. */
+export const IMPULSE_UNITS = {
+  dimensionless: 'm₂√(gR)',
+  si: 'N s',
+} as const satisfies Record<System, string>;
+
+/** Classes of motions by their landings. Maps hold a class as its place in this list. */
+export const HOPS = [
+  'no landing',
+  '1 landing',
+  '2',
+  '3',
+  '4–5',
+  '6–10',
+  '11–20',
+  '21–50',
+  '51 or more',
+] as const;
+export type Hops = (typeof HOPS)[number];
+
 /** What a core of the same version says of the order of names. */
-export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever slides_forever in_contact_at_limit particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';
+export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever slides_forever in_contact_at_limit particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed; no landing 1 landing 2 3 4–5 6–10 11–20 21–50 51 or more';

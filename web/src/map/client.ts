@@ -1,7 +1,8 @@
 // The outcome map as a picture, refined by a worker while nothing else happens.
 
 import type { Palette } from '../generated/palette';
-import { CLASSES, type Class } from '../generated/tables';
+import { CLASSES, HOPS, type Class, type Hops } from '../generated/tables';
+import type { Shows } from '../state/state';
 import type { MapAnswer, MapRequest } from './messages';
 
 /** Starts each way of the finest level. */
@@ -13,22 +14,26 @@ const PAUSE = 40;
 export class OutcomePicture {
   readonly picture = document.createElement('canvas');
   readonly side = SIDE;
-  /** The classes in the picture, the most frequent first. */
+  /** The classes of outcomes in the picture, the most frequent first. */
   present: Class[] = [];
+  /** The classes of landings in the picture, the fewest first. */
+  landings: Hops[] = [];
   private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
   private classes: Uint8Array | null = null;
-  private colours: Uint32Array;
+  private shows: Shows = 'outcome';
+  private palette: Palette;
   private id = 0;
   private timer = 0;
 
   constructor(palette: Palette, private readonly drawn: () => void, failed: (message: string) => void) {
     this.picture.width = SIDE;
     this.picture.height = SIDE;
-    this.colours = coloursOf(palette);
+    this.palette = palette;
     this.worker.onmessage = ({ data }: MessageEvent<MapAnswer>) => {
       if (data.kind === 'failed') failed(data.message);
       else if (data.kind === 'level' && data.id === this.id) {
         this.classes = data.classes;
+        this.shows = data.shows;
         this.paint();
         // For the benchmark, which reads them from outside.
         performance.mark(`map-${data.stride}`, { detail: data.milliseconds });
@@ -38,17 +43,17 @@ export class OutcomePicture {
     this.worker.onerror = (event) => failed(event.message);
   }
 
-  /** Asks for the map of a hoop. The old one stays until the first level of the new one is there. */
-  ask(numbers: Float64Array, rate: number): void {
+  /** Asks for a map. The old one stays until the first level of the new one is there. */
+  ask(wanted: Omit<MapRequest, 'side' | 'id'>): void {
     window.clearTimeout(this.timer);
     document.documentElement.dataset['map'] = 'asked';
     this.id += 1;
-    const request: MapRequest = { numbers, rate, side: SIDE, id: this.id };
+    const request: MapRequest = { ...wanted, side: SIDE, id: this.id };
     this.timer = window.setTimeout(() => this.worker.postMessage(request), PAUSE);
   }
 
   setPalette(palette: Palette): void {
-    this.colours = coloursOf(palette);
+    this.palette = palette;
     this.paint();
   }
 
@@ -57,23 +62,27 @@ export class OutcomePicture {
     if (!this.classes || !context) return;
     const image = context.createImageData(SIDE, SIDE);
     const pixels = new Uint32Array(image.data.buffer);
-    const counts = CLASSES.map(() => 0);
+    const colours = coloursOf(this.palette, this.shows);
+    const counts = new Uint32Array(256);
     for (let i = 0; i < pixels.length; i++) {
       const it = this.classes[i]!;
-      pixels[i] = this.colours[it]!;
+      pixels[i] = colours[it]!;
       counts[it]! += 1;
     }
     context.putImageData(image, 0, 0);
-    const order = CLASSES.map((_, i) => i).filter((i) => counts[i]! > 0);
-    this.present = order.sort((a, b) => counts[b]! - counts[a]!).map((i) => CLASSES[i]!);
+    const found = <T>(list: readonly T[]): number[] => list.map((_, i) => i).filter((i) => counts[i]! > 0);
+    const isOutcome = this.shows === 'outcome';
+    this.present = isOutcome ? found(CLASSES).sort((a, b) => counts[b]! - counts[a]!).map((i) => CLASSES[i]!) : [];
+    this.landings = isOutcome ? [] : found(HOPS).map((i) => HOPS[i]!);
     this.drawn();
   }
 }
 
-/** The pixel of each class, as an image holds it. */
-function coloursOf(palette: Palette): Uint32Array {
-  return Uint32Array.from(CLASSES, (name) => {
-    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(palette.class[name].slice(at, at + 2), 16));
+/** The pixel of each class, as an image holds it. The last of the landings is that of a start that is not computed. */
+function coloursOf(palette: Palette, shows: Shows): Uint32Array {
+  const colours = shows === 'outcome' ? CLASSES.map((name) => palette.class[name]) : [...palette.hops, palette.ink.paper];
+  return Uint32Array.from(colours, (colour) => {
+    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
     return new Uint32Array(Uint8Array.of(red!, green!, blue!, 255).buffer)[0]!;
   });
 }

@@ -1,7 +1,10 @@
 // Computes the outcome map, coarse to fine. A new request ends the work on an older one.
 
-import { load, OutcomeMap, Problem } from '../core/wasm';
+import { load, MapSubject, OutcomeMap, Problem } from '../core/wasm';
+import type { Shows } from '../state/state';
 import type { MapAnswer, MapRequest } from './messages';
+
+const SUBJECT: Readonly<Record<Shows, MapSubject>> = { outcome: MapSubject.Outcome, hops: MapSubject.Hops };
 
 const STRIDES = [16, 8, 4, 2, 1];
 
@@ -25,8 +28,8 @@ const yieldToMessages = (): Promise<void> =>
   });
 
 async function work(request: MapRequest): Promise<void> {
-  const problem = Problem.dimensionless(request.numbers);
-  const map = new OutcomeMap(problem, request.rate, request.side);
+  const problem = Problem.dimensionless(request.numbers, request.restitution, request.law);
+  const map = new OutcomeMap(problem, request.rate, request.side, SUBJECT[request.shows]);
   problem.free();
   try {
     let spent = 0;
@@ -42,7 +45,8 @@ async function work(request: MapRequest): Promise<void> {
       }
       const classes = map.classes(stride);
       const last = stride === STRIDES[STRIDES.length - 1];
-      answer({ kind: 'level', id: request.id, classes, side: request.side, stride, milliseconds: spent, last },
+      const { id, side, shows } = request;
+      answer({ kind: 'level', id, shows, classes, side, stride, milliseconds: spent, last },
         [classes.buffer]);
     }
   } finally {

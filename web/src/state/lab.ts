@@ -1,18 +1,21 @@
 // The laboratory: the last valid state, its motion, and the listeners to changes.
 
 import { inOrder, inSystem, LIMIT, quantityNamed, valuesOf, type Values } from '../core/fields';
-import { Motion, unitsOf, type ColumnUnits } from '../core/motion';
+import { Motion, unitsOf, type ColumnUnits, type ImpactEvent } from '../core/motion';
 import { Problem, Refusal } from '../core/wasm';
 import {
-  DIMENSIONLESS, QUANTITIES, QUANTITY_ROWS, type DimensionlessNumber, type Quantity, type System,
+  DIMENSIONLESS, QUANTITIES, QUANTITY_ROWS, type DimensionlessNumber, type Law, type Quantity, type System,
 } from '../generated/tables';
 import {
-  caseOfProblem, numbersOfProblem, problemWith, valueOf, type NamedCase, type ProblemState, type State, type ViewState,
+  caseOfProblem, lawOf, numbersOfProblem, problemWith, valueOf, type NamedCase, type ProblemState, type State, type ViewState,
 } from './state';
 import type { FieldError } from './url';
 
-/** What has changed: the hoop or the slip (new curves, new map), the motion, the time of the cursor, the view. */
+/** What has changed: the hoop, the slip or the rate of the gap (new curves, new map), the motion, the time of the cursor, the view. */
 export type Change = 'hoop' | 'motion' | 'time' | 'view' | 'errors';
+
+/** Values of quantities; that of a coefficient of restitution may be none. */
+export type Given = Partial<Record<Exclude<Quantity, 'restitution'>, number>> & { restitution?: number | null };
 
 type Listener = (changes: ReadonlySet<Change>) => void;
 
@@ -60,6 +63,12 @@ export class Lab {
     return valuesOf('dimensionless', this.problem.toDimensionless());
   }
 
+  /** The impact that is shown: the last one up to the cursor, or the first. */
+  get impact(): ImpactEvent | null {
+    const { time, motion: { impacts } } = this;
+    return impacts.findLast((event) => event.time <= time) ?? impacts[0] ?? null;
+  }
+
   /** Time of the cursor. */
   get time(): number {
     return this.state.view.time ?? this.motion.begin;
@@ -95,11 +104,17 @@ export class Lab {
     return true;
   }
 
-  /** Sets some quantities of the system that is shown. */
-  set(values: Partial<Record<Quantity, number>>, view: Partial<ViewState> = {}): boolean {
+  /** Sets some quantities of the system that is shown. Without a coefficient of restitution there is no law. */
+  set(values: Given, view: Partial<ViewState> = {}): boolean {
     const { problem } = this.state;
     const value = (quantity: Quantity): number => values[quantity] ?? valueOf(problem, quantity) ?? NaN;
-    return this.take(problemWith(problem.system, value, problem.until), view);
+    const restitution = values.restitution === undefined ? problem.restitution : values.restitution;
+    const law = lawOf({ ...problem, restitution });
+    return this.take(problemWith(problem.system, value, { ...problem, restitution, law }), view);
+  }
+
+  setLaw(law: Law): void {
+    this.take({ ...this.state.problem, law });
   }
 
   /** Sets some quantities without dimension, in whichever units the problem is shown. */
@@ -116,10 +131,11 @@ export class Lab {
     return this.set(Object.fromEntries(entries), view);
   }
 
-  /** Sets a quantity of the system that is shown, or its limit of time, which may be none. */
+  /** Sets a quantity of the system that is shown; one that may be left out may be none. */
   setQuantity(quantity: Quantity, value: number | null): void {
     const { problem } = this.state;
     if (quantity === LIMIT[problem.system]) this.take({ ...problem, until: value });
+    else if (quantity === 'restitution') this.set({ restitution: value });
     else if (value !== null) this.set({ [quantity]: value });
   }
 
@@ -128,14 +144,15 @@ export class Lab {
     const { problem } = this.state;
     if (problem.system === system) return;
     const view = { time: this.state.view.time };
+    const { restitution, law } = problem;
     if (system === 'dimensionless') {
       const until = problem.until === null ? null : problem.until / this.units.time;
-      this.take({ system, values: this.plain, until }, view);
+      this.take({ system, values: this.plain, restitution, law, until }, view);
     } else {
       const { particle_mass_kg, radius_m, gravity_m_per_s2 } = HULA_HOOP;
       const values = valuesOf('si', this.problem.toSi(particle_mass_kg, radius_m, gravity_m_per_s2));
       const until = problem.until === null ? null : problem.until * Math.sqrt(radius_m / gravity_m_per_s2);
-      this.take({ system, values, until }, view);
+      this.take({ system, values, restitution, law, until }, view);
     }
   }
 
@@ -170,7 +187,10 @@ const HULA_HOOP = { particle_mass_kg: 0.14, radius_m: 0.45, gravity_m_per_s2: QU
 /** Throws a refusal of the core. */
 function checked(problem: ProblemState): Problem {
   const numbers = numbersOfProblem(problem);
-  return problem.system === 'si' ? Problem.si(numbers, problem.until) : Problem.dimensionless(numbers, problem.until);
+  const { system, restitution, law, until } = problem;
+  return system === 'si'
+    ? Problem.si(numbers, restitution, law, until)
+    : Problem.dimensionless(numbers, restitution, law, until);
 }
 
 /** What the core says of a problem, beside the field of the system that is shown. */
@@ -181,9 +201,11 @@ function fieldErrorOf(refusal: Refusal, problem: ProblemState): FieldError {
   return { field, given: String(valueOf(problem, field) ?? ''), message: `${message}: ${hint}` };
 }
 
-/** Whether two problems have the same curves and the same map: the same hoop and the same slip. */
+/** Whether two problems have the same curves and the same map: all is the same but angle, rate, place and time. */
 function sameHoop(a: Problem, b: Problem): boolean {
   const [p, q] = [a.toDimensionless(), b.toDimensionless()];
-  return DIMENSIONLESS.every((name, i) =>
-    (QUANTITY_ROWS[name].group !== 'hoop' && name !== 'slip') || Object.is(p[i], q[i]));
+  const varies = (name: DimensionlessNumber): boolean =>
+    name === 'theta' || name === 'theta_rate' || QUANTITY_ROWS[name].group === 'place';
+  return a.restitution === b.restitution && a.restitutionLaw === b.restitutionLaw
+    && DIMENSIONLESS.every((name, i) => varies(name) || Object.is(p[i], q[i]));
 }

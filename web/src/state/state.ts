@@ -1,18 +1,30 @@
 // The state of the page: everything that a link carries.
 
 import { inOrder, LIMIT, numbersOf, type Values } from '../core/fields';
-import type { Quantity, System } from '../generated/tables';
+import { LAWS, QUANTITY_ROWS, type Law, type Quantity, type System } from '../generated/tables';
 
 export type Theme = 'auto' | 'light' | 'dark';
 
-interface ProblemIn<S extends System> {
-  readonly system: S;
-  readonly values: Values<S>;
+/** What a problem may be without. */
+export interface Options {
+  /** Coefficient of restitution; none where the motion ends at the landing. */
+  readonly restitution: number | null;
+  /** Its law; that of a coefficient alone if there is none. */
+  readonly law: Law | null;
   /** Time limit in the units of the system; none to follow the motion to its end. */
   readonly until: number | null;
 }
 
+interface ProblemIn<S extends System> extends Options {
+  readonly system: S;
+  readonly values: Values<S>;
+}
+
 export type ProblemState = ProblemIn<'dimensionless'> | ProblemIn<'si'>;
+
+/** What the map shows of each motion. */
+export const SHOWS = ['outcome', 'hops'] as const;
+export type Shows = (typeof SHOWS)[number];
 
 export interface ViewState {
   /** Time of the cursor, τ; none at the start. */
@@ -22,6 +34,7 @@ export interface ViewState {
   /** Largest |θ′| of the plane. */
   rate: number;
   map: boolean;
+  shows: Shows;
   follow: boolean;
   theme: Theme;
 }
@@ -35,18 +48,20 @@ export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 export const RATES = [1, 1.5, 2, 3, 4, 6, 8, 12, 20] as const;
 
 export const VIEW: Readonly<ViewState> = {
-  time: null, speed: 0.5, loop: false, rate: 4, map: true, follow: true, theme: 'auto',
+  time: null, speed: 0.5, loop: false, rate: 4, map: true, shows: 'outcome', follow: true, theme: 'auto',
 };
 
 /** A problem with a value for each number of its system. */
-export function problemWith(system: System, value: (quantity: Quantity) => number, until: number | null): ProblemState {
+export function problemWith(system: System, value: (quantity: Quantity) => number, options: Options): ProblemState {
   const values = Object.fromEntries(numbersOf(system).map((name) => [name, value(name)]));
-  return { system, values, until } as unknown as ProblemState;
+  const { restitution, law, until } = options;
+  return { system, values, restitution, law, until } as unknown as ProblemState;
 }
 
-/** The value of a quantity of a problem; none for a limit that is not set, and for a quantity of the other system. */
-export function valueOf({ system, values, until }: ProblemState, quantity: Quantity): number | null {
+/** The value of a quantity of a problem; none for one that is left out, and for a quantity of the other system. */
+export function valueOf({ system, values, restitution, until }: ProblemState, quantity: Quantity): number | null {
   if (quantity === LIMIT[system]) return until;
+  if (quantity === 'restitution') return restitution;
   const numbers: Readonly<Partial<Record<Quantity, number>>> = values;
   return numbers[quantity] ?? null;
 }
@@ -56,31 +71,43 @@ export function numbersOfProblem(problem: ProblemState): Float64Array {
   return problem.system === 'si' ? inOrder('si', problem.values) : inOrder('dimensionless', problem.values);
 }
 
+/** The law by which a problem bounces; none where its motion ends at the landing. */
+export function lawOf({ restitution, law }: Options): Law | null {
+  return restitution === null ? null : law ?? LAWS[0];
+}
+
 /** A case of the core. */
 export interface NamedCase {
   name: string;
   title: string;
   source: string;
-  hoop: Record<string, number>;
+  hoop: Readonly<Record<string, number>>;
+  law: Law | null;
   start: Record<string, number>;
 }
 
+/** The cases, of the text of the core. */
+export function casesOf(text: string): NamedCase[] {
+  const cases = JSON.parse(text) as (Omit<NamedCase, 'law'> & { hoop: { restitution_law?: Law } })[];
+  return cases.map(({ hoop: { restitution_law: law = null, ...hoop }, ...it }) => ({ ...it, hoop, law }));
+}
+
 /** The problem of a case. */
-export function problemOfCase({ name, hoop, start }: NamedCase): ProblemState {
-  const values = { ...hoop, ...start };
+export function problemOfCase({ name, hoop, law, start }: NamedCase): ProblemState {
+  const values: Partial<Record<string, number>> = { ...hoop, ...start };
   const value = (quantity: Quantity): number => {
-    const number = values[quantity];
-    if (number === undefined) throw new Error(`the case ${name} has no ${quantity}`);
+    const number = values[quantity] ?? QUANTITY_ROWS[quantity].otherwise;
+    if (number === null) throw new Error(`the case ${name} has no ${quantity}`);
     return number;
   };
-  return problemWith('dimensionless', value, null);
+  return problemWith('dimensionless', value, { restitution: values['restitution'] ?? null, law, until: null });
 }
 
 /** The case that a problem is, number by number; none if it differs. */
 export function caseOfProblem(problem: ProblemState, cases: readonly NamedCase[]): NamedCase | null {
   if (problem.system !== 'dimensionless' || problem.until !== null) return null;
   const same = (other: ProblemState): boolean =>
-    numbersOf('dimensionless').every((name) => Object.is(valueOf(other, name), valueOf(problem, name)));
+    other.restitution === problem.restitution && lawOf(other) === lawOf(problem) && numbersOf('dimensionless').every((name) => Object.is(valueOf(other, name), valueOf(problem, name)));
   return cases.find((named) => same(problemOfCase(named))) ?? null;
 }
 

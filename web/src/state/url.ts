@@ -2,9 +2,10 @@
 // same number again.
 
 import { LIMIT, numbersOf } from '../core/fields';
-import { QUANTITIES, QUANTITY_ROWS, type Quantity, type System } from '../generated/tables';
+import { LAWS, QUANTITIES, QUANTITY_ROWS, type Quantity, type System } from '../generated/tables';
 import {
-  caseOfProblem, problemOfCase, problemWith, RATES, SPEEDS, valueOf, VIEW, type NamedCase, type State, type Theme,
+  caseOfProblem, lawOf, problemOfCase, problemWith, RATES, SHOWS, SPEEDS, valueOf, VIEW, type NamedCase, type State,
+  type Theme,
 } from './state';
 
 export interface FieldError {
@@ -20,6 +21,9 @@ export interface Parsed {
   fieldErrors: FieldError[];
 }
 
+/** The key of the law of restitution. */
+const LAW = 'restitution_law';
+
 /** The fragment for a state, without `#`. */
 export function format(state: State, cases: readonly NamedCase[]): string {
   const { problem, view } = state;
@@ -29,6 +33,7 @@ export function format(state: State, cases: readonly NamedCase[]): string {
     parts.push(`case=${named.name}`);
   } else {
     for (const name of numbersOf(problem.system)) parts.push(`${name}=${valueOf(problem, name)}`);
+    if (problem.restitution !== null) parts.push(`restitution=${problem.restitution}`, `${LAW}=${lawOf(problem)}`);
     if (problem.until !== null) parts.push(`${LIMIT[problem.system]}=${problem.until}`);
   }
   if (view.time !== null) parts.push(`at=${view.time}`);
@@ -36,6 +41,7 @@ export function format(state: State, cases: readonly NamedCase[]): string {
   if (view.speed !== VIEW.speed) parts.push(`speed=${view.speed}`);
   if (view.loop) parts.push('loop=1');
   if (!view.map) parts.push('map=0');
+  if (view.shows !== VIEW.shows) parts.push(`shows=${view.shows}`);
   if (!view.follow) parts.push('follow=0');
   if (view.theme !== 'auto') parts.push(`theme=${view.theme}`);
   return parts.join('&');
@@ -79,13 +85,22 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
       if (text === undefined && otherwise(quantity) === null) report(quantity, '', 'the link does not give it');
       return number ?? otherwise(quantity) ?? NaN;
     };
-    let until: number | null = null;
-    const limit = take(LIMIT[system]);
-    if (limit !== undefined) {
-      until = readNumber(limit);
-      if (until === null) report(LIMIT[system], limit, `'${limit}' is not a number`);
-    }
-    problem = problemWith(system, read, until);
+    const option = (quantity: Quantity): number | null => {
+      const text = take(quantity);
+      const number = text === undefined ? null : readNumber(text);
+      if (text !== undefined && number === null) report(quantity, text, `'${text}' is not a number`);
+      return number;
+    };
+    // What may be left out is left out, unless a case has it.
+    const ofCase = name === undefined ? null : shown;
+    const given = take(LAW);
+    const law = LAWS.find((it) => it === given) ?? null;
+    if (given !== undefined && law === null) report(LAW, given, `one of ${LAWS.join(', ')}`);
+    problem = problemWith(system, read, {
+      restitution: option('restitution') ?? ofCase?.restitution ?? null,
+      law: law ?? ofCase?.law ?? null,
+      until: option(LIMIT[system]),
+    });
   }
 
   const view = { ...VIEW, theme: base.view.theme };
@@ -110,6 +125,10 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
   };
   view.loop = flag('loop', view.loop);
   view.map = flag('map', view.map);
+  const shows = take('shows');
+  const subject = SHOWS.find((it) => it === shows);
+  if (subject !== undefined) view.shows = subject;
+  else if (shows !== undefined) report('shows', shows, `one of ${SHOWS.join(', ')}`);
   view.follow = flag('follow', view.follow);
   const theme = take('theme');
   if (theme === 'light' || theme === 'dark' || theme === 'auto') view.theme = theme satisfies Theme;
@@ -121,6 +140,7 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
 /** The system that the keys belong to; none if they say nothing of the problem. */
 function systemOf(keys: Iterable<string>): System | null {
   const names = new Set(keys);
+  if (names.has(LAW)) names.add('restitution');
   const given = QUANTITIES.filter((it) => names.has(it));
   if (given.some((it) => QUANTITY_ROWS[it].system === 'si')) return 'si';
   return given.length > 0 ? 'dimensionless' : null;

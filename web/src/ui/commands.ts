@@ -1,14 +1,16 @@
 // The same motion as a line for a shell, and as lines of Python.
 
 import { LIMIT, numbersOf } from '../core/fields';
-import { QUANTITY_ROWS, type Group, type Quantity } from '../generated/tables';
-import { caseOfProblem, valueOf, type NamedCase, type ProblemState } from '../state/state';
+import { LAWS, QUANTITY_ROWS, type Group, type Law, type Quantity } from '../generated/tables';
+import { caseOfProblem, lawOf, valueOf, type NamedCase, type ProblemState } from '../state/state';
 
 /** `littlewood simulate …` with the very numbers of the page. */
 export function shellLine(problem: ProblemState, cases: readonly NamedCase[]): string {
   const named = caseOfProblem(problem, cases);
   if (named) return `littlewood simulate ${named.name}`;
   const flags = given(problem).map(([quantity, value]) => `--${quantity.replaceAll('_', '-')} ${value}`);
+  const law = otherLaw(problem);
+  if (law !== null) flags.push(`--restitution-law ${law}`);
   return `littlewood simulate ${flags.join(' ')}`;
 }
 
@@ -24,7 +26,8 @@ export function pythonLine(problem: ProblemState, cases: readonly NamedCase[]): 
       .filter(([quantity]) => ARGUMENT[QUANTITY_ROWS[quantity].group] === argument)
       .map(([quantity, value]) => `${nameOf(quantity)}=${value}`)
       .join(', ');
-  const hoop = `lw.Hoop${si ? '.from_si' : ''}(${list('hoop')})`;
+  const law = otherLaw(problem);
+  const hoop = `lw.Hoop${si ? '.from_si' : ''}(${list('hoop')}${law === null ? '' : `, law="${law}"`})`;
   return `import littlewood as lw; motion = ${hoop}.${si ? 'simulate_si' : 'simulate'}(${list('start')})`;
 }
 
@@ -33,10 +36,16 @@ const ARGUMENT: Readonly<Record<Group, 'hoop' | 'start'>> = {
   hoop: 'hoop', units: 'hoop', start: 'start', place: 'start', run: 'start',
 };
 
+/** The law of restitution, if it is not that of a coefficient alone. */
+function otherLaw(problem: ProblemState): Law | null {
+  const law = lawOf(problem);
+  return law === LAWS[0] ? null : law;
+}
+
 /** The quantities of a problem that are not what they are if nothing is given. */
 function given(problem: ProblemState): [Quantity, number][] {
   const { system } = problem;
-  return [...numbersOf(system), LIMIT[system]].flatMap((quantity): [Quantity, number][] => {
+  return [...numbersOf(system), 'restitution' as const, LIMIT[system]].flatMap((quantity): [Quantity, number][] => {
     const value = valueOf(problem, quantity);
     return value === null || Object.is(value, QUANTITY_ROWS[quantity].otherwise) ? [] : [[quantity, value]];
   });

@@ -1,11 +1,12 @@
 // The fields of the hoop and the start, with tips and messages beside them.
 
-import { labelOf, LIMIT, meaningOf, numbersOf, sliderOf, stepOf } from '../core/fields';
+import { isOptional, labelOf, LIMIT, meaningOf, numbersOf, sliderOf, stepOf } from '../core/fields';
 import { QUANTITY_ROWS, type Group, type Quantity, type System } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { valueOf } from '../state/state';
 import { readNumber } from '../state/url';
 import { brief, make } from '../dom';
+import { ImpactFields } from './impact-fields';
 
 interface Row {
   quantity: Quantity;
@@ -17,20 +18,27 @@ interface Row {
 /** The parts of the form, and which of them can be folded away. */
 const PARTS = [
   { title: 'Hoop', folds: false },
+  { title: 'Impact', folds: false },
   { title: 'Start', folds: false },
   { title: 'Place, time and limit', folds: true },
 ] as const;
 
-/** The part that a group of quantities is in. */
+/** The part that a group of quantities is in; the coefficient of restitution has one of its own. */
 const PART: Readonly<Record<Group, (typeof PARTS)[number]['title']>> = {
   hoop: 'Hoop', units: 'Hoop', start: 'Start', place: 'Place, time and limit', run: 'Place, time and limit',
 };
 
+function partOf(quantity: Quantity): (typeof PARTS)[number]['title'] {
+  return quantity === 'restitution' ? 'Impact' : PART[QUANTITY_ROWS[quantity].group];
+}
+
 export class Fields {
   private rows: Row[] = [];
   private system: System | null = null;
+  private readonly impact: ImpactFields;
 
   constructor(private readonly holder: HTMLElement, private readonly lab: Lab) {
+    this.impact = new ImpactFields(lab);
     this.show();
   }
 
@@ -52,15 +60,29 @@ export class Fields {
         row.slider.value = String(value);
         row.slider.setAttribute('aria-valuetext', `${brief(value)} ${QUANTITY_ROWS[row.quantity].unit}`.trim());
       }
+      if (row.quantity === 'restitution') this.showRestitution(row, value);
     }
+    this.impact.show();
+  }
+
+  /** Without a coefficient the slider is off; a massless hoop cannot have one. */
+  private showRestitution({ input, slider }: Row, value: number | null): void {
+    input.disabled = this.lab.problem.isMassless;
+    if (!slider) return;
+    slider.disabled = value === null;
+    if (value === null) slider.setAttribute('aria-valuetext', 'off: the motion ends at the landing');
   }
 
   private build(system: System): void {
     this.system = system;
     this.rows = [];
-    const quantities = [...numbersOf(system), LIMIT[system]];
+    const quantities = [...numbersOf(system), 'restitution' as const, LIMIT[system]];
     this.holder.replaceChildren(...PARTS.map(({ title, folds }) => {
-      const rows = quantities.filter((it) => PART[QUANTITY_ROWS[it].group] === title).map((it) => this.row(it));
+      const rows = quantities.filter((it) => partOf(it) === title).map((it) => this.row(it));
+      if (title === 'Impact') {
+        const { before, after } = this.impact;
+        return make('fieldset', {}, make('legend', {}, title), ...before, ...rows, ...after);
+      }
       if (folds) return make('details', { class: 'more' }, make('summary', {}, title), ...rows);
       return make('fieldset', {}, make('legend', {}, title), ...rows);
     }));
@@ -75,6 +97,7 @@ export class Fields {
       spellcheck: 'false', 'aria-describedby': `tip-${quantity} message-${quantity}`,
     });
     const text = make('label', { for: `field-${quantity}` }, make('i', {}, label));
+    if (quantity === 'restitution') input.placeholder = 'ends at the landing';
     const row = make('div', { class: 'row' }, text, input, make('span', { class: 'unit' }, QUANTITY_ROWS[quantity].unit));
     const range = sliderOf(quantity);
     let slider: HTMLInputElement | null = null;
@@ -99,7 +122,7 @@ export class Fields {
   private typed(quantity: Quantity, text: string): void {
     const isEmpty = text.trim() === '';
     const value = readNumber(text);
-    if (value !== null || (isEmpty && quantity === LIMIT[this.lab.state.problem.system])) {
+    if (value !== null || (isEmpty && isOptional(quantity))) {
       this.lab.setQuantity(quantity, value);
     } else {
       const message = isEmpty ? 'a number is missing' : `'${text}' is not a number`;

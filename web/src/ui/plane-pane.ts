@@ -1,15 +1,18 @@
 // The pane of the phase plane: drawing in layers, and the start that can be dragged.
 
 import { CURVE_ROWS, CURVES, type Palette } from '../generated/palette';
-import { CLASS_LABELS, COLUMN_ROWS } from '../generated/tables';
+import { CLASS_LABELS, COLUMN_ROWS, HOPS } from '../generated/tables';
 import { OutcomePicture } from '../map/client';
 import type { Lab } from '../state/lab';
-import { RATES } from '../state/state';
+import { RATES, SHOWS, type Shows } from '../state/state';
 import { Sheet } from '../views/canvas';
 import { curvesOf, drawMotion, drawPlane, drawStart, Frame, FROM, TO, wrapped, type Curves } from '../views/plane';
 import { brief, byId, line, make } from '../dom';
 
 const SIGNS = { theta: COLUMN_ROWS.theta.signs.dimensionless, rate: COLUMN_ROWS.theta_rate.signs.dimensionless };
+
+/** What the map shows, in words. */
+const SHOWN: Readonly<Record<Shows, string>> = { outcome: 'outcomes', hops: 'hops' };
 
 /** What an arrow key moves the start by; a tenth of it with Shift. */
 const KEY_STEP = 0.05;
@@ -21,8 +24,8 @@ export class PlanePane {
   private readonly handle = byId('start-handle', HTMLButtonElement);
   private readonly legend = byId('legend', HTMLUListElement);
   private curves: Curves | null = null;
-  /** Whether the map has been asked for the hoop that is shown. */
-  private mapIsRight = false;
+  /** What the map has been asked to show of the hoop; none if it has not been asked. */
+  private asked: Shows | null = null;
   private stale = { base: true, top: true };
 
   constructor(private readonly lab: Lab, private palette: Palette, draw: () => void,
@@ -78,6 +81,11 @@ export class PlanePane {
     byId('zoom-out', HTMLButtonElement).addEventListener('click', () => this.zoom(1));
     const map = byId('map', HTMLInputElement);
     map.addEventListener('change', () => this.lab.setView({ map: map.checked }));
+    const shows = byId('shows', HTMLSelectElement);
+    shows.append(...SHOWS.map((value) => make('option', { value }, SHOWN[value])));
+    shows.addEventListener('change', () => {
+      this.lab.setView({ map: true, shows: SHOWS.find((it) => it === shows.value) ?? 'outcome' });
+    });
   }
 
   private get start(): [number, number] {
@@ -98,11 +106,19 @@ export class PlanePane {
   }
 
   hoopChanged(): void {
-    const { problem, state } = this.lab;
-    this.curves = curvesOf(problem, state.view.rate);
-    this.mapIsRight = state.view.map;
-    if (state.view.map) this.map.ask(problem.toDimensionless(), state.view.rate);
+    const { problem, state: { view: { rate } } } = this.lab;
+    this.curves = curvesOf(problem, rate);
+    this.asked = null;
+    this.askMap();
     this.stale = { base: true, top: true };
+  }
+
+  private askMap(): void {
+    const { problem, state: { view: { map, rate, shows } } } = this.lab;
+    if (!map || this.asked === shows) return;
+    this.asked = shows;
+    const { restitution, restitutionLaw: law } = problem;
+    this.map.ask({ numbers: problem.toDimensionless(), restitution, law, rate, shows });
   }
 
   motionChanged(): void {
@@ -113,10 +129,12 @@ export class PlanePane {
     const { view } = this.lab.state;
     const rateChanged = this.curves?.rate !== view.rate;
     byId('map', HTMLInputElement).checked = view.map;
+    byId('shows', HTMLSelectElement).value = view.shows;
     const place = (RATES as readonly number[]).indexOf(view.rate);
     byId('zoom-in', HTMLButtonElement).disabled = place <= 0;
     byId('zoom-out', HTMLButtonElement).disabled = place >= RATES.length - 1;
-    if (rateChanged || (view.map && !this.mapIsRight)) this.hoopChanged();
+    if (rateChanged) this.hoopChanged();
+    else this.askMap();
     if (this.legend.hidden === view.map) {
       this.legend.hidden = !view.map;
       this.stale.base = true;
@@ -139,9 +157,15 @@ export class PlanePane {
   }
 
   private showLegend(): void {
+    const swatch = (): HTMLElement => make('span', { class: 'swatch', 'aria-hidden': 'true' });
     const computed = this.map.present.filter((name) => name !== 'not_computed');
-    this.legend.replaceChildren(...computed.map((name) =>
-      make('li', { 'data-class': name }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), CLASS_LABELS[name])));
+    const landings = this.map.landings.map((name) =>
+      make('li', { 'data-hops': String(HOPS.indexOf(name)) }, swatch(), name));
+    this.legend.replaceChildren(
+      ...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])), ...landings);
+    this.legend.setAttribute('aria-label', this.map.landings.length > 0
+      ? 'Colours of the map: landings of a start there'
+      : 'Colours of the map: a start there …');
   }
 
   /** Draws what is stale. */

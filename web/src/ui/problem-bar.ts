@@ -2,7 +2,7 @@
 
 import { inSystem } from '../core/fields';
 import type { Quantity } from '../generated/tables';
-import type { Lab } from '../state/lab';
+import type { Given, Lab } from '../state/lab';
 import { problemOfCase, rateFor, valueOf } from '../state/state';
 import { byId, make } from '../dom';
 
@@ -10,8 +10,8 @@ export class ProblemBar {
   private readonly cases = byId('case', HTMLSelectElement);
   private readonly si = byId('si', HTMLInputElement);
   private readonly massless = byId('massless', HTMLInputElement);
-  /** Mass and inertia before the hoop was made massless, in the units of that time. */
-  private heavy: Partial<Record<Quantity, number>> = {};
+  /** What a massless hoop has not, as it was before the hoop was made massless, in the units of that time. */
+  private heavy: Given = {};
 
   constructor(private readonly lab: Lab, before: () => void) {
     this.cases.append(make('option', { value: '', disabled: '' }, 'a hoop of your own'));
@@ -32,12 +32,13 @@ export class ProblemBar {
 
   private switchMass(): void {
     const { problem } = this.lab.state;
-    const names = (['mass_ratio', 'inertia'] as const).map((it) => inSystem(problem.system, it));
+    // No mass, no inertia, and therefore neither a throw nor an impact.
+    const names = (['mass_ratio', 'inertia', 'gap_rate'] as const).map((it) => inSystem(problem.system, it));
     const withValues = (value: (name: Quantity) => number): Partial<Record<Quantity, number>> =>
       Object.fromEntries(names.map((name) => [name, value(name)]));
     if (this.massless.checked) {
-      this.heavy = withValues((name) => valueOf(problem, name) ?? NaN);
-      this.lab.set(withValues(() => 0), { rate: rateFor(true, 0) });
+      this.heavy = { ...withValues((name) => valueOf(problem, name) ?? NaN), restitution: problem.restitution };
+      this.lab.set({ ...withValues(() => 0), restitution: null }, { rate: rateFor(true, 0) });
     } else if (names.every((name) => name in this.heavy)) {
       this.lab.set(this.heavy, { rate: rateFor(false, 0) });
     } else {

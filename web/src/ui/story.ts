@@ -22,12 +22,14 @@ export class Story {
 
   showMotion(): void {
     const { motion, units, state: { problem: { system } } } = this.lab;
-    const head = (column: SampleColumn): HTMLElement => {
+    const head = (column: SampleColumn, what?: string): HTMLElement => {
       const { signs, units: { si } } = COLUMN_ROWS[column];
-      return make('th', { scope: 'col' }, system === 'si' ? `${signs.si} [${si}]` : signs.dimensionless);
+      const sign = what === undefined ? signs[system] : `${signs[system]} ${what}`;
+      return make('th', { scope: 'col' }, system === 'si' ? `${sign} [${si}]` : sign);
     };
     byId('event-heads', HTMLTableRowElement).replaceChildren(
-      head('time'), make('th', { scope: 'col' }, 'event'), make('th', { scope: 'col' }, 'then'), ...STATE.map(head));
+      head('time'), make('th', { scope: 'col' }, 'event'), make('th', { scope: 'col' }, 'then'), ...STATE.map((it) => head(it)),
+      ...(motion.impacts.length > 0 ? [make('th', { scope: 'col' }, 'impact'), head('energy', 'lost')] : []));
     const shown = motion.events.slice(0, MOST_ROWS);
     this.rows.replaceChildren(...shown.map((event) => {
       const number = (column: 'time' | (typeof STATE)[number]): string => digits(event[column] * units[column]);
@@ -37,7 +39,10 @@ export class Story {
         make('td', {}, button),
         make('td', {}, event.label),
         event.to === null ? make('td', {}, 'ends') : make('td', { 'data-mode': event.to }, event.to),
-        ...STATE.map((column) => make('td', { class: 'number' }, number(column))));
+        ...STATE.map((column) => make('td', { class: 'number' }, number(column))),
+        ...(event.impact === null ? [] : [
+          make('td', {}, event.impact.label), make('td', { class: 'number' }, digits(event.impact.lost * units.energy)),
+        ]));
     }));
     const hidden = motion.events.length - shown.length;
     byId('more-events', HTMLParagraphElement).textContent = hidden > 0 ? `and ${hidden} more: the exports have them all` : '';

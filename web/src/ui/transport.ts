@@ -11,6 +11,7 @@ export class Transport {
   private readonly play = byId('play', HTMLButtonElement);
   private readonly range = byId('time', HTMLInputElement);
   private readonly track = byId('track', HTMLDivElement);
+  private readonly marks = byId('marks', HTMLDivElement);
   private readonly clockText = byId('now', HTMLOutputElement);
   private readonly speed = byId('speed', HTMLSelectElement);
   private readonly loop = byId('loop', HTMLInputElement);
@@ -61,12 +62,26 @@ export class Transport {
       return band;
     });
     for (const event of motion.events.slice(1)) {
+      if (event.impact !== null || event.time > motion.end) continue;
       const tick = make('span', { class: 'tick', title: event.sentence });
       tick.style.left = `${part(event.time)}%`;
       children.push(tick);
     }
     this.track.replaceChildren(...children);
+    this.showMarks(part);
     this.showTime();
+  }
+
+  /** A mark over the line for each impact, the taller the more of the energy is lost in it. */
+  private showMarks(part: (time: number) => number): void {
+    const { impacts } = this.lab.motion;
+    const most = impacts.reduce((most, { impact }) => Math.max(most, Math.abs(impact.lost)), 0) || 1;
+    this.marks.replaceChildren(...impacts.map(({ time, impact, sentence, name }) => {
+      const mark = make('span', { class: 'mark', title: sentence, 'data-cause': name });
+      mark.style.left = `${part(time)}%`;
+      mark.style.height = `${35 + 65 * Math.sqrt(Math.abs(impact.lost) / most)}%`;
+      return mark;
+    }));
   }
 
   showTime(): void {

@@ -1,6 +1,6 @@
 // The phase plane (θ, θ′): outcome map, 𝓡, curves, levels, the motion and its start.
 
-import { modeOf, type Motion, type Sample } from '../core/motion';
+import { modeOf, type Motion, type Sample, type Samples } from '../core/motion';
 import { angularTicks, roundTicks } from '../core/ticks';
 import { Plane, type Problem } from '../core/wasm';
 import { CURVE_ROWS, MODE_DASHES, type Curve, type Palette } from '../generated/palette';
@@ -280,7 +280,7 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
     c.moveTo(frame.x(s.theta[from]! + shift), frame.y(s.theta_rate[from]!));
     let to = from + 1;
     // Over the edge the motion comes in again on the other side, as another line.
-    for (; to < s.length && s.mode[to] === s.mode[from]; to++) {
+    for (; to < s.length && s.mode[to] === s.mode[from] && !isJump(s, to); to++) {
       const rate = Math.max(-5 * frame.rate, Math.min(5 * frame.rate, s.theta_rate[to]!));
       c.lineTo(frame.x(s.theta[to]! + shift), frame.y(rate));
       if (Math.abs(wrapped(s.theta[to]!) - s.theta[to]! - shift) > 1) break;
@@ -299,8 +299,11 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
     from = to;
   }
   c.setLineDash([]);
+  drawImpacts(c, frame, motion, palette);
   for (const event of motion.events.slice(1)) {
-    dot(c, frame.x(wrapped(event.theta)), frame.y(event.theta_rate), 4, palette.ink.paper, palette.ink.ink);
+    if (event.impact === null) {
+      dot(c, frame.x(wrapped(event.theta)), frame.y(event.theta_rate), 4, palette.ink.paper, palette.ink.ink);
+    }
   }
   if (now) {
     const mode = modeOf(now.mode);
@@ -308,6 +311,29 @@ export function drawMotion(c: CanvasRenderingContext2D, frame: Frame, motion: Mo
   }
   c.restore();
 }
+
+/** Whether the rate jumps between a sample and the one before. */
+function isJump(s: Samples, at: number): boolean {
+  return s.time[at] === s.time[at - 1] && s.theta_rate[at] !== s.theta_rate[at - 1];
+}
+
+/** The jump of the rate in each impact, from an open dot to a full one. */
+function drawImpacts(c: CanvasRenderingContext2D, frame: Frame, motion: Motion, palette: Palette): void {
+  const last = motion.impacts.length;
+  // Where bounces settle they would hide each other.
+  motion.impacts.forEach(({ theta, impact: { before, after } }, i) => {
+    const x = frame.x(wrapped(theta));
+    c.strokeStyle = palette.arrow.impulse;
+    c.lineWidth = 1.5;
+    segment(c, x, frame.y(before.theta_rate), x, frame.y(after.theta_rate));
+    const radius = i < MANY || i === last - 1 ? 3.5 : 2;
+    dot(c, x, frame.y(before.theta_rate), radius, palette.ink.paper, palette.arrow.impulse);
+    dot(c, x, frame.y(after.theta_rate), radius, palette.arrow.impulse, palette.ink.paper);
+  });
+}
+
+/** Impacts that are drawn at full size. */
+const MANY = 12;
 
 /** The start as a ring. */
 export function drawStart(c: CanvasRenderingContext2D, frame: Frame, theta: number, rate: number, palette: Palette): void {

@@ -11,8 +11,9 @@ pub(super) const FIGURES: &str = "\
 Draw the figures of the paper, and more, of its hoops or of any other.
 
 Every figure is computed from the library's results. It is made of its own case (figure-3 for a hoop with inertia, \
-figure-7 for the massless one) unless --case, --scenario or flags ask for another hoop or start. Without names all \
-figures are drawn that the hoop has; figures 4 to 7 show the massless hoop.
+figure-7 for the massless one, figure-3-bounces for impacts) unless --case, --scenario or flags ask for another hoop or start. Without names all \
+figures are drawn that the hoop has; figures 4 to 7 show the massless hoop. With --restitution \
+the motion goes on after a landing.
 
 Each figure is written as SVG, PNG, CSV (the data drawn) and TXT (the caption) into --out. Nothing is written unless \
 all can be drawn; a file is replaced only once it is complete.";
@@ -22,6 +23,7 @@ Examples:
   littlewood figures --out figures
   littlewood figures figure-3b outcomes --out figures --format svg,csv
   littlewood figures --mass-ratio 2 --inertia 2 --mu-s 0.7 --out heavier
+  littlewood figures impact bounces energy --case figure-3 --restitution 0.8 --impact 2 --out bounces
   littlewood figures figure-2b --out print --format png --scale 6.25";
 
 /// Arguments of `littlewood figures`.
@@ -43,6 +45,9 @@ pub(crate) struct FiguresArgs {
     setup: SetupArgs<false>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
+    /// Which impact of the motion the figure `impact` shows, from 1
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = impact)]
+    pub(crate) impact: usize,
     /// Folder for the files; it is made if it is not there
     #[arg(long, value_name = "DIR", required_unless_present = "list", help_heading = "Output")]
     pub(crate) out: Option<PathBuf>,
@@ -58,6 +63,12 @@ pub(crate) struct FiguresArgs {
     /// Pixels of a PNG to one of the drawing (1/96 inch): 3.125 makes 300 dpi, 6.25 makes 600
     #[arg(long, value_name = "FACTOR", value_parser = number, default_value_t = 2.0, help_heading = "Output")]
     pub(crate) scale: f64,
+}
+
+/// The number of an impact.
+fn impact(text: &str) -> Result<usize, String> {
+    let number: usize = text.parse().map_err(|_| "this is not a whole number from 1".to_owned())?;
+    if number == 0 { Err("the first impact is 1".to_owned()) } else { Ok(number) }
 }
 
 impl FiguresArgs {

@@ -82,12 +82,18 @@ Follow a motion to its end: phases, transitions, outcome.
 The motion is a named case, or parameters, or a scenario file; flags override the values of both. Five numbers define \
 the hoop (2.9), and theta and theta' the start; slip, x and time are 0 unless given. Without --until the motion is \
 followed to a final outcome: a landing, rolling for ever, or a state beyond which the model has no unique motion. \
-Each of these is a result, with exit code 0. Bad input has exit code 2, a failure to write 1.";
+Each of these is a result, with exit code 0. Bad input has exit code 2, a failure to write 1.
+
+With --restitution the motion goes on after a landing: each impact is solved exactly, with friction, by the law of \
+--restitution-law, and bounces that accumulate are followed to their end. Where no motion is consistent the hoop then jams \
+(Painleve). With --restitution 1 bounces may never end: give --until. A massless hoop has no impact, for its rim has no \
+inertia that an impulse could act on.";
 
 const SIMULATE_EXAMPLES: &str = "\
 Examples:
   littlewood simulate figure-3
   littlewood simulate figure-3 --theta-rate -2 --until 3
+  littlewood simulate figure-3 --restitution 0.5 --restitution-law poisson
   littlewood simulate --mass-ratio 1 --offset 1 --inertia 1 --mu-s 0.5 --mu-k 0.4 \\
       --theta 1.5707963267948966 --theta-rate 2 --format json
   littlewood simulate --si --disc-mass-kg 0.4 --particle-mass-kg 0.14 --radius-m 0.45 \\
@@ -123,6 +129,10 @@ pub(crate) struct SimulateArgs {
     /// for two periods of its last phase (10 units of time if that has no period), or to --until
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(SAMPLES), help_heading = "Output")]
     pub(crate) samples: Option<u64>,
+    /// Give every bounce and every phase a row of the table; otherwise many bounces share one, and long motions are
+    /// shortened
+    #[arg(long, help_heading = "Output")]
+    pub(crate) all_bounces: bool,
     /// Write to this file; it is replaced only once everything has been written
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub(crate) out: Option<PathBuf>,

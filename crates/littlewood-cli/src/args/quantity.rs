@@ -2,8 +2,10 @@
 
 use std::sync::LazyLock;
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use littlewood::{Dimension, Group, Quantity, System};
+use littlewood::{Dimension, Group, Quantity, RestitutionLaw, System};
+use littlewood_report::RESTITUTION_LAW;
 
 use super::number;
 use crate::values::{Given, flag, si_name};
@@ -12,6 +14,9 @@ const SI_HEADING: &str = "SI units (instead of the dimensionless flags)";
 
 /// Identifier and flag of the switch that asks for SI units.
 const SI: &str = "si";
+
+/// The flag of the law of restitution, without its hyphens.
+static LAW_FLAG: LazyLock<String> = LazyLock::new(|| RESTITUTION_LAW.replace('_', "-"));
 
 /// The texts of a flag that are not in the table as they are. The parser borrows them for as long as the program runs.
 struct Texts {
@@ -86,6 +91,22 @@ fn argument(quantity: Quantity) -> Arg {
     }
 }
 
+/// The flag of the law of restitution.
+fn law_argument() -> Arg {
+    let names = RestitutionLaw::ALL.map(|law| PossibleValue::new(law.name()).help(law.label()));
+    let help = format!(
+        "What the coefficient of restitution is a ratio of, with SI parameters too [default: {}]",
+        RestitutionLaw::default()
+    );
+    Arg::new(RESTITUTION_LAW)
+        .long(LAW_FLAG.as_str())
+        .value_name("LAW")
+        .action(ArgAction::Set)
+        .value_parser(PossibleValuesParser::new(names).try_map(|name| name.parse::<RestitutionLaw>()))
+        .help_heading(heading(Quantity::Restitution))
+        .help(help)
+}
+
 fn typed(matches: &ArgMatches, quantities: impl Iterator<Item = Quantity>) -> Vec<Given> {
     quantities
         .filter_map(|quantity| Some(Given::by_flag(quantity, *matches.get_one(quantity.name())?)))
@@ -99,6 +120,8 @@ pub(crate) struct SetupArgs<const PLACE: bool> {
     pub(crate) given: Vec<Given>,
     /// Whether SI units are asked for.
     pub(crate) si: bool,
+    /// The law of restitution.
+    pub(crate) law: Option<RestitutionLaw>,
 }
 
 impl<const PLACE: bool> SetupArgs<PLACE> {
@@ -112,7 +135,7 @@ impl<const PLACE: bool> SetupArgs<PLACE> {
 }
 
 impl<const PLACE: bool> Args for SetupArgs<PLACE> {
-    fn augment_args(command: Command) -> Command {
+    fn augment_args(mut command: Command) -> Command {
         let switch = Arg::new(SI).long(SI).action(ArgAction::SetTrue).help_heading(SI_HEADING).help(format!(
             "Take and show SI units; any of the flags below implies it. With a named case, {} and {} say how large it \
              is",
@@ -120,7 +143,13 @@ impl<const PLACE: bool> Args for SetupArgs<PLACE> {
             flag(Quantity::RadiusM),
         ));
         let (si, plain): (Vec<_>, Vec<_>) = Self::quantities().partition(|quantity| quantity.is_si());
-        command.args(plain.into_iter().map(argument)).arg(switch).args(si.into_iter().map(argument))
+        for quantity in plain {
+            command = command.arg(argument(quantity));
+            if quantity == Quantity::Restitution {
+                command = command.arg(law_argument());
+            }
+        }
+        command.arg(switch).args(si.into_iter().map(argument))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -130,7 +159,11 @@ impl<const PLACE: bool> Args for SetupArgs<PLACE> {
 
 impl<const PLACE: bool> FromArgMatches for SetupArgs<PLACE> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        Ok(Self { given: typed(matches, Self::quantities()), si: matches.get_flag(SI) })
+        Ok(Self {
+            given: typed(matches, Self::quantities()),
+            si: matches.get_flag(SI),
+            law: matches.get_one(RESTITUTION_LAW).copied(),
+        })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

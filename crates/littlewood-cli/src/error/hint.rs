@@ -13,6 +13,11 @@ pub(super) fn of_figure(error: &FigureError) -> String {
         FigureError::NoMotion { .. } => {
             "give another start; `littlewood classify` says what there is at this one"
         }
+        FigureError::NeedsRestitution { .. } => "give --restitution from 0 to 1, or leave the figure out",
+        FigureError::NoImpact { .. } => {
+            "give a start from which the hoop jumps, or a later --until; or leave the figure out"
+        }
+        FigureError::ImpactNumber { .. } => "give another --impact; `littlewood simulate` lists the landings",
         FigureError::Scale { .. } => "give another --scale, such as 2",
         FigureError::Parameter(error) => error.hint(),
         FigureError::UnknownCase { .. } => "`littlewood cases` lists the names",

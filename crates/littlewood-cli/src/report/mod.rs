@@ -1,6 +1,9 @@
 //! The results as text: for a person ([`table`]) and for programs ([`json`], [`csv`]).
 
 pub(crate) mod atlas;
+mod balance;
+mod bounces;
+mod phases;
 mod sheet;
 pub(crate) mod sweep;
 pub(crate) mod table;

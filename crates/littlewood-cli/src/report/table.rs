@@ -3,20 +3,20 @@
 use std::io::{self, Write};
 
 use littlewood::{
-    CASES, Candidates, Classification, Dimension, Hoop, Outcome, OutcomeKind, Phase, PhaseSolution, Quantity,
-    Recurrence, RollingLimit, RollingType, Sample, SampleColumn, SampleValue, Setup, SiSetup, Start,
-    StartRegion, State, Trajectory,
+    CASES, Candidates, Classification, Dimension, Hoop, Impact, Outcome, Phase, Quantity, Recurrence,
+    RollingLimit, RollingType, SampleColumn, SampleValue, Setup, SiSetup, Start, StartRegion, State,
+    Trajectory,
 };
 use littlewood_report::number::{brief, column};
 use littlewood_report::scale::Scale;
+use littlewood_report::sentence::NO_IMPACT;
+use littlewood_report::{Instant, instants, jam_of};
 
 use super::Sampling;
+use super::balance::{energy, jumps, landings};
+use super::phases::phases;
 use super::sheet::Sheet;
-use crate::problem::Problem;
-
-/// Phases shown at most; of longer motions the first and the last ones.
-const FIRST_PHASES: usize = 30;
-const LAST_PHASES: usize = 10;
+use crate::problem::{Changes, Problem};
 
 /// What stands between the quantities of a line, and how many letters a line of them has at most.
 const GAP: &str = "   ";
@@ -35,33 +35,37 @@ const COLUMNS: [SampleColumn; 9] = [
     SampleColumn::Gap,
 ];
 
+/// What the page of a motion shows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Look {
+    /// Which instants, if any.
+    pub(crate) sampling: Option<Sampling>,
+    /// Whether every bounce and every phase has a row of its own.
+    pub(crate) all_bounces: bool,
+    /// Whether it has emphasis.
+    pub(crate) colour: bool,
+}
+
 /// A motion.
 pub(crate) fn motion(
     writer: &mut dyn Write,
     problem: &Problem,
     trajectory: &Trajectory,
-    sampling: Option<Sampling>,
-    colour: bool,
+    look: Look,
 ) -> io::Result<()> {
-    let mut sheet = Sheet::new(writer, colour);
+    let mut sheet = Sheet::new(writer, look.colour);
     let scale = Scale::new(problem.units.as_ref());
     heading(&mut sheet, problem, scale)?;
     if !trajectory.phases().is_empty() {
         sheet.gap()?;
-        phases(&mut sheet, trajectory, scale)?;
+        phases(&mut sheet, trajectory, scale, look.all_bounces)?;
     }
     sheet.gap()?;
     sheet.fact("Outcome", &outcome(trajectory, scale))?;
-    let jump = jumps(trajectory, scale);
-    sheet.fact("Jump", &jump)?;
-    let lost = trajectory.energy_lost();
-    if lost != 0.0 {
-        sheet.fact(
-            "Energy",
-            &[format!("{} lost to friction", scale.show_with_unit(Dimension::Energy, lost))],
-        )?;
-    }
-    if let Some(sampling) = sampling {
+    sheet.fact("Jump", &jumps(trajectory, scale, look.all_bounces))?;
+    sheet.fact("Landings", &Vec::from_iter(landings(trajectory, scale)))?;
+    sheet.fact("Energy", &Vec::from_iter(energy(trajectory, scale)))?;
+    if let Some(sampling) = look.sampling {
         sheet.gap()?;
         samples(&mut sheet, trajectory, sampling, scale)?;
     }
@@ -70,18 +74,26 @@ pub(crate) fn motion(
 
 fn heading(sheet: &mut Sheet<'_>, problem: &Problem, scale: Scale<'_>) -> io::Result<()> {
     if let Some(case) = problem.case {
-        let changed: Vec<&str> = problem.changed.iter().map(|quantity| quantity.name()).collect();
-        if changed.is_empty() {
+        let Changes { replaced, added } = &problem.changes;
+        let another = (!replaced.is_empty()).then(|| format!("with another {}", replaced.join(", ")));
+        let new = (!added.is_empty()).then(|| format!("with {}", added.join(", ")));
+        let changes: Vec<String> = another.into_iter().chain(new).collect();
+        if changes.is_empty() {
             sheet.title(&format!("{}: {}", case.name, case.title))?;
             sheet.fact("Paper", &[case.source.to_owned()])?;
         } else {
-            sheet.title(&format!("{} with another {}", case.name, changed.join(", ")))?;
+            sheet.title(&format!("{} {}", case.name, changes.join(" and ")))?;
         }
     }
     sheet.fact("Hoop", &hoop_lines(problem))?;
     let state = State::from(problem.start);
     let mut line = format!("{} = {}  ", scale.sign(Quantity::Time), scale.show(Dimension::Time, state.time));
     line.push_str(&scale.show_motion(&state));
+    let gap_rate = problem.start.gap_rate;
+    if gap_rate != 0.0 {
+        let rate = scale.show(Dimension::Velocity, gap_rate);
+        line.push_str(&format!("  {} = {rate}", scale.sign(Quantity::GapRate)));
+    }
     if state.x != 0.0 {
         line.push_str(&format!("  {}", place(&state, scale)));
     }
@@ -90,8 +102,13 @@ fn heading(sheet: &mut Sheet<'_>, problem: &Problem, scale: Scale<'_>) -> io::Re
 
 /// The parameters of the hoop, and in SI units its measures and the unit of time.
 fn hoop_lines(problem: &Problem) -> Vec<String> {
+    let law = problem.hoop.restitution().map(|restitution| restitution.law());
     let item = |(quantity, value): (Quantity, f64)| {
-        format!("{} = {} {}", quantity.sign(), brief(value), quantity.unit_sign()).trim_end().to_owned()
+        let unit = match law {
+            Some(law) if quantity == Quantity::Restitution => format!("({law})"),
+            Some(_) | None => quantity.unit_sign().to_owned(),
+        };
+        format!("{} = {} {unit}", quantity.sign(), brief(value)).trim_end().to_owned()
     };
     let setup = Setup::new(problem.hoop.parameters(), Start::default());
     let parameters = Quantity::HOOP.into_iter().filter_map(|quantity| Some((quantity, setup.get(quantity)?)));
@@ -129,57 +146,6 @@ fn place(state: &State, scale: Scale<'_>) -> String {
     format!("{} = {}", scale.sign(Quantity::X), scale.show_with_unit(Dimension::Length, state.x))
 }
 
-fn phases(sheet: &mut Sheet<'_>, trajectory: &Trajectory, scale: Scale<'_>) -> io::Result<()> {
-    let of_state = |quantity: Quantity| scale.heading(scale.sign(quantity), quantity.dimension());
-    let header = [
-        "#".to_owned(),
-        "motion".to_owned(),
-        scale.heading(&format!("from {}", scale.sign(Quantity::Time)), Dimension::Time),
-        scale.heading("duration", Dimension::Time),
-        of_state(Quantity::Theta),
-        of_state(Quantity::ThetaRate),
-        of_state(Quantity::Slip),
-        scale.heading("lost", Dimension::Energy),
-        "ends by".to_owned(),
-    ];
-    let all = trajectory.phases();
-    let hidden = FIRST_PHASES..all.len().saturating_sub(LAST_PHASES);
-    let mut rows = Vec::new();
-    for (index, phase) in all.iter().enumerate() {
-        if hidden.contains(&index) {
-            if index == hidden.start {
-                let cell = format!("… {} more", hidden.len());
-                rows.push(vec!["…".to_owned(), cell]);
-            }
-            continue;
-        }
-        let start = phase.start();
-        let ends_by = match trajectory.transitions().get(index) {
-            Some(transition) => transition.cause.label(),
-            None if phase.end().is_some() => OutcomeKind::TimeLimit.label(),
-            None => "never",
-        };
-        rows.push(vec![
-            (index + 1).to_string(),
-            motion_of(phase),
-            column(scale.value(Dimension::Time, start.time)),
-            column(scale.value(Dimension::Time, phase.duration())),
-            column(start.theta),
-            column(scale.value(Dimension::AngularRate, start.theta_rate)),
-            column(scale.value(Dimension::Velocity, start.slip)),
-            column(scale.value(Dimension::Energy, phase.energy_lost())),
-            ends_by.to_owned(),
-        ]);
-    }
-    sheet.table(&header, rows, &[0, 2, 3, 4, 5, 6, 7], None)
-}
-
-/// The mode of a phase, the direction of slip, and the mark of the footnote.
-fn motion_of(phase: &Phase) -> String {
-    let mark = if phase.is_outside_small_inertia_limit() { "*" } else { "" };
-    format!("{}{mark}", phase.mode().with_arrow(phase.direction()))
-}
-
 /// Several motions, with the word between them.
 fn several(candidates: &Candidates, between: &str) -> String {
     let motions: Vec<String> =
@@ -213,11 +179,14 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             &recurrence,
         ),
         Outcome::ParticleAtPlane { .. } => {
-            vec![format!("the particle reaches the plane at {at} (3.20)"), there, place]
+            vec![format!("the particle reaches the plane at {at} (3.20)"), there, place, NO_IMPACT.to_owned()]
         }
-        Outcome::ParticleAtBottom { .. } => {
-            vec![format!("the particle reaches its lowest place at {at} (3.20)"), there, place]
-        }
+        Outcome::ParticleAtBottom { .. } => vec![
+            format!("the particle reaches its lowest place at {at} (3.20)"),
+            there,
+            place,
+            NO_IMPACT.to_owned(),
+        ],
         Outcome::ParticleAtTop { .. } => vec![
             format!("the particle reaches its highest place at {at} with velocity to spare"),
             there,
@@ -297,26 +266,6 @@ fn examined(candidates: &Candidates) -> Vec<String> {
     ]
 }
 
-/// The highest point of every flight.
-fn jumps(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
-    let line = |phase: &Phase| {
-        let PhaseSolution::Flight(flight) = phase.solution() else {
-            return None;
-        };
-        let (elapsed, height) = flight.apex();
-        // A time limit may come before the highest point.
-        (elapsed <= phase.duration()).then(|| {
-            format!(
-                "rim at most {} above the plane, at {} = {}",
-                scale.show_with_unit(Dimension::Length, height),
-                scale.sign(Quantity::Time),
-                scale.show(Dimension::Time, phase.start().time + elapsed),
-            )
-        })
-    };
-    trajectory.phases().iter().filter_map(line).collect()
-}
-
 fn samples(
     sheet: &mut Sheet<'_>,
     trajectory: &Trajectory,
@@ -327,18 +276,17 @@ fn samples(
         Some(dimension) => scale.heading(scale.column_sign(column), dimension),
         None => column.name().to_owned(),
     });
-    let cell = |at: &Sample, it: SampleColumn| match (it.of(at), it.dimension()) {
+    let cell = |at: &Instant, it: SampleColumn| match (it.of(&at.sample), it.dimension()) {
         (SampleValue::Real(value), Some(dimension)) => column(scale.value(dimension, value)),
         (SampleValue::Real(value), None) => column(value),
-        (SampleValue::Mode(mode), _) => mode.with_arrow(at.direction),
+        (SampleValue::Mode(_), _) => {
+            at.mode.map(|mode| mode.with_arrow(at.sample.direction)).unwrap_or_default()
+        }
         (SampleValue::Direction(direction), _) => {
             direction.map(|direction| direction.arrow().to_string()).unwrap_or_default()
         }
     };
-    let rows = trajectory
-        .sample_evenly(sampling.count, sampling.until)
-        .map(|at| COLUMNS.map(|it| cell(&at, it)).to_vec())
-        .collect();
+    let rows = instants(trajectory, sampling).map(|at| COLUMNS.map(|it| cell(&at, it)).to_vec()).collect();
     let numbers: Vec<usize> =
         (0..COLUMNS.len()).filter(|index| COLUMNS[*index].dimension().is_some()).collect();
     sheet.table(&headings, rows, &numbers, None)
@@ -348,6 +296,9 @@ fn notes(sheet: &mut Sheet<'_>, problem: &Problem, trajectory: &Trajectory) -> i
     let mut notes = Vec::new();
     if trajectory.phases().iter().any(|phase| phase.direction().is_some()) {
         notes.push("← → direction of slip, the sign of η′");
+    }
+    if trajectory.transitions().iter().any(|transition| transition.impact.is_some()) {
+        notes.push("impacts and jams: the state just before; that just after is in the next row");
     }
     if trajectory.phases().iter().any(Phase::is_outside_small_inertia_limit) {
         notes.push(
@@ -383,7 +334,11 @@ pub(crate) fn classification(
     let scale = Scale::new(problem.units.as_ref());
     heading(&mut sheet, problem, scale)?;
     sheet.gap()?;
-    sheet.fact("Region", &[region(found.region).to_owned()])?;
+    let region = match scale.show_with_unit(Dimension::Velocity, problem.start.gap_rate) {
+        rate if problem.start.gap_rate > 0.0 => format!("thrown: the rim leaves the plane at {rate}"),
+        _ => region(found.region).to_owned(),
+    };
+    sheet.fact("Region", &[region])?;
     let begins = match (found.mode, &found.candidates) {
         (Some(mode), _) => vec![mode.with_arrow(found.direction)],
         (None, Some(candidates)) => {
@@ -394,6 +349,7 @@ pub(crate) fn classification(
             };
             let mut lines = vec![first];
             lines.extend(examined(candidates));
+            lines.extend(jam_of(&problem.hoop, problem.start, found).map(|impact| jam(&impact, scale)));
             lines
         }
         (None, None) => vec!["nothing that is known".to_owned()],
@@ -404,6 +360,20 @@ pub(crate) fn classification(
     sheet.fact("Energy", &[scale.show_with_unit(Dimension::Energy, found.energy)])?;
     sheet.gap()?;
     sheet.note("N > 0 upwards, F > 0 along E1; equations of Bronars and O'Reilly, 2019")
+}
+
+/// How a start goes on where no motion is consistent.
+fn jam(impact: &Impact, scale: Scale<'_>) -> String {
+    let sign = |quantity| scale.sign(quantity);
+    format!(
+        "jams: an impact without a collision leaves {} = {}, {} = {}, {} = {}",
+        sign(Quantity::ThetaRate),
+        scale.show(Dimension::AngularRate, impact.after.theta_rate),
+        sign(Quantity::Slip),
+        scale.show(Dimension::Velocity, impact.after.slip),
+        sign(Quantity::GapRate),
+        scale.show(Dimension::Velocity, impact.after.gap_rate),
+    )
 }
 
 const fn region(region: StartRegion) -> &'static str {

@@ -1,18 +1,19 @@
 //! Forces and energy of a motion against time, with its transitions.
 
-use littlewood::{Dimension, Hoop, Phase, Sample, SampleColumn, Trajectory, Transition};
+use littlewood::{Cause, Dimension, Hoop, Impulse, Phase, Sample, SampleColumn, Trajectory, Transition};
 
 use crate::axes::{plain, time};
-use crate::columns::{ENERGY, FRICTION, MU_K, MU_S, NORMAL, TIME};
+use crate::columns::{ENERGY, FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Series, View};
+use crate::impacts;
 use crate::input::FigureInput;
 use crate::motion::{bounds, horizon, instants};
-use crate::style::{FAINT, FIRST, FRICTION_FORCE, INK, NORMAL_FORCE, SECOND, SMALL, SOFT, Stroke};
+use crate::style::{FAINT, FIRST, FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, SECOND, SMALL, SOFT, Stroke};
 use crate::words::{hoop_in_words, marked, short, start_in_words};
-use littlewood_style::width::{CURVE, FINE};
+use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{
-    Curve, Dash,
+    Curve, Dash, EnergyPart,
     ticks::{self, Tick},
 };
 
@@ -28,7 +29,7 @@ fn history(
         .phases()
         .iter()
         .map(|phase| {
-            instants(phase, until)
+            instants(motion, phase, until)
                 .iter()
                 .filter_map(|sample| Some(vec![sample.state.time, value(phase, sample)?]))
                 .collect::<Vec<_>>()
@@ -51,12 +52,26 @@ fn quotient(column: SampleColumn) -> String {
     format!("{}/({})", marked(column.sign()), marked(unit))
 }
 
-/// Verticals at the transitions.
+/// Whether a landing is one of those that may be many and close together.
+fn is_bounce(transition: &Transition) -> bool {
+    transition.cause == Cause::Landing && transition.to.is_some()
+}
+
+/// Verticals at the transitions; of bounces that are closer together than can be seen only the first.
 fn transitions(motion: &Trajectory, axis: &PlotAxis) -> Layer {
     let until = horizon(motion);
+    let apart = 4.0 / INNER * (until - motion.start().time);
+    let mut last = f64::NEG_INFINITY;
     let pieces = motion
         .transitions()
         .iter()
+        .filter(|transition| {
+            let is_drawn = !is_bounce(transition) || transition.time() - last > apart;
+            if is_drawn {
+                last = transition.time();
+            }
+            is_drawn
+        })
         .map(Transition::time)
         .filter(|time| *time < until)
         .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
@@ -70,7 +85,6 @@ fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
     let (from, until) = (motion.start().time, horizon(motion));
     let pixels = |time: f64| (time - from) / (until - from) * width;
     let mut labels: Vec<Label> = Vec::new();
-    let mut last = f64::NEG_INFINITY;
     for phase in motion.phases() {
         let (begin, end) = (phase.start().time, f64::min(phase.end_time(), until));
         if pixels(end) - pixels(begin) > 46.0 {
@@ -79,10 +93,15 @@ fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
             );
         }
     }
-    for transition in motion.transitions() {
+    // Bounces have a name only where there is room beside all others.
+    let (bounces, others): (Vec<&Transition>, Vec<&Transition>) =
+        motion.transitions().iter().partition(|transition| is_bounce(transition));
+    let mut taken: Vec<f64> = Vec::new();
+    for transition in others.into_iter().chain(bounces) {
         let at = transition.time();
-        if at <= until && pixels(at) - last > 40.0 {
-            last = pixels(at);
+        let room = if is_bounce(transition) { 1.4 * NAME } else { NAME };
+        if at <= until && taken.iter().all(|place| (pixels(at) - place).abs() > room) {
+            taken.push(pixels(at));
             let label = Label::new(transition.cause.label(), &[at, top]).sized(SMALL).coloured(SOFT);
             labels.push(if width - pixels(at) < 24.0 {
                 label.shifted(0.0, -27.0).right()
@@ -98,7 +117,12 @@ fn in_words(input: &FigureInput, hoop: &Hoop) -> String {
     format!("{}; {}", hoop_in_words(hoop), start_in_words(hoop, &input.start))
 }
 
+/// Energy that an impact takes.
+const DROP: Stroke = Stroke::solid(IMPULSE, BOLD);
+
 const WIDTH: f64 = 640.0;
+/// Room for the name of a transition.
+const NAME: f64 = 40.0;
 const LEFT: f64 = 6.0;
 const INNER: f64 = WIDTH - LEFT - 20.0;
 
@@ -113,99 +137,233 @@ fn panel(name: &'static str, top: f64, height: f64, x: PlotAxis, y: PlotAxis, la
     }
 }
 
+/// The impulses of a motion, and how long they are drawn on an axis of forces.
+struct Spikes {
+    impulses: Vec<(f64, Impulse)>,
+    /// Length of the impulse m2 √(gR), in units of m2 g.
+    scale: f64,
+}
+
+impl Spikes {
+    /// The scale is one, two or five times a power of ten; the largest impulse is at most as long as a force.
+    fn new(motion: &Trajectory, force: f64) -> Self {
+        let until = horizon(motion);
+        let impulses: Vec<(f64, Impulse)> = impacts::all(motion)
+            .map(|(transition, impact)| (transition.time(), impact.impulse))
+            .filter(|(time, _)| *time <= until)
+            .collect();
+        let largest = impulses.iter().map(|(_, impulse)| impulse.normal).fold(0.0, f64::max);
+        let ratio = if largest > 0.0 { force / largest } else { 1.0 };
+        let decade = libm::pow(10.0, libm::floor(libm::log10(ratio)));
+        let factor = [5.0, 2.0].into_iter().find(|factor| factor * decade <= ratio).unwrap_or(1.0);
+        Self { impulses, scale: factor * decade }
+    }
+
+    fn heights(&self, part: impl Fn(&Impulse) -> f64) -> Vec<f64> {
+        self.impulses.iter().map(|(_, impulse)| self.scale * part(impulse)).collect()
+    }
+
+    /// Lines from zero, with a dot at the end.
+    fn layers(&self, columns: [&'static str; 3], part: impl Fn(&Impulse) -> f64) -> Vec<Layer> {
+        if self.impulses.is_empty() {
+            return Vec::new();
+        }
+        let row = |time: f64, value: f64, height: f64| vec![time, height, value];
+        let pieces = self
+            .impulses
+            .iter()
+            .map(|(time, impulse)| {
+                let value = part(impulse);
+                vec![row(*time, value, 0.0), row(*time, value, self.scale * value)]
+            })
+            .collect();
+        let tips = self.impulses.iter().map(|(time, impulse)| {
+            let value = part(impulse);
+            row(*time, value, self.scale * value)
+        });
+        vec![
+            Series::new("impulse", &columns, pieces).drawn(Mark::Line(Stroke::solid(IMPULSE, CURVE))),
+            Series::of_rows("tip of an impulse", &columns, tips.collect()).drawn(Mark::Dot(IMPULSE, 2.6)),
+        ]
+    }
+
+    /// |J|/P as dots, which lie where |F|/N would.
+    fn demands(&self) -> Option<Layer> {
+        let rows: Vec<Vec<f64>> = self
+            .impulses
+            .iter()
+            .map(|(time, impulse)| vec![*time, impulse.friction.abs() / impulse.normal])
+            .collect();
+        (!rows.is_empty()).then(|| {
+            Series::of_rows("friction over normal impulse", &[TIME, "demand"], rows)
+                .drawn(Mark::Dot(IMPULSE, 2.6))
+        })
+    }
+
+    /// The name and the value of the largest.
+    fn label(&self, sign: &str, end: f64, part: impl Fn(&Impulse) -> f64) -> Option<Label> {
+        let size = |impulse: &Impulse| part(impulse).abs();
+        let (time, largest) =
+            self.impulses.iter().rev().max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)))?;
+        let value = part(largest);
+        let label = Label::new(format!("{sign} = {}", short(value)), &[*time, self.scale * value]);
+        let down = if value < 0.0 { -4.0 } else { 4.0 };
+        let is_late = *time > self.impulses[0].0 + 0.8 * (end - self.impulses[0].0);
+        let label = if is_late { label.right().shifted(-7.0, down) } else { label.left().shifted(7.0, down) };
+        Some(label.sized(SMALL).coloured(IMPULSE))
+    }
+
+    fn in_words(&self) -> String {
+        if self.impulses.is_empty() {
+            return String::new();
+        }
+        let unit = |dimension: Dimension| marked(dimension.scale_sign());
+        format!(
+            " Spikes: the impulses (*J*, *P*) of the impacts, in which the velocities jump; {} as long as {} {}, with dots at \
+             |*J*|/*P* below.",
+            unit(Dimension::Impulse),
+            short(self.scale),
+            unit(Dimension::Force)
+        )
+    }
+}
+
+/// An axis of times without words, for a panel above another.
+fn bare(range: [f64; 2]) -> PlotAxis {
+    let axis = time(range);
+    let ticks = axis.ticks.iter().map(|tick| Tick { label: String::new(), value: tick.value }).collect();
+    PlotAxis { title: String::new(), ticks, ..axis }
+}
+
+/// A horizontal line.
+fn level(range: [f64; 2], name: &str, column: &'static str, value: f64, stroke: Stroke) -> Layer {
+    Series::of_rows(name, &[TIME, column], range.map(|time| vec![time, value]).to_vec())
+        .drawn(Mark::Line(stroke))
+}
+
+fn zero(range: [f64; 2], column: &'static str) -> Layer {
+    level(range, "zero", column, 0.0, Stroke::solid(FAINT, FINE))
+}
+
+/// Normal force and normal impulses.
+fn normal_panel(motion: &Trajectory, range: [f64; 2], normal: Series, spikes: &Spikes) -> Panel {
+    let weight = motion.hoop().mass();
+    let part = |impulse: &Impulse| impulse.normal;
+    let mut heights = [vec![0.0], spikes.heights(part)].concat();
+    // A motion that only bounces has no other force to compare with.
+    heights.extend(Some(weight).filter(|_| !spikes.impulses.is_empty()));
+    let axis = axis_of(NORMAL, &quotient(SampleColumn::Normal), &[&normal], &heights);
+    let mut layers = vec![
+        transitions(motion, &axis),
+        zero(range, NORMAL),
+        level(range, "weight", NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
+        normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
+    ];
+    layers.extend(spikes.layers([TIME, NORMAL, NORMAL_IMPULSE], part));
+    let top = axis.range[1];
+    let mut panel = panel(SampleColumn::Normal.long_name(), 38.0, 190.0, bare(range), axis, layers);
+    panel.labels = names(motion, top, INNER - 62.0);
+    panel.labels.push(
+        Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
+    );
+    panel.labels.extend(spikes.label("*P*", range[1], part));
+    panel
+}
+
+/// Friction force and friction impulses.
+fn friction_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes) -> Panel {
+    let part = |impulse: &Impulse| impulse.friction;
+    let friction =
+        history(motion, SampleColumn::Friction.long_name(), FRICTION, &|_, sample| Some(sample.friction));
+    let heights = [vec![0.0], spikes.heights(part)].concat();
+    let axis = axis_of(FRICTION, &quotient(SampleColumn::Friction), &[&friction], &heights);
+    let mut layers = vec![
+        transitions(motion, &axis),
+        zero(range, FRICTION),
+        friction.drawn(Mark::Line(Stroke::solid(FRICTION_FORCE, 2.0))),
+    ];
+    layers.extend(spikes.layers([TIME, FRICTION, FRICTION_IMPULSE], part));
+    let mut panel = panel(SampleColumn::Friction.long_name(), 196.0, 190.0, bare(range), axis, layers);
+    panel.labels.extend(spikes.label("*J*", range[1], part));
+    panel
+}
+
+/// |F|/N, and |J|/P of impacts.
+fn demand_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes) -> Panel {
+    let hoop = motion.hoop();
+    let demand = history(motion, "friction over normal force", "demand", &|phase, sample| {
+        let in_contact = phase.mode().has_normal_force();
+        (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
+    });
+    let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
+    let axis = PlotAxis {
+        range: [0.0, 1.25 * bounds(demand.rows().map(|row| row[1]).chain([mu_s]), 0.0)[1]],
+        ..axis_of("demand", "|*F*|/*N*", &[&demand], &[0.0, mu_s])
+    };
+    let axis = PlotAxis { ticks: ticks::round(0.0, axis.range[1], 5), ..axis };
+    let mut layers = vec![
+        transitions(motion, &axis),
+        level(range, MU_S, "demand", mu_s, Stroke::of_curve(Curve::SlipLimit).wide(1.2)),
+        level(range, MU_K, "demand", mu_k, Stroke::of_curve(Curve::SlipLimit).wide(1.2).dashed(Dash::Dotted)),
+        demand.drawn(Mark::Line(Stroke::solid(INK, 2.0))),
+    ];
+    layers.extend(spikes.demands());
+    let mut panel = panel("friction over normal force", 354.0, 190.0, time(range), axis, layers);
+    panel.labels.push(Label::new("*μ*_{s}", &[range[1], mu_s]).shifted(-14.0, -11.0));
+    if mu_k < mu_s {
+        panel.labels.push(Label::new("*μ*_{k}", &[range[1], mu_k]).shifted(-14.0, 11.0));
+    }
+    panel
+}
+
 /// Forces and the share of friction against time.
 pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "forces";
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let range = [motion.start().time, horizon(&motion)];
-    let x = || time(range);
-    let bare = || {
-        let ticks = x().ticks.into_iter().map(|tick| Tick { label: String::new(), ..tick }).collect();
-        PlotAxis { title: String::new(), ticks, ..x() }
-    };
-
     let normal = history(&motion, SampleColumn::Normal.long_name(), NORMAL, &|_, sample| Some(sample.normal));
-    let weight = hoop.mass();
-    let normal_axis = axis_of(NORMAL, &quotient(SampleColumn::Normal), &[&normal], &[0.0]);
-    let friction =
-        history(&motion, SampleColumn::Friction.long_name(), FRICTION, &|_, sample| Some(sample.friction));
-    let friction_axis = axis_of(FRICTION, &quotient(SampleColumn::Friction), &[&friction], &[0.0]);
-    let demand = history(&motion, "friction over normal force", "demand", &|phase, sample| {
-        let in_contact = phase.mode().has_normal_force();
-        (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
-    });
-    let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
-    let demand_axis = PlotAxis {
-        range: [0.0, 1.25 * bounds(demand.rows().map(|row| row[1]).chain([mu_s]), 0.0)[1]],
-        ..axis_of("demand", "|*F*|/*N*", &[&demand], &[0.0, mu_s])
-    };
-    let demand_axis = PlotAxis { ticks: ticks::round(0.0, demand_axis.range[1], 5), ..demand_axis };
-    let level = |name: &str, column: &'static str, value: f64, stroke: Stroke| {
-        Series::of_rows(name, &[TIME, column], range.map(|time| vec![time, value]).to_vec())
-            .drawn(Mark::Line(stroke))
-    };
-    let zero = |column| level("zero", column, 0.0, Stroke::solid(FAINT, FINE));
-
-    let mut top = panel(
-        SampleColumn::Normal.long_name(),
-        38.0,
-        190.0,
-        bare(),
-        normal_axis.clone(),
-        vec![
-            transitions(&motion, &normal_axis),
-            zero(NORMAL),
-            level("weight", NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
-            normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
-        ],
-    );
-    top.labels = names(&motion, normal_axis.range[1], INNER - 62.0);
-    top.labels.push(
-        Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
-    );
-    let middle = panel(
-        SampleColumn::Friction.long_name(),
-        196.0,
-        190.0,
-        bare(),
-        friction_axis.clone(),
-        vec![
-            transitions(&motion, &friction_axis),
-            zero(FRICTION),
-            friction.drawn(Mark::Line(Stroke::solid(FRICTION_FORCE, 2.0))),
-        ],
-    );
-    let mut bottom = panel(
-        "friction over normal force",
-        354.0,
-        190.0,
-        x(),
-        demand_axis.clone(),
-        vec![
-            transitions(&motion, &demand_axis),
-            level(MU_S, "demand", mu_s, Stroke::of_curve(Curve::SlipLimit).wide(1.2)),
-            level(MU_K, "demand", mu_k, Stroke::of_curve(Curve::SlipLimit).wide(1.2).dashed(Dash::Dotted)),
-            demand.drawn(Mark::Line(Stroke::solid(INK, 2.0))),
-        ],
-    );
-    bottom.labels.push(Label::new("*μ*_{s}", &[range[1], mu_s]).shifted(-14.0, -11.0));
-    if mu_k < mu_s {
-        bottom.labels.push(Label::new("*μ*_{k}", &[range[1], mu_k]).shifted(-14.0, 11.0));
-    }
+    let spikes = Spikes::new(&motion, normal.rows().map(|row| row[1]).fold(hoop.mass(), f64::max));
+    let panels = vec![
+        normal_panel(&motion, range, normal, &spikes),
+        friction_panel(&motion, range, &spikes),
+        demand_panel(&motion, range, &spikes),
+    ];
     Ok(Figure {
         name: NAME,
         title: "Forces of a motion".to_owned(),
         caption: format!(
             "Normal force *N*, friction force *F* (positive along *E*_{{1}}) and |*F*|/*N* against time; dashed verticals: \
              transitions. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
-             jump where a slide begins or ends. {}.",
+             jump where a slide begins or ends.{} {}.",
+            spikes.in_words(),
             in_words(input, hoop)
         ),
         width: WIDTH,
         height: 550.0,
-        panels: vec![top, middle, bottom],
+        panels,
     })
+}
+
+/// Where the energy falls in impacts: from before to after.
+fn drops(motion: &Trajectory) -> Option<Layer> {
+    let until = horizon(motion);
+    let step =
+        |time: f64, before: f64, lost: f64| [before, before - lost].map(|energy| vec![time, energy]).to_vec();
+    let mut pieces: Vec<Vec<Vec<f64>>> = Vec::new();
+    // A jam at the start, which ends no phase.
+    if let (Some(transition), Some(phase)) = (motion.transitions().first(), motion.phases().first())
+        && let (None, Some(impact)) = (transition.from, transition.impact)
+    {
+        let lost = impact.energy_lost();
+        pieces.push(step(transition.time(), phase.first().energy + lost, lost));
+    }
+    pieces.extend(motion.phases().iter().filter_map(|phase| {
+        let transition = motion.end_of(phase).filter(|transition| transition.time() <= until)?;
+        Some(step(transition.time(), phase.last()?.energy, transition.impact?.energy_lost()))
+    }));
+    (!pieces.is_empty())
+        .then(|| Series::new("lost in an impact", &[TIME, ENERGY], pieces).drawn(Mark::Line(DROP)))
 }
 
 /// Energies against time.
@@ -226,12 +384,15 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         &[&total, &kinetic, &potential],
         &[0.0],
     );
+    let drops = drops(&motion);
     let marks = [
         Mark::Line(Stroke::solid(INK, 2.2)),
         Mark::Line(Stroke::solid(FIRST, CURVE).dashed(Dash::Dashed)),
         Mark::Line(Stroke::solid(SECOND, CURVE).dashed(Dash::DashDot)),
     ];
-    let zero = Series::of_rows("zero", &[TIME, ENERGY], range.map(|time| vec![time, 0.0]).to_vec());
+    let words = ["total *E*", "kinetic *T*", "potential *U*"];
+    let mut keys: Vec<(&str, Mark)> = words.into_iter().zip(marks).collect();
+    keys.extend(drops.as_ref().map(|drops| (EnergyPart::Impacts.label(), drops.mark)));
     let mut panel = panel(
         "energy",
         62.0,
@@ -240,16 +401,16 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         axis.clone(),
         vec![
             transitions(&motion, &axis),
-            zero.drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
+            zero(range, ENERGY),
             potential.drawn(marks[2]),
             kinetic.drawn(marks[1]),
             total.drawn(marks[0]),
         ],
     );
+    panel.layers.extend(drops);
     panel.labels = names(&motion, axis.range[1], INNER - 62.0);
-    panel.keys = ["total *E*", "kinetic *T*", "potential *U*"]
+    panel.keys = keys
         .into_iter()
-        .zip(marks)
         .enumerate()
         .map(|(i, (text, mark))| Key { mark, text: text.to_owned(), at: [70.0 + 130.0 * i as f64, 15.0] })
         .collect();
@@ -258,12 +419,32 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         title: "Energy of a motion".to_owned(),
         caption: format!(
             "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
-             against time; dashed verticals: transitions. Only sliding costs energy: {} in all. {}.",
-            short(motion.energy_lost()),
+             against time; dashed verticals: transitions. {}. {}.",
+            losses(&motion),
             in_words(input, hoop)
         ),
         width: WIDTH,
         height: 410.0,
         panels: vec![panel],
     })
+}
+
+/// What has cost energy.
+fn losses(motion: &Trajectory) -> String {
+    let all = motion.energy_lost();
+    if motion.hoop().restitution().is_none() {
+        return format!("Only sliding costs energy: {} in all", short(all));
+    }
+    let until = horizon(motion);
+    let in_impacts: f64 = impacts::all(motion)
+        .filter(|(transition, _)| transition.time() <= until)
+        .map(|(_, impact)| impact.energy_lost())
+        .sum();
+    let sliding: f64 = motion
+        .phases()
+        .iter()
+        .filter(|phase| phase.start().time < until)
+        .map(littlewood::Phase::energy_lost)
+        .sum();
+    format!("Sliding costs {}, the impacts {}", short(sliding), short(in_impacts))
 }

@@ -1,8 +1,10 @@
 //! The figures: those of the paper, one after the other, then more of the same hoop.
 
+pub(crate) mod bounces;
 pub(crate) mod demand;
 pub(crate) mod gliding;
 pub(crate) mod histories;
+pub(crate) mod impact;
 pub(crate) mod loci;
 pub(crate) mod outcomes;
 pub(crate) mod paths;

@@ -21,20 +21,39 @@ const WIDTH: f64 = 760.0;
 /// Most rows of names under the hoops.
 const ROWS: usize = 3;
 
+/// Distance of the hoops of two bounces, at least.
+const APART: f64 = 1.2;
+
 /// The instants at which the hoop is drawn, each with its name: the start and the transitions, the first and the last
-/// where there are too many.
+/// where there are too many; of bounces those that are apart, the farther the more there are.
 fn instants(motion: &Trajectory) -> Vec<(String, Sample)> {
-    let mut found: Vec<(String, Sample)> = Vec::new();
-    found.extend(motion.phases().first().map(|phase| ("start".to_owned(), phase.first())));
-    for (transition, phase) in motion.transitions().iter().zip(motion.phases()) {
-        if let Some(sample) = phase.last() {
-            found.push((transition.cause.label().to_owned(), sample));
-        }
+    let mut found = transitions(motion, APART);
+    if found.len() > HOOPS {
+        let [left, right] = bounds(found.iter().map(|(_, sample)| sample.centre.x), 0.0);
+        found = transitions(motion, APART.max((right - left) / (HOOPS - 2) as f64));
     }
     if found.len() > HOOPS {
         let last = found.split_off(found.len() - 1);
         found.truncate(HOOPS - 1);
         found.extend(last);
+    }
+    found
+}
+
+/// The start and the transitions; of bounces those that are so far from the others.
+fn transitions(motion: &Trajectory, apart: f64) -> Vec<(String, Sample)> {
+    let until = horizon(motion);
+    let mut found: Vec<(String, Sample)> = Vec::new();
+    let jam = motion.transitions().first().filter(|transition| transition.from.is_none());
+    let start = jam.map_or_else(|| "start".to_owned(), |jam| format!("start, {}", jam.cause.label()));
+    found.extend(motion.phases().first().map(|phase| (start, phase.first())));
+    for phase in motion.phases() {
+        let Some((transition, sample)) = motion.end_of(phase).zip(phase.last()) else { continue };
+        let is_bounce = transition.to == Some(Mode::Flight) && transition.impact.is_some();
+        let is_close = |(_, other): &(String, Sample)| (other.centre.x - sample.centre.x).abs() < apart;
+        if transition.time() <= until && !(is_bounce && found.iter().any(is_close)) {
+            found.push((transition.cause.label().to_owned(), sample));
+        }
     }
     found
 }
@@ -53,7 +72,10 @@ impl Picture {
         let samples: Vec<Sample> = motion.sample_evenly(400, until).collect();
         let [left, right] = bounds(samples.iter().map(|sample| sample.centre.x), 0.0);
         let [_, top] = bounds(samples.iter().map(|sample| sample.centre.y), 0.0);
-        let x = [left - 1.2, right + 1.2];
+        // A long motion is small: the names of the hoops at its ends need more than a hoop of room.
+        let goes_on = motion.hoop().restitution().is_some();
+        let beside = if goes_on { f64::max(1.2, 0.06 * (right - left)) } else { 1.2 };
+        let x = [left - beside, right + beside];
         let mut y = [0.0, top + 1.15];
         let depth = 8.0 * (x[1] - x[0]) / WIDTH;
         let ground = [[x[0], 0.0], [x[1], 0.0], [x[1], -depth], [x[0], -depth]];

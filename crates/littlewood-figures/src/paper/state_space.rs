@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Cause, Mode, Sample};
+use littlewood::{Cause, Mode, Sample, State};
 
 use super::portrait::massless_limit;
 use crate::axes::{angle, plain, rate, slip, time};
@@ -12,17 +12,20 @@ use crate::figure::{Figure, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
 use crate::motion::{bounds, by_mode, horizon};
 use crate::plane::Portrait;
-use crate::style::{FAINT, INK, PAPER, REGION, SOFT, Stroke};
+use crate::style::{FAINT, IMPULSE, INK, PAPER, REGION, SOFT, Stroke};
 use crate::trace::Window;
 use crate::words::{hoop_in_words, short, start_in_words};
-use littlewood_style::width::{BOLD, FINE};
+use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
 const COLUMNS: [&str; 4] = [TIME, THETA, THETA_RATE, SLIP];
 
-fn row(sample: &Sample) -> Vec<f64> {
-    let state = sample.state;
+fn of_state(state: State) -> Vec<f64> {
     vec![state.time, state.theta, state.theta_rate, state.slip]
+}
+
+fn row(sample: &Sample) -> Vec<f64> {
+    of_state(sample.state)
 }
 
 /// Figure 3(a).
@@ -31,9 +34,12 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     input.with_inertia(NAME)?;
     let motion = input.motion(NAME)?;
     let until = horizon(&motion);
-    // Before the lift-off only, as in the paper.
-    let on_ground: Vec<(Mode, Series)> =
-        by_mode(&motion, "", &COLUMNS, &row).into_iter().filter(|(mode, _)| mode.touches_plane()).collect();
+    // Before the lift-off only, as in the paper, unless the motion goes on after the landing.
+    let goes_on = motion.hoop().restitution().is_some();
+    let on_ground: Vec<(Mode, Series)> = by_mode(&motion, "", &COLUMNS, &row)
+        .into_iter()
+        .filter(|(mode, _)| mode.touches_plane() || goes_on)
+        .collect();
     let all = || on_ground.iter().flat_map(|(_, series)| series.rows());
     let x = bounds(all().map(|row| row[1]), 0.06);
     let z = bounds(all().map(|row| row[2]), 0.12);
@@ -80,31 +86,43 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
                 .coloured(Stroke::of_mode(phase.mode()).colour),
         );
     }
-    let mut changes = Vec::new();
+    let (mut changes, mut jumps) = (Vec::new(), Vec::new());
     for transition in motion.transitions() {
         let state = transition.before;
-        if matches!(transition.cause, Cause::Landing) {
+        if (transition.cause == Cause::Landing && !goes_on) || state.time > until {
             continue;
         }
-        changes.push(vec![state.time, state.theta, state.theta_rate, state.slip]);
-        if transition.to.is_some_and(|mode| !mode.touches_plane()) {
+        changes.push(of_state(state));
+        if transition.impact.is_some() {
+            changes.push(of_state(transition.after));
+            jumps.push(vec![of_state(state), of_state(transition.after)]);
+        } else if transition.to.is_some_and(|mode| !mode.touches_plane()) {
             labels.push(Label::new("*L*", &[state.theta, state.slip, state.theta_rate]).shifted(13.0, -3.0));
         }
     }
-    layers.push(Series::of_rows("transition", &COLUMNS, changes).drawn(Mark::Dot(INK, 3.6)));
-    let start = motion.start();
-    layers.push(
-        Series::of_rows("start", &COLUMNS, vec![vec![start.time, start.theta, start.theta_rate, start.slip]])
-            .drawn(Mark::Ring(INK, 3.6)),
-    );
+    let jump = Stroke::solid(IMPULSE, CURVE).dashed(Dash::Short);
+    let has_jumps = !jumps.is_empty();
+    if has_jumps {
+        layers.push(Series::new("impact", &COLUMNS, jumps).drawn(Mark::Line(jump)));
+    }
+    let dot = if has_jumps { 2.6 } else { 3.6 };
+    layers.push(Series::of_rows("transition", &COLUMNS, changes).drawn(Mark::Dot(INK, dot)));
+    layers
+        .push(Series::of_rows("start", &COLUMNS, vec![of_state(motion.start())]).drawn(Mark::Ring(INK, 3.6)));
     labels.push(Label::new("*θ*  (rad)", &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0));
     labels.push(Label::new("*θ*′  (√(*g*/*R*))", &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0));
     labels.push(Label::new("*η*′  (√(*gR*))", &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
     let caption = format!(
         "The motion in the space of *θ*, *θ*′ and the slip velocity *η*′: sliding (*s*), rolling (*r*) in the plane \
-         *η*′ = 0, lift-off (*L*). Ring: start; dots: transitions; grey: shadow of the sliding parts on the plane of \
+         *η*′ = 0, lift-off (*L*).{} Ring: start; dots: transitions; grey: shadow of the sliding parts on the plane of \
          rolling. {}; {}. The zeros of *η*′ are located, not found by a threshold of \
          10^{{−9}} as in §2(c) of the paper.",
+        if has_jumps {
+            " Light: flight, in which *η*′ is the velocity of the lowest point of the rim; red: impacts, in which *θ*′ and \
+             *η*′ jump."
+        } else {
+            ""
+        },
         hoop_in_words(motion.hoop()),
         start_in_words(motion.hoop(), &input.start)
     );

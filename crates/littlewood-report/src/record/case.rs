@@ -4,8 +4,7 @@ use littlewood::NamedCase;
 use serde::Serialize;
 
 use super::fields::Fields;
-use super::instant::state;
-use super::setup::hoop;
+use super::setup::{hoop, start};
 
 /// A named case.
 #[derive(Debug, Serialize)]
@@ -20,6 +19,6 @@ pub(crate) struct CaseRecord {
 impl From<&NamedCase> for CaseRecord {
     fn from(case: &NamedCase) -> Self {
         let NamedCase { name, title, source, setup } = *case;
-        Self { name, title, source, hoop: hoop(setup.hoop), start: state(&setup.start.into()) }
+        Self { name, title, source, hoop: hoop(setup.hoop), start: start(setup.start) }
     }
 }

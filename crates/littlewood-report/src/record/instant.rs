@@ -2,9 +2,10 @@
 
 use std::sync::LazyLock;
 
-use littlewood::{Sample, SampleColumn, SampleValue, State, Units};
+use littlewood::{SampleColumn, SampleValue, State, Units};
 
 use super::fields::{Fields, Value};
+use crate::instants::Instant;
 
 /// The names of the columns in SI units; none for a code.
 static SI_NAMES: LazyLock<Vec<Option<String>>> =
@@ -33,15 +34,19 @@ pub(crate) fn si_state(units: &Units, state: &State) -> Fields {
 }
 
 /// An instant of a motion.
-pub(crate) fn sample(sample: &Sample) -> Fields {
-    SampleColumn::ALL.into_iter().map(|column| (column.name(), column.of(sample).into())).collect()
+pub(crate) fn sample(instant: &Instant) -> Fields {
+    let value = |column: SampleColumn| match column.of(&instant.sample) {
+        SampleValue::Mode(_) => instant.mode.into(),
+        value @ (SampleValue::Direction(_) | SampleValue::Real(_)) => value.into(),
+    };
+    SampleColumn::ALL.into_iter().map(|column| (column.name(), value(column))).collect()
 }
 
 /// An instant of a motion in SI units, without what has none.
-pub(crate) fn si_sample(units: &Units, sample: &Sample) -> Fields {
+pub(crate) fn si_sample(units: &Units, instant: &Instant) -> Fields {
     SampleColumn::ALL
         .into_iter()
-        .filter_map(|column| in_si(units, column, column.of(sample).number()))
+        .filter_map(|column| in_si(units, column, column.of(&instant.sample).number()))
         .collect()
 }
 

@@ -1,20 +1,54 @@
 //! Hoops, starts and units.
 
 use littlewood::{
-    Detail, Dimension, Direction, HoopParameters, Mode, Quantity, Setup, SiSetup, Start, State, Units,
+    Detail, Dimension, Direction, HoopParameters, Mode, Phase, Quantity, Setup, SiSetup, Start, Trajectory,
+    Units,
 };
 use serde::Serialize;
 
 use super::fields::{Fields, Value};
 use super::instant::{si_state, state};
 
+/// The name of the law of restitution in records, in scenario files and, with hyphens, as a flag.
+pub const RESTITUTION_LAW: &str = "restitution_law";
+
 /// A hoop (2.9).
 pub(crate) fn hoop(hoop: HoopParameters) -> Fields {
     let setup = Setup::new(hoop, Start::default());
-    Quantity::HOOP
-        .into_iter()
-        .filter_map(|quantity| Some((quantity.name(), Value::Real(setup.get(quantity)?))))
-        .collect()
+    numbers(Quantity::HOOP, |quantity| setup.get(quantity)).followed_by(law(&hoop))
+}
+
+/// The quantities that have a value.
+fn numbers(
+    quantities: impl IntoIterator<Item = Quantity>,
+    value: impl Fn(Quantity) -> Option<f64>,
+) -> Fields {
+    let number = |quantity: Quantity| Some((quantity.name(), Value::Real(value(quantity)?)));
+    quantities.into_iter().filter_map(number).collect()
+}
+
+/// The law of restitution, wherever there is restitution: also where e was given alone.
+fn law(hoop: &HoopParameters) -> Fields {
+    let law = hoop.restitution.map(|_| hoop.restitution_law.unwrap_or_default());
+    law.map(|law| (RESTITUTION_LAW, Value::Word(Some(law.name())))).into_iter().collect()
+}
+
+/// A start; the rate of the gap where there is one.
+pub(crate) fn start(start: Start) -> Fields {
+    let setup = Setup::new(HoopParameters::default(), start);
+    state(&start.into()).followed_by(numbers(thrown(&start).then_some(Quantity::GapRate), |it| setup.get(it)))
+}
+
+/// A start in SI units.
+fn si_start(units: &Units, start: Start) -> Fields {
+    let si = SiSetup::new(&Setup::new(HoopParameters::default(), start), units);
+    let gap_rate = thrown(&start).then_some(Quantity::GapRateMPerS);
+    si_state(units, &start.into()).followed_by(numbers(gap_rate, |quantity| si.get(quantity)))
+}
+
+/// Whether the rim leaves the plane at the start.
+fn thrown(start: &Start) -> bool {
+    start.gap_rate != 0.0
 }
 
 /// A start with the motion that begins there.
@@ -28,18 +62,30 @@ pub(crate) struct StartRecord {
 
 impl StartRecord {
     pub(crate) fn new(
-        start: Start,
+        at: Start,
         mode: Option<Mode>,
         direction: Option<Direction>,
         units: Option<&Units>,
     ) -> Self {
-        let start = State::from(start);
         let begins = [("mode", mode.into()), ("direction", direction.into())];
         Self {
-            fields: state(&start).followed_by(begins.into_iter().collect()),
-            si: units.map(|units| si_state(units, &start)),
+            fields: start(at).followed_by(begins.into_iter().collect()),
+            si: units.map(|units| si_start(units, at)),
         }
     }
+
+    /// The start of a motion.
+    pub(crate) fn of(trajectory: &Trajectory, at: Start, units: Option<&Units>) -> Self {
+        let (mode, direction) = opening(trajectory);
+        Self::new(at, mode, direction, units)
+    }
+}
+
+/// The mode and the direction of slip with which a motion begins. Where the start jams, none begins before the impact.
+pub(crate) fn opening(trajectory: &Trajectory) -> (Option<Mode>, Option<Direction>) {
+    let jams = trajectory.transitions().first().is_some_and(|first| first.from.is_none());
+    let first = trajectory.phases().first().filter(|_| !jams);
+    (first.map(Phase::mode), first.and_then(Phase::direction))
 }
 
 /// The hoop and the units in SI.
@@ -48,7 +94,7 @@ pub(crate) struct SiRecord {
     hoop: Fields,
     units: Fields,
     #[serde(flatten)]
-    energy_lost: Fields,
+    details: Fields,
 }
 
 /// The units of (2.9) that a record has.
@@ -62,19 +108,20 @@ const UNITS: [(&str, Dimension); 6] = [
 ];
 
 impl SiRecord {
-    pub(crate) fn new(hoop: HoopParameters, units: &Units, energy_lost: Option<f64>) -> Self {
+    /// The hoop and the units, and what else is known.
+    pub(crate) fn new(
+        hoop: HoopParameters,
+        units: &Units,
+        details: impl IntoIterator<Item = (&'static str, Detail)>,
+    ) -> Self {
         let si = SiSetup::new(&Setup::new(hoop, Start::default()), units);
         let unit = |(name, dimension): (&str, Dimension)| {
             (format!("{name}{}", dimension.si_suffix()), Value::Real(units.unit(dimension)))
         };
-        let lost = energy_lost.map(|energy| ("energy_lost", Detail::Real(energy, Dimension::Energy)));
         Self {
-            hoop: Quantity::SI_HOOP
-                .into_iter()
-                .filter_map(|quantity| Some((quantity.name(), Value::Real(si.get(quantity)?))))
-                .collect(),
+            hoop: numbers(Quantity::SI_HOOP, |quantity| si.get(quantity)).followed_by(law(&hoop)),
             units: UNITS.into_iter().map(unit).collect(),
-            energy_lost: Fields::of_si_details(units, lost),
+            details: Fields::of_si_details(units, details),
         }
     }
 }

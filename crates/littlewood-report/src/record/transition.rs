@@ -1,9 +1,10 @@
 //! Transitions.
 
-use littlewood::{Direction, Impact, Mode, SampleColumn, Transition, Units};
+use littlewood::{Detail, Dimension, Direction, Impact, Mode, SampleColumn, Transition, Units};
 use serde::Serialize;
 
 use super::fields::{Fields, Value};
+use super::impact::ImpactRecord;
 use super::instant::{si_state, state};
 
 /// What changes at a transition: the mode that ends, the mode that begins and its σ, and the event.
@@ -11,72 +12,64 @@ pub(crate) fn edge(
     from: Option<Mode>,
     to: Option<Mode>,
     direction: Option<Direction>,
-    cause: &'static str,
+    cause: Option<&'static str>,
 ) -> Fields {
-    [
-        ("from", from.into()),
-        ("to", to.into()),
-        ("direction", direction.into()),
-        ("cause", Value::Word(Some(cause))),
-    ]
-    .into_iter()
-    .collect()
+    [("from", from.into()), ("to", to.into()), ("direction", direction.into()), ("cause", Value::Word(cause))]
+        .into_iter()
+        .collect()
 }
 
 /// The edge that a transition takes.
 pub(crate) fn edge_of(transition: &Transition) -> Fields {
-    edge(transition.from, transition.to, transition.direction, transition.cause.name())
+    edge(transition.from, transition.to, transition.direction, Some(transition.cause.name()))
 }
 
 /// A transition. The state is that just after it; where the velocities jump, the impact has those before.
 #[derive(Debug, Serialize)]
 pub(crate) struct TransitionRecord {
     #[serde(flatten)]
-    state: Fields,
+    plain: JumpRecord,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    si: Option<JumpRecord>,
+}
+
+/// What is known just after an impact, and the impact, if there is one; in one system of units.
+#[derive(Debug, Serialize)]
+struct JumpRecord {
     #[serde(flatten)]
-    edge: Fields,
+    after: Fields,
     #[serde(skip_serializing_if = "Option::is_none")]
     impact: Option<ImpactRecord>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    si: Option<Fields>,
-}
-
-/// An impact: its case, the impulse of the plane, the energy lost, the velocities before, and the rate of the gap after.
-#[derive(Debug, Serialize)]
-struct ImpactRecord {
-    case: &'static str,
-    normal_impulse: f64,
-    friction_impulse: f64,
-    energy_lost: f64,
-    before: Fields,
-    gap_rate: f64,
-}
-
-impl ImpactRecord {
-    fn new(impact: &Impact) -> Self {
-        let before = [
-            (SampleColumn::ThetaRate, impact.before.theta_rate),
-            (SampleColumn::Slip, impact.before.slip),
-            (SampleColumn::GapRate, impact.before.gap_rate),
-        ];
-        Self {
-            case: impact.case.name(),
-            normal_impulse: impact.impulse.normal,
-            friction_impulse: impact.impulse.friction,
-            energy_lost: impact.energy_lost(),
-            before: before.into_iter().map(|(column, value)| (column.name(), Value::Real(value))).collect(),
-            gap_rate: impact.after.gap_rate,
-        }
-    }
 }
 
 impl TransitionRecord {
     pub(crate) fn new(transition: &Transition, units: Option<&Units>) -> Self {
+        let impact = transition.impact.as_ref();
+        let after = &transition.after;
         Self {
-            state: state(&transition.after),
-            edge: edge_of(transition),
-            impact: transition.impact.as_ref().map(ImpactRecord::new),
-            si: units.map(|units| si_state(units, &transition.after)),
+            plain: JumpRecord {
+                after: state(after).followed_by(edge_of(transition)),
+                impact: impact.map(ImpactRecord::new),
+            },
+            si: units.map(|units| JumpRecord {
+                after: si_state(units, after),
+                impact: impact.map(|impact| ImpactRecord::in_si(units, impact)),
+            }),
+        }
+    }
+
+    /// The jam that follows a start, of which the rest is told elsewhere.
+    pub(crate) fn of_jam(impact: &Impact, units: Option<&Units>) -> Self {
+        let after = [
+            (SampleColumn::ThetaRate.name(), Detail::Real(impact.after.theta_rate, Dimension::AngularRate)),
+            (SampleColumn::Slip.name(), Detail::Real(impact.after.slip, Dimension::Velocity)),
+        ];
+        Self {
+            plain: JumpRecord { after: Fields::of_details(after), impact: Some(ImpactRecord::new(impact)) },
+            si: units.map(|units| JumpRecord {
+                after: Fields::of_si_details(units, after),
+                impact: Some(ImpactRecord::in_si(units, impact)),
+            }),
         }
     }
 }

@@ -3,12 +3,18 @@
 use core::fmt::Write;
 
 use littlewood::Mode;
-use littlewood_style::{Accent, Arrow, Curve, Dash, Ink, Rgb, Swatch, Theme, dash_of, of_mode, swatches};
+use littlewood_style::{
+    Accent, Arrow, Curve, Dash, EnergyPart, ImpulseLine, Ink, Rgb, Swatch, Theme, dash_of, of_mode, swatches,
+};
+use littlewood_web::hops;
 
 use crate::source::{Source, WRITTEN, object, quoted, quoted_or_null};
 
 /// How much of the colour of a class a map shows that lies behind curves and letters.
 const MAP_OPACITY: f64 = 0.55;
+
+/// How much of its colour a map shows of a motion without landing, and of one with the most.
+const HOP_OPACITY: [f64; 2] = [0.04, 0.82];
 
 /// How much of the ink the region where the hoop can roll adds to what is below it.
 const REGION_OPACITY: f64 = 0.12;
@@ -21,6 +27,15 @@ pub(crate) fn typescript() -> String {
     source.names("ARROWS", "Arrow", "Vectors that are drawn at the hoop.", Arrow::ALL.map(Arrow::name));
     source.names("CURVES", "Curve", "Curves of the phase plane.", Curve::ALL.map(Curve::name));
     source.names("ACCENTS", "Accent", "Colours for what has none of its own.", Accent::ALL.map(Accent::name));
+    let lines = ImpulseLine::ALL.map(ImpulseLine::name);
+    source.names("IMPULSE_LINES", "ImpulseLine", "Lines of the plane of impulses.", lines);
+    let parts = EnergyPart::ALL.map(EnergyPart::name);
+    source.names(
+        "ENERGY_PARTS",
+        "EnergyPart",
+        "Where the energy of the start is, in the order in which the core gives it.",
+        parts,
+    );
     source.lines(
         "export interface Palette {
   ink: Readonly<Record<Ink, string>>;
@@ -29,7 +44,11 @@ pub(crate) fn typescript() -> String {
   class: Readonly<Record<Class, string>>;
   arrow: Readonly<Record<Arrow, string>>;
   curve: Readonly<Record<Curve, string>>;
+  impulse: Readonly<Record<ImpulseLine, string>>;
+  energy: Readonly<Record<EnergyPart, string>>;
   accent: Readonly<Record<Accent, string>>;
+  /** A class of landings in a map, the lower the paler. */
+  hops: readonly string[];
   /** The region where the hoop can roll, over whatever is below. */
   region: string;
 }",
@@ -40,13 +59,17 @@ pub(crate) fn typescript() -> String {
     let doc = "Dashes of a line that shows a mode, in units of its width.";
     source.record("MODE_DASHES", ("Mode", "readonly number[]"), doc, dashes);
     source.lines(
-        "export interface CurveRow {
+        "export interface LineRow {
   label: string;
-  /** The letter of the paper. */
-  letter: string | null;
   /** In units of the width. */
   dash: readonly number[];
   width: number;
+}",
+    );
+    source.lines(
+        "export interface CurveRow extends LineRow {
+  /** The letter of the paper. */
+  letter: string | null;
 }",
     );
     let curves = Curve::ALL.map(|curve| {
@@ -59,6 +82,18 @@ pub(crate) fn typescript() -> String {
         (curve.name(), object(&fields))
     });
     source.record("CURVE_ROWS", ("Curve", "CurveRow"), "The table of curves.", curves);
+    let lines = ImpulseLine::ALL.map(|line| {
+        let fields = [
+            ("label", quoted(line.label())),
+            ("dash", pattern(line.dash())),
+            ("width", line.width().to_string()),
+        ];
+        (line.name(), object(&fields))
+    });
+    let doc = "The table of lines of the plane of impulses.";
+    source.record("IMPULSE_LINE_ROWS", ("ImpulseLine", "LineRow"), doc, lines);
+    let labels = EnergyPart::ALL.map(|part| (part.name(), quoted(part.label())));
+    source.record("ENERGY_LABELS", ("EnergyPart", "string"), "In words.", labels);
     source.text()
 }
 
@@ -71,7 +106,8 @@ fn palette(theme: Theme) -> String {
         }
         text.push_str("\n    },");
     }
-    let _ = write!(text, "\n    region: {},\n  }}", quoted(&region(theme)));
+    let hops = hops(theme).map(|colour| quoted(&colour.hex())).join(", ");
+    let _ = write!(text, "\n    hops: [{hops}],\n    region: {},\n  }}", quoted(&region(theme)));
     text
 }
 
@@ -80,7 +116,8 @@ fn pattern(dash: Dash) -> String {
 }
 
 /// `palette.css`: inks and accents as variables of the document; the colour of a mode, a class, an arrow or a curve as a
-/// variable of the element that names it in an attribute, with a colour for letters on it.
+/// variable of the element that names it in an attribute, with a colour for letters on it; that of a class of landings by its
+/// place.
 pub(crate) fn css() -> String {
     let mut variables = String::new();
     let mut rules = String::new();
@@ -97,6 +134,10 @@ pub(crate) fn css() -> String {
                 "\n[data-{group}='{name}'] {{\n  --{group}: {colour};\n  --on-{group}: {letters};\n}}\n"
             );
         }
+    }
+    for (class, (light, dark)) in hops(Theme::Light).into_iter().zip(hops(Theme::Dark)).enumerate() {
+        let colour = light_dark(light.hex(), dark.hex());
+        let _ = write!(rules, "\n[data-hops='{class}'] {{\n  --hops: {colour};\n}}\n");
     }
     let region = light_dark(region(Theme::Light), region(Theme::Dark));
     format!(
@@ -115,6 +156,15 @@ fn shown(swatch: &Swatch, theme: Theme) -> Rgb {
     } else {
         swatch.colour
     }
+}
+
+/// The colours of the classes of landings: one colour, so that its strength, in grey too, tells more from fewer.
+fn hops(theme: Theme) -> [Rgb; hops::CLASSES] {
+    let [least, most] = HOP_OPACITY;
+    core::array::from_fn(|class| {
+        let part = class as f64 / (hops::CLASSES - 1) as f64;
+        Accent::Violet.colour(theme).over(Ink::Paper.colour(theme), least + (most - least) * part)
+    })
 }
 
 /// The more legible colour for letters on a colour.

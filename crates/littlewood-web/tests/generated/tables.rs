@@ -1,6 +1,10 @@
 //! The tables of the core as TypeScript.
 
-use littlewood::{Cause, Class, Group, Mode, OutcomeKind, Quantity, SampleColumn, System};
+use littlewood::{
+    Cause, Class, Dimension, Group, ImpactCase, Mode, OutcomeKind, Quantity, RestitutionLaw, SampleColumn,
+    System,
+};
+use littlewood_web::{dimensionless_quantities, hops, si_quantities};
 
 use crate::source::{Source, object, quoted, quoted_or_null};
 
@@ -24,6 +28,7 @@ pub(crate) fn typescript() -> String {
     );
     let labels = Class::ALL.map(|class| (class.name(), quoted(class.label())));
     source.record("CLASS_LABELS", ("Class", "string"), "In words.", labels);
+    impacts(&mut source);
     source.lines(&format!(
         "/** What a core of the same version says of the order of names. */\nexport const BOUNDARY = {};",
         quoted(&littlewood_web::boundary())
@@ -73,13 +78,13 @@ fn quantities(source: &mut Source) {
         "DIMENSIONLESS",
         "DimensionlessNumber",
         "The numbers of a problem without dimension, in the order in which the core takes them.",
-        Quantity::HOOP.into_iter().chain(Quantity::START).map(Quantity::name),
+        dimensionless_quantities().map(Quantity::name),
     );
     source.names(
         "SI",
         "SiNumber",
         "The numbers of a problem in SI units, in the order in which the core takes them.",
-        Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START).map(Quantity::name),
+        si_quantities().map(Quantity::name),
     );
 }
 
@@ -134,6 +139,36 @@ fn outcomes(source: &mut Source) {
         (kind.name(), object(&fields))
     });
     source.record("OUTCOME_ROWS", ("OutcomeKind", "OutcomeRow"), "The table of outcomes.", rows);
+}
+
+fn impacts(source: &mut Source) {
+    let laws = RestitutionLaw::ALL.map(|law| (law.name(), quoted(law.label())));
+    source.names(
+        "LAWS",
+        "Law",
+        "Laws of restitution. The first is that of a coefficient alone.",
+        RestitutionLaw::NAMES,
+    );
+    source.record("LAW_LABELS", ("Law", "string"), "In words.", laws);
+    assert_eq!(RestitutionLaw::default().name(), RestitutionLaw::NAMES[0]);
+    let cases = ImpactCase::ALL.map(|case| (case.name(), quoted(case.label())));
+    source.names(
+        "IMPACT_CASES",
+        "ImpactCase",
+        "What the contact point does in an impact.",
+        ImpactCase::NAMES,
+    );
+    source.record("IMPACT_CASE_LABELS", ("ImpactCase", "string"), "In words.", cases);
+    let impulse = [("dimensionless", Dimension::Impulse.scale_sign()), ("si", Dimension::Impulse.si_sign())];
+    source.record(
+        "IMPULSE_UNITS",
+        ("System", "string"),
+        "The unit of an impulse.",
+        impulse.map(|(system, sign)| (system, quoted(sign))),
+    );
+    let labels = hops::labels();
+    let doc = "Classes of motions by their landings. Maps hold a class as its place in this list.";
+    source.names("HOPS", "Hops", doc, labels.iter().map(String::as_str));
 }
 
 /// The names in the order of their codes, which are 0, 1, 2, …

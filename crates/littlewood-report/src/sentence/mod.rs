@@ -1,12 +1,18 @@
 //! What happens at an instant of a motion, in one sentence.
 
+mod impact;
+
 use littlewood::{
     Candidates, Cause, ContactForces, Dimension, Mode, Outcome, Phase, PhaseSolution, Recurrence, RollingLaw,
-    State, Trajectory, Transition,
+    Trajectory, Transition,
 };
 
 use crate::number::brief;
 use crate::scale::Scale;
+
+/// Why nothing follows where a massless hoop strikes the plane.
+pub const NO_IMPACT: &str =
+    "there is no impact: a rim without inertia has nothing that an impulse could act on";
 
 /// What begins at the start, and why.
 #[must_use]
@@ -14,9 +20,21 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let state = trajectory.start();
     let forces = RollingLaw::new(trajectory.hoop()).forces(state.theta, state.theta_rate);
     let mu_s = trajectory.hoop().mu_s();
+    if trajectory.transitions().first().is_some_and(|first| first.from.is_none()) {
+        return "Jams at once: no motion is consistent with the start (Painlevé).".to_owned();
+    }
     let Some(phase) = trajectory.phases().first() else {
         return outcome(trajectory, scale);
     };
+    if let PhaseSolution::Flight(flight) = phase.solution() {
+        if flight.settles() {
+            return "Is thrown so gently that its bounces are told as one.".to_owned();
+        }
+        if flight.take_off_rate() > 0.0 {
+            let rate = scale.show_with_unit(Dimension::Velocity, three(flight.take_off_rate()));
+            return format!("Is thrown: the rim leaves the plane at {rate}.");
+        }
+    }
     match phase.mode() {
         Mode::Rolling => format!("Rolls: {}.", holds(&forces, mu_s)),
         Mode::Sliding if state.slip != 0.0 => {
@@ -40,7 +58,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
 #[must_use]
 pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
     let event = trajectory.transitions().get(index)?;
-    let phase = trajectory.phases().get(index)?;
+    let hoop = trajectory.hoop();
     let forces = RollingLaw::new(trajectory.hoop()).forces(event.before.theta, event.before.theta_rate);
     let mu_s = trajectory.hoop().mu_s();
     Some(match event.cause {
@@ -63,17 +81,25 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
                 scale.show_with_unit(Dimension::Velocity, three(rise))
             )
         }
-        Cause::Landing => landing(phase, &event.before, scale),
-        Cause::ParticleAtPlane => "The particle reaches the plane: the glide ends (3.20).".to_owned(),
-        Cause::ParticleAtBottom => "The particle reaches its lowest place: the glide ends (3.20).".to_owned(),
+        Cause::Landing => match &event.impact {
+            Some(impact) => impact::landing(hoop, event, impact, scale),
+            None => landing(ended_by(trajectory, index), scale),
+        },
+        Cause::ParticleAtPlane => {
+            format!("The particle reaches the plane: the glide ends (3.20), and {NO_IMPACT}.")
+        }
+        Cause::ParticleAtBottom => {
+            format!("The particle reaches its lowest place: the glide ends (3.20), and {NO_IMPACT}.")
+        }
         Cause::ParticleAtTop => {
             "The particle reaches its highest place with velocity to spare: it would lift the hoop."
                 .to_owned()
         }
-        Cause::Settle => "The bounces have come to an end: the rim stays at the plane.".to_owned(),
-        Cause::Jam => {
-            "Jams: the plane stops the slip in an impact without a collision (Painlevé).".to_owned()
-        }
+        Cause::Settle => impact::settling(trajectory, index, event, scale),
+        Cause::Jam => match &event.impact {
+            Some(impact) => impact::jam(hoop, event, impact, scale),
+            None => "Jams.".to_owned(),
+        },
         Cause::Singularity => {
             "The slide jams: beyond P = 0 no sliding motion presses on the plane (Painlevé).".to_owned()
         }
@@ -93,7 +119,10 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         }
         Outcome::TimeLimit { .. } => "The time limit ends the motion here.".to_owned(),
         Outcome::TransitionLimit { transitions, .. } => {
-            format!("Stopped after {transitions} transitions: slips may shrink without end.")
+            let bounces = trajectory.transitions().last().is_some_and(|event| event.cause == Cause::Landing);
+            let endless =
+                if bounces { "bounces may go on without end" } else { "slips may shrink without end" };
+            format!("Stopped after {transitions} transitions: {endless}.")
         }
         Outcome::Inconsistent { candidates, .. } => {
             format!("No motion is consistent here (Painlevé): {}.", examined(&candidates))
@@ -142,8 +171,19 @@ fn slip(event: &Transition, mu_s: f64) -> String {
     }
 }
 
-fn landing(phase: &Phase, end: &State, scale: Scale<'_>) -> String {
-    let PhaseSolution::Flight(flight) = phase.solution() else {
+/// The phase that a transition ends. Every transition but a few jams ends one, so that it is not far from the same index.
+fn ended_by(trajectory: &Trajectory, index: usize) -> Option<&Phase> {
+    let event = trajectory.transitions().get(index).filter(|event| event.from.is_some())?;
+    let is_end = |phase: &&Phase| trajectory.end_of(phase).is_some_and(|end| core::ptr::eq(end, event));
+    let phases = trajectory.phases();
+    phases.get(..=index).unwrap_or(phases).iter().rev().find(is_end)
+}
+
+/// A landing that ends the motion.
+fn landing(flight: Option<&Phase>, scale: Scale<'_>) -> String {
+    let Some((phase, end, PhaseSolution::Flight(flight))) =
+        flight.and_then(|phase| Some((phase, phase.end()?, phase.solution())))
+    else {
         return "Lands.".to_owned();
     };
     let start = phase.start();

@@ -1,0 +1,70 @@
+//! What a motion has come to: its jumps, its landings, and the energy that it has lost.
+
+use littlewood::{Dimension, Phase, PhaseSolution, Quantity, Trajectory};
+use littlewood_report::scale::Scale;
+
+/// Jumps told one by one.
+const FIRST_JUMPS: usize = 4;
+
+/// Parts of an energy that are rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// The highest point of every flight; of many, unless `all` are asked for, the first ones.
+pub(super) fn jumps(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Vec<String> {
+    let apexes: Vec<(f64, f64)> = trajectory.phases().iter().filter_map(apex).collect();
+    let shown = if all || apexes.len() <= FIRST_JUMPS + 1 { apexes.len() } else { FIRST_JUMPS };
+    let height = |height| scale.show_with_unit(Dimension::Length, height);
+    let (first, more) = apexes.split_at(shown);
+    let mut lines: Vec<String> = first
+        .iter()
+        .map(|(time, highest)| {
+            let time = scale.show(Dimension::Time, *time);
+            let highest = height(*highest);
+            format!("rim at most {highest} above the plane, at {} = {time}", scale.sign(Quantity::Time))
+        })
+        .collect();
+    if let Some(highest) = more.iter().map(|(_, highest)| *highest).reduce(f64::max) {
+        lines.push(format!("in {} more, at most {}", more.len(), height(highest)));
+    }
+    lines
+}
+
+/// Time and height of the highest point of a flight, if it comes to it.
+fn apex(phase: &Phase) -> Option<(f64, f64)> {
+    let PhaseSolution::Flight(flight) = phase.solution() else { return None };
+    let (elapsed, height) = flight.apex();
+    // A time limit may come before the highest point; that of bounces without number is not resolved.
+    (elapsed <= phase.duration() && !flight.settles()).then_some((phase.start().time + elapsed, height))
+}
+
+/// How often a hoop with restitution has landed, and since when the rim stays at the plane.
+pub(super) fn landings(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String> {
+    trajectory.hoop().restitution()?;
+    let summary = trajectory.summary();
+    let stays = || {
+        let since = scale.show(Dimension::Time, summary.settle_time);
+        format!("; the rim stays at the plane from {} = {since} on", scale.sign(Quantity::Time))
+    };
+    let stays = if summary.settle_time.is_nan() { String::new() } else { stays() };
+    Some(format!("{}{stays}", summary.landings))
+}
+
+/// The energy lost, and to what.
+pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String> {
+    let lost = trajectory.energy_lost();
+    let show = |energy| scale.show_with_unit(Dimension::Energy, energy);
+    if trajectory.hoop().restitution().is_none() {
+        return (lost != 0.0).then(|| format!("{} lost to friction", show(lost)));
+    }
+    let in_impacts = trajectory.impact_energy_lost();
+    let in_sliding = lost - in_impacts;
+    let part = |energy: f64, place: &str| {
+        (energy.abs() > ROUNDING).then(|| {
+            let change = if energy > 0.0 { "lost" } else { "gained" };
+            format!("{} {change} in {place}", show(energy.abs()))
+        })
+    };
+    let law = if in_impacts < 0.0 { "impacts, as Newton's law allows" } else { "impacts" };
+    let parts: Vec<String> = part(in_sliding, "sliding").into_iter().chain(part(in_impacts, law)).collect();
+    Some(if parts.is_empty() { "none lost".to_owned() } else { parts.join(", ") })
+}

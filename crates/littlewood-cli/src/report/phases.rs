@@ -1,0 +1,153 @@
+//! The table of the phases of a motion, with its impacts.
+
+use std::io;
+
+use littlewood::{
+    Cause, Dimension, Impact, OutcomeKind, Phase, PhaseSolution, Quantity, State, Trajectory, Transition,
+};
+use littlewood_report::number::column;
+use littlewood_report::scale::Scale;
+
+use super::bounces::{Part, parts};
+use super::sheet::Sheet;
+
+/// Parts shown at most; of longer motions the first and the last ones.
+const FIRST_PARTS: usize = 30;
+const LAST_PARTS: usize = 10;
+
+/// Smaller energies are rounding where an impact loses none.
+const ROUNDING: f64 = 1e-14;
+
+/// The columns of numbers.
+const NUMBERS: [usize; 7] = [0, 2, 3, 4, 5, 6, 7];
+
+/// Writes the table; with `all` nothing is folded or left out.
+pub(super) fn phases(
+    sheet: &mut Sheet<'_>,
+    trajectory: &Trajectory,
+    scale: Scale<'_>,
+    all: bool,
+) -> io::Result<()> {
+    let of_state = |quantity: Quantity| scale.heading(scale.sign(quantity), quantity.dimension());
+    let header = [
+        "#".to_owned(),
+        "motion".to_owned(),
+        scale.heading(&format!("from {}", scale.sign(Quantity::Time)), Dimension::Time),
+        scale.heading("duration", Dimension::Time),
+        of_state(Quantity::Theta),
+        of_state(Quantity::ThetaRate),
+        of_state(Quantity::Slip),
+        scale.heading("lost", Dimension::Energy),
+        "ends by".to_owned(),
+    ];
+    let parts = parts(trajectory, !all);
+    let hidden = if all { 0..0 } else { FIRST_PARTS..parts.len().saturating_sub(LAST_PARTS) };
+    let table = Rows { trajectory, scale };
+    let mut rows = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        if !hidden.contains(&index) {
+            rows.extend(table.of(part));
+        } else if index == hidden.start {
+            let more: usize = parts.get(hidden.clone()).unwrap_or_default().iter().map(Part::phases).sum();
+            rows.push(vec!["…".to_owned(), format!("… {more} more")]);
+        }
+    }
+    sheet.table(&header, rows, &NUMBERS, None)
+}
+
+/// The mode of a phase, the direction of slip, and the mark of the footnote.
+fn motion_of(phase: &Phase) -> String {
+    if matches!(phase.solution(), PhaseSolution::Flight(flight) if flight.settles()) {
+        return "bounces".to_owned();
+    }
+    let mark = if phase.is_outside_small_inertia_limit() { "*" } else { "" };
+    format!("{}{mark}", phase.mode().with_arrow(phase.direction()))
+}
+
+/// Energy that an impact has lost, without rounding where that is none.
+fn lost(impact: &Impact) -> f64 {
+    Some(impact.energy_lost()).filter(|lost| lost.abs() > ROUNDING).unwrap_or(0.0)
+}
+
+struct Rows<'a> {
+    trajectory: &'a Trajectory,
+    scale: Scale<'a>,
+}
+
+impl Rows<'_> {
+    /// The rows of a part of the motion.
+    fn of(&self, part: &Part<'_>) -> Vec<Vec<String>> {
+        match part {
+            Part::Jam(jam) => self.impact(jam).into_iter().collect(),
+            Part::Phase(index, phase) => {
+                let end = self.trajectory.end_of(phase);
+                // The impacts of bounces that settle are all in one row.
+                let settles = end.is_some_and(|end| end.cause == Cause::Settle);
+                let impacts = end.and_then(|end| end.impact).filter(|_| settles).map_or(0.0, |it| lost(&it));
+                let row = self.row(
+                    [(index + 1).to_string(), motion_of(phase)],
+                    &phase.start(),
+                    phase.duration(),
+                    phase.energy_lost() + impacts,
+                    self.ends_by(phase),
+                );
+                let impact = end.filter(|_| !settles).and_then(|end| self.impact(end));
+                [row].into_iter().chain(impact).collect()
+            }
+            Part::Bounces(range) => {
+                let phases = self.trajectory.phases().get(range.clone()).unwrap_or_default();
+                let (Some(first), Some(last)) = (phases.first(), phases.last()) else { return Vec::new() };
+                let impacts = phases.iter().filter_map(|phase| self.trajectory.end_of(phase)?.impact);
+                vec![self.row(
+                    [format!("{}–{}", range.start + 1, range.end), format!("{} bounces", range.len())],
+                    &first.start(),
+                    last.end_time() - first.start().time,
+                    impacts.map(|impact| lost(&impact)).sum(),
+                    self.ends_by(last),
+                )]
+            }
+        }
+    }
+
+    fn ends_by(&self, phase: &Phase) -> &'static str {
+        match self.trajectory.end_of(phase) {
+            Some(transition) => transition.cause.label(),
+            None if phase.end().is_some() => OutcomeKind::TimeLimit.label(),
+            None => "never",
+        }
+    }
+
+    /// An impact, with the state before it: that after it is in the next row.
+    fn impact(&self, transition: &Transition) -> Option<Vec<String>> {
+        let impact = transition.impact?;
+        let name = if transition.cause == Cause::Jam { "jam" } else { "impact" };
+        let labels = [String::new(), name.to_owned()];
+        let mut row = self.row(labels, &transition.before, 0.0, lost(&impact), impact.case.label());
+        if let Some(duration) = row.get_mut(3) {
+            duration.clear();
+        }
+        Some(row)
+    }
+
+    fn row(
+        &self,
+        [number, motion]: [String; 2],
+        state: &State,
+        duration: f64,
+        lost: f64,
+        ends_by: &str,
+    ) -> Vec<String> {
+        let scale = self.scale;
+        vec![
+            number,
+            motion,
+            column(scale.value(Dimension::Time, state.time)),
+            column(scale.value(Dimension::Time, duration)),
+            column(state.theta),
+            column(scale.value(Dimension::AngularRate, state.theta_rate)),
+            column(scale.value(Dimension::Velocity, state.slip)),
+            column(scale.value(Dimension::Energy, lost)),
+            ends_by.to_owned(),
+        ]
+    }
+}

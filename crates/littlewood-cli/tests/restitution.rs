@@ -1,0 +1,154 @@
+//! `littlewood map`, `sweep` and `atlas` of hoops with restitution.
+
+#![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
+
+mod support;
+
+use std::fs;
+
+use arrow_array::{Float64Array, RecordBatch, UInt32Array};
+use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
+use support::{FIGURE_3_LANDING, assert_close, complaint, json, number, text};
+use tempfile::TempDir;
+
+/// Energy lost in the first landing of Figure 3, e = 0 and e = 0.5, from the notes.
+const LOST: [f64; 2] = [4.275_729_468_652_908_31, 3.362_443_419_227_28];
+
+fn folder() -> (TempDir, impl Fn(&str) -> String) {
+    let folder = TempDir::new().expect("a temporary folder");
+    let root = folder.path().to_owned();
+    (folder, move |name: &str| root.join(name).to_string_lossy().into_owned())
+}
+
+fn table(path: &str) -> RecordBatch {
+    let file = fs::File::open(path).expect("a file");
+    let reader = ParquetRecordBatchReaderBuilder::try_new(file).expect("a table").build().expect("rows");
+    let batches: Vec<RecordBatch> = reader.map(|batch| batch.expect("rows")).collect();
+    assert_eq!(batches.len(), 1, "one chunk");
+    batches.into_iter().next().expect("a batch")
+}
+
+fn reals(table: &RecordBatch, name: &str) -> Vec<f64> {
+    let column = table.column_by_name(name).unwrap_or_else(|| panic!("{name} is missing")).as_any();
+    column.downcast_ref::<Float64Array>().expect("numbers").values().to_vec()
+}
+
+fn counts(table: &RecordBatch, name: &str) -> Vec<u32> {
+    let column = table.column_by_name(name).unwrap_or_else(|| panic!("{name} is missing")).as_any();
+    column.downcast_ref::<UInt32Array>().expect("counts").values().to_vec()
+}
+
+#[test]
+fn restitution_is_an_axis() {
+    let (_folder, path) = folder();
+    let out = path("grid.parquet");
+    text(&["sweep", "figure-3", "--axis", "restitution=0:0.5:2", "--until", "4", "--out", &out]);
+    let table = table(&out);
+    assert_eq!(reals(&table, "restitution"), [0.0, 0.5]);
+    assert_eq!(counts(&table, "landings"), [1, 1]);
+    for (found, expected) in reals(&table, "impact_energy_lost").into_iter().zip(LOST) {
+        assert_close(found, expected, 1e-12);
+    }
+    // Without a rebound the rim stays at the plane from the landing on; with one it is in the air at τ = 4.
+    let since = reals(&table, "settle_time");
+    assert_close(since[0], FIGURE_3_LANDING[0], 1e-12);
+    assert!(since[1].is_nan());
+}
+
+#[test]
+fn the_law_is_that_of_the_whole_sweep() {
+    let (_folder, path) = folder();
+    let lost = |law: &str| {
+        let out = path(&format!("{law}.parquet"));
+        let flags = ["sweep", "figure-3", "--axis", "restitution=0.5:1:2", "--until", "4", "--out", &out];
+        text(&[&flags[..], &["--restitution-law", law]].concat());
+        reals(&table(&out), "impact_energy_lost")[0]
+    };
+    for law in ["energetic", "poisson", "newton"] {
+        let flags =
+            ["simulate", "figure-3", "--restitution", "0.5", "--until", "4", "--restitution-law", law];
+        assert_eq!(lost(law), number(&json(&flags)["impact_energy_lost"]), "{law}");
+    }
+    assert_close(lost("energetic"), LOST[1], 1e-12);
+    assert!(lost("newton") > lost("energetic"));
+}
+
+#[test]
+fn a_list_may_have_columns_for_restitution_and_the_rate_of_the_gap() {
+    let (_folder, path) = folder();
+    let (starts, out) = (path("starts.csv"), path("motions.parquet"));
+    let quarter_turn = "1.5707963267948966";
+    fs::write(
+        &starts,
+        format!("theta,theta_rate,gap_rate,restitution\n{quarter_turn},2,0,0.5\n{quarter_turn},2,0.25,0.5\n"),
+    )
+    .expect("written");
+    let found = json(&["sweep", "figure-3", "--starts", &starts, "--out", &out]);
+    assert_eq!(found["counts"]["lifts_off_later"], 1);
+    assert_eq!(found["counts"]["leaves_at_once"], 1);
+    let table = table(&out);
+    assert_close(reals(&table, "settle_time")[0], 6.924_682_083_018_513_65, 1e-12);
+    let thrown = json(&["simulate", "figure-3", "--restitution", "0.5", "--gap-rate", "0.25"]);
+    assert_close(reals(&table, "impact_energy_lost")[1], number(&thrown["impact_energy_lost"]), 1e-13);
+    for (cell, said) in [("1.5", "must not exceed 1"), ("nan", "not a finite number"), ("", "restitution")] {
+        let text = format!("theta,theta_rate,restitution\n0,1,0\n0,2,{cell}\n");
+        fs::write(&starts, text).expect("written");
+        let message =
+            complaint(&["sweep", "figure-3", "--starts", &starts, "--out", &path("other.parquet")], 2);
+        assert!(
+            message.contains("line 3") && message.contains(said) && message.contains("hint:"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn the_rate_of_the_gap_is_an_axis_also_in_metres_per_second() {
+    let (_folder, path) = folder();
+    let run = |name: &str, axis: &str, more: &[&str]| {
+        let out = path(name);
+        let flags = ["sweep", "figure-3", "--restitution", "0.5", "--axis", axis, "--out", &out];
+        text(&[&flags[..], more].concat());
+        reals(&table(&out), "settle_time")
+    };
+    let plain = run("plain.parquet", "gap_rate=0:1:3", &[]);
+    assert_close(plain[0], 6.924_682_083_018_513_65, 1e-12);
+    // The unit of velocity is √(gR) = 2 m/s.
+    let size = ["--particle-mass-kg", "1", "--radius-m", "0.5", "--gravity-m-per-s2", "8"];
+    assert_eq!(run("si.parquet", "gap_rate_m_per_s=0:2:3", &size), plain);
+}
+
+#[test]
+fn axes_and_laws_that_have_no_meaning_are_refused() {
+    let (folder, path) = folder();
+    let out = path("plane.zarr");
+    let refused = |flags: &[&str]| {
+        let message = complaint(&[&["map"], flags, &["--y", "theta=0:1:3", "--out", &out]].concat(), 2);
+        assert!(message.contains("hint:"), "{message}");
+        message
+    };
+    assert!(
+        refused(&["figure-3", "--x", "restitution=0:1.5:3"]).contains("restitution = 1.5 must not exceed 1")
+    );
+    assert!(refused(&["figure-3", "--x", "gap_rate=-1:1:3"]).contains("gap_rate = -1"));
+    assert!(refused(&["figure-7", "--x", "restitution=0:1:3"]).contains("of a massless hoop"));
+    let law = ["figure-3", "--x", "slip=0:1:3", "--restitution-law", "newton"];
+    assert!(refused(&law).contains("restitution_law = newton without restitution"));
+    assert!(fs::read_dir(folder.path()).expect("a folder").next().is_none());
+}
+
+#[test]
+fn an_atlas_may_list_coefficients_of_restitution() {
+    let (_folder, path) = folder();
+    let hoops = path("hoops.csv");
+    fs::write(&hoops, "restitution\n0\n0.5\n").expect("written");
+    let start = ["--axis", "theta_rate=2:3:2", "--theta", "1.5707963267948966", "--until", "4"];
+    let atlas = json(&[&["atlas", "figure-3", "--hoops", &hoops], &start[..]].concat());
+    let hoops = atlas["hoops"].as_array().expect("hoops");
+    assert_eq!(hoops.len(), 2);
+    for (hoop, (restitution, sequence)) in hoops.iter().zip([(0.0, "-R+F-R"), (0.5, "-R+FF")]) {
+        assert_eq!(hoop["hoop"]["restitution"], restitution);
+        let sequences = hoop["sequences"].as_array().expect("sequences");
+        assert!(sequences.iter().any(|it| it["sequence"] == sequence), "{hoop}");
+    }
+}

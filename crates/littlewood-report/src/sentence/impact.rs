@@ -1,0 +1,117 @@
+//! What an impact does, in words.
+
+use littlewood::{Cause, Dimension, Hoop, Impact, ImpactCase, Mode, Trajectory, Transition};
+
+use super::{three, to_the};
+use crate::energy::kinetic_energy;
+use crate::number::brief;
+use crate::scale::Scale;
+
+/// Smaller parts of an energy are rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// A landing with an impact.
+pub(super) fn landing(hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale<'_>) -> String {
+    format!("Lands: {}.", whole(course(impact), hoop, event, impact, scale))
+}
+
+/// An impact without a collision.
+pub(super) fn jam(hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale<'_>) -> String {
+    let why = match event.from {
+        None => "no motion is consistent here",
+        Some(_) => "the slide has run into P = 0",
+    };
+    let course = format!("{why}, and the plane ends the slip in an impact without a collision (Painlevé)");
+    format!("Jams: {}.", whole(course, hoop, event, impact, scale))
+}
+
+/// The end of bounces, which is transition `index`.
+pub(super) fn settling(
+    trajectory: &Trajectory,
+    index: usize,
+    event: &Transition,
+    scale: Scale<'_>,
+) -> String {
+    let before = trajectory.transitions().get(..index).unwrap_or_default();
+    let bounces = before
+        .iter()
+        .rev()
+        .take_while(|it| it.cause == Cause::Landing && it.to == Some(Mode::Flight))
+        .count();
+    let after = match bounces {
+        0 => "after ever smaller bounces without number".to_owned(),
+        1 => "after a bounce, and ever smaller ones without number".to_owned(),
+        _ => format!("after {bounces} bounces, and ever smaller ones without number"),
+    };
+    format!("Settles: {after}, the rim stays at the plane{}.", then(event, scale))
+}
+
+fn whole(course: String, hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale<'_>) -> String {
+    let loss = loss(hoop, event.before.theta, impact).map(|loss| format!("; {loss}")).unwrap_or_default();
+    format!("{course}{loss}{}", then(event, scale))
+}
+
+/// What the contact point does.
+fn course(impact: &Impact) -> String {
+    let slips = impact.before.slip != 0.0;
+    match impact.case {
+        ImpactCase::None => "touches the plane without an impulse",
+        ImpactCase::Slides => "slips throughout",
+        ImpactCase::SticksInCompression if slips => "slips, then sticks while it is pressed to the plane",
+        ImpactCase::SticksInRestitution if slips => "slips, then sticks while it springs back",
+        ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution => "sticks throughout",
+        ImpactCase::ReversesInCompression if slips => {
+            "slips, then slips the other way while it is pressed to the plane"
+        }
+        ImpactCase::ReversesInRestitution if slips => "slips, then slips the other way while it springs back",
+        ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
+            "begins to slip while it is pressed to the plane"
+        }
+        ImpactCase::Jams => "jams, and the plane presses on it until the slip has ended (Painlevé)",
+    }
+    .to_owned()
+}
+
+/// The part of the kinetic energy that is lost, or gained.
+fn loss(hoop: &Hoop, theta: f64, impact: &Impact) -> Option<String> {
+    let kinetic = kinetic_energy(hoop, theta, &impact.before).filter(|energy| *energy > 0.0)?;
+    let share = impact.energy_lost() / kinetic;
+    Some(if share.abs() < ROUNDING {
+        "none of its kinetic energy is lost".to_owned()
+    } else if share < 0.0 {
+        format!(
+            "its kinetic energy grows by {}, as Newton's law allows where friction changes on the way",
+            percent(-share)
+        )
+    } else {
+        format!("{} of its kinetic energy just before is gone", percent(share))
+    })
+}
+
+/// A part of a whole: `42 %`, `3.1 %`, `99.6 %`.
+fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    let digits = match percent {
+        it if it < 0.01 => return "less than 0.01 %".to_owned(),
+        it if it < 9.95 => format!("{percent:.1e}").parse().map_or_else(|_| brief(percent), brief),
+        it if it < 99.0 => format!("{percent:.0}"),
+        _ => format!("{percent:.1}"),
+    };
+    format!("{digits} %")
+}
+
+/// What follows.
+fn then(event: &Transition, scale: Scale<'_>) -> String {
+    match event.to {
+        Some(Mode::Flight) => {
+            let rate = event.impact.map_or(0.0, |impact| impact.after.gap_rate);
+            let rate = scale.show_with_unit(Dimension::Velocity, three(rate));
+            format!(", and the rim leaves the plane at {rate}")
+        }
+        Some(Mode::Rolling) => ", and it rolls".to_owned(),
+        Some(Mode::Sliding) if event.after.slip == 0.0 => ", and it begins to slide".to_owned(),
+        Some(Mode::Sliding) => format!(", and it slides {}", to_the(event.after.slip)),
+        Some(Mode::Gliding) => ", and it glides".to_owned(),
+        None => String::new(),
+    }
+}

@@ -1,0 +1,84 @@
+//! Lines of the plane of impulses (J, P): Routh's diagram of an impact.
+
+use crate::arrow::Arrow;
+use crate::dash::Dash;
+use crate::ink::Ink;
+use crate::rgb::Rgb;
+use crate::theme::Theme;
+use crate::width::{CURVE, FINE};
+
+/// A line of the plane of impulses. A limit of friction has the colour of the friction force, the line without slip that
+/// of the slip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ImpulseLine {
+    /// u = 0.
+    Sticking,
+    /// w = 0.
+    Compression,
+    /// Where the law of restitution ends the impact.
+    Termination,
+    /// |J| = μs P.
+    StaticCone,
+    /// |J| = μk P.
+    KineticCone,
+}
+
+impl ImpulseLine {
+    /// All, in order.
+    pub const ALL: [Self; 5] =
+        [Self::Sticking, Self::Compression, Self::Termination, Self::StaticCone, Self::KineticCone];
+
+    /// Lower-case name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Sticking => "sticking",
+            Self::Compression => "greatest_compression",
+            Self::Termination => "termination",
+            Self::StaticCone => "static_cone",
+            Self::KineticCone => "kinetic_cone",
+        }
+    }
+
+    /// In words, for legends.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Sticking => "sticking: u = 0",
+            Self::Compression => "greatest compression: w = 0",
+            Self::Termination => "termination",
+            Self::StaticCone => "friction cone: |J| = μₛ P",
+            Self::KineticCone => "friction cone: |J| = μₖ P",
+        }
+    }
+
+    /// Colour.
+    #[must_use]
+    pub const fn colour(self, theme: Theme) -> Rgb {
+        match self {
+            Self::Sticking => Arrow::Slip.colour(theme),
+            Self::Compression | Self::Termination => Ink::Ink.colour(theme),
+            Self::StaticCone | Self::KineticCone => Arrow::FrictionForce.colour(theme),
+        }
+    }
+
+    /// Dashes.
+    #[must_use]
+    pub const fn dash(self) -> Dash {
+        match self {
+            Self::Sticking => Dash::DashDot,
+            Self::Compression | Self::StaticCone => Dash::Dashed,
+            Self::Termination => Dash::Solid,
+            Self::KineticCone => Dash::Dotted,
+        }
+    }
+
+    /// Width in pixels of 1/96 inch.
+    #[must_use]
+    pub const fn width(self) -> f64 {
+        match self {
+            Self::Sticking | Self::Compression | Self::StaticCone | Self::KineticCone => CURVE,
+            Self::Termination => FINE,
+        }
+    }
+}

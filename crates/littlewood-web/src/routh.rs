@@ -1,0 +1,280 @@
+//! Routh's diagram of an impact: the plane of impulses, J along the plane against P upwards, and the way through it.
+//!
+//! ```text
+//! Δη′ = A J + B P,   Δgap′ = B J + C P.
+//! ```
+//!
+//! The way begins at the origin. It goes on with the slope −μk σ to the line of sticking, η′ = 0, and from there along that line
+//! or with the slope of the slip that follows; where it crosses the line of greatest compression, gap′ = 0, the gap begins to open.
+
+use littlewood::{Cause, Compliance, Hoop, Impact, Impulse, Transition};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// A point of the plane of impulses: P and J.
+type Point = [f64; 2];
+
+/// Room around the way, as a part of its extent.
+const ROOM: f64 = 0.14;
+
+/// The line of sticking is in the picture if the slip would end within so many times the impulse.
+const NEAR: f64 = 2.0;
+
+/// Routh's diagram of an impact. Impulses are over m2 √(gR).
+#[wasm_bindgen]
+#[derive(Clone, Debug)]
+pub struct Routh {
+    way: Vec<Point>,
+    greatest_compression: Option<Point>,
+    frame: Frame,
+    sticking: Line,
+    compression: Line,
+}
+
+#[wasm_bindgen]
+impl Routh {
+    /// The way: P and J of its corners, one after the other. The last is the impulse of the whole impact.
+    #[must_use]
+    pub fn way(&self) -> Vec<f64> {
+        self.way.concat()
+    }
+
+    /// P and J where the way crosses the line of greatest compression.
+    #[wasm_bindgen(js_name = greatestCompression)]
+    #[must_use]
+    pub fn greatest_compression(&self) -> Vec<f64> {
+        self.greatest_compression.map_or_else(Vec::new, Vec::from)
+    }
+
+    /// Least and largest P, least and largest J of the picture.
+    #[must_use]
+    pub fn frame(&self) -> Vec<f64> {
+        let Frame { normal, friction } = self.frame;
+        [normal, friction].concat()
+    }
+
+    /// Both ends of the line of sticking in the picture; empty where it is outside.
+    #[wasm_bindgen(js_name = lineOfSticking)]
+    #[must_use]
+    pub fn line_of_sticking(&self) -> Vec<f64> {
+        self.sticking.within(&self.frame)
+    }
+
+    /// Both ends of the line of greatest compression in the picture.
+    #[wasm_bindgen(js_name = lineOfCompression)]
+    #[must_use]
+    pub fn line_of_compression(&self) -> Vec<f64> {
+        self.compression.within(&self.frame)
+    }
+}
+
+impl Routh {
+    /// Of an impact of this hoop; none for a transition without one, and for bounces that settle, which are many.
+    pub(crate) fn of(hoop: &Hoop, transition: &Transition) -> Option<Self> {
+        let impact = transition.impact.filter(|impact| impact.impulse.normal > 0.0)?;
+        match transition.cause {
+            Cause::Landing | Cause::Jam => Self::new(hoop, transition.before.theta, &impact),
+            Cause::Settle
+            | Cause::Slip
+            | Cause::NormalForceZero
+            | Cause::Stick
+            | Cause::Reversal
+            | Cause::Graze
+            | Cause::LiftOff
+            | Cause::ParticleAtPlane
+            | Cause::ParticleAtBottom
+            | Cause::ParticleAtTop
+            | Cause::Singularity => None,
+        }
+    }
+
+    fn new(hoop: &Hoop, theta: f64, impact: &Impact) -> Option<Self> {
+        let Compliance { a, b, c, .. } = hoop.compliance(theta)?;
+        let sticking = Line { friction: a, normal: b, value: -impact.before.slip };
+        let compression = Line { friction: b, normal: c, value: -impact.before.gap_rate };
+        let way: Vec<Point> = hoop.impact_course(theta, impact).into_iter().map(point).collect();
+        let frame = Frame::around(way.iter().copied().chain(sticking_in_sight(&way, &sticking)));
+        let greatest_compression = crossing(&way, impact, &compression);
+        Some(Self { way, greatest_compression, frame, sticking, compression })
+    }
+}
+
+const fn point(impulse: Impulse) -> Point {
+    [impulse.normal, impulse.friction]
+}
+
+/// Where a way without a bend would come to the line of sticking, if that is not far beyond its end.
+fn sticking_in_sight(way: &[Point], sticking: &Line) -> Option<Point> {
+    let &[[0.0, 0.0], end] = way else { return None };
+    let part = -sticking.excess([0.0, 0.0]) / (sticking.excess(end) - sticking.excess([0.0, 0.0]));
+    (part > 1.0 && part <= NEAR).then(|| end.map(|coordinate| coordinate * part))
+}
+
+/// Where the gap rate, linear along each part of the way, stops being negative.
+fn crossing(way: &[Point], impact: &Impact, compression: &Line) -> Option<Point> {
+    let last = way.len() - 1;
+    let gap_rate = |corner: usize| {
+        if corner == last { impact.after.gap_rate } else { compression.excess(way[corner]) }
+    };
+    (0..last).find_map(|corner| {
+        let (from, to) = (gap_rate(corner), gap_rate(corner + 1));
+        let part = from / (from - to);
+        (from < 0.0 && to >= 0.0).then(|| {
+            let (a, b) = (way[corner], way[corner + 1]);
+            [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part]
+        })
+    })
+}
+
+/// The line friction J + normal P = value.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    friction: f64,
+    normal: f64,
+    value: f64,
+}
+
+impl Line {
+    /// By how much a point is beyond it.
+    fn excess(&self, [normal, friction]: Point) -> f64 {
+        self.friction * friction + self.normal * normal - self.value
+    }
+
+    /// Its ends in a frame: P and J of both, or nothing.
+    fn within(&self, frame: &Frame) -> Vec<f64> {
+        let at_normal = |normal: f64| [normal, (self.value - self.normal * normal) / self.friction];
+        let at_friction = |friction: f64| [(self.value - self.friction * friction) / self.normal, friction];
+        let on_sides =
+            frame.normal.map(at_normal).into_iter().filter(|point| is_within(frame.friction, point[1]));
+        let on_ends =
+            frame.friction.map(at_friction).into_iter().filter(|point| is_within(frame.normal, point[0]));
+        let mut points: Vec<Point> = on_sides.chain(on_ends).collect();
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        match (points.first(), points.last()) {
+            (Some(first), Some(last)) if first != last => [*first, *last].concat(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+fn is_within([least, most]: [f64; 2], value: f64) -> bool {
+    least <= value && value <= most
+}
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    normal: [f64; 2],
+    friction: [f64; 2],
+}
+
+impl Frame {
+    fn around(points: impl Iterator<Item = Point> + Clone) -> Self {
+        let range = |coordinate: usize| {
+            let values = points.clone().map(|point| point[coordinate]);
+            let (least, most) = values
+                .fold((0.0, 0.0), |(least, most): (f64, f64), value| (least.min(value), most.max(value)));
+            (least, most)
+        };
+        let (_, most) = range(0);
+        let normal = [-ROOM * most, (1.0 + ROOM) * most];
+        let (least, most) = range(1);
+        // A frictionless impact has a picture, too.
+        let extent = (most - least).max(0.2 * normal[1]);
+        Self { normal, friction: [least - ROOM * extent, most + ROOM * extent] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use littlewood::{HoopParameters, ImpactCase, Limits, RestitutionLaw, Start, find_case};
+
+    use super::*;
+
+    fn of_case(name: &str) -> Vec<(Hoop, Transition, Routh)> {
+        let motion = find_case(name).unwrap().simulate().unwrap();
+        let diagrams = motion.transitions().iter().filter_map(|transition| {
+            Some((*motion.hoop(), *transition, Routh::of(motion.hoop(), transition)?))
+        });
+        diagrams.collect()
+    }
+
+    #[test]
+    fn the_first_impact_of_figure_3_has_the_corners_of_the_notes() {
+        let (_, transition, routh) = &of_case("figure-3-bounces")[0];
+        let impact = transition.impact.unwrap();
+        assert_eq!(impact.case, ImpactCase::SticksInRestitution);
+        // A, B, C, the slip and the gap rate of the notes; σ = −1.
+        let (a, b, c) = (0.704169493845475073, -0.0829493464295526, 0.533700402266253778);
+        let (slip, gap_rate) = (-0.785244687128996169_f64, -1.913012569038374656);
+        let normal = slip.abs() / (0.4 * a + b);
+        let corner = [normal, 0.4 * normal];
+        assert_eq!(routh.way.len(), 3);
+        assert!((routh.way[1][0] - corner[0]).abs() < 1e-12 && (routh.way[1][1] - corner[1]).abs() < 1e-12);
+        // Slip ends in restitution: the greatest compression is on the first part, J = 0.4 P.
+        let [p, j] = routh.greatest_compression.unwrap();
+        assert!((p + gap_rate / (0.4 * b + c)).abs() < 1e-12 && (j - 0.4 * p).abs() < 1e-12);
+        assert_eq!(routh.way[2], [impact.impulse.normal, impact.impulse.friction]);
+    }
+
+    #[test]
+    fn every_way_is_that_of_its_impact() {
+        let mut parameters = HoopParameters::thin(0.125).with_friction(0.75, 0.75);
+        let mut seen = 0;
+        for (e, law) in
+            [(0.0, RestitutionLaw::Energetic), (0.6, RestitutionLaw::Poisson), (0.9, RestitutionLaw::Newton)]
+        {
+            parameters = parameters.with_restitution(e, law);
+            let hoop = Hoop::new(parameters).unwrap();
+            for i in 0..60 {
+                let start = Start::at(-3.0 + 0.1 * f64::from(i), 0.3 * f64::from(i % 7) - 1.0)
+                    .with_gap_rate(0.8)
+                    .with_slip(0.2);
+                let motion = hoop.simulate(start, Limits::until(6.0)).unwrap();
+                for transition in motion.transitions() {
+                    let Some(routh) = Routh::of(&hoop, transition) else { continue };
+                    seen += 1;
+                    check(&hoop, transition, &routh);
+                }
+            }
+        }
+        assert!(seen > 500, "{seen}");
+        for name in ["jam", "lands-and-rolls", "two-hops"] {
+            assert!(!of_case(name).is_empty(), "{name}");
+            of_case(name).iter().for_each(|(hoop, transition, routh)| check(hoop, transition, routh));
+        }
+    }
+
+    fn check(hoop: &Hoop, transition: &Transition, routh: &Routh) {
+        let impact = transition.impact.unwrap();
+        let end = *routh.way.last().unwrap();
+        assert_eq!(end, [impact.impulse.normal, impact.impulse.friction]);
+        let scale = 1.0 + end[0].abs() * 10.0;
+        // The lines are those of the jumps of the velocities.
+        assert!((routh.sticking.excess(end) - impact.after.slip).abs() < 1e-12 * scale);
+        assert!((routh.compression.excess(end) - impact.after.gap_rate).abs() < 1e-12 * scale);
+        assert!((routh.sticking.excess([0.0, 0.0]) - impact.before.slip).abs() < 1e-15);
+        if let [_, corner, _] = routh.way[..] {
+            assert!(routh.sticking.excess(corner).abs() < 1e-12 * scale);
+            assert!((corner[1].abs() - hoop.mu_k() * corner[0]).abs() < 1e-12 * scale);
+        }
+        if let Some(point) = routh.greatest_compression {
+            assert!(routh.compression.excess(point).abs() < 1e-12 * scale);
+        }
+        assert!(routh.way.iter().all(|point| {
+            is_within(routh.frame.normal, point[0]) && is_within(routh.frame.friction, point[1])
+        }));
+        if impact.before.gap_rate < 0.0 {
+            assert_eq!(routh.line_of_compression().len(), 4);
+        }
+        for line in [routh.line_of_sticking(), routh.line_of_compression()] {
+            assert!(line.is_empty() || line.len() == 4 && line.iter().all(|it| it.is_finite()));
+        }
+    }
+
+    #[test]
+    fn bounces_that_settle_have_no_diagram() {
+        let motion = find_case("figure-3-bounces").unwrap().simulate().unwrap();
+        let settle = motion.transitions().iter().find(|it| it.cause == Cause::Settle).unwrap();
+        assert!(Routh::of(motion.hoop(), settle).is_none());
+    }
+}

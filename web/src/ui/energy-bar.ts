@@ -1,0 +1,69 @@
+// Where the energy of the start is at the cursor, as a bar.
+
+import type { Energies } from '../core/motion';
+import { ENERGY_LABELS, ENERGY_PARTS, type EnergyPart } from '../generated/palette';
+import { COLUMN_ROWS } from '../generated/tables';
+import type { Lab } from '../state/lab';
+import { brief, byId, make } from '../dom';
+
+interface Part {
+  name: EnergyPart;
+  bar: HTMLElement;
+  text: HTMLElement;
+  value: HTMLElement;
+}
+
+export class EnergyBar {
+  private readonly holder = byId('energy', HTMLElement);
+  private readonly start = make('span', { class: 'start' });
+  private readonly sum = make('output', { id: 'energy-sum' });
+  private readonly parts: Part[] = ENERGY_PARTS.map((name) => ({
+    name, bar: make('span', { class: 'part', 'data-energy': name }), text: make('span', {}, ENERGY_LABELS[name]),
+    value: make('output', { 'data-part': name }),
+  }));
+  /** What the whole bar stands for. */
+  private most = 1;
+
+  constructor(private readonly lab: Lab) {
+    byId('energy-bar', HTMLElement).append(...this.parts.map(({ bar }) => bar), this.start);
+    byId('energy-legend', HTMLElement).append(
+      ...this.parts.map(({ name, text, value }) =>
+        make('li', { 'data-energy': name }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), text, ' ', value)),
+      make('li', {}, 'at the start ', this.sum));
+  }
+
+  /** The energy of the start, of which all parts are. */
+  private total(energies: Energies): number {
+    return ENERGY_PARTS.reduce((sum, part) => sum + energies[part], 0);
+  }
+
+  showMotion(): void {
+    const { motion, problem } = this.lab;
+    this.holder.hidden = problem.restitution === undefined;
+    if (this.holder.hidden) return;
+    const first = motion.energies(motion.begin);
+    const total = first === null ? 0 : this.total(first);
+    // A law that gains energy needs more room than the start.
+    const gains = Math.min(0, ...motion.impacts.map(({ time }) => motion.energies(time)?.lost_in_impacts ?? 0));
+    this.most = total - gains || 1;
+    this.start.hidden = gains === 0;
+    this.start.style.left = `${(100 * total) / this.most}%`;
+    this.showTime();
+  }
+
+  showTime(): void {
+    if (this.holder.hidden) return;
+    const { motion, time, units, state: { problem: { system } } } = this.lab;
+    const energies = motion.energies(time);
+    for (const { name, bar, text, value } of this.parts) {
+      const part = (energies?.[name] ?? 0) / this.most;
+      // Less than this is rounding.
+      const energy = Math.abs(part) < 1e-12 ? 0 : part * this.most;
+      bar.style.width = `${Math.max(0, 100 * part)}%`;
+      text.textContent = energy < 0 ? ENERGY_LABELS[name].replace('lost', 'gained') : ENERGY_LABELS[name];
+      value.textContent = energies === null ? '–' : brief(Math.abs(energy) * units.energy, 4);
+    }
+    const sum = energies === null ? '–' : brief(this.total(energies) * units.energy, 4);
+    this.sum.textContent = `${sum} ${COLUMN_ROWS.energy.units[system]}`;
+  }
+}
