@@ -202,7 +202,10 @@ fn compute_task<'a>(
     let summary = |&place: &u32| {
         let Some(engine) = engine else { return Ok(Summary::INVALID) };
         let index = place as usize;
-        engine.summary(points[index].start, limits).map_err(|error| Refused { index, error })
+        match engine.summary(points[index].start, limits) {
+            Err(error) if error.is_contradiction() => Ok(Summary::INVALID),
+            result => result.map_err(|error| Refused { index, error }),
+        }
     };
     let summaries = places.iter().map(summary).collect::<Result<Vec<Summary>, Refused>>()?;
     Ok(Task { places, columns: Columns::of_summaries(&summaries) })

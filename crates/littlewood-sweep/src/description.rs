@@ -1,15 +1,16 @@
 //! The description of a run, as stores keep it: two runs with the same description have the same result.
 
-use littlewood::{HoopParameters, Limits, PhaseSequence, Setup, Start};
+use littlewood::{HoopParameters, Limits, PhaseSequence, Quantity, RestitutionLaw, Setup, Start};
 use serde_json::{Map, Value, json};
 
 use crate::axis::Axis;
 use crate::grid::Grid;
-use crate::setup::{places, quantities, value};
+use crate::setup::{RESTITUTION_LAW, given};
 use crate::starts::StartList;
 
-/// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and no version.
-pub const STORE_FORMAT: u32 = 2;
+/// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and no version, version 2 no
+/// columns of impacts.
+pub const STORE_FORMAT: u32 = 3;
 
 /// The version of stores that have none.
 const FIRST_FORMAT: u64 = 1;
@@ -44,18 +45,24 @@ impl ForeignVersion {
     }
 }
 
+/// Numbers under the names of their quantities.
+fn numbers(values: impl Iterator<Item = (Quantity, f64)>) -> Map<String, Value> {
+    values.map(|(quantity, value)| (quantity.name().to_owned(), value.into())).collect()
+}
+
+/// The name of the law of restitution, or null.
+fn law(setup: &Setup) -> Value {
+    setup.hoop.restitution_law.map(RestitutionLaw::name).into()
+}
+
 /// What a run computes, in JSON.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Description(pub(crate) Value);
 
 impl Description {
     pub(crate) fn of_grid(grid: &Grid, limits: Limits, chunk: &[usize]) -> Self {
-        let place = places().map(|quantity| (quantity, value(grid.base(), quantity)));
-        let fixed: Map<String, Value> = grid
-            .fixed()
-            .chain(place)
-            .map(|(quantity, value)| (quantity.name().to_owned(), value.into()))
-            .collect();
+        let place = given(grid.base()).filter(|(quantity, _)| grid.axis(*quantity).is_none());
+        let fixed = numbers(place);
         let axes: Vec<Value> = grid
             .axes()
             .iter()
@@ -75,15 +82,14 @@ impl Description {
             "points": "grid",
             "axes": axes,
             "fixed": fixed,
+            RESTITUTION_LAW: law(grid.base()),
             "limits": of_limits(limits),
             "chunk": chunk,
         }))
     }
 
     pub(crate) fn of_list(list: &StartList, limits: Limits, chunk: usize) -> Self {
-        let base: Map<String, Value> = quantities()
-            .map(|quantity| (quantity.name().to_owned(), value(list.base(), quantity).into()))
-            .collect();
+        let base = numbers(given(list.base()));
         Self(json!({
             "version": env!("CARGO_PKG_VERSION"),
             "format": STORE_FORMAT,
@@ -91,6 +97,7 @@ impl Description {
             "points": "list",
             "list": list.fingerprint(),
             "base": base,
+            RESTITUTION_LAW: law(list.base()),
             "limits": of_limits(limits),
             "chunk": chunk,
         }))
@@ -115,6 +122,9 @@ impl Description {
             let quantity = name.parse().ok()?;
             base.set(quantity, number.as_f64()?);
             base.get(quantity)?;
+        }
+        if let Some(name) = value.get(RESTITUTION_LAW).and_then(Value::as_str) {
+            base.hoop.restitution_law = Some(name.parse().ok()?);
         }
         let mut axes = Vec::new();
         for axis in value.get("axes")?.as_array()? {

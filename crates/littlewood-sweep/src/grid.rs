@@ -5,7 +5,7 @@ use core::ops::Range;
 use littlewood::{Hoop, HoopParameters, Quantity, Setup};
 
 use crate::axis::{Axis, AxisError};
-use crate::setup::{quantities, value};
+use crate::setup::quantities;
 
 /// The points of a grid, numbered row by row: the last axis runs fastest.
 ///
@@ -123,10 +123,10 @@ impl Grid {
         self.axes.iter().find(|axis| axis.quantity() == quantity)
     }
 
-    /// The quantities of [`Quantity::AXES`] that have no axis, each with its value.
+    /// The quantities of [`Quantity::AXES`] that have a value and no axis.
     pub(crate) fn fixed(&self) -> impl Iterator<Item = (Quantity, f64)> + '_ {
         let fixed = Quantity::AXES.into_iter().filter(|&quantity| self.axis(quantity).is_none());
-        fixed.map(|quantity| (quantity, value(&self.base, quantity)))
+        fixed.filter_map(|quantity| Some((quantity, self.base.get(quantity)?)))
     }
 
     /// Checks every quantity alone: bounds are intervals, so checking the ends of an axis checks all of it.
@@ -143,7 +143,9 @@ impl Grid {
                     }
                 }
                 None => {
-                    quantity.check(value(&self.base, quantity))?;
+                    if let Some(value) = self.base.get(quantity) {
+                        quantity.check(value)?;
+                    }
                 }
             }
         }
@@ -156,7 +158,9 @@ impl Grid {
         let mut axes = related.iter().filter_map(|&quantity| self.axis(quantity));
         let mut point = Setup { hoop: WITHOUT_CONTRADICTION, ..self.base };
         for &quantity in related {
-            point.set(quantity, value(&self.base, quantity));
+            if let Some(value) = self.base.get(quantity) {
+                point.set(quantity, value);
+            }
         }
         match (axes.next(), axes.next()) {
             (None, _) => {
@@ -175,9 +179,12 @@ impl Grid {
     }
 }
 
-/// Quantities that can contradict each other though each is within its bounds: μk > μs, and a point mass at the centre.
-const CONTRADICTIONS: [&[Quantity]; 2] =
-    [&[Quantity::MuS, Quantity::MuK], &[Quantity::MassRatio, Quantity::Offset, Quantity::Inertia]];
+/// Quantities that can contradict each other though each is within its bounds: μk > μs, a point mass at the centre, and a
+/// massless hoop with restitution.
+const CONTRADICTIONS: [&[Quantity]; 2] = [
+    &[Quantity::MuS, Quantity::MuK],
+    &[Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::Restitution],
+];
 
 /// A hoop whose other parameters contradict no value of the related ones.
 const WITHOUT_CONTRADICTION: HoopParameters = HoopParameters::new(1.0, 0.5, 1.0).with_friction(0.5, 0.5);

@@ -1,6 +1,6 @@
 //! The quantities of a setup, a hoop with a start, as sweeps name them.
 
-use littlewood::{Quantity, Setup};
+use littlewood::{Quantity, RestitutionLaw, Setup};
 
 /// All quantities of a setup, in the order of tables: what a motion depends on, then where and when it starts.
 pub(crate) fn quantities() -> impl Iterator<Item = Quantity> {
@@ -12,18 +12,20 @@ pub(crate) fn places() -> impl Iterator<Item = Quantity> {
     Quantity::START.into_iter().filter(|quantity| !Quantity::AXES.contains(quantity))
 }
 
-/// The value of one of [`quantities`].
-pub(crate) fn value(setup: &Setup, quantity: Quantity) -> f64 {
-    let [value] = setup.values([quantity]);
-    value
+/// Those of [`quantities`] that a setup gives a value.
+pub(crate) fn given(setup: &Setup) -> impl Iterator<Item = (Quantity, f64)> {
+    quantities().filter_map(|quantity| Some((quantity, setup.get(quantity)?)))
 }
 
-/// The bits of the parameters of the hoop.
-pub(crate) type HoopBits = [u64; Quantity::HOOP.len()];
+/// The law of restitution of a hoop, under the name that descriptions use.
+pub(crate) const RESTITUTION_LAW: &str = "restitution_law";
+
+/// What defines a hoop: the bits of its parameters, and the law of restitution.
+pub(crate) type HoopBits = ([u64; Quantity::HOOP.len()], Option<RestitutionLaw>);
 
 /// The bits of the parameters of the hoop: setups that agree in them share one engine.
 pub(crate) fn hoop_bits(setup: &Setup) -> HoopBits {
-    setup.values(Quantity::HOOP).map(f64::to_bits)
+    (setup.values(Quantity::HOOP).map(f64::to_bits), setup.hoop.restitution_law)
 }
 
 #[cfg(test)]

@@ -40,7 +40,7 @@ pub fn sweep_grid(
 ) -> Result<Report, SweepError> {
     let chunks = Chunks::new(grid, options.chunk_points);
     let description = Description::of_grid(grid, limits, chunks.shape());
-    let table = || Table::of_grid(&description, chunks.count());
+    let table = || Table::of_grid(&description, chunks.count(), grid);
     let destinations = targets
         .iter()
         .map(|target| {

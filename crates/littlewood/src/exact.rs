@@ -146,7 +146,7 @@ impl Solver for Exact<'_> {
         settling: &Settling,
     ) -> Solved<PhaseSolution, State, Outcome> {
         let duration = settling.duration;
-        let flight = Flight::settling(body, *state, duration);
+        let flight = Flight::settling(body, *state, settling.gap_rate, duration);
         let ending = match self.allowed(state) {
             Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
             Some(_) | None => Ending::Settled { place: flight.state(duration), settling: *settling },

@@ -150,7 +150,7 @@ impl Gap {
         let from_top = self.theta - TAU * (self.theta / TAU).round();
         // A lift-off from sliding starts on the inflection −level itself.
         let level = if self.opening == 0.0 {
-            -from_top
+            from_top.abs()
         } else {
             let half = libm::sin(0.5 * self.theta);
             let versine = (2.0 * half * half + self.opening / self.h).min(2.0);
@@ -236,7 +236,9 @@ impl Gap {
             }
             from = at_lowest;
         }
-        (to.gap <= 0.0).then(|| self.touchdown(&from, to))
+        // Where an inflection rounds to the start itself, the gap has only begun to open.
+        let has_only_opened = from.gap == 0.0 && from.slope > 0.0 && to.slope > 0.0;
+        (to.gap <= 0.0 && !has_only_opened).then(|| self.touchdown(&from, to))
     }
 
     /// Gap and slope at φ.
@@ -427,10 +429,14 @@ impl Flight {
     }
 
     /// Bounces without number that take so much time together, as one flight.
-    pub(crate) fn settling(body: &Heavy, start: State, duration: f64) -> Self {
-        let direction = libm::sincos(start.theta);
-        let flight = Self::with_angles(body, start, TakeOff::Grazing, direction, [f64::NAN; 2]);
-        Self { clock: 1.0, landing: duration, apex: 0.0, settles: true, ..flight }
+    pub(crate) fn settling(body: &Heavy, start: State, gap_rate: f64, duration: f64) -> Self {
+        let (sin, cos) = libm::sincos(start.theta);
+        let rate = start.theta_rate;
+        let take_off = TakeOff::Rising { gap_rate };
+        let flight = Self::with_angles(body, start, take_off, (sin, cos), [duration, 0.0]);
+        let opening = body.h * (cos * (rate * rate)) - 1.0;
+        let gap = Gap { rise: gap_rate, opening, spin: rate.abs(), ..flight.gap };
+        Self { gap, clock: 1.0, settles: true, ..flight }
     }
 
     /// Whether the gap is concave, and taken in time.
@@ -487,14 +493,12 @@ impl Flight {
         }
     }
 
-    /// Gap under the rim and its rate after the time `elapsed`; zero, both, where bounces settle.
+    /// Gap under the rim and its rate after the time `elapsed`. Where bounces settle the gap is zero, and its rate that of a
+    /// flight without impacts, whose impulses come together at the end.
     #[must_use]
     pub fn gap(&self, elapsed: f64) -> (f64, f64) {
-        if self.settles {
-            return (0.0, 0.0);
-        }
         let (gap, slope) = self.gap.value_and_slope(self.clock * elapsed);
-        (gap, self.clock * slope)
+        (if self.settles { 0.0 } else { gap }, self.clock * slope)
     }
 
     /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved.

@@ -8,7 +8,8 @@
 //! A = 1/m + (1 + h cos θ)²/Î,   B = h sin θ (1 + h cos θ)/Î,   C = 1/m + h² sin²θ/Î,   A C − B² = D/(m² Î).
 //! ```
 //!
-//! While the body slips, dJ/dP = −μk σ, so that dw/dP = k1 = C − μk σ B = P_solv/(m Î): Painlevé's P of sliding. Where slip
+//! While the body slips, dJ/dP = −μk σ, so that dw/dP = k1 = C − μk σ B = P_solv/(m Î): Painlevé's P of sliding. For a light
+//! hoop A, B and C are large and all but cancel: what is computed first is dθ′/dP, and du/dP and dw/dP from it. Where slip
 //! ends, the body sticks, dJ/dP = −B/A, if |B| ≤ μs A, and else slips towards sign B; in both dw/dP = k2 > 0. Everything is
 //! piecewise linear in P, so that the impact is in closed form. [`crate::Hoop::simulate`] ends before it.
 //!
@@ -130,10 +131,11 @@ impl Impact {
     }
 }
 
-/// Part of an impact on which everything is linear in P: how J, u and w change with P.
+/// Part of an impact on which everything is linear in P: how J, θ′, u and w change with P.
 #[derive(Clone, Copy, Debug)]
 struct Slope {
     friction: f64,
+    spin: f64,
     slip: f64,
     gap_rate: f64,
 }
@@ -148,48 +150,19 @@ pub struct Compliance {
     pub b: f64,
     /// C: the rate of the gap by the normal impulse.
     pub c: f64,
-    determinant: f64,
 }
-
-impl Compliance {
-    fn new(body: &Heavy, sin: f64, cos: f64) -> Self {
-        let Heavy { mass, h, inertia, .. } = *body;
-        let (arm, lever) = (h * sin, 1.0 + h * cos);
-        Self {
-            a: 1.0 / mass + lever * lever / inertia,
-            b: arm * lever / inertia,
-            c: 1.0 / mass + arm * arm / inertia,
-            determinant: (inertia + mass * (arm * arm + lever * lever)) / (mass * mass * inertia),
-        }
-    }
-
-    /// While it slips in a direction.
-    fn slipping(&self, mu_k: f64, direction: Direction) -> Slope {
-        let friction = -mu_k * direction.sign();
-        Slope { friction, slip: self.a * friction + self.b, gap_rate: self.c + friction * self.b }
-    }
-
-    /// Where the slip velocity is zero.
-    fn at_rest(&self, hoop: &Hoop) -> (Slope, bool) {
-        let sticks = self.b.abs() <= hoop.mu_s() * self.a;
-        match Direction::of_sign(self.b).filter(|_| !sticks) {
-            Some(direction) => (self.slipping(hoop.mu_k(), direction), true),
-            None => {
-                let stuck =
-                    Slope { friction: -self.b / self.a, slip: 0.0, gap_rate: self.determinant / self.a };
-                (stuck, false)
-            }
-        }
-    }
-}
-
 impl Hoop {
     /// What an impact at an angle depends on; none for a massless hoop.
     #[must_use]
     pub fn compliance(&self, theta: f64) -> Option<Compliance> {
         let Body::Heavy(body) = self.body() else { return None };
-        let (sin, cos) = libm::sincos(theta);
-        Some(Compliance::new(&body, sin, cos))
+        let Heavy { mass, h, inertia, .. } = body;
+        let (arm, lever) = (h * libm::sin(theta), 1.0 + h * libm::cos(theta));
+        Some(Compliance {
+            a: 1.0 / mass + lever * lever / inertia,
+            b: arm * lever / inertia,
+            c: 1.0 / mass + arm * arm / inertia,
+        })
     }
 
     /// The impulses through which an impact at an angle goes, with straight lines between them: from none to all of it, and
@@ -242,8 +215,7 @@ impl Hoop {
 /// An angle at which the rim touches the plane, with what an impact there depends on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Contact {
-    compliance: Compliance,
-    inertia: f64,
+    mass: f64,
     /// h sin θ and 1 + h cos θ.
     arm: f64,
     lever: f64,
@@ -257,24 +229,27 @@ pub(crate) struct Contact {
 impl Contact {
     pub(crate) fn new(hoop: &Hoop, body: &Heavy, theta: f64) -> Self {
         let (sin, cos) = libm::sincos(theta);
-        let compliance = Compliance::new(body, sin, cos);
-        let (at_rest, reverses) = compliance.at_rest(hoop);
-        Self {
-            compliance,
-            inertia: body.inertia,
-            arm: body.h * sin,
-            lever: 1.0 + body.h * cos,
-            slipping: Direction::ALL.map(|direction| compliance.slipping(hoop.mu_k(), direction)),
-            at_rest,
-            reverses,
-        }
+        let (mass, arm, lever) = (body.mass, body.h * sin, 1.0 + body.h * cos);
+        let slope = |friction: f64, spin: f64| Slope {
+            friction,
+            spin,
+            slip: friction / mass + lever * spin,
+            gap_rate: 1.0 / mass + arm * spin,
+        };
+        let slipping = Direction::ALL.map(|direction| {
+            let friction = -hoop.mu_k() * direction.sign();
+            slope(friction, (arm + friction * lever) / body.inertia)
+        });
+        // m Î A and m Î B: what sticking needs is |B|/A.
+        let (a, b) = (body.inertia + mass * lever * lever, mass * arm * lever);
+        let stuck = Slope { slip: 0.0, ..slope(-b / a, arm / a) };
+        let reversed = Direction::of_sign(b).filter(|_| b.abs() > hoop.mu_s() * a);
+        let at_rest = reversed.map_or(stuck, |direction| *of_direction(&slipping, direction));
+        Self { mass, arm, lever, slipping, at_rest, reverses: reversed.is_some() }
     }
 
-    fn slope(&self, direction: Direction) -> Slope {
-        match direction {
-            Direction::Negative => self.slipping[0],
-            Direction::Positive => self.slipping[1],
-        }
+    const fn slope(&self, direction: Direction) -> Slope {
+        *of_direction(&self.slipping, direction)
     }
 
     /// The impact with these velocities, the gap not opening.
@@ -300,7 +275,12 @@ impl Contact {
     pub(crate) fn jam(&self, before: ContactVelocities, restitution: Restitution) -> Impact {
         let direction = Direction::of_sign(before.slip);
         let slope = direction.map_or(self.at_rest, |direction| self.slope(direction));
-        let slipping = Slope { gap_rate: slope.gap_rate.min(0.0), ..slope };
+        let slipping = if slope.gap_rate <= 0.0 {
+            slope
+        } else {
+            let spin = -1.0 / (self.mass * self.arm);
+            Slope { spin, slip: slope.friction / self.mass + self.lever * spin, gap_rate: 0.0, ..slope }
+        };
         self.course(before, direction, slipping).impact(true, restitution)
     }
 
@@ -319,15 +299,12 @@ impl Contact {
         };
         Course { contact: self, before, slipping, first }
     }
+}
 
-    /// Jump of the gap rate by an impulse.
-    pub(crate) fn gap_rate(&self, impulse: Impulse) -> f64 {
-        self.compliance.b * impulse.friction + self.compliance.c * impulse.normal
-    }
-
-    /// Jump of θ′ by an impulse.
-    pub(crate) fn spin(&self, impulse: Impulse) -> f64 {
-        (self.lever * impulse.friction + self.arm * impulse.normal) / self.inertia
+const fn of_direction(slopes: &[Slope; 2], direction: Direction) -> &Slope {
+    match direction {
+        Direction::Negative => &slopes[0],
+        Direction::Positive => &slopes[1],
     }
 }
 
@@ -398,11 +375,18 @@ impl Course<'_> {
         let one = normal.min(self.first);
         let two = normal - one;
         let impulse = Impulse { normal, friction: self.slipping.friction * one + then.friction * two };
-        let slips_on = normal <= self.first;
-        let slip_between = if slips_on { before.slip + self.slipping.slip * one } else { 0.0 };
+        let slip_between = match case {
+            ImpactCase::Slides => before.slip + self.slipping.slip * one,
+            ImpactCase::None
+            | ImpactCase::SticksInCompression
+            | ImpactCase::ReversesInCompression
+            | ImpactCase::SticksInRestitution
+            | ImpactCase::ReversesInRestitution
+            | ImpactCase::Jams => 0.0,
+        };
         let gap_between = before.gap_rate + self.slipping.gap_rate * one;
         let after = ContactVelocities {
-            theta_rate: before.theta_rate + self.contact.spin(impulse),
+            theta_rate: before.theta_rate + self.slipping.spin * one + then.spin * two,
             slip: slip_between + then.slip * two,
             gap_rate: opening,
         };

@@ -3,8 +3,12 @@
 //! Where W = 1 − h cos θ θ′² > 0 and each bounce gives back less than it takes, bounces accumulate: infinitely many in a
 //! finite time. Once they are short, θ, W, the compliances of the impact and the acceleration a = −h sin θ θ′² of the slip in
 //! flight hardly change any more. With those held fixed a flight of the rate v takes 2v/W and adds 2 a v/W to the slip, the
-//! impact is homogeneous in (u, v), and the sum of all of them is found from a few: where it sticks each time, or slips each
-//! time, it is geometric. What is neglected is of the order of the square of the time that is left.
+//! impact is homogeneous in (u, v), and the sum of all of them is found from a few: where it does the same each time, sticks,
+//! reverses or slips on, it is geometric. What is neglected is of the order of the square of the time that is left.
+//!
+//! Bounces never grow for e < 1, as they do for other bodies near k1 = 0 (reverse chatter). Where they stick, a drives the slip
+//! of each flight against sign B, so that k1 = C + μk |B| at first and k2 < k1 behind it: the ratio of the rates of successive
+//! bounces is at most e by each law. Where they slip it is e.
 
 use thiserror::Error;
 
@@ -20,6 +24,12 @@ pub(crate) const LONGEST: f64 = 1e-7;
 /// Largest part of W that may change on the way.
 const LARGEST_CHANGE: f64 = 1e-6;
 
+/// Slip velocities that are the same part of the rate of their bounces, but for this, repeat themselves.
+const SAME_KIND: f64 = 1e-14;
+
+/// Bounces slower than the first by this factor add nothing to the sums.
+const NEGLIGIBLE: f64 = 1e-20;
+
 /// Bounces of changing kind that are summed one by one.
 const MAX_BOUNCES: usize = 4096;
 
@@ -27,7 +37,9 @@ const MAX_BOUNCES: usize = 4096;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Settling {
-    /// Time from the start of the flight.
+    /// Rate of the gap with which the first flight begins.
+    pub gap_rate: f64,
+    /// Time from the start of the first flight.
     pub duration: f64,
     /// Ratio of the rates of successive bounces in the end: the effective coefficient of restitution.
     pub ratio: f64,
@@ -54,8 +66,8 @@ pub enum NoSettling {
         /// 1 − h cos θ θ′².
         contact: f64,
     },
-    /// The bounces do not shrink. With e < 1 this is reverse chatter: a hoop at rest against the plane could as well begin to
-    /// bounce, so that its motion is not unique.
+    /// The bounces do not shrink, e = 1. With e < 1 that would be reverse chatter, by which a hoop at rest against the plane
+    /// could as well begin to bounce; this body has none.
     #[error("each bounce is {ratio} times as fast as the one before")]
     Grows {
         /// Ratio of the rates of successive bounces.
@@ -116,14 +128,18 @@ impl Hoop {
         }
         let bounces = Bounces::new(self, body, state, restitution).ok()?;
         let rate = state.theta_rate.abs();
-        let is_short = |duration: f64| {
-            duration * (1.0 + rate) <= LONGEST
-                && body.h * (rate * rate * rate) * duration <= LARGEST_CHANGE * bounces.contact_force
+        let is_short = |duration: f64, jump: f64| {
+            let change = body.h * (rate * rate * rate * duration + (2.0 * rate + jump) * jump);
+            duration * (1.0 + rate) <= LONGEST && change <= LARGEST_CHANGE * bounces.contact_force
         };
-        if !is_short(2.0 * gap_rate / bounces.contact_force) {
+        if !is_short(2.0 * gap_rate / bounces.contact_force, 0.0) {
             return None;
         }
-        bounces.sum(state, gap_rate).ok().filter(|settling| is_short(settling.duration))
+        // An impact that ends the slip may change θ′ at once, however slow the bounce.
+        bounces.sum(state, gap_rate).ok().filter(|settling| {
+            let Impact { before, after, .. } = settling.impact;
+            is_short(settling.duration, (after.theta_rate - before.theta_rate).abs())
+        })
     }
 }
 
@@ -143,6 +159,7 @@ struct Sums {
     duration: f64,
     normal: f64,
     friction: f64,
+    theta_rate: f64,
     normal_work: f64,
     friction_work: f64,
 }
@@ -153,6 +170,7 @@ impl Sums {
         self.duration += duration * times;
         self.normal += impact.impulse.normal * times;
         self.friction += impact.impulse.friction * times;
+        self.theta_rate += (impact.after.theta_rate - impact.before.theta_rate) * times;
         self.normal_work += impact.normal_work * works;
         self.friction_work += impact.friction_work * works;
     }
@@ -188,12 +206,13 @@ impl Bounces {
             let ratio = impact.after.gap_rate / opening;
             // As long as the bounces do the same, everything changes from one to the next by this ratio.
             let (count, squares) = (1.0 / (1.0 - ratio), 1.0 / (1.0 - ratio * ratio));
-            if slip == 0.0 && impact.after.slip == 0.0 {
+            let repeats = (impact.after.slip - slip * ratio).abs() <= SAME_KIND * slip.abs() * ratio;
+            if repeats && impact.case != ImpactCase::Slides {
                 if ratio >= 1.0 {
                     return Err(NoSettling::Grows { ratio });
                 }
                 sums.add(duration, &impact, count, squares);
-                return Ok(self.settled(state, &sums, 0.0, ratio));
+                return Ok(self.settled((state, gap_rate), &sums, 0.0, ratio));
             }
             if impact.case == ImpactCase::Slides && ratio < 1.0 {
                 let change = impact.after.slip - slip;
@@ -204,13 +223,13 @@ impl Bounces {
                     let friction_work = impact.impulse.friction * mean;
                     sums.add(duration, &Impact { friction_work, ..impact }, count, squares);
                     sums.friction_work += friction_work * (1.0 - squares);
-                    return Ok(self.settled(state, &sums, end, ratio));
+                    return Ok(self.settled((state, gap_rate), &sums, end, ratio));
                 }
             }
             sums.add(duration, &impact, 1.0, 1.0);
             (slip, opening) = (impact.after.slip, impact.after.gap_rate);
-            if opening <= f64::MIN_POSITIVE {
-                return Ok(self.settled(state, &sums, slip, ratio));
+            if opening <= NEGLIGIBLE * gap_rate {
+                return Ok(self.settled((state, gap_rate), &sums, slip, ratio));
             }
             if opening > gap_rate / f64::EPSILON {
                 return Err(NoSettling::Grows { ratio });
@@ -219,18 +238,14 @@ impl Bounces {
         Err(NoSettling::Unsettled { bounces: MAX_BOUNCES })
     }
 
-    fn settled(&self, state: &State, sums: &Sums, slip: f64, ratio: f64) -> Settling {
+    fn settled(&self, (state, gap_rate): (&State, f64), sums: &Sums, slip: f64, ratio: f64) -> Settling {
         let impulse = Impulse { normal: sums.normal, friction: sums.friction };
         let before = ContactVelocities {
             theta_rate: state.theta_rate,
             slip: state.slip + self.slip_acceleration * sums.duration,
-            gap_rate: -self.contact.gap_rate(impulse),
+            gap_rate: gap_rate - self.contact_force * sums.duration,
         };
-        let after = ContactVelocities {
-            theta_rate: state.theta_rate + self.contact.spin(impulse),
-            slip,
-            gap_rate: 0.0,
-        };
+        let after = ContactVelocities { theta_rate: state.theta_rate + sums.theta_rate, slip, gap_rate: 0.0 };
         // What the bounces do in the end; of the first the kind may differ.
         let case = if slip == 0.0 { ImpactCase::SticksInRestitution } else { ImpactCase::Slides };
         let impact = Impact {
@@ -241,6 +256,6 @@ impl Bounces {
             normal_work: sums.normal_work,
             friction_work: sums.friction_work,
         };
-        Settling { duration: sums.duration, ratio, impact }
+        Settling { gap_rate, duration: sums.duration, ratio, impact }
     }
 }

@@ -4,7 +4,9 @@
 mod common;
 
 use common::{heavy_motion, massless_hoop, moderate_hoop, simulate, start};
-use littlewood::{Hoop, Limits, Mode, Outcome, RollingOrbit, Start, State, Trajectory};
+use littlewood::{
+    Hoop, Limits, Mode, Outcome, Restitution, RestitutionLaw, RollingOrbit, Start, State, Trajectory,
+};
 use proptest::prelude::*;
 
 /// (θ, θ′, η′, x) → −(θ, θ′, η′, x).
@@ -24,6 +26,7 @@ fn check_mirror(a: &Trajectory, b: &Trajectory) -> Result<(), TestCaseError> {
     prop_assert_eq!(a.transitions().len(), b.transitions().len());
     for (ours, theirs) in a.transitions().iter().zip(b.transitions()) {
         prop_assert_eq!(bits(&ours.before, 1.0), bits(&theirs.before, -1.0));
+        prop_assert_eq!(bits(&ours.after, 1.0), bits(&theirs.after, -1.0));
         prop_assert_eq!((ours.cause, ours.from, ours.to), (theirs.cause, theirs.from, theirs.to));
         prop_assert_eq!(ours.direction, theirs.direction.map(littlewood::Direction::reversed));
     }
@@ -48,6 +51,17 @@ proptest! {
         // At η′ = θ′ = 0 on a vertical nothing chooses a side.
         prop_assume!(start.theta_rate != 0.0 || start.slip != 0.0 || start.theta != 0.0);
         check_mirror(&simulate(&hoop, start), &simulate(&hoop, mirrored(start)))?;
+    }
+
+    #[test]
+    fn a_mirrored_bouncing_motion_is_the_mirrored_motion(
+        (hoop, start) in heavy_motion(), e in 0.0..=1.0_f64, law in prop::sample::select(RestitutionLaw::ALL.to_vec()),
+        gap_rate in prop_oneof![Just(0.0), 0.0..2.0_f64],
+    ) {
+        prop_assume!(start.theta_rate != 0.0 || start.slip != 0.0 || start.theta != 0.0);
+        let hoop = hoop.with_restitution(Restitution::new(e, law).expect("a coefficient")).expect("heavy");
+        let start = start.with_gap_rate(gap_rate);
+        check_mirror(&simulate(&hoop, start), &simulate(&hoop, mirrored(start).with_gap_rate(gap_rate)))?;
     }
 
     #[test]

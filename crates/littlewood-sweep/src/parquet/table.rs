@@ -17,7 +17,8 @@ use super::read::read_part;
 use crate::columns::Columns;
 use crate::description::{Description, STORE_FORMAT};
 use crate::disk::UNFINISHED;
-use crate::setup::{places, value};
+use crate::grid::Grid;
+use crate::setup::places;
 use crate::starts::StartList;
 use crate::store::{Format, Header, StoreError, StoreFile};
 
@@ -43,15 +44,21 @@ pub(crate) struct Table {
 impl Table {
     /// The table of a grid. The rows stand chunk by chunk (see [`crate::Chunks`]), each with the quantities of its
     /// point.
-    pub(crate) fn of_grid(description: &Description, chunks: usize) -> Self {
-        Self::new(description.clone(), chunks, Quantity::AXES.to_vec())
+    pub(crate) fn of_grid(description: &Description, chunks: usize, grid: &Grid) -> Self {
+        Self::new(
+            description.clone(),
+            chunks,
+            of_points(grid.base(), |quantity| grid.axis(quantity).is_some()),
+        )
     }
 
     /// The table of a list, one row a start in the order of the list. Where and when the start is has a column if the
     /// list has one.
     pub(crate) fn of_list(description: &Description, chunks: usize, list: &StartList) -> Self {
-        let places = places().filter(|place| list.columns().contains(place));
-        Self::new(description.clone(), chunks, Quantity::AXES.into_iter().chain(places).collect())
+        let has_column = |quantity| list.columns().contains(&quantity);
+        let places = places().filter(|place| has_column(*place));
+        let quantities = of_points(list.base(), has_column).into_iter().chain(places).collect();
+        Self::new(description.clone(), chunks, quantities)
     }
 
     fn new(description: Description, chunks: usize, quantities: Vec<Quantity>) -> Self {
@@ -63,7 +70,7 @@ impl Table {
 
     fn batch(&self, points: &[Setup], columns: &Columns) -> Result<RecordBatch, StoreError> {
         let of_points = self.quantities.iter().map(|&quantity| {
-            let values = points.iter().map(|point| value(point, quantity));
+            let values = points.iter().map(|point| point.get(quantity).unwrap_or(f64::NAN));
             Arc::new(Float64Array::from_iter_values(values)) as ArrayRef
         });
         let results = columns.columns().flat_map(|(column, values)| arrays(column, values));
@@ -85,6 +92,12 @@ impl Table {
         };
         [HEADER, MANIFEST, LOCK].contains(&name) || part(name) == Some(true)
     }
+}
+
+/// What a motion depends on, where the base or a column gives it a value.
+fn of_points(base: &Setup, has_column: impl Fn(Quantity) -> bool) -> Vec<Quantity> {
+    let is_given = |quantity: &Quantity| has_column(*quantity) || base.get(*quantity).is_some();
+    Quantity::AXES.into_iter().filter(is_given).collect()
 }
 
 impl Format for Table {

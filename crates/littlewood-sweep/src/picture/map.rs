@@ -103,11 +103,16 @@ impl Picture {
         let mut parts: Vec<String> = self
             .grid
             .fixed()
+            // A start that does not leave the plane is the rule.
+            .filter(|&(quantity, value)| quantity != Quantity::GapRate || value != 0.0)
             .map(|(quantity, value)| {
                 let rounded = libm::round(value * 1e6) / 1e6;
                 format!("{} {} {rounded}", quantity.sign(), if rounded == value { '=' } else { '≈' })
             })
             .collect();
+        if let Some(law) = self.grid.base().hoop.restitution_law {
+            parts.push(format!("restitution of {}", law.label()));
+        }
         if let Some(until) = self.limits.until {
             parts.push(format!("{} ≤ {until}", Quantity::Until.sign()));
         }

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::error::{ListError, unreadable};
 use super::rows::{ListFormat, Rows};
-use crate::setup::{quantities, value};
+use crate::setup::quantities;
 
 /// A list of starts in a file. Its columns are named as the quantities of a hoop and a start are
 /// ([`Quantity::name`]); what has no column is taken from a base setup.
@@ -48,8 +48,9 @@ impl StartList {
         }
         for column in quantities() {
             if !list.columns.contains(&column) {
-                let checked = column.check(value(&base, column));
-                checked.map_err(|source| ListError::Fixed { column, source })?;
+                if let Some(value) = base.get(column) {
+                    column.check(value).map_err(|source| ListError::Fixed { column, source })?;
+                }
             }
         }
         while let Some((line, point)) = rows.next_row()? {
@@ -113,12 +114,14 @@ impl StartList {
 
     fn check(&self, line: u64, point: &Setup) -> Result<(), ListError> {
         for &column in &self.columns {
-            column.check(value(point, column)).map_err(|source| ListError::BadValue {
-                path: self.path.clone(),
-                line,
-                column,
-                source,
-            })?;
+            if let Some(value) = point.get(column) {
+                column.check(value).map_err(|source| ListError::BadValue {
+                    path: self.path.clone(),
+                    line,
+                    column,
+                    source,
+                })?;
+            }
         }
         Ok(())
     }

@@ -1,0 +1,382 @@
+//! Flights, bounces and their end: against numbers of 25 digits from `reference/bounces.py`, and by their invariants on random
+//! hoops.
+#![allow(clippy::panic)] // a failed expectation
+
+mod common;
+
+use common::{heavy_hoop, heavy_motion, instants, moderate_hoop, start};
+use littlewood::{
+    BouncingOrbit, Cause, Hoop, HoopParameters, Limits, Mode, NoSettling, Outcome, OutcomeKind,
+    PhaseSolution, Restitution, RestitutionLaw, Start, State, Trajectory, find_case,
+};
+use proptest::prelude::*;
+use serde_json::Value;
+
+const BOUNCES: &str = include_str!("../../../reference/bounces.json");
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+}
+
+fn numbers<const N: usize>(value: &Value) -> [f64; N] {
+    let list: Vec<f64> = value.as_array().expect("a list").iter().map(number).collect();
+    list.try_into().expect("as many numbers")
+}
+
+fn data(key: &str) -> Vec<Value> {
+    let data: Value = serde_json::from_str(BOUNCES).expect("reference/bounces.json");
+    data[key].as_array().expect("a list").clone()
+}
+
+fn thrown(value: &Value) -> Start {
+    let [theta, theta_rate, slip, gap_rate] = numbers(value);
+    Start::at(theta, theta_rate).with_slip(slip).with_gap_rate(gap_rate)
+}
+
+#[track_caller]
+fn close(what: &str, ours: f64, theirs: &Value, tolerance: f64) {
+    let theirs = number(theirs);
+    assert!(
+        (ours - theirs).abs() <= tolerance,
+        "{what}: {ours:e} is not {theirs:e}, tolerance {tolerance:e}"
+    );
+}
+
+#[test]
+fn flights_land_where_the_general_solution_does() {
+    for flight in data("flights") {
+        let [mass_ratio, offset, inertia] = numbers(&flight["hoop"]);
+        let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia)).expect("a valid hoop");
+        let start = thrown(&flight["start"]);
+        let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+        let Outcome::Landing { state, gap_rate } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+        let expected = &flight["landing"];
+        let time = number(&expected["time"]);
+        // A short flight is known to its own digits, and where the gap closes slowly its end to their quotient.
+        let slow = (1.0 + start.gap_rate) / number(&expected["gap_rate"]).abs().max(1e-300);
+        let digits = 4e-15 * time * (1.0 + start.theta_rate.abs()) * slow.clamp(1.0, 1e3);
+        let of_angle = 4e-16 * (1.0 + state.theta.abs());
+        let what = format!("{:?} {start:?}", hoop.parameters());
+        close(&format!("{what} time"), state.time, &expected["time"], digits);
+        close(
+            &format!("{what} theta"),
+            state.theta,
+            &expected["theta"],
+            digits * start.theta_rate.abs() + of_angle,
+        );
+        close(
+            &format!("{what} slip"),
+            state.slip,
+            &expected["slip"],
+            10.0 * (digits + of_angle) * (1.0 + start.theta_rate.powi(2)),
+        );
+        close(
+            &format!("{what} gap rate"),
+            gap_rate,
+            &expected["gap_rate"],
+            4.0 * digits * (1.0 + start.theta_rate.powi(2)),
+        );
+    }
+}
+
+fn bouncing(record: &Value) -> (Hoop, Start) {
+    let [mass_ratio, offset, inertia, mu_s, mu_k] = numbers(&record["hoop"]);
+    let law = record["law"].as_str().expect("a law").parse().expect("a law");
+    let hoop = HoopParameters::new(mass_ratio, offset, inertia)
+        .with_friction(mu_s, mu_k)
+        .with_restitution(number(&record["restitution"]), law);
+    (Hoop::new(hoop).expect("a valid hoop"), thrown(&record["start"]))
+}
+
+#[test]
+fn bounces_settle_where_brute_force_at_80_digits_does() {
+    for record in data("bounces") {
+        let (hoop, start) = bouncing(&record);
+        let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+        let settles = motion.transitions().iter().find(|it| it.cause == Cause::Settle);
+        let end = settles.unwrap_or_else(|| panic!("settles: {record}")).after;
+        let expected = &record["end"];
+        let what = record.to_string();
+        close(&what, end.time, &expected["time"], 1e-12);
+        close(&what, end.theta, &expected["theta"], 1e-12);
+        close(&what, end.theta_rate, &expected["theta_rate"], 1e-12);
+        close(&what, end.slip, &expected["slip"], 1e-12);
+        assert_eq!(end.slip == 0.0, record["sticks"].as_bool().expect("a flag"), "{what}");
+    }
+}
+
+/// Numbers of the notes on Figure 3 with e = 0.5, from brute force at 40 digits.
+#[test]
+fn figure_3_settles_and_rolls() {
+    let motion = find_case("figure-3-bounces").expect("a case").simulate().expect("a valid case");
+    let settled = motion.transitions().last().expect("settles");
+    assert_eq!(
+        (settled.cause, settled.from, settled.to),
+        (Cause::Settle, Some(Mode::Flight), Some(Mode::Rolling))
+    );
+    assert!((settled.after.time - 6.924_682_083_018_514).abs() < 1e-12);
+    assert!((settled.after.theta - 15.456_846_136_060_914).abs() < 1e-12);
+    assert!((settled.after.theta_rate - 2.200_410_542_903_205).abs() < 1e-12);
+    assert_eq!(settled.after.slip, 0.0);
+    let rolls = motion.phases().last().expect("rolls").first();
+    assert!((rolls.normal - 6.515_077_719).abs() < 1e-9);
+    assert!((rolls.friction.abs() / rolls.normal - 0.073_26).abs() < 5e-6);
+    let restitution = motion.hoop().restitution().expect("has restitution");
+    let settling = motion.hoop().settling(&settled.after, 1e-12, restitution).expect("settles");
+    assert!((settling.ratio - 0.492_024_505_882_643).abs() < 1e-12);
+}
+
+/// Wherever the sum of the bounces takes over, it leads to the same state but for the square of the time it covers.
+#[test]
+fn the_end_does_not_depend_on_where_the_sum_takes_over() {
+    for record in data("bounces") {
+        let (hoop, start) = bouncing(&record);
+        let restitution = hoop.restitution().expect("has restitution");
+        let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+        let expected = &record["end"];
+        let end = ["time", "theta", "theta_rate", "slip"].map(|key| number(&expected[key]));
+        let mut seen = 0;
+        for transition in motion.transitions().iter().filter(|it| it.cause == Cause::Landing) {
+            let from = transition.after;
+            let left = end[0] - from.time;
+            if !(1e-7..1e-3).contains(&left) {
+                continue;
+            }
+            let opening = transition.impact.expect("an impact").after.gap_rate;
+            let settling = hoop.settling(&from, opening, restitution).expect("settles");
+            let theta = from.theta + from.theta_rate * settling.duration;
+            let found = [
+                from.time + settling.duration,
+                theta,
+                settling.impact.after.theta_rate,
+                settling.impact.after.slip,
+            ];
+            for (ours, theirs) in found.into_iter().zip(end) {
+                // The second derivatives of these motions are of order one, but for the light hoop's.
+                let bound = 1e-12 + 100.0 * left * left;
+                assert!(
+                    (ours - theirs).abs() < bound,
+                    "{record}: {left:e} before the end {ours} is not {theirs}"
+                );
+            }
+            seen += 1;
+        }
+        assert!(seen > 3, "{record}");
+    }
+}
+
+fn restitution() -> impl Strategy<Value = Restitution> {
+    let coefficient = prop_oneof![2 => Just(0.0), 4 => 0.0..=1.0_f64, 1 => Just(1.0), 1 => 0.0..1e-9_f64, 1 => 0.95..=1.0_f64];
+    (coefficient, prop::sample::select(RestitutionLaw::ALL.to_vec()))
+        .prop_map(|(e, law)| Restitution::new(e, law).expect("between 0 and 1"))
+}
+
+/// Starts at rest against the plane, and thrown from it, fast and hardly.
+fn throw() -> impl Strategy<Value = f64> {
+    prop_oneof![2 => Just(0.0), 2 => 0.0..3.0_f64, 1 => (-12.0..0.0_f64).prop_map(|exponent| libm::pow(10.0, exponent))]
+}
+
+fn bouncing_motion() -> impl Strategy<Value = (Hoop, Start)> {
+    (heavy_motion(), restitution(), throw()).prop_map(|((hoop, start), restitution, gap_rate)| {
+        (hoop.with_restitution(restitution).expect("heavy"), start.with_gap_rate(gap_rate))
+    })
+}
+
+fn follow(hoop: &Hoop, start: Start) -> Trajectory {
+    let limits = Limits::until(start.time + 20.0).with_transitions(80);
+    hoop.simulate(start, limits).expect("a valid start")
+}
+
+/// The largest energies that come up in a motion, for rounding errors to be measured by.
+fn size(motion: &Trajectory) -> f64 {
+    let start = motion.start();
+    let rate = motion
+        .transitions()
+        .iter()
+        .flat_map(|it| [it.before, it.after])
+        .chain([start])
+        .fold(0.0_f64, |size, state| size.max(state.theta_rate.abs()).max(state.slip.abs()));
+    1.0 + motion.hoop().mass() * (1.0 + 4.0 * rate * rate)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(800))]
+
+    #[test]
+    fn motions_go_on_from_each_impact_with_what_it_leaves((hoop, start) in bouncing_motion()) {
+        let motion = follow(&hoop, start);
+        let kind = motion.outcome().kind();
+        prop_assert!(kind != OutcomeKind::Landing && kind != OutcomeKind::Singular);
+        let size = size(&motion);
+        for (index, phase) in motion.phases().iter().enumerate() {
+            let Some(event) = motion.end_of(phase) else {
+                prop_assert_eq!(index + 1, motion.phases().len());
+                continue;
+            };
+            prop_assert_eq!(Some(phase.mode()), event.from);
+            prop_assert_eq!(phase.end(), Some(event.before));
+            let Some(next) = motion.phases().get(index + 1) else { continue };
+            prop_assert_eq!(next.start().time, event.after.time);
+            if let Some(impact) = event.impact {
+                prop_assert_eq!(next.start(), event.after);
+                prop_assert_eq!(event.after.slip, impact.after.slip);
+                prop_assert_eq!(event.after.theta_rate, impact.after.theta_rate);
+                // θ, x and the time do not jump.
+                prop_assert_eq!(
+                    (event.after.theta, event.after.x, event.after.time),
+                    (event.before.theta, event.before.x, event.before.time)
+                );
+                prop_assert!(impact.after.gap_rate >= 0.0 && impact.impulse.normal >= 0.0);
+                let lost = phase.last().expect("an end").energy - next.first().energy;
+                prop_assert!(
+                    (lost - impact.energy_lost()).abs() <= 1e-11 * size,
+                    "{} {lost} {}", event.cause, impact.energy_lost()
+                );
+                if hoop.restitution().expect("has it").law() != RestitutionLaw::Newton {
+                    prop_assert!(impact.energy_lost() >= -1e-13 * size, "{impact:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn flights_are_above_the_plane_and_end_at_it((hoop, start) in bouncing_motion()) {
+        let motion = follow(&hoop, start);
+        for phase in motion.phases() {
+            let PhaseSolution::Flight(flight) = phase.solution() else { continue };
+            let rate = phase.start().theta_rate;
+            let duration = flight.duration();
+            // The gap is a difference of lengths of this size.
+            let scale = flight.take_off_rate() * duration + duration * duration * (1.0 + rate * rate);
+            let rounding = 1e-13 * scale.min(4.0 + scale * 1e-3) + 1e-15 * (1.0 + phase.start().theta.abs()) * duration * rate.abs();
+            for elapsed in instants(duration, 40) {
+                prop_assert!(flight.gap(elapsed).0 >= -rounding, "{elapsed} of {duration}: {}", flight.gap(elapsed).0);
+            }
+            let (at, height) = flight.apex();
+            prop_assert!((0.0..=duration).contains(&at) && height >= 0.0);
+            for elapsed in instants(duration, 40) {
+                prop_assert!(flight.gap(elapsed).0 <= height + rounding);
+            }
+            if motion.end_of(phase).is_some() && !flight.settles() {
+                let (gap, gap_rate) = flight.gap(duration);
+                prop_assert!(gap.abs() <= rounding && gap_rate <= rounding / duration.max(1e-300), "{gap} {gap_rate}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_landing_is_where_it_is_without_restitution((hoop, start) in heavy_motion(), restitution in restitution()) {
+        let plain = follow(&hoop, start);
+        let bouncing = follow(&hoop.with_restitution(restitution).expect("heavy"), start);
+        for (ours, theirs) in plain.transitions().iter().zip(bouncing.transitions()) {
+            prop_assert_eq!((ours.before, ours.from, ours.cause), (theirs.before, theirs.from, match theirs.cause {
+                Cause::Jam => Cause::Singularity,
+                cause => cause,
+            }));
+            if theirs.impact.is_some() {
+                break;
+            }
+            prop_assert_eq!((ours.to, ours.direction), (theirs.to, theirs.direction));
+        }
+    }
+
+    #[test]
+    fn the_summary_of_bounces_has_the_numbers_of_the_motion((hoop, start) in bouncing_motion()) {
+        let motion = follow(&hoop, start);
+        let summary = motion.summary();
+        let landings = motion.transitions().iter().filter(|it| it.cause == Cause::Landing).count();
+        prop_assert_eq!(u32::try_from(landings), Ok(summary.landings));
+        let impacts: f64 = motion.transitions().iter().filter_map(|it| it.impact).map(|it| it.energy_lost()).sum();
+        prop_assert_eq!(impacts + 0.0, summary.impact_energy_lost);
+        let last_flight = motion.phases().iter().rposition(|phase| phase.mode() == Mode::Flight);
+        match last_flight.map(|index| motion.end_of(&motion.phases()[index])) {
+            Some(Some(end)) if end.impact.is_some() && end.to != Some(Mode::Flight) => {
+                prop_assert_eq!(summary.settle_time, end.time());
+            }
+            Some(Some(_) | None) | None => prop_assert!(summary.settle_time.is_nan()),
+        }
+    }
+}
+
+/// Two symmetric flights a turn, without slip, for ever: the numbers at φ = 2.2 from the three equations at 40 digits.
+#[test]
+fn the_motion_that_bounces_for_ever_has_the_numbers_of_its_equations() {
+    let hoop = Hoop::figure_2(0.5, 0.4).expect("a valid hoop");
+    let orbit = BouncingOrbit::new(&hoop, 2.2).expect("bounces");
+    assert!((orbit.top_rate - 1.239_306_550_206_238_1).abs() < 1e-15);
+    assert!((orbit.bottom_rate - 1.969_158_481_963_356).abs() < 1e-15);
+    assert!((orbit.gap_rate - 1.274_198_847_857_927_4).abs() < 1e-15);
+    let case = find_case("bounces-forever").expect("a case");
+    let start = case.setup.start;
+    assert_eq!((orbit.start().theta, orbit.start().slip), (start.theta, start.slip));
+    assert!((orbit.start().theta_rate - start.theta_rate).abs() < 1e-15);
+    assert!((orbit.start().gap_rate - start.gap_rate).abs() < 1e-15);
+    let hoop = Hoop::new(case.setup.hoop).expect("a valid hoop");
+    let motion = hoop.simulate(case.setup.start, Limits::until(1000.0)).expect("a valid start");
+    assert_eq!(motion.outcome().kind(), OutcomeKind::TimeLimit);
+    for (index, landing) in motion.transitions().iter().enumerate() {
+        assert_eq!((landing.cause, landing.to), (Cause::Landing, Some(Mode::Flight)));
+        assert!(landing.before.slip.abs() < 1e-11, "{landing:?}");
+        let impact = landing.impact.expect("an impact");
+        assert!(impact.energy_lost().abs() < 1e-11 && (impact.after.gap_rate - orbit.gap_rate).abs() < 1e-11);
+        let turns = 0.5 * (index as f64 + 1.0 - (index % 2) as f64);
+        let half =
+            if index % 2 == 0 { 2.0 * orbit.angle / orbit.top_rate - 0.5 * orbit.period() } else { 0.0 };
+        let expected =
+            turns * orbit.period() + half + if index % 2 == 0 { 0.0 } else { 0.5 * orbit.period() };
+        assert!((landing.time() - expected).abs() < 1e-9, "{index}: {} {expected}", landing.time());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn motions_that_bounce_for_ever_come_back(hoop in moderate_hoop(), angle in 0.05..3.1_f64) {
+        let Some(orbit) = BouncingOrbit::new(&hoop, angle) else { return Ok(()) };
+        // Rough enough for the impacts to stick.
+        let (mu_s, parameters) = (orbit.friction + 0.1, hoop.parameters());
+        let parameters = HoopParameters::new(parameters.mass_ratio, parameters.offset, parameters.inertia)
+            .with_friction(mu_s, mu_s)
+            .with_restitution(1.0, RestitutionLaw::Energetic);
+        let hoop = Hoop::new(parameters).expect("a valid hoop");
+        let limits = Limits::default().with_transitions(2);
+        let motion = hoop.simulate(orbit.start(), limits).expect("a valid start");
+        let [top, bottom] = motion.transitions() else { panic!("two flights: {:?}", motion.transitions()) };
+        let size = 1.0 + orbit.bottom_rate + orbit.period();
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-10 * size * size;
+        prop_assert!(near(top.after.theta, orbit.angle) && near(top.after.theta_rate, orbit.bottom_rate), "{top:?} {orbit:?}");
+        prop_assert!(near(bottom.after.theta, std::f64::consts::TAU - orbit.angle), "{bottom:?} {orbit:?}");
+        prop_assert!(near(bottom.after.theta_rate, orbit.top_rate) && near(bottom.time(), orbit.period()));
+        for impact in [top.impact, bottom.impact].into_iter().flatten() {
+            prop_assert!(near(impact.before.slip, 0.0) && near(impact.energy_lost(), 0.0));
+            prop_assert!(near(impact.after.gap_rate, orbit.gap_rate));
+        }
+    }
+
+    /// No reverse chatter: the drift of the slip in flight is against sign B, where k1 = C + μk |B| exceeds k2.
+    #[test]
+    fn bounces_shrink_by_the_coefficient_of_restitution_at_least(
+        hoop in heavy_hoop(), start in start(), restitution in restitution(), v in 1e-12..1e-3_f64, still in any::<bool>(),
+    ) {
+        let state = State::from(if still { start.with_slip(0.0) } else { start });
+        match hoop.settling(&state, v, restitution) {
+            Ok(settling) => {
+                prop_assert!(settling.ratio <= restitution.coefficient() * (1.0 + 1e-12) && settling.ratio < 1.0);
+                prop_assert!(settling.duration > 0.0 && settling.impact.impulse.normal > 0.0);
+            }
+            Err(NoSettling::Grows { .. }) => prop_assert!(restitution.coefficient() > 1.0 - 1e-12),
+            Err(NoSettling::Unsettled { .. }) => prop_assert!(restitution.coefficient() > 0.98, "{:?}", restitution),
+            Err(other) => prop_assert!(matches!(other, NoSettling::LeavesPlane { .. }), "{other}"),
+        }
+    }
+
+    #[test]
+    fn bounces_that_are_each_as_fast_as_the_last_do_not_settle(hoop in heavy_hoop(), start in start(), v in 1e-9..1e-3_f64) {
+        let state = State::from(start.with_slip(0.0));
+        let elastic = Restitution::new(1.0, RestitutionLaw::Newton).expect("a coefficient");
+        prop_assert!(hoop.settling(&state, v, elastic).is_err());
+        let closed = hoop.settling(&state, 0.0, elastic);
+        prop_assert_eq!(closed, Err(NoSettling::Closed { gap_rate: 0.0 }));
+    }
+}
