@@ -16,6 +16,7 @@ import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
 import { byId } from './dom';
 import { EnergyBar } from './ui/energy-bar';
+import { EventTable } from './ui/event-table';
 import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
 import { ImpactPane } from './ui/impact-pane';
@@ -57,7 +58,8 @@ function start(cases: NamedCase[]): void {
   const fields = new Fields(byId('fields', HTMLDivElement), lab);
   const bar = new ProblemBar(lab, () => clock.pause());
   const transport = new Transport(lab, clock);
-  const story = new Story(lab, go);
+  const story = new Story(lab);
+  const events = new EventTable(lab, go);
   const energy = new EnergyBar(lab);
   const impact = new ImpactPane(lab, palette, draw, go);
   new Share(lab,
@@ -93,6 +95,7 @@ function start(cases: NamedCase[]): void {
       stale.motion = true;
       transport.showMotion();
       story.showMotion();
+      events.showMotion();
       energy.showMotion();
       impact.showMotion();
       bar.show();
@@ -116,6 +119,7 @@ function start(cases: NamedCase[]): void {
       stale.time = true;
       transport.showTime();
       story.showTime();
+      events.showTime();
       energy.showTime();
       impact.showTime();
     }

@@ -17,7 +17,7 @@ const TRANSITIONS: usize = 200;
 pub enum MapSubject {
     /// Its class ([`Class`]).
     Outcome,
-    /// The class of the number of its landings ([`hops`]).
+    /// The number of its landings ([`hops`]).
     Hops,
 }
 
@@ -99,7 +99,18 @@ impl OutcomeMap {
         }
     }
 
-    /// The codes of the classes of all cells, each as the nearest start of this level has it.
+    /// The classes of landings of a level: the least and the largest number of each, in turn.
+    #[wasm_bindgen(js_name = hopClasses)]
+    #[must_use]
+    pub fn hop_classes(&self, stride: usize) -> Vec<u8> {
+        let mut frequencies = [0; 256];
+        for code in self.classes(stride) {
+            frequencies[usize::from(code)] += 1;
+        }
+        hops::classes(&frequencies).concat()
+    }
+
+    /// The codes of the classes, or the numbers of landings, of all cells, each as the nearest start of this level has it.
     #[must_use]
     pub fn classes(&self, stride: usize) -> Vec<u8> {
         let stride = stride.max(1);

@@ -72,7 +72,7 @@ export interface Palette {
   impulse: Readonly<Record<ImpulseLine, string>>;
   energy: Readonly<Record<EnergyPart, string>>;
   accent: Readonly<Record<Accent, string>>;
-  /** A class of landings in a map, the lower the paler. */
+  /** Classes of landings in a map, the fewer the paler. */
   hops: readonly string[];
   /** The region where the hoop can roll, over whatever is below. */
   region: string;

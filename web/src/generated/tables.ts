@@ -341,19 +341,5 @@ export const IMPULSE_UNITS = {
   si: 'N s',
 } as const satisfies Record<System, string>;
 
-/** Classes of motions by their landings. Maps hold a class as its place in this list. */
-export const HOPS = [
-  'no landing',
-  '1 landing',
-  '2',
-  '3',
-  '4–5',
-  '6–10',
-  '11–20',
-  '21–50',
-  '51 or more',
-] as const;
-export type Hops = (typeof HOPS)[number];
-
 /** What a core of the same version says of the order of names. */
-export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever slides_forever in_contact_at_limit particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed; no landing 1 landing 2 3 4–5 6–10 11–20 21–50 51 or more';
+export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever slides_forever in_contact_at_limit particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';

@@ -1,12 +1,19 @@
 // The outcome map as a picture, refined by a worker while nothing else happens.
 
 import type { Palette } from '../generated/palette';
-import { CLASSES, HOPS, type Class, type Hops } from '../generated/tables';
+import { CLASSES, type Class } from '../generated/tables';
 import type { Shows } from '../state/state';
 import type { MapAnswer, MapRequest } from './messages';
 
 /** Starts each way of the finest level. */
 const SIDE = 512;
+
+/** Motions with some numbers of landings, and the place of their colour in the palette. */
+export interface HopClass {
+  least: number;
+  most: number;
+  colour: number;
+}
 
 /** How long a hoop must stand before its map is computed, so that a slider that is dragged does not compute many. */
 const PAUSE = 40;
@@ -17,7 +24,7 @@ export class OutcomePicture {
   /** The classes of outcomes in the picture, the most frequent first. */
   present: Class[] = [];
   /** The classes of landings in the picture, the fewest first. */
-  landings: Hops[] = [];
+  hops: HopClass[] = [];
   private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
   private classes: Uint8Array | null = null;
   private shows: Shows = 'outcome';
@@ -34,6 +41,7 @@ export class OutcomePicture {
       else if (data.kind === 'level' && data.id === this.id) {
         this.classes = data.classes;
         this.shows = data.shows;
+        this.hops = hopClassesOf(data.hopClasses, this.palette.hops.length);
         this.paint();
         // For the benchmark, which reads them from outside.
         performance.mark(`map-${data.stride}`, { detail: data.milliseconds });
@@ -62,7 +70,7 @@ export class OutcomePicture {
     if (!this.classes || !context) return;
     const image = context.createImageData(SIDE, SIDE);
     const pixels = new Uint32Array(image.data.buffer);
-    const colours = coloursOf(this.palette, this.shows);
+    const colours = this.shows === 'outcome' ? coloursOf(CLASSES.map((it) => this.palette.class[it])) : this.hopColours();
     const counts = new Uint32Array(256);
     for (let i = 0; i < pixels.length; i++) {
       const it = this.classes[i]!;
@@ -70,17 +78,33 @@ export class OutcomePicture {
       counts[it]! += 1;
     }
     context.putImageData(image, 0, 0);
-    const found = <T>(list: readonly T[]): number[] => list.map((_, i) => i).filter((i) => counts[i]! > 0);
-    const isOutcome = this.shows === 'outcome';
-    this.present = isOutcome ? found(CLASSES).sort((a, b) => counts[b]! - counts[a]!).map((i) => CLASSES[i]!) : [];
-    this.landings = isOutcome ? [] : found(HOPS).map((i) => HOPS[i]!);
+    const order = CLASSES.map((_, i) => i).filter((i) => counts[i]! > 0).sort((a, b) => counts[b]! - counts[a]!);
+    this.present = this.shows === 'outcome' ? order.map((i) => CLASSES[i]!) : [];
     this.drawn();
+  }
+
+  /** The pixel of each number of landings. */
+  private hopColours(): Uint32Array {
+    const { hops, ink } = this.palette;
+    return coloursOf(Array.from({ length: 256 }, (_, landings) => {
+      const found = this.hops.find(({ least, most }) => least <= landings && landings <= most);
+      return found === undefined ? ink.paper : hops[found.colour]!;
+    }));
   }
 }
 
-/** The pixel of each class, as an image holds it. The last of the landings is that of a start that is not computed. */
-function coloursOf(palette: Palette, shows: Shows): Uint32Array {
-  const colours = shows === 'outcome' ? CLASSES.map((name) => palette.class[name]) : [...palette.hops, palette.ink.paper];
+/** The classes of landings of a map, their colours as far apart as there are. The palest is for no landing. */
+function hopClassesOf(bounds: Uint8Array, colours: number): HopClass[] {
+  const count = bounds.length / 2;
+  const first = bounds[0] === 0 ? 0 : 1;
+  return Array.from({ length: count }, (_, i) => ({
+    least: bounds[2 * i]!, most: bounds[2 * i + 1]!,
+    colour: count === 1 ? first : Math.round(first + ((colours - 1 - first) * i) / (count - 1)),
+  }));
+}
+
+/** Colours as an image holds its pixels. */
+function coloursOf(colours: readonly string[]): Uint32Array {
   return Uint32Array.from(colours, (colour) => {
     const [red, green, blue] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
     return new Uint32Array(Uint8Array.of(red!, green!, blue!, 255).buffer)[0]!;

@@ -16,6 +16,6 @@ export interface MapRequest {
 
 export type MapAnswer =
   | { kind: 'ready' }
-  | { kind: 'level'; id: number; shows: Shows; classes: Uint8Array; side: number; stride: number; milliseconds: number;
-    last: boolean }
+  | { kind: 'level'; id: number; shows: Shows; classes: Uint8Array; hopClasses: Uint8Array; side: number;
+    stride: number; milliseconds: number; last: boolean }
   | { kind: 'failed'; message: string };

@@ -46,8 +46,8 @@ async function work(request: MapRequest): Promise<void> {
       const classes = map.classes(stride);
       const last = stride === STRIDES[STRIDES.length - 1];
       const { id, side, shows } = request;
-      answer({ kind: 'level', id, shows, classes, side, stride, milliseconds: spent, last },
-        [classes.buffer]);
+      const hopClasses = shows === 'hops' ? map.hopClasses(stride) : new Uint8Array();
+      answer({ kind: 'level', id, shows, classes, hopClasses, side, stride, milliseconds: spent, last }, [classes.buffer]);
     }
   } finally {
     map.free();

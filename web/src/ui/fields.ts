@@ -70,7 +70,9 @@ export class Fields {
     input.disabled = this.lab.problem.isMassless;
     if (!slider) return;
     slider.disabled = value === null;
-    if (value === null) slider.setAttribute('aria-valuetext', 'off: the motion ends at the landing');
+    if (value !== null) return;
+    slider.value = slider.min;
+    slider.setAttribute('aria-valuetext', 'off: the motion ends at the landing');
   }
 
   private build(system: System): void {
@@ -97,7 +99,7 @@ export class Fields {
       spellcheck: 'false', 'aria-describedby': `tip-${quantity} message-${quantity}`,
     });
     const text = make('label', { for: `field-${quantity}` }, make('i', {}, label));
-    if (quantity === 'restitution') input.placeholder = 'ends at the landing';
+    if (quantity === 'restitution') input.placeholder = 'off';
     const row = make('div', { class: 'row' }, text, input, make('span', { class: 'unit' }, QUANTITY_ROWS[quantity].unit));
     const range = sliderOf(quantity);
     let slider: HTMLInputElement | null = null;

@@ -1,8 +1,8 @@
 // The pane of the phase plane: drawing in layers, and the start that can be dragged.
 
 import { CURVE_ROWS, CURVES, type Palette } from '../generated/palette';
-import { CLASS_LABELS, COLUMN_ROWS, HOPS } from '../generated/tables';
-import { OutcomePicture } from '../map/client';
+import { CLASS_LABELS, COLUMN_ROWS } from '../generated/tables';
+import { OutcomePicture, type HopClass } from '../map/client';
 import type { Lab } from '../state/lab';
 import { RATES, SHOWS, type Shows } from '../state/state';
 import { Sheet } from '../views/canvas';
@@ -159,13 +159,12 @@ export class PlanePane {
   private showLegend(): void {
     const swatch = (): HTMLElement => make('span', { class: 'swatch', 'aria-hidden': 'true' });
     const computed = this.map.present.filter((name) => name !== 'not_computed');
-    const landings = this.map.landings.map((name) =>
-      make('li', { 'data-hops': String(HOPS.indexOf(name)) }, swatch(), name));
+    const hops = this.map.hops.map((it) => make('li', { 'data-hops': String(it.colour) }, swatch(), labelOfHops(it)));
     this.legend.replaceChildren(
-      ...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])), ...landings);
-    this.legend.setAttribute('aria-label', this.map.landings.length > 0
-      ? 'Colours of the map: landings of a start there'
-      : 'Colours of the map: a start there …');
+      ...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])), ...hops);
+    this.legend.setAttribute('aria-label', hops.length > 0
+      ? 'Colours of the map: how often the motion from there lands'
+      : 'Colours of the outcome map: a start there …');
   }
 
   /** Draws what is stale. */
@@ -202,4 +201,10 @@ export class PlanePane {
     const [theta, rate] = this.start;
     drawStart(c, frame, theta, rate, this.palette);
   }
+}
+
+function labelOfHops({ least, most }: HopClass): string {
+  if (most === 0) return 'no landing';
+  if (most === 1) return '1 landing';
+  return least === most ? String(least) : `${least}–${most}`;
 }

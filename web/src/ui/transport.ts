@@ -77,7 +77,7 @@ export class Transport {
     const { impacts } = this.lab.motion;
     const most = impacts.reduce((most, { impact }) => Math.max(most, Math.abs(impact.lost)), 0) || 1;
     this.marks.replaceChildren(...impacts.map(({ time, impact, sentence, name }) => {
-      const mark = make('span', { class: 'mark', title: sentence, 'data-cause': name });
+      const mark = make('span', { class: 'mark', title: sentence, 'data-arrow': 'impulse', 'data-cause': name });
       mark.style.left = `${part(time)}%`;
       mark.style.height = `${35 + 65 * Math.sqrt(Math.abs(impact.lost) / most)}%`;
       return mark;

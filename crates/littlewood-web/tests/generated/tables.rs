@@ -4,7 +4,7 @@ use littlewood::{
     Cause, Class, Dimension, Group, ImpactCase, Mode, OutcomeKind, Quantity, RestitutionLaw, SampleColumn,
     System,
 };
-use littlewood_web::{dimensionless_quantities, hops, si_quantities};
+use littlewood_web::{dimensionless_quantities, si_quantities};
 
 use crate::source::{Source, object, quoted, quoted_or_null};
 
@@ -166,9 +166,6 @@ fn impacts(source: &mut Source) {
         "The unit of an impulse.",
         impulse.map(|(system, sign)| (system, quoted(sign))),
     );
-    let labels = hops::labels();
-    let doc = "Classes of motions by their landings. Maps hold a class as its place in this list.";
-    source.names("HOPS", "Hops", doc, labels.iter().map(String::as_str));
 }
 
 /// The names in the order of their codes, which are 0, 1, 2, …
