@@ -125,8 +125,9 @@ def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
     return values
 
 
-# Parameters of a hoop that can contradict each other.
-_RELATED = (("mu_s", "mu_k"), ("mass_ratio", "offset", "inertia", "restitution"))
+# Quantities that can contradict each other.
+_BODY = ("mass_ratio", "offset", "inertia")
+_RELATED = (("mu_s", "mu_k"), _BODY, (*_BODY, "restitution"), (*_BODY, "gap_rate"))
 
 
 def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
@@ -134,20 +135,20 @@ def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
 
     Returns the law of restitution that holds, if any.
     """
-    given = [name for name in HOOP if name in values]
-    fixed = {name for name in given if np.ndim(values[name]) == 0 and not is_lazy(values[name])}
+    fixed = {name for name, value in values.items() if np.ndim(value) == 0 and not is_lazy(value)}
     # The parameters that are not looked at are those of a hoop that has a meaning.
-    harmless: dict[str, Any] = {name: 1.0 for name in given}
-    law = Hoop(**harmless, law=law, units=None).law
-    for related in ([name for name in names if name in given] for names in _RELATED):
+    harmless: dict[str, Any] = {name: 1.0 for name in HOOP if not QUANTITIES[name].is_optional}
+    for related in ([name for name in names if name in values] for names in _RELATED):
         varying = [name for name in related if name not in fixed]
         if len(varying) > 1 or any(is_lazy(values[name]) for name in varying):
             continue
         known = {name: _real(name, values[name]) for name in related}
         if varying:
             known[varying[0]] = _worst(varying[0], known)
-        Hoop(**{**harmless, **{name: float(value) for name, value in known.items()}}, units=None)
-    return law
+        numbers = {name: float(value) for name, value in known.items()}
+        thrown = numbers.pop("gap_rate", 0.0)
+        Hoop(**{**harmless, **numbers}, units=None).classify(theta=0.0, theta_rate=0.0, gap_rate=thrown)
+    return Hoop(**harmless, restitution=1.0 if "restitution" in values else None, law=law).law
 
 
 def _worst(name: str, known: Mapping[str, Any]) -> Any:
@@ -158,14 +159,18 @@ def _worst(name: str, known: Mapping[str, Any]) -> Any:
     elif name == "mu_s":
         bad = values < known["mu_k"]
     elif name == "restitution":
-        # A hoop that has no impacts refuses any coefficient.
+        # A massless hoop has no impacts, whatever the coefficient.
         bad = (values >= 0.0) & (values <= 1.0)
+    elif name == "gap_rate":
+        # Nor is it thrown.
+        bad = values > 0.0
     else:
         # Only a zero can make a hoop without any inertia.
         bad = values == 0.0
     if bad.any():
         return values[np.argmax(bad)]
-    return known["mu_k" if name == "mu_s" else "mu_s"] if name in ("mu_s", "mu_k") else 1.0
+    harmless = {"mu_s": known.get("mu_k"), "mu_k": known.get("mu_s"), "gap_rate": 0.0}
+    return harmless.get(name, 1.0)
 
 
 def broadcast(values: Mapping[str, Any], law: str | None) -> Points:

@@ -1,3 +1,4 @@
+import dataclasses
 import os
 import signal
 import time
@@ -80,6 +81,24 @@ def test_coordinates_of_dask(hoop, client):
     plain = lw.simulate_many(hoop, theta=theta.data, theta_rate=rate.data, until=30.0)
     assert plain.outcome.dims == ("start",)
     assert bits(plain.compute()) == bits(eager.isel(floor=2))
+
+
+def test_bounces_have_the_bits_of_one_machine(hoop, client):
+    axes = {
+        "restitution": np.linspace(0.0, 0.9, 10),
+        "theta": np.linspace(-3, 3, 40),
+        "theta_rate": np.array([1.5, 2.5]),
+    }
+    eager = lw.outcome_map(hoop, **axes, law="poisson", until=20.0)
+    lazy = lw.outcome_map(hoop, **axes, law="poisson", until=20.0, chunks={"restitution": 3, "theta": 17})
+    assert bits(lazy.compute()) == bits(eager)
+    assert lazy.attrs["restitution_law"] == "poisson"
+    # Another law is another result.
+    assert bits(lw.outcome_map(hoop, **axes, law="newton", until=20.0)) != bits(eager)
+    thrown = {"theta": axes["theta"], "theta_rate": 1.0, "gap_rate": np.linspace(0.0, 1.0, 5)}
+    bouncy = dataclasses.replace(hoop, restitution=0.5)
+    eager = lw.outcome_map(bouncy, **thrown, until=20.0)
+    assert bits(lw.outcome_map(bouncy, **thrown, until=20.0, chunks=9).compute()) == bits(eager)
 
 
 def test_few_starts_a_block_change_no_bit(hoop, client):

@@ -49,6 +49,51 @@ def test_it_recovers_what_was_put_in(hoop, guess):
     assert 0.4 < np.mean(np.square(pulls)) < 2.0
 
 
+# Figure 3 with e = 0.5: a landing that sticks, two that slip, and bounces that settle in rolling.
+BOUNCES = {"theta": math.pi / 2, "theta_rate": 2.0}
+RESTITUTION = ("mu_s", "mu_k", "inertia", "restitution")
+
+
+def test_it_recovers_the_restitution_from_bounces(hoop, guess):
+    motion = dataclasses.replace(hoop, restitution=0.5).simulate(**BOUNCES)
+    pulls = []
+    for seed in range(6):
+        track = tracked(motion, seed, end=8.5, channels=("theta", "x", "y"))
+        # Nothing is known of the coefficient at first, not even that there is one.
+        result = lw.fit(track, guess, free=RESTITUTION)
+        assert result.motion.sequence == motion.sequence
+        assert result.hoop.law == "energetic"
+        assert result.reduced_chi_square == pytest.approx(1.0, abs=0.1)
+        for name in ("mu_k", "inertia", "restitution"):
+            estimate = result.estimates[name]
+            assert estimate.identifiable
+            true = 0.5 if name == "restitution" else getattr(hoop, name)
+            pulls.append((estimate.value - true) / estimate.std_error)
+        assert result.estimates["restitution"].std_error < 0.001
+    # 18 errors over standard errors, 3 of each motion correlated: a mean square of 1, to about √(2/6).
+    assert np.max(np.abs(pulls)) < 4.5
+    assert np.mean(np.square(pulls)) < 1.0 + 4.0 * math.sqrt(2 / 6)
+
+
+def test_a_known_restitution_follows_the_landing(hoop, guess):
+    bouncy = dataclasses.replace(hoop, restitution=0.3, law="newton")
+    motion = bouncy.simulate(**BOUNCES)
+    wrong = dataclasses.replace(bouncy, mu_k=0.3)
+    result = lw.fit(tracked(motion, 5, end=6.0, channels=("theta", "x", "y")), wrong, free=("mu_k",))
+    assert (result.hoop.restitution, result.hoop.law) == (0.3, "newton")
+    estimate = result.estimates["mu_k"]
+    assert abs(estimate.value - hoop.mu_k) < 4.5 * estimate.std_error
+    assert result.reduced_chi_square == pytest.approx(1.0, abs=0.1)
+
+
+def test_without_an_impact_there_is_no_restitution_to_see(hoop):
+    rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
+    with pytest.warns(lw.IdentifiabilityWarning, match="restitution .no impact was seen") as caught:
+        result = lw.fit(tracked(rolling, 1, end=15.0), hoop, free=("inertia", "restitution"))
+    assert caught[0].message.parameters == ("restitution",)
+    assert result.estimates["restitution"].std_error == math.inf
+
+
 def test_given_sigmas_are_taken(hoop, guess):
     track = tracked(hoop.simulate(**THROW), 0)
     result = lw.fit(track, guess, slips_at_start=True, sigma={"theta": NOISE, "x": NOISE})

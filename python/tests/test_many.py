@@ -1,3 +1,4 @@
+import dataclasses
 import math
 import os
 import signal
@@ -31,6 +32,98 @@ def test_a_few_starts_are_those_of_simulate(hoop):
         assert str(lw.sequence_names(result.sequence)[i]) == motion.sequence
         assert result.end_time[i] == motion.outcome.state.time
         assert result.transitions[i] == len(motion.transitions)
+
+
+def impacts_of(motion):
+    """Number of landings, energy lost in impacts, and time from which on the rim stays at the plane."""
+    events = [one for one in motion.transitions if one.impact is not None]
+    stays = [one.time for one in events if one.from_mode == "flight" and one.to_mode != "flight"]
+    away = any(phase.mode == "flight" for phase in motion.phases if stays and phase.start_time >= stays[-1])
+    settle = math.nan if away or not stays else stays[-1]
+    landings = sum(one.cause == "landing" for one in motion.transitions)
+    return landings, sum(one.impact.energy_lost for one in events), settle
+
+
+@pytest.mark.parametrize("law", lw.RESTITUTION_LAWS)
+def test_what_follows_a_landing_is_that_of_simulate(law, hoop):
+    e = np.array([0.0, 0.25, 0.5, 0.8, 1.0])
+    theta = np.linspace(-3.0, 3.0, 7)
+    result = lw.outcome_map(hoop, restitution=e, theta=theta, theta_rate=2.5, law=law, until=12.0)
+    assert dict(result.sizes) == {"restitution": 5, "theta": 7}
+    assert result.attrs["restitution_law"] == law
+    assert result.restitution.attrs["long_name"] == "coefficient of restitution"
+    assert result.landings.dtype == np.uint32
+    for i, j in np.ndindex(5, 7):
+        point = result.isel(restitution=i, theta=j)
+        bounces = dataclasses.replace(hoop, restitution=e[i], law=law)
+        motion = bounces.simulate(theta=theta[j], theta_rate=2.5, until=12.0)
+        landings, lost, settle = impacts_of(motion)
+        assert lw.OUTCOMES[int(point.outcome)] == motion.outcome.kind
+        assert point.landings == landings
+        assert point.end_theta == motion.outcome.state.theta
+        assert float(point.impact_energy_lost) == pytest.approx(lost, abs=1e-13)
+        np.testing.assert_equal(float(point.settle_time), settle)
+    assert result.landings.max() > 3
+    assert result.settle_time.notnull().any()
+
+
+def test_tables_change_only_the_last_digits_of_what_follows_a_landing(hoop):
+    soft = dataclasses.replace(hoop, restitution=0.0)
+    theta = np.linspace(-3.0, 3.0, 100)
+    tabulated = lw.simulate_many(soft, theta=theta, theta_rate=2.5, until=20.0)
+    # Each with a hoop of its own there are none.
+    exact = lw.simulate_many(soft, theta=theta, theta_rate=2.5, until=20.0, mu_s=np.full(100, 0.5))
+    parts = [lw.simulate_many(soft, theta=part, theta_rate=2.5, until=20.0) for part in np.split(theta, 5)]
+    for name in ("outcome", "sequence", "landings"):
+        np.testing.assert_array_equal(tabulated[name], np.concatenate([part[name] for part in parts]))
+        np.testing.assert_array_equal(exact[name], tabulated[name])
+    for name in ("end_theta", "impact_energy_lost", "settle_time"):
+        np.testing.assert_allclose(tabulated[name], np.concatenate([part[name] for part in parts]), rtol=1e-10)
+
+
+def test_a_rate_of_the_gap_is_an_axis(hoop):
+    result = lw.outcome_map(hoop, gap_rate=[0.0, 0.5, 1.0], theta=0.5, theta_rate=0.0)
+    assert dict(result.sizes) == {"gap_rate": 3}
+    assert result.gap_rate.attrs["scale"] == "sqrt(g R)"
+    # At rest a thrown hoop comes down after 2v.
+    assert result.end_time.values[1:] == pytest.approx([1.0, 2.0], abs=1e-14)
+    assert lw.OUTCOMES[int(result.outcome[0])] != "landing"
+
+
+def test_without_a_coefficient_there_is_none(hoop):
+    result = lw.simulate_many(hoop, theta=[1.5, 2.0], theta_rate=2.0, until=10.0)
+    assert "restitution" not in result.coords
+    assert "restitution_law" not in result.attrs
+    assert result.landings.values.tolist() == [1, 1]
+    assert result.impact_energy_lost.values.tolist() == [0.0, 0.0]
+    with_one = lw.simulate_many(hoop, restitution=0.5, theta=[1.5, 2.0], theta_rate=2.0, until=10.0)
+    assert with_one.restitution.values == 0.5
+    assert with_one.attrs["restitution_law"] == "energetic"
+    # NaN is no way to say that there is none.
+    with pytest.raises(lw.ParameterError, match="restitution = NaN must be a finite number") as caught:
+        lw.simulate_many(hoop, restitution=[0.5, math.nan], theta=1.5, theta_rate=2.0)
+    assert caught.value.index == 1
+    with pytest.raises(lw.ParameterError, match=r"restitution = 1.5 must not exceed 1") as caught:
+        lw.outcome_map(hoop, restitution=[0.5, 1.0, 1.5], theta=1.5, theta_rate=2.0)
+    assert caught.value.index == 2
+    with pytest.raises(lw.ParameterError, match="without a coefficient the motion ends"):
+        lw.simulate_many(hoop, law="newton", theta=[1.5], theta_rate=2.0)
+
+
+def test_a_massless_hoop_has_no_impact(hoop):
+    massless = lw.case("figure-7").hoop
+    with pytest.raises(lw.ParameterError, match=r"restitution = 0.25 of a massless hoop"):
+        lw.simulate_many(massless, restitution=[0.25, 0.5], theta=0.0, theta_rate=0.5)
+    with pytest.raises(lw.ParameterError, match=r"restitution = 0.5 of a massless hoop"):
+        lw.simulate_many(massless, restitution=0.5, theta=[0.0, 1.0], theta_rate=0.5)
+    # Where both vary, the hoops that contradict themselves are marked.
+    mixed = lw.outcome_map(massless, restitution=[0.0, 0.5], inertia=[0.0, 1.0], theta=0.0, theta_rate=0.5, until=5.0)
+    assert (mixed.outcome == 255).values.tolist() == [[True, False], [True, False]]
+    # Nor is it thrown.
+    with pytest.raises(lw.ParameterError, match=r"gap_rate = 0.5 of a massless hoop"):
+        lw.outcome_map(massless, gap_rate=[0.0, 0.5], theta=0.0, theta_rate=0.5)
+    thrown = lw.outcome_map(massless, gap_rate=[0.0, 0.5], inertia=[0.0, 1.0], theta=0.0, theta_rate=0.5)
+    assert (thrown.outcome == 255).values.tolist() == [[False, False], [True, False]]
 
 
 def test_arrays_may_start_anywhere_in_memory(hoop):

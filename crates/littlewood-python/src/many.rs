@@ -106,6 +106,7 @@ fn rows_of_hoop(
             };
             match summary {
                 Ok(summary) => rows.push((i, summary)),
+                Err(error) if error.is_contradiction() => rows.push((i, Summary::INVALID)),
                 Err(error) => return Ok(Err(Refused(i, error))),
             }
         }
