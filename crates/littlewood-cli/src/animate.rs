@@ -6,9 +6,11 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use littlewood_film::{ApngFilm, Encoder, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace};
+use littlewood_film::{
+    ApngFilm, Encoder, EnergyBar, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace,
+};
 
-use crate::args::{AnimateArgs, Camera};
+use crate::args::{AnimateArgs, Bar, Camera};
 use crate::error::Error;
 use crate::interrupt;
 use crate::output::Output;
@@ -36,7 +38,18 @@ enum Kind {
 /// # Errors
 /// Bad input, a failure to write, or Ctrl-C.
 pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
-    let AnimateArgs { problem, run, out, slow, fps, size: (width, height), camera, hold } = args;
+    let AnimateArgs {
+        problem,
+        run,
+        out,
+        slow,
+        fps,
+        size: (width, height),
+        camera,
+        hold,
+        slow_impacts,
+        energy_bar,
+    } = args;
     let kind = kind_of(&out)?;
     let size = FrameSize::new(width, height).map_err(|error| Error::Film(error.into()))?;
     let mut request = Request::new(&problem, Some(&run))?;
@@ -52,8 +65,13 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
         Camera::Follow => Framing::Follow,
     };
     let trajectory = problem.simulate()?;
-    let pace = Pace { fps, slow, units, hold_s: hold };
-    let film = Film::new(&trajectory, &pace, size, framing).map_err(Error::Film)?;
+    let pace = Pace { fps, slow, units, hold_s: hold, slow_impacts };
+    let bar = match energy_bar {
+        Bar::Auto => EnergyBar::Auto,
+        Bar::Always => EnergyBar::Always,
+        Bar::Never => EnergyBar::Never,
+    };
+    let film = Film::new(&trajectory, &pace, size, framing).map_err(Error::Film)?.with_energy_bar(bar);
     let output = Output::open(Some(&out))?;
     match kind {
         Kind::Gif => write(output, |writer| {

@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).ok_or("name a folder")?);
     for (file, case, slow) in FILMS {
         let motion = find_case(case).ok_or("no such case")?.simulate()?;
-        let pace = Pace { fps: 25, slow, units: None, hold_s: None };
+        let pace = Pace { fps: 25, slow, units: None, hold_s: None, slow_impacts: None };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto)?;
         let mut encoder = GifFilm::new(Vec::new(), &film)?;
         film.play(&mut encoder, |_| true)?;

@@ -6,7 +6,7 @@ use littlewood::{Hoop, Position, SampleColumn};
 
 use crate::camera::View;
 use crate::canvas::{Canvas, Place};
-use crate::colour::{FRICTION_FORCE, INK, LINE, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode};
+use crate::colour::{FRICTION_FORCE, IMPULSE, INK, LINE, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode};
 use crate::letters::Style;
 use crate::scene::{DrawnArrow, Scene};
 use crate::trail::{Step, Trail};
@@ -118,6 +118,26 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
             style,
             NORMAL_FORCE,
         );
+    }
+}
+
+/// The impulse of an impact, with its parts in words.
+pub(crate) fn draw_impulse(canvas: &mut Canvas, view: &View, scene: &Scene, words: &[String], unit: f64) {
+    let Some(impulse) = scene.impulse else { return };
+    let (tail, head) = (view.place(impulse.tail), view.place(impulse.head));
+    let length = libm::hypot(head.0 - tail.0, head.1 - tail.1);
+    if length < unit {
+        return;
+    }
+    draw_arrow(canvas, tail, head, false, IMPULSE, 1.4 * unit);
+    // On the side where the particle is not.
+    let (side, anchor) = if scene.particle.x > scene.centre.x { (-9.0, 1.0) } else { (9.0, 0.0) };
+    let style = Style { size: 11.5 * unit, is_bold: true, anchor };
+    for (i, words) in words.iter().enumerate() {
+        // Above the plane, however short the arrow is.
+        let top = (head.1 + 4.0 * unit).min(tail.1 - 20.0 * unit);
+        let place = (head.0 + side * unit, top + 14.0 * i as f64 * unit);
+        canvas.label(words, place, style, IMPULSE);
     }
 }
 

@@ -1,18 +1,33 @@
 //! A film: a motion, and how it is shown.
 
-use littlewood::{Trajectory, Units};
+use littlewood::{Position, Trajectory, Units};
 
-use crate::body::{draw_arrows, draw_body, draw_trail};
+use crate::bar::{COLUMN, Column, draw_bar};
+use crate::body::{draw_arrows, draw_body, draw_impulse, draw_trail};
 use crate::camera::{Camera, EXAMINED, Framing, Window};
 use crate::canvas::Canvas;
 use crate::encoder::Encoder;
 use crate::error::FilmError;
 use crate::ground::{draw_contact, draw_plane};
+use crate::impacts::ShownImpact;
+use crate::ledger::{EnergyParts, Ledger};
 use crate::panel::{FOOT, HEAD, Panel, short};
-use crate::scene::{ArrowScale, Scene};
+use crate::scene::{ArrowScale, DrawnImpulse, Scene};
 use crate::schedule::{Pace, Schedule};
 use crate::size::FrameSize;
 use crate::trail::Trail;
+
+/// Whether a film shows where the energy of the start has gone.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum EnergyBar {
+    /// Where impacts take energy: for a hoop with a coefficient of restitution.
+    #[default]
+    Auto,
+    /// Yes.
+    Always,
+    /// No.
+    Never,
+}
 
 /// A film of a motion.
 ///
@@ -24,8 +39,32 @@ pub struct Film<'a> {
     camera: Camera,
     scale: ArrowScale,
     size: FrameSize,
+    framing: Framing,
     units: Option<Units>,
     note: String,
+    slow_impacts: Option<f64>,
+    impacts: Vec<ShownImpact>,
+    energies: Option<Energies>,
+}
+
+/// The energy of a motion, and the largest sum of its parts that the bar has to show.
+#[derive(Debug)]
+struct Energies {
+    ledger: Ledger,
+    most: f64,
+}
+
+impl Energies {
+    fn new(trajectory: &Trajectory, end: f64) -> Option<Self> {
+        let ledger = Ledger::new(trajectory)?;
+        // Newton's law can gain energy.
+        let most = trajectory
+            .sample_evenly(EXAMINED, end)
+            .filter_map(|sample| ledger.parts(&sample, false))
+            .map(|parts| parts.start - parts.impacts.min(0.0))
+            .fold(0.0, f64::max);
+        Some(Self { ledger, most })
+    }
 }
 
 impl<'a> Film<'a> {
@@ -40,13 +79,50 @@ impl<'a> Film<'a> {
         framing: Framing,
     ) -> Result<Self, FilmError> {
         let schedule = Schedule::new(trajectory, pace)?;
-        let u = size.unit();
-        let (width, height) = (f64::from(size.width()), f64::from(size.height()));
-        let window = Window { left: 0.0, top: HEAD * u, width, height: height - (HEAD + FOOT) * u };
+        let impacts = ShownImpact::all(trajectory, schedule.end());
         let samples = trajectory.sample_evenly(EXAMINED, schedule.end());
-        let scale = ArrowScale::fitting(trajectory.hoop(), samples);
-        let camera = Camera::new(trajectory, &schedule, framing, window, u, scale);
-        Ok(Self { trajectory, schedule, camera, scale, size, units: pace.units, note: note(pace) })
+        let scale = ArrowScale::fitting(trajectory.hoop(), samples, &impacts);
+        let energies = Self::energies(EnergyBar::Auto, trajectory, &schedule);
+        let window = window_of(size, energies.is_some());
+        let camera = Camera::new(trajectory, &schedule, framing, window, size.unit(), scale);
+        let (units, note, slow_impacts) = (pace.units, note(pace), pace.slow_impacts);
+        Ok(Self {
+            trajectory,
+            schedule,
+            camera,
+            scale,
+            size,
+            framing,
+            units,
+            note,
+            slow_impacts,
+            impacts,
+            energies,
+        })
+    }
+
+    fn energies(bar: EnergyBar, trajectory: &Trajectory, schedule: &Schedule) -> Option<Energies> {
+        let is_shown = match bar {
+            EnergyBar::Auto => trajectory.hoop().restitution().is_some(),
+            EnergyBar::Always => true,
+            EnergyBar::Never => false,
+        };
+        is_shown.then(|| Energies::new(trajectory, schedule.end())).flatten()
+    }
+
+    /// The same film with a bar of the energy, or without.
+    #[must_use]
+    pub fn with_energy_bar(self, bar: EnergyBar) -> Self {
+        let energies = Self::energies(bar, self.trajectory, &self.schedule);
+        let window = window_of(self.size, energies.is_some());
+        let unit = self.size.unit();
+        let camera = Camera::new(self.trajectory, &self.schedule, self.framing, window, unit, self.scale);
+        Self { camera, energies, ..self }
+    }
+
+    /// Whether impulses or energies are drawn, which have inks of their own.
+    pub(crate) const fn has_energies(&self) -> bool {
+        self.energies.is_some() || !self.impacts.is_empty()
     }
 
     /// The instants of the frames.
@@ -72,9 +148,35 @@ impl<'a> Film<'a> {
     /// # Errors
     /// None of a film that could be made.
     pub fn scene(&self, index: u64) -> Result<Scene, FilmError> {
-        let sample = self.trajectory.at(self.schedule.time(index));
+        let moment = self.schedule.moment(index);
+        let replayed = moment.impact.and_then(|(number, share)| Some((self.impacts.get(number)?, share)));
+        if let Some((shown, share)) = replayed {
+            return Ok(Scene::in_impact(shown, share, self.scale));
+        }
+        let sample = self.trajectory.at(moment.time);
         let sample = sample.ok_or(FilmError::NoMotion { outcome: self.trajectory.outcome().kind() })?;
-        Ok(Scene::of(sample, self.scale))
+        Ok(Scene { impulse: self.impulse(index), ..Scene::of(sample, self.scale) })
+    }
+
+    /// The largest of the impulses that are still to be seen at a frame.
+    fn impulse(&self, index: u64) -> Option<DrawnImpulse> {
+        self.impacts
+            .iter()
+            .enumerate()
+            .filter(|impact| self.schedule.shows(index, *impact))
+            .map(|(_, shown)| shown)
+            .max_by(|a, b| a.impact.impulse.normal.total_cmp(&b.impact.impulse.normal))
+            .map(|shown| DrawnImpulse::new(shown, 1.0, self.scale))
+    }
+
+    /// What the energy at the start has become, if the film shows it.
+    ///
+    /// # Errors
+    /// None of a film that could be made.
+    pub fn energy(&self, index: u64) -> Result<Option<EnergyParts>, FilmError> {
+        let Some(energies) = &self.energies else { return Ok(None) };
+        let is_before = self.schedule.moment(index).impact.is_some();
+        Ok(energies.ledger.parts(&self.scene(index)?.sample, is_before))
     }
 
     /// Draws all frames and hands them to an encoder. `watch` is called with the number of frames done; it returns whether to go on.
@@ -144,11 +246,28 @@ impl<'a> Reel<'a> {
         draw_body(canvas, &view, &scene, film.trajectory.hoop(), unit);
         draw_contact(canvas, &view, &scene, &panel.gap(&scene), unit);
         draw_arrows(canvas, &view, &scene, unit);
+        draw_impulse(canvas, &view, &scene, &panel.impulse(&scene), unit);
+        if let (Some(parts), Some(energies)) = (film.energy(index)?, &film.energies) {
+            let Window { left, top, width, .. } = window_of(film.size, true);
+            let floor = view.place(Position { x: 0.0, y: 0.0 }).1.min(film.camera.floor());
+            draw_bar(canvas, Column { left: left + width, top, bottom: floor }, &parts, energies.most, unit);
+        }
         let is_last = index + 1 == film.schedule.frames() && !film.schedule.closes();
         let outcome = is_last.then(|| film.trajectory.outcome());
         panel.draw_moving(canvas, &scene, &film.schedule, outcome);
+        if let Some(factor) = film.slow_impacts.filter(|_| film.schedule.is_slow(index)) {
+            panel.draw_slow(canvas, factor);
+        }
         Ok(canvas.data())
     }
+}
+
+/// Where the motion is seen, beside the bar if there is one.
+fn window_of(size: FrameSize, has_bar: bool) -> Window {
+    let u = size.unit();
+    let (width, height) = (f64::from(size.width()), f64::from(size.height()));
+    let column = if has_bar { COLUMN * u } else { 0.0 };
+    Window { left: 0.0, top: HEAD * u, width: width - column, height: height - (HEAD + FOOT) * u }
 }
 
 /// How much slower than the motion the film is.

@@ -37,7 +37,7 @@ impl<W: Write> GifFilm<W> {
         if fps > MOST_FPS {
             return Err(FilmError::FrameRate { fps, most: MOST_FPS, format: "GIF" });
         }
-        let quantiser = Quantiser::new();
+        let quantiser = Quantiser::new(film.has_energies());
         let side = |pixels: u32| u16::try_from(pixels).map_err(|_| FilmError::from(SizeError { size }));
         let (width, height) = (side(size.width())?, side(size.height())?);
         let mut encoder = GifEncoder::new(writer, width, height, &quantiser.table()).map_err(error)?;

@@ -10,7 +10,7 @@
 //! use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 //!
 //! let motion = find_case("figure-3").expect("a named case").simulate()?;
-//! let pace = Pace { fps: 5, slow: 1.0, units: None, hold_s: None };
+//! let pace = Pace { fps: 5, slow: 1.0, units: None, hold_s: None, slow_impacts: None };
 //! let film = Film::new(&motion, &pace, FrameSize::new(320, 180)?, Framing::Auto)?;
 //! let mut gif = GifFilm::new(Vec::new(), &film)?;
 //! film.play(&mut gif, |_frames_done| true)?;
@@ -34,6 +34,7 @@
 //! depend on the processor, with its vector code or without.
 
 mod apng;
+mod bar;
 mod body;
 mod camera;
 mod canvas;
@@ -43,6 +44,8 @@ mod error;
 mod film;
 mod gif;
 mod ground;
+mod impacts;
+mod ledger;
 mod letters;
 mod mp4;
 mod panel;
@@ -50,15 +53,17 @@ mod quantise;
 mod scene;
 mod schedule;
 mod size;
+mod timeline;
 mod trail;
 
 pub use apng::ApngFilm;
 pub use camera::Framing;
 pub use encoder::Encoder;
 pub use error::FilmError;
-pub use film::Film;
+pub use film::{EnergyBar, Film};
 pub use gif::GifFilm;
+pub use ledger::EnergyParts;
 pub use mp4::Mp4Film;
-pub use scene::{ArrowScale, DrawnArrow, Scene};
+pub use scene::{ArrowScale, DrawnArrow, DrawnImpulse, Scene};
 pub use schedule::{Pace, Schedule, Shown};
 pub use size::{FrameSize, SizeError};

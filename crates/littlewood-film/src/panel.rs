@@ -6,7 +6,7 @@ use littlewood::{
 
 use crate::body::{draw_arrow, draw_mass_centre};
 use crate::canvas::Canvas;
-use crate::colour::{FRICTION_FORCE, INK, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode, on_mode};
+use crate::colour::{FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode, on_mode};
 use crate::letters::Style;
 use crate::scene::Scene;
 use crate::schedule::Schedule;
@@ -60,6 +60,7 @@ impl Panel {
     ) {
         let u = self.unit;
         let (top, tall) = (self.height - 52.0 * u, 15.0 * u);
+        let mut last = None;
         for band in self.bands(trajectory, schedule) {
             canvas.rectangle((band.from, top), band.to - band.from, tall, of_mode(band.mode));
             let style = self.style(10.5, true, 0.5);
@@ -67,10 +68,14 @@ impl Panel {
                 let place = (0.5 * (band.from + band.to), top + 11.2 * u);
                 canvas.words(&band.words, place, style, on_mode(band.mode));
             }
-            if band.from > MARGIN * u + 0.5 {
+            // Between bounces that are shorter than can be seen there is nothing to set off.
+            let is_dense = last == Some(band.mode) && band.to - band.from < 4.0 * u;
+            last = Some(band.mode);
+            if band.from > MARGIN * u + 0.5 && !is_dense {
                 canvas.rectangle((band.from - 0.5 * u, top), u, tall, PAPER);
             }
         }
+        self.draw_impacts(canvas, trajectory, schedule);
         let style = self.style(10.0, false, 0.0);
         let base = self.height - 9.0 * u;
         canvas.words(&parameters(trajectory.hoop()), (MARGIN * u, base), style, SOFT);
@@ -82,11 +87,7 @@ impl Panel {
     fn bands(&self, trajectory: &Trajectory, schedule: &Schedule) -> Vec<Band> {
         let left = MARGIN * self.unit;
         let wide = self.width - 2.0 * left;
-        let span = schedule.end() - schedule.start();
-        let place = |time: f64| {
-            let part = if span > 0.0 { (time - schedule.start()) / span } else { 1.0 };
-            left + wide * part.clamp(0.0, 1.0)
-        };
+        let place = |time: f64| self.place_of(time, schedule);
         let mut bands = Vec::new();
         for phase in trajectory.phases() {
             let (from, to) = (place(phase.start().time), place(phase.end_time()));
@@ -103,6 +104,28 @@ impl Panel {
             }
         }
         bands
+    }
+
+    /// A mark over the line of phases for each impact.
+    fn draw_impacts(&self, canvas: &mut Canvas, trajectory: &Trajectory, schedule: &Schedule) {
+        let u = self.unit;
+        let top = self.height - 52.0 * u;
+        for transition in trajectory.transitions().iter().filter(|transition| transition.impact.is_some()) {
+            let time = transition.time();
+            if time > schedule.end() {
+                break;
+            }
+            let place = self.place_of(time, schedule);
+            canvas.rectangle((place - 0.8 * u, top - 4.0 * u), 1.6 * u, 4.0 * u, IMPULSE);
+        }
+    }
+
+    /// Where a time stands on the line of phases.
+    fn place_of(&self, time: f64, schedule: &Schedule) -> f64 {
+        let left = MARGIN * self.unit;
+        let span = schedule.end() - schedule.start();
+        let part = if span > 0.0 { (time - schedule.start()) / span } else { 1.0 };
+        left + (self.width - 2.0 * left) * part.clamp(0.0, 1.0)
     }
 
     /// The signs and what they stand for, in a row.
@@ -140,6 +163,10 @@ impl Panel {
             let at = word(canvas, 20.0 * u, &format!("{words} {}", column.sign()));
             draw_arrow(canvas, (at, middle), (at + 19.0 * u, middle), false, colour, 0.8 * u);
         }
+        if hoop.restitution().is_some() {
+            let at = word(canvas, 20.0 * u, "impulse (J, P)");
+            draw_arrow(canvas, (at, middle), (at + 19.0 * u, middle), false, IMPULSE, 0.8 * u);
+        }
     }
 
     /// What changes from frame to frame.
@@ -162,7 +189,8 @@ impl Panel {
         let wide = widest + 22.0 * u;
         canvas.pill((left, 9.0 * u), wide, 22.0 * u, of_mode(scene.mode()));
         canvas.words(&words, (left + 0.5 * wide, 25.2 * u), style, on_mode(scene.mode()));
-        if let Some(note) = outcome.as_ref().and_then(note_of) {
+        let impact = || scene.impulse.map(|impulse| format!("impact: {}", impulse.case.label()));
+        if let Some(note) = outcome.as_ref().and_then(note_of).or_else(impact) {
             canvas.words(&note, (left + wide + 10.0 * u, 25.0 * u), self.style(13.0, true, 0.0), INK);
         }
         let clock = self.style(18.0, false, 1.0);
@@ -173,12 +201,25 @@ impl Panel {
             let indent = canvas.width_of(name, self.style(12.0, true, 0.0));
             canvas.words(&value, (x + indent, 49.0 * u), self.style(12.0, false, 0.0), INK);
         }
-        let span = schedule.end() - schedule.start();
-        let part = if span > 0.0 { ((scene.time() - schedule.start()) / span).clamp(0.0, 1.0) } else { 1.0 };
-        let x = left + (self.width - 2.0 * left) * part;
+        let x = self.place_of(scene.time(), schedule);
         let top = self.height - 52.0 * u;
         canvas.rectangle((x - 2.2 * u, top - 2.5 * u), 4.4 * u, 20.0 * u, PAPER);
         canvas.rectangle((x - 1.2 * u, top - 2.5 * u), 2.4 * u, 20.0 * u, INK);
+    }
+
+    /// How much slower the film is than elsewhere.
+    pub(crate) fn draw_slow(&self, canvas: &mut Canvas, factor: f64) {
+        let u = self.unit;
+        let place = (self.width - MARGIN * u, 47.0 * u);
+        canvas.words(&format!("{} × slower", short(factor)), place, self.style(11.0, true, 1.0), INK);
+    }
+
+    /// The normal and the friction impulse that the scene shows.
+    pub(crate) fn impulse(&self, scene: &Scene) -> Vec<String> {
+        let of = |sign: &str, value: f64| format!("{sign} = {}", self.value(value, Dimension::Impulse));
+        scene.impulse.map_or_else(Vec::new, |drawn| {
+            vec![of("P", drawn.impulse.normal), of("J", drawn.impulse.friction)]
+        })
     }
 
     fn clock(&self, time: f64) -> String {
@@ -239,6 +280,7 @@ fn parameters(hoop: &Hoop) -> String {
     let words: Vec<String> = Quantity::HOOP
         .into_iter()
         .filter_map(|quantity| Some(format!("{} = {}", quantity.sign(), short(setup.get(quantity)?))))
+        .chain(hoop.restitution().map(|restitution| format!("({})", restitution.law())))
         .collect();
     words.join("   ")
 }

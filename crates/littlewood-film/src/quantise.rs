@@ -11,8 +11,9 @@ pub(crate) const TRANSPARENT: u8 = 0;
 /// Steps from each ink to the paper.
 const STEPS: u16 = 12;
 
-/// Levels of red, green and blue of the colours for all other mixtures.
+/// Levels of red, green and blue of the colours for all other mixtures; fewer where there are more inks.
 const LEVELS: [u16; 3] = [5, 6, 4];
+const FEWER_LEVELS: [u16; 3] = [4, 5, 3];
 
 /// Maps colours to the nearest of 255.
 #[derive(Debug)]
@@ -23,14 +24,16 @@ pub(crate) struct Quantiser {
 }
 
 impl Quantiser {
-    pub(crate) fn new() -> Self {
+    /// For films with impulses or energies, or without.
+    pub(crate) fn new(with_energies: bool) -> Self {
         let mut colours: Vec<Rgb> = vec![PAPER];
         let mut add = |colour: Rgb| {
             if !colours[1..].contains(&colour) && colours.len() < 256 {
                 colours.push(colour);
             }
         };
-        let inks = colour::all();
+        let inks = colour::all(with_energies);
+        let levels = if with_energies { FEWER_LEVELS } else { LEVELS };
         inks.iter().copied().for_each(&mut add);
         for step in 1..STEPS {
             for ink in &inks {
@@ -41,10 +44,10 @@ impl Quantiser {
                 add(Rgb([mix(0), mix(1), mix(2)]));
             }
         }
-        for r in 0..LEVELS[0] {
-            for g in 0..LEVELS[1] {
-                for b in 0..LEVELS[2] {
-                    let level = |value: u16, i: usize| (value * 255 / (LEVELS[i] - 1)) as u8;
+        for r in 0..levels[0] {
+            for g in 0..levels[1] {
+                for b in 0..levels[2] {
+                    let level = |value: u16, i: usize| (value * 255 / (levels[i] - 1)) as u8;
                     add(Rgb([level(r, 0), level(g, 1), level(b, 2)]));
                 }
             }
@@ -86,9 +89,15 @@ mod tests {
 
     #[test]
     fn inks_are_kept_and_mixtures_are_near() {
-        let mut quantiser = Quantiser::new();
+        for with_energies in [false, true] {
+            inks_are_kept(with_energies);
+        }
+    }
+
+    fn inks_are_kept(with_energies: bool) {
+        let mut quantiser = Quantiser::new(with_energies);
         assert_eq!(quantiser.table().len(), 768);
-        for ink in colour::all() {
+        for ink in colour::all(with_energies) {
             let index = quantiser.index(ink);
             assert!(index != TRANSPARENT);
             assert_eq!(quantiser.colours[usize::from(index)], ink);

@@ -1,6 +1,8 @@
 //! What is where at an instant: the body, the contact, the forces, in radii.
 
-use littlewood::{Hoop, Mode, Position, Sample};
+use littlewood::{Hoop, ImpactCase, Impulse, Mode, Position, Sample};
+
+use crate::impacts::ShownImpact;
 
 /// Longest arrow, in radii. A longer one is cut there and drawn with two heads.
 const LONGEST: f64 = 1.7;
@@ -10,6 +12,9 @@ const LONGEST: f64 = 1.7;
 const WEIGHT: [f64; 2] = [0.15, 0.6];
 const VELOCITY: [f64; 2] = [0.1, 1.0];
 
+/// Length of the largest impulse of a motion, in radii.
+const IMPULSE: f64 = 1.3;
+
 /// Lengths of arrows: one scale for both forces, so that their sum is the reaction of the plane, and one for the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArrowScale {
@@ -17,11 +22,17 @@ pub struct ArrowScale {
     pub force: f64,
     /// Radii for the velocity √(gR).
     pub velocity: f64,
+    /// Radii for the impulse m2 √(gR).
+    pub impulse: f64,
 }
 
 impl ArrowScale {
     /// Scales with which the largest arrow of these instants has room.
-    pub(crate) fn fitting(hoop: &Hoop, samples: impl Iterator<Item = Sample>) -> Self {
+    pub(crate) fn fitting(
+        hoop: &Hoop,
+        samples: impl Iterator<Item = Sample>,
+        impacts: &[ShownImpact],
+    ) -> Self {
         let (mut force, mut velocity) = (0.0_f64, 0.0_f64);
         for sample in samples.filter(|sample| sample.mode.touches_plane()) {
             force = force.max(sample.normal.abs()).max(sample.friction.abs());
@@ -33,7 +44,39 @@ impl ArrowScale {
         Self {
             force: weight.clamp(WEIGHT[0], WEIGHT[1]) / hoop.mass(),
             velocity: (LONGEST / velocity).clamp(VELOCITY[0], VELOCITY[1]),
+            impulse: impulse_scale(impacts),
         }
+    }
+}
+
+fn impulse_scale(impacts: &[ShownImpact]) -> f64 {
+    let size = |impulse: Impulse| libm::hypot(impulse.normal, impulse.friction);
+    let largest = impacts.iter().map(|shown| size(shown.impact.impulse)).fold(0.0, f64::max);
+    if largest > 0.0 { IMPULSE / largest } else { IMPULSE }
+}
+
+/// The impulse of an impact as an arrow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnImpulse {
+    /// The point of contact.
+    pub tail: Position,
+    /// Where it ends.
+    pub head: Position,
+    /// The impulse up to now: while the impact is replayed it grows.
+    pub impulse: Impulse,
+    /// What the contact point does in the impact.
+    pub case: ImpactCase,
+}
+
+impl DrawnImpulse {
+    pub(crate) fn new(shown: &ShownImpact, share: f64, scale: ArrowScale) -> Self {
+        let impulse = shown.impulse_at(share);
+        let tail = shown.place;
+        let head = Position {
+            x: tail.x + scale.impulse * impulse.friction,
+            y: tail.y + scale.impulse * impulse.normal,
+        };
+        Self { tail, head, impulse, case: shown.impact.case }
     }
 }
 
@@ -84,6 +127,8 @@ pub struct Scene {
     pub friction: Option<DrawnArrow>,
     /// Slip velocity η′ of the contact point; none in flight.
     pub slip: Option<DrawnArrow>,
+    /// Impulse of an impact that is past by no more than a moment, or that is being replayed.
+    pub impulse: Option<DrawnImpulse>,
 }
 
 impl Scene {
@@ -105,7 +150,15 @@ impl Scene {
             normal: arrow((0.0, 1.0), sample.normal, scale.force),
             friction: arrow((1.0, 0.0), sample.friction, scale.force),
             slip: arrow((1.0, 0.0), sample.state.slip, scale.velocity),
+            impulse: None,
         }
+    }
+
+    /// The scene in an impact of which a share has passed: the body stands, and the slip velocity changes.
+    pub(crate) fn in_impact(shown: &ShownImpact, share: f64, scale: ArrowScale) -> Self {
+        let scene = Self::of(shown.before, scale);
+        let slip = DrawnArrow::along((1.0, 0.0), shown.place, shown.slip_at(share), scale.velocity);
+        Self { slip, impulse: Some(DrawnImpulse::new(shown, share, scale)), ..scene }
     }
 
     /// Time τ.

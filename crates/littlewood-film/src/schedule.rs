@@ -1,8 +1,10 @@
 //! Which instant each frame shows, and for how long.
 
-use littlewood::{OutcomeKind, RecurrenceKind, Trajectory, Units};
+use littlewood::{OutcomeKind, RecurrenceKind, Trajectory, Transition, Units};
 
 use crate::error::FilmError;
+use crate::impacts::ShownImpact;
+use crate::timeline::{Moment, Timeline};
 
 /// Most frames of a film: at 25 frames per second more than an hour.
 const MOST_FRAMES: u64 = 100_000;
@@ -12,6 +14,12 @@ pub(crate) const MOST_FPS: u32 = 240;
 
 /// Longest time that the last picture stays, in seconds.
 const LONGEST_HOLD: f64 = 60.0;
+
+/// Transitions shown of a motion that bounces until it is stopped.
+const BOUNCES: usize = 8;
+
+/// Seconds for which an impulse stays in the picture.
+const STAYS_S: f64 = 0.8;
 
 /// Time shown of a motion that lasts for ever and has no period.
 const HORIZON: f64 = 10.0;
@@ -27,6 +35,9 @@ pub struct Pace {
     pub units: Option<Units>,
     /// Time for which the last picture stays, in seconds; the default is 1.5, and 0 for a film that closes.
     pub hold_s: Option<f64>,
+    /// How many times slower the film runs about the impacts, if it does; in each of them it stands still while the
+    /// impulse grows. Small impacts are not slowed down.
+    pub slow_impacts: Option<f64>,
 }
 
 impl Pace {
@@ -37,7 +48,7 @@ impl Pace {
 }
 
 /// The instants of the frames.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
     start: f64,
     end: f64,
@@ -47,6 +58,8 @@ pub struct Schedule {
     frames: u64,
     hold_ms: u32,
     closes: bool,
+    /// Where the film is slower about impacts.
+    timeline: Option<Timeline>,
 }
 
 /// When a frame is shown.
@@ -79,7 +92,13 @@ impl Schedule {
         }
         let start = trajectory.start().time;
         let (end, closes) = shown_until(trajectory);
-        let intervals = libm::ceil((end - start) * pace.seconds() * f64::from(fps) - 1e-9).max(0.0);
+        let timeline = pace
+            .slow_impacts
+            .map(|factor| slowed(trajectory, [start, end], pace.seconds(), factor))
+            .transpose()?
+            .flatten();
+        let seconds = timeline.as_ref().map_or((end - start) * pace.seconds(), Timeline::seconds);
+        let intervals = libm::ceil(seconds * f64::from(fps) - 1e-9).max(0.0);
         let frames = intervals + if closes { 0.0 } else { 1.0 };
         if frames > MOST_FRAMES as f64 {
             return Err(FilmError::TooLong { frames, most: MOST_FRAMES });
@@ -96,6 +115,7 @@ impl Schedule {
             frames: frames.max(1.0) as u64,
             hold_ms: libm::round(1e3 * hold_s) as u32,
             closes,
+            timeline,
         })
     }
 
@@ -139,10 +159,38 @@ impl Schedule {
     /// late.
     #[must_use]
     pub fn time(&self, index: u64) -> f64 {
+        self.moment(index).time
+    }
+
+    /// What a frame shows.
+    pub(crate) fn moment(&self, index: u64) -> Moment {
+        let evenly = |time: f64| Moment { time, is_slow: false, impact: None };
         if index + 1 >= self.frames && !self.closes {
-            return self.end;
+            return evenly(self.end);
         }
-        (self.start + index as f64 * self.step).min(self.end)
+        let slowed = self.timeline.as_ref().and_then(|timeline| timeline.moment(self.second(index)));
+        slowed.unwrap_or_else(|| evenly((self.start + index as f64 * self.step).min(self.end)))
+    }
+
+    /// Whether the film runs more slowly at a frame.
+    #[must_use]
+    pub fn is_slow(&self, index: u64) -> bool {
+        self.moment(index).is_slow
+    }
+
+    fn second(&self, index: u64) -> f64 {
+        index as f64 / f64::from(self.fps)
+    }
+
+    /// Whether the impulse of an impact is still in the picture at a frame: for a short while, and as long as the film is
+    /// slow.
+    pub(crate) fn shows(&self, index: u64, (number, impact): (usize, &ShownImpact)) -> bool {
+        let second = self.second(index);
+        let [from, until] = match &self.timeline {
+            Some(timeline) => timeline.after(number).unwrap_or_else(|| [timeline.second(impact.time); 2]),
+            None => [(impact.time - self.start) / (self.step * f64::from(self.fps)); 2],
+        };
+        second >= from && second <= until.max(from + STAYS_S)
     }
 
     /// When a frame is shown.
@@ -184,13 +232,31 @@ const fn rounded(numerator: u64, denominator: u64) -> u64 {
     (2 * numerator + denominator) / (2 * denominator)
 }
 
+/// Slower about the impacts; none where there is no impact.
+fn slowed(
+    trajectory: &Trajectory,
+    times: [f64; 2],
+    pace: f64,
+    factor: f64,
+) -> Result<Option<Timeline>, FilmError> {
+    if !(factor.is_finite() && factor >= 1.0) {
+        return Err(FilmError::SlowImpacts { factor });
+    }
+    let impacts = ShownImpact::all(trajectory, times[1]);
+    Ok((!impacts.is_empty()).then(|| Timeline::new(times, pace, factor, &impacts)))
+}
+
 /// Up to when a motion is shown, and whether it is back at its start then.
 fn shown_until(trajectory: &Trajectory) -> (f64, bool) {
     let end = trajectory.end_time();
+    let outcome = trajectory.outcome();
+    if outcome.kind() == OutcomeKind::TransitionLimit && trajectory.hoop().restitution().is_some() {
+        let stopped = trajectory.transitions().get(BOUNCES).map_or(end, Transition::time);
+        return (stopped, false);
+    }
     if end.is_finite() {
         return (end, false);
     }
-    let outcome = trajectory.outcome();
     let since = outcome.state().time;
     let Some((recurrence, period)) = outcome.recurrence().and_then(|recurrence| {
         Some((recurrence.kind(), recurrence.period().filter(|period| period.is_finite())?))

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use littlewood::{Mode, Position, Trajectory, Transition};
+use littlewood::{Mode, Position, Trajectory};
 
 use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;
@@ -31,14 +31,14 @@ impl Step {
 #[derive(Debug)]
 pub(crate) struct Trail {
     steps: VecDeque<Step>,
-    /// Number of the next grid instant and of the next transition.
+    /// Number of the next grid instant and of the phase that it is in.
     next: u64,
-    transition: usize,
+    phase: usize,
 }
 
 impl Trail {
     pub(crate) const fn new() -> Self {
-        Self { steps: VecDeque::new(), next: 0, transition: 0 }
+        Self { steps: VecDeque::new(), next: 0, phase: 0 }
     }
 
     /// Extends the trail to a time.
@@ -51,16 +51,17 @@ impl Trail {
     ) {
         loop {
             let time = schedule.start() + self.next as f64 * (schedule.step() / FINENESS as f64);
-            let change = trajectory.transitions().get(self.transition).map(Transition::time);
+            let phases = trajectory.phases();
+            let phase = phases.get(self.phase).filter(|phase| trajectory.end_of(phase).is_some());
+            let change = phase.map(littlewood::Phase::end_time);
             match change {
                 Some(change) if change <= time && change <= until => {
-                    let phases = trajectory.phases();
-                    let before = phases.get(self.transition).and_then(littlewood::Phase::last);
-                    let after = phases.get(self.transition + 1).map(littlewood::Phase::first);
+                    let before = phase.and_then(littlewood::Phase::last);
+                    let after = phases.get(self.phase + 1).map(littlewood::Phase::first);
                     for sample in before.into_iter().chain(after) {
                         self.push(Step::of(&Scene::of(sample, scale)));
                     }
-                    self.transition += 1;
+                    self.phase += 1;
                 }
                 _ if time <= until => {
                     if let Some(sample) = trajectory.at(time) {

@@ -14,7 +14,7 @@ fn motion(name: &str) -> Trajectory {
 }
 
 fn film(motion: &Trajectory, fps: u32, size: (u32, u32)) -> Film<'_> {
-    let pace = Pace { fps, slow: 1.0, units: None, hold_s: None };
+    let pace = Pace { fps, slow: 1.0, units: None, hold_s: None, slow_impacts: None };
     Film::new(motion, &pace, FrameSize::new(size.0, size.1).expect("it can be made"), Framing::Auto)
         .expect("it can be made")
 }
@@ -106,7 +106,7 @@ fn the_committed_films_are_what_is_drawn() {
         ("libration", "figure-2-libration", 1.25),
     ] {
         let motion = motion(case);
-        let pace = Pace { fps: 25, slow, units: None, hold_s: None };
+        let pace = Pace { fps: 25, slow, units: None, hold_s: None, slow_impacts: None };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto).unwrap();
         let committed = fs::read(folder.join(file).with_extension("gif")).unwrap();
         assert!(committed.len() < 1_500_000);

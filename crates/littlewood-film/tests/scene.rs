@@ -8,7 +8,7 @@ fn motion(name: &str) -> Trajectory {
 }
 
 fn film(motion: &Trajectory) -> Film<'_> {
-    let pace = Pace { fps: 20, slow: 3.0, units: None, hold_s: None };
+    let pace = Pace { fps: 20, slow: 3.0, units: None, hold_s: None, slow_impacts: None };
     Film::new(motion, &pace, FrameSize::default(), Framing::Auto).expect("it can be made")
 }
 

@@ -4,7 +4,7 @@ use littlewood::{Limits, OutcomeKind, Trajectory, Units, find_case};
 use littlewood_film::{FilmError, Pace, Schedule, Shown};
 use proptest::prelude::*;
 
-const PACE: Pace = Pace { fps: 25, slow: 3.0, units: None, hold_s: None };
+const PACE: Pace = Pace { fps: 25, slow: 3.0, units: None, hold_s: None, slow_impacts: None };
 
 fn motion(name: &str) -> Trajectory {
     find_case(name).expect("a named case").simulate().expect("it can be simulated")

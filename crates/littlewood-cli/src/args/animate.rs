@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use super::{ProblemArgs, RunArgs, number, size};
 
 pub(super) const ANIMATE: &str = "\
-Make a film of a motion: hoop, particle, contact point, gap, forces, slip velocity, mode and clock.
+Make a film of a motion: hoop, particle, contact point, gap, forces, impulses of impacts, slip velocity, mode and clock.
 
 The motion is given as in `simulate`; `libration` is short for figure-2-libration. A motion that lasts for ever is shown \
 for one oscillation, two turns, or 10 units of time, unless --until says otherwise.
@@ -20,6 +20,7 @@ Examples:
   littlewood animate figure-3 --out figure-3.gif
   littlewood animate figure-7 --slow 6 --fps 50 --size 1280x720 --out figure-7.png
   littlewood animate libration --fps 60 --size 1920x1080 --out libration.mp4
+  littlewood animate figure-3-bounces --slow-impacts 8 --out bounces.gif
   littlewood animate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --slow 10 --out hula-hoop.gif";
 
 /// Arguments of `littlewood animate`.
@@ -45,9 +46,27 @@ pub(crate) struct AnimateArgs {
     /// What the picture shows of the path
     #[arg(long, value_enum, default_value_t = Camera::Auto, help_heading = "Film")]
     pub(crate) camera: Camera,
+    /// How many times slower the film runs about impacts; in each of them it stands still while the impulse grows. Small
+    /// bounces are not slowed down
+    #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
+    pub(crate) slow_impacts: Option<f64>,
+    /// Show where the energy of the start has gone: kinetic, potential, lost to friction, lost in impacts
+    #[arg(long, value_enum, default_value_t = Bar::Auto, help_heading = "Film")]
+    pub(crate) energy_bar: Bar,
     /// Seconds for which the last picture stays [default: 1.5, and 0 for an oscillation, which goes on where it began]
     #[arg(long, value_name = "S", value_parser = number, help_heading = "Film")]
     pub(crate) hold: Option<f64>,
+}
+
+/// When the energy is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Bar {
+    /// If the hoop has a coefficient of restitution
+    Auto,
+    /// In any case
+    Always,
+    /// Not at all
+    Never,
 }
 
 /// What the picture shows of the path.

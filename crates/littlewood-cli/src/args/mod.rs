@@ -8,7 +8,7 @@ mod problem;
 mod quantity;
 mod sweep;
 
-pub(crate) use animate::{AnimateArgs, Camera};
+pub(crate) use animate::{AnimateArgs, Bar, Camera};
 pub(crate) use figures::{FigureFormat, FiguresArgs};
 pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;
