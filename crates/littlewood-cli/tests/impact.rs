@@ -423,8 +423,9 @@ fn samples_have_both_sides_of_each_jump() {
             assert_eq!(after["theta_rate"], event["theta_rate"]);
             assert_eq!(before["mode"], event["from"]);
             assert_eq!(after["mode"], event["to"]);
-            // Bounces that settle are too small to be resolved, to 1e-7.
-            let tolerance = if event["cause"] == "settle" { 1e-7 } else { 1e-12 };
+            // The flight of bounces that settle leaves out their rates, up to 1e-7.
+            let is_short = number(&event["impact"]["before"]["gap_rate"]).abs() < 1e-6;
+            let tolerance = if event["cause"] != "jam" && is_short { 1e-7 } else { 1e-12 };
             let lost = number(&before["energy"]) - number(&after["energy"]);
             assert_close(lost, number(&event["impact"]["energy_lost"]), tolerance);
         }

@@ -53,9 +53,13 @@ fn many_bounces_share_a_row_unless_all_are_asked_for() {
     assert_eq!(of("flight"), landings, "{page}");
     assert_eq!(of("bounces"), 1, "those without number");
     assert!(page.contains(&format!("\nLandings {landings}; ")), "{page}");
-    // The row of many has the number of the rows that it stands for.
-    let (first, last) = words(together[0])[0].split_once('–').expect("a range");
-    let count = last.parse::<usize>().expect("a number") - first.parse::<usize>().expect("a number") + 1;
+    // The row of many has the number of its first flight, the next that of the phase behind its last.
+    let first = words(together[0])[0]
+        .strip_suffix('…')
+        .expect("the first number")
+        .parse::<usize>()
+        .expect("a number");
+    let count = words(next)[0].parse::<usize>().expect("a number") - first;
     assert_eq!(words(together[0])[1], count.to_string());
     assert_eq!(folded.len(), all.len() - (2 * (count - 1) + 1) + 1, "{page}");
 }

@@ -104,7 +104,7 @@ impl Rows<'_> {
                 let (Some(first), Some(last)) = (phases.first(), phases.last()) else { return Vec::new() };
                 let impacts = phases.iter().filter_map(|phase| self.trajectory.end_of(phase)?.impact);
                 vec![self.row(
-                    [format!("{}–{}", range.start + 1, range.end), format!("{} bounces", range.len())],
+                    [format!("{}…", range.start + 1), format!("{} bounces", range.len())],
                     &first.start(),
                     last.end_time() - first.start().time,
                     impacts.map(|impact| lost(&impact)).sum(),
