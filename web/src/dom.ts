@@ -34,5 +34,5 @@ export function line(width: number, dash: readonly number[]): SVGElement {
 /** Up to `digits` significant digits, with a true minus. */
 export function brief(value: number, digits = 5): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : value < 0 ? '−∞' : '–';
-  return String(Number(value.toPrecision(digits))).replace('-', '−');
+  return String(Number(value.toPrecision(digits))).replaceAll('-', '−');
 }

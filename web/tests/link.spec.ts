@@ -61,6 +61,12 @@ const BAD: [string, string, RegExp][] = [
   ['theta=NaN', 'theta', /'NaN' is not a number/],
   ['mu_s=%', 'mu_s', /'%' is not a number/],
   ['mass_ratio=0&offset=0&inertia=0', 'offset', /no equation of motion/],
+  ['restitution=1.5', 'restitution', /restitution = 1.5 must not exceed 1/],
+  ['restitution=NaN', 'restitution', /'NaN' is not a number/],
+  ['restitution_law=newton', 'restitution', /restitution_law = newton without restitution/],
+  ['mass_ratio=0&inertia=0&restitution=0.5', 'restitution', /massless/],
+  ['mass_ratio=0&inertia=0&gap_rate=0.5', 'gap_rate', /massless/],
+  ['gap_rate=-1', 'gap_rate', /must not be negative/],
 ];
 for (const [state, name, message] of BAD) {
   test(`a bad link, ${state}, is reported beside the field`, async ({ page }) => {

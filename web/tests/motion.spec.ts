@@ -49,7 +49,7 @@ test('figure 7 has the times of its closed form', async ({ page }) => {
 test('every named case is in the menu and shows its motion', async ({ page }) => {
   await open(page);
   const names = await page.locator('#case option:not([value=""])').evaluateAll((all) => all.map((it) => (it as HTMLOptionElement).value));
-  expect(names).toHaveLength(14);
+  expect(names).toHaveLength(19);
   // What the titles of the cases say.
   const then: Record<string, string[] | null> = {
     'figure-3': ['sliding', 'rolling', 'sliding', 'flight', 'ends'],
@@ -62,6 +62,8 @@ test('every named case is in the menu and shows its motion', async ({ page }) =>
     'type-1': ['rolling', 'gliding', 'ends'],
     'type-2': ['rolling', 'gliding', 'ends'],
     painleve: ['ends', 'ends'],
+    'lands-and-rolls': ['sliding', 'flight', 'rolling', 'rolling'],
+    jam: ['–', 'rolling', 'sliding', 'rolling', 'sliding', 'flight', 'rolling', 'rolling'],
   };
   for (const name of names) {
     await page.locator('#case').selectOption(name);
@@ -73,6 +75,7 @@ test('every named case is in the menu and shows its motion', async ({ page }) =>
     if (name === 'type-1') expect((await events(page))[1]!.cause).toBe('N = 0');
     if (name === 'type-3') expect((await events(page))[1]!.cause).toBe('slip');
     if (name === 'glide-to-roll') expect(found.slice(0, 3)).toEqual(['gliding', 'rolling', 'gliding']);
+    if (name === 'two-hops') expect(found.filter((it) => it === 'flight')).toHaveLength(2);
     if (name === 'stick-slip-no-jump') {
       expect(found).not.toContain('flight');
       expect(found.length).toBeGreaterThan(4);

@@ -10,7 +10,10 @@ import { events, open, pixelOf, ready } from './lab';
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
-    for (const state of ['case=figure-3&at=0.7', 'case=figure-7&at=2.4', 'case=painleve', 'mu_k=7']) {
+    for (const state of [
+      'case=figure-3&at=0.7', 'case=figure-7&at=2.4', 'case=painleve', 'mu_k=7', 'case=figure-3-bounces&at=6&shows=hops',
+      'case=jam&map=0', 'mu_s=0.6&mu_k=0.3&restitution=0.6&map=0',
+    ]) {
       await open(page, state);
       await page.reload();
       await ready(page);
@@ -24,15 +27,16 @@ for (const colorScheme of ['light', 'dark'] as const) {
 }
 
 test('every view is drawn, and nothing is wider than the screen', async ({ page }, info) => {
-  for (const [theme, width, height] of [['light', 1440, 900], ['dark', 1440, 900], ['light', 1024, 768], ['light', 390, 844]] as const) {
+  const screens = [['light', 1440, 900], ['dark', 1440, 900], ['light', 1280, 800], ['light', 1024, 768], ['light', 390, 844]] as const;
+  for (const [[theme, width, height], name] of screens.flatMap((it) => [[it, 'figure-3'], [it, 'figure-3-bounces']] as const)) {
     await page.setViewportSize({ width, height });
-    await open(page, `case=figure-3&at=1.2&theme=${theme}`);
+    await open(page, `case=${name}&at=1.2&theme=${theme}`);
     await page.reload();
     await ready(page);
     await expect(page.locator('html[data-map=done]')).toBeAttached();
-    await page.screenshot({ path: info.outputPath(`${theme}-${width}.png`), fullPage: width < 1000 });
+    await page.screenshot({ path: info.outputPath(`${name}-${theme}-${width}.png`), fullPage: width < 1000 });
     // Something is drawn on every canvas: not all of its pixels are alike.
-    for (const id of ['hoop', 'plane-base', 'plane-top']) {
+    for (const id of ['hoop', 'plane-base', 'plane-top', ...(name === 'figure-3' ? [] : ['routh'])]) {
       const alike = await page.locator(`#${id}`).evaluate((canvas: HTMLCanvasElement) => {
         const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
         const pixels = new Uint32Array(data.buffer);
@@ -120,9 +124,10 @@ test('every quantity of the tables has a field with its unit, and every curve it
   await expect(page.locator('#curves li')).toHaveText([...CURVES.map((it) => CURVE_ROWS[it].label), '𝓡: can roll']);
   const shown = async (): Promise<string[][]> =>
     page.locator('#fields .row').evaluateAll((rows) =>
-      rows.map((row) => [row.querySelector('input')!.name, row.querySelector('.unit')!.textContent ?? '']));
+      rows.filter((row) => row.querySelector('input')).map((row) =>
+        [row.querySelector('input')!.name, row.querySelector('.unit')!.textContent ?? '']));
   for (const names of [[...DIMENSIONLESS, 'until'], [...SI, 'until_s']] as const) {
-    expect(new Set(await shown())).toEqual(new Set(names.map((name) => [name, QUANTITY_ROWS[name].unit])));
+    expect(new Set(await shown())).toEqual(new Set([...names, 'restitution' as const].map((name) => [name, QUANTITY_ROWS[name].unit])));
     await page.locator('#si').check();
   }
 });

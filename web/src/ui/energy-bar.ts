@@ -6,6 +6,9 @@ import { COLUMN_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { brief, byId, make } from '../dom';
 
+/** A part of the energy that is less than this is rounding. */
+const ROUNDING = 1e-12;
+
 interface Part {
   name: EnergyPart;
   bar: HTMLElement;
@@ -44,9 +47,9 @@ export class EnergyBar {
     const first = motion.energies(motion.begin);
     const total = first === null ? 0 : this.total(first);
     // A law that gains energy needs more room than the start.
-    const gains = Math.min(0, ...motion.impacts.map(({ time }) => motion.energies(time)?.lost_in_impacts ?? 0));
-    this.most = total - gains || 1;
-    this.start.hidden = gains === 0;
+    const gained = Math.max(0, ...motion.impacts.map(({ time }) => -(motion.energies(time)?.lost_in_impacts ?? 0)));
+    this.most = total + gained || 1;
+    this.start.hidden = gained < ROUNDING * total;
     this.start.style.left = `${(100 * total) / this.most}%`;
     this.showTime();
   }
@@ -57,8 +60,7 @@ export class EnergyBar {
     const energies = motion.energies(time);
     for (const { name, bar, text, value } of this.parts) {
       const part = (energies?.[name] ?? 0) / this.most;
-      // Less than this is rounding.
-      const energy = Math.abs(part) < 1e-12 ? 0 : part * this.most;
+      const energy = Math.abs(part) < ROUNDING ? 0 : part * this.most;
       bar.style.width = `${Math.max(0, 100 * part)}%`;
       text.textContent = energy < 0 ? ENERGY_LABELS[name].replace('lost', 'gained') : ENERGY_LABELS[name];
       value.textContent = energies === null ? '–' : brief(Math.abs(energy) * units.energy, 4);

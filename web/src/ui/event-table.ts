@@ -47,7 +47,7 @@ export class EventTable {
       const shown = run.isFolded ? run.events : run.events.slice(0, rest);
       hidden -= shown.length;
       const folded = run.isFolded ? this.folded(run.events.length) : null;
-      for (const event of shown) this.rows.set(event, folded ?? this.row(event));
+      for (const event of shown) this.rows.set(event, folded ?? this.row(event, events[events.indexOf(event) + 1]));
       this.body.append(...(folded ? [folded] : shown.map((event) => this.rows.get(event)!)));
     }
     byId('more-events', HTMLParagraphElement).textContent = hidden > 0 ? `and ${hidden} more: the exports have them all` : '';
@@ -60,24 +60,29 @@ export class EventTable {
       const { signs, units: { si } } = COLUMN_ROWS[column];
       return make('th', { scope: 'col' }, `${signs[system]}${what}${system === 'si' ? ` [${si}]` : ''}`);
     };
+    this.body.parentElement?.classList.toggle('tight', withImpacts);
     byId('event-heads', HTMLTableRowElement).replaceChildren(
       head('time'), make('th', { scope: 'col' }, 'event'), make('th', { scope: 'col' }, 'then'), ...STATE.map((it) => head(it)),
       ...(withImpacts ? [make('th', { scope: 'col' }, 'impact'), head('energy', ' lost')] : []));
   }
 
-  private row(event: Event): HTMLTableRowElement {
-    const { units } = this.lab;
+  private row(event: Event, next: Event | undefined): HTMLTableRowElement {
+    const { units, motion: { impacts } } = this.lab;
     const number = (column: 'time' | (typeof STATE)[number]): string => digits(event[column] * units[column]);
     const button = make('button', { type: 'button', class: 'jump', 'data-time': String(event.time) }, number('time'));
     button.addEventListener('click', () => this.go(event.time));
     return make('tr', { 'data-event': event.name },
       make('td', {}, button),
       make('td', {}, event.label),
-      event.to === null ? make('td', {}, 'ends') : make('td', { 'data-mode': event.to }, event.to),
+      event.to === null ? make('td', {}, next?.impact ? '–' : 'ends') : make('td', { 'data-mode': event.to }, event.to),
       ...STATE.map((column) => make('td', { class: 'number' }, number(column))),
-      ...(event.impact === null ? [] : [
-        make('td', {}, event.impact.label), make('td', { class: 'number' }, brief(event.impact.lost * units.energy, 3)),
-      ]));
+      ...(impacts.length > 0 ? this.impactCells(event) : []));
+  }
+
+  private impactCells({ impact }: Event): HTMLElement[] {
+    if (impact === null) return [make('td', { colspan: '2' })];
+    const lost = brief(impact.lost * this.lab.units.energy, 3);
+    return [make('td', {}, impact.label), make('td', { class: 'number' }, lost)];
   }
 
   private folded(count: number): HTMLTableRowElement {

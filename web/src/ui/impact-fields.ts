@@ -10,7 +10,7 @@ import { make } from '../dom';
 const FIRST = 0.5;
 
 /** Why a massless hoop has no impact. */
-const MASSLESS = 'A massless hoop has no impact: its rim has no inertia that an impulse could act on. Its motion ends where the particle reaches the plane.';
+const MASSLESS = 'A massless hoop has no impact: its rim has no inertia that an impulse could act on.';
 
 export class ImpactFields {
   private readonly bounces = make('input', { type: 'checkbox', id: 'bounces', 'aria-describedby': 'no-impact' });

@@ -66,6 +66,7 @@ export class ImpactPane {
     this.showWords();
     this.showNumbers();
     this.picture.hidden = this.routh === null;
+    byId('impact-diagram', HTMLElement).hidden = impact === null;
   }
 
   private showWords(): void {

@@ -7,6 +7,9 @@ import { SPEEDS } from '../state/state';
 import type { Clock } from './clock';
 import { brief, byId, make } from '../dom';
 
+/** Energy over m2 g R that no mark tells from none. */
+const LEAST_LOSS = 1e-6;
+
 export class Transport {
   private readonly play = byId('play', HTMLButtonElement);
   private readonly range = byId('time', HTMLInputElement);
@@ -75,7 +78,8 @@ export class Transport {
   /** A mark over the line for each impact, the taller the more of the energy is lost in it. */
   private showMarks(part: (time: number) => number): void {
     const { impacts } = this.lab.motion;
-    const most = impacts.reduce((most, { impact }) => Math.max(most, Math.abs(impact.lost)), 0) || 1;
+    // Where nothing is lost there is only rounding, which has no height.
+    const most = impacts.reduce((most, { impact }) => Math.max(most, Math.abs(impact.lost)), LEAST_LOSS);
     this.marks.replaceChildren(...impacts.map(({ time, impact, sentence, name }) => {
       const mark = make('span', { class: 'mark', title: sentence, 'data-arrow': 'impulse', 'data-cause': name });
       mark.style.left = `${part(time)}%`;
