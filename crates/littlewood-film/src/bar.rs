@@ -1,9 +1,9 @@
 //! The energy of the start as a bar of its parts: kinetic, potential, and what has been lost.
 
-use littlewood_style::EnergyPart;
+use littlewood_style::{EnergyPart, Rgb};
 
 use crate::canvas::Canvas;
-use crate::colour::{INK, PAPER, SOFT, of_energy};
+use crate::colour::{self, INK, PAPER, SOFT};
 use crate::ledger::EnergyParts;
 use crate::letters::Style;
 
@@ -15,6 +15,18 @@ const WIDTH: f64 = 15.0;
 const BESIDE: f64 = 8.0;
 const ABOVE: f64 = 14.0;
 const BELOW: f64 = 10.0;
+
+/// How strong the colours of what is lost are.
+const LOST: f64 = 0.55;
+
+/// What is lost is pale, so that it is told from what is left in grey, too.
+fn of_energy(part: EnergyPart) -> Rgb {
+    let colour = colour::of_energy(part);
+    match part {
+        EnergyPart::Kinetic | EnergyPart::Potential => colour,
+        EnergyPart::Friction | EnergyPart::Impacts => colour.over(PAPER, LOST),
+    }
+}
 
 /// The column: its left end, its upper and its lower edge in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -158,7 +158,8 @@ impl Scene {
     pub(crate) fn in_impact(shown: &ShownImpact, share: f64, scale: ArrowScale) -> Self {
         let scene = Self::of(shown.before, scale);
         let slip = DrawnArrow::along((1.0, 0.0), shown.place, shown.slip_at(share), scale.velocity);
-        Self { slip, impulse: Some(DrawnImpulse::new(shown, share, scale)), ..scene }
+        let impulse = Some(DrawnImpulse::new(shown, share, scale));
+        Self { normal: None, friction: None, slip, impulse, ..scene }
     }
 
     /// Time τ.

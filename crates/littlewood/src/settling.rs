@@ -110,7 +110,7 @@ impl Hoop {
         if !(gap_rate.is_finite() && gap_rate > 0.0) {
             return Err(NoSettling::Closed { gap_rate });
         }
-        Bounces::new(self, &body, state, restitution)?.sum(state, gap_rate)
+        Bounces::new(self, &body, state, restitution)?.sum(state, gap_rate, f64::INFINITY)
     }
 
     /// The same where the bounces that remain are short enough for it.
@@ -122,8 +122,10 @@ impl Hoop {
         gap_rate: f64,
         restitution: Restitution,
     ) -> Option<Settling> {
-        // No sum is shorter than its first bounce.
-        if gap_rate > LONGEST {
+        // No sum is shorter than its first bounce, and W ≤ 1 + h θ′².
+        if gap_rate > LONGEST * (1.0 + body.h * (state.theta_rate * state.theta_rate))
+            || restitution.coefficient() == 1.0
+        {
             return None;
         }
         let bounces = Bounces::new(self, body, state, restitution).ok()?;
@@ -136,7 +138,7 @@ impl Hoop {
             return None;
         }
         // An impact that ends the slip may change θ′ at once, however slow the bounce.
-        bounces.sum(state, gap_rate).ok().filter(|settling| {
+        bounces.sum(state, gap_rate, LONGEST).ok().filter(|settling| {
             let Impact { before, after, .. } = settling.impact;
             is_short(settling.duration, (after.theta_rate - before.theta_rate).abs())
         })
@@ -192,10 +194,14 @@ impl Bounces {
         })
     }
 
-    fn sum(&self, state: &State, gap_rate: f64) -> Result<Settling, NoSettling> {
+    /// The sum, or why there is none; of a sum that is longer than `longest` it need not be found out.
+    fn sum(&self, state: &State, gap_rate: f64, longest: f64) -> Result<Settling, NoSettling> {
         let mut sums = Sums::default();
         let (mut slip, mut opening) = (state.slip, gap_rate);
-        for _ in 0..MAX_BOUNCES {
+        for bounce in 0..MAX_BOUNCES {
+            if sums.duration > longest {
+                return Err(NoSettling::Unsettled { bounces: bounce });
+            }
             let duration = 2.0 * opening / self.contact_force;
             let before = ContactVelocities {
                 theta_rate: state.theta_rate,

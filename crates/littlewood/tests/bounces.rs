@@ -6,8 +6,8 @@ mod common;
 
 use common::{heavy_hoop, heavy_motion, instants, moderate_hoop, start};
 use littlewood::{
-    BouncingOrbit, Cause, Hoop, HoopParameters, Limits, Mode, NoSettling, Outcome, OutcomeKind,
-    PhaseSolution, Restitution, RestitutionLaw, Start, State, Trajectory, find_case,
+    BodyClass, BouncingOrbit, Cause, Hoop, HoopParameters, Limits, Mode, NoSettling, Outcome, OutcomeKind,
+    PhaseSolution, Restitution, RestitutionLaw, Start, State, Trajectory, find_case, find_edge,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -208,6 +208,9 @@ proptest! {
         let kind = motion.outcome().kind();
         prop_assert!(kind != OutcomeKind::Landing && kind != OutcomeKind::Singular);
         let size = size(&motion);
+        for it in motion.transitions() {
+            prop_assert!(find_edge(BodyClass::Heavy, it.from, it.cause, it.to).is_some(), "{it:?} is no edge");
+        }
         for (index, phase) in motion.phases().iter().enumerate() {
             let Some(event) = motion.end_of(phase) else {
                 prop_assert_eq!(index + 1, motion.phases().len());

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use littlewood::{
     Body, BodyClass, CASES, Cause, EDGES, Hoop, HoopParameters, Limits, Mode, Outcome, Recurrence,
-    RollingType, Start, StartRegion, Trajectory, find_case, find_edge,
+    Restitution, RestitutionLaw, RollingType, Start, StartRegion, Trajectory, find_case, find_edge,
 };
 
 fn case(name: &str) -> Trajectory {
@@ -171,7 +171,41 @@ fn other_motions() -> Vec<Trajectory> {
     ]
     .into_iter()
     .map(|(hoop, start)| hoop.simulate(start, Limits::until(40.0)).expect("a valid start"))
+    .chain(jams())
     .collect()
+}
+
+/// Light hoops on rough planes, at P ≤ 0 from the start and later, with and without restitution.
+fn jams() -> Vec<Trajectory> {
+    let plastic = Restitution::new(0.0, RestitutionLaw::Energetic).expect("a coefficient");
+    let runs_into_it = (0.2, 1.0, Start::at(1.6, -2.06).with_slip(1.08));
+    let with_e = [
+        (0.06, 1.0, Start::at(1.4, -1.98).with_slip(1.79)),
+        (0.31, 1.4, Start::at(1.46, -2.59).with_slip(1.0)),
+        runs_into_it,
+        (0.02, 0.84, Start::at(2.0, -1.59).with_slip(1.6)),
+    ];
+    let hoop = |mass: f64, mu: f64| {
+        Hoop::new(HoopParameters::thin(mass).with_friction(mu, mu)).expect("a valid hoop")
+    };
+    let limits = Limits::until(5.0);
+    let mut motions: Vec<Trajectory> = with_e
+        .into_iter()
+        .map(|(mass, mu, start)| {
+            hoop(mass, mu).with_restitution(plastic).expect("heavy").simulate(start, limits)
+        })
+        .map(|motion| motion.expect("a valid start"))
+        .collect();
+    let light = HoopParameters::new(0.0, 0.1, 1e-5).with_friction(0.02, 0.02);
+    let light = Hoop::new(light).and_then(|hoop| hoop.with_restitution(plastic)).expect("a valid hoop");
+    motions.push(light.simulate(Start::at(2.4, -3.9).with_slip(0.1), limits).expect("a valid start"));
+    let (mass, mu, start) = runs_into_it;
+    motions.push(hoop(mass, mu).simulate(start, limits).expect("a valid start"));
+    let settles_sliding = hoop(1.0, 0.05)
+        .with_restitution(Restitution::new(0.3, RestitutionLaw::Newton).expect("a coefficient"));
+    let thrown = Start::at(2.0, 0.9).with_slip(1.5).with_gap_rate(0.02);
+    motions.push(settles_sliding.expect("heavy").simulate(thrown, limits).expect("a valid start"));
+    motions
 }
 
 #[test]
