@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use littlewood::{Engine, Hoop, Limits, Start};
+use littlewood::{Engine, Hoop, Limits, Restitution, RestitutionLaw, Start};
 
 fn engine(criterion: &mut Criterion) {
     let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
@@ -33,6 +33,13 @@ fn engine(criterion: &mut Criterion) {
     group.bench_function("engine", |bencher| {
         bencher.iter(|| starts.iter().filter_map(|s| engine.summary(*s, Limits::default()).ok()).count());
     });
+    for (e, name) in [(0.0, "engine, e = 0"), (0.5, "engine, e = 0.5, to rest")] {
+        let restitution = Restitution::new(e, RestitutionLaw::Energetic).expect("a coefficient");
+        let engine = Engine::new(&hoop.with_restitution(restitution).expect("heavy"));
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| starts.iter().filter_map(|s| engine.summary(*s, Limits::default()).ok()).count());
+        });
+    }
     group.finish();
 }
 

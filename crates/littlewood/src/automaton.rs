@@ -121,6 +121,7 @@ pub const EDGES: &[Edge] = {
             Cause::Reversal,
             ("eta' = 0 and |F_roll| > mu_s N_roll", "sigma = -sigma", "2(c)"),
         ),
+        edge(Heavy, (Some(Sliding), Some(Sliding)), Cause::Graze, ("eta' = 0 and eta'' = 0", "none", "2(c)")),
         edge(
             Heavy,
             (Some(Sliding), Some(Flight)),

@@ -199,6 +199,11 @@ fn jams() -> Vec<Trajectory> {
     let light = HoopParameters::new(0.0, 0.1, 1e-5).with_friction(0.02, 0.02);
     let light = Hoop::new(light).and_then(|hoop| hoop.with_restitution(plastic)).expect("a valid hoop");
     motions.push(light.simulate(Start::at(2.4, -3.9).with_slip(0.1), limits).expect("a valid start"));
+    // Without friction, from a rate at which η″ and η′ vanish together but for the last digits.
+    let smooth =
+        HoopParameters::new(2.805_174_719_718_886_3, 0.999_999_999_618_712_1, 2.805_174_719_718_886_3);
+    let grazes = Start::at(-1.654_040_608_046_101_6, 1.000_000_000_102_441);
+    motions.push(Hoop::new(smooth).expect("a valid hoop").simulate(grazes, limits).expect("a valid start"));
     let (mass, mu, start) = runs_into_it;
     motions.push(hoop(mass, mu).simulate(start, limits).expect("a valid start"));
     let settles_sliding = hoop(1.0, 0.05)
