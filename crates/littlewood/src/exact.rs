@@ -149,7 +149,9 @@ impl Solver for Exact<'_> {
         let flight = Flight::settling(body, *state, settling.gap_rate, duration);
         let ending = match self.allowed(state) {
             Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
-            Some(_) | None => Ending::Settled { place: flight.state(duration), settling: *settling },
+            Some(_) | None => {
+                Ending::Settled { place: flight.state(duration), settling: Box::new(*settling) }
+            }
         };
         Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
     }

@@ -121,12 +121,12 @@ impl Recorder<PhaseSolution> for Trajectory {
         self.phases.push(Phase { hoop: self.hoop, solution, start, end, ended_by: None });
     }
 
-    fn transition(&mut self, transition: Transition) {
+    fn transition(&mut self, transition: &Transition) {
         if transition.from.is_some()
             && let Some(phase) = self.phases.last_mut()
         {
             phase.ended_by = Some(self.transitions.len());
         }
-        self.transitions.push(transition);
+        self.transitions.push(*transition);
     }
 }

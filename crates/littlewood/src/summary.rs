@@ -101,7 +101,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     }
 
     #[inline]
-    fn transition(&mut self, transition: Transition) {
+    fn transition(&mut self, transition: &Transition) {
         self.summary.transitions = self.summary.transitions.saturating_add(1);
         if transition.cause == Cause::Slip && self.summary.first_slip_time.is_nan() {
             self.summary.first_slip_time = transition.time();
@@ -167,7 +167,7 @@ impl Trajectory {
         let mut transitions = self.transitions().iter().peekable();
         let mut tell = |recorder: &mut SummaryRecorder<'_>, ends: bool| {
             while let Some(transition) = transitions.next_if(|next| next.from.is_some() == ends) {
-                Recorder::<&PhaseSolution>::transition(recorder, *transition);
+                Recorder::<&PhaseSolution>::transition(recorder, transition);
                 if ends {
                     return;
                 }

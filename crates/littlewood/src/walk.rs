@@ -77,7 +77,7 @@ pub(crate) enum Ending<P, V> {
     /// By the landing of the rim.
     Landing { place: P, gap_rate: f64 },
     /// By the end of bounces.
-    Settled { place: P, settling: Settling },
+    Settled { place: P, settling: Box<Settling> },
     /// By P = 0 in a slide, with P there.
     Singular { place: P, solvability: f64 },
     /// With the motion: `event` is its last transition, if there is one, `end` the state at the end of the phase, if
@@ -90,7 +90,7 @@ pub(crate) trait Recorder<S> {
     /// A phase in a mode, from a state to a state, or without end.
     fn phase(&mut self, phase: PhaseSeen, solution: S);
     /// The transition that ends the last phase.
-    fn transition(&mut self, transition: Transition);
+    fn transition(&mut self, transition: &Transition);
 }
 
 /// A phase as it is passed to a recorder.
@@ -107,7 +107,7 @@ enum Begin {
     /// A motion that was decided on.
     Motion(Next),
     /// Bounces that accumulate.
-    Settle(Heavy, Settling),
+    Settle(Heavy, Box<Settling>),
 }
 
 /// What follows an event: the transition, of which the direction of the phase behind it is not yet known, where it leads,
@@ -176,7 +176,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
                 Ending::Motion { event, end, verdict } => {
                     record(end);
                     if let Some((cause, before)) = event {
-                        recorder.transition(Transition::continuous(before, mode, None, cause));
+                        recorder.transition(&Transition::continuous(before, mode, None, cause));
                     }
                     return verdict;
                 }
@@ -186,7 +186,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
                 }
                 Ending::Settled { place: reached, settling } => {
                     record(Some(T::state(&reached)));
-                    break 'event settles(solver, &reached, settling);
+                    break 'event settles(solver, &reached, &settling);
                 }
                 Ending::Landing { place: reached, gap_rate } => {
                     let end = T::state(&reached);
@@ -205,13 +205,20 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
                     (Cause::Singularity, end, Outcome::Singular { state: end, solvability })
                 }
             };
-            recorder.transition(Transition::continuous(end, mode, None, event));
+            recorder.transition(&Transition::continuous(end, mode, None, event));
             return outcome.into();
         };
         let Follows { mut transition, place: reached, begin: then } = follows;
         transition.to = then.mode();
         let (to_direction, event, end) = (then.direction(), transition.cause, transition.before);
-        pending = Some(transition);
+        let (after, goes_on) = (transition.after, transition.to.is_some());
+        if transition.to == Some(Mode::Gliding) {
+            // The direction of a glide from rest is known only once it is followed.
+            pending = Some(transition);
+        } else {
+            transition.direction = to_direction;
+            recorder.transition(&transition);
+        }
         count += 1;
         if conservative {
             let returned = reversals.add(event, end, to_direction, range);
@@ -220,15 +227,16 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
                 return Outcome::SlidesForever { since, recurrence }.into();
             }
         }
-        if count >= transitions && transition.to.is_some() {
+        if count >= transitions && goes_on {
             flush(recorder, &mut pending, to_direction);
-            return Outcome::TransitionLimit { state: transition.after, transitions }.into();
+            return Outcome::TransitionLimit { state: after, transitions }.into();
         }
         (place, begin) = (reached, then);
     }
 }
 
 /// What follows an event without an impact.
+#[inline(always)]
 fn continues<T: Solver>(
     solver: &T,
     (mode, direction): (Mode, Option<Direction>),
@@ -276,7 +284,7 @@ fn jam<T: Solver>(solver: &T, from: Option<Mode>, place: &T::Place) -> Option<Fo
 }
 
 /// What follows the end of bounces.
-fn settles<T: Solver>(solver: &T, place: &T::Place, settling: Settling) -> Follows<T::Place> {
+fn settles<T: Solver>(solver: &T, place: &T::Place, settling: &Settling) -> Follows<T::Place> {
     let transition =
         Transition::by_impact(T::state(place), Some(Mode::Flight), settling.impact, Cause::Settle);
     let place = solver.place(transition.after);
@@ -302,7 +310,7 @@ fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Be
     let settling =
         hoop.restitution().and_then(|restitution| hoop.short_settling(body, state, gap_rate, restitution));
     match settling {
-        Some(settling) => Begin::Settle(*body, settling),
+        Some(settling) => Begin::Settle(*body, Box::new(settling)),
         None => Begin::Motion(Next::Fly { body: *body, take_off: TakeOff::Rising { gap_rate } }),
     }
 }
@@ -314,8 +322,10 @@ const fn velocities(state: &State, gap_rate: f64) -> ContactVelocities {
 /// Passes the pending transition to the recorder.
 #[inline]
 fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Transition>, direction: Option<Direction>) {
-    if let Some(transition) = pending.take() {
-        recorder.transition(Transition { direction, ..transition });
+    if let Some(transition) = pending {
+        transition.direction = direction;
+        recorder.transition(transition);
+        *pending = None;
     }
 }
 
