@@ -145,7 +145,8 @@ pub enum Outcome {
         /// How θ and θ′ recur.
         recurrence: Recurrence,
     },
-    /// The particle on the rim of a massless hoop has reached the plane, θ = ±π.
+    /// The particle on the rim of a massless hoop has reached the plane, θ = ±π. No impact follows: the rim has no inertia that
+    /// an impulse could act on.
     ParticleAtPlane {
         /// State, with an infinite rate.
         state: State,

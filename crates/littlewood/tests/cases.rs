@@ -143,6 +143,35 @@ fn painleve_is_an_outcome_of_its_own() {
 }
 
 #[test]
+fn motions_go_on_after_the_landing() {
+    let motion = case("figure-3-bounces");
+    assert_eq!(modes(&motion)[..5], [Sliding, Rolling, Sliding, Flight, Flight]);
+    assert_eq!(
+        (modes(&motion).last(), motion.transitions().last().map(|it| it.cause)),
+        (Some(&Rolling), Some(Cause::Settle))
+    );
+    assert!(matches!(motion.outcome(), Outcome::RollsForever { .. }));
+
+    let motion = case("lands-and-rolls");
+    assert_eq!(modes(&motion), [Sliding, Flight, Rolling]);
+    assert!(matches!(motion.outcome(), Outcome::RollsForever { .. }));
+
+    let motion = case("two-hops");
+    assert_eq!(modes(&motion), [Sliding, Rolling, Sliding, Flight, Rolling, Sliding, Flight, Rolling]);
+
+    let motion = case("jam");
+    let jam = motion.transitions().first().expect("jams");
+    assert_eq!((jam.cause, jam.from, jam.to, jam.time()), (Cause::Jam, None, Some(Rolling), 0.0));
+    assert!((jam.after.theta_rate + 1.0).abs() < 1e-14, "the rate of the closed form, −1");
+    assert_eq!(motion.end_of(&motion.phases()[0]).map(|it| it.cause), Some(Cause::Slip));
+
+    let motion = case("bounces-forever");
+    assert!(modes(&motion).iter().all(|mode| *mode == Flight));
+    assert!(matches!(motion.outcome(), Outcome::TransitionLimit { .. }));
+    assert!(motion.transitions().iter().all(|it| it.before.slip.abs() < 1e-9));
+}
+
+#[test]
 fn cases_have_names_that_differ_and_valid_parameters() {
     let names: BTreeSet<_> = CASES.iter().map(|case| case.name).collect();
     assert_eq!(names.len(), CASES.len());
