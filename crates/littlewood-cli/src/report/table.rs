@@ -192,15 +192,12 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             place,
         ],
         Outcome::Inconsistent { candidates, .. } => {
-            let mut lines = vec![format!("no motion is consistent at {at} (Painlevé)"), there, place];
-            lines.extend(examined(&candidates));
-            lines
+            let first = format!("no motion is consistent at {at} (Painlevé)");
+            [first, there, place].into_iter().chain(examined(&candidates)).collect()
         }
         Outcome::Ambiguous { candidates, .. } => {
-            let several = several(&candidates, ", ");
-            let mut lines = vec![format!("several motions are consistent at {at}: {several}"), there, place];
-            lines.extend(examined(&candidates));
-            lines
+            let first = format!("several motions are consistent at {at}: {}", several(&candidates, ", "));
+            [first, there, place].into_iter().chain(examined(&candidates)).collect()
         }
         Outcome::Singular { solvability, .. } => vec![
             format!(
