@@ -216,7 +216,7 @@ def test_a_picture_of_every_case_shows_its_phases(name):
         assert len(words) > 1
     # The histories: a line for each phase and quantity.
     # Bounces alone have no force that lasts: they show the gap.
-    gap = modes == ["flight"] and motion.impact_energy_lost != 0.0
+    gap = modes == ["flight"] and any(one.impact is not None for one in motion.transitions)
     assert last.get_title().startswith("gap" if gap else "normal force")
     for axes, count in ((angle, 1), (rates, 2), (last, 1 if gap else 2)):
         assert modes_drawn(axes, 1.8) == modes
