@@ -230,7 +230,7 @@ class _Problem:
         parts = [residuals[name] / self.sigma[name] for name in residuals]
         return np.concatenate([part[np.isfinite(part)] for part in parts])
 
-    def refine(self, unknowns: _Reals, loss: str) -> Any:
+    def refine(self, unknowns: _Reals, loss: str, tolerance: float = 1e-12) -> Any:
         return require("scipy.optimize").least_squares(
             self.scaled,
             unknowns,
@@ -238,9 +238,9 @@ class _Problem:
             jac="3-point",
             x_scale="jac",
             loss=loss,
-            ftol=1e-12,
-            xtol=1e-12,
-            gtol=1e-12,
+            ftol=tolerance,
+            xtol=tolerance,
+            gtol=tolerance,
             max_nfev=200,
         )
 
@@ -308,7 +308,8 @@ def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
         shorter = problem.part(part)
         guesses = [other for guess in guesses for other in problem.with_restitutions(guess)]
         costs = [float(np.sum(np.abs(shorter.scaled(guess)))) for guess in guesses]
-        found = [shorter.refine(guesses[i], loss) for i in np.argsort(costs, kind="stable")[:best]]
+        tolerance = 1e-12 if shorter is problem else 1e-6
+        found = [shorter.refine(guesses[i], loss, tolerance) for i in np.argsort(costs, kind="stable")[:best]]
         found.sort(key=lambda result: float(result.cost))
         guesses = [result.x for result in found]
     return found[0]

@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 
 PYTHON = Path(__file__).parents[1]
-PAGES = [PYTHON / "README.md", *(PYTHON / "docs" / name for name in ("own-hoop.md", "jumps.md", "fit.md"))]
+PAGES = [
+    PYTHON / "README.md",
+    *(PYTHON / "docs" / name for name in ("own-hoop.md", "jumps.md", "landing.md", "fit.md")),
+]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)

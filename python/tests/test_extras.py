@@ -7,6 +7,7 @@ import pytest
 CALLS = [
     ("xarray", "xarray", "lw.simulate_many(hoop, theta=[0.0], theta_rate=1.0)"),
     ("pandas", "xarray", "motion.to_pandas()"),
+    ("pandas", "xarray", "motion.impacts"),
     ("dask", "dask", "lw.outcome_map(hoop, theta=[0.0, 1.0], theta_rate=1.0, chunks=1)"),
     ("matplotlib", "plot", "motion.plot()"),
     ("matplotlib", "plot", "motion.animate().to_matplotlib()"),

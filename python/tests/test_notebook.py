@@ -15,6 +15,6 @@ def test_the_notebook_runs_from_first_cell_to_last(tmp_path):
     code = [cell for cell in notebook.cells if cell.cell_type == "code"]
     assert all(cell.execution_count for cell in code)
     pictures = [o for cell in code for o in cell.outputs if "image/png" in o.get("data", {})]
-    assert len(pictures) >= 9
+    assert len(pictures) >= 14
     # It is kept without outputs.
     assert not any(cell.get("outputs") for cell in nbformat.read(NOTEBOOK, as_version=4).cells)

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+import pandas as pd
 import xarray
 
 import littlewood as lw
@@ -13,6 +14,11 @@ si: lw.Hoop = lw.Hoop.from_si(
     disc_mass_kg=0.4, particle_mass_kg=0.14, radius_m=0.45, offset_m=0.45, inertia_kg_m2=0.08, mu_s=0.5, mu_k=0.4
 )
 motion: lw.Trajectory = hoop.simulate(theta=math.pi / 2, theta_rate=2, until=30.0)
+bouncy: lw.Hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, restitution=0.5, law="newton")
+impacts: pd.DataFrame = bouncy.simulate(theta=0.0, theta_rate=0.0, gap_rate=1.0).impacts
+before: lw.Samples = motion.at(1.0, side="before")
+hops: xarray.Dataset = lw.outcome_map(bouncy, theta=[0.0], theta_rate=1.0, restitution=[0.1], law="poisson")
+orbit: lw.BouncingOrbit | None = bouncy.bouncing_orbit(1.0)
 modes: list[str] = [phase.mode for phase in motion.phases]
 times: list[float] = [transition.time for transition in motion.transitions]
 kind: str = motion.outcome.kind

@@ -62,9 +62,11 @@ function start(cases: NamedCase[]): void {
   const events = new EventTable(lab, go);
   const energy = new EnergyBar(lab);
   const impact = new ImpactPane(lab, palette, draw, go);
-  new Share(lab,
-    { hoop: (c, width, height) => hoop.drawOn(c, width, height), plane: (c, width, height) => plane.drawOn(c, width, height) },
-    () => palette, () => address(lab));
+  new Share(lab, {
+    hoop: (c, width, height) => hoop.drawOn(c, width, height),
+    plane: (c, width, height) => plane.drawOn(c, width, height),
+    impact: (c, width, height) => impact.drawOn(c, width, height),
+  }, () => palette, () => address(lab));
 
   const stale = { motion: true, time: true };
   function paint(): void {

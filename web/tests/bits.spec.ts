@@ -78,7 +78,7 @@ test('what the page saves is what the command line prints', async ({ page }) => 
     const line = await page.locator('#shell-text').inputValue();
     const [name, ...flags] = line.split(' ');
     expect(name).toBe('littlewood');
-    const run = (...more: string[]): string => execFileSync(program, [...flags, ...more], { encoding: 'utf8' });
+    const run = (...more: string[]): string => execFileSync(program, [...flags, ...more], { encoding: 'utf8', maxBuffer: 1 << 27 });
     expect(await save('#save-json')).toBe(run('--format', 'json'));
     expect(await save('#save-csv')).toBe(run('--format', 'csv'));
     await page.locator('#samples').fill('50');

@@ -33,11 +33,16 @@ test('data have the format of the command line', async ({ page }) => {
 
 test('every view is an SVG and a PNG', async ({ page }) => {
   await open(page, 'case=figure-3&at=2');
+  await page.locator('#open-share').click();
+  await expect(page.locator('#picture-impact')).toBeHidden();
+  await page.locator('#close-share').click();
+  await page.locator('#bounces').check();
   await expect(page.locator('html[data-map=done]')).toBeAttached();
   await page.locator('#open-share').click();
-  for (const [view, labels] of [['hoop', ['C', 'm₂']], ['plane', ['3π/2', '𝓡']], ['plots', ['|F|/N', 'E']]] as const) {
+  const views = [['hoop', ['C', 'm₂']], ['plane', ['3π/2', '𝓡']], ['plots', ['|F|/N', 'E']], ['impact', ['end', '√(gR)']]] as const;
+  for (const [view, labels] of views) {
     const svg = await text(page, `#svg-${view}`);
-    expect(svg.name).toBe(`figure-3-${view}.svg`);
+    expect(svg.name).toBe(`figure-3-bounces-${view}.svg`);
     const problems = await page.evaluate((source) => {
       const parsed = new DOMParser().parseFromString(source, 'image/svg+xml');
       return parsed.querySelector('parsererror')?.textContent ?? '';

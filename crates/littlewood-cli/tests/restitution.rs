@@ -29,12 +29,12 @@ fn table(path: &str) -> RecordBatch {
 }
 
 fn reals(table: &RecordBatch, name: &str) -> Vec<f64> {
-    let column = table.column_by_name(name).unwrap_or_else(|| panic!("{name} is missing")).as_any();
+    let column = table.column_by_name(name).expect(name).as_any();
     column.downcast_ref::<Float64Array>().expect("numbers").values().to_vec()
 }
 
 fn counts(table: &RecordBatch, name: &str) -> Vec<u32> {
-    let column = table.column_by_name(name).unwrap_or_else(|| panic!("{name} is missing")).as_any();
+    let column = table.column_by_name(name).expect(name).as_any();
     column.downcast_ref::<UInt32Array>().expect("counts").values().to_vec()
 }
 

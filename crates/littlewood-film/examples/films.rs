@@ -1,24 +1,28 @@
-//! The three films of the paper, as the documentation shows them. Writes them into the folder that is named as the
+//! The three films of the paper, and one of what comes after the landing, as the documentation shows them. Writes them into the folder that is named as the
 //! first argument.
 
 use std::fs;
 use std::path::PathBuf;
 
-use littlewood::find_case;
+use littlewood::{Hoop, Limits, Setup, find_case};
 use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 
-/// File, case, seconds of film for a unit of time.
-const FILMS: [(&str, &str, f64); 3] = [
-    ("figure-3.gif", "figure-3", 3.0),
-    ("figure-7.gif", "figure-7", 4.0),
-    ("libration.gif", "figure-2-libration", 1.25),
+/// File, case, seconds of film for a unit of time, how much slower impacts are, and the time limit.
+const FILMS: [(&str, &str, f64, Option<(f64, f64)>); 4] = [
+    ("figure-3.gif", "figure-3", 3.0, None),
+    ("figure-7.gif", "figure-7", 4.0, None),
+    ("libration.gif", "figure-2-libration", 1.25, None),
+    ("bounces.gif", "figure-3-bounces", 1.5, Some((6.0, 8.0))),
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).ok_or("name a folder")?);
-    for (file, case, slow) in FILMS {
-        let motion = find_case(case).ok_or("no such case")?.simulate()?;
-        let pace = Pace { fps: 25, slow, units: None, hold_s: None, slow_impacts: None };
+    for (file, case, slow, impacts) in FILMS {
+        let Setup { hoop, start, .. } = find_case(case).ok_or("no such case")?.setup;
+        let limits = Limits::default().with_until(impacts.map(|(_, until)| until));
+        let motion = Hoop::new(hoop)?.simulate(start, limits)?;
+        let slow_impacts = impacts.map(|(factor, _)| factor);
+        let pace = Pace { fps: 25, slow, units: None, hold_s: None, slow_impacts };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto)?;
         let mut encoder = GifFilm::new(Vec::new(), &film)?;
         film.play(&mut encoder, |_| true)?;

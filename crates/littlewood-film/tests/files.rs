@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufReader, Write};
 use std::path::Path;
 
-use littlewood::{Trajectory, find_case};
+use littlewood::{Hoop, Limits, Setup, Trajectory, find_case};
 use littlewood_film::{
     ApngFilm, Encoder, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace, SizeError,
 };
@@ -100,13 +100,17 @@ fn an_apng_has_all_frames_their_durations_and_their_pixels() {
 #[test]
 fn the_committed_films_are_what_is_drawn() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/films");
-    for (file, case, slow) in [
-        ("figure-3", "figure-3", 3.0),
-        ("figure-7", "figure-7", 4.0),
-        ("libration", "figure-2-libration", 1.25),
+    for (file, case, slow, impacts) in [
+        ("figure-3", "figure-3", 3.0, None),
+        ("figure-7", "figure-7", 4.0, None),
+        ("libration", "figure-2-libration", 1.25, None),
+        ("bounces", "figure-3-bounces", 1.5, Some((6.0, 8.0))),
     ] {
-        let motion = motion(case);
-        let pace = Pace { fps: 25, slow, units: None, hold_s: None, slow_impacts: None };
+        let Setup { hoop, start, .. } = find_case(case).unwrap().setup;
+        let limits = Limits::default().with_until(impacts.map(|(_, until)| until));
+        let motion = Hoop::new(hoop).unwrap().simulate(start, limits).unwrap();
+        let slow_impacts = impacts.map(|(factor, _)| factor);
+        let pace = Pace { fps: 25, slow, units: None, hold_s: None, slow_impacts };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto).unwrap();
         let committed = fs::read(folder.join(file).with_extension("gif")).unwrap();
         assert!(committed.len() < 1_500_000);

@@ -9,13 +9,14 @@ use littlewood_report::{Sampling, instants, kinetic_energy, sentence};
 const PLAIN: Scale<'_> = Scale::new(None);
 
 fn bouncing(case: &str, restitution: f64, law: RestitutionLaw) -> Trajectory {
-    let setup = find_case(case).unwrap().setup;
-    let hoop = Hoop::new(setup.hoop.with_restitution(restitution, law)).unwrap();
-    hoop.simulate(setup.start, Limits::until(40.0)).unwrap()
+    let setup = find_case(case).expect("a named case").setup;
+    let hoop = Hoop::new(setup.hoop.with_restitution(restitution, law)).expect("a hoop");
+    hoop.simulate(setup.start, Limits::until(40.0)).expect("a motion")
 }
 
 fn told(motion: &Trajectory) -> Vec<String> {
-    (0..motion.transitions().len()).map(|i| sentence::transition(motion, i, PLAIN).unwrap()).collect()
+    let tell = |index| sentence::transition(motion, index, PLAIN).expect("a transition");
+    (0..motion.transitions().len()).map(tell).collect()
 }
 
 /// The kinetic energy of Figure 3 just before its landing, from the numbers of the notes: m = 2, h = 1/2, I = 3/2.
@@ -67,13 +68,13 @@ fn the_end_of_bounces_is_told_with_their_number() {
     let motion = bouncing("two-hops", 0.1, RestitutionLaw::Energetic);
     let mut since = 0;
     for (event, sentence) in motion.transitions().iter().zip(told(&motion)) {
-        match event.cause {
-            Cause::Landing => since += 1,
-            Cause::Settle => {
-                assert!(sentence.starts_with(&format!("Settles: after {since} bounce")), "{sentence}");
-                since = 0;
-            }
-            _ => assert_eq!(since, 0),
+        if event.cause == Cause::Landing {
+            since += 1;
+        } else if event.cause == Cause::Settle {
+            assert!(sentence.starts_with(&format!("Settles: after {since} bounce")), "{sentence}");
+            since = 0;
+        } else {
+            assert_eq!(since, 0);
         }
     }
 }

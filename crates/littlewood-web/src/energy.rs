@@ -119,11 +119,11 @@ mod tests {
     #[test]
     fn figure_3_loses_in_its_first_impact_what_the_notes_say() {
         let motion = littlewood::find_case("figure-3-bounces").unwrap().simulate().unwrap();
-        let landing = 3.847395556686894;
+        let landing = 3.847_395_556_686_894;
         let before = Energies::at(&motion, landing - 1e-9).unwrap();
         let after = Energies::at(&motion, landing + 1e-9).unwrap();
         assert_eq!(before.impacts, 0.0);
-        assert!((after.impacts - 3.36244341922728).abs() < 1e-12);
+        assert!((after.impacts - 3.362_443_419_227_28).abs() < 1e-12);
         assert!(before.friction > 0.0 && after.friction == before.friction);
         assert_eq!(motion.at(landing + 1e-9).unwrap().mode, Mode::Flight);
     }

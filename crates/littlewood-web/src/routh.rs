@@ -204,8 +204,8 @@ mod tests {
         let impact = transition.impact.unwrap();
         assert_eq!(impact.case, ImpactCase::SticksInRestitution);
         // A, B, C, the slip and the gap rate of the notes; σ = −1.
-        let (a, b, c) = (0.704169493845475073, -0.0829493464295526, 0.533700402266253778);
-        let (slip, gap_rate) = (-0.785244687128996169_f64, -1.913012569038374656);
+        let (a, b, c) = (0.704_169_493_845_475_1, -0.082_949_346_429_552_6, 0.533_700_402_266_253_8);
+        let (slip, gap_rate) = (-0.785_244_687_128_996_2_f64, -1.913_012_569_038_374_6);
         let normal = slip.abs() / (0.4 * a + b);
         let corner = [normal, 0.4 * normal];
         assert_eq!(routh.way.len(), 3);

@@ -88,11 +88,11 @@ def pi_ticks(axes: Axes, which: Literal["x", "y"] = "x", most: int = 9) -> None:
 
 def phase_slices(samples: Samples) -> list[tuple[str, slice]]:
     """Return the parts of evenly spaced samples that lie in one phase, with their modes."""
-    # A transition stands twice: the mode changes between the two, or a direction does.
-    mode, direction = samples["mode"], samples["direction"]
+    mode, time = samples["mode"], samples["time"]
     if not len(mode):
         return []
-    cuts = np.flatnonzero((np.diff(mode) != 0) | (np.diff(direction) != 0)) + 1
+    # A transition stands twice, and nothing else does.
+    cuts = np.flatnonzero((np.diff(time) == 0.0) | (np.diff(mode) != 0)) + 1
     edges = [0, *cuts.tolist(), len(mode)]
     return [(MODES[mode[a]], slice(a, b)) for a, b in itertools.pairwise(edges) if mode[a] != _core.OUTSIDE]
 

@@ -71,10 +71,14 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001, hoo
 
 
 def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -> None:
+    # Bounces give way to what happens else.
+    events = sorted(motion.transitions, key=lambda one: (one.cause, one.to_mode) == ("landing", "flight"))
     marks = [(motion.start.time, "start")]
-    marks += [(transition.time, CAUSE_LABELS[transition.cause]) for transition in motion.transitions]
+    marks += [(one.time, CAUSE_LABELS[one.cause]) for one in events]
+    last = motion.transitions[-1].time if motion.transitions else motion.start.time
     if not motion.transitions or motion.transitions[-1].to_mode is not None:
-        marks.append((float(samples.time[-1]), ""))
+        last = float(samples.time[-1])
+        marks.append((last, ""))
     # Labels stand in two rows; a mark that finds no room in either is left out, unless it is the last.
     ends: list[list[tuple[float, float]]] = [[], []]
     for time, label in marks:
@@ -82,7 +86,7 @@ def _mark_hoops(motion: Trajectory, axes: Axes, samples: Samples, span: float) -
         x, y = float(samples.x[at]), float(samples.centre_y[at])
         half = 0.5 * span * 0.0125 * (len(label) + 1)
         free = [all(x + half < a or x - half > b for a, b in row) for row in ends]
-        if label and not any(free) and time != marks[-1][0]:
+        if label and not any(free) and time != last:
             continue
         draw_hoop(axes, motion.hoop, x, y, float(samples.theta[at]), alpha=0.75)
         if label and any(free):
@@ -212,6 +216,13 @@ def trajectory(motion: Trajectory) -> Figure:
     angle.set_ylabel("")
     rates = history(motion, figure.add_subplot(grid[1, 1]))
     rates.set_title(f"rate {axis_label('theta_rate')} and slip {axis_label('slip')}", fontsize=10)
+    bounces = any(one.impact is not None for one in motion.transitions)
+    if bounces and all(phase.mode == "flight" for phase in motion.phases):
+        # There is no force that lasts.
+        gap = history(motion, figure.add_subplot(grid[1, 2]), quantities=("gap",))
+        gap.set_title(axis_label("gap"), fontsize=10)
+        gap.set_ylabel("")
+        return figure
     forces = history(motion, figure.add_subplot(grid[1, 2]), quantities=("normal", "friction"))
     forces.set_title(f"normal force {sign('normal')} and friction {axis_label('friction')}", fontsize=10)
     return figure

@@ -6,12 +6,12 @@ import { FONT } from '../views/font';
 import { drawPlots } from '../views/plots-sheet';
 import { VectorContext } from '../views/vector';
 
-export type View = 'hoop' | 'plane' | 'plots';
+export type View = 'hoop' | 'plane' | 'plots' | 'impact';
 
 /** How to draw a view on a context of a size. */
 export type Painter = (c: CanvasRenderingContext2D, width: number, height: number) => void;
 
-const SIZES: Record<View, [number, number]> = { hoop: [900, 600], plane: [900, 600], plots: [900, 1000] };
+const SIZES: Record<View, [number, number]> = { hoop: [900, 600], plane: [900, 600], plots: [900, 1000], impact: [900, 600] };
 
 /** Points of the plots in a picture. */
 const POINTS = 2000;

@@ -115,7 +115,8 @@ export class ImpactPane {
         brief(j * problem.impulseUnit)}. The contact ${shown?.impact.label ?? ''}.`);
   }
 
-  private drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
+  /** Routh's diagram on another context, for export. */
+  drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
     const { routh, palette, lab: { problem, state: { problem: { system } } } } = this;
     if (routh) drawRouth(c, { width, height }, { routh, scale: problem.impulseUnit, unit: IMPULSE_UNITS[system], palette });
   }

@@ -6,7 +6,7 @@ import { pythonLine, shellLine } from './commands';
 import { byId } from '../dom';
 import { painterOfPlots, pngOf, save, svgOf, type Painter, type View } from './export';
 
-const VIEWS: readonly View[] = ['hoop', 'plane', 'plots'];
+const VIEWS: readonly View[] = ['hoop', 'plane', 'plots', 'impact'];
 
 export class Share {
   private readonly dialog = byId('share', HTMLDialogElement);
@@ -14,7 +14,7 @@ export class Share {
   private readonly note = byId('toast', HTMLParagraphElement);
   private timer = 0;
 
-  constructor(private readonly lab: Lab, private readonly painters: Record<'hoop' | 'plane', Painter>,
+  constructor(private readonly lab: Lab, private readonly painters: Record<Exclude<View, 'plots'>, Painter>,
     private readonly palette: () => Palette, private readonly address: () => string) {
     byId('open-share', HTMLButtonElement).addEventListener('click', () => this.open());
     byId('copy-link', HTMLButtonElement).addEventListener('click', () => void this.shareLink());
@@ -36,6 +36,8 @@ export class Share {
     byId('link-text', HTMLTextAreaElement).value = this.address();
     byId('shell-text', HTMLTextAreaElement).value = shellLine(this.lab.state.problem, this.lab.cases);
     byId('python-text', HTMLTextAreaElement).value = pythonLine(this.lab.state.problem, this.lab.cases);
+    const { impact, motion } = this.lab;
+    byId('picture-impact', HTMLSpanElement).hidden = impact === null || motion.routh(impact) === null;
     this.dialog.showModal();
   }
 

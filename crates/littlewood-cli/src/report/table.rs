@@ -178,15 +178,8 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             format!("slides for ever from {at}: no friction, and no event in a whole period"),
             &recurrence,
         ),
-        Outcome::ParticleAtPlane { .. } => {
-            vec![format!("the particle reaches the plane at {at} (3.20)"), there, place, NO_IMPACT.to_owned()]
-        }
-        Outcome::ParticleAtBottom { .. } => vec![
-            format!("the particle reaches its lowest place at {at} (3.20)"),
-            there,
-            place,
-            NO_IMPACT.to_owned(),
-        ],
+        Outcome::ParticleAtPlane { .. } => end_of_glide("the plane", &at, there, place),
+        Outcome::ParticleAtBottom { .. } => end_of_glide("its lowest place", &at, there, place),
         Outcome::ParticleAtTop { .. } => vec![
             format!("the particle reaches its highest place at {at} with velocity to spare"),
             there,
@@ -199,15 +192,12 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             place,
         ],
         Outcome::Inconsistent { candidates, .. } => {
-            let mut lines = vec![format!("no motion is consistent at {at} (Painlevé)"), there, place];
-            lines.extend(examined(&candidates));
-            lines
+            let first = format!("no motion is consistent at {at} (Painlevé)");
+            [first, there, place].into_iter().chain(examined(&candidates)).collect()
         }
         Outcome::Ambiguous { candidates, .. } => {
-            let several = several(&candidates, ", ");
-            let mut lines = vec![format!("several motions are consistent at {at}: {several}"), there, place];
-            lines.extend(examined(&candidates));
-            lines
+            let first = format!("several motions are consistent at {at}: {}", several(&candidates, ", "));
+            [first, there, place].into_iter().chain(examined(&candidates)).collect()
         }
         Outcome::Singular { solvability, .. } => vec![
             format!(
@@ -221,6 +211,11 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             vec![format!("from {at} the slide changes faster than the clock resolves"), there, place]
         }
     }
+}
+
+/// Where the particle of a massless hoop strikes, and why nothing follows.
+fn end_of_glide(reached: &str, at: &str, there: String, place: String) -> Vec<String> {
+    vec![format!("the particle reaches {reached} at {at} (3.20)"), there, place, NO_IMPACT.to_owned()]
 }
 
 fn forever(trajectory: &Trajectory, scale: Scale<'_>, first: String, recurrence: &Recurrence) -> Vec<String> {

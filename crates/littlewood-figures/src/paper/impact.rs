@@ -186,13 +186,13 @@ impl Diagram {
                 continue;
             }
             taken.push(at[1]);
-            // Where the line does not run.
-            let down = if other[1] > at[1] || at[1] + least > self.window.y[1] { 13.0 } else { -13.0 };
             let label = Label::new(text, &at).coloured(colour);
-            labels.push(if is_left {
-                label.shifted(8.0, down).left()
+            // Where neither this line nor the one without slip runs.
+            labels.push(if at[1] + least > self.window.y[1] {
+                if is_left { label.shifted(-8.0, 14.0).right() } else { label.shifted(8.0, 14.0).left() }
             } else {
-                label.shifted(-8.0, down).right()
+                let down = if other[1] > at[1] { 13.0 } else { -13.0 };
+                if is_left { label.shifted(8.0, down).left() } else { label.shifted(-8.0, down).right() }
             });
         }
         labels
