@@ -296,10 +296,11 @@ fn demand_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes) -> Panel 
         (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
     });
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
-    let axis = PlotAxis {
-        range: [0.0, 1.25 * bounds(demand.rows().map(|row| row[1]).chain([mu_s]), 0.0)[1]],
-        ..axis_of("demand", "|*F*|/*N*", &[&demand], &[0.0, mu_s])
-    };
+    let highest = bounds(demand.rows().map(|row| row[1]).chain([mu_s]), 0.0)[1];
+    // Without friction the axis has a length all the same.
+    let highest = if highest > 0.0 { highest } else { 0.1 };
+    let axis =
+        PlotAxis { range: [0.0, 1.25 * highest], ..axis_of("demand", "|*F*|/*N*", &[&demand], &[0.0, mu_s]) };
     let axis = PlotAxis { ticks: ticks::round(0.0, axis.range[1], 5), ..axis };
     let mut layers = vec![
         transitions(motion, &axis),
