@@ -1,6 +1,6 @@
 //! The description of a run, as stores keep it: two runs with the same description have the same result.
 
-use littlewood::{HoopParameters, Limits, PhaseSequence, Quantity, RestitutionLaw, Setup, Start};
+use littlewood::{HoopParameters, Limits, PhaseSequence, Quantity, Setup, Start};
 use serde_json::{Map, Value, json};
 
 use crate::axis::Axis;
@@ -50,9 +50,9 @@ fn numbers(values: impl Iterator<Item = (Quantity, f64)>) -> Map<String, Value> 
     values.map(|(quantity, value)| (quantity.name().to_owned(), value.into())).collect()
 }
 
-/// The name of the law of restitution, or null.
-fn law(setup: &Setup) -> Value {
-    setup.hoop.restitution_law.map(RestitutionLaw::name).into()
+/// The name of the law of restitution; null where there is no restitution.
+fn law(setup: &Setup, has_restitution: bool) -> Value {
+    has_restitution.then(|| setup.hoop.restitution_law.unwrap_or_default().name()).into()
 }
 
 /// What a run computes, in JSON.
@@ -63,6 +63,8 @@ impl Description {
     pub(crate) fn of_grid(grid: &Grid, limits: Limits, chunk: &[usize]) -> Self {
         let place = given(grid.base()).filter(|(quantity, _)| grid.axis(*quantity).is_none());
         let fixed = numbers(place);
+        let axis = grid.axis(Quantity::Restitution).is_some();
+        let has_restitution = axis || grid.base().get(Quantity::Restitution).is_some();
         let axes: Vec<Value> = grid
             .axes()
             .iter()
@@ -82,7 +84,7 @@ impl Description {
             "points": "grid",
             "axes": axes,
             "fixed": fixed,
-            RESTITUTION_LAW: law(grid.base()),
+            RESTITUTION_LAW: law(grid.base(), has_restitution),
             "limits": of_limits(limits),
             "chunk": chunk,
         }))
@@ -90,6 +92,8 @@ impl Description {
 
     pub(crate) fn of_list(list: &StartList, limits: Limits, chunk: usize) -> Self {
         let base = numbers(given(list.base()));
+        let column = list.columns().contains(&Quantity::Restitution);
+        let has_restitution = column || list.base().get(Quantity::Restitution).is_some();
         Self(json!({
             "version": env!("CARGO_PKG_VERSION"),
             "format": STORE_FORMAT,
@@ -97,7 +101,7 @@ impl Description {
             "points": "list",
             "list": list.fingerprint(),
             "base": base,
-            RESTITUTION_LAW: law(list.base()),
+            RESTITUTION_LAW: law(list.base(), has_restitution),
             "limits": of_limits(limits),
             "chunk": chunk,
         }))

@@ -11,7 +11,7 @@ use crate::automaton::Cause;
 use crate::candidates::{Arrival, Next};
 use crate::flight::{Flight, TakeOff};
 use crate::hoop::{Body, Heavy, Hoop, Massless};
-use crate::impact::{Contact, ContactVelocities};
+use crate::impact::{Contact, ContactVelocities, Impact};
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::rolling::Recurrence;
@@ -285,8 +285,11 @@ fn jam<T: Solver>(solver: &T, from: Option<Mode>, place: &T::Place) -> Option<Fo
 
 /// What follows the end of bounces.
 fn settles<T: Solver>(solver: &T, place: &T::Place, settling: &Settling) -> Follows<T::Place> {
-    let transition =
-        Transition::by_impact(T::state(place), Some(Mode::Flight), settling.impact, Cause::Settle);
+    let state = T::state(place);
+    // The flight has turned the hoop by so little that the sum took the angle for fixed: the last digits of the slip differ.
+    let before = velocities(&state, settling.impact.before.gap_rate);
+    let impact = Impact { before, ..settling.impact };
+    let transition = Transition::by_impact(state, Some(Mode::Flight), impact, Cause::Settle);
     let place = solver.place(transition.after);
     let begin = Begin::Motion(solver.decide(&place, Arrival::Open));
     Follows { transition, place, begin }

@@ -47,10 +47,10 @@ impl StartList {
             return Err(ListError::Empty { path: list.path });
         }
         for column in quantities() {
-            if !list.columns.contains(&column) {
-                if let Some(value) = base.get(column) {
-                    column.check(value).map_err(|source| ListError::Fixed { column, source })?;
-                }
+            if !list.columns.contains(&column)
+                && let Some(value) = base.get(column)
+            {
+                column.check(value).map_err(|source| ListError::Fixed { column, source })?;
             }
         }
         while let Some((line, point)) = rows.next_row()? {
