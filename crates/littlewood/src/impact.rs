@@ -175,7 +175,7 @@ impl Hoop {
         let slipping = direction.map_or(contact.at_rest, |direction| contact.slope(direction));
         let first = contact.course(impact.before, direction, slipping).first;
         let bend = (first > 0.0 && first < impact.impulse.normal)
-            .then(|| Impulse { normal: first, friction: slipping.friction * first });
+            .then_some(Impulse { normal: first, friction: slipping.friction * first });
         let none = Impulse { normal: 0.0, friction: 0.0 };
         [Some(none), bend, Some(impact.impulse)].into_iter().flatten().collect()
     }
