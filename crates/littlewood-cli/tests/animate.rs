@@ -202,3 +202,29 @@ fn ctrl_c_leaves_no_half_a_film() {
     assert!(String::from_utf8(output.stderr).unwrap().starts_with("error: stopped after "));
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
 }
+
+#[test]
+fn impacts_are_replayed_slowly_and_the_energy_is_shown() {
+    let folder = TempDir::new().unwrap();
+    let size = |flags: &[&str]| {
+        let out = path(&folder, "film.gif");
+        animate(&[&["figure-3-bounces", "--until", "5"], flags].concat(), &out);
+        let bytes = fs::read(&out).unwrap();
+        // A graphic control extension for each frame.
+        (bytes.windows(3).filter(|window| window == b"\x21\xf9\x04").count(), bytes)
+    };
+    let (frames, usual) = size(&[]);
+    let (slowed, _) = size(&["--slow-impacts", "8"]);
+    // One landing before τ = 5: 0.12 units of time eight times slower, and 1.2 s for the impact, at 5 frames a second.
+    assert!((slowed - frames).abs_diff(10) <= 2, "{frames} and {slowed}");
+    assert!(size(&["--energy-bar", "always"]).1 == usual, "a hoop that bounces has the bar");
+    assert!(size(&["--energy-bar", "never"]).1 != usual);
+    for (flags, words) in [
+        (&["--slow-impacts", "0.5"][..], "slow_impacts = 0.5 must be a finite number of at least 1"),
+        (&["--slow-impacts", "x"], "this is not a number"),
+        (&["--energy-bar", "sometimes"], "always"),
+    ] {
+        let message = refused(flags, 2);
+        assert!(message.contains(words), "{flags:?}: {message}");
+    }
+}

@@ -99,3 +99,40 @@ fn bad_values_are_refused() {
     assert_eq!(fs::read_to_string(&file).expect("a file"), "kept");
     assert_eq!(files(folder.path()), ["file"]);
 }
+
+#[test]
+fn the_figure_of_an_impact_shows_the_one_that_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let caption = |flags: &[&str]| {
+        text(&[&["figures", "impact", "--out", out, "--format", "txt"], flags].concat());
+        fs::read_to_string(folder.path().join("impact.txt")).expect("a caption")
+    };
+    assert!(caption(&[]).contains("Impact 1 of the motion, at τ = 3.8474"));
+    assert!(caption(&["--impact", "2"]).contains("Impact 2 of the motion, at τ = 5.4208"));
+    let newton = ["--case", "figure-3", "--restitution", "0.7", "--restitution-law", "newton"];
+    assert!(caption(&newton).contains("velocities (Newton)"));
+    for (flags, words) in [
+        (&["--impact", "0"][..], "the first impact is 1"),
+        (&["--impact", "1.5"], "not a whole number"),
+        (&["--impact", "99"], "1 to 26"),
+        (&["--case", "figure-3"], "--restitution from 0 to 1"),
+        (&["--case", "figure-3", "--restitution", "0.5", "--until", "3"], "the motion has none"),
+    ] {
+        let message = refusal(&[&["figures", "impact", "--out", out], flags].concat());
+        assert!(message.contains(words), "{flags:?}: {message}");
+    }
+}
+
+#[test]
+fn without_restitution_the_figures_of_impacts_are_left_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let printed = text(&["figures", "--case", "figure-3", "--out", out, "--format", "txt"]);
+    for name in ["impact", "bounces"] {
+        assert!(
+            printed.contains(&format!("left out {name}: {name} shows what follows a landing")),
+            "{printed}"
+        );
+    }
+}

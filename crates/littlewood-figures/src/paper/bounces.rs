@@ -109,7 +109,13 @@ fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>]) -> P
                 .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
         );
         let text = format!("{}, *τ* = {}", end.transition.cause.label(), short(at));
-        labels.push(Label::new(text, &[at, y.range[1]]).shifted(-7.0, 14.0).right().sized(SMALL));
+        let label = Label::new(text, &[at, y.range[1]]).sized(SMALL);
+        let is_early = at < range[0] + 0.25 * (range[1] - range[0]);
+        labels.push(if is_early {
+            label.shifted(7.0, 14.0).left()
+        } else {
+            label.shifted(-7.0, 14.0).right()
+        });
     }
     layers.push(gap.drawn(Mark::Line(Stroke::of_mode(Mode::Flight).dashed(Dash::Solid).wide(2.0))));
     let dots = landings(motion).iter().map(|(at, _)| vec![*at, 0.0]).collect();
@@ -171,6 +177,9 @@ fn rate_panel(landings: &[(f64, Impact)], settled: &[Settled<'_>]) -> Panel {
                 .drawn(Mark::Line(Stroke::solid(SOFT, CURVE).dashed(Dash::Dashed))),
         );
         let text = format!("in the end each *e*_{{eff}} = {} times the one before", short(end.ratio));
+        if labels.iter().any(|label: &Label| label.text == text) {
+            continue;
+        }
         let down = 16.0 + 17.0 * labels.len() as f64;
         let label = Label::new(text, &[x_range[1], y_range[1]]);
         labels.push(label.shifted(-10.0, down).right().sized(SMALL).coloured(SOFT));
