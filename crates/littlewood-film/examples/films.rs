@@ -7,8 +7,11 @@ use std::path::PathBuf;
 use littlewood::{Hoop, Limits, Setup, find_case};
 use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 
-/// File, case, seconds of film for a unit of time, how much slower impacts are, and the time limit.
-const FILMS: [(&str, &str, f64, Option<(f64, f64)>); 4] = [
+/// How much slower impacts are, and the time limit, if there are impacts to show.
+type Impacts = Option<(f64, f64)>;
+
+/// File, case, seconds of film for a unit of time, impacts.
+const FILMS: [(&str, &str, f64, Impacts); 4] = [
     ("figure-3.gif", "figure-3", 3.0, None),
     ("figure-7.gif", "figure-7", 4.0, None),
     ("libration.gif", "figure-2-libration", 1.25, None),

@@ -17,7 +17,9 @@ fn film<'a>(motion: &'a Trajectory, pace: &Pace) -> Film<'a> {
 }
 
 fn energies(film: &Film<'_>) -> Vec<EnergyParts> {
-    (0..film.schedule().frames()).map(|index| film.energy(index).unwrap().expect("a bar")).collect()
+    (0..film.schedule().frames())
+        .map(|index| film.energy(index).expect("it can be made").expect("a bar"))
+        .collect()
 }
 
 /// The mass centre's and the rotation's part, from positions by finite differences: an independent kinetic energy.
