@@ -90,6 +90,9 @@ const COUNT = 400;
 const PER_PHASE = 40;
 const MOST = 8000;
 
+/** A part of the energy of the start that is less than this is rounding. */
+export const ROUNDING = 1e-12;
+
 export class Motion {
   /** As far as the motion is shown. */
   readonly phases: Phase[];
@@ -149,6 +152,17 @@ export class Motion {
     const parts = this.core.energies(Math.min(Math.max(time, this.begin), this.end));
     if (!parts.every(Number.isFinite) || parts.length === 0) return null;
     return Object.fromEntries(ENERGY_PARTS.map((name, i) => [name, parts[i]])) as Record<EnergyPart, number>;
+  }
+
+  /** The energy of the start, of which all parts are; none where nothing moves. */
+  get energy(): number | null {
+    const first = this.energies(this.begin);
+    return first === null ? null : ENERGY_PARTS.reduce((sum, part) => sum + first[part], 0);
+  }
+
+  /** The energy lost in an impact, negative where the law has gained some; a gain that is rounding is none. */
+  lostIn({ lost }: Impact): number {
+    return lost < 0 && -lost < ROUNDING * (this.energy ?? 0) ? 0 : lost;
   }
 
   /** Routh's diagram of an impact; none for many together. */

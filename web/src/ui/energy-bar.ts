@@ -1,13 +1,10 @@
 // Where the energy of the start is at the cursor, as a bar.
 
-import type { Energies } from '../core/motion';
+import { ROUNDING } from '../core/motion';
 import { ENERGY_LABELS, ENERGY_PARTS, type EnergyPart } from '../generated/palette';
 import { COLUMN_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { brief, byId, make } from '../dom';
-
-/** A part of the energy that is less than this is rounding. */
-const ROUNDING = 1e-12;
 
 interface Part {
   name: EnergyPart;
@@ -35,17 +32,11 @@ export class EnergyBar {
       make('li', {}, 'at the start ', this.sum));
   }
 
-  /** The energy of the start, of which all parts are. */
-  private total(energies: Energies): number {
-    return ENERGY_PARTS.reduce((sum, part) => sum + energies[part], 0);
-  }
-
   showMotion(): void {
     const { motion, problem } = this.lab;
     this.holder.hidden = problem.restitution === undefined;
     if (this.holder.hidden) return;
-    const first = motion.energies(motion.begin);
-    const total = first === null ? 0 : this.total(first);
+    const total = motion.energy ?? 0;
     // A law that gains energy needs more room than the start.
     const gained = Math.max(0, ...motion.impacts.map(({ time }) => -(motion.energies(time)?.lost_in_impacts ?? 0)));
     this.most = total + gained || 1;
@@ -65,7 +56,7 @@ export class EnergyBar {
       text.textContent = energy < 0 ? ENERGY_LABELS[name].replace('lost', 'gained') : ENERGY_LABELS[name];
       value.textContent = energies === null ? '–' : brief(Math.abs(energy) * units.energy, 4);
     }
-    const sum = energies === null ? '–' : brief(this.total(energies) * units.energy, 4);
+    const sum = energies === null ? '–' : brief(ENERGY_PARTS.reduce((sum, part) => sum + energies[part], 0) * units.energy, 4);
     this.sum.textContent = `${sum} ${COLUMN_ROWS.energy.units[system]}`;
   }
 }

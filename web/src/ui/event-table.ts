@@ -81,7 +81,8 @@ export class EventTable {
 
   private impactCells({ impact }: Event): HTMLElement[] {
     if (impact === null) return [make('td', { colspan: '2' })];
-    const lost = brief(impact.lost * this.lab.units.energy, 3);
+    const { motion, units } = this.lab;
+    const lost = brief(motion.lostIn(impact) * units.energy, 3);
     return [make('td', {}, impact.label), make('td', { class: 'number' }, lost)];
   }
 

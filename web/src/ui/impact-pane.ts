@@ -80,12 +80,13 @@ export class ImpactPane {
   }
 
   private showNumbers(): void {
-    const { shown, lab: { units, problem, state: { problem: { system } } } } = this;
+    const { shown, lab: { motion, units, problem, state: { problem: { system } } } } = this;
     if (shown === null) {
       this.rows.replaceChildren();
       return;
     }
-    const { before, after, normal, friction, lost, label } = shown.impact;
+    const { before, after, normal, friction, label } = shown.impact;
+    const lost = motion.lostIn(shown.impact);
     const row = (name: string, sign: string, unit: string, ...values: number[]): HTMLElement =>
       make('tr', { 'data-quantity': name },
         make('th', { scope: 'row' }, make('i', {}, sign), unit === '' ? '' : make('span', { class: 'unit' }, ` ${unit}`)),
