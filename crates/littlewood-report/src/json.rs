@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use littlewood::{CASES, Classification, Detail, Dimension, Hoop, Trajectory, Units};
+use littlewood::{CASES, Classification, Detail, Dimension, Hoop, SummaryColumn, Trajectory, Units};
 use serde::{Serialize, Serializer};
 
 use crate::record::{
@@ -86,7 +86,7 @@ pub fn motion(
 fn energy_lost(trajectory: &Trajectory) -> Vec<(&'static str, Detail)> {
     let energy = |name, value| (name, Detail::Real(value, Dimension::Energy));
     let impacts = trajectory.hoop().restitution().map(|_| trajectory.impact_energy_lost());
-    let impacts = impacts.map(|lost| energy("impact_energy_lost", lost));
+    let impacts = impacts.map(|lost| energy(SummaryColumn::ImpactEnergyLost.name(), lost));
     [energy("energy_lost", trajectory.energy_lost())].into_iter().chain(impacts).collect()
 }
 
