@@ -40,6 +40,20 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 //!
+//! With a coefficient of restitution a motion goes on after its landing: impacts with friction, bounces to their end, and the
+//! jam of Painlevé's paradox.
+//!
+//! ```
+//! use littlewood::{Cause, Hoop, Limits, Mode, Restitution, RestitutionLaw, Start};
+//!
+//! let hoop = Hoop::figure_2(0.5, 0.4)?.with_restitution(Restitution::new(0.5, RestitutionLaw::Energetic)?)?;
+//! let motion = hoop.simulate(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
+//! let settled = motion.transitions().iter().find(|transition| transition.cause == Cause::Settle).expect("settles");
+//! assert_eq!(settled.to, Some(Mode::Rolling));
+//! assert!((settled.time() - 6.924_682_083_018_514).abs() < 1e-12);
+//! # Ok::<(), littlewood::ParameterError>(())
+//! ```
+//!
 //! The plane of the paper's figures is [`PhasePlane`], its closed forms are in [`closed_form`], the edges of the
 //! automaton are [`EDGES`], and [`Hoop::classify`] says where a start lies. [`CASES`] are the motions that the paper
 //! shows or speaks of. [`Engine`] makes a [`Summary`] of each of many starts.

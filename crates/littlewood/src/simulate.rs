@@ -17,8 +17,8 @@ use crate::walk::{PhaseSeen, Recorder, walk};
 pub struct Limits {
     /// Time τ at which to stop, if any. A motion that is proved to roll for ever is reported as such in any case.
     pub until: Option<f64>,
-    /// Largest number of transitions. Only μs = μk needs it: there slips can shrink without end towards the orbit
-    /// that grazes the static limit.
+    /// Largest number of transitions. μs = μk needs it, where slips can shrink without end towards the orbit that grazes the
+    /// static limit, and e = 1, where bounces need not end.
     pub transitions: usize,
 }
 
@@ -65,7 +65,7 @@ impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.
     ///
     /// Every transition is located to the last digits; none is missed. The result is the same on every platform,
-    /// bit for bit.
+    /// bit for bit. Without a coefficient of restitution the motion ends where the rim lands; with one it goes on.
     ///
     /// ```
     /// use littlewood::{Hoop, Limits, Mode, Start};

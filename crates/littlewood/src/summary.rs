@@ -43,7 +43,7 @@ pub struct Summary {
     /// Time from which on the rim stays at the plane after it has left it: of the last landing without rebound, or of the end
     /// of the last bounces. NaN where it has never left it, or is off it at the end.
     pub settle_time: f64,
-    /// Whether the motion met P ≤ 0 (Painlevé): no motion, several, or a singular slide.
+    /// Whether the motion met P ≤ 0 (Painlevé): no motion, several, a singular slide, or a jam.
     pub painleve: bool,
 }
 
@@ -113,6 +113,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
             }
             self.summary.landings += 1;
         }
+        self.summary.painleve |= transition.cause == Cause::Jam;
         if let Some(impact) = transition.impact {
             (self.flight, self.gap_rate) = (None, impact.after.gap_rate);
             self.summary.impact_energy_lost += impact.energy_lost();
@@ -133,7 +134,8 @@ impl<'a> SummaryRecorder<'a> {
     /// The summary of a motion that ended in this way, at this state.
     pub(crate) fn finish(self, outcome: OutcomeKind, end: State) -> Summary {
         let Self { hoop, mut summary, flight, mut gap_rate } = self;
-        (summary.outcome, summary.end, summary.painleve) = (outcome, end, outcome.is_painleve());
+        (summary.outcome, summary.end) = (outcome, end);
+        summary.painleve |= outcome.is_painleve();
         let mut last = end;
         if let Some((start, flight)) = flight {
             // The energy of a flight is that of its start, where there is no gap.
