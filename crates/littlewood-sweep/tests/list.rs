@@ -61,8 +61,8 @@ fn mistakes_in_csv_are_named_with_line_and_column() {
     assert_eq!(message("theta,theta_rate\n1,2\n1\n"), "starts.csv, line 3: 1 cells where the header has 2");
     assert_eq!(
         message("theta,omega\n1,2\n"),
-        "starts.csv: there is no quantity \"omega\"; columns are theta, theta_rate, slip, mass_ratio, offset, \
-         inertia, mu_s, mu_k, x, time"
+        "starts.csv: there is no quantity \"omega\"; columns are theta, theta_rate, slip, gap_rate, mass_ratio, \
+         offset, inertia, mu_s, mu_k, restitution, x, time"
     );
     assert_eq!(
         message("theta\r\n\r\n1\r\nx\r\n"),

@@ -71,7 +71,7 @@ mod tests {
         assert_eq!(axis_name(Quantity::Theta), "θ  (rad)");
         assert_eq!(axis_name(Quantity::ThetaRate), "θ′  (√(g/R))");
         assert_eq!(axis_name(Quantity::Inertia), "Izz/(m₂R²)");
-        assert_eq!(title(Shade::Column(SummaryColumn::JumpHeight)), "Height of the jump  (R)");
+        assert_eq!(title(Shade::Column(SummaryColumn::JumpHeight)), "Height of the first jump  (R)");
         assert_eq!(title(Shade::Column(SummaryColumn::EndTheta)), "Angle at the end  (rad)");
     }
 }

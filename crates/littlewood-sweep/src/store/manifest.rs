@@ -39,7 +39,7 @@ pub(crate) struct ManifestChunk {
 /// replaces it. The first line has the version of the format.
 ///
 /// ```text
-/// littlewood-sweep 2 run 5f3759df
+/// littlewood-sweep 3 run 5f3759df
 /// 0 24681 1b2c3d4e leaves_at_once=52,rolls_forever=25
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -135,7 +135,7 @@ mod tests {
         let manifest = example();
         assert_eq!(
             manifest.text(),
-            "littlewood-sweep 2 run 5f3759df\n0 24681 00001b2c leaves_at_once=52\n7 9 ffffffff \
+            "littlewood-sweep 3 run 5f3759df\n0 24681 00001b2c leaves_at_once=52\n7 9 ffffffff \
              leaves_at_once=52,rolls_forever=25\n"
         );
         assert_eq!(Manifest::parse(manifest.text().as_bytes(), manifest.run, 8), Ok(manifest));
@@ -155,8 +155,8 @@ mod tests {
     #[test]
     fn damage_is_found_and_its_line_named() {
         let parse = |text: &str| Manifest::parse(text.as_bytes(), 0x5f37_59df, 8).map(|_| ());
-        let head = "littlewood-sweep 2 run 5f3759df\n";
-        assert_eq!(parse("littlewood-sweep 2 run 5f3759de\n"), Err(1));
+        let head = "littlewood-sweep 3 run 5f3759df\n";
+        assert_eq!(parse("littlewood-sweep 3 run 5f3759de\n"), Err(1));
         assert_eq!(parse("something else\n"), Err(1));
         let good = "1 1 00000000 painleve=1";
         assert_eq!(parse(&format!("{head}{good}\n")), Ok(()));
