@@ -299,3 +299,17 @@ fn every_hoop_that_bounces_has_its_figures() {
         }
     }
 }
+
+#[test]
+fn what_becomes_of_a_start_is_settled_by_its_first_lift_off() {
+    let without = figure("outcomes");
+    let class = |figure: &Figure| -> Vec<Series> {
+        let layers = figure.panels.iter().flat_map(|panel| &panel.layers);
+        layers.map(|layer| layer.series.clone()).collect()
+    };
+    // No start of the Figure 2 hoop jams, so that nothing differs before the first lift-off.
+    for e in [0.5, 1.0] {
+        let with = make("outcomes", &figure_3_with(e, RestitutionLaw::Energetic)).expect("the figure");
+        assert!(class(&with) == class(&without), "e = {e}");
+    }
+}

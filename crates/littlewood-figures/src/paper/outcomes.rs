@@ -18,6 +18,8 @@ use crate::words::{hoop_in_words, short};
 const NAME: &str = "outcomes";
 /// Cells to the right and upwards.
 const CELLS: [u32; 2] = [270, 200];
+/// Transitions within which most motions that bounce have lifted off for the first time.
+const FIRST: usize = 16;
 /// Pixels by which a curve stands out from what is below it on either side.
 const MARGIN: f64 = 1.0;
 
@@ -33,11 +35,23 @@ fn cells_by_class(
         let theta_rate = window.y[0] + cell[1] * (f64::from(j) + 0.5);
         for i in 0..CELLS[0] {
             let theta = window.x[0] + cell[0] * (f64::from(i) + 0.5);
-            let summary = engine.summary(Start::at(theta, theta_rate), input.limits)?;
-            cells[usize::from(Class::of(&summary).code())].push(vec![theta, theta_rate]);
+            let class = class_of(&engine, input, Start::at(theta, theta_rate))?;
+            cells[usize::from(class.code())].push(vec![theta, theta_rate]);
         }
     }
     Ok(cells)
+}
+
+/// The class of a start. It is settled with the first lift-off, so that bounces need not be followed to their end.
+fn class_of(engine: &Engine, input: &FigureInput, start: Start) -> Result<Class, FigureError> {
+    let limits = input.limits;
+    if input.hoop.restitution().is_some() && limits.transitions > FIRST {
+        let class = Class::of(&engine.summary(start, limits.with_transitions(FIRST))?);
+        if class != Class::InContactAtLimit {
+            return Ok(class);
+        }
+    }
+    Ok(Class::of(&engine.summary(start, limits)?))
 }
 
 /// How long the motions are followed.
