@@ -202,7 +202,7 @@ fn impact(hoop: &Hoop, state: &State, gap_rate: f64, e: f64, law: RestitutionLaw
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig::with_cases(4000))]
 
     #[test]
     fn stepping_in_the_impulse_finds_the_same_impact(
