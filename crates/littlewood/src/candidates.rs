@@ -86,7 +86,7 @@ impl Candidates {
 }
 
 /// The motion that follows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Next {
     Roll,
     /// `slip_acceleration` where η′ = 0.
@@ -104,8 +104,8 @@ pub(crate) enum Next {
         body: Heavy,
         take_off: TakeOff,
     },
-    None(Candidates),
-    Several(Candidates),
+    None(Box<Candidates>),
+    Several(Box<Candidates>),
 }
 
 /// How the state was reached, which resolves ties on a boundary.
@@ -304,6 +304,7 @@ fn weigh_all(
                 contact,
                 solvability,
             };
+            let candidates = Box::new(candidates);
             if candidates.count() == 0 { Next::None(candidates) } else { Next::Several(candidates) }
         }
     }
@@ -340,7 +341,7 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
         let unloaded = arrival == Arrival::RollingLimit(RollingLimit::NormalForce);
         return Next::Glide { body: *body, from_extremum: at_rest && unloaded };
     }
-    Next::None(Candidates {
+    Next::None(Box::new(Candidates {
         rolling: false,
         sliding_negative: false,
         sliding_positive: false,
@@ -349,5 +350,5 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
         rolling_forces: forces,
         contact,
         solvability: [0.0; 2],
-    })
+    }))
 }

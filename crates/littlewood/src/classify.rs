@@ -124,11 +124,11 @@ impl Hoop {
             }
             Next::None(candidates) => {
                 found.region = StartRegion::Inconsistent;
-                found.candidates = Some(candidates);
+                found.candidates = Some(*candidates);
             }
             Next::Several(candidates) => {
                 found.region = StartRegion::Ambiguous;
-                found.candidates = Some(candidates);
+                found.candidates = Some(*candidates);
             }
         }
         Ok(found)

@@ -112,7 +112,7 @@ impl Solver for Exact<'_> {
                 Ending::Event { place, cause: Cause::LiftOff, arrival: Arrival::LiftOff }
             }
             SlidingEnd::Singular(place) => {
-                Ending::Singular { place, solvability: law.solvability(place.theta) }
+                Ending::Singular { state: place, solvability: law.solvability(place.theta) }
             }
             SlidingEnd::Unresolved(state) => {
                 Ending::Motion { event: None, end: Some(state), verdict: Outcome::Unresolved { state } }
@@ -133,7 +133,7 @@ impl Solver for Exact<'_> {
         let ending = match self.allowed(state) {
             Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
             Some(_) | None => {
-                Ending::Landing { place: flight.state(duration), gap_rate: flight.gap(duration).1 }
+                Ending::Landing { state: flight.state(duration), gap_rate: flight.gap(duration).1 }
             }
         };
         Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
@@ -150,7 +150,7 @@ impl Solver for Exact<'_> {
         let ending = match self.allowed(state) {
             Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
             Some(_) | None => {
-                Ending::Settled { place: flight.state(duration), settling: Box::new(*settling) }
+                Ending::Settled { state: flight.state(duration), settling: Box::new(*settling) }
             }
         };
         Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }

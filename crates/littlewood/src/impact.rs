@@ -118,6 +118,11 @@ pub struct Impact {
 }
 
 impl Impact {
+    /// The state after the impact, from that before it.
+    pub(crate) fn state_after(&self, before: &State) -> State {
+        State { theta_rate: self.after.theta_rate, slip: self.after.slip, ..*before }
+    }
+
     /// Energy lost, over m2 g R. Negative where Newton's law gains energy.
     #[must_use]
     pub fn energy_lost(&self) -> f64 {

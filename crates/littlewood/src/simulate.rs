@@ -3,12 +3,14 @@
 use crate::error::{ParameterError, within};
 use crate::exact::Exact;
 use crate::hoop::{Body, Hoop};
+use crate::impact::Impact;
+use crate::mode::Direction;
 use crate::outcome::Outcome;
 use crate::quantity::{Bound, Quantity};
 use crate::state::{Start, State};
 use crate::trajectory::{Phase, PhaseSolution, Trajectory};
 use crate::transition::Transition;
-use crate::walk::{PhaseSeen, Recorder, walk};
+use crate::walk::{Event, PhaseSeen, Recorder, walk};
 
 /// When to stop a motion that has not come to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,12 +123,15 @@ impl Recorder<PhaseSolution> for Trajectory {
         self.phases.push(Phase { hoop: self.hoop, solution, start, end, ended_by: None });
     }
 
-    fn transition(&mut self, transition: &Transition) {
-        if transition.from.is_some()
+    fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>) {
+        let Event { state: before, from, to, cause } = *event;
+        let after = impact.map_or(before, |impact| impact.state_after(&before));
+        let impact = impact.copied();
+        if from.is_some()
             && let Some(phase) = self.phases.last_mut()
         {
             phase.ended_by = Some(self.transitions.len());
         }
-        self.transitions.push(*transition);
+        self.transitions.push(Transition { before, after, impact, from, to, direction, cause });
     }
 }

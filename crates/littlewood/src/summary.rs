@@ -4,14 +4,15 @@ use crate::automaton::Cause;
 use crate::equations::energy_at;
 use crate::flight::Flight;
 use crate::hoop::Hoop;
-use crate::mode::Mode;
+use crate::impact::Impact;
+use crate::mode::{Direction, Mode};
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
 use crate::state::State;
 use crate::trajectory::{PhaseSolution, Trajectory};
 use crate::transition::Transition;
 use crate::trig::sincos;
-use crate::walk::{PhaseSeen, Recorder, Solution};
+use crate::walk::{Event, PhaseSeen, Recorder, Solution};
 
 /// The summary of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,8 +81,10 @@ impl Summary {
 pub(crate) struct SummaryRecorder<'a> {
     hoop: &'a Hoop,
     summary: Summary,
-    /// The last phase, if it is a flight that no impact has ended: where it begins and what it is.
-    flight: Option<(State, Flight)>,
+    /// Where the last phase begins and with which rate of the gap, if it is a flight that no impact has ended.
+    flight: Option<(State, f64)>,
+    /// The flight before the first landing.
+    jump: Option<Flight>,
     /// Rate of the gap after the last impact, if no phase has followed it.
     gap_rate: f64,
 }
@@ -90,35 +93,39 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
     fn phase(&mut self, phase: PhaseSeen, solution: S) {
         self.summary.sequence.push(phase.mode, phase.direction);
-        self.flight = solution.flight().map(|flight| (phase.start, *flight));
-        self.gap_rate = 0.0;
-        if self.flight.is_some() {
-            self.summary.settle_time = f64::NAN;
-            if self.summary.lift_off_time.is_nan() {
-                self.summary.lift_off_time = phase.start.time;
-            }
+        (self.flight, self.gap_rate) = (None, 0.0);
+        let Some(flight) = solution.flight() else { return };
+        self.flight = Some((phase.start, flight.take_off_rate()));
+        self.summary.settle_time = f64::NAN;
+        if self.summary.lift_off_time.is_nan() {
+            self.summary.lift_off_time = phase.start.time;
+        }
+        if self.summary.landings == 0 {
+            self.jump = Some(*flight);
         }
     }
 
     #[inline]
-    fn transition(&mut self, transition: &Transition) {
+    fn transition(&mut self, event: &Event, impact: Option<&Impact>, _: Option<Direction>) {
         self.summary.transitions = self.summary.transitions.saturating_add(1);
-        if transition.cause == Cause::Slip && self.summary.first_slip_time.is_nan() {
-            self.summary.first_slip_time = transition.time();
+        if event.cause == Cause::Slip && self.summary.first_slip_time.is_nan() {
+            self.summary.first_slip_time = event.state.time;
         }
-        if transition.cause == Cause::Landing {
-            if let Some((start, flight)) = self.flight.filter(|_| self.summary.landings == 0) {
-                self.summary.jump_length = (transition.before.x - start.x).abs();
-                self.summary.jump_height = flight.apex().1;
+        if event.cause == Cause::Landing {
+            if self.summary.landings == 0
+                && let (Some((start, _)), Some(jump)) = (self.flight, self.jump)
+            {
+                self.summary.jump_length = (event.state.x - start.x).abs();
+                self.summary.jump_height = jump.apex().1;
             }
             self.summary.landings += 1;
         }
-        self.summary.painleve |= transition.cause == Cause::Jam;
-        if let Some(impact) = transition.impact {
+        self.summary.painleve |= event.cause == Cause::Jam;
+        if let Some(impact) = impact {
             (self.flight, self.gap_rate) = (None, impact.after.gap_rate);
             self.summary.impact_energy_lost += impact.energy_lost();
-            if transition.from == Some(Mode::Flight) && transition.to != Some(Mode::Flight) {
-                self.summary.settle_time = transition.time();
+            if event.from == Some(Mode::Flight) && event.to != Some(Mode::Flight) {
+                self.summary.settle_time = event.state.time;
             }
         }
     }
@@ -128,18 +135,18 @@ impl<'a> SummaryRecorder<'a> {
     pub(crate) const fn new(hoop: &'a Hoop) -> Self {
         let summary =
             Summary { impact_energy_lost: 0.0, ..Summary::without_motion(OutcomeKind::NotComputed) };
-        Self { hoop, summary, flight: None, gap_rate: 0.0 }
+        Self { hoop, summary, flight: None, jump: None, gap_rate: 0.0 }
     }
 
     /// The summary of a motion that ended in this way, at this state.
     pub(crate) fn finish(self, outcome: OutcomeKind, end: State) -> Summary {
-        let Self { hoop, mut summary, flight, mut gap_rate } = self;
+        let Self { hoop, mut summary, flight, mut gap_rate, .. } = self;
         (summary.outcome, summary.end) = (outcome, end);
         summary.painleve |= outcome.is_painleve();
         let mut last = end;
-        if let Some((start, flight)) = flight {
+        if let Some(start) = flight {
             // The energy of a flight is that of its start, where there is no gap.
-            (last, gap_rate) = (start, flight.take_off_rate());
+            (last, gap_rate) = start;
         }
         if !summary.sequence.is_empty() {
             let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, gap_rate));
@@ -169,7 +176,9 @@ impl Trajectory {
         let mut transitions = self.transitions().iter().peekable();
         let mut tell = |recorder: &mut SummaryRecorder<'_>, ends: bool| {
             while let Some(transition) = transitions.next_if(|next| next.from.is_some() == ends) {
-                Recorder::<&PhaseSolution>::transition(recorder, transition);
+                let Transition { before: state, impact, from, to, direction, cause, .. } = *transition;
+                let event = Event { state, from, to, cause };
+                Recorder::<&PhaseSolution>::transition(recorder, &event, impact.as_ref(), direction);
                 if ends {
                     return;
                 }

@@ -27,18 +27,6 @@ pub struct Transition {
 }
 
 impl Transition {
-    /// A transition through which the state is continuous.
-    pub(crate) const fn continuous(state: State, from: Mode, to: Option<Mode>, cause: Cause) -> Self {
-        Self { before: state, after: state, impact: None, from: Some(from), to, direction: None, cause }
-    }
-
-    /// A transition by an impact.
-    pub(crate) fn by_impact(before: State, from: Option<Mode>, impact: Impact, cause: Cause) -> Self {
-        let (theta_rate, slip) = (impact.after.theta_rate, impact.after.slip);
-        let after = State { theta_rate, slip, ..before };
-        Self { before, after, impact: Some(impact), from, to: None, direction: None, cause }
-    }
-
     /// Time.
     #[must_use]
     pub const fn time(&self) -> f64 {

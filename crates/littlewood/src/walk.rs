@@ -17,7 +17,6 @@ use crate::outcome::Outcome;
 use crate::rolling::Recurrence;
 use crate::settling::Settling;
 use crate::state::State;
-use crate::transition::Transition;
 
 /// Two states of a conservative orbit that differ by no more are the same but for rounding.
 const SAME_STATE: f64 = 1e-9;
@@ -75,11 +74,11 @@ pub(crate) enum Ending<P, V> {
     /// By an event after which the motion goes on.
     Event { place: P, cause: Cause, arrival: Arrival },
     /// By the landing of the rim.
-    Landing { place: P, gap_rate: f64 },
+    Landing { state: State, gap_rate: f64 },
     /// By the end of bounces.
-    Settled { place: P, settling: Box<Settling> },
+    Settled { state: State, settling: Box<Settling> },
     /// By P = 0 in a slide, with P there.
-    Singular { place: P, solvability: f64 },
+    Singular { state: State, solvability: f64 },
     /// With the motion: `event` is its last transition, if there is one, `end` the state at the end of the phase, if
     /// it has one.
     Motion { event: Option<(Cause, State)>, end: Option<State>, verdict: V },
@@ -89,8 +88,9 @@ pub(crate) enum Ending<P, V> {
 pub(crate) trait Recorder<S> {
     /// A phase in a mode, from a state to a state, or without end.
     fn phase(&mut self, phase: PhaseSeen, solution: S);
-    /// The transition that ends the last phase.
-    fn transition(&mut self, transition: &Transition);
+    /// An event, which ends the last phase if it has a mode that ends; its impact, and the direction of slip of the motion
+    /// that begins.
+    fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>);
 }
 
 /// A phase as it is passed to a recorder.
@@ -102,6 +102,23 @@ pub(crate) struct PhaseSeen {
     pub(crate) end: Option<State>,
 }
 
+/// An event between two phases, or at the end of the last.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Event {
+    /// State just before.
+    pub(crate) state: State,
+    pub(crate) from: Option<Mode>,
+    pub(crate) to: Option<Mode>,
+    pub(crate) cause: Cause,
+}
+
+impl Event {
+    /// An event that ends a mode.
+    const fn new(state: State, from: Mode, cause: Cause) -> Self {
+        Self { state, from: Some(from), to: None, cause }
+    }
+}
+
 /// What begins.
 enum Begin {
     /// A motion that was decided on.
@@ -110,13 +127,14 @@ enum Begin {
     Settle(Heavy, Box<Settling>),
 }
 
-/// What follows an event: the transition, of which the direction of the phase behind it is not yet known, where it leads,
-/// and what begins there.
-struct Follows<P> {
-    transition: Transition,
+/// Where a motion is: the place, and what begins there.
+struct Now<P> {
     place: P,
     begin: Begin,
 }
+
+/// An event, and the impact that it is, if it is one.
+type Happening = (Event, Option<Box<Impact>>);
 
 /// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion, or to a limit.
 ///
@@ -129,109 +147,114 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     conservative: bool,
     recorder: &mut R,
 ) -> T::Verdict {
-    let mut place = solver.place(start);
-    let mut begin = match solver.hoop().body() {
+    let place = solver.place(start);
+    let begin = match solver.hoop().body() {
         Body::Heavy(body) if gap_rate > 0.0 => rise(solver, &body, &start, gap_rate),
         Body::Heavy(_) | Body::Massless(_) => Begin::Motion(solver.decide(&place, Arrival::Open)),
     };
-    let mut pending: Option<Transition> = None;
+    let mut now = Now { place, begin };
+    let mut pending: Option<Event> = None;
     let mut reversals = Reversals::default();
     let mut count = 0;
     loop {
-        let state = T::state(&place);
         let mut range = None;
-        let follows = 'event: {
-            let (mode, solved) = match &begin {
-                Begin::Motion(Next::Roll) => (Mode::Rolling, solver.roll(&place)),
-                Begin::Motion(Next::Slide { body, direction, slip_acceleration }) => {
-                    (Mode::Sliding, solver.slide(&place, body, *direction, *slip_acceleration))
-                }
-                Begin::Motion(Next::Fly { body, take_off }) => {
-                    (Mode::Flight, solver.fly(&place, body, *take_off))
-                }
-                Begin::Motion(Next::Glide { body, from_extremum }) => {
-                    (Mode::Gliding, solver.glide(&place, body, *from_extremum))
-                }
-                Begin::Settle(body, settling) => (Mode::Flight, solver.settle(&place, body, settling)),
-                Begin::Motion(Next::None(candidates)) => {
-                    flush(recorder, &mut pending, None);
-                    match jam(solver, None, &place) {
-                        Some(follows) => break 'event follows,
-                        None => return Outcome::Inconsistent { state, candidates: *candidates }.into(),
-                    }
-                }
-                Begin::Motion(Next::Several(candidates)) => {
-                    flush(recorder, &mut pending, None);
-                    return Outcome::Ambiguous { state, candidates: *candidates }.into();
-                }
-            };
-            let Solved { solution, direction, ending } = solved;
-            flush(recorder, &mut pending, direction);
-            if conservative {
-                range = solution.theta_range();
-            }
-            let record = |end| recorder.phase(PhaseSeen { mode, direction, start: state, end }, solution);
-            // Without an impact to follow, an event is the last.
-            let (event, end, outcome) = match ending {
-                Ending::Motion { event, end, verdict } => {
-                    record(end);
-                    if let Some((cause, before)) = event {
-                        recorder.transition(&Transition::continuous(before, mode, None, cause));
-                    }
-                    return verdict;
-                }
-                Ending::Event { place: reached, cause, arrival } => {
-                    record(Some(T::state(&reached)));
-                    break 'event continues(solver, (mode, direction), reached, cause, arrival);
-                }
-                Ending::Settled { place: reached, settling } => {
-                    record(Some(T::state(&reached)));
-                    break 'event settles(solver, &reached, &settling);
-                }
-                Ending::Landing { place: reached, gap_rate } => {
-                    let end = T::state(&reached);
-                    record(Some(end));
-                    if let Some(follows) = lands(solver, &reached, gap_rate) {
-                        break 'event follows;
-                    }
-                    (Cause::Landing, end, Outcome::Landing { state: end, gap_rate })
-                }
-                Ending::Singular { place: reached, solvability } => {
-                    let end = T::state(&reached);
-                    record(Some(end));
-                    if let Some(follows) = jam(solver, Some(mode), &reached) {
-                        break 'event follows;
-                    }
-                    (Cause::Singularity, end, Outcome::Singular { state: end, solvability })
-                }
-            };
-            recorder.transition(&Transition::continuous(end, mode, None, event));
-            return outcome.into();
+        let seen = conservative.then_some(&mut range);
+        let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), seen) {
+            Ok(happening) => happening,
+            Err(verdict) => return verdict,
         };
-        let Follows { mut transition, place: reached, begin: then } = follows;
-        transition.to = then.mode();
-        let (to_direction, event, end) = (then.direction(), transition.cause, transition.before);
-        let (after, goes_on) = (transition.after, transition.to.is_some());
-        if transition.to == Some(Mode::Gliding) {
+        let event = Event { to: now.begin.mode(), ..event };
+        let direction = now.begin.direction();
+        if event.to == Some(Mode::Gliding) {
             // The direction of a glide from rest is known only once it is followed.
-            pending = Some(transition);
+            pending = Some(event);
         } else {
-            transition.direction = to_direction;
-            recorder.transition(&transition);
+            recorder.transition(&event, impact.as_deref(), direction);
         }
         count += 1;
-        if conservative {
-            let returned = reversals.add(event, end, to_direction, range);
-            if let Some((since, recurrence)) = returned {
-                flush(recorder, &mut pending, to_direction);
-                return Outcome::SlidesForever { since, recurrence }.into();
+        let stopped = if let Some((since, recurrence)) =
+            conservative.then(|| reversals.add(&event, direction, range)).flatten()
+        {
+            Some(Outcome::SlidesForever { since, recurrence })
+        } else if count >= transitions && event.to.is_some() {
+            Some(Outcome::TransitionLimit { state: T::state(&now.place), transitions })
+        } else {
+            None
+        };
+        if let Some(outcome) = stopped {
+            flush(recorder, &mut pending, direction);
+            return outcome.into();
+        }
+    }
+}
+
+/// Follows the phase that begins now to the event that ends it, and tells the recorder of it; or says how the motion has ended.
+/// The range of the angle of a slide is kept where it is asked for.
+#[inline(always)]
+fn follow<T: Solver, R: Recorder<T::Solution>>(
+    solver: &T,
+    now: &mut Now<T::Place>,
+    (recorder, pending): (&mut R, &mut Option<Event>),
+    range: Option<&mut Option<(f64, f64)>>,
+) -> Result<Happening, T::Verdict> {
+    let place = &now.place;
+    let state = T::state(place);
+    let (mode, solved) = match &now.begin {
+        Begin::Motion(Next::Roll) => (Mode::Rolling, solver.roll(place)),
+        Begin::Motion(Next::Slide { body, direction, slip_acceleration }) => {
+            (Mode::Sliding, solver.slide(place, body, *direction, *slip_acceleration))
+        }
+        Begin::Motion(Next::Fly { body, take_off }) => (Mode::Flight, solver.fly(place, body, *take_off)),
+        Begin::Motion(Next::Glide { body, from_extremum }) => {
+            (Mode::Gliding, solver.glide(place, body, *from_extremum))
+        }
+        Begin::Settle(body, settling) => (Mode::Flight, solver.settle(place, body, settling)),
+        Begin::Motion(Next::None(candidates)) => {
+            flush(recorder, pending, None);
+            let inconsistent = Outcome::Inconsistent { state, candidates: **candidates };
+            return jam(solver, now, None, state).ok_or_else(|| inconsistent.into());
+        }
+        Begin::Motion(Next::Several(candidates)) => {
+            flush(recorder, pending, None);
+            return Err(Outcome::Ambiguous { state, candidates: **candidates }.into());
+        }
+    };
+    let Solved { solution, direction, ending } = solved;
+    flush(recorder, pending, direction);
+    if let Some(range) = range {
+        *range = solution.theta_range();
+    }
+    let record = |end| recorder.phase(PhaseSeen { mode, direction, start: state, end }, solution);
+    match ending {
+        Ending::Event { place: reached, cause, arrival } => {
+            record(Some(T::state(&reached)));
+            Ok((continues(solver, now, (mode, direction), reached, (cause, arrival)), None))
+        }
+        Ending::Motion { event, end, verdict } => {
+            record(end);
+            if let Some((cause, before)) = event {
+                recorder.transition(&Event::new(before, mode, cause), None, None);
             }
+            Err(verdict)
         }
-        if count >= transitions && goes_on {
-            flush(recorder, &mut pending, to_direction);
-            return Outcome::TransitionLimit { state: after, transitions }.into();
+        Ending::Settled { state: end, settling } => {
+            record(Some(end));
+            Ok(settles(solver, now, end, &settling))
         }
-        (place, begin) = (reached, then);
+        Ending::Landing { state: end, gap_rate } => {
+            record(Some(end));
+            lands(solver, now, end, gap_rate).ok_or_else(|| {
+                recorder.transition(&Event::new(end, mode, Cause::Landing), None, None);
+                Outcome::Landing { state: end, gap_rate }.into()
+            })
+        }
+        Ending::Singular { state: end, solvability } => {
+            record(Some(end));
+            jam(solver, now, Some(mode), end).ok_or_else(|| {
+                recorder.transition(&Event::new(end, mode, Cause::Singularity), None, None);
+                Outcome::Singular { state: end, solvability }.into()
+            })
+        }
     }
 }
 
@@ -239,12 +262,14 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
 #[inline(always)]
 fn continues<T: Solver>(
     solver: &T,
+    now: &mut Now<T::Place>,
     (mode, direction): (Mode, Option<Direction>),
     place: T::Place,
-    cause: Cause,
-    arrival: Arrival,
-) -> Follows<T::Place> {
-    let begin = Begin::Motion(solver.decide(&place, arrival));
+    (cause, arrival): (Cause, Arrival),
+) -> Event {
+    now.place = place;
+    now.begin = Begin::Motion(solver.decide(&now.place, arrival));
+    let begin = &now.begin;
     // Only now is it known what coming to rest leads to.
     let goes_on = begin.mode().is_some_and(|to| to != Mode::Rolling);
     let cause = if cause == Cause::Stick && goes_on {
@@ -253,26 +278,28 @@ fn continues<T: Solver>(
     } else {
         cause
     };
-    Follows { transition: Transition::continuous(T::state(&place), mode, None, cause), place, begin }
+    Event::new(T::state(&now.place), mode, cause)
 }
 
 /// What follows a landing of a hoop with restitution.
-fn lands<T: Solver>(solver: &T, place: &T::Place, gap_rate: f64) -> Option<Follows<T::Place>> {
+fn lands<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, gap_rate: f64) -> Option<Happening> {
     let hoop = solver.hoop();
     let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
-    let state = T::state(place);
     // The gap comes from above: where it touches without crossing, its rate may round to a positive number.
     let before = velocities(&state, gap_rate.min(0.0));
     let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
-    let transition = Transition::by_impact(state, Some(Mode::Flight), impact, Cause::Landing);
-    Some(rebounds(solver, &body, transition))
+    Some(rebounds(solver, now, &body, (Event::new(state, Mode::Flight, Cause::Landing), impact)))
 }
 
 /// What follows P ≤ 0 with slip left, for a hoop with restitution.
-fn jam<T: Solver>(solver: &T, from: Option<Mode>, place: &T::Place) -> Option<Follows<T::Place>> {
+fn jam<T: Solver>(
+    solver: &T,
+    now: &mut Now<T::Place>,
+    from: Option<Mode>,
+    state: State,
+) -> Option<Happening> {
     let hoop = solver.hoop();
     let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
-    let state = T::state(place);
     let direction = Direction::of_sign(state.slip)?;
     let contact = Contact::new(hoop, &body, state.theta);
     let runs_into_it = from.is_some();
@@ -280,31 +307,34 @@ fn jam<T: Solver>(solver: &T, from: Option<Mode>, place: &T::Place) -> Option<Fo
         return None;
     }
     let impact = contact.jam(velocities(&state, 0.0), restitution);
-    Some(rebounds(solver, &body, Transition::by_impact(state, from, impact, Cause::Jam)))
+    Some(rebounds(solver, now, &body, (Event { state, from, to: None, cause: Cause::Jam }, impact)))
 }
 
 /// What follows the end of bounces.
-fn settles<T: Solver>(solver: &T, place: &T::Place, settling: &Settling) -> Follows<T::Place> {
-    let state = T::state(place);
+fn settles<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, settling: &Settling) -> Happening {
     // The flight has turned the hoop by so little that the sum took the angle for fixed: the last digits of the slip differ.
     let before = velocities(&state, settling.impact.before.gap_rate);
     let impact = Impact { before, ..settling.impact };
-    let transition = Transition::by_impact(state, Some(Mode::Flight), impact, Cause::Settle);
-    let place = solver.place(transition.after);
-    let begin = Begin::Motion(solver.decide(&place, Arrival::Open));
-    Follows { transition, place, begin }
+    now.place = solver.place(impact.state_after(&state));
+    now.begin = Begin::Motion(solver.decide(&now.place, Arrival::Open));
+    (Event::new(state, Mode::Flight, Cause::Settle), Some(Box::new(impact)))
 }
 
 /// What follows an impact: a flight, if the gap opens.
-fn rebounds<T: Solver>(solver: &T, body: &Heavy, transition: Transition) -> Follows<T::Place> {
-    let place = solver.place(transition.after);
-    let opening = transition.impact.map_or(0.0, |impact| impact.after.gap_rate);
-    let begin = if opening > 0.0 {
-        rise(solver, body, &transition.after, opening)
+fn rebounds<T: Solver>(
+    solver: &T,
+    now: &mut Now<T::Place>,
+    body: &Heavy,
+    (event, impact): (Event, Impact),
+) -> Happening {
+    let after = impact.state_after(&event.state);
+    now.place = solver.place(after);
+    now.begin = if impact.after.gap_rate > 0.0 {
+        rise(solver, body, &after, impact.after.gap_rate)
     } else {
-        Begin::Motion(solver.decide(&place, Arrival::Open))
+        Begin::Motion(solver.decide(&now.place, Arrival::Open))
     };
-    Follows { transition, place, begin }
+    (event, Some(Box::new(impact)))
 }
 
 /// A gap that opens: bounces that settle, where they are short enough, and else a flight.
@@ -322,13 +352,11 @@ const fn velocities(state: &State, gap_rate: f64) -> ContactVelocities {
     ContactVelocities { theta_rate: state.theta_rate, slip: state.slip, gap_rate }
 }
 
-/// Passes the pending transition to the recorder.
+/// Passes a pending event to the recorder.
 #[inline]
-fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Transition>, direction: Option<Direction>) {
-    if let Some(transition) = pending {
-        transition.direction = direction;
-        recorder.transition(transition);
-        *pending = None;
+fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Event>, direction: Option<Direction>) {
+    if let Some(event) = pending.take() {
+        recorder.transition(&event, None, direction);
     }
 }
 
@@ -374,11 +402,11 @@ impl Reversals {
     /// Adds an event; the state since which the motion recurs, and how, if it has come back.
     fn add(
         &mut self,
-        cause: Cause,
-        state: State,
+        event: &Event,
         direction: Option<Direction>,
         range: Option<(f64, f64)>,
     ) -> Option<(State, Recurrence)> {
+        let Event { state, cause, .. } = *event;
         let (Cause::Reversal, Some(range)) = (cause, range) else {
             self.0.clear();
             return None;

@@ -71,10 +71,10 @@ impl From<Outcome> for Verdict {
     }
 }
 
-/// Of the phases a summary keeps no more than the flight.
-impl Solution for Option<Flight> {
+/// Of the phases a summary keeps no more than the flight, which most of them are not.
+impl Solution for Option<Box<Flight>> {
     fn flight(&self) -> Option<&Flight> {
-        self.as_ref()
+        self.as_deref()
     }
 
     fn theta_range(&self) -> Option<(f64, f64)> {
@@ -101,14 +101,16 @@ impl<'a> Tabulated<'a> {
             Ending::Event { place, cause, arrival } => {
                 Ending::Event { place: Place::new(place), cause, arrival }
             }
-            Ending::Landing { place, gap_rate } => Ending::Landing { place: Place::new(place), gap_rate },
-            Ending::Settled { place, settling } => Ending::Settled { place: Place::new(place), settling },
-            Ending::Singular { place, solvability } => {
-                Ending::Singular { place: Place::new(place), solvability }
-            }
+            Ending::Landing { state, gap_rate } => Ending::Landing { state, gap_rate },
+            Ending::Settled { state, settling } => Ending::Settled { state, settling },
+            Ending::Singular { state, solvability } => Ending::Singular { state, solvability },
             Ending::Motion { event, end, verdict } => Ending::Motion { event, end, verdict: verdict.into() },
         };
-        Solved { solution: solved.solution.flight().copied(), direction: solved.direction, ending }
+        Solved {
+            solution: solved.solution.flight().map(|flight| Box::new(*flight)),
+            direction: solved.direction,
+            ending,
+        }
     }
 
     fn contact(&self, place: &Place) -> f64 {
@@ -170,7 +172,7 @@ impl<'a> Tabulated<'a> {
 
 impl Solver for Tabulated<'_> {
     type Place = Place;
-    type Solution = Option<Flight>;
+    type Solution = Option<Box<Flight>>;
     type Verdict = Verdict;
 
     fn hoop(&self) -> &Hoop {
@@ -314,7 +316,7 @@ impl Solver for Tabulated<'_> {
         };
         let duration = flight.duration();
         let ending = if self.is_in_time(&state, duration) {
-            Ending::Landing { place: Place::new(flight.state(duration)), gap_rate: flight.gap(duration).1 }
+            Ending::Landing { state: flight.state(duration), gap_rate: flight.gap(duration).1 }
         } else {
             let end = State { time: self.until, ..flight.state(self.until - state.time) };
             Ending::Motion {
@@ -323,7 +325,7 @@ impl Solver for Tabulated<'_> {
                 verdict: Verdict { kind: OutcomeKind::TimeLimit, state: end },
             }
         };
-        Solved { solution: Some(flight), direction: None, ending }
+        Solved { solution: Some(Box::new(flight)), direction: None, ending }
     }
 
     fn settle(&self, place: &Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
