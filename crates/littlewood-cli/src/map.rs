@@ -85,8 +85,8 @@ fn shade_of(name: &str) -> Result<Shade, Error> {
     if plain == SummaryColumn::Outcome.name() {
         return Ok(Shade::Class);
     }
-    let known = || SummaryColumn::reals().map(SummaryColumn::name);
-    SummaryColumn::reals().find(|column| column.name() == plain).map(Shade::Column).ok_or_else(|| {
+    let known = || SummaryColumn::numbers().map(SummaryColumn::name);
+    SummaryColumn::numbers().find(|column| column.name() == plain).map(Shade::Column).ok_or_else(|| {
         let all: Vec<&str> = iter::once(SummaryColumn::Outcome.name()).chain(known()).collect();
         Error::UnknownShade {
             name: name.to_owned(),

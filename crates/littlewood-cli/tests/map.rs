@@ -146,7 +146,7 @@ fn other_bad_input_is_refused() {
 fn a_picture_has_the_size_that_is_asked_for() {
     let folder = folder();
     let out = path(&folder, "plane.png");
-    for shade in ["outcome", "lift_off_time"] {
+    for shade in ["outcome", "lift_off_time", "landings"] {
         let found = json(
             &[&["map", "figure-3"], &SMALL[..], &["--out", &out, "--size", "600x400", "--shade", shade]]
                 .concat(),

@@ -70,7 +70,7 @@ fn every_shade_can_be_drawn_also_where_nothing_has_a_value() {
         Axis::new(Quantity::ThetaRate, -0.1, 0.1, 4).unwrap(),
     ];
     let grid = Grid::new(figure_2(), axes).unwrap();
-    for shade in SummaryColumn::reals().map(Shade::Column).chain([Shade::Class]) {
+    for shade in SummaryColumn::numbers().map(Shade::Column).chain([Shade::Class]) {
         draw(&grid, shade, PictureSize { width: 300, height: 300 });
     }
 }
@@ -83,10 +83,10 @@ fn what_is_no_map_is_refused() {
     assert!(matches!(error, PictureError::NotTwoAxes { found: 1 }));
     for column in SummaryColumn::ALL {
         let picture = Picture::new(&map(3), Limits::default(), Shade::Column(column), size);
-        let is_real = SummaryColumn::reals().any(|real| real == column);
+        let is_number = SummaryColumn::numbers().any(|number| number == column);
         match picture {
-            Ok(_) => assert!(is_real, "{column}"),
-            Err(PictureError::NotReal { column: refused }) => assert!(!is_real && refused == column),
+            Ok(_) => assert!(is_number, "{column}"),
+            Err(PictureError::NoNumber { column: refused }) => assert!(!is_number && refused == column),
             Err(error) => panic!("{error}"),
         }
     }

@@ -315,6 +315,14 @@ impl SummaryColumn {
         self.row().2
     }
 
+    /// The columns of numbers: real ones, and counts.
+    pub fn numbers() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|column| match column.column_type() {
+            ColumnType::Real | ColumnType::Count => true,
+            ColumnType::Outcome | ColumnType::Sequence | ColumnType::Flag => false,
+        })
+    }
+
     /// The columns of real numbers.
     pub fn reals() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|column| column.column_type() == ColumnType::Real)

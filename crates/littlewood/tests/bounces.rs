@@ -68,13 +68,13 @@ fn flights_land_where_the_general_solution_does() {
             &format!("{what} slip"),
             state.slip,
             &expected["slip"],
-            10.0 * (digits + of_angle) * (1.0 + start.theta_rate.powi(2)),
+            10.0 * (digits + of_angle) * (1.0 + start.theta_rate * start.theta_rate),
         );
         close(
             &format!("{what} gap rate"),
             gap_rate,
             &expected["gap_rate"],
-            4.0 * digits * (1.0 + start.theta_rate.powi(2)),
+            4.0 * digits * (1.0 + start.theta_rate * start.theta_rate),
         );
     }
 }

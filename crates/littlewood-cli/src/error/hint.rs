@@ -78,7 +78,7 @@ const fn of_picture(error: &PictureError) -> &'static str {
     match error {
         PictureError::Size { .. } => "give another --size, such as 1500x1000",
         PictureError::NotTwoAxes { .. } => "a map has one --x and one --y",
-        PictureError::NotReal { .. } => "give another --shade, such as lift_off_time",
+        PictureError::NoNumber { .. } => "give another --shade, such as lift_off_time",
         PictureError::Drawing(_) => "this is a defect of the program: please report it",
     }
 }

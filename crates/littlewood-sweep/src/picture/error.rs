@@ -14,10 +14,10 @@ pub enum PictureError {
     },
     /// A scale of colours needs numbers.
     #[error(
-        "a map cannot shade {column}, which is not a real number; it can shade {}",
-        SummaryColumn::reals().map(SummaryColumn::name).collect::<Vec<_>>().join(", ")
+        "a map cannot shade {column}, which is not a number; it can shade {}",
+        SummaryColumn::numbers().map(SummaryColumn::name).collect::<Vec<_>>().join(", ")
     )]
-    NotReal {
+    NoNumber {
         /// The column.
         column: SummaryColumn,
     },

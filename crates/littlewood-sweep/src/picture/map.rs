@@ -1,6 +1,6 @@
 //! The map of a grid with two axes.
 
-use littlewood::{Class, ColumnType, Limits, Quantity, SummaryColumn};
+use littlewood::{Class, Limits, Quantity, SummaryColumn, SummaryValue};
 use littlewood_style::ticks::minus;
 
 use super::cells::{Cells, cell};
@@ -38,11 +38,20 @@ pub struct Picture {
     tally: Tally,
 }
 
+/// A value as a number; none for a code.
+fn number(value: SummaryValue) -> Option<f64> {
+    match value {
+        SummaryValue::F64(value) => Some(value),
+        SummaryValue::U32(count) => Some(f64::from(count)),
+        SummaryValue::U8(_) | SummaryValue::U64(_) => None,
+    }
+}
+
 impl Picture {
     /// An empty picture of a grid.
     ///
     /// # Errors
-    /// If the grid has not two axes, the column is not one of real numbers, or the picture is too small or too large.
+    /// If the grid has not two axes, the column is not one of numbers, or the picture is too small or too large.
     pub fn new(grid: &Grid, limits: Limits, shade: Shade, size: PictureSize) -> Result<Self, PictureError> {
         let [x, y] = grid.axes() else {
             return Err(PictureError::NotTwoAxes { found: grid.axes().len() });
@@ -56,10 +65,10 @@ impl Picture {
         let counts = [x.count().min(pixels(frame.width)), y.count().min(pixels(frame.height))];
         let cells = match shade {
             Shade::Class => Cells::Class(vec![Class::NotComputed; counts[0] * counts[1]]),
-            Shade::Column(column) if column.column_type() == ColumnType::Real => {
+            Shade::Column(column) if SummaryColumn::numbers().any(|other| other == column) => {
                 Cells::Real(vec![None; counts[0] * counts[1]])
             }
-            Shade::Column(column) => return Err(PictureError::NotReal { column }),
+            Shade::Column(column) => return Err(PictureError::NoNumber { column }),
         };
         let tally = Tally::default();
         Ok(Self { grid: grid.clone(), limits, shade, size, frame, counts, cells, tally })
@@ -68,9 +77,9 @@ impl Picture {
     /// Adds the results of a chunk of the grid.
     pub fn add(&mut self, chunk: &Chunk, columns: &Columns) {
         let axes = [self.grid.axes()[0].count(), self.grid.axes()[1].count()];
-        let reals = match self.shade {
+        let values = match self.shade {
             Shade::Class => None,
-            Shade::Column(column) => columns.reals(column),
+            Shade::Column(column) => Some(columns.column(column)),
         };
         for ((i, indices), &class) in chunk.indices().enumerate().zip(columns.classes()) {
             self.tally.add(class, 1);
@@ -80,7 +89,7 @@ impl Picture {
             let place = y * self.counts[0] + x;
             match &mut self.cells {
                 Cells::Class(cells) => cells[place] = class,
-                Cells::Real(cells) => cells[place] = reals.map(|values| values[i]),
+                Cells::Real(cells) => cells[place] = values.and_then(|values| number(values.get(i))),
             }
         }
     }
