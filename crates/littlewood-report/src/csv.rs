@@ -121,6 +121,7 @@ fn gap_rate_at_limit(trajectory: &Trajectory) -> f64 {
         | OutcomeKind::Inconsistent
         | OutcomeKind::Ambiguous
         | OutcomeKind::Singular
+        | OutcomeKind::StepLimit
         | OutcomeKind::Unresolved
         | OutcomeKind::NotComputed
         | OutcomeKind::Invalid => None,

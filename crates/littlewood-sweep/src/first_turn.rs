@@ -122,6 +122,7 @@ impl FirstTurn {
             | OutcomeKind::Inconsistent
             | OutcomeKind::Ambiguous
             | OutcomeKind::Singular
+            | OutcomeKind::StepLimit
             | OutcomeKind::Unresolved
             | OutcomeKind::NotComputed
             | OutcomeKind::Invalid => Ok(Self { stop: Stop::Ends, ..never }),

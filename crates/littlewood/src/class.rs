@@ -15,7 +15,7 @@ named! {
         RollsForever = 2, "rolls_forever";
         /// Slides for ever, without kinetic friction, which is proved.
         SlidesForever = 3, "slides_forever";
-        /// Still in contact when a limit of time or of transitions stopped it.
+        /// Still in contact when a limit of time, of transitions or of steps stopped it.
         InContactAtLimit = 4, "in_contact_at_limit";
         /// The particle has reached the plane.
         ParticleAtPlane = 5, "particle_at_plane";
@@ -48,7 +48,9 @@ impl Class {
             OutcomeKind::Landing => Self::LiftsOffLater,
             OutcomeKind::RollsForever => Self::RollsForever,
             OutcomeKind::SlidesForever => Self::SlidesForever,
-            OutcomeKind::TimeLimit | OutcomeKind::TransitionLimit => Self::InContactAtLimit,
+            OutcomeKind::TimeLimit | OutcomeKind::TransitionLimit | OutcomeKind::StepLimit => {
+                Self::InContactAtLimit
+            }
             OutcomeKind::ParticleAtPlane => Self::ParticleAtPlane,
             OutcomeKind::ParticleAtBottom => Self::ParticleAtBottom,
             OutcomeKind::ParticleAtTop => Self::ParticleAtTop,

@@ -117,6 +117,11 @@ impl Solver for Exact<'_> {
             SlidingEnd::Unresolved(state) => {
                 Ending::Motion { event: None, end: Some(state), verdict: Outcome::Unresolved { state } }
             }
+            SlidingEnd::StepLimit { state, steps, time_left } => Ending::Motion {
+                event: None,
+                end: Some(state),
+                verdict: Outcome::StepLimit { state, steps, time_left },
+            },
             SlidingEnd::TimeLimit(state) => self.stopped(state),
             SlidingEnd::Endless(recurrence) => {
                 let outcome = Outcome::SlidesForever { since: *state, recurrence };

@@ -35,6 +35,8 @@ named! {
         Singular = 10, "singular";
         /// [`Outcome::Unresolved`].
         Unresolved = 11, "unresolved";
+        /// [`Outcome::StepLimit`].
+        StepLimit = 12, "step_limit";
         /// A point that has not been computed: what a partial grid holds where chunks are missing.
         NotComputed = 254, "not_computed";
         /// A point whose hoop has no physical meaning because two parameters contradict each other, such as μk > μs.
@@ -59,6 +61,7 @@ impl OutcomeKind {
             Self::Ambiguous => "several motions are consistent",
             Self::Singular => "sliding is not solvable",
             Self::Unresolved => "unresolved",
+            Self::StepLimit => "step limit",
             Self::NotComputed => "not computed",
             Self::Invalid => "invalid parameters",
         }
@@ -79,6 +82,7 @@ impl OutcomeKind {
             | Self::Singular => true,
             Self::TimeLimit
             | Self::TransitionLimit
+            | Self::StepLimit
             | Self::Unresolved
             | Self::NotComputed
             | Self::Invalid => false,
@@ -110,6 +114,7 @@ impl OutcomeKind {
             | Self::SlidesForever
             | Self::TimeLimit
             | Self::TransitionLimit
+            | Self::StepLimit
             | Self::Inconsistent
             | Self::Ambiguous
             | Self::Unresolved
@@ -194,6 +199,15 @@ pub enum Outcome {
         /// P there.
         solvability: f64,
     },
+    /// A slide has taken more steps than are kept: one of next to no friction.
+    StepLimit {
+        /// State.
+        state: State,
+        /// Number of steps.
+        steps: usize,
+        /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any.
+        time_left: f64,
+    },
     /// A slide changes faster than the clock resolves: a hoop of next to no inertia, its particle passing the bottom.
     Unresolved {
         /// State.
@@ -218,6 +232,7 @@ impl Outcome {
             Self::Ambiguous { .. } => OutcomeKind::Ambiguous,
             Self::Singular { .. } => OutcomeKind::Singular,
             Self::Unresolved { .. } => OutcomeKind::Unresolved,
+            Self::StepLimit { .. } => OutcomeKind::StepLimit,
         }
     }
 
@@ -235,6 +250,7 @@ impl Outcome {
             | Self::Inconsistent { state, .. }
             | Self::Ambiguous { state, .. }
             | Self::Singular { state, .. }
+            | Self::StepLimit { state, .. }
             | Self::Unresolved { state } => *state,
         }
     }
@@ -261,6 +277,7 @@ impl Outcome {
             | Self::Inconsistent { .. }
             | Self::Ambiguous { .. }
             | Self::Singular { .. }
+            | Self::StepLimit { .. }
             | Self::Unresolved { .. } => None,
         }
     }
@@ -279,6 +296,7 @@ impl Outcome {
             | Self::TimeLimit { .. }
             | Self::TransitionLimit { .. }
             | Self::Singular { .. }
+            | Self::StepLimit { .. }
             | Self::Unresolved { .. } => None,
         }
     }
@@ -292,6 +310,9 @@ impl Outcome {
                 recurrence.details()
             }
             Self::TransitionLimit { transitions, .. } => vec![("transitions", Detail::Count(transitions))],
+            Self::StepLimit { steps, time_left, .. } => {
+                vec![("steps", Detail::Count(steps)), ("time_left", Detail::Real(time_left, Dimension::Time))]
+            }
             Self::Singular { solvability, .. } => {
                 vec![("solvability", Detail::Real(solvability, Dimension::Ratio))]
             }

@@ -400,3 +400,43 @@ fn reversals_without_friction_end_in_a_period() {
         50.0
     );
 }
+
+/// A balanced hoop slips for 1.2345/(μk (1 + m/Î)), however long that is.
+#[test]
+fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
+    let (mass_ratio, inertia, mu_k) = (0.156, 0.1765, 3e-13);
+    let hoop = HoopParameters::new(mass_ratio, 0.0, inertia).with_friction(1e-12, mu_k);
+    let start = Start::at(2.81, 1.0).with_slip(1.2345);
+    let motion =
+        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let stick = motion.transitions().first().expect("sticks");
+    let time = 1.2345 / (mu_k * (1.0 + (1.0 + mass_ratio) / inertia));
+    assert_eq!((stick.cause, stick.to), (Cause::Stick, Some(Mode::Rolling)));
+    assert!((stick.time() / time - 1.0).abs() < 1e-14, "{} {time}", stick.time());
+    let rate = 1.0 - mu_k * (1.0 + mass_ratio) / inertia * time;
+    assert!((stick.before.theta_rate - rate).abs() < 1e-14 && stick.before.slip == 0.0);
+
+    let smooth = Hoop::new(HoopParameters::new(1.0, 0.0, 1.0)).expect("a valid hoop");
+    let motion =
+        smooth.simulate(Start::at(0.5, 1e-9).with_slip(0.25), Limits::default()).expect("a valid start");
+    let Outcome::SlidesForever { recurrence: Recurrence::Rotation { period }, .. } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
+    assert!((period * 1e-9 / std::f64::consts::TAU - 1.0).abs() < 1e-6);
+}
+
+/// A heavy rim on a plane of next to no friction slips for 4.4 million time units: the slip loses μk in each.
+#[test]
+fn a_slide_without_end_in_sight_says_how_much_is_left() {
+    let mu_k = 3e-7;
+    let hoop = HoopParameters::new(0.2387, 0.001, 1e9).with_friction(1e-6, mu_k);
+    let start = Start::at(-5.16, 4.59).with_slip(1.33);
+    let motion =
+        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let Outcome::StepLimit { state, steps, time_left } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
+    assert!(steps >= 100_000 && !motion.outcome().is_final());
+    let expected = state.slip / mu_k;
+    assert!((time_left / expected - 1.0).abs() < 0.05, "{time_left} {expected}");
+}

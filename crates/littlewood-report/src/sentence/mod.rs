@@ -131,6 +131,10 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             let several: Vec<String> = candidates.consistent().map(|(mode, _)| mode.to_string()).collect();
             format!("Several motions are consistent here (Painlevé): {}.", several.join(", "))
         }
+        Outcome::StepLimit { steps, time_left, .. } => format!(
+            "Stopped after {steps} steps of a slide: at this pace it would stick after another {}.",
+            scale.show_with_unit(Dimension::Time, three(time_left))
+        ),
         Outcome::Unresolved { .. } => "The slide changes faster than the clock resolves.".to_owned(),
         // These are events.
         event @ (Outcome::Landing { .. }

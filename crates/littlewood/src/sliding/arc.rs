@@ -15,6 +15,9 @@ use super::series::{DEGREE, Series, SlideSeries, value, value_and_slope};
 /// A step that moves the clock by no more than this part of itself has run into a singularity of the equations.
 const STALL: f64 = 4.0 * f64::EPSILON;
 
+/// Largest number of steps of a slide: more would fill the memory. A slide of next to no friction would take them.
+const MAX_STEPS: usize = 100_000;
+
 /// How a slide begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Entry {
@@ -36,6 +39,8 @@ pub(crate) enum SlidingEnd {
     Singular(State),
     /// Steps that shrink to nothing where P is not small: faster than the clock resolves.
     Unresolved(State),
+    /// The largest number of steps; with an estimate of the time until η′ = 0.
+    StepLimit { state: State, steps: usize, time_left: f64 },
     /// The time limit.
     TimeLimit(State),
     /// Lasts for ever: without kinetic friction, energy and horizontal momentum are conserved, and a motion
@@ -127,7 +132,11 @@ impl Sliding {
                 series.slip[1] = slip_acceleration;
                 known_roots = if slip_acceleration == 0.0 { 2 } else { 1 };
             }
-            let reach = series.reach();
+            let reach = if self.law.body.h == 0.0 { series.straight_reach() } else { series.reach() };
+            if self.steps.len() >= MAX_STEPS {
+                let (state, steps) = (self.state_from(here), self.steps.len());
+                return SlidingEnd::StepLimit { state, steps, time_left: self.time_left(&here) };
+            }
             if reach <= STALL * (start.time + here.elapsed).abs().max(1.0) {
                 let state = self.state_from(here);
                 // P ≥ Î unless it is on its way to zero.
@@ -185,6 +194,18 @@ impl Sliding {
             }
             here = next;
         }
+    }
+
+    /// Time until η′ = 0 at the pace so far, of the slip without the part that comes and goes with each turn.
+    fn time_left(&self, here: &Here) -> f64 {
+        let steady = |theta: f64, theta_rate: f64, slip: f64| {
+            let (sin, cos) = libm::sincos(theta);
+            self.direction.sign() * (slip - theta_rate * (self.law.lever(sin, cos) - 1.0))
+        };
+        let State { theta, theta_rate, slip, .. } = self.start;
+        let now = steady(here.theta, here.theta_rate, here.slip);
+        let lost = steady(theta, theta_rate, slip) - now;
+        if lost > 0.0 { now.max(0.0) / lost * here.elapsed } else { f64::INFINITY }
     }
 
     /// Whether a slide without friction has passed a whole period, and which.

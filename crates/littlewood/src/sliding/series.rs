@@ -91,6 +91,15 @@ impl SlideSeries {
         s
     }
 
+    /// Length of the step of a balanced hoop, ℓ = 0, whose accelerations are constant: the series end with them, and the slide
+    /// is one step, beyond the time at which η′ = 0, or the time of a turn where there is no friction.
+    pub(super) fn straight_reach(&self) -> f64 {
+        let time = |speed: f64, over: f64| if speed == 0.0 { 0.0 } else { over / speed.abs() };
+        let rest = time(self.slip[1], self.slip[0].abs());
+        let turn = if self.slip[1] == 0.0 { time(self.theta_rate[0], core::f64::consts::TAU) } else { 0.0 };
+        LONGEST.max(1.5 * rest.max(turn))
+    }
+
     /// Length of the step on which the series has converged to the last digit, from its last two coefficients
     /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005).
     pub(super) fn reach(&self) -> f64 {
