@@ -1,5 +1,7 @@
 //! Phases solved exactly: closed forms, elliptic integrals and converged Taylor series.
 
+use core::cell::Cell;
+
 use crate::automaton::Cause;
 use crate::candidates::{Arrival, Next, next_motion};
 use crate::equations::SlidingLaw;
@@ -16,17 +18,23 @@ use crate::trajectory::PhaseSolution;
 use crate::walk::{Ending, Solution, Solved, Solver};
 
 /// Solves the phases of one hoop.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Exact<'a> {
     hoop: &'a Hoop,
     until: Option<f64>,
+    /// Steps that slides may still take.
+    steps: Cell<usize>,
 }
+
+/// Largest number of steps of all slides of a motion: more would take seconds, and fill the memory. Slides of next to no friction
+/// would take them.
+const MAX_STEPS: usize = 500_000;
 
 type ExactEnding = Ending<State, Outcome>;
 
 impl<'a> Exact<'a> {
     pub(crate) const fn new(hoop: &'a Hoop, until: Option<f64>) -> Self {
-        Self { hoop, until }
+        Self { hoop, until, steps: Cell::new(MAX_STEPS) }
     }
 
     /// Time left until the limit.
@@ -105,7 +113,9 @@ impl Solver for Exact<'_> {
         let entry = slip_acceleration
             .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
-        let (slide, end) = Sliding::run(law, *state, direction, entry, self.allowed(state));
+        let bounds = (self.allowed(state), self.steps.get());
+        let (slide, end) = Sliding::run(law, *state, direction, entry, bounds);
+        self.steps.set(self.steps.get() - slide.steps());
         let ending = match end {
             SlidingEnd::Rest(place) => Ending::Event { place, cause: Cause::Stick, arrival: Arrival::Open },
             SlidingEnd::LiftOff(place) => {
@@ -117,10 +127,10 @@ impl Solver for Exact<'_> {
             SlidingEnd::Unresolved(state) => {
                 Ending::Motion { event: None, end: Some(state), verdict: Outcome::Unresolved { state } }
             }
-            SlidingEnd::StepLimit { state, steps, time_left } => Ending::Motion {
+            SlidingEnd::StepLimit { state, time_left } => Ending::Motion {
                 event: None,
                 end: Some(state),
-                verdict: Outcome::StepLimit { state, steps, time_left },
+                verdict: Outcome::StepLimit { state, steps: MAX_STEPS, time_left },
             },
             SlidingEnd::TimeLimit(state) => self.stopped(state),
             SlidingEnd::Endless(recurrence) => {

@@ -92,6 +92,9 @@ struct Reach {
     height: f64,
 }
 
+/// Largest error of 1 − h cos θ θ′² at a lift-off from sliding for which the cosine of the angle is taken.
+const LARGEST_ROUNDING: f64 = 1e-6;
+
 /// Where tangents bound the gap by more than this part of the gaps they are computed from, it is open.
 const MIN_CLEARANCE: f64 = 1e-9;
 
@@ -396,6 +399,11 @@ impl Flight {
         let travel = if rate < 0.0 { -1.0 } else { 1.0 };
         // −w, of the w that decided on flight.
         let opening = h * (cos * (rate * rate)) - 1.0;
+        // The cosine of a large angle may not resolve 1 = h cos θ θ′² at a large rate; the parabola must come down all the same.
+        let cos = match take_off {
+            TakeOff::Grazing if opening.abs() > LARGEST_ROUNDING => 1.0 / (h * (rate * rate)),
+            TakeOff::Grazing | TakeOff::Unloaded | TakeOff::Rising { .. } => cos,
+        };
         let gap_rate = match take_off {
             TakeOff::Rising { gap_rate } => gap_rate,
             TakeOff::Grazing | TakeOff::Unloaded => 0.0,

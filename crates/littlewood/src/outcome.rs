@@ -199,16 +199,17 @@ pub enum Outcome {
         /// P there.
         solvability: f64,
     },
-    /// A slide has taken more steps than are kept: one of next to no friction.
+    /// The slides of the motion have taken more steps than are kept: on a plane of next to no friction, or of a fast hoop.
     StepLimit {
         /// State.
         state: State,
-        /// Number of steps.
+        /// Number of steps of all slides.
         steps: usize,
         /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any.
         time_left: f64,
     },
-    /// A slide changes faster than the clock resolves: a hoop of next to no inertia, its particle passing the bottom.
+    /// The motion changes faster than its numbers resolve: a slide of a hoop of next to no inertia, its particle passing the
+    /// bottom; or an impact at an angle or a rate beyond those that a start may have.
     Unresolved {
         /// State.
         state: State,

@@ -16,7 +16,7 @@ use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::rolling::Recurrence;
 use crate::settling::Settling;
-use crate::state::State;
+use crate::state::{Start, State};
 
 /// Two states of a conservative orbit that differ by no more are the same but for rounding.
 const SAME_STATE: f64 = 1e-9;
@@ -243,6 +243,11 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
         }
         Ending::Landing { state: end, gap_rate } => {
             record(Some(end));
+            if solver.hoop().restitution().is_some() && Start::from(end).check().is_err() {
+                // A flight of many turns leads to angles at which no start is accepted either.
+                recorder.transition(&Event::new(end, mode, Cause::Landing), None, None);
+                return Err(Outcome::Unresolved { state: end }.into());
+            }
             lands(solver, now, end, gap_rate).ok_or_else(|| {
                 recorder.transition(&Event::new(end, mode, Cause::Landing), None, None);
                 Outcome::Landing { state: end, gap_rate }.into()

@@ -210,14 +210,14 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
         Outcome::StepLimit { steps, time_left, .. } => {
             let left = scale.show_with_unit(Dimension::Time, time_left);
             vec![
-                format!("stopped at {at} after {steps} steps of a slide, which are all that are kept"),
-                format!("at the pace so far it would stick after another {left}"),
+                format!("stopped at {at} after {steps} steps of slides, which are all that are kept"),
+                format!("at its pace this slide would stick after another {left}"),
                 there,
                 place,
             ]
         }
         Outcome::Unresolved { .. } => {
-            vec![format!("from {at} the slide changes faster than the clock resolves"), there, place]
+            vec![format!("from {at} the motion changes faster than its numbers resolve"), there, place]
         }
     }
 }

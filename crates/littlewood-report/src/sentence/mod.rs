@@ -132,10 +132,12 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             format!("Several motions are consistent here (Painlevé): {}.", several.join(", "))
         }
         Outcome::StepLimit { steps, time_left, .. } => format!(
-            "Stopped after {steps} steps of a slide: at this pace it would stick after another {}.",
+            "Stopped after {steps} steps of slides: at its pace this one would stick after another {}.",
             scale.show_with_unit(Dimension::Time, three(time_left))
         ),
-        Outcome::Unresolved { .. } => "The slide changes faster than the clock resolves.".to_owned(),
+        Outcome::Unresolved { .. } => {
+            "From here the motion changes faster than its numbers resolve.".to_owned()
+        }
         // These are events.
         event @ (Outcome::Landing { .. }
         | Outcome::ParticleAtPlane { .. }

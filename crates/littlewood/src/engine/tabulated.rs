@@ -28,7 +28,7 @@ const UNCERTAIN_FORCES: f64 = 1e-9;
 const MIN_RATE: f64 = 4e-3;
 
 /// Solves the phases of a hoop that has tables.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Tabulated<'a> {
     hoop: &'a Hoop,
     tables: &'a Tables,

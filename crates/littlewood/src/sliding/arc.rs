@@ -15,9 +15,6 @@ use super::series::{DEGREE, Series, SlideSeries, value, value_and_slope};
 /// A step that moves the clock by no more than this part of itself has run into a singularity of the equations.
 const STALL: f64 = 4.0 * f64::EPSILON;
 
-/// Largest number of steps of a slide: more would fill the memory. A slide of next to no friction would take them.
-const MAX_STEPS: usize = 100_000;
-
 /// How a slide begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Entry {
@@ -40,7 +37,7 @@ pub(crate) enum SlidingEnd {
     /// Steps that shrink to nothing where P is not small: faster than the clock resolves.
     Unresolved(State),
     /// The largest number of steps; with an estimate of the time until η′ = 0.
-    StepLimit { state: State, steps: usize, time_left: f64 },
+    StepLimit { state: State, time_left: f64 },
     /// The time limit.
     TimeLimit(State),
     /// Lasts for ever: without kinetic friction, energy and horizontal momentum are conserved, and a motion
@@ -97,13 +94,13 @@ enum Event {
 }
 
 impl Sliding {
-    /// Follows the slide to its end, or for the time `allowed`.
+    /// Follows the slide to its end, or for the time `allowed`, or for `most` steps.
     pub(crate) fn run(
         law: SlidingLaw,
         start: State,
         direction: Direction,
         entry: Entry,
-        allowed: Option<f64>,
+        (allowed, most): (Option<f64>, usize),
     ) -> (Self, SlidingEnd) {
         let mut slide = Self {
             law,
@@ -114,11 +111,11 @@ impl Sliding {
             turnings: Vec::new(),
             cycle: None,
         };
-        let end = slide.follow(entry, allowed);
+        let end = slide.follow(entry, allowed, most);
         (slide, end)
     }
 
-    fn follow(&mut self, entry: Entry, allowed: Option<f64>) -> SlidingEnd {
+    fn follow(&mut self, entry: Entry, allowed: Option<f64>, most: usize) -> SlidingEnd {
         let sign = self.direction.sign();
         let start = self.start;
         let integral = self.law.momentum_integral(0.0, start.theta, start.theta_rate, start.slip);
@@ -133,9 +130,9 @@ impl Sliding {
                 known_roots = if slip_acceleration == 0.0 { 2 } else { 1 };
             }
             let reach = if self.law.body.h == 0.0 { series.straight_reach() } else { series.reach() };
-            if self.steps.len() >= MAX_STEPS {
-                let (state, steps) = (self.state_from(here), self.steps.len());
-                return SlidingEnd::StepLimit { state, steps, time_left: self.time_left(&here) };
+            if self.steps.len() >= most {
+                let state = self.state_from(here);
+                return SlidingEnd::StepLimit { state, time_left: self.time_left(&here) };
             }
             if reach <= STALL * (start.time + here.elapsed).abs().max(1.0) {
                 let state = self.state_from(here);
