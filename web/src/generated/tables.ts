@@ -233,6 +233,7 @@ export const OUTCOMES = [
   'ambiguous',
   'singular',
   'unresolved',
+  'step_limit',
   'not_computed',
   'invalid',
 ] as const;
@@ -260,6 +261,7 @@ export const OUTCOME_ROWS = {
   ambiguous: { label: 'several motions are consistent', forever: false, lastEvent: null },
   singular: { label: 'sliding is not solvable', forever: false, lastEvent: 'singularity' },
   unresolved: { label: 'unresolved', forever: false, lastEvent: null },
+  step_limit: { label: 'step limit', forever: false, lastEvent: null },
   not_computed: { label: 'not computed', forever: false, lastEvent: null },
   invalid: { label: 'invalid parameters', forever: false, lastEvent: null },
 } as const satisfies Record<OutcomeKind, OutcomeRow>;
