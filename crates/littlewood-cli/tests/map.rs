@@ -146,7 +146,7 @@ fn other_bad_input_is_refused() {
 fn a_picture_has_the_size_that_is_asked_for() {
     let folder = folder();
     let out = path(&folder, "plane.png");
-    for shade in ["outcome", "lift_off_time", "landings"] {
+    for shade in ["outcome", "landings", "lift_off_time"] {
         let found = json(
             &[&["map", "figure-3"], &SMALL[..], &["--out", &out, "--size", "600x400", "--shade", shade]]
                 .concat(),

@@ -22,6 +22,7 @@ pub struct Start {
     /// Slip velocity η′ of the contact point (2.7).
     pub slip: f64,
     /// Rate at which the gap under the rim opens, zero or positive: a hoop thrown from the plane.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub gap_rate: f64,
     /// Horizontal position x of the geometric centre.
     pub x: f64,

@@ -1,7 +1,7 @@
 //! Parameters, starts, limits, states, summaries and transitions as JSON and back, with the names of the tables.
 #![cfg(feature = "serde")]
 
-use littlewood::{Hoop, HoopParameters, Limits, Quantity, Setup, Start, Summary, Transition};
+use littlewood::{Hoop, HoopParameters, Limits, Quantity, Setup, Start, Summary, Transition, find_case};
 
 #[test]
 fn a_problem_and_its_result_come_back_from_json() {
@@ -16,13 +16,20 @@ fn a_problem_and_its_result_come_back_from_json() {
         }
     }
 
+    // A start that was written without a rate of the gap does not leave the plane.
+    let start: Start =
+        serde_json::from_str(r#"{"time":0,"theta":1,"theta_rate":2,"slip":0,"x":0}"#).expect("a start");
+    assert_eq!(start, Start::at(1.0, 2.0));
+
     let limits = Limits::until(5.0).with_transitions(7);
     let text = serde_json::to_string(&limits).expect("numbers");
     assert_eq!(serde_json::from_str::<Limits>(&text).expect("the same text"), limits);
 
     let hoop = Hoop::new(setup.hoop).expect("a valid hoop");
     let motion = hoop.simulate(setup.start, Limits::default()).expect("a valid start");
-    for transition in motion.transitions() {
+    let bouncing = find_case("figure-3-bounces").expect("a case").simulate().expect("a valid case");
+    assert!(bouncing.transitions().iter().any(|it| it.impact.is_some()));
+    for transition in motion.transitions().iter().chain(bouncing.transitions()) {
         let text = serde_json::to_string(transition).expect("finite numbers");
         assert!(text.contains(&format!("\"cause\":\"{}\"", transition.cause)), "{text}");
         assert_eq!(serde_json::from_str::<Transition>(&text).expect("the same text"), *transition);
@@ -32,9 +39,13 @@ fn a_problem_and_its_result_come_back_from_json() {
     assert_eq!(document["outcome"], summary.outcome.name());
     // Of what did not happen JSON has null, which is no number: only a summary without gaps comes back.
     let mut whole = summary;
-    for time in
-        [&mut whole.first_slip_time, &mut whole.lift_off_time, &mut whole.jump_length, &mut whole.jump_height]
-    {
+    for time in [
+        &mut whole.first_slip_time,
+        &mut whole.lift_off_time,
+        &mut whole.jump_length,
+        &mut whole.jump_height,
+        &mut whole.settle_time,
+    ] {
         if time.is_nan() {
             *time = 0.0;
         }
