@@ -73,21 +73,11 @@ impl BouncingOrbit {
             gap_rate,
             friction: body.mass * arm * lever / about_contact,
         };
-        (alpha > 0.0 && gap_rate > 0.0 && orbit.is_open(body.h)).then_some(orbit)
-    }
-
-    /// Whether the gap is open in both flights.
-    fn is_open(&self, h: f64) -> bool {
-        // In units of the half time of a flight, symmetric about its middle: gap = [T² − t²]/2 − h [cos(middle ± ω t) −
-        // cos(end)], which falls from the middle if its slope −t ± h ω sin ω t has no zero in between.
-        let falls = |rate: f64, half_angle: f64, side: f64| {
-            let steps = 64;
-            (1..=steps).all(|i| {
-                let phi = half_angle * f64::from(i) / f64::from(steps);
-                phi / rate - side * h * rate * libm::sin(phi) > 0.0
-            })
-        };
-        falls(self.top_rate, self.angle, 1.0) && falls(self.bottom_rate, PI - self.angle, -1.0)
+        // With α ≤ 0 the rates have no positive solution. Under the bottom the gap falls from the middle of the flight to its
+        // ends. Over the top its slope changes sign once at most on the way, so that it is open if it is in the middle,
+        // where it is (φ/ω1)²/2 − h (1 − cos φ); then it closes at the end, v > 0.
+        let in_the_middle = angle / top_rate > 2.0 * body.h.sqrt() * libm::sin(0.5 * angle);
+        (alpha > 0.0 && in_the_middle).then_some(orbit)
     }
 
     /// Period: the time of a turn.

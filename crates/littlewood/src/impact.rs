@@ -98,6 +98,13 @@ pub struct ContactVelocities {
     pub gap_rate: f64,
 }
 
+impl ContactVelocities {
+    /// Those of a state, with the rate of the gap.
+    pub(crate) const fn of(state: &State, gap_rate: f64) -> Self {
+        Self { theta_rate: state.theta_rate, slip: state.slip, gap_rate }
+    }
+}
+
 /// An impact, or all those of the bounces by which a hoop settles, together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -156,6 +163,7 @@ pub struct Compliance {
     /// C: the rate of the gap by the normal impulse.
     pub c: f64,
 }
+
 impl Hoop {
     /// What an impact at an angle depends on; none for a massless hoop.
     #[must_use]
@@ -212,8 +220,19 @@ impl Hoop {
         if !(gap_rate.is_finite() && gap_rate <= 0.0) {
             return Err(ImpactError::Opening { gap_rate });
         }
-        let before = ContactVelocities { theta_rate: state.theta_rate, slip: state.slip, gap_rate };
+        let before = ContactVelocities::of(state, gap_rate);
         Ok(Contact::new(self, &body, state.theta).impact(before, restitution))
+    }
+
+    /// The impact without a collision by which a hoop goes on where it slips and no motion is consistent, or where its slide
+    /// has run into P = 0. None for a massless hoop, one without a coefficient of restitution, and one that does not slip.
+    /// Where sliding has a solution, P > 0, it does not apply.
+    #[must_use]
+    pub fn jam(&self, state: &State) -> Option<Impact> {
+        let (Body::Heavy(body), Some(restitution)) = (self.body(), self.restitution()) else { return None };
+        let direction = Direction::of_sign(state.slip)?;
+        let contact = Contact::new(self, &body, state.theta);
+        Some(contact.jam(ContactVelocities::of(state, 0.0), direction, restitution))
     }
 }
 
@@ -277,21 +296,15 @@ impl Contact {
 
     /// The jam of a hoop that slips where P ≤ 0, the rim at the plane and the gap neither closing nor opening. Where a slide
     /// has run into P = 0 the rounded P may have either sign; it is zero.
-    pub(crate) fn jam(&self, before: ContactVelocities, restitution: Restitution) -> Impact {
-        let direction = Direction::of_sign(before.slip);
-        let slope = direction.map_or(self.at_rest, |direction| self.slope(direction));
+    fn jam(&self, before: ContactVelocities, direction: Direction, restitution: Restitution) -> Impact {
+        let slope = self.slope(direction);
         let slipping = if slope.gap_rate <= 0.0 {
             slope
         } else {
             let spin = -1.0 / (self.mass * self.arm);
             Slope { spin, slip: slope.friction / self.mass + self.lever * spin, gap_rate: 0.0, ..slope }
         };
-        self.course(before, direction, slipping).impact(true, restitution)
-    }
-
-    /// Whether P ≤ 0 in this direction of slip.
-    pub(crate) fn jams(&self, direction: Direction) -> bool {
-        self.slope(direction).gap_rate <= 0.0
+        self.course(before, Some(direction), slipping).impact(true, restitution)
     }
 
     fn course(&self, before: ContactVelocities, direction: Option<Direction>, slipping: Slope) -> Course<'_> {

@@ -12,6 +12,7 @@
 
 use thiserror::Error;
 
+use crate::equations::contact;
 use crate::hoop::{Body, Heavy, Hoop};
 use crate::impact::{Contact, ContactVelocities, Impact, ImpactCase, Impulse};
 use crate::restitution::Restitution;
@@ -19,7 +20,7 @@ use crate::state::State;
 
 /// Bounces are followed one by one until those that remain take less than this, also in units of 1/|θ′|: its square is
 /// the order of the error.
-pub(crate) const LONGEST: f64 = 1e-7;
+const LONGEST: f64 = 1e-7;
 
 /// Largest part of W that may change on the way.
 const LARGEST_CHANGE: f64 = 1e-6;
@@ -43,7 +44,7 @@ pub struct Settling {
     pub duration: f64,
     /// Ratio of the rates of successive bounces in the end: the effective coefficient of restitution.
     pub ratio: f64,
-    /// All impacts together, as one at the end of the time.
+    /// All impacts together, as one at the end of the time; its case is that of each in the end.
     pub impact: Impact,
 }
 
@@ -99,7 +100,7 @@ impl Hoop {
     /// ```
     ///
     /// # Errors
-    /// Says why they do not settle; reverse chatter is [`NoSettling::Grows`].
+    /// Says why they do not settle.
     pub fn settling(
         &self,
         state: &State,
@@ -182,7 +183,7 @@ impl Bounces {
     fn new(hoop: &Hoop, body: &Heavy, state: &State, restitution: Restitution) -> Result<Self, NoSettling> {
         let (sin, cos) = libm::sincos(state.theta);
         let rate = state.theta_rate;
-        let contact_force = crate::equations::contact(1.0, body.h, cos * (rate * rate));
+        let contact_force = contact(1.0, body.h, cos * (rate * rate));
         if contact_force <= 0.0 {
             return Err(NoSettling::LeavesPlane { contact: contact_force });
         }
@@ -218,7 +219,7 @@ impl Bounces {
                     return Err(NoSettling::Grows { ratio });
                 }
                 sums.add(duration, &impact, count, squares);
-                return Ok(self.settled((state, gap_rate), &sums, 0.0, ratio));
+                return Ok(self.settled((state, gap_rate), &sums, 0.0, (ratio, impact.case)));
             }
             if impact.case == ImpactCase::Slides && ratio < 1.0 {
                 let change = impact.after.slip - slip;
@@ -229,13 +230,13 @@ impl Bounces {
                     let friction_work = impact.impulse.friction * mean;
                     sums.add(duration, &Impact { friction_work, ..impact }, count, squares);
                     sums.friction_work += friction_work * (1.0 - squares);
-                    return Ok(self.settled((state, gap_rate), &sums, end, ratio));
+                    return Ok(self.settled((state, gap_rate), &sums, end, (ratio, impact.case)));
                 }
             }
             sums.add(duration, &impact, 1.0, 1.0);
             (slip, opening) = (impact.after.slip, impact.after.gap_rate);
             if opening <= NEGLIGIBLE * gap_rate {
-                return Ok(self.settled((state, gap_rate), &sums, slip, ratio));
+                return Ok(self.settled((state, gap_rate), &sums, slip, (ratio, impact.case)));
             }
             if opening > gap_rate / f64::EPSILON {
                 return Err(NoSettling::Grows { ratio });
@@ -244,7 +245,13 @@ impl Bounces {
         Err(NoSettling::Unsettled { bounces: MAX_BOUNCES })
     }
 
-    fn settled(&self, (state, gap_rate): (&State, f64), sums: &Sums, slip: f64, ratio: f64) -> Settling {
+    fn settled(
+        &self,
+        (state, gap_rate): (&State, f64),
+        sums: &Sums,
+        slip: f64,
+        (ratio, case): (f64, ImpactCase),
+    ) -> Settling {
         let impulse = Impulse { normal: sums.normal, friction: sums.friction };
         let before = ContactVelocities {
             theta_rate: state.theta_rate,
@@ -252,8 +259,6 @@ impl Bounces {
             gap_rate: gap_rate - self.contact_force * sums.duration,
         };
         let after = ContactVelocities { theta_rate: state.theta_rate + sums.theta_rate, slip, gap_rate: 0.0 };
-        // What the bounces do in the end; of the first the kind may differ.
-        let case = if slip == 0.0 { ImpactCase::SticksInRestitution } else { ImpactCase::Slides };
         let impact = Impact {
             case,
             before,

@@ -276,12 +276,14 @@ fn continues<T: Solver>(
     now.begin = Begin::Motion(solver.decide(&now.place, arrival));
     let begin = &now.begin;
     // Only now is it known what coming to rest leads to.
-    let goes_on = begin.mode().is_some_and(|to| to != Mode::Rolling);
-    let cause = if cause == Cause::Stick && goes_on {
-        let same = begin.direction().is_some() && begin.direction() == direction;
-        if same { Cause::Graze } else { Cause::Reversal }
-    } else {
-        cause
+    let cause = match (cause, begin.mode()) {
+        (Cause::Stick, Some(Mode::Sliding | Mode::Gliding)) => {
+            let same = begin.direction().is_some() && begin.direction() == direction;
+            if same { Cause::Graze } else { Cause::Reversal }
+        }
+        // The normal force has vanished at the same instant.
+        (Cause::Stick, Some(Mode::Flight)) => Cause::LiftOff,
+        (cause, Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None) => cause,
     };
     Event::new(T::state(&now.place), mode, cause)
 }
@@ -291,7 +293,7 @@ fn lands<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, gap_rate:
     let hoop = solver.hoop();
     let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
     // The gap comes from above: where it touches without crossing, its rate may round to a positive number.
-    let before = velocities(&state, gap_rate.min(0.0));
+    let before = ContactVelocities::of(&state, gap_rate.min(0.0));
     let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
     Some(rebounds(solver, now, &body, (Event::new(state, Mode::Flight, Cause::Landing), impact)))
 }
@@ -303,22 +305,15 @@ fn jam<T: Solver>(
     from: Option<Mode>,
     state: State,
 ) -> Option<Happening> {
-    let hoop = solver.hoop();
-    let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
-    let direction = Direction::of_sign(state.slip)?;
-    let contact = Contact::new(hoop, &body, state.theta);
-    let runs_into_it = from.is_some();
-    if !(runs_into_it || contact.jams(direction)) {
-        return None;
-    }
-    let impact = contact.jam(velocities(&state, 0.0), restitution);
+    let Body::Heavy(body) = solver.hoop().body() else { return None };
+    let impact = solver.hoop().jam(&state)?;
     Some(rebounds(solver, now, &body, (Event { state, from, to: None, cause: Cause::Jam }, impact)))
 }
 
 /// What follows the end of bounces.
 fn settles<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, settling: &Settling) -> Happening {
     // The flight has turned the hoop by so little that the sum took the angle for fixed: the last digits of the slip differ.
-    let before = velocities(&state, settling.impact.before.gap_rate);
+    let before = ContactVelocities::of(&state, settling.impact.before.gap_rate);
     let impact = Impact { before, ..settling.impact };
     now.place = solver.place(impact.state_after(&state));
     now.begin = Begin::Motion(solver.decide(&now.place, Arrival::Open));
@@ -351,10 +346,6 @@ fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Be
         Some(settling) => Begin::Settle(*body, Box::new(settling)),
         None => Begin::Motion(Next::Fly { body: *body, take_off: TakeOff::Rising { gap_rate } }),
     }
-}
-
-const fn velocities(state: &State, gap_rate: f64) -> ContactVelocities {
-    ContactVelocities { theta_rate: state.theta_rate, slip: state.slip, gap_rate }
 }
 
 /// Passes a pending event to the recorder.

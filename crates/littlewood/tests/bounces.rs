@@ -334,6 +334,22 @@ fn the_motion_that_bounces_for_ever_has_the_numbers_of_its_equations() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
+    /// The gap of both flights, from the parabola of the mass centre, is open at every instant but their ends.
+    #[test]
+    fn motions_that_bounce_for_ever_are_above_the_plane(hoop in moderate_hoop(), angle in 0.05..3.1_f64) {
+        let Some(orbit) = BouncingOrbit::new(&hoop, angle) else { return Ok(()) };
+        for (rate, half, middle) in
+            [(orbit.top_rate, angle, 0.0), (orbit.bottom_rate, std::f64::consts::PI - angle, std::f64::consts::PI)]
+        {
+            for i in 0..50 {
+                let (end, at) = (half / rate, half / rate * f64::from(i) / 50.0);
+                let rim = |time: f64| hoop.h() * libm::cos(middle + rate * time);
+                let gap = 0.5 * (end * end - at * at) + rim(end) - rim(at);
+                prop_assert!(gap > 0.0, "{gap} at {at} of {end}: {orbit:?}");
+            }
+        }
+    }
+
     #[test]
     fn motions_that_bounce_for_ever_come_back(hoop in moderate_hoop(), angle in 0.05..3.1_f64) {
         let Some(orbit) = BouncingOrbit::new(&hoop, angle) else { return Ok(()) };

@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use common::{boundary_start, heavy_hoop, simulate};
 use littlewood::{
     Bound, Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, PhasePlane,
-    PhaseSolution, Quantity, Recurrence, Setup, Start, StartRegion, Trajectory,
+    PhaseSolution, Quantity, Recurrence, RestitutionLaw, Setup, Start, StartRegion, Trajectory,
 };
 use proptest::prelude::*;
 
@@ -439,4 +439,53 @@ fn a_slide_without_end_in_sight_says_how_much_is_left() {
     assert!(steps >= 500_000 && !motion.outcome().is_final());
     let expected = state.slip / mu_k;
     assert!((time_left / expected - 1.0).abs() < 0.05, "{time_left} {expected}");
+}
+
+/// cos θ of an angle of 4e8 does not resolve the lift-off at 1 = h cos θ θ′² at a rate of 3e5: the hoop comes down all the same.
+#[test]
+fn a_fast_hoop_that_has_turned_long_comes_down() {
+    let parameters = HoopParameters::new(4.258_053_794_098_504e-8, 1.0, 70_006_042.823_695_11)
+        .with_friction(0.857_365_504_918_691, 0.0)
+        .with_restitution(0.0, RestitutionLaw::Energetic);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let start = Start::at(4.265_858_458_099_317e-7, 294_707.411_602_734_94);
+    let motion = hoop.simulate(start, Limits::default().with_transitions(4)).expect("a valid start");
+    let lift_off = &motion.transitions()[2];
+    assert_eq!((lift_off.cause, lift_off.to), (Cause::LiftOff, Some(Mode::Flight)));
+    // At θ = −π/2 the mass centre rises at h θ′, and falls back to that height after 2 h θ′.
+    let up = 2.0 * hoop.h() * lift_off.before.theta_rate;
+    assert!(
+        (motion.phases()[3].duration() / up - 1.0).abs() < 1e-5,
+        "{} {up}",
+        motion.phases()[3].duration()
+    );
+}
+
+/// A flight of 3e9 turns ends at an angle whose sine no double resolves: there the impact is not guessed.
+#[test]
+fn an_impact_at_an_angle_that_is_not_resolved_is_none() {
+    let parameters = HoopParameters::new(0.121_466_028_205_290_8, 1.0, 1.856_379_095_494_365_7)
+        .with_friction(1e-8, 5e-9)
+        .with_restitution(0.56, RestitutionLaw::Energetic);
+    let start = Start::at(32.2, 121_093.0).with_slip(0.0038);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+    let Outcome::Unresolved { state } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    assert!(state.theta > 1e9);
+    let landing = motion.transitions().last().expect("lands");
+    assert_eq!((landing.cause, landing.to, landing.impact), (Cause::Landing, None, None));
+}
+
+/// Without friction, from the rate of the lift-off over the top: at the mirror image of the start η′ and the normal force vanish
+/// together. What leads into flight is a lift-off, whichever rounds to come first.
+#[test]
+fn a_slip_that_ends_where_the_hoop_lifts_off_is_a_lift_off() {
+    let hoop = HoopParameters::new(0.858_335_096_611_543_2, 0.413_766_977_366_253_6, 0.858_335_096_611_543_2);
+    let start = Start::at(0.674_975_923_504_364, 2.398_478_851_386_528_3);
+    let motion =
+        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let flies = motion.transitions().iter().find(|it| it.to == Some(Mode::Flight)).expect("flies");
+    assert_eq!((flies.cause, flies.from), (Cause::LiftOff, Some(Mode::Sliding)));
+    assert!((flies.before.theta - (std::f64::consts::TAU - start.theta)).abs() < 1e-7);
+    assert!(flies.before.slip.abs() < 1e-7);
 }
