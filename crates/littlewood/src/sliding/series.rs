@@ -31,23 +31,16 @@ pub(super) struct SlideSeries {
     pub(super) solvability: Series,
 }
 
-fn convolve(a: &Series, b: &Series, order: usize) -> f64 {
-    let mut sum = 0.0;
-    for j in 0..=order {
-        sum += a[j] * b[order - j];
-    }
-    sum
+/// Terms a_j b_{n−j} of coefficient `order` of a product.
+#[inline(always)]
+fn terms<'a>(a: &'a Series, b: &'a Series, order: usize) -> impl Iterator<Item = f64> + 'a {
+    a[..=order].iter().zip(b[..=order].iter().rev()).map(|(a, b)| a * b)
 }
 
-/// Σ j a_j b_{n−j}/n, the coefficient n of ∫ a′ b.
-fn integrate_product(a: &Series, b: &Series, order: usize) -> f64 {
-    let mut sum = 0.0;
-    let mut weight = 1.0;
-    for j in 1..=order {
-        sum += weight * a[j] * b[order - j];
-        weight += 1.0;
-    }
-    sum / (weight - 1.0)
+/// Coefficient `order` of a product.
+#[inline(always)]
+fn convolve(a: &Series, b: &Series, order: usize) -> f64 {
+    terms(a, b, order).fold(0.0, |sum, term| sum + term)
 }
 
 impl SlideSeries {
@@ -59,31 +52,47 @@ impl SlideSeries {
         let mut s = Self { theta: zero, theta_rate: zero, slip: zero, contact: zero, solvability: zero };
         let (mut sin, mut cos, mut u, mut q) = (zero, zero, zero, zero);
         let (mut lever, mut acceleration) = (zero, zero);
+        // n θ_n, the coefficients of the derivative.
+        let mut turning = zero;
 
         s.theta[0] = theta;
         s.theta_rate[0] = theta_rate;
         (sin[0], cos[0]) = libm::sincos(theta);
+        u[0] = theta_rate * theta_rate;
         let mut order = 0.0;
         for n in 0..=DEGREE {
             if n > 0 {
                 s.theta_rate[n] = acceleration[n - 1] / order;
                 s.theta[n] = s.theta_rate[n - 1] / order;
-                sin[n] = integrate_product(&s.theta, &cos, n);
-                cos[n] = -integrate_product(&s.theta, &sin, n);
+                turning[n] = order * s.theta[n];
+                // Sums that do not wait for each other, each in the order of its terms.
+                let (mut for_sin, mut for_cos, mut square) = (0.0, 0.0, 0.0);
+                let products = terms(&turning, &cos, n).zip(terms(&turning, &sin, n));
+                for ((a, b), c) in products.zip(terms(&s.theta_rate, &s.theta_rate, n)) {
+                    (for_sin, for_cos, square) = (for_sin + a, for_cos + b, square + c);
+                }
+                (sin[n], cos[n], u[n]) = (for_sin / order, -(for_cos / order), square);
             }
             let constant = if n == 0 { 1.0 } else { 0.0 };
-            u[n] = convolve(&s.theta_rate, &s.theta_rate, n);
             q[n] = law.q(constant, sin[n], cos[n]);
-            s.contact[n] = contact(constant, h, convolve(&cos, &u, n));
-            s.solvability[n] = inertia * constant + m * h * convolve(&sin, &q, n);
+            let (mut cos_u, mut sin_q) = (0.0, 0.0);
+            for (a, b) in terms(&cos, &u, n).zip(terms(&sin, &q, n)) {
+                (cos_u, sin_q) = (cos_u + a, sin_q + b);
+            }
+            s.contact[n] = contact(constant, h, cos_u);
+            s.solvability[n] = inertia * constant + m * h * sin_q;
             let mut remainder = m * convolve(&q, &s.contact, n);
-            for j in 1..=n {
-                remainder -= s.solvability[j] * acceleration[n - j];
+            for (p, a) in s.solvability[1..=n].iter().zip(acceleration[..n].iter().rev()) {
+                remainder -= p * a;
             }
             acceleration[n] = remainder / s.solvability[0];
             lever[n] = constant + h * cos[n] + friction * h * sin[n];
-            s.slip[n] = convolve(&s.theta_rate, &lever, n);
             order += 1.0;
+        }
+        for (j, rate) in s.theta_rate.iter().enumerate() {
+            for (slip, lever) in s.slip[j..].iter_mut().zip(&lever) {
+                *slip += rate * lever;
+            }
         }
         // First integral of sliding: η′ = const − μk σ τ + θ′ (1 + h cos θ + μk σ h sin θ).
         s.slip[0] = slip;
