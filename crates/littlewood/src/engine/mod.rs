@@ -5,12 +5,15 @@
 //! [`Hoop::simulate`]; a phase is looked up in the tables. A phase that the tables do not resolve, with a margin close to zero, a turning
 //! point, a shape of η′ that might touch zero, a slow phase, is solved exactly.
 
+mod direct;
 mod interpolant;
 mod jump;
+mod piece;
 mod quadrature;
 mod roll;
 mod slide;
 mod slip;
+mod solver;
 mod tabulated;
 
 use crate::equations::SlidingLaw;
@@ -23,10 +26,11 @@ use crate::state::Start;
 use crate::summary::{Summary, SummaryRecorder};
 use crate::walk::walk;
 
+use direct::Direct;
 use roll::RollTable;
 use slide::SlideTable;
 use slip::SlipTable;
-use tabulated::Tabulated;
+use solver::FastSolver;
 
 /// Lighter hoops, by Î/m, have no tables: each time the particle passes the bottom, rounding is amplified by (Î/m)^(−1/2), and
 /// tables and Taylor series, which round differently, would soon diverge.
@@ -62,15 +66,6 @@ struct Tables {
     roll: RollTable,
     slide: SlideTable,
     slip: SlipTable,
-}
-
-impl Tables {
-    const fn law_of(&self, direction: Direction) -> &SlidingLaw {
-        match direction {
-            Direction::Negative => &self.sliding[0],
-            Direction::Positive => &self.sliding[1],
-        }
-    }
 }
 
 impl Engine {
@@ -143,13 +138,19 @@ impl Engine {
         limits.check(&start)?;
         let mut recorder = SummaryRecorder::new(&self.hoop);
         let conservative = limits.is_conservative(&self.hoop);
-        Ok(match &self.tables {
-            Some(tables) => {
-                let solver = Tabulated::new(&self.hoop, tables, limits);
+        Ok(match (&self.tables, self.hoop.body()) {
+            (Some(tables), _) => {
+                let solver = FastSolver::new(&self.hoop, tables, limits);
                 let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
                 recorder.finish(end.kind, end.state)
             }
-            None => {
+            (None, Body::Heavy(body)) if !conservative => {
+                let direct = Direct::new(&self.hoop, body);
+                let solver = FastSolver::new(&self.hoop, &direct, limits);
+                let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+                recorder.finish(end.kind, end.state)
+            }
+            (None, _) => {
                 let solver = Exact::new(&self.hoop, limits.until);
                 let outcome = walk(&solver, state, limits.transitions, conservative, &mut recorder);
                 recorder.finish(outcome.kind(), outcome.state())

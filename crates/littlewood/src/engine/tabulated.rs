@@ -1,338 +1,67 @@
-//! Phases looked up in the tables of a hoop where these resolve them to rounding, and solved exactly elsewhere.
+//! Phases looked up in the tables of a hoop.
 
-use crate::automaton::Cause;
-use crate::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
-use crate::equations::contact;
-use crate::exact::Exact;
-use crate::flight::{Flight, TakeOff};
-use crate::hoop::{Heavy, Hoop, Massless};
+use crate::equations::{RollingLaw, SlidingLaw};
+use crate::hoop::Heavy;
 use crate::mode::Direction;
-use crate::outcome::{Outcome, OutcomeKind};
-use crate::rolling::{Hold, RollingLimit};
-use crate::settling::Settling;
-use crate::simulate::Limits;
-use crate::state::State;
-use crate::trig::sincos;
-use crate::walk::{Ending, Solution, Solved, SolvedBy, Solver};
 
 use super::Tables;
-use super::jump;
-use super::roll::{RollEnd, SlipPoint};
+use super::roll::RollEnd;
 use super::slide::{SlideEvent, SlideStart};
 use super::slip::Ahead;
+use super::solver::{Phases, Place};
 
-/// Forces within this part of the friction limit, or of lift-off, are weighed by the exact rules.
-const UNCERTAIN_FORCES: f64 = 1e-9;
+impl Phases for Tables {
+    const SOLVABLE: bool = true;
 
-/// Slower phases are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
-const MIN_RATE: f64 = 4e-3;
-
-/// Solves the phases of a hoop that has tables.
-#[derive(Clone, Debug)]
-pub(super) struct Tabulated<'a> {
-    hoop: &'a Hoop,
-    tables: &'a Tables,
-    until: f64,
-    exact: Exact<'a>,
-}
-
-/// A state with the sine and cosine of its angle.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    state: State,
-    direction: (f64, f64),
-    /// Where it is the end of rolling by the table.
-    slip: Option<SlipPoint>,
-    /// Precomputed data of the phase that begins here.
-    ahead: Ahead,
-}
-
-impl Place {
-    fn new(state: State) -> Self {
-        Self { state, direction: sincos(state.theta), slip: None, ahead: Ahead::Open }
+    fn body(&self) -> &Heavy {
+        &self.body
     }
 
-    /// u = θ′².
-    fn u(&self) -> f64 {
-        self.state.theta_rate * self.state.theta_rate
-    }
-}
-
-/// How a motion ended, as far as a summary tells.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Verdict {
-    pub(super) kind: OutcomeKind,
-    pub(super) state: State,
-}
-
-impl From<Outcome> for Verdict {
-    fn from(outcome: Outcome) -> Self {
-        Self { kind: outcome.kind(), state: outcome.state() }
-    }
-}
-
-/// Of the phases a summary keeps no more than the flight, which most of them are not.
-impl Solution for Option<Box<Flight>> {
-    fn flight(&self) -> Option<&Flight> {
-        self.as_deref()
-    }
-
-    fn theta_range(&self) -> Option<(f64, f64)> {
-        None
-    }
-}
-
-type Ended = Ending<Place, Verdict>;
-
-impl<'a> Tabulated<'a> {
-    pub(super) fn new(hoop: &'a Hoop, tables: &'a Tables, limits: Limits) -> Self {
-        let until = limits.until.unwrap_or(f64::INFINITY);
-        Self { hoop, tables, until, exact: Exact::new(hoop, limits.until) }
-    }
-
-    /// Whether so much time is left at a state.
-    fn is_in_time(&self, state: &State, elapsed: f64) -> bool {
-        elapsed <= self.until - state.time
-    }
-
-    /// Converts a phase that was solved exactly.
-    fn take(solved: SolvedBy<Exact<'_>>) -> SolvedBy<Self> {
-        let ending = match solved.ending {
-            Ending::Event { place, cause, arrival } => {
-                Ending::Event { place: Place::new(place), cause, arrival }
-            }
-            Ending::Landing { state, gap_rate } => Ending::Landing { state, gap_rate },
-            Ending::Settled { state, settling } => Ending::Settled { state, settling },
-            Ending::Singular { state, solvability } => Ending::Singular { state, solvability },
-            Ending::Motion { event, end, verdict } => Ending::Motion { event, end, verdict: verdict.into() },
-        };
-        Solved {
-            solution: solved.solution.flight().map(|flight| Box::new(*flight)),
-            direction: solved.direction,
-            ending,
+    fn sliding(&self, direction: Direction) -> &SlidingLaw {
+        match direction {
+            Direction::Negative => &self.sliding[0],
+            Direction::Positive => &self.sliding[1],
         }
     }
 
-    fn contact(&self, place: &Place) -> f64 {
-        contact(1.0, self.tables.body.h, place.direction.1 * place.u())
-    }
-
-    /// The evidence from the forces, where it is clear on which side of every limit they are. P is positive at every angle
-    /// for a hoop that has tables.
-    #[inline(always)]
-    fn clear_evidence(&self, place: &Place, arrival: Arrival) -> Option<Evidence<impl Fn(Direction) -> f64>> {
-        let Place { state, direction: (sin, cos), .. } = *place;
-        let w = self.contact(place);
-        if w.abs() <= UNCERTAIN_FORCES {
-            return None;
-        }
-        let slip = match Direction::of_sign(state.slip) {
-            Some(direction) => SlipEvidence::Moving(direction),
-            None => self.clear_rest(place, w, arrival)?,
-        };
-        let solvability = move |direction| {
-            let law = self.tables.law_of(direction);
-            law.p(sin, law.q(1.0, sin, cos))
-        };
-        Some(Evidence { contact: w, leaves: w < 0.0, slip, solvability, is_solvable: true })
-    }
-
-    /// The same at η′ = 0.
-    #[inline(always)]
-    fn clear_rest(&self, place: &Place, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
-        let law = self.tables.roll.law();
-        let u = place.u();
-        let denominator = law.denominator_at(place.direction.1);
-        let forces = law.forces_at(place.direction, [1.0, u], denominator);
-        let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
-        let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);
-        let hold = match arrival {
-            Arrival::Open | Arrival::RollingLimit(_) | Arrival::LiftOff if w < 0.0 => Hold::NoNormalForce,
-            Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
-                Hold::Slips { direction, excess: 0.0 }
-            }
-            Arrival::Open if is_clear && excess < 0.0 && place.state.theta_rate != 0.0 => Hold::Holds,
-            Arrival::Open if is_clear && excess > 0.0 => {
-                Hold::Slips { direction: Direction::of_sign(-forces.friction)?, excess }
-            }
-            Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff | Arrival::Open => {
-                return None;
-            }
-        };
-        if let Hold::Slips { excess, .. } = hold {
-            // The slip must begin clearly: with equal coefficients its acceleration vanishes on the limit.
-            let drive = excess + (self.hoop.mu_s() - self.hoop.mu_k()) * forces.normal;
-            if drive <= UNCERTAIN_FORCES {
-                return None;
-            }
-        }
-        Some(SlipEvidence::AtRest { hold, rolling_forces: forces, denominator })
-    }
-}
-
-impl Solver for Tabulated<'_> {
-    type Place = Place;
-    type Solution = Option<Box<Flight>>;
-    type Verdict = Verdict;
-
-    fn hoop(&self) -> &Hoop {
-        self.hoop
-    }
-
-    fn place(&self, state: State) -> Place {
-        Place::new(state)
-    }
-
-    fn state(place: &Place) -> State {
-        place.state
+    fn rolling(&self) -> &RollingLaw {
+        self.roll.law()
     }
 
     #[inline(always)]
-    fn decide(&self, place: &Place, arrival: Arrival) -> Next {
-        match self.clear_evidence(place, arrival) {
-            Some(evidence) => weigh(self.hoop, &self.tables.body, &place.state, &evidence),
-            None => next_motion(self.hoop, &place.state, arrival),
-        }
-    }
-
-    #[inline(always)]
-    fn roll(&self, place: &Place) -> SolvedBy<Self> {
-        let state = place.state;
-        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let known = if state.theta_rate.abs() < MIN_RATE {
-            None
-        } else {
-            let ahead = match &place.ahead {
-                Ahead::Roll(ahead) => Some(ahead),
-                Ahead::Open => None,
-            };
-            let (theta, theta_rate) = (travel * state.theta, travel * state.theta_rate);
-            self.tables.roll.follow(theta, theta_rate, place.direction.1, ahead)
+    fn roll(&self, place: &Place) -> Option<RollEnd> {
+        let (state, travel) = (place.state, place.travel());
+        let ahead = match &place.ahead {
+            Ahead::Roll(ahead) => Some(ahead),
+            Ahead::Open => None,
         };
-        let ending: Ended = match known {
-            Some(RollEnd::Never) => Ending::Motion {
-                event: None,
-                end: None,
-                verdict: Verdict { kind: OutcomeKind::RollsForever, state },
-            },
-            Some(RollEnd::Slip { elapsed, theta, theta_rate, point, direction: (sin, cos), .. })
-                if self.is_in_time(&state, elapsed) =>
-            {
-                let theta = travel * theta;
-                let towards = if (point.side == 0) == (travel < 0.0) {
-                    Direction::Positive
-                } else {
-                    Direction::Negative
-                };
-                let end = State {
-                    time: state.time + elapsed,
-                    theta,
-                    theta_rate: travel * theta_rate,
-                    slip: 0.0,
-                    x: state.x - (theta - state.theta),
-                };
-                let limit = RollingLimit::Friction(towards);
-                Ending::Event {
-                    place: Place {
-                        state: end,
-                        direction: (travel * sin, cos),
-                        slip: Some(point),
-                        ahead: Ahead::Open,
-                    },
-                    cause: limit.cause(),
-                    arrival: Arrival::RollingLimit(limit),
-                }
-            }
-            Some(RollEnd::Slip { .. }) | None => return Self::take(self.exact.roll(&state)),
-        };
-        Solved { solution: None, direction: None, ending }
+        self.roll.follow(travel * state.theta, travel * state.theta_rate, place.direction.1, ahead)
     }
 
     #[inline(always)]
     fn slide(
         &self,
         place: &Place,
-        body: &Heavy,
         direction: Direction,
         slip_acceleration: Option<f64>,
-    ) -> SolvedBy<Self> {
-        let state = place.state;
-        let sigma = direction.sign();
-        let (sin0, cos0) = place.direction;
-        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
+    ) -> Option<(SlideEvent, Ahead)> {
+        let (state, travel, sigma) = (place.state, place.travel(), direction.sign());
+        let (sin, cos) = place.direction;
         let known = place.slip.and_then(|point| {
-            let direction = (travel * sin0, cos0);
-            self.tables.slip.follow(point, travel * state.theta, travel * state.theta_rate, direction)
+            self.slip.follow(point, travel * state.theta, travel * state.theta_rate, (travel * sin, cos))
         });
         let ahead = known.map_or(Ahead::Open, |end| end.ahead);
-        let followed = match (known, slip_acceleration) {
-            (Some(end), _) => Some(end.event),
+        let event = match (known, slip_acceleration) {
+            (Some(end), _) => end.event,
             // η″ = 0 at the start, too: on the static limit with equal coefficients.
-            (None, Some(0.0)) => None,
-            (None, Some(_) | None) => self.tables.slide.follow(SlideStart {
+            (None, Some(0.0)) => return None,
+            (None, Some(_) | None) => self.slide.follow(SlideStart {
                 theta: sigma * state.theta,
                 theta_rate: sigma * state.theta_rate,
                 slip: sigma * state.slip,
-                direction: (sigma * sin0, cos0),
-            }),
+                direction: (sigma * sin, cos),
+            })?,
         };
-        let is_fast =
-            |event: &SlideEvent| state.theta_rate.abs() >= MIN_RATE && event.theta_rate.abs() >= MIN_RATE;
-        let followed = followed.filter(|event| is_fast(event) && self.is_in_time(&state, event.elapsed));
-        let Some(event) = followed else {
-            return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));
-        };
-        let law = self.tables.law_of(direction);
-        let here = (sigma * event.direction.0, event.direction.1);
-        let end = State {
-            time: state.time + event.elapsed,
-            theta: sigma * event.theta,
-            theta_rate: sigma * event.theta_rate,
-            slip: if event.lifts_off { sigma * event.slip } else { 0.0 },
-            x: law.path(&state, (sin0, cos0)).x(event.elapsed, here),
-        };
-        let (cause, arrival) =
-            if event.lifts_off { (Cause::LiftOff, Arrival::LiftOff) } else { (Cause::Stick, Arrival::Open) };
-        let place = Place { state: end, direction: here, slip: None, ahead };
-        Solved { solution: None, direction: Some(direction), ending: Ending::Event { place, cause, arrival } }
-    }
-
-    #[inline(always)]
-    fn fly(&self, place: &Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
-        let state = place.state;
-        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let flight = match take_off {
-            TakeOff::Grazing => match jump::angles(travel * state.theta) {
-                Some(angles) => Flight::with_angles(body, state, take_off, place.direction, angles),
-                None => Flight::from_direction(body, state, take_off, place.direction),
-            },
-            // So close to w = 0 the exact rules have decided, with their own cosine.
-            TakeOff::Unloaded if self.contact(place) > -UNCERTAIN_FORCES => {
-                Flight::new(body, state, take_off)
-            }
-            TakeOff::Unloaded | TakeOff::Rising { .. } => {
-                Flight::from_direction(body, state, take_off, place.direction)
-            }
-        };
-        let duration = flight.duration();
-        let ending = if self.is_in_time(&state, duration) {
-            Ending::Landing { state: flight.state(duration), gap_rate: flight.gap(duration).1 }
-        } else {
-            let end = State { time: self.until, ..flight.state(self.until - state.time) };
-            Ending::Motion {
-                event: None,
-                end: Some(end),
-                verdict: Verdict { kind: OutcomeKind::TimeLimit, state: end },
-            }
-        };
-        Solved { solution: Some(Box::new(flight)), direction: None, ending }
-    }
-
-    fn settle(&self, place: &Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
-        Self::take(self.exact.settle(&place.state, body, settling))
-    }
-
-    fn glide(&self, place: &Place, body: &Massless, from_extremum: bool) -> SolvedBy<Self> {
-        Self::take(self.exact.glide(&place.state, body, from_extremum))
+        Some((event.mirrored(sigma), ahead))
     }
 }

@@ -64,6 +64,21 @@ pub(super) struct SlideEvent {
     pub(super) lifts_off: bool,
 }
 
+impl SlideEvent {
+    /// The same in the frame that is mirrored for −1.
+    #[inline]
+    pub(super) fn mirrored(self, sign: f64) -> Self {
+        let (sin, cos) = self.direction;
+        Self {
+            theta: sign * self.theta,
+            theta_rate: sign * self.theta_rate,
+            slip: if self.lifts_off { sign * self.slip } else { 0.0 },
+            direction: (sign * sin, cos),
+            ..self
+        }
+    }
+}
+
 /// State of a slide at the end of a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passing {

@@ -1,0 +1,80 @@
+//! Phases of a hoop without tables: what tables would hold is computed where the motion goes.
+//!
+//! A slide is followed in the angle, where u = θ′² obeys a linear equation ([`step`]), and not in time.
+
+mod slide;
+mod step;
+
+use crate::equations::{RollingLaw, SlidingLaw};
+use crate::hoop::{Heavy, Hoop};
+use crate::mode::Direction;
+
+use super::roll::RollEnd;
+use super::slide::SlideEvent;
+use super::slip::Ahead;
+use super::solver::{Phases, Place};
+
+/// The equations of one hoop.
+#[derive(Clone, Debug)]
+pub(super) struct Direct {
+    body: Heavy,
+    /// The laws of sliding for σ = −1 and σ = +1.
+    sliding: [SlidingLaw; 2],
+    rolling: RollingLaw,
+}
+
+impl Direct {
+    pub(super) fn new(hoop: &Hoop, body: Heavy) -> Self {
+        Self {
+            body,
+            sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
+            rolling: RollingLaw::new(hoop),
+        }
+    }
+}
+
+impl Phases for Direct {
+    const SOLVABLE: bool = false;
+
+    fn body(&self) -> &Heavy {
+        &self.body
+    }
+
+    fn sliding(&self, direction: Direction) -> &SlidingLaw {
+        match direction {
+            Direction::Negative => &self.sliding[0],
+            Direction::Positive => &self.sliding[1],
+        }
+    }
+
+    fn rolling(&self) -> &RollingLaw {
+        &self.rolling
+    }
+
+    fn roll(&self, _: &Place) -> Option<RollEnd> {
+        None
+    }
+
+    fn slide(
+        &self,
+        place: &Place,
+        direction: Direction,
+        slip_acceleration: Option<f64>,
+    ) -> Option<(SlideEvent, Ahead)> {
+        if slip_acceleration == Some(0.0) {
+            // On the static limit with equal coefficients.
+            return None;
+        }
+        let (state, travel) = (place.state, place.travel());
+        let (sin, cos) = place.direction;
+        let seen = if travel < 0.0 { direction.reversed() } else { direction };
+        let begin = slide::Begin {
+            theta: travel * state.theta,
+            theta_rate: travel * state.theta_rate,
+            slip: travel * state.slip,
+            direction: (travel * sin, cos),
+        };
+        let event = slide::follow(self.sliding(seen), seen.sign(), &begin)?;
+        Some((event.mirrored(travel), Ahead::Open))
+    }
+}

@@ -1,0 +1,171 @@
+//! A piece of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
+
+use crate::equations::{SlidingLaw, contact};
+
+/// Ratio of the ends of u up to which the Gauss sum of 1/√u is exact to rounding.
+pub(super) const SMOOTH: f64 = 1.5;
+
+/// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 + |θ′|), so that below this
+/// part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.
+const MIN_SLIP_ACCELERATION: f64 = 2e-3;
+
+/// A range of angles on which u is known as a function of z, which grows with the angle.
+pub(super) trait Piece {
+    /// u at z.
+    fn u(&self, z: f64) -> f64;
+    /// sin ϑ and cos ϑ at z.
+    fn direction(&self, z: f64) -> (f64, f64);
+    /// The same at z + `step`, a short step from z, from that at z.
+    fn turned(&self, direction: (f64, f64), z: f64, step: f64) -> (f64, f64);
+    /// dϑ/dz.
+    fn turning(&self, z: f64) -> f64;
+    /// ∫ dϑ/√u from one z to another, not smaller.
+    fn time(&self, from: f64, to: f64) -> f64;
+}
+
+/// A point on the way through a piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Waypoint {
+    pub(super) z: f64,
+    pub(super) u: f64,
+    pub(super) elapsed: f64,
+    /// σ η′ and σ η″.
+    pub(super) slip: f64,
+    pub(super) slip_acceleration: f64,
+    /// sin ϑ and cos ϑ, where the way may end.
+    pub(super) direction: (f64, f64),
+}
+
+/// The way of a slide through a piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way<'a, P> {
+    pub(super) law: &'a SlidingLaw,
+    pub(super) piece: &'a P,
+    /// Sign of θ′.
+    pub(super) travel: f64,
+    /// Sign of η′.
+    pub(super) sigma: f64,
+    /// The constant of the first integral, η′ − θ′ (1 + h cos ϑ + μk σ h sin ϑ) + μk σ τ.
+    pub(super) integral: f64,
+}
+
+impl<P: Piece> Way<'_, P> {
+    /// σ η′ by the first integral.
+    #[inline]
+    pub(super) fn slip(&self, rate: f64, lever: f64, elapsed: f64) -> f64 {
+        self.sigma * (self.integral + rate * lever - self.law.friction * elapsed)
+    }
+
+    /// Everything at z, from the way since `here`.
+    pub(super) fn at(&self, here: &Waypoint, z: f64) -> Option<Waypoint> {
+        let u = self.piece.u(z);
+        let ratio = u / here.u;
+        if !(ratio > 1.0 / SMOOTH && ratio < SMOOTH) {
+            return None;
+        }
+        let elapsed = here.elapsed + self.piece.time(here.z.min(z), here.z.max(z));
+        let (sin, cos) = self.piece.direction(z);
+        let (alpha, beta) = self.law.slip_acceleration(sin, cos);
+        let lever = self.law.lever(sin, cos);
+        Some(Waypoint {
+            z,
+            u,
+            elapsed,
+            slip: self.slip(self.travel * u.sqrt(), lever, elapsed),
+            slip_acceleration: self.sigma * (alpha + beta * u),
+            direction: (sin, cos),
+        })
+    }
+
+    /// Where 1 − h cos ϑ u falls through zero between `here` and `end`: Newton's method in a bracket.
+    pub(super) fn lift_off(&self, here: &Waypoint, end: f64) -> Option<Waypoint> {
+        let h = self.law.body.h;
+        let (mut low, mut high) = (here.z, end);
+        let mut z = 0.5 * (low + high);
+        for _ in 0..60 {
+            let (sin, cos) = self.piece.direction(z);
+            let u = self.piece.u(z);
+            let w = contact(1.0, h, cos * u);
+            if w > 0.0 {
+                low = z;
+            } else {
+                high = z;
+            }
+            let slope = self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * w);
+            let newton = z - w / slope;
+            let inside = (newton - low) * self.travel > 0.0 && (high - newton) * self.travel > 0.0;
+            let next = if inside { newton } else { 0.5 * (low + high) };
+            let step = (next - z).abs();
+            z = next;
+            if step < 1e-9 && inside {
+                return self.at(here, z);
+            }
+            if (high - low).abs() < 1e-15 {
+                return self.at(here, z);
+            }
+        }
+        None
+    }
+
+    /// Where η′ falls through zero between two waypoints: a cubic for a guess, then Newton's method with the exact time.
+    pub(super) fn rest(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
+        let Self { piece, travel, .. } = *self;
+        let span = there.z - here.z;
+        // dη′/ds with s from 0 at `here` to 1 at `there`.
+        let slope = |at: &Waypoint| at.slip_acceleration / at.u.sqrt() * piece.turning(at.z) * span.abs();
+        let guess = cubic_root(here.slip, slope(here), there.slip, slope(there));
+        let mut z = here.z + guess * span;
+        for _ in 0..6 {
+            let at = self.at(here, z)?;
+            if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * (1.0 + at.u.sqrt()) {
+                return None;
+            }
+            let rate = at.slip_acceleration / at.u.sqrt() * piece.turning(z) * travel;
+            let step = -at.slip / rate;
+            let next = z + step;
+            if !((next - here.z) * travel > 0.0 && (there.z - next) * travel >= 0.0) || rate * travel >= 0.0 {
+                return None;
+            }
+            if step.abs() < 1e-7 {
+                let u = piece.u(next);
+                let direction = piece.turned(at.direction, z, step);
+                // The step may go back: the trapezoid is signed.
+                let slowness = 0.5 * (1.0 / at.u.sqrt() + 1.0 / u.sqrt());
+                let elapsed = at.elapsed + step * travel * piece.turning(z + 0.5 * step) * slowness;
+                return Some(Waypoint {
+                    z: next,
+                    u,
+                    elapsed,
+                    slip: 0.0,
+                    slip_acceleration: at.slip_acceleration,
+                    direction,
+                });
+            }
+            z = next;
+        }
+        None
+    }
+}
+
+/// Root in (0, 1] of the cubic with these values and slopes at 0 and 1, the value at 1 not positive.
+fn cubic_root(start: f64, start_slope: f64, end: f64, end_slope: f64) -> f64 {
+    let c2 = 3.0 * (end - start) - 2.0 * start_slope - end_slope;
+    let c3 = 2.0 * (start - end) + start_slope + end_slope;
+    let mut s = 1.0;
+    for _ in 0..8 {
+        let value = start + s * (start_slope + s * (c2 + s * c3));
+        let slope = start_slope + s * (2.0 * c2 + 3.0 * s * c3);
+        if slope >= 0.0 {
+            break;
+        }
+        let next: f64 = s - value / slope;
+        if !(next > 0.0 && next <= 1.0) {
+            break;
+        }
+        if (next - s).abs() < 1e-6 {
+            return next;
+        }
+        s = next;
+    }
+    s
+}
