@@ -32,28 +32,40 @@ impl<const N: usize> Form<N> {
         }
         sum
     }
+
+    /// The value in a direction, and its derivative along another.
+    #[inline]
+    pub(crate) fn value_and_slope(&self, [x, y]: HalfAngle, [dx, dy]: [f64; 2]) -> (f64, f64) {
+        let (mut power, mut power_slope) = (1.0, 0.0);
+        let (mut sum, mut slope) = (0.0, 0.0);
+        for c in &self.0 {
+            (sum, slope) = (sum * x + c * power, slope * x + sum * dx + c * power_slope);
+            (power, power_slope) = (power * y, power_slope * y + power * dy);
+        }
+        (sum, slope)
+    }
 }
 
-/// Substitutes the barycentric coordinates of an arc, by Horner's scheme.
+/// Substitutes the barycentric coordinates of an arc, by Horner's scheme. `sum` and `power` are zero, and as long as the form.
 #[inline(always)]
 fn restrict(form: &[f64], from: HalfAngle, to: HalfAngle, sum: &mut [f64], power: &mut [f64]) {
     sum[0] = form[0];
     power[0] = 1.0;
-    for (degree, coefficient) in form.iter().enumerate().skip(1) {
-        multiply_linear(sum, degree, [from[0], to[0]]);
-        multiply_linear(power, degree, [from[1], to[1]]);
-        for k in 0..=degree {
-            sum[k] += coefficient * power[k];
+    for coefficient in &form[1..] {
+        multiply_linear(sum, [from[0], to[0]]);
+        multiply_linear(power, [from[1], to[1]]);
+        for (sum, power) in sum.iter_mut().zip(&*power) {
+            *sum += coefficient * power;
         }
     }
 }
 
-/// Multiplies a form of degree `degree − 1` by l_0 a + l_1 b.
+/// Multiplies a form by l_0 a + l_1 b; its last coefficient is zero.
 #[inline(always)]
-fn multiply_linear(form: &mut [f64], degree: usize, linear: [f64; 2]) {
-    for k in (0..=degree).rev() {
-        let lower = if k > 0 { form[k - 1] * linear[1] } else { 0.0 };
-        form[k] = form[k] * linear[0] + lower;
+fn multiply_linear(form: &mut [f64], linear: [f64; 2]) {
+    let mut lower = 0.0;
+    for c in form {
+        (lower, *c) = (*c, *c * linear[0] + lower * linear[1]);
     }
 }
 

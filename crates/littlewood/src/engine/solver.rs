@@ -24,7 +24,7 @@ use super::slip::Ahead;
 const UNCERTAIN_FORCES: f64 = 1e-9;
 
 /// Slower phases are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
-const MIN_RATE: f64 = 4e-3;
+pub(super) const MIN_RATE: f64 = 4e-3;
 
 /// A source of phases of a heavy hoop: each is none where it is not resolved to rounding.
 pub(super) trait Phases {

@@ -19,6 +19,7 @@ pub use boundary::RollingLimit;
 pub(crate) use end::Hold;
 pub use end::RollingEnd;
 pub use orbit::RollingOrbit;
+pub(crate) use orbit::time_from_bottom;
 pub use recurrence::{Recurrence, RecurrenceKind};
 
 use crate::equations::RollingLaw;

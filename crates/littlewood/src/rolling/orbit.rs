@@ -200,14 +200,7 @@ impl Elliptic {
 
     /// τ(ψ) − τ(0) for ψ in [−π/2, π/2], given by its sine and cosine.
     fn time_from_bottom(&self, sine: f64, cosine: f64) -> f64 {
-        let bottom = self.law.bottom;
-        let gamma = self.excess + self.swing;
-        let c2 = cosine * cosine;
-        let q2 = (self.excess + self.swing * c2) / gamma;
-        let lift = self.swing * sine * sine / bottom;
-        let first = rf(c2, q2, 1.0 + lift);
-        let third = if lift == 0.0 { 0.0 } else { lift / 3.0 * rj(c2, q2, 1.0 + lift, 1.0) };
-        2.0 * (bottom / gamma).sqrt() * sine * (first + third)
+        time_from_bottom(self.law.bottom, (self.excess, self.swing), (sine, cosine))
     }
 
     /// dτ/dψ.
@@ -411,6 +404,17 @@ impl Elliptic {
         }
         hold
     }
+}
+
+/// τ(ψ) − τ(0) for ψ in [−π/2, π/2], given by its sine and cosine, from D(π), |κ| and β.
+pub(crate) fn time_from_bottom(bottom: f64, (excess, swing): (f64, f64), (sine, cosine): (f64, f64)) -> f64 {
+    let gamma = excess + swing;
+    let c2 = cosine * cosine;
+    let q2 = (excess + swing * c2) / gamma;
+    let lift = swing * sine * sine / bottom;
+    let first = rf(c2, q2, 1.0 + lift);
+    let third = if lift == 0.0 { 0.0 } else { lift / 3.0 * rj(c2, q2, 1.0 + lift, 1.0) };
+    2.0 * (bottom / gamma).sqrt() * sine * (first + third)
 }
 
 fn start_value(margin: &Bernstein) -> f64 {

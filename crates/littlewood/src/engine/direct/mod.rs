@@ -2,6 +2,7 @@
 //!
 //! A slide is followed in the angle, where u = θ′² obeys a linear equation ([`step`]), and not in time.
 
+mod roll;
 mod slide;
 mod step;
 
@@ -17,6 +18,7 @@ use super::solver::{Phases, Place};
 /// The equations of one hoop.
 #[derive(Clone, Debug)]
 pub(super) struct Direct {
+    hoop: Hoop,
     body: Heavy,
     /// The laws of sliding for σ = −1 and σ = +1.
     sliding: [SlidingLaw; 2],
@@ -26,6 +28,7 @@ pub(super) struct Direct {
 impl Direct {
     pub(super) fn new(hoop: &Hoop, body: Heavy) -> Self {
         Self {
+            hoop: *hoop,
             body,
             sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
             rolling: RollingLaw::new(hoop),
@@ -51,8 +54,9 @@ impl Phases for Direct {
         &self.rolling
     }
 
-    fn roll(&self, _: &Place) -> Option<RollEnd> {
-        None
+    fn roll(&self, place: &Place) -> Option<RollEnd> {
+        let (state, travel) = (place.state, place.travel());
+        roll::follow(&self.hoop, &self.rolling, travel * state.theta, travel * state.theta_rate)
     }
 
     fn slide(

@@ -29,6 +29,9 @@ const SMOOTH: f64 = 0.5;
 /// Degree of the polynomials whose sign is examined; what they leave out is bounded.
 const LOW: usize = 10;
 
+/// Number of coefficients of u from which the next follows.
+const TERMS: usize = 6;
+
 type Series = [f64; DEGREE + 1];
 
 /// 1/n.
@@ -124,30 +127,29 @@ impl Step {
         let cq: [f64; 5] = product(c, q);
         let nq: [f64; 5] = product(n, q);
         let inverse = 1.0 / left[0];
-        // v_k = (k + 1) u_{k+1} = drive_k − Σ (l_j + g_{j−1}/(k − j + 1)) v_{k−j}.
+        // (k + 1) u_{k+1} = drive_k − Σ (l_j (k − j) + g_j) u_{k−j}, with u_k = 0 for k < 0.
         let scale = 4.0 * mass * inverse;
         let drive = nq.map(|c| scale * c);
-        let mut l = [0.0; 6];
-        let mut g = [0.0; 6];
-        for j in 0..6 {
-            l[j] = left[j + 1] * inverse;
-            g[j] = if j < 5 { scale * h * cq[j] } else { 0.0 };
-        }
-        let mut series = [0.0; DEGREE + 1];
-        series[0] = u0;
-        // The last six of v, the latest first.
-        let mut v = [0.0; 6];
+        let l: [f64; TERMS] = core::array::from_fn(|j| left[j + 1] * inverse);
+        let rest: [f64; TERMS] =
+            core::array::from_fn(|j| if j < 5 { scale * h * cq[j] } else { 0.0 } - j as f64 * l[j]);
+        let mut padded = [0.0; DEGREE + TERMS];
+        padded[TERMS - 1] = u0;
         for k in 0..DEGREE {
-            let mut sum = if k < 5 { drive[k] - g[k] * u0 } else { 0.0 };
-            for j in (0..6.min(k)).rev() {
-                sum -= (l[j] + g[j] * RECIPROCALS[k - j]) * v[j];
+            let order = k as f64;
+            let mut sum = if k < 5 { drive[k] } else { 0.0 };
+            // The latest last: it is waited for.
+            let window: &[f64; TERMS] = padded[k..].first_chunk()?;
+            for (i, u) in window.iter().enumerate() {
+                let j = TERMS - 1 - i;
+                sum -= (l[j] * order + rest[j]) * u;
             }
-            v = [sum, v[0], v[1], v[2], v[3], v[4]];
-            series[k + 1] = sum * RECIPROCALS[k + 1];
+            padded[k + TERMS] = sum * RECIPROCALS[k + 1];
         }
-        let width = width(&series)?;
+        let series: &Series = padded[TERMS - 1..].first_chunk()?;
+        let width = width(series)?;
         let mut power = 1.0;
-        let mut u = series;
+        let mut u = *series;
         for c in &mut u {
             *c *= power;
             power *= width;
@@ -186,20 +188,24 @@ fn scaled<const N: usize>(mut polynomial: [f64; N], width: f64) -> [f64; N] {
 /// The width on which a series has converged, and u changes little.
 fn width(series: &Series) -> Option<f64> {
     let scale = CONVERGED * series[0];
-    let last = series[DEGREE].abs();
-    let mut width = (scale / last).sqrt().sqrt().sqrt().sqrt().sqrt().min(1.0);
+    // The root of degree 32.
+    let root = |x: f64| x.sqrt().sqrt().sqrt().sqrt().sqrt();
+    let mut width = root(scale / series[DEGREE].abs()).min(1.0);
     for _ in 0..8 {
         let (mut change, mut power) = (0.0, 1.0);
         for c in &series[1..] {
             power *= width;
             change += c.abs() * power;
         }
-        // The last but one may be larger.
+        // The last coefficient may be small by chance.
         let before = series[DEGREE - 1].abs() * power / width;
-        if change <= SMOOTH * series[0] {
-            return (before <= 4.0 * scale && width > 0.0).then_some(width);
-        }
-        width *= 0.98 * SMOOTH * series[0] / change;
+        width *= if before > 2.0 * scale {
+            root(scale / before)
+        } else if change > SMOOTH * series[0] {
+            0.98 * SMOOTH * series[0] / change
+        } else {
+            return (width > 0.0).then_some(width);
+        };
     }
     None
 }

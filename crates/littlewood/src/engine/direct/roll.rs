@@ -1,0 +1,203 @@
+//! Rolling along one orbit, to its slip.
+//!
+//! Where it slips is a zero of the forms of [`crate::rolling`] on the arcs ahead, isolated in Bernstein form; when, an elliptic
+//! integral. Both are those of the exact solver; only the root is found with fewer steps, and no time is computed that is not
+//! needed.
+//!
+//! Everything is seen in the direction of motion.
+
+use core::f64::consts::TAU;
+
+use crate::equations::RollingLaw;
+use crate::form::{Form, HalfAngle};
+use crate::hoop::Hoop;
+use crate::rolling::{margin_forms, time_from_bottom};
+use crate::trig::sincos;
+
+use super::super::roll::{RollEnd, SlipPoint};
+use super::super::solver::MIN_RATE;
+
+/// Orbits whose energy over the top is a smaller part of their constant are left to the exact solver.
+const SEPARATRIX: f64 = 1e-9;
+
+/// Newton's method ends with a step shorter than this: its error is of the second order.
+const LAST_STEP: f64 = 1e-9;
+
+/// Part of an orbit between two directions of the half angle.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    from: HalfAngle,
+    to: HalfAngle,
+    pass: Pass,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Pass {
+    First,
+    NextTurn,
+    WayBack,
+}
+
+/// An orbit entered at a state: z = −cos ϑ/2 and y = sin ϑ/2 ≥ 0 there.
+#[derive(Clone, Copy, Debug)]
+struct Orbit<'a> {
+    law: &'a RollingLaw,
+    rotates: bool,
+    lap: f64,
+    z: f64,
+    y: f64,
+    /// D ϑ′².
+    kinetic: f64,
+    /// |K − D(0)| and 4ℓ̂k².
+    excess: f64,
+    swing: f64,
+}
+
+/// Follows the orbit on which rolling holds at an angle, with a positive rate. None next to the separatrix.
+pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64) -> Option<RollEnd> {
+    let mut lap = (theta / TAU).floor();
+    let (sin, cos) = sincos(0.5 * theta);
+    let flip = if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+    let (mut x, mut y) = (flip * cos, flip * sin);
+    if y < 0.0 {
+        // Rounding put the angle on the wrong side of a multiple of 2π.
+        lap += if x > 0.0 { -1.0 } else { 1.0 };
+        (x, y) = (-x, -y);
+    }
+    let z = -x;
+    let four_l = 4.0 * law.offset;
+    let kinetic = (law.bottom + four_l * z * z) * theta_rate * theta_rate;
+    let over_top = kinetic - four_l * y * y;
+    let over_bottom = kinetic + four_l * z * z;
+    let k = law.bottom + over_bottom;
+    if over_top.abs() <= SEPARATRIX * k {
+        return None;
+    }
+    let rotates = over_top > 0.0;
+    let swing = if rotates { four_l } else { over_bottom };
+    let orbit = Orbit { law, rotates, lap, z, y, kinetic, excess: over_top.abs(), swing };
+    let forms = margin_forms(hoop, k)?;
+    for arc in orbit.arcs() {
+        let mut first: Option<(f64, usize)> = None;
+        for (side, form) in forms.iter().enumerate() {
+            let at = form.on_arc(arc.from, arc.to).first_crossing();
+            if let Some(bracket) = at {
+                let at = root(form, &arc, bracket.low, bracket.high)?;
+                if first.is_none_or(|(before, _)| at < before) {
+                    first = Some((at, side));
+                }
+            }
+        }
+        if let Some((at, side)) = first {
+            let end = orbit.slip(&arc, at, side);
+            return orbit.slip(&arc, at, side);
+        }
+    }
+    Some(RollEnd::Never)
+}
+
+/// The root of a form on an arc in a bracket, in which it falls through zero.
+fn root(form: &Form<7>, arc: &Arc, mut low: f64, mut high: f64) -> Option<f64> {
+    let [dx, dy] = [arc.to[0] - arc.from[0], arc.to[1] - arc.from[1]];
+    let at = |t: f64| form.value_and_slope([arc.from[0] + t * dx, arc.from[1] + t * dy], [dx, dy]);
+    if high <= low {
+        return Some(low);
+    }
+    let (start, end) = (at(low).0, at(high).0);
+    let mut t = if start > 0.0 && end < 0.0 {
+        (low * end - high * start) / (end - start)
+    } else {
+        0.5 * (low + high)
+    };
+    for _ in 0..60 {
+        let (value, slope) = at(t);
+        if value > 0.0 {
+            low = t;
+        } else {
+            high = t;
+        }
+        let newton = t - value / slope;
+        let inside = newton > low && newton < high;
+        let next = if inside { newton } else { 0.5 * (low + high) };
+        let step = (next - t).abs();
+        t = next;
+        if (inside && step < LAST_STEP) || high - low < f64::EPSILON {
+            return Some(t);
+        }
+    }
+    None
+}
+
+impl Orbit<'_> {
+    /// The arcs that lie ahead, until every point of the orbit has been passed.
+    fn arcs(&self) -> impl Iterator<Item = Arc> {
+        let here = [-self.z, self.y];
+        let bottom = [0.0, 1.0];
+        let past_bottom = self.z >= 0.0;
+        let arc = |from, to, pass| Arc { from, to, pass };
+        let farthest = if self.rotates {
+            [-1.0, 0.0]
+        } else {
+            let four_l = 4.0 * self.law.offset;
+            [-(self.swing / four_l).sqrt(), (self.excess / four_l).sqrt()]
+        };
+        let first = (!past_bottom).then(|| arc(here, bottom, Pass::First));
+        let second = arc(if past_bottom { here } else { bottom }, farthest, Pass::First);
+        let (third, fourth) = if self.rotates {
+            let third = arc([1.0, 0.0], if past_bottom { bottom } else { here }, Pass::NextTurn);
+            (third, past_bottom.then(|| arc(bottom, here, Pass::NextTurn)))
+        } else {
+            let [x, y] = farthest;
+            (arc(farthest, bottom, Pass::WayBack), Some(arc(bottom, [-x, y], Pass::WayBack)))
+        };
+        [first, Some(second), Some(third), fourth].into_iter().flatten().filter(|arc| arc.from != arc.to)
+    }
+
+    /// Time from the bottom to a point, by z, y, and D ϑ′² there.
+    fn time(&self, z: f64, y: f64, kinetic: f64) -> f64 {
+        let phase = if self.rotates {
+            (z, y)
+        } else {
+            let sine = z * (4.0 * self.law.offset / self.swing).sqrt();
+            (sine.clamp(-1.0, 1.0), (kinetic / self.swing).sqrt())
+        };
+        time_from_bottom(self.law.bottom, (self.excess, self.swing), phase)
+    }
+
+    /// The slip at a point of an arc.
+    fn slip(&self, arc: &Arc, at: f64, side: usize) -> Option<RollEnd> {
+        let x = (1.0 - at) * arc.from[0] + at * arc.to[0];
+        let y = (1.0 - at) * arc.from[1] + at * arc.to[1];
+        let length = (x * x + y * y).sqrt();
+        let (z, y) = (-x / length, y / length);
+        let four_l = 4.0 * self.law.offset;
+        let d = self.law.bottom + four_l * z * z;
+        // K − D changes by 4ℓ̂ (z0² − z²).
+        let kinetic = if self.rotates {
+            self.excess + four_l * y * y
+        } else {
+            (self.kinetic + four_l * (self.z - z) * (self.z + z)).max(0.0)
+        };
+        let entered = self.time(self.z, self.y, self.kinetic);
+        let from_bottom = self.time(z, y, kinetic);
+        let half_period = || 2.0 * time_from_bottom(self.law.bottom, (self.excess, self.swing), (1.0, 0.0));
+        let rate = (kinetic / d).sqrt();
+        if rate < MIN_RATE {
+            return None;
+        }
+        let (elapsed, lap, rate) = match arc.pass {
+            Pass::First => (from_bottom - entered, self.lap, rate),
+            Pass::NextTurn => (half_period() + from_bottom - entered, self.lap + 1.0, rate),
+            Pass::WayBack => (half_period() - from_bottom - entered, self.lap, -rate),
+        };
+        let angle = 2.0 * libm::atan2(y, -z);
+        Some(RollEnd::Slip {
+            elapsed: elapsed.max(0.0),
+            theta: TAU * lap + angle,
+            theta_rate: rate,
+            point: SlipPoint { side, angle },
+            stop: 0,
+            direction: (-2.0 * y * z, z * z - y * y),
+        })
+    }
+}
