@@ -144,7 +144,7 @@ impl Engine {
                 let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
                 recorder.finish(end.kind, end.state)
             }
-            (None, Body::Heavy(body)) if !conservative => {
+            (None, Body::Heavy(body)) if !conservative && self.hoop.mu_k() > 0.0 => {
                 let direct = Direct::new(&self.hoop, body);
                 let solver = FastSolver::new(&self.hoop, &direct, limits);
                 let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);

@@ -2,25 +2,28 @@
 
 use crate::equations::{SlidingLaw, contact};
 
-/// Ratio of the ends of u up to which the Gauss sum of 1/√u is exact to rounding.
-pub(super) const SMOOTH: f64 = 1.5;
-
 /// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 + |θ′|), so that below this
 /// part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.
 const MIN_SLIP_ACCELERATION: f64 = 2e-3;
 
-/// A range of angles on which u is known as a function of z, which grows with the angle.
+/// A part of a slide on which u is known as a function of a coordinate z, along which the slide goes up or down.
 pub(super) trait Piece {
     /// u at z.
     fn u(&self, z: f64) -> f64;
+    /// θ′ at z, from u there.
+    fn rate(&self, z: f64, u: f64) -> f64;
     /// sin ϑ and cos ϑ at z.
     fn direction(&self, z: f64) -> (f64, f64);
     /// The same at z + `step`, a short step from z, from that at z.
     fn turned(&self, direction: (f64, f64), z: f64, step: f64) -> (f64, f64);
     /// dϑ/dz.
     fn turning(&self, z: f64) -> f64;
-    /// ∫ dϑ/√u from one z to another, not smaller.
-    fn time(&self, from: f64, to: f64) -> f64;
+    /// The derivative by z at z, where u is known, of what has this derivative by time.
+    fn by_coordinate(&self, z: f64, u: f64, by_time: f64) -> f64;
+    /// Time from one place to another, each with its u. None where it is not known to rounding.
+    fn time(&self, here: (f64, f64), there: (f64, f64)) -> Option<f64>;
+    /// Time from z, where u is known, over a step so short that the trapezoid rule is exact.
+    fn short_time(&self, z: f64, u: f64, step: f64) -> f64;
 }
 
 /// A point on the way through a piece.
@@ -41,8 +44,8 @@ pub(super) struct Waypoint {
 pub(super) struct Way<'a, P> {
     pub(super) law: &'a SlidingLaw,
     pub(super) piece: &'a P,
-    /// Sign of θ′.
-    pub(super) travel: f64,
+    /// Sign of dz/dτ.
+    pub(super) forward: f64,
     /// Sign of η′.
     pub(super) sigma: f64,
     /// The constant of the first integral, η′ − θ′ (1 + h cos ϑ + μk σ h sin ϑ) + μk σ τ.
@@ -59,11 +62,7 @@ impl<P: Piece> Way<'_, P> {
     /// Everything at z, from the way since `here`.
     pub(super) fn at(&self, here: &Waypoint, z: f64) -> Option<Waypoint> {
         let u = self.piece.u(z);
-        let ratio = u / here.u;
-        if !(ratio > 1.0 / SMOOTH && ratio < SMOOTH) {
-            return None;
-        }
-        let elapsed = here.elapsed + self.piece.time(here.z.min(z), here.z.max(z));
+        let elapsed = here.elapsed + self.piece.time((here.z, here.u), (z, u))?;
         let (sin, cos) = self.piece.direction(z);
         let (alpha, beta) = self.law.slip_acceleration(sin, cos);
         let lever = self.law.lever(sin, cos);
@@ -71,7 +70,7 @@ impl<P: Piece> Way<'_, P> {
             z,
             u,
             elapsed,
-            slip: self.slip(self.travel * u.sqrt(), lever, elapsed),
+            slip: self.slip(self.piece.rate(z, u), lever, elapsed),
             slip_acceleration: self.sigma * (alpha + beta * u),
             direction: (sin, cos),
         })
@@ -93,7 +92,7 @@ impl<P: Piece> Way<'_, P> {
             }
             let slope = self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * w);
             let newton = z - w / slope;
-            let inside = (newton - low) * self.travel > 0.0 && (high - newton) * self.travel > 0.0;
+            let inside = (newton - low) * self.forward > 0.0 && (high - newton) * self.forward > 0.0;
             let next = if inside { newton } else { 0.5 * (low + high) };
             let step = (next - z).abs();
             z = next;
@@ -107,12 +106,32 @@ impl<P: Piece> Way<'_, P> {
         None
     }
 
+    /// Where η′ is least between two waypoints, between which η″ rises through zero once.
+    pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
+        let (mut low, mut high) = (here.z, there.z);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            let (sin, cos) = self.piece.direction(middle);
+            let (alpha, beta) = self.law.slip_acceleration(sin, cos);
+            if self.sigma * (alpha + beta * self.piece.u(middle)) < 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+            // The value at an extremum is known to the second order.
+            if (high - low).abs() < 1e-7 {
+                break;
+            }
+        }
+        self.at(here, 0.5 * (low + high))
+    }
+
     /// Where η′ falls through zero between two waypoints: a cubic for a guess, then Newton's method with the exact time.
     pub(super) fn rest(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
-        let Self { piece, travel, .. } = *self;
+        let Self { piece, forward, .. } = *self;
         let span = there.z - here.z;
         // dη′/ds with s from 0 at `here` to 1 at `there`.
-        let slope = |at: &Waypoint| at.slip_acceleration / at.u.sqrt() * piece.turning(at.z) * span.abs();
+        let slope = |at: &Waypoint| piece.by_coordinate(at.z, at.u, at.slip_acceleration) * span;
         let guess = cubic_root(here.slip, slope(here), there.slip, slope(there));
         let mut z = here.z + guess * span;
         for _ in 0..6 {
@@ -120,25 +139,21 @@ impl<P: Piece> Way<'_, P> {
             if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * (1.0 + at.u.sqrt()) {
                 return None;
             }
-            let rate = at.slip_acceleration / at.u.sqrt() * piece.turning(z) * travel;
+            let rate = piece.by_coordinate(z, at.u, at.slip_acceleration);
             let step = -at.slip / rate;
             let next = z + step;
-            if !((next - here.z) * travel > 0.0 && (there.z - next) * travel >= 0.0) || rate * travel >= 0.0 {
+            let inside = (next - here.z) * forward > 0.0 && (there.z - next) * forward >= 0.0;
+            if !inside || rate * forward >= 0.0 {
                 return None;
             }
             if step.abs() < 1e-7 {
-                let u = piece.u(next);
-                let direction = piece.turned(at.direction, z, step);
-                // The step may go back: the trapezoid is signed.
-                let slowness = 0.5 * (1.0 / at.u.sqrt() + 1.0 / u.sqrt());
-                let elapsed = at.elapsed + step * travel * piece.turning(z + 0.5 * step) * slowness;
                 return Some(Waypoint {
                     z: next,
-                    u,
-                    elapsed,
+                    u: piece.u(next),
+                    elapsed: at.elapsed + piece.short_time(z, at.u, step),
                     slip: 0.0,
                     slip_acceleration: at.slip_acceleration,
-                    direction,
+                    direction: piece.turned(at.direction, z, step),
                 });
             }
             z = next;

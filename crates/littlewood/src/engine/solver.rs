@@ -36,6 +36,8 @@ pub(super) trait Phases {
     fn rolling(&self) -> &RollingLaw;
     /// Whether P is positive at every angle, for either direction of slip.
     const SOLVABLE: bool;
+    /// Whether slides are resolved that begin or end slowly.
+    const SLOW_SLIDES: bool;
     /// The end of the rolling that begins at a place, in the frame of motion.
     fn roll(&self, place: &Place) -> Option<RollEnd>;
     /// The end of the slide that begins at a place, and what is known of the phase behind it. `slip_acceleration` where η′ = 0 at
@@ -280,8 +282,9 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     ) -> SolvedBy<Self> {
         let state = place.state;
         let followed = self.phases.slide(place, direction, slip_acceleration);
-        let is_fast =
-            |event: &SlideEvent| state.theta_rate.abs() >= MIN_RATE && event.theta_rate.abs() >= MIN_RATE;
+        let is_fast = |event: &SlideEvent| {
+            P::SLOW_SLIDES || state.theta_rate.abs() >= MIN_RATE && event.theta_rate.abs() >= MIN_RATE
+        };
         let followed = followed.filter(|(event, _)| is_fast(event) && self.is_in_time(&state, event.elapsed));
         let Some((event, ahead)) = followed else {
             return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));

@@ -13,6 +13,8 @@ use super::solver::{Phases, Place};
 impl Phases for Tables {
     const SOLVABLE: bool = true;
 
+    const SLOW_SLIDES: bool = false;
+
     fn body(&self) -> &Heavy {
         &self.body
     }

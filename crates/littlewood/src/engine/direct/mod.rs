@@ -2,18 +2,22 @@
 //!
 //! A slide is followed in the angle, where u = θ′² obeys a linear equation ([`step`]), and not in time.
 
+mod expansion;
 mod roll;
 mod slide;
 mod step;
+mod turn;
 
 use crate::equations::{RollingLaw, SlidingLaw};
 use crate::hoop::{Heavy, Hoop};
 use crate::mode::Direction;
 
+use super::piece::Waypoint;
 use super::roll::RollEnd;
 use super::slide::SlideEvent;
 use super::slip::Ahead;
 use super::solver::{Phases, Place};
+use slide::Frame;
 
 /// The equations of one hoop.
 #[derive(Clone, Debug)]
@@ -38,6 +42,8 @@ impl Direct {
 
 impl Phases for Direct {
     const SOLVABLE: bool = false;
+
+    const SLOW_SLIDES: bool = true;
 
     fn body(&self) -> &Heavy {
         &self.body
@@ -69,16 +75,27 @@ impl Phases for Direct {
             // On the static limit with equal coefficients.
             return None;
         }
-        let (state, travel) = (place.state, place.travel());
+        let (state, sign) = (place.state, place.travel());
         let (sin, cos) = place.direction;
-        let seen = if travel < 0.0 { direction.reversed() } else { direction };
-        let begin = slide::Begin {
-            theta: travel * state.theta,
-            theta_rate: travel * state.theta_rate,
-            slip: travel * state.slip,
-            direction: (travel * sin, cos),
+        let law = self.sliding(direction);
+        let u = state.theta_rate * state.theta_rate;
+        let (alpha, beta) = law.slip_acceleration(sin, cos);
+        let sigma = direction.sign();
+        let frame = Frame {
+            laws: &self.sliding,
+            sign,
+            theta: sign * state.theta,
+            sigma: sign * sigma,
+            integral: sign * (state.slip - state.theta_rate * law.lever(sin, cos)),
         };
-        let event = slide::follow(self.sliding(seen), seen.sign(), &begin)?;
-        Some((event.mirrored(travel), Ahead::Open))
+        let here = Waypoint {
+            z: 0.0,
+            u,
+            elapsed: 0.0,
+            slip: sigma * state.slip,
+            slip_acceleration: sigma * (alpha + beta * u),
+            direction: (sign * sin, cos),
+        };
+        Some((slide::follow(frame, here)?, Ahead::Open))
     }
 }

@@ -89,7 +89,6 @@ pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64)
             }
         }
         if let Some((at, side)) = first {
-            let end = orbit.slip(&arc, at, side);
             return orbit.slip(&arc, at, side);
         }
     }

@@ -1,6 +1,6 @@
-//! A slide, followed step by step to its event.
+//! A slide, followed piece by piece to its event.
 //!
-//! Everything is seen in the frame of motion, ϑ growing. On a step
+//! Everything is seen in the frame of motion, ϑ growing. On a piece
 //!
 //! - 1 − h cos ϑ u can fall through zero only where sin ϑ < 0, since there its derivative is h sin ϑ θ′³: where sin ϑ keeps its sign,
 //!   or turns from positive to negative, its sign at the end tells whether it has; over the top its sign there tells;
@@ -11,109 +11,188 @@ use crate::equations::{SlidingLaw, contact};
 
 use super::super::piece::{Piece, Way, Waypoint};
 use super::super::slide::SlideEvent;
-use super::step::{Signs, Step};
+use super::expansion::{Expansion, Signs};
+use super::step::{Step, rotated};
+use super::turn::Turn;
 
-/// Most steps: a slide over more than a few turns is left to the exact solver.
-const MOST_STEPS: usize = 48;
+/// Most pieces: a slide over more than a few turns is left to the exact solver.
+const MOST_PIECES: usize = 64;
 
-/// Forces and slips within this of zero are in doubt.
+/// Contact, and a slip at its least, within this of zero are in doubt.
 const UNCERTAIN: f64 = 1e-9;
 
-/// Where a slide begins, in the frame of motion.
+/// A turning point nearer than this part of the width on which u has converged is the centre of the next piece.
+const NEAR: f64 = 0.7;
+
+/// How a slide is seen: perhaps mirrored.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Begin {
+pub(super) struct Frame<'a> {
+    /// The laws for σ = −1 and σ = +1.
+    pub(super) laws: &'a [SlidingLaw; 2],
+    /// −1 where the frame is mirrored.
+    pub(super) sign: f64,
+    /// The angle at which the slide is.
     pub(super) theta: f64,
-    /// Positive.
-    pub(super) theta_rate: f64,
-    pub(super) slip: f64,
-    /// sin ϑ and cos ϑ.
-    pub(super) direction: (f64, f64),
+    /// Sign of η′.
+    pub(super) sigma: f64,
+    /// The constant of the first integral.
+    pub(super) integral: f64,
 }
 
-/// Follows a slide in the direction `sigma` of slip to its event, in the frame of motion. None where a sign is in doubt, θ′ comes
-/// close to zero or P does, or the slide takes longer than a few turns.
-pub(super) fn follow(law: &SlidingLaw, sigma: f64, begin: &Begin) -> Option<SlideEvent> {
-    let h = law.body.h;
-    let (sin, cos) = begin.direction;
-    let (alpha, beta) = law.slip_acceleration(sin, cos);
-    let u = begin.theta_rate * begin.theta_rate;
-    let integral = begin.slip - begin.theta_rate * law.lever(sin, cos);
-    let mut here = Waypoint {
-        z: 0.0,
-        u,
-        elapsed: 0.0,
-        slip: sigma * begin.slip,
-        slip_acceleration: sigma * (alpha + beta * u),
-        direction: (sin, cos),
-    };
-    let mut theta = begin.theta;
-    for _ in 0..MOST_STEPS {
-        let step = Step::new(law, sigma, here.direction, here.u)?;
-        let way = Way { law, piece: &step, travel: 1.0, sigma, integral };
-        let event = |at: &Waypoint, lifts_off: bool| SlideEvent {
-            elapsed: at.elapsed,
-            theta: theta + step.turned_by(at.z),
-            theta_rate: at.u.sqrt(),
-            slip: if lifts_off { sigma * at.slip } else { 0.0 },
-            direction: at.direction,
-            lifts_off,
-        };
-        let (sin, cos) = step.direction(1.0);
-        let u = step.u(1.0);
-        let w = contact(1.0, h, cos * u);
-        let lifts_off = if here.direction.0 < 0.0 && sin >= 0.0 {
-            // Over the top.
-            let top = -here.direction.0 / ((1.0 + here.direction.1) * step.width);
-            let at_top = contact(1.0, h, step.u(top.min(1.0)));
-            if at_top < UNCERTAIN {
+impl Frame<'_> {
+    fn mirrored(self) -> Self {
+        let Self { laws, sign, theta, sigma, integral } = self;
+        Self { laws, sign: -sign, theta: -theta, sigma: -sigma, integral: -integral }
+    }
+
+    const fn law(&self) -> &SlidingLaw {
+        &self.laws[if self.sigma > 0.0 { 1 } else { 0 }]
+    }
+
+    const fn way<'b, P: Piece>(&'b self, piece: &'b P) -> Way<'b, P> {
+        Way { law: self.law(), piece, forward: 1.0, sigma: self.sigma, integral: self.integral }
+    }
+}
+
+fn mirrored((sin, cos): (f64, f64)) -> (f64, f64) {
+    (-sin, cos)
+}
+
+/// How a piece ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    /// The slide goes on.
+    Open,
+    /// η′ = 0.
+    Rest,
+    /// w = 0.
+    LiftOff,
+}
+
+/// Follows a slide from a place to its event. None where a sign is in doubt, P comes close to zero, or the slide takes longer than
+/// a few turns.
+pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint) -> Option<SlideEvent> {
+    for _ in 0..MOST_PIECES {
+        let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
+        let reach = expansion.reach(0);
+        let (end, at, rate);
+        if let Some((before, place, turn)) = turn_about(&frame, &here, &expansion, reach) {
+            // Towards larger angles, and back.
+            let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
+            if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
                 return None;
             }
-            false
-        } else {
-            if w.abs() < UNCERTAIN {
-                return None;
+            let signs = (turn.signs(place.z), turn.doubt);
+            (end, at) = pass(&before.way(&turn), &place, false, signs)?;
+            rate = turn.rate(at.z, at.u);
+            frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
+            if end == End::Open {
+                frame = frame.mirrored();
+                here = Waypoint { z: 0.0, direction: mirrored(at.direction), ..at };
             }
-            w < 0.0
-        };
-        let there = if lifts_off {
-            way.lift_off(&here, 1.0)?
         } else {
-            let elapsed = here.elapsed + step.whole_time();
-            let (alpha, beta) = law.slip_acceleration(sin, cos);
-            Waypoint {
-                z: 1.0,
-                u,
-                elapsed,
-                slip: way.slip(u.sqrt(), law.lever(sin, cos), elapsed),
-                slip_acceleration: sigma * (alpha + beta * u),
-                direction: (sin, cos),
-            }
-        };
-        match step.signs {
-            Signs::Unknown => return None,
-            // η′ must rise from zero.
-            Signs::Negative | Signs::Rising if here.slip <= 0.0 => return None,
-            Signs::Positive | Signs::Negative | Signs::Falling | Signs::Rising => {}
-        }
-        if there.slip <= 0.0 {
-            return Some(event(&way.rest(&here, &there)?, false));
-        }
-        match step.signs {
-            Signs::Positive | Signs::Negative => {}
-            // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no more than this.
-            Signs::Falling => {
-                if there.slip <= step.doubt * (there.elapsed - here.elapsed) {
+            let step = Step::new(&expansion, here.direction, reach)?;
+            let (sin, cos) = here.direction;
+            let held = passes_top(sin, step.direction(1.0).0);
+            if held {
+                let top = -sin / ((1.0 + cos) * step.width);
+                if contact(1.0, frame.law().body.h, step.u(top.min(1.0))) < UNCERTAIN {
                     return None;
                 }
             }
-            // A minimum inside.
-            Signs::Rising | Signs::Unknown => return None,
+            (end, at) = pass(&frame.way(&step), &here, held, (step.signs, step.doubt))?;
+            rate = step.rate(at.z, at.u);
+            frame.theta += step.turned_by(at.z);
+            here = Waypoint { z: 0.0, ..at };
         }
-        if lifts_off {
-            return Some(event(&there, true));
+        if end == End::Open {
+            continue;
         }
-        theta += step.turned_by(1.0);
-        here = Waypoint { z: 0.0, ..there };
+        let lifts_off = end == End::LiftOff;
+        let event = SlideEvent {
+            elapsed: at.elapsed,
+            theta: frame.theta,
+            theta_rate: rate,
+            slip: if lifts_off { frame.sigma * at.slip } else { 0.0 },
+            direction: at.direction,
+            lifts_off,
+        };
+        return Some(event.mirrored(frame.sign));
     }
     None
+}
+
+/// Whether a slide that turns towards larger angles, from a place with this sin ϑ to another less than half a turn ahead, passes the
+/// top.
+fn passes_top(from: f64, to: f64) -> bool {
+    from < 0.0 && to >= 0.0
+}
+
+/// Passes a piece from a place to z = 1, or to the event before. `held` says that the normal force cannot vanish. None where it is
+/// in doubt.
+fn pass<P: Piece>(
+    way: &Way<'_, P>,
+    here: &Waypoint,
+    held: bool,
+    (signs, doubt): (Signs, f64),
+) -> Option<(End, Waypoint)> {
+    let w =
+        if held { 1.0 } else { contact(1.0, way.law.body.h, way.piece.direction(1.0).1 * way.piece.u(1.0)) };
+    if w.abs() < UNCERTAIN {
+        return None;
+    }
+    let lifts_off = w < 0.0;
+    let there = if lifts_off { way.lift_off(here, 1.0)? } else { way.at(here, 1.0)? };
+    let rises = here.slip > 0.0 || matches!(signs, Signs::Positive | Signs::Falling);
+    if signs == Signs::Unknown || !rises {
+        return None;
+    }
+    if there.slip <= 0.0 {
+        return Some((End::Rest, way.rest(here, &there)?));
+    }
+    match signs {
+        Signs::Positive | Signs::Negative => {}
+        // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no more than this.
+        Signs::Falling => {
+            if there.slip <= doubt * (there.elapsed - here.elapsed) {
+                return None;
+            }
+        }
+        Signs::Rising => {
+            let least = way.least(here, &there)?;
+            if least.slip <= 0.0 {
+                return Some((End::Rest, way.rest(here, &least)?));
+            }
+            if least.slip <= doubt * (there.elapsed - here.elapsed) + UNCERTAIN * (1.0 + least.u.sqrt()) {
+                return None;
+            }
+        }
+        Signs::Unknown => return None,
+    }
+    Some((if lifts_off { End::LiftOff } else { End::Open }, there))
+}
+
+/// The turn about the turning point next to the centre of an expansion, ahead or behind, if it is near; with the frame before it,
+/// whose angle is that of the turning point, and the place in it.
+fn turn_about<'a>(
+    frame: &Frame<'a>,
+    here: &Waypoint,
+    expansion: &Expansion,
+    reach: f64,
+) -> Option<(Frame<'a>, Waypoint, Turn)> {
+    if here.u > NEAR * reach * expansion.u[1].abs() {
+        return None;
+    }
+    let z = expansion.zero(reach)?;
+    let before = if expansion.u[1] < 0.0 { *frame } else { frame.mirrored() };
+    let is_ahead = before.sign == frame.sign;
+    let direction = if is_ahead { here.direction } else { mirrored(here.direction) };
+    let distance = z.abs();
+    let there = mirrored(rotated(direction, distance));
+    let behind = before.mirrored();
+    let turn = Turn::new(&Expansion::new(behind.law(), behind.sigma, there, 0.0), there)?;
+    let part = distance / turn.width;
+    let y = if is_ahead { -part.sqrt() } else { part.sqrt() };
+    let before = Frame { theta: before.theta + 2.0 * libm::atan(distance), ..before };
+    (part < 1.0).then_some((before, Waypoint { z: y, direction, ..*here }, turn))
 }

@@ -2,9 +2,18 @@
 
 use crate::equations::contact;
 
-use super::super::piece::{Piece, SMOOTH, Way, Waypoint};
+use super::super::piece::{Piece, Way, Waypoint};
 use super::cell::{Cell, Polynomial, value};
 use super::{SlideEvent, SlideStart, SlideTable};
+
+/// Ratio of the ends of u up to which the Gauss sum of 1/√u is exact to rounding.
+const SMOOTH: f64 = 1.5;
+
+/// Whether u changes so little between two values.
+fn is_smooth(from: f64, to: f64) -> bool {
+    let ratio = to / from;
+    ratio > 1.0 / SMOOTH && ratio < SMOOTH
+}
 
 /// One slide through a cell.
 #[derive(Clone, Debug)]
@@ -12,11 +21,17 @@ struct Crossing<'a> {
     cell: &'a Cell,
     /// u in powers of z.
     motion: Polynomial,
+    /// Sign of θ′.
+    travel: f64,
 }
 
 impl Piece for Crossing<'_> {
     fn u(&self, z: f64) -> f64 {
         value(&self.motion, z)
+    }
+
+    fn rate(&self, _: f64, u: f64) -> f64 {
+        self.travel * u.sqrt()
     }
 
     fn direction(&self, z: f64) -> (f64, f64) {
@@ -33,8 +48,18 @@ impl Piece for Crossing<'_> {
         self.cell.half
     }
 
-    fn time(&self, from: f64, to: f64) -> f64 {
-        self.cell.time(&self.motion, from, to)
+    fn by_coordinate(&self, _: f64, u: f64, by_time: f64) -> f64 {
+        by_time / u.sqrt() * self.cell.half * self.travel
+    }
+
+    fn time(&self, (from, u): (f64, f64), (to, to_u): (f64, f64)) -> Option<f64> {
+        is_smooth(u, to_u).then(|| self.cell.time(&self.motion, from.min(to), from.max(to)))
+    }
+
+    fn short_time(&self, z: f64, u: f64, step: f64) -> f64 {
+        // The step may go back: the trapezoid is signed.
+        let slowness = 0.5 * (1.0 / u.sqrt() + 1.0 / self.u(z + step).sqrt());
+        step * self.travel * self.cell.half * slowness
     }
 }
 
@@ -72,12 +97,11 @@ impl SlideTable {
             let exit = &cell.edges[usize::from(travel > 0.0)];
             let exit_u = exit.p + level * exit.h;
             let lifts_off = contact(1.0, self.law.body.h, exit.cos * exit_u) < 0.0;
-            let crossing = || Crossing { cell, motion: cell.motion(level) };
+            let crossing = || Crossing { cell, motion: cell.motion(level), travel };
             let there = if lifts_off {
-                self.way(&crossing(), (travel, integral)).lift_off(&here, travel)?
+                self.way(&crossing(), integral).lift_off(&here, travel)?
             } else {
-                let ratio = exit_u / here.u;
-                if !(ratio > 1.0 / SMOOTH && ratio < SMOOTH) {
+                if !is_smooth(here.u, exit_u) {
                     return None;
                 }
                 let time = if whole {
@@ -97,7 +121,7 @@ impl SlideTable {
                 }
             };
             if there.slip <= 0.0 {
-                let rest = self.way(&crossing(), (travel, integral)).rest(&here, &there)?;
+                let rest = self.way(&crossing(), integral).rest(&here, &there)?;
                 return Some(Self::event(cell, offset, &rest, travel, false));
             }
             if here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0 {
@@ -114,8 +138,8 @@ impl SlideTable {
         None
     }
 
-    fn way<'a>(&'a self, piece: &'a Crossing<'a>, (travel, integral): (f64, f64)) -> Way<'a, Crossing<'a>> {
-        Way { law: &self.law, piece, travel, sigma: 1.0, integral }
+    fn way<'a>(&'a self, piece: &'a Crossing<'a>, integral: f64) -> Way<'a, Crossing<'a>> {
+        Way { law: &self.law, piece, forward: piece.travel, sigma: 1.0, integral }
     }
 
     fn event(cell: &Cell, offset: f64, at: &Waypoint, travel: f64, lifts_off: bool) -> SlideEvent {

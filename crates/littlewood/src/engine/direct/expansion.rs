@@ -1,0 +1,272 @@
+//! u = θ′² of a slide as a power series in the tangent of half the angle turned, and the sign of η″.
+//!
+//! With z = tan(φ/2), φ the angle from the centre of the expansion, and n = 1 + z², the sine and the cosine of ϑ are S/n and C/n
+//! with quadratic S and C, q = Q/n and P = R/n² with polynomials Q and R of degrees two and four, so that the linear equation of
+//! sliding, du/dϑ = 2 m q (1 − h cos ϑ u)/P, reads
+//!
+//! ```text
+//! n R du/dz = 4 m Q (n − h C u).
+//! ```
+//!
+//! Its coefficients are polynomials: each coefficient of u follows from the six before it. The series converges up to the nearest
+//! zero of P, or to z = ± i.
+
+use crate::equations::SlidingLaw;
+use crate::hoop::Heavy;
+
+/// Degree of the series.
+pub(super) const DEGREE: usize = 32;
+
+/// Number of coefficients of u from which the next follows.
+const TERMS: usize = 6;
+
+/// Part of the first coefficient that the last of a series may be.
+const CONVERGED: f64 = f64::EPSILON / 16.0;
+
+/// Degree of the polynomials whose sign is examined; what they leave out is bounded.
+const LOW: usize = 10;
+
+/// Coefficients of powers, the lowest first.
+pub(super) type Series = [f64; DEGREE + 1];
+
+/// 1/n.
+const RECIPROCALS: Series = {
+    let mut table = [0.0; DEGREE + 1];
+    let mut n = 1;
+    while n <= DEGREE {
+        table[n] = 1.0 / n as f64;
+        n += 1;
+    }
+    table
+};
+
+/// 1 over the binomial coefficients of `LOW`.
+const INVERSE_BINOMIALS: [f64; LOW + 1] = {
+    let mut table = [1.0; LOW + 1];
+    let mut binomial = 1.0;
+    let mut k = 1;
+    while k <= LOW {
+        binomial = binomial * (LOW + 1 - k) as f64 / k as f64;
+        table[k] = 1.0 / binomial;
+        k += 1;
+    }
+    table
+};
+
+/// Product of two polynomials.
+#[inline(always)]
+fn product<const A: usize, const B: usize, const C: usize>(a: &[f64; A], b: &[f64; B]) -> [f64; C] {
+    let mut result = [0.0; C];
+    for i in 0..A {
+        for j in 0..B {
+            result[i + j] += a[i] * b[j];
+        }
+    }
+    result
+}
+
+/// A polynomial in t = z/width from one in z.
+#[inline(always)]
+pub(super) fn scaled<const N: usize>(mut polynomial: [f64; N], width: f64) -> [f64; N] {
+    let mut power = 1.0;
+    for c in &mut polynomial {
+        *c *= power;
+        power *= width;
+    }
+    polynomial
+}
+
+/// The 32nd root.
+fn root(x: f64) -> f64 {
+    x.sqrt().sqrt().sqrt().sqrt().sqrt()
+}
+
+/// Signs of a function on an interval, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Signs {
+    Positive,
+    Negative,
+    /// From positive to negative.
+    Falling,
+    /// From negative to positive.
+    Rising,
+    Unknown,
+}
+
+/// A slide about an angle.
+#[derive(Clone, Debug)]
+pub(super) struct Expansion {
+    /// u in powers of z.
+    pub(super) u: Series,
+    /// n² P.
+    p: [f64; 5],
+    /// n³ P σ η″ = a + b u.
+    a: [f64; 7],
+    b: [f64; 7],
+}
+
+impl Expansion {
+    /// The slide in the direction `sigma` of slip through an angle with this sine and cosine, and u there.
+    pub(super) fn new(law: &SlidingLaw, sigma: f64, (sin, cos): (f64, f64), u0: f64) -> Self {
+        let Heavy { mass, h, inertia, .. } = law.body;
+        let (n, nn) = ([1.0, 0.0, 1.0], [1.0, 0.0, 2.0, 0.0, 1.0]);
+        let (s, c) = ([sin, 2.0 * cos, -sin], [cos, -2.0 * sin, -cos]);
+        let q: [f64; 3] = core::array::from_fn(|k| law.q(n[k], s[k], c[k]));
+        let sq: [f64; 5] = product(&s, &q);
+        let p: [f64; 5] = core::array::from_fn(|k| inertia * nn[k] + mass * h * sq[k]);
+        let np: [f64; 7] = product(&p, &n);
+        let cq: [f64; 5] = product(&c, &q);
+        let nq: [f64; 5] = product(&n, &q);
+        // (k + 1) u_{k+1} = drive_k − Σ (l_j (k − j) + g_j) u_{k−j}, with u_k = 0 for k < 0.
+        let inverse = 1.0 / np[0];
+        let scale = 4.0 * mass * inverse;
+        let l: [f64; TERMS] = core::array::from_fn(|j| np[j + 1] * inverse);
+        let rest: [f64; TERMS] =
+            core::array::from_fn(|j| if j < 5 { scale * h * cq[j] } else { 0.0 } - j as f64 * l[j]);
+        let mut padded = [0.0; DEGREE + TERMS];
+        padded[TERMS - 1] = u0;
+        for k in 0..DEGREE {
+            let order = k as f64;
+            let mut sum = if k < 5 { scale * nq[k] } else { 0.0 };
+            // The latest last: it is waited for.
+            for i in 0..TERMS {
+                let j = TERMS - 1 - i;
+                sum -= (l[j] * order + rest[j]) * padded[k + i];
+            }
+            padded[k + TERMS] = sum * RECIPROCALS[k + 1];
+        }
+        let mut u = [0.0; DEGREE + 1];
+        u.copy_from_slice(&padded[TERMS - 1..]);
+        // α = A/P and β = B/P of η″ = α + β u.
+        let lever: [f64; 3] = core::array::from_fn(|k| n[k] + h * c[k]);
+        let lq: [f64; 5] = product(&lever, &q);
+        let a: [f64; 5] = core::array::from_fn(|k| sigma * (mass * lq[k] - law.friction * inertia * nn[k]));
+        let ca: [f64; 7] = product(&c, &a);
+        let sp: [f64; 7] = product(&s, &p);
+        let b = core::array::from_fn(|k| -h * (ca[k] + sigma * sp[k]));
+        Self { u, p, a: product(&a, &n), b }
+    }
+
+    /// The width in z on which u/z^`lead`, of which u has the factor, has converged.
+    pub(super) fn reach(&self, lead: usize) -> f64 {
+        let scale = CONVERGED * self.u[lead].abs();
+        let last = |k: usize, width: f64| {
+            let mut power = 1.0;
+            for _ in lead..k {
+                power *= width;
+            }
+            self.u[k].abs() * power
+        };
+        let mut width = root(scale / self.u[DEGREE].abs()).min(1.0);
+        // The last coefficient may be small by chance.
+        let before = last(DEGREE - 1, width);
+        if before > scale {
+            width *= root(scale / before);
+        }
+        width
+    }
+
+    /// z of the zero of u next to the centre, where it is nearer than the width on which u has converged.
+    pub(super) fn zero(&self, reach: f64) -> Option<f64> {
+        let mut z = -self.u[0] / self.u[1];
+        for _ in 0..20 {
+            let (mut value, mut slope) = (0.0, 0.0);
+            for c in self.u.iter().rev() {
+                (value, slope) = (value * z + c, slope * z + value);
+            }
+            let step = -value / slope;
+            z += step;
+            if z.is_nan() || z.abs() > reach {
+                return None;
+            }
+            if step.abs() <= 1e-9 * z.abs() {
+                return Some(z);
+            }
+        }
+        None
+    }
+
+    /// The width, at most this, on which the other terms of u/z^`lead` are at most this part of the first, by their sizes.
+    pub(super) fn smooth(&self, lead: usize, mut width: f64, part: f64) -> Option<f64> {
+        let most = part * self.u[lead].abs();
+        for _ in 0..8 {
+            let mut change = 0.0;
+            for c in self.u[lead + 1..].iter().rev() {
+                change = (change + c.abs()) * width;
+            }
+            if change <= most {
+                return (width > 0.0).then_some(width);
+            }
+            // Each term grows at least with the width.
+            width *= 0.98 * most / change;
+        }
+        None
+    }
+
+    /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where its sign is not known,
+    /// about a change of sign. None where P is not known to be positive.
+    pub(super) fn signs(&self, u: &Series, width: f64) -> Option<(Signs, f64)> {
+        let least = least(&scaled(self.p, width));
+        if least <= 0.0 {
+            return None;
+        }
+        let (a, b) = (scaled(self.a, width), scaled(self.b, width));
+        // Sums of the sizes of the coefficients of u from each on.
+        let mut rest = 0.0;
+        for c in u[LOW + 1..].iter().rev() {
+            rest += c.abs();
+        }
+        let mut low = [0.0; LOW + 1];
+        let mut band = 0.0;
+        for j in 0..7 {
+            // What the factor b_j leaves out: the coefficients of u above LOW − j.
+            band += b[j].abs() * rest;
+            rest += u[LOW - j].abs();
+            low[j] += a[j];
+            for k in j..=LOW {
+                low[k] += b[j] * u[k - j];
+            }
+        }
+        for (c, inverse) in low.iter_mut().zip(INVERSE_BINOMIALS) {
+            *c *= inverse;
+        }
+        for level in 1..=LOW {
+            for j in (level..=LOW).rev() {
+                low[j] += low[j - 1];
+            }
+        }
+        Some((pattern(&low, band), 2.0 * band / least))
+    }
+}
+
+/// The smallest Bernstein coefficient of a polynomial of degree four: on [0, 1] it is nowhere less.
+fn least(p: &[f64; 5]) -> f64 {
+    let mut b = [p[0], p[1] / 4.0, p[2] / 6.0, p[3] / 4.0, p[4]];
+    for level in 1..5 {
+        for j in (level..5).rev() {
+            b[j] += b[j - 1];
+        }
+    }
+    b.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// Signs of a function whose Bernstein coefficients are known to `band`.
+fn pattern(coefficients: &[f64; LOW + 1], band: f64) -> Signs {
+    let (first, last) = (coefficients[0], coefficients[LOW]);
+    let is_first = |b: f64| if first > 0.0 { b > band } else { b < -band };
+    let is_last = |b: f64| if last > 0.0 { b > band } else { b < -band };
+    if !is_first(first) || !is_last(last) {
+        return Signs::Unknown;
+    }
+    let begin = coefficients.iter().take_while(|b| is_first(**b)).count();
+    if begin == coefficients.len() {
+        return if first > 0.0 { Signs::Positive } else { Signs::Negative };
+    }
+    // What is not known lies between.
+    let end = coefficients.iter().rev().take_while(|b| is_last(**b)).count();
+    let between = &coefficients[begin..coefficients.len() - end];
+    if (first > 0.0) == (last > 0.0) || between.iter().any(|b| b.abs() > band) {
+        return Signs::Unknown;
+    }
+    if first > 0.0 { Signs::Falling } else { Signs::Rising }
+}

@@ -1,0 +1,108 @@
+//! A slide about a turning point, at which θ′ changes its sign.
+//!
+//! The friction does not ask for the sign of θ′, so that u is the same function of the angle before and behind the turning point.
+//! There u = z v(z), z ≥ 0 being the tangent of half the angle from the turning point, and with z = width · y², y going from
+//! negative to positive through the turning point, dτ/dy = 4 √width/((1 + z²) √v) has no singularity.
+
+use super::super::piece::Piece;
+use super::super::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
+use super::expansion::{DEGREE, Expansion, Series, Signs, scaled};
+use super::step::{rotated, value};
+
+/// By how much of itself v may change: the Gauss sum of 1/√v is then exact to rounding.
+const SMOOTH: f64 = 0.3;
+
+/// A turn, with the coordinate y from −1 to 1, in the frame of motion before the turning point.
+#[derive(Clone, Debug)]
+pub(super) struct Turn {
+    /// z at y = ± 1.
+    pub(super) width: f64,
+    /// u/width in powers of y², without its factor y².
+    v: Series,
+    /// Signs of σ η″ by the distance from the turning point.
+    signs: Signs,
+    /// Largest |η″| where its sign is not known, about a change of sign.
+    pub(super) doubt: f64,
+    /// sin ϑ and cos ϑ at the turning point.
+    direction: (f64, f64),
+}
+
+impl Turn {
+    /// From the expansion about the turning point in the frame of motion behind it, the sine and cosine of whose angle these are.
+    pub(super) fn new(expansion: &Expansion, (sin, cos): (f64, f64)) -> Option<Self> {
+        if expansion.u[1] <= 0.0 {
+            return None;
+        }
+        let width = expansion.smooth(1, expansion.reach(1), SMOOTH)?;
+        let u = scaled(expansion.u, width);
+        let (signs, doubt) = expansion.signs(&u, width)?;
+        let mut v = [0.0; DEGREE + 1];
+        v[..DEGREE].copy_from_slice(&u[1..]);
+        Some(Self { width, v: v.map(|c| c / width), signs, doubt, direction: (-sin, cos) })
+    }
+
+    /// Signs of σ η″ from y on.
+    pub(super) fn signs(&self, y: f64) -> Signs {
+        match self.signs {
+            // Towards the turning point and back the signs come in both orders.
+            Signs::Rising | Signs::Falling if y < 0.0 => Signs::Unknown,
+            signs => signs,
+        }
+    }
+
+    /// Angle from the turning point at y, back in the frame of motion before it.
+    pub(super) fn turned_by(&self, y: f64) -> f64 {
+        -2.0 * libm::atan(self.width * y * y)
+    }
+
+    /// dτ/dy from v.
+    fn slowness(&self, y: f64, v: f64) -> f64 {
+        let z = self.width * y * y;
+        // u = width y² v.
+        4.0 / ((1.0 + z * z) * (v / self.width).sqrt())
+    }
+}
+
+impl Piece for Turn {
+    fn u(&self, y: f64) -> f64 {
+        let square = y * y;
+        self.width * square * value(&self.v, square)
+    }
+
+    fn rate(&self, y: f64, u: f64) -> f64 {
+        if y > 0.0 { -u.sqrt() } else { u.sqrt() }
+    }
+
+    fn direction(&self, y: f64) -> (f64, f64) {
+        rotated(self.direction, -self.width * y * y)
+    }
+
+    fn turned(&self, _: (f64, f64), y: f64, step: f64) -> (f64, f64) {
+        self.direction(y + step)
+    }
+
+    fn turning(&self, y: f64) -> f64 {
+        let z = self.width * y * y;
+        -4.0 * self.width * y / (1.0 + z * z)
+    }
+
+    fn by_coordinate(&self, y: f64, _: f64, by_time: f64) -> f64 {
+        by_time * self.slowness(y, value(&self.v, y * y))
+    }
+
+    fn time(&self, (from, _): (f64, f64), (to, _): (f64, f64)) -> Option<f64> {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let mut sum = 0.0;
+        for j in 0..PAIRS {
+            for y in [middle - half * LONG_NODE[j], middle + half * LONG_NODE[j]] {
+                sum += LONG_WEIGHT[j] * self.slowness(y, value(&self.v, y * y));
+            }
+        }
+        Some(half * sum)
+    }
+
+    fn short_time(&self, y: f64, _: f64, step: f64) -> f64 {
+        let slowness = |y: f64| self.slowness(y, value(&self.v, y * y));
+        0.5 * step * (slowness(y) + slowness(y + step))
+    }
+}
