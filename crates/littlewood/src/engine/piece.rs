@@ -133,20 +133,28 @@ impl<P: Piece> Way<'_, P> {
         // dη′/ds with s from 0 at `here` to 1 at `there`.
         let slope = |at: &Waypoint| piece.by_coordinate(at.z, at.u, at.slip_acceleration) * span;
         let guess = cubic_root(here.slip, slope(here), there.slip, slope(there));
+        // η′ is positive at `low` and behind it, and negative at `high`.
+        let (mut low, mut high) = (here.z, there.z);
         let mut z = here.z + guess * span;
-        for _ in 0..6 {
+        for _ in 0..40 {
             let at = self.at(here, z)?;
-            if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * (1.0 + at.u.sqrt()) {
-                return None;
+            if at.slip > 0.0 {
+                low = z;
+            } else {
+                high = z;
             }
             let rate = piece.by_coordinate(z, at.u, at.slip_acceleration);
             let step = -at.slip / rate;
             let next = z + step;
-            let inside = (next - here.z) * forward > 0.0 && (there.z - next) * forward >= 0.0;
+            let inside = (next - low) * forward >= 0.0 && (high - next) * forward >= 0.0;
             if !inside || rate * forward >= 0.0 {
-                return None;
+                z = 0.5 * (low + high);
+                continue;
             }
             if step.abs() < 1e-7 {
+                if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * (1.0 + at.u.sqrt()) {
+                    return None;
+                }
                 return Some(Waypoint {
                     z: next,
                     u: piece.u(next),

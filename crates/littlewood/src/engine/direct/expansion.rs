@@ -93,6 +93,17 @@ pub(super) enum Signs {
     Unknown,
 }
 
+impl Signs {
+    /// In the opposite order.
+    pub(super) const fn reversed(self) -> Self {
+        match self {
+            Self::Falling => Self::Rising,
+            Self::Rising => Self::Falling,
+            Self::Positive | Self::Negative | Self::Unknown => self,
+        }
+    }
+}
+
 /// A slide about an angle.
 #[derive(Clone, Debug)]
 pub(super) struct Expansion {

@@ -82,8 +82,7 @@ pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint) -> Option<SlideEv
             if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
                 return None;
             }
-            let signs = (turn.signs(place.z), turn.doubt);
-            (end, at) = pass(&before.way(&turn), &place, false, signs)?;
+            (end, at) = pass_turn(&before.way(&turn), &place)?;
             rate = turn.rate(at.z, at.u);
             frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
             if end == End::Open {
@@ -100,7 +99,7 @@ pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint) -> Option<SlideEv
                     return None;
                 }
             }
-            (end, at) = pass(&frame.way(&step), &here, held, (step.signs, step.doubt))?;
+            (end, at) = pass(&frame.way(&step), (&here, 1.0), held, (step.signs, step.doubt))?;
             rate = step.rate(at.z, at.u);
             frame.theta += step.turned_by(at.z);
             here = Waypoint { z: 0.0, ..at };
@@ -128,24 +127,45 @@ fn passes_top(from: f64, to: f64) -> bool {
     from < 0.0 && to >= 0.0
 }
 
-/// Passes a piece from a place to z = 1, or to the event before. `held` says that the normal force cannot vanish. None where it is
-/// in doubt.
+/// Passes a turn from a place to y = 1, or to the event before.
+fn pass_turn(way: &Way<'_, Turn>, here: &Waypoint) -> Option<(End, Waypoint)> {
+    let Turn { signs, doubt, .. } = *way.piece;
+    match signs {
+        // Towards the turning point, where u = 0, the signs come in the opposite order.
+        Signs::Rising | Signs::Falling if here.z < 0.0 => {
+            match pass(way, (here, 0.0), true, (signs.reversed(), doubt))? {
+                (End::Open, middle) => pass(way, (&middle, 1.0), false, (signs, doubt)),
+                ended => Some(ended),
+            }
+        }
+        Signs::Rising | Signs::Falling | Signs::Positive | Signs::Negative | Signs::Unknown => {
+            pass(way, (here, 1.0), false, (signs, doubt))
+        }
+    }
+}
+
+/// Passes a piece from a place to another, or to the event before. `held` says that the normal force cannot vanish. None where it
+/// is in doubt.
 fn pass<P: Piece>(
     way: &Way<'_, P>,
-    here: &Waypoint,
+    (here, to): (&Waypoint, f64),
     held: bool,
     (signs, doubt): (Signs, f64),
 ) -> Option<(End, Waypoint)> {
     let w =
-        if held { 1.0 } else { contact(1.0, way.law.body.h, way.piece.direction(1.0).1 * way.piece.u(1.0)) };
+        if held { 1.0 } else { contact(1.0, way.law.body.h, way.piece.direction(to).1 * way.piece.u(to)) };
     if w.abs() < UNCERTAIN {
         return None;
     }
     let lifts_off = w < 0.0;
-    let there = if lifts_off { way.lift_off(here, 1.0)? } else { way.at(here, 1.0)? };
-    let rises = here.slip > 0.0 || matches!(signs, Signs::Positive | Signs::Falling);
-    if signs == Signs::Unknown || !rises {
-        return None;
+    let there = if lifts_off { way.lift_off(here, to)? } else { way.at(here, to)? };
+    let from_rest = here.slip <= 0.0;
+    match signs {
+        Signs::Unknown => return None,
+        // η′ must rise from zero.
+        Signs::Negative | Signs::Rising if from_rest => return None,
+        Signs::Falling if from_rest && here.slip_acceleration <= 0.0 => return None,
+        Signs::Positive | Signs::Negative | Signs::Falling | Signs::Rising => {}
     }
     if there.slip <= 0.0 {
         return Some((End::Rest, way.rest(here, &there)?));

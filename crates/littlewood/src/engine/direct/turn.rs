@@ -20,7 +20,7 @@ pub(super) struct Turn {
     /// u/width in powers of y², without its factor y².
     v: Series,
     /// Signs of σ η″ by the distance from the turning point.
-    signs: Signs,
+    pub(super) signs: Signs,
     /// Largest |η″| where its sign is not known, about a change of sign.
     pub(super) doubt: f64,
     /// sin ϑ and cos ϑ at the turning point.
@@ -39,15 +39,6 @@ impl Turn {
         let mut v = [0.0; DEGREE + 1];
         v[..DEGREE].copy_from_slice(&u[1..]);
         Some(Self { width, v: v.map(|c| c / width), signs, doubt, direction: (-sin, cos) })
-    }
-
-    /// Signs of σ η″ from y on.
-    pub(super) fn signs(&self, y: f64) -> Signs {
-        match self.signs {
-            // Towards the turning point and back the signs come in both orders.
-            Signs::Rising | Signs::Falling if y < 0.0 => Signs::Unknown,
-            signs => signs,
-        }
     }
 
     /// Angle from the turning point at y, back in the frame of motion before it.
