@@ -16,9 +16,20 @@ pub(crate) struct Form<const N: usize>(pub(crate) [f64; N]);
 impl<const N: usize> Form<N> {
     /// The form on the arc from `from` to `to` (less than half a turn of the half angle).
     pub(crate) fn on_arc(&self, from: HalfAngle, to: HalfAngle) -> Bernstein {
+        self.restricted(from, to).bernstein()
+    }
+
+    /// The same in the barycentric coordinates of the arc.
+    #[inline]
+    pub(crate) fn restricted(&self, from: HalfAngle, to: HalfAngle) -> Self {
         let (mut sum, mut power) = ([0.0; N], [0.0; N]);
         restrict(&self.0, from, to, &mut sum, &mut power);
-        Bernstein::from_form(&sum)
+        Self(sum)
+    }
+
+    /// A form in barycentric coordinates on its arc.
+    pub(crate) fn bernstein(&self) -> Bernstein {
+        Bernstein::from_form(&self.0)
     }
 
     /// The value in a direction.

@@ -41,12 +41,13 @@ pub(super) trait Phases {
     /// The end of the rolling that begins at a place, in the frame of motion.
     fn roll(&self, place: &Place) -> Option<RollEnd>;
     /// The end of the slide that begins at a place, and what is known of the phase behind it. `slip_acceleration` where η′ = 0 at
-    /// the start.
+    /// the start; an end after the time `allowed` is of no use.
     fn slide(
         &self,
         place: &Place,
         direction: Direction,
         slip_acceleration: Option<f64>,
+        allowed: f64,
     ) -> Option<(SlideEvent, Ahead)>;
 }
 
@@ -281,7 +282,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         slip_acceleration: Option<f64>,
     ) -> SolvedBy<Self> {
         let state = place.state;
-        let followed = self.phases.slide(place, direction, slip_acceleration);
+        let followed = self.phases.slide(place, direction, slip_acceleration, self.until - state.time);
         let is_fast = |event: &SlideEvent| {
             P::SLOW_SLIDES || state.theta_rate.abs() >= MIN_RATE && event.theta_rate.abs() >= MIN_RATE
         };

@@ -46,6 +46,7 @@ impl Phases for Tables {
         place: &Place,
         direction: Direction,
         slip_acceleration: Option<f64>,
+        _: f64,
     ) -> Option<(SlideEvent, Ahead)> {
         let (state, travel, sigma) = (place.state, place.travel(), direction.sign());
         let (sin, cos) = place.direction;

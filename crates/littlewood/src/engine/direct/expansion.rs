@@ -234,15 +234,15 @@ impl Expansion {
             band += b[j].abs() * rest;
             rest += u[LOW - j].abs();
             low[j] += a[j];
-            for k in j..=LOW {
+            for k in j..LOW + 1 {
                 low[k] += b[j] * u[k - j];
             }
         }
         for (c, inverse) in low.iter_mut().zip(INVERSE_BINOMIALS) {
             *c *= inverse;
         }
-        for level in 1..=LOW {
-            for j in (level..=LOW).rev() {
+        for level in 1..LOW + 1 {
+            for j in (level..LOW + 1).rev() {
                 low[j] += low[j - 1];
             }
         }

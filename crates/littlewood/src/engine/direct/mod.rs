@@ -70,6 +70,7 @@ impl Phases for Direct {
         place: &Place,
         direction: Direction,
         slip_acceleration: Option<f64>,
+        allowed: f64,
     ) -> Option<(SlideEvent, Ahead)> {
         if slip_acceleration == Some(0.0) {
             // On the static limit with equal coefficients.
@@ -96,6 +97,6 @@ impl Phases for Direct {
             slip_acceleration: sigma * (alpha + beta * u),
             direction: (sign * sin, cos),
         };
-        Some((slide::follow(frame, here)?, Ahead::Open))
+        Some((slide::follow(frame, here, allowed)?, Ahead::Open))
     }
 }

@@ -8,6 +8,7 @@
 
 use core::f64::consts::TAU;
 
+use crate::bernstein::Bracket;
 use crate::equations::RollingLaw;
 use crate::form::{Form, HalfAngle};
 use crate::hoop::Hoop;
@@ -80,9 +81,13 @@ pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64)
     for arc in orbit.arcs() {
         let mut first: Option<(f64, usize)> = None;
         for (side, form) in forms.iter().enumerate() {
-            let at = form.on_arc(arc.from, arc.to).first_crossing();
-            if let Some(bracket) = at {
-                let at = root(form, &arc, bracket.low, bracket.high)?;
+            let margin = form.restricted(arc.from, arc.to);
+            // No crossing without a change of sign.
+            if margin.0.iter().all(|c| *c > 0.0) {
+                continue;
+            }
+            if let Some(bracket) = margin.bernstein().first_crossing() {
+                let at = root(&margin, bracket)?;
                 if first.is_none_or(|(before, _)| at < before) {
                     first = Some((at, side));
                 }
@@ -95,10 +100,10 @@ pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64)
     Some(RollEnd::Never)
 }
 
-/// The root of a form on an arc in a bracket, in which it falls through zero.
-fn root(form: &Form<7>, arc: &Arc, mut low: f64, mut high: f64) -> Option<f64> {
-    let [dx, dy] = [arc.to[0] - arc.from[0], arc.to[1] - arc.from[1]];
-    let at = |t: f64| form.value_and_slope([arc.from[0] + t * dx, arc.from[1] + t * dy], [dx, dy]);
+/// The root of a form in barycentric coordinates, in a bracket in which it falls through zero.
+fn root(margin: &Form<7>, bracket: Bracket) -> Option<f64> {
+    let at = |t: f64| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]);
+    let Bracket { mut low, mut high } = bracket;
     if high <= low {
         return Some(low);
     }

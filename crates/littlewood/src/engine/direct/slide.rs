@@ -16,7 +16,7 @@ use super::step::{Step, rotated};
 use super::turn::Turn;
 
 /// Most pieces: a slide over more than a few turns is left to the exact solver.
-const MOST_PIECES: usize = 64;
+const MOST_PIECES: usize = 512;
 
 /// Contact, and a slip at its least, within this of zero are in doubt.
 const UNCERTAIN: f64 = 1e-9;
@@ -69,10 +69,13 @@ enum End {
     LiftOff,
 }
 
-/// Follows a slide from a place to its event. None where a sign is in doubt, P comes close to zero, or the slide takes longer than
-/// a few turns.
-pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint) -> Option<SlideEvent> {
+/// Follows a slide from a place to its event. None where a sign is in doubt, P comes close to zero, or the slide takes more pieces, or
+/// more time than is `allowed`.
+pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint, allowed: f64) -> Option<SlideEvent> {
     for _ in 0..MOST_PIECES {
+        if here.elapsed > allowed {
+            return None;
+        }
         let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
         let reach = expansion.reach(0);
         let (end, at, rate);
