@@ -128,6 +128,13 @@ impl RollingLaw {
         self.mean_denominator() + 2.0 * self.offset * cos
     }
 
+    /// The same from sin θ and cos θ, with all digits: cos² θ/2 = sin² θ/2(1 − cos θ) in the lower half.
+    #[inline]
+    pub(crate) fn denominator_of(&self, (sin, cos): (f64, f64)) -> f64 {
+        let twice = if cos < 0.0 { sin * sin / (1.0 - cos) } else { 1.0 + cos };
+        self.bottom + 2.0 * self.offset * twice
+    }
+
     /// D(π/2), the mean of D over a turn.
     #[inline]
     pub(crate) fn mean_denominator(&self) -> f64 {

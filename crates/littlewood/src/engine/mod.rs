@@ -22,7 +22,7 @@ use crate::exact::Exact;
 use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
 use crate::simulate::Limits;
-use crate::state::Start;
+use crate::state::{Start, State};
 use crate::summary::{Summary, SummaryRecorder};
 use crate::walk::walk;
 
@@ -30,7 +30,7 @@ use direct::Direct;
 use roll::RollTable;
 use slide::SlideTable;
 use slip::SlipTable;
-use solver::FastSolver;
+use solver::{FastSolver, Phases};
 
 /// Lighter hoops, by Î/m, have no tables: each time the particle passes the bottom, rounding is amplified by (Î/m)^(−1/2), and
 /// tables and Taylor series, which round differently, would soon diverge.
@@ -55,7 +55,18 @@ const MIN_IMBALANCE: f64 = 1e-3;
 #[derive(Clone, Debug)]
 pub struct Engine {
     hoop: Hoop,
-    tables: Option<Tables>,
+    source: Source,
+}
+
+/// Where phases come from.
+#[derive(Clone, Debug)]
+enum Source {
+    /// Tables, prepared once.
+    Tables(Box<Tables>),
+    /// What tables would hold, computed where the motion goes.
+    Direct(Direct),
+    /// The solutions of the simulation.
+    Exact,
 }
 
 #[derive(Clone, Debug)]
@@ -70,8 +81,7 @@ struct Tables {
 
 impl Engine {
     /// Prepares a hoop. There are no tables for a massless hoop, without kinetic friction, where sliding is not well posed at
-    /// every angle (P ≤ 0), and for very light and nearly balanced hoops, whose motions amplify rounding: these are
-    /// simulated one by one.
+    /// every angle (P ≤ 0), and for very light and nearly balanced hoops, whose motions amplify rounding.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         let tables = match hoop.body() {
@@ -93,16 +103,25 @@ impl Engine {
             }
             Body::Heavy(_) | Body::Massless(_) => None,
         };
-        Self { hoop: *hoop, tables }
+        match tables {
+            Some(tables) => Self { hoop: *hoop, source: Source::Tables(Box::new(tables)) },
+            None => Self::without_tables(hoop),
+        }
     }
 
     /// Number of starts of one hoop from which on tables save more time than they cost.
     pub const MIN_STARTS_FOR_TABLES: usize = 96;
 
-    /// A hoop without tables, whose motions are simulated one by one: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`].
+    /// A hoop without tables: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`]. Nothing is prepared.
     #[must_use]
-    pub const fn without_tables(hoop: &Hoop) -> Self {
-        Self { hoop: *hoop, tables: None }
+    pub fn without_tables(hoop: &Hoop) -> Self {
+        let source = match hoop.body() {
+            Body::Heavy(body) if hoop.mu_k() > 0.0 && body.h >= MIN_IMBALANCE => {
+                Source::Direct(Direct::new(hoop, body))
+            }
+            Body::Heavy(_) | Body::Massless(_) => Source::Exact,
+        };
+        Self { hoop: *hoop, source }
     }
 
     /// The hoop.
@@ -111,22 +130,34 @@ impl Engine {
         &self.hoop
     }
 
-    /// Whether motions are walks through tables; otherwise they are simulated one by one.
+    /// Whether motions are walks through tables.
     #[must_use]
     pub const fn has_tables(&self) -> bool {
-        self.tables.is_some()
+        matches!(self.source, Source::Tables(_))
+    }
+
+    /// Whether motions are those of [`Hoop::simulate`] to the last bit.
+    #[must_use]
+    pub const fn is_exact(&self) -> bool {
+        matches!(self.source, Source::Exact)
     }
 
     /// Number of cells of the table of slides.
     #[must_use]
     pub fn cells(&self) -> usize {
-        self.tables.as_ref().map_or(0, |tables| tables.slide.cells())
+        match &self.source {
+            Source::Tables(tables) => tables.slide.cells(),
+            Source::Direct(_) | Source::Exact => 0,
+        }
     }
 
     /// Number of pieces of the table of slides out of rolling.
     #[must_use]
     pub fn slip_pieces(&self) -> usize {
-        self.tables.as_ref().map_or(0, |tables| tables.slip.pieces())
+        match &self.source {
+            Source::Tables(tables) => tables.slip.pieces(),
+            Source::Direct(_) | Source::Exact => 0,
+        }
     }
 
     /// The summary of one motion: that of [`Hoop::simulate`], to rounding.
@@ -136,25 +167,24 @@ impl Engine {
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
         let state = (self.hoop.check(start)?, start.gap_rate);
         limits.check(&start)?;
-        let mut recorder = SummaryRecorder::new(&self.hoop);
-        let conservative = limits.is_conservative(&self.hoop);
-        Ok(match (&self.tables, self.hoop.body()) {
-            (Some(tables), _) => {
-                let solver = FastSolver::new(&self.hoop, tables, limits);
-                let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
-                recorder.finish(end.kind, end.state)
-            }
-            (None, Body::Heavy(body)) if !conservative && self.hoop.mu_k() > 0.0 => {
-                let direct = Direct::new(&self.hoop, body);
-                let solver = FastSolver::new(&self.hoop, &direct, limits);
-                let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
-                recorder.finish(end.kind, end.state)
-            }
-            (None, _) => {
+        Ok(match &self.source {
+            Source::Tables(tables) => self.fast_summary(tables.as_ref(), state, limits),
+            Source::Direct(direct) => self.fast_summary(direct, state, limits),
+            Source::Exact => {
+                let mut recorder = SummaryRecorder::new(&self.hoop);
                 let solver = Exact::new(&self.hoop, limits.until);
+                let conservative = limits.is_conservative(&self.hoop);
                 let outcome = walk(&solver, state, limits.transitions, conservative, &mut recorder);
                 recorder.finish(outcome.kind(), outcome.state())
             }
         })
+    }
+
+    fn fast_summary<P: Phases>(&self, phases: &P, state: (State, f64), limits: Limits) -> Summary {
+        let mut recorder = SummaryRecorder::new(&self.hoop);
+        let solver = FastSolver::new(&self.hoop, phases, limits);
+        let conservative = limits.is_conservative(&self.hoop);
+        let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+        recorder.finish(end.kind, end.state)
     }
 }

@@ -34,6 +34,8 @@ pub(super) trait Phases {
     fn sliding(&self, direction: Direction) -> &SlidingLaw;
     /// The equations of rolling.
     fn rolling(&self) -> &RollingLaw;
+    /// D at a sine and a cosine.
+    fn denominator(&self, direction: (f64, f64)) -> f64;
     /// Whether P is positive at every angle, for either direction of slip.
     const SOLVABLE: bool;
     /// Whether slides are resolved that begin or end slowly.
@@ -176,7 +178,7 @@ impl<'a, P: Phases> FastSolver<'a, P> {
     fn clear_rest(&self, place: &Place, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
         let law = self.phases.rolling();
         let u = place.u();
-        let denominator = law.denominator_at(place.direction.1);
+        let denominator = self.phases.denominator(place.direction);
         let forces = law.forces_at(place.direction, [1.0, u], denominator);
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
         let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);

@@ -30,6 +30,10 @@ impl Phases for Tables {
         self.roll.law()
     }
 
+    fn denominator(&self, (_, cos): (f64, f64)) -> f64 {
+        self.roll.law().denominator_at(cos)
+    }
+
     #[inline(always)]
     fn roll(&self, place: &Place) -> Option<RollEnd> {
         let (state, travel) = (place.state, place.travel());

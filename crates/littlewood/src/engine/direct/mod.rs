@@ -60,6 +60,10 @@ impl Phases for Direct {
         &self.rolling
     }
 
+    fn denominator(&self, direction: (f64, f64)) -> f64 {
+        self.rolling.denominator_of(direction)
+    }
+
     fn roll(&self, place: &Place) -> Option<RollEnd> {
         let (state, travel) = (place.state, place.travel());
         roll::follow(&self.hoop, &self.rolling, travel * state.theta, travel * state.theta_rate)
