@@ -1,4 +1,4 @@
-//! Gauss–Legendre quadrature on [−1, 1], with eight nodes and with sixteen.
+//! Gauss–Legendre quadrature on [−1, 1], with eight, twelve and sixteen nodes.
 
 /// Number of nodes.
 pub(super) const NODES: usize = 8;
@@ -17,10 +17,29 @@ pub(super) const WEIGHT: [f64; NODES] = [
     0.362_683_783_378_362, 0.313_706_645_877_887_3, 0.222_381_034_453_374_48, 0.101_228_536_290_376_26,
 ];
 
-/// Number of pairs of nodes of the longer rule.
+/// Number of nodes of the middle rule.
+pub(super) const MIDDLE_NODES: usize = 12;
+
+/// Nodes of the middle rule, in increasing order.
+#[rustfmt::skip]
+pub(super) const MIDDLE_NODE: [f64; MIDDLE_NODES] = [
+    -0.981_560_634_246_719_2, -0.904_117_256_370_474_9, -0.769_902_674_194_304_7, -0.587_317_954_286_617_5,
+    -0.367_831_498_998_180_2, -0.125_233_408_511_468_9, 0.125_233_408_511_468_9, 0.367_831_498_998_180_2,
+    0.587_317_954_286_617_5, 0.769_902_674_194_304_7, 0.904_117_256_370_474_9, 0.981_560_634_246_719_2,
+];
+
+/// Its weights.
+#[rustfmt::skip]
+pub(super) const MIDDLE_WEIGHT: [f64; MIDDLE_NODES] = [
+    0.047_175_336_386_511_83, 0.106_939_325_995_318_43, 0.160_078_328_543_346_22, 0.203_167_426_723_065_92,
+    0.233_492_536_538_354_8, 0.249_147_045_813_402_77, 0.249_147_045_813_402_77, 0.233_492_536_538_354_8,
+    0.203_167_426_723_065_92, 0.160_078_328_543_346_22, 0.106_939_325_995_318_43, 0.047_175_336_386_511_83,
+];
+
+/// Number of pairs of nodes of the longest rule.
 pub(super) const PAIRS: usize = 8;
 
-/// Positive nodes of the longer rule.
+/// Positive nodes of the longest rule.
 #[rustfmt::skip]
 pub(super) const LONG_NODE: [f64; PAIRS] = [
     0.095_012_509_837_637_44, 0.281_603_550_779_258_9, 0.458_016_777_657_227_4, 0.617_876_244_402_643_7,
@@ -43,6 +62,12 @@ mod tests {
         for degree in 0..16 {
             let power = |x: f64| (0..degree).fold(1.0, |product, _| product * x);
             let sum: f64 = NODE.iter().zip(WEIGHT).map(|(x, w)| w * power(*x)).sum();
+            let exact = if degree % 2 == 0 { 2.0 / f64::from(degree + 1) } else { 0.0 };
+            assert!((sum - exact).abs() < 4e-16, "degree {degree}: {sum}");
+        }
+        for degree in 0..24 {
+            let power = |x: f64| (0..degree).fold(1.0, |product, _| product * x);
+            let sum: f64 = MIDDLE_NODE.iter().zip(MIDDLE_WEIGHT).map(|(x, w)| w * power(*x)).sum();
             let exact = if degree % 2 == 0 { 2.0 / f64::from(degree + 1) } else { 0.0 };
             assert!((sum - exact).abs() < 4e-16, "degree {degree}: {sum}");
         }

@@ -197,19 +197,29 @@ impl Expansion {
         None
     }
 
-    /// The width, at most this, on which the other terms of u/z^`lead` are at most this part of the first, by their sizes.
-    pub(super) fn smooth(&self, lead: usize, mut width: f64, part: f64) -> Option<f64> {
+    /// The width, at most this, on a multiple `stretch` of which the terms of u from `from` on are at most this part of the one at
+    /// `lead`, by their sizes.
+    pub(super) fn smooth(
+        &self,
+        (lead, from): (usize, usize),
+        (mut width, stretch): (f64, f64),
+        part: f64,
+    ) -> Option<f64> {
         let most = part * self.u[lead].abs();
         for _ in 0..8 {
-            let mut change = 0.0;
-            for c in self.u[lead + 1..].iter().rev() {
-                change = (change + c.abs()) * width;
+            let (mut sum, far) = (0.0, stretch * width);
+            for c in self.u[from..].iter().rev() {
+                sum = (sum + c.abs()) * far;
             }
-            if change <= most {
+            // The powers are those over the one at `lead`.
+            for _ in lead + 1..from {
+                sum *= far;
+            }
+            if sum <= most {
                 return (width > 0.0).then_some(width);
             }
             // Each term grows at least with the width.
-            width *= 0.98 * most / change;
+            width *= 0.98 * most / sum;
         }
         None
     }

@@ -1,11 +1,15 @@
 //! A step of a slide on which θ′ keeps its sign.
 
 use super::super::piece::Piece;
-use super::super::quadrature::{NODE, NODES, WEIGHT};
+use super::super::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
 use super::expansion::{DEGREE, Expansion, Series, Signs, scaled};
 
-/// By how much of itself u may change on a step: the Gauss sum of 1/√u is then exact to rounding.
-const SMOOTH: f64 = 0.5;
+/// Up to this multiple of a step u has no zero: the terms of its series are at most the part `SMOOTH` of the first, but for a linear
+/// term that makes it grow by at most `GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities lie
+/// outside the ellipse about the step with the half axes 1.3 and 1.2, r = 5 and r⁻²⁴ = 2e-17.
+const CLEAR: f64 = 1.8;
+const SMOOTH: f64 = 0.9;
+const GROWTH: f64 = 0.9;
 
 /// Powers of the Gauss nodes on [0, 1], by power.
 const POWERS: [[f64; NODES]; DEGREE + 1] = {
@@ -39,7 +43,12 @@ pub(super) struct Step {
 impl Step {
     /// The step from an angle with this sine and cosine. `reach` is the width on which the series has converged.
     pub(super) fn new(expansion: &Expansion, direction: (f64, f64), reach: f64) -> Option<Self> {
-        let width = expansion.smooth(0, reach, SMOOTH)?;
+        let [u0, slope, ..] = expansion.u;
+        let width = if slope > 0.0 {
+            expansion.smooth((0, 2), (reach.min(GROWTH * u0 / slope), CLEAR), SMOOTH)?
+        } else {
+            expansion.smooth((0, 1), (reach, CLEAR), SMOOTH)?
+        };
         let u = scaled(expansion.u, width);
         let (signs, doubt) = expansion.signs(&u, width)?;
         Some(Self { width, u, signs, doubt, direction })

@@ -9,8 +9,10 @@ use super::super::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
 use super::expansion::{DEGREE, Expansion, Series, Signs, scaled};
 use super::step::{rotated, value};
 
-/// By how much of itself v may change: the Gauss sum of 1/√v is then exact to rounding.
-const SMOOTH: f64 = 0.3;
+/// Up to this multiple of the width v has no zero: the terms of its series are at most the part `SMOOTH` of the first. The Gauss sum
+/// of 1/√v in y is then exact to rounding: r = 2.9 and r⁻³² = 1e-15 at least.
+const CLEAR: f64 = 2.8;
+const SMOOTH: f64 = 0.9;
 
 /// A turn, with the coordinate y from −1 to 1, in the frame of motion before the turning point.
 #[derive(Clone, Debug)]
@@ -33,7 +35,7 @@ impl Turn {
         if expansion.u[1] <= 0.0 {
             return None;
         }
-        let width = expansion.smooth(1, expansion.reach(1), SMOOTH)?;
+        let width = expansion.smooth((1, 2), (expansion.reach(1), CLEAR), SMOOTH)?;
         let u = scaled(expansion.u, width);
         let (signs, doubt) = expansion.signs(&u, width)?;
         let mut v = [0.0; DEGREE + 1];
