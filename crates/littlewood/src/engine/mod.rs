@@ -36,6 +36,9 @@ use solver::{FastSolver, Phases};
 /// tables and Taylor series, which round differently, would soon diverge.
 const MIN_INERTIA: f64 = 1e-3;
 
+/// Motions of still lighter hoops are simulated: their rounding, at every step, tells more than that of the start of a phase.
+const MIN_INERTIA_DIRECT: f64 = 1e-6;
+
 /// Hoops that are better balanced, by h, have no tables: the forces of rolling change by h over a turn, so that the angles at
 /// which it slips are known to ε/h.
 const MIN_IMBALANCE: f64 = 1e-3;
@@ -116,7 +119,11 @@ impl Engine {
     #[must_use]
     pub fn without_tables(hoop: &Hoop) -> Self {
         let source = match hoop.body() {
-            Body::Heavy(body) if hoop.mu_k() > 0.0 && body.h >= MIN_IMBALANCE => {
+            Body::Heavy(body)
+                if hoop.mu_k() > 0.0
+                    && body.h >= MIN_IMBALANCE
+                    && body.inertia >= MIN_INERTIA_DIRECT * body.mass =>
+            {
                 Source::Direct(Direct::new(hoop, body))
             }
             Body::Heavy(_) | Body::Massless(_) => Source::Exact,
