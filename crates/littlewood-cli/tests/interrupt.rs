@@ -284,14 +284,10 @@ const LONG: [(&str, &str, &[&str]); 5] = [
     ("simulate", "figure-3 --samples 10000000 --format csv --out OUT/motion.csv", &[]),
     ("figures", "--scale 16 --format png --out OUT", &[]),
     ("animate", "figure-3 --size 4096x4096 --out OUT/film.gif", &[]),
-    (
-        "atlas",
-        "figure-3 --axis theta=-3:3:9000 --axis theta_rate=-4:4:9000 --chunk 16000000 --threads 1",
-        &[],
-    ),
+    ("atlas", "figure-3 --axis theta=-3:3:9000 --axis theta_rate=-4:4:9000 --chunk 1000000 --threads 1", &[]),
     (
         "map",
-        "figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 16000000 --threads 1 --out OUT/a.zarr \
+        "figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1 --out OUT/a.zarr \
          --out OUT/a.parquet --out OUT/a.png",
         &["a.parquet.parts", "a.zarr"],
     ),
@@ -384,7 +380,7 @@ fn progress_is_shown_on_a_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().to_str().expect("a path");
     // Motions of a second and more, told of before the first of them is in a finished chunk.
-    let plane = "map figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 16000000 --threads 1";
+    let plane = "map figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1";
     for (words, unit) in [
         (format!("{plane} --out {path}/a.png"), "of 16,000,000 starts"),
         (format!("figures --scale 16 --format png --out {path}"), "of 18 figures"),
