@@ -35,13 +35,20 @@ fn follow(hoop: &Hoop, state: State, transitions: usize) -> Trajectory {
 fn largest_excess(hoop: &Hoop, energy: f64) -> f64 {
     let law = RollingLaw::new(hoop);
     let mut largest = f64::NEG_INFINITY;
-    for step in 0..=200_000 {
-        let theta = PI * f64::from(step) / 200_000.0;
+    let mut look = |theta: f64, u: f64| {
+        let forces = law.forces(theta, u.sqrt());
+        largest = largest.max(forces.friction.abs() - hoop.mu_s() * forces.normal);
+    };
+    for step in 0..=100_000 {
+        let theta = PI * f64::from(step) / 100_000.0;
         let u = 2.0 * (energy - hoop.offset() * theta.cos()) / law.denominator(theta);
         if u >= 0.0 {
-            let forces = law.forces(theta, u.sqrt());
-            largest = largest.max(forces.friction.abs() - hoop.mu_s() * forces.normal);
+            look(theta, u);
         }
+    }
+    let turning = energy / hoop.offset();
+    if turning.abs() < 1.0 {
+        look(turning.acos(), 0.0);
     }
     largest
 }

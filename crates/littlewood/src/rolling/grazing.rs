@@ -159,17 +159,17 @@ impl Levels {
     /// The grazing orbit of the highest energy below this one.
     pub(crate) fn orbit_below(&self, hoop: &Hoop, energy: f64) -> Option<GrazingOrbit> {
         let above = self.levels.partition_point(|level| level.constant < self.constant_of(energy));
-        let level = self.levels[..above].last()?;
-        let Level { constant, angle, at_turning_point } = *level;
         let rotates = energy > self.law.separatrix_energy();
-        if rotates != (constant > self.law.top) {
-            return None;
-        }
-        let floor =
-            self.levels[..above].iter().rev().map(|lower| lower.constant).find(|lower| *lower < constant);
-        let floor =
-            floor.unwrap_or(self.law.bottom).max(if rotates { self.law.top } else { self.law.bottom });
-        let ceiling = self.levels.get(above).map_or(f64::INFINITY, |next| self.energy_of(next.constant));
+        let swing = |level: &Level| rotates == (level.constant > self.law.top);
+        (0..above).rev().take_while(|at| swing(&self.levels[*at])).find_map(|at| self.orbit_at(hoop, at))
+    }
+
+    /// The grazing orbit at a level, if it is one above which the limit is exceeded, and not below.
+    fn orbit_at(&self, hoop: &Hoop, at: usize) -> Option<GrazingOrbit> {
+        let Level { constant, angle, at_turning_point } = self.levels[at];
+        let lowest = if constant > self.law.top { self.law.top } else { self.law.bottom };
+        let floor = at.checked_sub(1).map_or(lowest, |lower| self.levels[lower].constant.max(lowest));
+        let ceiling = self.levels.get(at + 1).map_or(f64::INFINITY, |next| self.energy_of(next.constant));
 
         let d = self.law.denominator(angle);
         let (sin, cos) = libm::sincos(angle);
@@ -187,7 +187,6 @@ impl Levels {
         let sliding = SlidingLaw::of_body(self.body, self.mu_k, Direction::Negative);
         let solvability = sliding.p(sin, sliding.q(1.0, sin, cos));
         let normal = self.law.forces_at((sin, cos), [1.0, u], d).normal;
-        // The level is one above which the limit is exceeded, and not below.
         let begins = solvability > 0.0 && normal > 0.0 && rise > 0.0 && fall > 0.0;
         (begins && self.holds(hoop, 0.5 * (floor + constant))).then(|| {
             let theta_rate = u.sqrt();
