@@ -39,8 +39,8 @@ fn largest_excess(hoop: &Hoop, energy: f64) -> f64 {
         let forces = law.forces(theta, u.sqrt());
         largest = largest.max(forces.friction.abs() - hoop.mu_s() * forces.normal);
     };
-    for step in 0..=100_000 {
-        let theta = PI * f64::from(step) / 100_000.0;
+    for step in 0..=20_000 {
+        let theta = PI * f64::from(step) / 20_000.0;
         let u = 2.0 * (energy - hoop.offset() * theta.cos()) / law.denominator(theta);
         if u >= 0.0 {
             look(theta, u);
