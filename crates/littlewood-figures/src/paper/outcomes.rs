@@ -50,7 +50,7 @@ fn class_of(engine: &Engine, input: &FigureInput, start: Start) -> Result<Class,
     let limits = input.limits;
     if input.hoop.restitution().is_some() && limits.transitions > FIRST {
         let class = Class::of(&engine.summary(start, limits.with_transitions(FIRST))?);
-        if class != Class::InContactAtLimit {
+        if class != Class::InContact {
             return Ok(class);
         }
     }
