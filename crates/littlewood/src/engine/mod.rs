@@ -22,6 +22,7 @@ use crate::exact::Exact;
 use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
 use crate::simulate::Limits;
+use crate::solvability::is_solvable;
 use crate::state::{Start, State};
 use crate::summary::{Summary, SummaryRecorder};
 use crate::walk::walk;
@@ -95,7 +96,7 @@ impl Engine {
             {
                 // P > 0 with μs, too: then never more than one motion is consistent.
                 SlideTable::new(&body, hoop.mu_k())
-                    .filter(|_| slide::is_solvable(&body, hoop.mu_s()))
+                    .filter(|_| is_solvable(&body, hoop.mu_s()))
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
                         let sliding =
@@ -179,9 +180,8 @@ impl Engine {
             Source::Direct(direct) => self.fast_summary(direct, state, limits),
             Source::Exact => {
                 let mut recorder = SummaryRecorder::new(&self.hoop);
-                let solver = Exact::new(&self.hoop, limits.until);
-                let conservative = limits.is_conservative(&self.hoop);
-                let outcome = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+                let solver = Exact::new(&self.hoop, &limits);
+                let outcome = walk(&solver, state, &limits, &mut recorder);
                 recorder.finish(outcome.kind(), outcome.state())
             }
         })
@@ -190,8 +190,7 @@ impl Engine {
     fn fast_summary<P: Phases>(&self, phases: &P, state: (State, f64), limits: Limits) -> Summary {
         let mut recorder = SummaryRecorder::new(&self.hoop);
         let solver = FastSolver::new(&self.hoop, phases, limits);
-        let conservative = limits.is_conservative(&self.hoop);
-        let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+        let end = walk(&solver, state, &limits, &mut recorder);
         recorder.finish(end.kind, end.state)
     }
 }

@@ -118,7 +118,7 @@ type Ended = Ending<Place, Verdict>;
 impl<'a, P: Phases> FastSolver<'a, P> {
     pub(super) fn new(hoop: &'a Hoop, phases: &'a P, limits: Limits) -> Self {
         let until = limits.until.unwrap_or(f64::INFINITY);
-        Self { hoop, phases, until, exact: Exact::new(hoop, limits.until) }
+        Self { hoop, phases, until, exact: Exact::new(hoop, &limits) }
     }
 
     /// Whether so much time is left at a state.
@@ -170,7 +170,7 @@ impl<'a, P: Phases> FastSolver<'a, P> {
                 return None;
             }
         }
-        Some(Evidence { contact: w, leaves: w < 0.0, slip, solvability, is_solvable: true })
+        Some(Evidence { contact: w, leaves: w < 0.0, slip, solvability, is_solvable: true, on_limit: false })
     }
 
     /// The same at η′ = 0.
@@ -184,6 +184,7 @@ impl<'a, P: Phases> FastSolver<'a, P> {
         let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);
         let hold = match arrival {
             Arrival::Open | Arrival::RollingLimit(_) | Arrival::LiftOff if w < 0.0 => Hold::NoNormalForce,
+            Arrival::BackOnLimit(_) => return None,
             Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
                 Hold::Slips { direction, excess: 0.0 }
             }
@@ -232,10 +233,11 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     }
 
     #[inline(always)]
-    fn roll(&self, place: &Place) -> SolvedBy<Self> {
+    fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = place.travel();
-        let known = if state.theta_rate.abs() < MIN_RATE { None } else { self.phases.roll(place) };
+        let is_slow = state.theta_rate.abs() < MIN_RATE;
+        let known = if on_limit || is_slow { None } else { self.phases.roll(place) };
         let ending: Ended = match known {
             Some(RollEnd::Never) => Ending::Motion {
                 event: None,
@@ -270,7 +272,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                     arrival: Arrival::RollingLimit(limit),
                 }
             }
-            Some(RollEnd::Slip { .. }) | None => return Self::take(self.exact.roll(&state)),
+            Some(RollEnd::Slip { .. }) | None => return Self::take(self.exact.roll(&state, on_limit)),
         };
         Solved { solution: None, direction: None, ending }
     }
