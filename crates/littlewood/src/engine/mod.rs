@@ -38,7 +38,7 @@ use solver::{FastSolver, Phases};
 const MIN_INERTIA: f64 = 1e-3;
 
 /// Motions of still lighter hoops are simulated: their rounding, at every step, tells more than that of the start of a phase.
-const MIN_INERTIA_DIRECT: f64 = 1e-6;
+const MIN_INERTIA_DIRECT: f64 = 1e-4;
 
 /// Hoops that are better balanced, by h, have no tables: the forces of rolling change by h over a turn, so that the angles at
 /// which it slips are known to ε/h.

@@ -24,6 +24,9 @@ const UNCERTAIN: f64 = 1e-9;
 /// A turning point nearer than this part of the width on which u has converged is the centre of the next piece.
 const NEAR: f64 = 0.7;
 
+/// A turning point behind is the centre of the next piece if it is nearer than this part of the piece.
+const BEHIND: f64 = 0.5;
+
 /// How a slide is seen: perhaps mirrored.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame<'a> {
@@ -217,5 +220,7 @@ fn turn_about<'a>(
     let part = distance / turn.width;
     let y = if is_ahead { -part.sqrt() } else { part.sqrt() };
     let before = Frame { theta: before.theta + 2.0 * libm::atan(distance), ..before };
-    (part < 1.0).then_some((before, Waypoint { z: y, direction, ..*here }, turn))
+    // Behind, a step leads farther than the rest of the turn.
+    let farthest = if is_ahead { 1.0 } else { BEHIND };
+    (part < farthest).then_some((before, Waypoint { z: y, direction, ..*here }, turn))
 }
