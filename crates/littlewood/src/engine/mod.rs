@@ -1,9 +1,11 @@
-//! A table-driven implementation of the same simulation, for many starts of one hoop.
+//! A faster implementation of the same simulation, table-driven for many starts of one hoop.
 //!
 //! What depends on the body and the coefficients of friction alone is computed once: where the orbits of rolling slip
 //! ([`roll`]), and the slides ([`slide`]). The walk along the automaton is that of [`crate::walk`], as for
 //! [`Hoop::simulate`]; a phase is looked up in the tables. A phase that the tables do not resolve, with a margin close to zero, a turning
 //! point, a shape of η′ that might touch zero, a slow phase, is solved exactly.
+//!
+//! A hoop without tables has its phases from [`direct`], which computes what tables would hold where the motion goes.
 
 mod direct;
 mod interpolant;
@@ -16,11 +18,9 @@ mod slip;
 mod solver;
 mod tabulated;
 
-use crate::equations::SlidingLaw;
 use crate::error::ParameterError;
 use crate::exact::Exact;
-use crate::hoop::{Body, Heavy, Hoop};
-use crate::mode::Direction;
+use crate::hoop::{Body, Hoop};
 use crate::simulate::Limits;
 use crate::solvability::is_solvable;
 use crate::state::{Start, State};
@@ -64,6 +64,7 @@ pub struct Engine {
 
 /// Where phases come from.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "where each start has a hoop of its own, an allocation for each would cost more")]
 enum Source {
     /// Tables, prepared once.
     Tables(Box<Tables>),
@@ -75,9 +76,8 @@ enum Source {
 
 #[derive(Clone, Debug)]
 struct Tables {
-    body: Heavy,
-    /// The laws of sliding for σ = −1 and σ = +1.
-    sliding: [SlidingLaw; 2],
+    /// What the tables do not resolve.
+    direct: Direct,
     roll: RollTable,
     slide: SlideTable,
     slip: SlipTable,
@@ -99,10 +99,8 @@ impl Engine {
                     .filter(|_| is_solvable(&body, hoop.mu_s()))
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
-                        let sliding =
-                            Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction));
                         let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
-                        Tables { body, sliding, roll, slide, slip }
+                        Tables { direct: Direct::new(hoop, body), roll, slide, slip }
                     })
             }
             Body::Heavy(_) | Body::Massless(_) => None,

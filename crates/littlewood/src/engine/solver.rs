@@ -38,8 +38,6 @@ pub(super) trait Phases {
     fn denominator(&self, direction: (f64, f64)) -> f64;
     /// Whether P is positive at every angle, for either direction of slip.
     const SOLVABLE: bool;
-    /// Whether slides are resolved that begin or end slowly.
-    const SLOW_SLIDES: bool;
     /// The end of the rolling that begins at a place, in the frame of motion.
     fn roll(&self, place: &Place) -> Option<RollEnd>;
     /// The end of the slide that begins at a place, and what is known of the phase behind it. `slip_acceleration` where η′ = 0 at
@@ -236,8 +234,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = place.travel();
-        let is_slow = state.theta_rate.abs() < MIN_RATE;
-        let known = if on_limit || is_slow { None } else { self.phases.roll(place) };
+        let known = if on_limit { None } else { self.phases.roll(place) };
         let ending: Ended = match known {
             Some(RollEnd::Never) => Ending::Motion {
                 event: None,
@@ -287,10 +284,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     ) -> SolvedBy<Self> {
         let state = place.state;
         let followed = self.phases.slide(place, direction, slip_acceleration, self.until - state.time);
-        let is_fast = |event: &SlideEvent| {
-            P::SLOW_SLIDES || state.theta_rate.abs() >= MIN_RATE && event.theta_rate.abs() >= MIN_RATE
-        };
-        let followed = followed.filter(|(event, _)| is_fast(event) && self.is_in_time(&state, event.elapsed));
+        let followed = followed.filter(|(event, _)| self.is_in_time(&state, event.elapsed));
         let Some((event, ahead)) = followed else {
             return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));
         };

@@ -1,4 +1,4 @@
-//! Phases looked up in the tables of a hoop.
+//! Phases looked up in the tables of a hoop, and computed directly where these do not resolve them.
 
 use crate::equations::{RollingLaw, SlidingLaw};
 use crate::hoop::Heavy;
@@ -8,35 +8,15 @@ use super::Tables;
 use super::roll::RollEnd;
 use super::slide::{SlideEvent, SlideStart};
 use super::slip::Ahead;
-use super::solver::{Phases, Place};
+use super::solver::{MIN_RATE, Phases, Place};
 
-impl Phases for Tables {
-    const SOLVABLE: bool = true;
-
-    const SLOW_SLIDES: bool = false;
-
-    fn body(&self) -> &Heavy {
-        &self.body
-    }
-
-    fn sliding(&self, direction: Direction) -> &SlidingLaw {
-        match direction {
-            Direction::Negative => &self.sliding[0],
-            Direction::Positive => &self.sliding[1],
-        }
-    }
-
-    fn rolling(&self) -> &RollingLaw {
-        self.roll.law()
-    }
-
-    fn denominator(&self, (_, cos): (f64, f64)) -> f64 {
-        self.roll.law().denominator_at(cos)
-    }
-
+impl Tables {
     #[inline(always)]
-    fn roll(&self, place: &Place) -> Option<RollEnd> {
+    fn known_roll(&self, place: &Place) -> Option<RollEnd> {
         let (state, travel) = (place.state, place.travel());
+        if state.theta_rate.abs() < MIN_RATE {
+            return None;
+        }
         let ahead = match &place.ahead {
             Ahead::Roll(ahead) => Some(ahead),
             Ahead::Open => None,
@@ -45,14 +25,16 @@ impl Phases for Tables {
     }
 
     #[inline(always)]
-    fn slide(
+    fn known_slide(
         &self,
         place: &Place,
         direction: Direction,
         slip_acceleration: Option<f64>,
-        _: f64,
     ) -> Option<(SlideEvent, Ahead)> {
         let (state, travel, sigma) = (place.state, place.travel(), direction.sign());
+        if state.theta_rate.abs() < MIN_RATE {
+            return None;
+        }
         let (sin, cos) = place.direction;
         let known = place.slip.and_then(|point| {
             self.slip.follow(point, travel * state.theta, travel * state.theta_rate, (travel * sin, cos))
@@ -69,6 +51,43 @@ impl Phases for Tables {
                 direction: (sigma * sin, cos),
             })?,
         };
-        Some((event.mirrored(sigma), ahead))
+        (event.theta_rate.abs() >= MIN_RATE).then(|| (event.mirrored(sigma), ahead))
+    }
+}
+
+impl Phases for Tables {
+    const SOLVABLE: bool = true;
+
+    fn body(&self) -> &Heavy {
+        self.direct.body()
+    }
+
+    fn sliding(&self, direction: Direction) -> &SlidingLaw {
+        self.direct.sliding(direction)
+    }
+
+    fn rolling(&self) -> &RollingLaw {
+        self.roll.law()
+    }
+
+    fn denominator(&self, (_, cos): (f64, f64)) -> f64 {
+        self.roll.law().denominator_at(cos)
+    }
+
+    #[inline(always)]
+    fn roll(&self, place: &Place) -> Option<RollEnd> {
+        self.known_roll(place).or_else(|| self.direct.roll(place))
+    }
+
+    #[inline(always)]
+    fn slide(
+        &self,
+        place: &Place,
+        direction: Direction,
+        slip_acceleration: Option<f64>,
+        allowed: f64,
+    ) -> Option<(SlideEvent, Ahead)> {
+        self.known_slide(place, direction, slip_acceleration)
+            .or_else(|| self.direct.slide(place, direction, slip_acceleration, allowed))
     }
 }

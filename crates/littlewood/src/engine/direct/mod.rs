@@ -43,8 +43,6 @@ impl Direct {
 impl Phases for Direct {
     const SOLVABLE: bool = false;
 
-    const SLOW_SLIDES: bool = true;
-
     fn body(&self) -> &Heavy {
         &self.body
     }
@@ -66,6 +64,10 @@ impl Phases for Direct {
 
     fn roll(&self, place: &Place) -> Option<RollEnd> {
         let (state, travel) = (place.state, place.travel());
+        if state.theta_rate == 0.0 {
+            // Gravity decides where it goes.
+            return None;
+        }
         roll::follow(&self.hoop, &self.rolling, travel * state.theta, travel * state.theta_rate)
     }
 

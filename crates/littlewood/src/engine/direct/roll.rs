@@ -125,7 +125,7 @@ fn root(margin: &Form<7>, bracket: Bracket) -> Option<f64> {
         let next = if inside { newton } else { 0.5 * (low + high) };
         let step = (next - t).abs();
         t = next;
-        if (inside && step < LAST_STEP) || high - low < f64::EPSILON {
+        if (inside && step < LAST_STEP) || (high - low).abs() < f64::EPSILON {
             return Some(t);
         }
     }
