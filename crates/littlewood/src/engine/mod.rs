@@ -64,7 +64,10 @@ pub struct Engine {
 
 /// Where phases come from.
 #[derive(Clone, Debug)]
-#[expect(clippy::large_enum_variant, reason = "where each start has a hoop of its own, an allocation for each would cost more")]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "where each start has a hoop of its own, an allocation for each would cost more"
+)]
 enum Source {
     /// Tables, prepared once.
     Tables(Box<Tables>),

@@ -166,6 +166,12 @@ fn pass<P: Piece>(
     let lifts_off = w < 0.0;
     let there = if lifts_off { way.lift_off(here, to)? } else { way.at(here, to)? };
     let from_rest = here.slip <= 0.0;
+    // The change may lie behind.
+    let signs = match signs {
+        Signs::Rising if here.slip_acceleration > doubt => Signs::Positive,
+        Signs::Falling if here.slip_acceleration < -doubt => Signs::Negative,
+        signs => signs,
+    };
     match signs {
         Signs::Unknown => return None,
         // η′ must rise from zero.
