@@ -5,7 +5,9 @@ mod support;
 use littlewood::{CASES, Cause, Mode, Phase};
 use predicates::prelude::*;
 use serde_json::Value;
-use support::{FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, json, littlewood, number, text};
+use support::{
+    FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, json, littlewood, number, text,
+};
 
 const STATE: [&str; 5] = ["time", "theta", "theta_rate", "slip", "x"];
 
