@@ -107,8 +107,8 @@ def simulate_many(
 
     Notes
     -----
-    Hoops with at least 96 starts, by the dimensions that the parameters of the hoop do not have, are prepared with
-    tables, which makes a start about 30 times as fast and changes times by a few units in the last digits. The choice
+    Hoops with at least 256 starts, by the dimensions that the parameters of the hoop do not have, are prepared with
+    tables, which makes a start about five times as fast and changes times by a few units in the last digits. The choice
     does not depend on blocks or threads; neither do the results.
 
     Examples

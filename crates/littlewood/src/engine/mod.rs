@@ -115,7 +115,7 @@ impl Engine {
     }
 
     /// Number of starts of one hoop from which on tables save more time than they cost.
-    pub const MIN_STARTS_FOR_TABLES: usize = 96;
+    pub const MIN_STARTS_FOR_TABLES: usize = 256;
 
     /// A hoop without tables: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`]. Nothing is prepared.
     #[must_use]
