@@ -20,6 +20,7 @@ use crate::equations::{
     ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
 };
 use crate::flight::TakeOff;
+use crate::gliding::GlideEntry;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::mode::{Direction, Mode};
 use crate::rolling::{Hold, RollingLimit, RollingOrbit};
@@ -95,10 +96,9 @@ pub(crate) enum Next {
         direction: Direction,
         slip_acceleration: Option<f64>,
     },
-    /// `from_extremum` where η″ = 0 at the start.
     Glide {
         body: Massless,
-        from_extremum: bool,
+        entry: GlideEntry,
     },
     Fly {
         body: Heavy,
@@ -111,8 +111,10 @@ pub(crate) enum Next {
 /// How the state was reached, which resolves ties on a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Arrival {
-    /// No boundary: a start, or a slide or glide that came to rest.
+    /// No boundary: a start, or a slide that came to rest.
     Open,
+    /// The slip of a glide has just come to rest, on its way to this direction.
+    GlideAtRest(Direction),
     /// Rolling has just reached this limit.
     RollingLimit(RollingLimit),
     /// The normal force of a slide has just vanished, w falling through zero: only flight follows.
@@ -124,7 +126,7 @@ pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next 
     match hoop.body() {
         Body::Heavy(body) => match arrival {
             Arrival::LiftOff => Next::Fly { body, take_off: TakeOff::Grazing },
-            Arrival::Open | Arrival::RollingLimit(_) => {
+            Arrival::Open | Arrival::GlideAtRest(_) | Arrival::RollingLimit(_) => {
                 weigh(hoop, &body, state, &exact_evidence(hoop, &body, state, arrival))
             }
         },
@@ -177,7 +179,9 @@ fn exact_evidence(
                     Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
                         Hold::NoNormalForce
                     }
-                    Arrival::Open => RollingOrbit::new(hoop, theta, theta_rate).hold(),
+                    Arrival::Open | Arrival::GlideAtRest(_) => {
+                        RollingOrbit::new(hoop, theta, theta_rate).hold()
+                    }
                 },
                 rolling_forces: rolling.forces(theta, theta_rate),
                 denominator: rolling.denominator(theta),
@@ -329,17 +333,27 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     let sin = libm::sin(theta);
     let forces = RollingLaw::new(hoop).forces(theta, theta_rate);
     let at_rest = state.slip == 0.0;
-    let rolls = at_rest
-        && arrival == Arrival::Open
-        && RollingOrbit::new(hoop, theta, theta_rate).hold() == Hold::Holds;
-    if rolls {
+    // Where N > 0 the slip begins towards the side of the particle, and where N < 0 away from it.
+    let may_roll = match arrival {
+        Arrival::Open => at_rest,
+        Arrival::GlideAtRest(towards) => towards.sign() * sin > 0.0,
+        Arrival::RollingLimit(_) | Arrival::LiftOff => false,
+    };
+    if may_roll && RollingOrbit::new(hoop, theta, theta_rate).hold() == Hold::Holds {
         return Next::Roll;
     }
     let contact = contact(1.0, body.offset, libm::cos(theta) * (theta_rate * theta_rate));
     // At the top the particle must have just the acceleration of free fall: ℓ̂ θ′² = 1.
     if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
-        let unloaded = arrival == Arrival::RollingLimit(RollingLimit::NormalForce);
-        return Next::Glide { body: *body, from_extremum: at_rest && unloaded };
+        let entry = match arrival {
+            Arrival::Open | Arrival::LiftOff if !at_rest => GlideEntry::Moving,
+            Arrival::RollingLimit(RollingLimit::NormalForce) => GlideEntry::Unloaded,
+            Arrival::RollingLimit(RollingLimit::Friction(towards)) | Arrival::GlideAtRest(towards) => {
+                GlideEntry::FromRest(Some(towards))
+            }
+            Arrival::Open | Arrival::LiftOff => GlideEntry::FromRest(None),
+        };
+        return Next::Glide { body: *body, entry };
     }
     Next::None(Box::new(Candidates {
         rolling: false,
