@@ -113,8 +113,8 @@ pub(crate) enum Next {
 pub(crate) enum Arrival {
     /// No boundary: a start, or a slide that came to rest.
     Open,
-    /// The slip of a glide has just come to rest, on its way to this direction.
-    GlideAtRest(Direction),
+    /// The slip of a glide has just come to rest, where the normal force of rolling is positive or negative.
+    GlideAtRest { presses: bool },
     /// Rolling has just reached this limit.
     RollingLimit(RollingLimit),
     /// The normal force of a slide has just vanished, w falling through zero: only flight follows.
@@ -126,7 +126,7 @@ pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next 
     match hoop.body() {
         Body::Heavy(body) => match arrival {
             Arrival::LiftOff => Next::Fly { body, take_off: TakeOff::Grazing },
-            Arrival::Open | Arrival::GlideAtRest(_) | Arrival::RollingLimit(_) => {
+            Arrival::Open | Arrival::GlideAtRest { .. } | Arrival::RollingLimit(_) => {
                 weigh(hoop, &body, state, &exact_evidence(hoop, &body, state, arrival))
             }
         },
@@ -179,7 +179,7 @@ fn exact_evidence(
                     Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
                         Hold::NoNormalForce
                     }
-                    Arrival::Open | Arrival::GlideAtRest(_) => {
+                    Arrival::Open | Arrival::GlideAtRest { .. } => {
                         RollingOrbit::new(hoop, theta, theta_rate).hold()
                     }
                 },
@@ -333,10 +333,9 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     let sin = libm::sin(theta);
     let forces = RollingLaw::new(hoop).forces(theta, theta_rate);
     let at_rest = state.slip == 0.0;
-    // Where N > 0 the slip begins towards the side of the particle, and where N < 0 away from it.
     let may_roll = match arrival {
         Arrival::Open => at_rest,
-        Arrival::GlideAtRest(towards) => towards.sign() * sin > 0.0,
+        Arrival::GlideAtRest { presses } => presses,
         Arrival::RollingLimit(_) | Arrival::LiftOff => false,
     };
     if may_roll && RollingOrbit::new(hoop, theta, theta_rate).hold() == Hold::Holds {
@@ -348,10 +347,9 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
         let entry = match arrival {
             Arrival::Open | Arrival::LiftOff if !at_rest => GlideEntry::Moving,
             Arrival::RollingLimit(RollingLimit::NormalForce) => GlideEntry::Unloaded,
-            Arrival::RollingLimit(RollingLimit::Friction(towards)) | Arrival::GlideAtRest(towards) => {
-                GlideEntry::FromRest(Some(towards))
-            }
-            Arrival::Open | Arrival::LiftOff => GlideEntry::FromRest(None),
+            Arrival::RollingLimit(RollingLimit::Friction(_)) => GlideEntry::FromRest { presses: Some(true) },
+            Arrival::GlideAtRest { presses } => GlideEntry::FromRest { presses: Some(presses) },
+            Arrival::Open | Arrival::LiftOff => GlideEntry::FromRest { presses: None },
         };
         return Next::Glide { body: *body, entry };
     }

@@ -180,8 +180,8 @@ impl Solver for Exact<'_> {
         let allowed = self.allowed(state);
         let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
         let ending = match end {
-            GlidingEnd::Rest(place, towards) => {
-                Ending::Event { place, cause: Cause::Stick, arrival: Arrival::GlideAtRest(towards) }
+            GlidingEnd::Rest { state, presses } => {
+                Ending::Event { place: state, cause: Cause::Stick, arrival: Arrival::GlideAtRest { presses } }
             }
             GlidingEnd::Bottom(state) if body.offset < 1.0 => {
                 Self::ended(Cause::ParticleAtBottom, state, Outcome::ParticleAtBottom { state })

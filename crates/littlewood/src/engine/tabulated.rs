@@ -148,7 +148,7 @@ impl<'a> Tabulated<'a> {
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
         let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);
         let hold = match arrival {
-            Arrival::Open | Arrival::GlideAtRest(_) | Arrival::RollingLimit(_) | Arrival::LiftOff
+            Arrival::Open | Arrival::GlideAtRest { .. } | Arrival::RollingLimit(_) | Arrival::LiftOff
                 if w < 0.0 =>
             {
                 Hold::NoNormalForce
@@ -161,7 +161,7 @@ impl<'a> Tabulated<'a> {
                 Hold::Slips { direction: Direction::of_sign(-forces.friction)?, excess }
             }
             Arrival::RollingLimit(RollingLimit::NormalForce)
-            | Arrival::GlideAtRest(_)
+            | Arrival::GlideAtRest { .. }
             | Arrival::LiftOff
             | Arrival::Open => return None,
         };

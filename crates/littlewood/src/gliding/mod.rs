@@ -29,8 +29,8 @@ use self::rest::Slip;
 pub(crate) enum GlideEntry {
     /// With η′ ≠ 0.
     Moving,
-    /// With η′ = 0. The event that led there may know in which direction the slip begins.
-    FromRest(Option<Direction>),
+    /// With η′ = 0. The event that led there may know whether the normal force of rolling is positive.
+    FromRest { presses: Option<bool> },
     /// With η′ = η″ = 0, on N = 0 of rolling.
     Unloaded,
 }
@@ -84,8 +84,8 @@ pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f
 /// How a phase of gliding ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GlidingEnd {
-    /// η′ = 0, on its way to this direction.
-    Rest(State, Direction),
+    /// η′ = 0, and whether the normal force of rolling is positive there.
+    Rest { state: State, presses: bool },
     /// The particle comes down to its lowest place under the centre, θ = ±π, with unbounded θ′ (3.20). The state has
     /// an infinite rate.
     Bottom(State),
@@ -124,7 +124,11 @@ impl Gliding {
         let end = if is_stopped {
             GlidingEnd::TimeLimit(if place.elapsed == 0.0 { start } else { state })
         } else if slip.rest.is_some() {
-            GlidingEnd::Rest(State { slip: 0.0, ..state }, slip.direction.reversed())
+            // N has the sign of η″ on the side of the particle, and η″ that of the slip to come.
+            GlidingEnd::Rest {
+                state: State { slip: 0.0, ..state },
+                presses: slip.direction.sign() * particle.side < 0.0,
+            }
         } else if particle.reaches_top() {
             GlidingEnd::Top(state)
         } else {

@@ -83,9 +83,9 @@ impl Slip {
         let mut terms = Terms::new(particle, slip);
         let begun = match entry {
             GlideEntry::Moving => Direction::of_sign(slip),
-            GlideEntry::FromRest(towards) => {
-                // What is known of the sign of η″ has been decided by the same number; it can only have rounded to the other side.
-                if towards.is_some_and(|towards| terms.pull * particle.side * towards.sign() < 0.0) {
+            GlideEntry::FromRest { presses } => {
+                // The sign of N has been decided before. G has it, but for rounding.
+                if presses.is_some_and(|presses| presses != (terms.pull > 0.0)) {
                     terms.pull = 0.0;
                 }
                 None
