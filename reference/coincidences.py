@@ -23,11 +23,12 @@ in such a repetition is not decided by its doubles; there the library has to giv
 Units: mass of the particle, radius and gravity are 1.
 """
 import argparse
-import collections
+import gc
 import json
 import math
 import multiprocessing
 import os
+import pickle
 import random
 import subprocess
 import sys
@@ -39,9 +40,10 @@ import gmpy2
 from gmpy2 import mpfr
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-STARTS = 480                     # of each family
-SHAKES = 3
-MORE_SHAKES = 20                 # of starts with an error above SUSPECT units, which few repetitions may have made small
+STARTS = 160                     # of each family with inertia or with rolling for long, whose series take their time,
+GLIDES = 1000                    # and of each other family of the massless hoop
+SHAKES = 2
+MORE_SHAKES = 16                 # of starts with an error above SUSPECT units, which few repetitions may have made small
 SUSPECT = 8.0
 MOST = 6                         # transitions that are followed
 LONGEST = 100                    # steps of a series in a phase
@@ -924,6 +926,10 @@ FAMILIES = {
     "massless_turning_on_slip_curve": (inside, turning_on_slip_curve),
 }
 
+QUICK = ("massless_type_ii", "massless_type_ii_on_the_rim", "gliding_rest_on_slip_curve", "gliding_slip_that_touches_rest",
+         "particle_that_just_reaches_the_top", "gliding_rest_at_turning_point", "gliding_rest_at_the_bottom",
+         "massless_start_beside_a_curve")
+
 
 # ---------------------------------------------------------------- comparison
 
@@ -935,7 +941,7 @@ def kind_of(motion):
 
 
 def one(task):
-    """A start of a family, its motion, and the units of its numbers; or why there is none."""
+    """A start of a family, its motion, and repetitions of it."""
     family, index = task
     make_hoop, make = FAMILIES[family]
     dice = random.Random(f"{family} {index}")
@@ -1095,17 +1101,35 @@ def listed(motion):
         f"{t['cause']} {t['to']} {t['direction']} {float(t['time'])!r}" for t in motion[1]] + [str(motion[2])]
 
 
+def remembered(path):
+    """The motions of an earlier run."""
+    if not path or not os.path.exists(path):
+        return {}
+    with open(path, "rb") as file:
+        return pickle.load(file)
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("family", nargs="?", choices=FAMILIES)
     options.add_argument("--starts", type=int)
     options.add_argument("--workers", type=int, default=os.cpu_count())
+    options.add_argument("--motions", metavar="FILE", help="keep the motions in a file, or take them from there")
     options = options.parse_args()
     names = [options.family] if options.family else list(FAMILIES)
-    tasks = [(name, index) for name in names for index in range(options.starts or STARTS)]
+    counts = {name: GLIDES if name in QUICK else STARTS for name in names}
+    tasks = [(name, index) for name in names for index in range(options.starts or counts[name])]
     began = time.time()
+    gc.disable()
     with multiprocessing.Pool(options.workers, maxtasksperchild=500) as pool:
-        results = pool.map(one, tasks, chunksize=4)
+        results = remembered(options.motions)
+        for name in sorted(names, key=lambda name: name not in QUICK):
+            todo = [task for task in tasks if task[0] == name and task not in results]
+            results.update(((r[0], r[1]), r) for r in pool.map(one, todo, chunksize=4))
+            if options.motions and todo:
+                with open(options.motions, "wb") as file:
+                    pickle.dump(results, file)
+        results = [results[task] for task in tasks]
         Work.use(FINE)
         answers = library([(r[2], r[3], r[4]) for r in results])
         compared = [Compared(*pair) for pair in zip(results, answers)]
