@@ -66,7 +66,6 @@ class Work:
     def use(cls, setting):
         cls.bits, cls.order, cls.error = setting
         gmpy2.get_context().precision = cls.bits
-        flint.ctx.prec = 4 * cls.bits
 
 
 class Hoop:
@@ -354,6 +353,17 @@ def number(v):
     return gmpy2.mul_2exp(mpfr(int(man)), int(exp)) if int(exp) >= 0 else gmpy2.div_2exp(mpfr(int(man)), -int(exp))
 
 
+def all_roots(p):
+    """Balls that hold the roots of a polynomial, one each."""
+    for bits in (4 * Work.bits, 16 * Work.bits):
+        flint.ctx.prec = bits
+        try:
+            return flint.acb_poly([arb(v) for v in p]).roots(tol=flint.arb(2)**(-Work.bits))
+        except ValueError:
+            pass
+    raise Tie("a double root")
+
+
 def glide(hoop, state, known, until):
     """A glide to its first event, as `smooth`; the direction is that of the glide itself."""
     theta, rate, slip, x = state
@@ -412,7 +422,7 @@ def glide(hoop, state, known, until):
     lap = gmpy2.rint((theta - gmpy2.atan2(s, c)) / (2 * gmpy2.const_pi()))
     turn = 2 * gmpy2.const_pi() * lap
     rests = [vy] if vx == 0 and 0 < vy < end else []                              # eta' = theta' (1 + l cos theta)
-    for z in () if vx == 0 else flint.acb_poly([arb(v) for v in sextic]).roots(tol=flint.arb(2)**(-Work.bits)):
+    for z in () if vx == 0 else all_roots(sextic):
         if not z.imag.contains(0):
             continue
         t = number(z.real)

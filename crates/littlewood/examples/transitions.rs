@@ -11,7 +11,7 @@
 use std::error::Error;
 use std::io::{BufWriter, Write, stdin, stdout};
 
-use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Phase, Start, State};
+use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Phase, Proof, Start, State};
 
 /// Largest number of transitions of a motion.
 const TRANSITIONS: usize = 100;
@@ -27,8 +27,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k))?;
         let start = Start::at(theta, rate).with_slip(slip).with_gap_rate(gap_rate);
-        let limits =
-            Limits::default().with_until(until.is_finite().then_some(until)).with_transitions(TRANSITIONS);
+        let limits = Limits::default()
+            .with_until(until.is_finite().then_some(until))
+            .with_transitions(TRANSITIONS)
+            .with_proof(Proof::None);
         let motion = hoop.simulate(start, limits)?;
         let first = motion.phases().first();
         write!(
