@@ -5,7 +5,9 @@ mod support;
 use littlewood::{CASES, Cause, Mode, Phase};
 use predicates::prelude::*;
 use serde_json::Value;
-use support::{FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, json, littlewood, number, text};
+use support::{
+    FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, json, littlewood, number, text,
+};
 
 const STATE: [&str; 5] = ["time", "theta", "theta_rate", "slip", "x"];
 
@@ -470,7 +472,8 @@ fn glides_outside_the_limit_of_small_inertia_are_marked() {
 #[test]
 fn a_long_motion_is_shortened_on_the_page_only() {
     // Equal coefficients: slips shrink without end towards the orbit that grazes the static limit.
-    let start = ["simulate", "stick-slip-no-jump", "--mu-k", "0.5", "--max-transitions", "100"];
+    let start: Vec<&str> =
+        "simulate stick-slip-no-jump --mu-k 0.5 --max-transitions 100 --proof none".split(' ').collect();
     let document = json(&start);
     assert_eq!(document["transitions"].as_array().unwrap().len(), 100);
     let page = text(&start);
