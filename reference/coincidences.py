@@ -40,13 +40,13 @@ import gmpy2
 from gmpy2 import mpfr
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-STARTS = 70                      # of each family, unless QUICK has more of it
+STARTS = 50                      # of each family, unless QUICK has more of it
 SHAKES = 2
-MORE_SHAKES = 16                 # of starts with an error above SUSPECT units, which few repetitions may have made small
-SUSPECT = 8.0
+MORE_SHAKES = 12                 # of starts with an error above SUSPECT units, which few repetitions may have made small
+SUSPECT = 32.0
 MOST = 6                         # transitions that are followed
 LONGEST = 100                    # steps of a series in a phase
-KEPT = 14                        # starts of each family that the file keeps with their numbers
+KEPT = 15                        # starts of each family that the file keeps with their numbers
 ULP = 2.0**-52
 LIMIT = 64.0                     # units beyond which a number is listed
 FINE = (220, 42, 1e-42)          # bits, order of the series, error of a step
@@ -939,15 +939,15 @@ FAMILIES = {
 QUICK = {
     "massless_type_ii": 2000,
     "massless_type_ii_on_the_rim": 2000,
-    "gliding_rest_on_slip_curve": 4000,
+    "gliding_rest_on_slip_curve": 4300,
     "particle_that_just_reaches_the_top": 600,
     "gliding_rest_at_turning_point": 300,
-    "gliding_slip_that_touches_rest": 200,
-    "massless_start_beside_a_curve": 200,
+    "gliding_slip_that_touches_rest": 100,
+    "massless_start_beside_a_curve": 100,
     "gliding_rest_at_the_bottom": 100,
     # Few of the orbits that are drawn have such a point.
-    "massless_grazing_slip": 25,
-    "massless_turning_on_slip_curve": 25,
+    "massless_grazing_slip": 10,
+    "massless_turning_on_slip_curve": 10,
 }
 
 
