@@ -30,7 +30,9 @@ LARGEST, SMALLEST = 300, 8  # starts along an axis
 UNTIL = 50.0
 PEER_STARTS = 400
 FLAGSHIP = "figure 2"
-AT_ONCE, LATER, IN_CONTACT, FAILED = 0, 1, 2, 9  # as in peers/physics.py
+AT_ONCE, LATER, IN_CONTACT = 0, 1, 2  # as in peers/physics.py
+STAYS = ("rolls_forever", "repeats_forever", "slips_forever", "in_contact")
+PLACES = {"leaves_at_once": AT_ONCE, "lifts_off_later": LATER, **dict.fromkeys(STAYS, IN_CONTACT)}
 
 
 @dataclass
@@ -162,9 +164,10 @@ def same_starts(program, regime, starts):
         write_list(path, starts)
         words = ["sweep", *regime.flags(), f"--until={UNTIL}", f"--starts={path}", f"--out={folder}/motions.parquet"]
         counts = run(program, words)[0]["counts"]
-    first = [counts.pop("leaves_at_once", 0), counts.pop("lifts_off_later", 0)]
-    contact = sum(counts.pop(name, 0) for name in ("rolls_forever", "slides_forever", "in_contact_at_limit"))
-    return [*first, contact, sum(counts.values())]
+    found = [0, 0, 0, 0]
+    for name, count in counts.items():
+        found[PLACES.get(name, 3)] += count
+    return found
 
 
 class Row:
@@ -252,6 +255,7 @@ def main():
         for row in rows:
             print(f"round {turn + 1}: {row.regime.name}", file=sys.stderr)
             row.measure(program, peers, options.seconds)
+            print(row.rates, row.peer, row.counts, file=sys.stderr, flush=True)
     flagship = rows[0].rates["end"]
     records = [row.record(flagship) for row in rows]
     peer = next((record["peer"] for record in records if "peer" in record), "no peer")

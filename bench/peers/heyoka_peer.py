@@ -9,6 +9,8 @@ import numpy as np
 from physics import ARM, FAILED, FIGURE_3, INERTIA, MASS, MU_K, MU_S, OFFSET, ROLL, ROLLS, SEED, follow, grid, listed
 from worker import median_seconds, outcome_map, outcomes_in, serve, trajectory
 
+hy.set_logger_level_critical()  # its warnings go to the standard output, where the answers are
+
 THETA, RATE, SLIP, X = VARIABLES = hy.make_vars("theta", "rate", "slip", "x")
 FALLING = hy.event_direction.negative
 NO_EVENT = int(hy.taylor_outcome.time_limit)
