@@ -2,7 +2,6 @@
 
 use core::f64::consts::TAU;
 
-use crate::bernstein::{Bernstein, Bracket};
 use crate::equations::{SlidePath, SlidingLaw};
 use crate::hoop::Hoop;
 use crate::mode::{Direction, Mode};
@@ -10,10 +9,17 @@ use crate::rolling::Recurrence;
 use crate::sample::{Instant, Sample};
 use crate::state::State;
 
-use super::series::{DEGREE, Series, SlideSeries, value, value_and_slope};
+use super::leap::{Bounds, FEWEST, MOST, Passed, Place, Turns, section_of};
+use super::series::{DEGREE, LONGEST, Series, SlideSeries, crossing, root, value};
 
 /// A step that moves the clock by no more than this part of itself has run into a singularity of the equations.
 const STALL: f64 = 4.0 * f64::EPSILON;
+
+/// Steps of at most [`LONGEST`] that a slide takes before it is followed in longer ones.
+const PATIENCE: usize = 64;
+
+/// An angle so close to a section is on it.
+const AT_SECTION: f64 = 1e-9;
 
 /// How a slide begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +42,7 @@ pub(crate) enum SlidingEnd {
     Singular(State),
     /// Steps that shrink to nothing where P is not small: faster than the clock resolves.
     Unresolved(State),
-    /// The largest number of steps; with an estimate of the time until η′ = 0.
+    /// The largest number of steps, or of turns; with an estimate of the time until η′ = 0.
     StepLimit { state: State, time_left: f64 },
     /// The time limit.
     TimeLimit(State),
@@ -53,6 +59,8 @@ pub struct Sliding {
     start: State,
     path: SlidePath,
     steps: Vec<Step>,
+    /// Turns that are passed at once, between steps.
+    leaps: Vec<Leap>,
     /// Time and angle of the turning points, followed without kinetic friction only.
     turnings: Vec<(f64, f64)>,
     cycle: Option<Cycle>,
@@ -68,10 +76,22 @@ struct Cycle {
     advance: f64,
 }
 
+/// Whole turns, or periods, between two steps.
+#[derive(Clone, Debug)]
+struct Leap {
+    /// Time since the start of the phase.
+    begin: f64,
+    /// Whole turns before it, up to the angles of [`Passed`].
+    turned: f64,
+    passed: Passed,
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Step {
     /// Time since the start of the phase.
     begin: f64,
+    /// What θ has beyond the series: whole turns.
+    turned: f64,
     theta: Series,
     theta_rate: Series,
     slip: Series,
@@ -81,9 +101,22 @@ struct Step {
 #[derive(Clone, Copy, Debug)]
 struct Here {
     elapsed: f64,
+    /// What the angle is short of θ: whole turns, or a negative zero, which changes no number that it is added to.
+    turned: f64,
     theta: f64,
     theta_rate: f64,
     slip: f64,
+}
+
+/// What a slide that may be long looks out for.
+#[derive(Clone, Copy, Debug, Default)]
+struct Lookout {
+    /// Time of the last turning point.
+    turning: Option<f64>,
+    /// Number of steps before which no leap is tried again.
+    ready: usize,
+    /// Whether a leap has passed as many turns as are resolved.
+    has_passed_most: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -108,6 +141,7 @@ impl Sliding {
             start,
             path: law.path(&start, libm::sincos(start.theta)),
             steps: Vec::new(),
+            leaps: Vec::new(),
             turnings: Vec::new(),
             cycle: None,
         };
@@ -118,9 +152,15 @@ impl Sliding {
     fn follow(&mut self, entry: Entry, allowed: Option<f64>, most: usize) -> SlidingEnd {
         let sign = self.direction.sign();
         let start = self.start;
-        let integral = self.law.momentum_integral(0.0, start.theta, start.theta_rate, start.slip);
-        let mut here =
-            Here { elapsed: 0.0, theta: start.theta, theta_rate: start.theta_rate, slip: start.slip };
+        let integral = self.integral();
+        let mut here = Here {
+            elapsed: 0.0,
+            turned: -0.0,
+            theta: start.theta,
+            theta_rate: start.theta_rate,
+            slip: start.slip,
+        };
+        let mut lookout = Lookout::default();
         loop {
             let mut series = SlideSeries::new(&self.law, here.theta, here.theta_rate, here.slip);
             let mut known_roots = 0;
@@ -129,8 +169,12 @@ impl Sliding {
                 series.slip[1] = slip_acceleration;
                 known_roots = if slip_acceleration == 0.0 { 2 } else { 1 };
             }
-            let reach = if self.law.body.h == 0.0 { series.straight_reach() } else { series.reach() };
-            if self.steps.len() >= most {
+            let reach = if self.law.body.h == 0.0 {
+                series.straight_reach()
+            } else {
+                series.reach(longest_step(self.steps.len()))
+            };
+            if self.steps.len() >= most || lookout.has_passed_most {
                 let state = self.state_from(here);
                 return SlidingEnd::StepLimit { state, time_left: self.time_left(&here) };
             }
@@ -150,6 +194,7 @@ impl Sliding {
             };
             self.steps.push(Step {
                 begin: here.elapsed,
+                turned: here.turned,
                 theta: series.theta,
                 theta_rate: series.theta_rate,
                 slip: series.slip,
@@ -157,6 +202,7 @@ impl Sliding {
             if let Some((at, event)) = first_event(&series, sign, known_roots, width) {
                 let found = Here {
                     elapsed: here.elapsed + at,
+                    turned: here.turned,
                     theta: value(&series.theta, at),
                     theta_rate: value(&series.theta_rate, at),
                     slip: value(&series.slip, at),
@@ -173,6 +219,7 @@ impl Sliding {
             let (sin, cos) = libm::sincos(theta);
             let next = Here {
                 elapsed,
+                turned: here.turned,
                 theta,
                 theta_rate,
                 slip: integral + theta_rate * self.law.lever(sin, cos) - self.law.friction * elapsed,
@@ -189,8 +236,88 @@ impl Sliding {
                     return SlidingEnd::Endless(recurrence);
                 }
             }
-            here = next;
+            here = self.leap(&mut lookout, &series, (here, next), allowed).unwrap_or(next);
         }
+    }
+
+    /// Passes whole turns, or periods, at once from a place within the step from `here` to `next`.
+    fn leap(
+        &mut self,
+        lookout: &mut Lookout,
+        series: &SlideSeries,
+        (here, next): (Here, Here),
+        allowed: Option<f64>,
+    ) -> Option<Here> {
+        let SlidingLaw { body, friction } = self.law;
+        if friction == 0.0 || body.h == 0.0 {
+            return None;
+        }
+        let integral = self.integral();
+        let bounds = |elapsed: f64| Bounds {
+            slip: self.direction.sign() * (integral - friction * elapsed),
+            friction: friction.abs(),
+            allowed: allowed.map_or(f64::INFINITY, |allowed| allowed - elapsed),
+        };
+        let is_ready = self.steps.len() >= lookout.ready;
+        let (begin, turned, passed) = if next.theta_rate * here.theta_rate < 0.0 {
+            let at = root(&series.theta_rate, 0.0, here.theta_rate.signum(), next.elapsed - here.elapsed);
+            let begin = here.elapsed + at;
+            let swing = begin - lookout.turning.replace(begin)?;
+            if !is_ready || bounds(begin).longest() < 2.0 * FEWEST * swing {
+                return None;
+            }
+            let theta = value(&series.theta, at);
+            (begin, here.turned, Passed::periods(&self.law, theta, bounds(begin)))
+        } else {
+            let travel = here.theta_rate.signum();
+            let rate = here.theta_rate.abs().max(next.theta_rate.abs());
+            let largest = rate * (1.0 + body.h * (1.0 + friction * friction).sqrt());
+            let Bounds { slip, friction: pace, allowed } = bounds(here.elapsed);
+            if !is_ready || ((slip + largest) / pace).min(allowed) * rate < FEWEST * TAU {
+                return None;
+            }
+            let section = section_of(&self.law, travel);
+            let (sin, cos) = libm::sincos(here.theta);
+            let mut ahead = (travel * (section - libm::atan2(sin, cos))).rem_euclid(TAU);
+            if ahead < AT_SECTION {
+                ahead += TAU;
+            }
+            let width = next.elapsed - here.elapsed;
+            let mut gain = series.theta;
+            gain[0] = 0.0;
+            if travel * value(&gain, width) < ahead {
+                return None;
+            }
+            let at = root(&gain, travel * ahead, -travel, width);
+            let begin = here.elapsed + at;
+            let turned = here.turned + here.theta + travel * ahead - section;
+            let rate = value(&series.theta_rate, at);
+            let turns = Turns::new(&self.law, rate, bounds(begin));
+            (begin, turned, turns.map(|turns| Passed::Turns(Box::new(turns))))
+        };
+        let Some(passed) = passed else {
+            lookout.ready = 2 * self.steps.len();
+            return None;
+        };
+        let elapsed = begin + passed.duration();
+        let place = passed.end();
+        let end = self.here(elapsed, turned + passed.advance(), place);
+        *lookout = Lookout { has_passed_most: passed.count() >= MOST - 1.0, ..Lookout::default() };
+        self.leaps.push(Leap { begin, turned, passed });
+        Some(end)
+    }
+
+    /// η′ − θ′ (1 + h c + μk σ h s) + μk σ τ at the start.
+    fn integral(&self) -> f64 {
+        let State { theta, theta_rate, slip, .. } = self.start;
+        self.law.momentum_integral(0.0, theta, theta_rate, slip)
+    }
+
+    /// With the slip from the first integral.
+    fn here(&self, elapsed: f64, turned: f64, Place { theta, rate }: Place) -> Here {
+        let (sin, cos) = libm::sincos(theta);
+        let slip = self.integral() + rate * self.law.lever(sin, cos) - self.law.friction * elapsed;
+        Here { elapsed, turned, theta, theta_rate: rate, slip }
     }
 
     /// Time until η′ = 0 at the pace so far, of the slip without the part that comes and goes with each turn.
@@ -264,9 +391,17 @@ impl Sliding {
         };
         let after = self.steps.partition_point(|step| step.begin <= within);
         let Some(step) = self.steps.get(after.saturating_sub(1)) else { return self.start };
+        let leaps = self.leaps.partition_point(|leap| leap.begin <= within);
+        if let Some(Leap { begin, turned, passed }) = self.leaps[..leaps].last()
+            && *begin >= step.begin
+        {
+            let (place, advance) = passed.place(&self.law, within - begin);
+            return self.state_from(self.here(elapsed, turned + advance, place));
+        }
         let at = within - step.begin;
         self.state_from(Here {
             elapsed,
+            turned: step.turned,
             theta: gained + value(&step.theta, at),
             theta_rate: value(&step.theta_rate, at),
             slip: value(&step.slip, at),
@@ -277,7 +412,7 @@ impl Sliding {
     fn state_from(&self, here: Here) -> State {
         State {
             time: self.start.time + here.elapsed,
-            theta: here.theta,
+            theta: here.turned + here.theta,
             theta_rate: here.theta_rate,
             slip: here.slip,
             x: self.path.x(here.elapsed, libm::sincos(here.theta)),
@@ -298,6 +433,12 @@ impl Sliding {
     }
 }
 
+/// Longest step after so many: without bound in the end, for slides that are slow as a whole.
+fn longest_step(steps: usize) -> f64 {
+    let doublings = steps.saturating_sub(PATIENCE).min(60);
+    (0..doublings).fold(LONGEST, |longest, _| 2.0 * longest)
+}
+
 /// The first of the three events within a step, if any.
 fn first_event(series: &SlideSeries, sign: f64, known_roots: usize, width: f64) -> Option<(f64, Event)> {
     let mut slip = [0.0; DEGREE + 1];
@@ -308,26 +449,4 @@ fn first_event(series: &SlideSeries, sign: f64, known_roots: usize, width: f64) 
     let lift_off = crossing(&series.contact, width).map(|at| (at, Event::LiftOff));
     let singular = crossing(&series.solvability, width).map(|at| (at, Event::Singular));
     [rest, lift_off, singular].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0))
-}
-
-/// Where a series that is monotone on [0, width], of the given sign at 0, takes a level.
-fn root(series: &Series, level: f64, sign: f64, width: f64) -> f64 {
-    Bracket { low: 0.0, high: width }.refine(|at| {
-        let (value, slope) = value_and_slope(series, at);
-        (sign * (value - level), sign * slope)
-    })
-}
-
-/// First crossing of a series from non-negative to negative in [0, width].
-fn crossing(series: &Series, width: f64) -> Option<f64> {
-    let mut swing = 0.0;
-    for c in series[1..].iter().rev() {
-        swing = (swing + c.abs()) * width;
-    }
-    if series[0] > swing {
-        return None;
-    }
-    let Bracket { low, high } = Bernstein::from_taylor(series, width).first_crossing()?;
-    let bracket = Bracket { low: low * width, high: high * width };
-    Some(bracket.refine(|at| value_and_slope(series, at)))
 }
