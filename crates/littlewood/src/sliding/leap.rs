@@ -67,9 +67,9 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// Longest time until an event at a turning point.
-    pub(super) fn longest(&self) -> f64 {
-        (self.slip / self.friction).min(self.allowed)
+    /// Time until the limit, or η′ = 0 if the part that comes and goes is `lowest`.
+    pub(super) fn longest(&self, lowest: f64) -> f64 {
+        ((self.slip + lowest) / self.friction).min(self.allowed)
     }
 
     /// What is left of σ η′ after a time, if the part that comes and goes with the turns is `lowest`.
@@ -302,15 +302,8 @@ impl Turns {
         let most = most_turns(&ahead, &coarse, energy, bounds)?;
         let last = coarse.after(energy, most - 1.0);
         let turn = Turn::new(&ahead, Some((energy.min(last), energy.max(last))))?;
-        let mut turns = Self {
-            travel,
-            section: section(&ahead),
-            turn,
-            energy,
-            most,
-            stretches: Vec::new(),
-            count: 0.0,
-        };
+        let mut turns =
+            Self { travel, section: section(&ahead), turn, energy, most, stretches: Vec::new(), count: 0.0 };
         turns.count = turns.proved(law, bounds)?;
         turns.stretches.retain(|stretch| stretch.first < turns.count);
         Some(turns)

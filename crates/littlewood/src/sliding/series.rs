@@ -72,10 +72,8 @@ impl SlideSeries {
                 s.theta[n] = s.theta_rate[n - 1] / order;
                 increment[n] = order * s.theta[n];
             }
-            let [square, forth, back] = convolve(
-                [(&s.theta_rate, &s.theta_rate), (&increment, &cos), (&increment, &sin)],
-                n,
-            );
+            let [square, forth, back] =
+                convolve([(&s.theta_rate, &s.theta_rate), (&increment, &cos), (&increment, &sin)], n);
             u[n] = square;
             if n > 0 {
                 sin[n] = forth / order;
@@ -84,8 +82,7 @@ impl SlideSeries {
             let constant = if n == 0 { 1.0 } else { 0.0 };
             q[n] = law.q(constant, sin[n], cos[n]);
             lever[n] = constant + h * cos[n] + friction * h * sin[n];
-            let [cos_u, sin_q, levered] =
-                convolve([(&cos, &u), (&sin, &q), (&s.theta_rate, &lever)], n);
+            let [cos_u, sin_q, levered] = convolve([(&cos, &u), (&sin, &q), (&s.theta_rate, &lever)], n);
             s.contact[n] = contact(constant, h, cos_u);
             s.solvability[n] = inertia * constant + m * h * sin_q;
             s.slip[n] = levered;
