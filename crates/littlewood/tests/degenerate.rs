@@ -437,7 +437,7 @@ fn a_slide_without_end_in_sight_says_how_much_is_left() {
     let Outcome::StepLimit { state, steps, time_left } = motion.outcome() else {
         panic!("{:?}", motion.outcome())
     };
-    assert!(steps < 100 && !motion.outcome().is_final());
+    assert!(steps < 1_000 && !motion.outcome().is_final());
     assert!(state.theta > 6e9, "{state:?}");
     let expected = state.slip / mu_k;
     assert!((time_left / expected - 1.0).abs() < 0.05, "{time_left} {expected}");
