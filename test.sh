@@ -11,6 +11,8 @@ cargo fmt --all --check
 cargo clippy --workspace --all-targets --locked -- -D warnings
 cargo doc --workspace --no-deps --locked
 cargo test --workspace --locked --no-fail-fast
+# The fuzzer, for a minute instead of a moment.
+LITTLEWOOD_FUZZ_SECONDS=60 cargo test --package littlewood-cli --test fuzz --locked -- --nocapture
 cargo test --package littlewood --features serde --test serde --locked
 python/test.sh
 web/test.sh

@@ -40,7 +40,7 @@ from .motion import (
 )
 from .phase_plane import Equilibrium, PhasePlane
 from .samples import Samples
-from .tables import CAUSES, CLASSES, IMPACT_CASES, MODES, OUTCOMES, REGIONS, RESTITUTION_LAWS
+from .tables import CAUSES, CLASSES, IMPACT_CASES, MODES, OUTCOMES, PROOFS, REGIONS, RESTITUTION_LAWS
 from .track import Track
 from .trajectory import Trajectory
 from .units import Units
@@ -54,6 +54,7 @@ __all__ = [
     "MODES",
     "OUTCOMES",
     "REGIONS",
+    "PROOFS",
     "RESTITUTION_LAWS",
     "STANDARD_GRAVITY",
     "BouncingOrbit",

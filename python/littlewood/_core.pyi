@@ -30,6 +30,8 @@ __all__ = [
     "OUTCOMES",
     "OUTSIDE",
     "PHASES",
+    "PROOF",
+    "PROOFS",
     "REGIONS",
     "RESTITUTION_LAWS",
     "ROLLING_TYPES",
@@ -49,6 +51,7 @@ __all__ = [
     "bouncing_orbit",
     "cases",
     "check_hoop",
+    "check_proof",
     "check_until",
     "classes",
     "classify",
@@ -90,6 +93,8 @@ DIRECTIONS: list[tuple[int, str]]
 HOOP: list[str]
 IMPACT_CASES: list[tuple[int, str, str]]
 MAX_TRANSITIONS: int
+PROOF: str
+PROOFS: list[str]
 MIN_STARTS_FOR_TABLES: int
 MODES: list[tuple[int, str]]
 OUTCOMES: list[tuple[int, str, str, bool]]
@@ -146,13 +151,16 @@ class PhasePlane:
 def bouncing_orbit(given: _Hoop, angle: float) -> tuple[float, float, float, float, float, list[float]] | None: ...
 def check_hoop(given: _Hoop) -> tuple[float, float, float, str | None]: ...
 def check_until(until: float) -> None: ...
+def check_proof(proof: str) -> None: ...
 def hoop_from_si(
     numbers: _HoopNumbers, law_name: str | None
 ) -> tuple[list[float | None], tuple[float, float, float, float]]: ...
 def start_from_si(scales: _Scales, numbers: _Numbers, until_s: float | None) -> tuple[list[float], float | None]: ...
 def sample_in_si(scales: _Scales, column: str, values: _Reals) -> _Reals: ...
 def derived_units(scales: _Scales) -> tuple[float, float, float, float, float]: ...
-def simulate(given: _Hoop, start_numbers: _Numbers, until: float | None, max_transitions: int) -> Trajectory: ...
+def simulate(
+    given: _Hoop, start_numbers: _Numbers, until: float | None, max_transitions: int, proof: str
+) -> Trajectory: ...
 def classify(given: _Hoop, start_numbers: _Numbers) -> dict[str, Any]: ...
 def summaries(
     columns: list[_Reals | None],
@@ -160,6 +168,7 @@ def summaries(
     count: int,
     until: float | None,
     max_transitions: int,
+    proof: str,
     tables: bool,
     threads: int,
     progress: Callable[[int], object] | None,

@@ -15,20 +15,22 @@ from .tables import AXES
 
 
 class Limits(NamedTuple):
-    """When to stop a motion: at the time `until`, √(R/g), if any; after `max_transitions`."""
+    """When to stop a motion: at the time `until`, √(R/g), if any; after `max_transitions`; by what `proof`."""
 
     until: float | None
     max_transitions: int
+    proof: str
 
     @classmethod
-    def checked(cls, until: float | None, max_transitions: int) -> Limits:
+    def checked(cls, until: float | None, max_transitions: int, proof: str) -> Limits:
         """Refuse limits without meaning, before anything is computed."""
         transitions = operator.index(max_transitions)
         if transitions < 0:
             raise ValueError(f"max_transitions = {transitions} must not be negative")
-        limits = cls(None if until is None else float(until), transitions)
+        limits = cls(None if until is None else float(until), transitions, proof)
         if limits.until is not None:
             _core.check_until(limits.until)
+        _core.check_proof(proof)
         return limits
 
 
@@ -83,6 +85,7 @@ def compute(
         int(np.prod(shape, dtype=np.int64)),
         limits.until,
         limits.max_transitions,
+        limits.proof,
         tables,
         threads,
         progress,

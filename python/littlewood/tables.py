@@ -98,6 +98,12 @@ SUMMARY_COLUMNS: Mapping[str, SummaryColumn] = _frozen(
 MAX_TRANSITIONS: int = _core.MAX_TRANSITIONS
 """Number of transitions after which a motion is stopped by default."""
 
+PROOFS: tuple[str, ...] = tuple(_core.PROOFS)
+"""Names of what may be enough to end a motion."""
+
+PROOF: str = _core.PROOF
+"""What is enough by default."""
+
 MODES: tuple[str, ...] = tuple(name for _, name in _core.MODES)
 """Names of the modes of motion; their places are the codes in arrays. Outside a motion the code is -1."""
 

@@ -52,7 +52,7 @@ class Trajectory:
     ('rolls_forever', 'settle')
     """
 
-    def __init__(self, hoop: Hoop, start: Start, until: float | None, max_transitions: int) -> None:
+    def __init__(self, hoop: Hoop, start: Start, until: float | None, max_transitions: int, proof: str) -> None:
         transitions = operator.index(max_transitions)
         if transitions < 0:
             raise ValueError(f"max_transitions = {transitions} must not be negative")
@@ -60,10 +60,11 @@ class Trajectory:
         self._start = start
         self._until = until
         self._max_transitions = transitions
-        self._core = _core.simulate(hoop._given, start.numbers, until, transitions)
+        self._proof = proof
+        self._core = _core.simulate(hoop._given, start.numbers, until, transitions, proof)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Trajectory, (self._hoop, self._start, self._until, self._max_transitions)
+        return Trajectory, (self._hoop, self._start, self._until, self._max_transitions, self._proof)
 
     @property
     def hoop(self) -> Hoop:

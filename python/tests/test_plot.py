@@ -90,7 +90,7 @@ def test_every_outcome_has_a_class():
     # What has not been computed is not what cannot be computed.
     assert of_outcome["not_computed"] == "not_computed"
     assert of_outcome["invalid"] == "invalid"
-    assert of_outcome["time_limit"] == of_outcome["transition_limit"] == "in_contact_at_limit"
+    assert of_outcome["time_limit"] == of_outcome["transition_limit"] == "in_contact"
     assert of_outcome["inconsistent"] == of_outcome["ambiguous"] == of_outcome["singular"] == "painleve"
     assert of_outcome["particle_at_top"] == "particle_at_top"
     # Every class is met, those of flights by flights.

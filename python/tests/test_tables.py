@@ -14,7 +14,7 @@ from littlewood.many import Quantities
 from littlewood.plot.canvas import axis_label
 
 PACKAGE = Path(lw.__file__).parent
-LIMITS = ["until", "max_transitions"]
+LIMITS = ["until", "max_transitions", "proof"]
 SI_STATE = [tables.SAMPLE_COLUMNS[name].si_name for name in _core.STATE]
 
 
@@ -28,7 +28,7 @@ def arguments(function):
         (lw.Hoop, [*tables.HOOP, "law", "units"]),
         (lw.Hoop.from_si, [*tables.SI_HOOP, "law"]),
         (lw.Hoop.simulate, [*tables.START, *LIMITS]),
-        (lw.Hoop.simulate_si, [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions"]),
+        (lw.Hoop.simulate_si, [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions", "proof"]),
         (lw.State, _core.STATE),
     ],
 )
@@ -47,7 +47,7 @@ def test_a_sweep_takes_the_axes_of_the_table():
 @pytest.mark.parametrize("function", [lw.Hoop, lw.Hoop.from_si, lw.Hoop.simulate, lw.Hoop.simulate_si])
 def test_defaults_are_those_of_the_table(function):
     # What a start in SI units calls `theta_rad` has the name `theta` in the table.
-    ours = {"theta_rad": "theta", **dict.fromkeys(["law", "units", "until", "until_s", "max_transitions"])}
+    ours = {"theta_rad": "theta", **dict.fromkeys(["law", "units", "until", "until_s", "max_transitions", "proof"])}
     for name, one in arguments(function).items():
         row = ours.get(name, name)
         if row is not None:
@@ -114,6 +114,10 @@ def test_details_that_are_documented(hoop):
     for case in lw.CASES.values():
         seen |= set(case.simulate(until=50.0).outcome.details)
     seen |= set(hoop.simulate(theta=1.5, theta_rate=2.0, max_transitions=1).outcome.details)
+    level = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.5)
+    smooth = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.2, mu_k=0.0)
+    for endless, rate in ((level, 2.36), (smooth, 1.2)):
+        seen |= set(endless.simulate(theta=3.0, theta_rate=rate).outcome.details)
     assert len(seen) > 10
     for name in seen:
         assert f"`{name}`" in documented, name

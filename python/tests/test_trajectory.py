@@ -126,6 +126,21 @@ def test_no_motion_is_consistent():
     assert "no motion is consistent" in motion._repr_html_()
 
 
+def test_proofs_that_end_a_motion():
+    hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.5)
+    start = {"theta": 3.0, "theta_rate": 2.36}
+    motion = hoop.simulate(**start)
+    assert (motion.outcome.kind, motion.outcome.is_final) == ("slips_forever", True)
+    assert motion.outcome.details["grazing_energy"] == pytest.approx(4.390439266391853, abs=1e-13)
+    followed = hoop.simulate(**start, proof="none", max_transitions=50)
+    assert (followed.outcome.kind, len(followed.transitions)) == ("transition_limit", 50)
+    known = lw.simulate_many(hoop, theta=3.0, theta_rate=[0.1, 2.36], proof="contact")
+    assert [lw.OUTCOMES[code] for code in known.outcome.values] == ["stays_in_contact", "slips_forever"]
+    assert known.attrs["proof"] == "contact"
+    with pytest.raises(lw.ParameterError, match="no proof named"):
+        lw.simulate_many(hoop, theta=2.5, theta_rate=0.1, proof="")
+
+
 def test_limits(hoop):
     motion = hoop.simulate(theta=math.pi / 2, theta_rate=2.0, until=0.7)
     assert (motion.outcome.kind, motion.outcome.is_final, motion.end_time) == ("time_limit", False, 0.7)
@@ -133,6 +148,8 @@ def test_limits(hoop):
     assert (stopped.outcome.kind, stopped.outcome.details["transitions"]) == ("transition_limit", 1)
     with pytest.raises(ValueError, match="max_transitions = -1 must not be negative"):
         hoop.simulate(theta=0.0, theta_rate=1.0, max_transitions=-1)
+    with pytest.raises(lw.ParameterError, match="no proof named 'perhaps'"):
+        hoop.simulate(theta=0.0, theta_rate=1.0, proof="perhaps")
     with pytest.raises(ValueError, match="count = 1"):
         motion.sample(1)
     with pytest.raises(ValueError, match="until = nan"):

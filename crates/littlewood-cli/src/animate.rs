@@ -1,11 +1,10 @@
 //! `littlewood animate`: a film of a motion.
 
 use std::ffi::OsStr;
-use std::io::{self, IsTerminal as _, Write};
+use std::io::{self, Write};
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use indicatif::{ProgressBar, ProgressStyle};
 use littlewood_film::{
     ApngFilm, Encoder, EnergyBar, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace,
 };
@@ -15,6 +14,7 @@ use crate::error::Error;
 use crate::interrupt;
 use crate::output::Output;
 use crate::problem::Problem;
+use crate::progress::{Bar as Progress, Count};
 use crate::request::Request;
 
 /// Seconds of film for a unit of time, and how many times slower than real a film in SI units is.
@@ -23,8 +23,6 @@ const SLOW_SI: f64 = 10.0;
 
 /// The name of the third film of the paper, and of its case.
 const LIBRATION: [&str; 2] = ["libration", "figure-2-libration"];
-
-const TEMPLATE: &str = "{bar:32} {percent:>3}%  {human_pos} of {human_len} frames  {eta} left";
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
@@ -102,23 +100,14 @@ fn kind_of(out: &Path) -> Result<Kind, Error> {
     }
 }
 
-/// Draws the film with a bar on the standard error, if that is a terminal, until it is finished or Ctrl-C comes.
+/// Draws the film until it is finished or Ctrl-C comes.
 fn play(film: &Film<'_>, encoder: &mut impl Encoder) -> Result<(), FilmError> {
-    let stop = interrupt::listen();
-    let bar = if io::stderr().is_terminal() {
-        ProgressBar::new(film.schedule().frames())
-    } else {
-        ProgressBar::hidden()
-    };
-    if let Ok(style) = ProgressStyle::with_template(TEMPLATE) {
-        bar.set_style(style);
-    }
-    let result = film.play(encoder, |done| {
-        bar.set_position(done);
+    let stop = interrupt::asked();
+    let (bar, total) = (Progress::new(), film.schedule().frames());
+    film.play(encoder, |done| {
+        bar.show("frames", Count { done, total });
         !stop.load(Ordering::Relaxed)
-    });
-    bar.finish_and_clear();
-    result
+    })
 }
 
 fn write(output: Output, body: impl FnOnce(&mut dyn Write) -> Result<(), FilmError>) -> Result<(), Error> {

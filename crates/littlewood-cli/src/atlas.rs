@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::interrupt;
 use crate::list;
 use crate::output::Output;
-use crate::progress::Bar;
+use crate::progress::{Bar, Count};
 use crate::report::atlas::{self, OfHoop, Page};
 use crate::values::Given;
 use crate::work::{self, Varied};
@@ -52,15 +52,16 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     }
 
     let workers = work::workers(&args.work)?;
-    let cancel = interrupt::listen();
+    let cancel = interrupt::asked();
     let bar = Bar::new();
     let total: u64 = grids.iter().map(|(_, grid)| grid.len()).sum();
     let mut whole = Atlas::default();
     let mut of_hoops = Vec::new();
     for (line, grid) in &grids {
         let before = whole.points;
-        let show =
-            |progress: Progress| bar.show(Progress { done: before + progress.done, total, ..progress });
+        let show = |progress: Progress| {
+            bar.show(work::STARTS, Count { done: before + progress.followed, total });
+        };
         let options = work::options(&args.work, false, cancel, &show);
         let atlas = follow(grid, args.first_turn, base.limits, &workers, &options)?;
         whole.absorb(atlas.clone());

@@ -13,7 +13,9 @@ use crate::error::Error;
 use crate::nearest;
 use crate::output::Output;
 use crate::problem::Problem;
+use crate::progress::{Bar, Count};
 use crate::request::Request;
+use crate::work::STARTS;
 
 /// Runs the command.
 ///
@@ -31,8 +33,12 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     // All is drawn before anything is written: a figure that cannot be made leaves no others behind.
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     let mut left_out: Vec<(&FigureEntry, FigureError)> = Vec::new();
-    for entry in entries {
-        match entry.figure(&subject(args, entry)?) {
+    let bar = Bar::new();
+    let total = entries.len() as u64;
+    for (done, entry) in (0..).zip(entries) {
+        bar.show("figures", Count { done, total });
+        let mut watch = |done, total| bar.show(STARTS, Count { done, total });
+        match entry.figure_with(&subject(args, entry)?, &mut watch) {
             Ok(figure) => {
                 for format in &args.format {
                     files.push((
@@ -46,6 +52,7 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
             Err(error) => return Err(Error::of_figure(error)),
         }
     }
+    drop(bar);
     if files.is_empty()
         && let Some((_, error)) = left_out.pop()
     {

@@ -1,17 +1,55 @@
-//! Ctrl-C: the first asks the work to stop where it can be resumed, the second stops it at once.
+//! Ctrl-C and SIGTERM: the program ends within a second or two, and leaves no unfinished files.
+//!
+//! Work that looks at the flag of [`asked`] ends by itself, keeps what is finished and says so. All other work is ended
+//! at once, and so is work that does not get to the flag in time, or a program that is asked twice.
 
+use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use crate::error::Error;
+use crate::progress;
+use crate::unfinished;
+
+/// Exit code of a program that was asked to end, by whatever signal: that of Ctrl-C, 128 + SIGINT.
+pub(crate) const STOPPED: u8 = 130;
+
+/// How long work has to get to the flag, and to write what is finished.
+const PATIENCE: Duration = Duration::from_millis(1500);
 
 static ASKED: AtomicBool = AtomicBool::new(false);
+static LOOKS: AtomicBool = AtomicBool::new(false);
 
-/// Listens for Ctrl-C. The flag becomes true when it comes.
-pub(crate) fn listen() -> &'static AtomicBool {
-    // Without a handler, which the system has no reason to refuse, Ctrl-C ends the program as ever; finished chunks
+/// Listens for the signals that ask the program to end.
+pub(crate) fn install() {
+    // Without a handler, which the system has no reason to refuse, a signal ends the program as ever; finished chunks
     // stay.
     let _ = ctrlc::set_handler(|| {
-        if ASKED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+        let is_second = ASKED.swap(true, Ordering::Relaxed);
+        if is_second || !LOOKS.load(Ordering::Relaxed) {
+            end();
+        }
+        let waiter = thread::Builder::new().spawn(|| {
+            thread::sleep(PATIENCE);
+            end();
+        });
+        if waiter.is_err() {
+            end();
         }
     });
+}
+
+/// The flag that becomes true with the signal, for work that looks at it from here on.
+pub(crate) fn asked() -> &'static AtomicBool {
+    LOOKS.store(true, Ordering::Relaxed);
     &ASKED
+}
+
+fn end() -> ! {
+    // Held to the end: nothing is begun or put in its place any more.
+    let _held = unfinished::remove_all();
+    progress::clear();
+    Error::Stopped.print();
+    process::exit(STOPPED.into())
 }

@@ -22,6 +22,7 @@ mod scenario;
 mod simulate;
 mod store;
 mod sweep;
+mod unfinished;
 mod values;
 mod work;
 
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
             return if message.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
         }
     };
+    interrupt::install();
     let result = match cli.command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Classify(args) => classify::run(&args),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use littlewood::SummaryColumn;
-use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Shade, sweep_grid};
+use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Progress, Shade, sweep_grid};
 
 use crate::args::MapArgs;
 use crate::error::Error;
@@ -40,9 +40,9 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let mut picture = Picture::new(&grid, limits, shade, size)?;
     let files = drawn.iter().map(|path| Output::open(Some(path))).collect::<Result<Vec<_>, Error>>()?;
     let workers = work::workers(&args.work)?;
-    let cancel = interrupt::listen();
+    let cancel = interrupt::asked();
     let bar = Bar::new();
-    let show = |progress| bar.show(progress);
+    let show = |progress: Progress| bar.show(work::STARTS, work::count(progress));
     let options = work::options(&args.work, args.store.resume, cancel, &show);
     let began = Instant::now();
     let report = if drawn.is_empty() {

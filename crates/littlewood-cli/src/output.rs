@@ -4,9 +4,8 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
-
 use crate::error::Error;
+use crate::unfinished::Temporary;
 
 /// An output that is open for writing.
 #[derive(Debug)]
@@ -16,7 +15,7 @@ pub(crate) enum Output {
     /// A regular file, written under another name in the same folder.
     File {
         /// The file that is written.
-        temporary: NamedTempFile,
+        temporary: Temporary,
         /// The name that it gets.
         path: PathBuf,
     },
@@ -58,9 +57,9 @@ impl Output {
             Self::Stdout => (fill(io::stdout().lock(), body), "the standard output".to_owned(), false),
             Self::Device { file, path } => (fill(file, body), path.display().to_string(), false),
             Self::File { mut temporary, path } => {
-                let result = fill(temporary.as_file_mut(), body)
-                    .and_then(|()| temporary.as_file().sync_all())
-                    .and_then(|()| temporary.persist(&path).map(drop).map_err(io::Error::from));
+                let result = fill(temporary.file(), body)
+                    .and_then(|()| temporary.file().sync_all())
+                    .and_then(|()| temporary.persist(&path));
                 (result, path.display().to_string(), true)
             }
         };
@@ -112,8 +111,7 @@ fn open_file(path: &Path) -> io::Result<Output> {
     };
     #[cfg(unix)]
     builder.permissions(permissions);
-    let temporary = builder.tempfile_in(folder).map_err(without_path)?;
-    Ok(Output::File { temporary, path })
+    Ok(Output::File { temporary: Temporary::new(&builder, folder).map_err(without_path)?, path })
 }
 
 /// The message of the system alone: it leaves out the name of the temporary file.

@@ -54,7 +54,7 @@ impl Problem {
     /// # Errors
     /// An unknown case, a missing value, a value out of bounds, or a mixture of units.
     pub(crate) fn resolve(request: Request) -> Result<Self, Error> {
-        let Request { case, scenario, flags, law, si, max_transitions, overrides } = request;
+        let Request { case, scenario, flags, law, si, max_transitions, proof, overrides } = request;
         let case = find(case.as_deref(), scenario.as_ref())?;
         let mut values = case.map(|case| Values::of_case(&case.setup)).unwrap_or_default();
         if let Some(scenario) = &scenario {
@@ -69,6 +69,7 @@ impl Problem {
         values.cover(overrides.given);
 
         let max_transitions = max_transitions.or(scenario.as_ref().and_then(Scenario::max_transitions));
+        let proof = proof.or(scenario.as_ref().and_then(Scenario::proof)).unwrap_or(Limits::default().proof);
         let is_si = overrides.si || si || values.any_si() || scenario.as_ref().is_some_and(Scenario::is_si);
         let of_case = || case.and_then(|case| case.setup.hoop.restitution_law);
         let law = law
@@ -81,7 +82,7 @@ impl Problem {
         let transitions = max_transitions
             .and_then(|count| usize::try_from(count).ok())
             .unwrap_or(Limits::default().transitions);
-        let limits = Limits::default().with_until(until).with_transitions(transitions);
+        let limits = Limits::default().with_until(until).with_transitions(transitions).with_proof(proof);
         let changes = case.map(|case| inputs.changes(&case.setup)).unwrap_or_default();
         Ok(Self { case, changes, hoop, start, limits, units, inputs })
     }

@@ -1,6 +1,6 @@
 //! What was asked for on the command line and in a scenario file, before it is put together.
 
-use littlewood::RestitutionLaw;
+use littlewood::{Proof, RestitutionLaw};
 
 use crate::args::{ProblemArgs, RunArgs};
 use crate::error::Error;
@@ -22,6 +22,8 @@ pub(crate) struct Request {
     pub(crate) si: bool,
     /// Largest number of transitions, by a flag.
     pub(crate) max_transitions: Option<u64>,
+    /// The proofs that end a motion, by a flag.
+    pub(crate) proof: Option<Proof>,
     /// What a sweep sets itself.
     pub(crate) overrides: Overrides,
 }
@@ -52,6 +54,7 @@ impl Request {
             law: problem.setup.law,
             si: problem.setup.si,
             max_transitions: run.and_then(|run| run.max_transitions),
+            proof: run.and_then(|run| run.proof),
             overrides: Overrides::default(),
         })
     }

@@ -6,10 +6,11 @@ use std::borrow::Cow;
 use std::fs;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 use std::sync::Arc;
 
 use clap::ValueEnum;
-use littlewood::{Group, Quantity, RestitutionLaw};
+use littlewood::{Group, Proof, Quantity, RestitutionLaw};
 use littlewood_report::RESTITUTION_LAW;
 use miette::NamedSource;
 use toml::Spanned;
@@ -35,6 +36,7 @@ pub(crate) struct Scenario {
 #[derive(Debug, Default)]
 struct Run {
     max_transitions: Option<u64>,
+    proof: Option<Proof>,
     samples: Option<u64>,
     format: Option<Format>,
     out: Option<PathBuf>,
@@ -115,6 +117,11 @@ impl Scenario {
         self.run.max_transitions
     }
 
+    /// The proofs that end a motion.
+    pub(crate) const fn proof(&self) -> Option<Proof> {
+        self.run.proof
+    }
+
     /// Number of samples.
     pub(crate) const fn samples(&self) -> Option<u64> {
         self.run.samples
@@ -144,10 +151,10 @@ impl Scenario {
 
 impl Run {
     /// The keys of `[run]` that are no quantities.
-    const KEYS: [&'static str; 4] = ["max_transitions", "samples", "format", "out"];
+    const KEYS: [&'static str; 5] = ["max_transitions", "proof", "samples", "format", "out"];
 
     fn read(section: &Section<'_>) -> Result<Self, Error> {
-        let [max_transitions, samples, format, out] = Self::KEYS;
+        let [max_transitions, proof, samples, format, out] = Self::KEYS;
         let text = |key| section.find(key).map(|(_, value)| section.text(key, value)).transpose();
         let format = match (section.find(format), text(format)?) {
             (Some((_, value)), Some(name)) => Some(read_format(section, name, value.span())?),
@@ -155,6 +162,7 @@ impl Run {
         };
         Ok(Self {
             max_transitions: section.count(max_transitions, MAX_TRANSITIONS)?,
+            proof: section.word(proof, "proof", &Proof::NAMES)?.map(|(proof, _)| proof),
             samples: section.count(samples, SAMPLES)?,
             format,
             out: text(out)?.map(PathBuf::from),
@@ -257,15 +265,26 @@ impl<'a> Section<'a> {
 
     /// The law of restitution.
     fn law(&self) -> Result<Option<GivenLaw>, Error> {
-        let Some((_, value)) = self.find(RESTITUTION_LAW) else { return Ok(None) };
-        let name = self.text(RESTITUTION_LAW, value)?;
+        let law = self.word(RESTITUTION_LAW, "law of restitution", &RestitutionLaw::NAMES)?;
+        Ok(law.map(|(law, span)| GivenLaw { law, origin: Origin::File(span) }))
+    }
+
+    /// A word of a table, with its place, if it is there.
+    fn word<T: FromStr>(
+        &self,
+        key: &str,
+        noun: &str,
+        names: &[&'static str],
+    ) -> Result<Option<(T, Range<usize>)>, Error> {
+        let Some((_, value)) = self.find(key) else { return Ok(None) };
+        let name = self.text(key, value)?;
         let span = value.span();
-        let law = name.parse().map_err(|_| {
-            let message = format!("there is no law of restitution '{name}'");
-            let all = format!("the laws are {}", RestitutionLaw::NAMES.join(", "));
-            self.source.complain(message, nearest::hint(name, RestitutionLaw::NAMES, &all), span.clone())
+        let word = name.parse().map_err(|_| {
+            let message = format!("there is no {noun} '{name}'");
+            let all = format!("there are {}", names.join(", "));
+            self.source.complain(message, nearest::hint(name, names.iter().copied(), &all), span.clone())
         })?;
-        Ok(Some(GivenLaw { law, origin: Origin::File(span) }))
+        Ok(Some((word, span)))
     }
 
     fn number(&self, key: &str, value: &Spanned<DeValue<'_>>) -> Result<f64, Error> {

@@ -3,7 +3,9 @@
 use std::path::Path;
 use std::time::Instant;
 
-use littlewood_sweep::{Options, Report, StartList, SweepError, Target, Workers, sweep_grid, sweep_list};
+use littlewood_sweep::{
+    Options, Progress, Report, StartList, SweepError, Target, Workers, sweep_grid, sweep_list,
+};
 
 use crate::args::SweepArgs;
 use crate::error::Error;
@@ -52,9 +54,9 @@ fn follow(
 ) -> Result<(), Error> {
     let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, starts)).collect();
     let workers = work::workers(&args.work)?;
-    let cancel = interrupt::listen();
+    let cancel = interrupt::asked();
     let bar = Bar::new();
-    let show = |progress| bar.show(progress);
+    let show = |progress: Progress| bar.show(work::STARTS, work::count(progress));
     let options = work::options(&args.work, args.store.resume, cancel, &show);
     let began = Instant::now();
     let report = sweep(&targets, &workers, &options)?;

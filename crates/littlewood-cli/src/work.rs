@@ -10,7 +10,9 @@ use crate::args::{ProblemArgs, RunArgs, WorkArgs};
 use crate::axis::TypedAxis;
 use crate::error::Error;
 use crate::problem::Problem;
+use crate::progress::Count;
 use crate::request::{Overrides, Request};
+use crate::unfinished::ListedDisk;
 use crate::values::Given;
 
 /// A setup whose numbers go with all values of any one of them, for what an axis or a list puts its own value in place
@@ -110,8 +112,16 @@ pub(crate) fn options<'a>(
         chunk_points: args.chunk,
         cancel: Some(cancel),
         progress: Some(progress),
-        ..Options::default()
+        disk: &ListedDisk,
     }
+}
+
+/// What a bar counts.
+pub(crate) const STARTS: &str = "starts";
+
+/// How far a run is; what an earlier run has done is there before it.
+pub(crate) const fn count(progress: Progress) -> Count {
+    Count { done: progress.followed, total: progress.total }
 }
 
 /// Files of a run that can be read, and resumed if it is not complete.

@@ -8,6 +8,7 @@ use std::fs;
 use std::os::unix::process::ExitStatusExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
+use std::sync::Mutex;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -134,7 +135,8 @@ fn a_picture_that_is_not_complete_does_not_replace_one() {
     let png = folder.path().join("map.png");
     fs::write(&png, "an older picture").expect("written");
     // So many starts that it cannot be over before the signal.
-    let axes = ["map", "figure-3", "--x", "theta=-pi:pi:20000", "--y", "theta_rate=-4:4:20000", "--out"];
+    let axes = ["map", "figure-3", "--x", "theta=-pi:pi:20000", "--y", "theta_rate=-4:4:20000"];
+    let axes = [&axes[..], &["--chunk=2000", "--out"]].concat();
     let child = littlewood(&axes).arg(&png).spawn().expect("it runs");
     // The new picture is begun beside the old one before the work begins.
     wait_until(|| fs::read_dir(folder.path()).expect("a folder").count() > 1);
@@ -277,29 +279,129 @@ fn a_place_where_nothing_can_be_written_is_named() {
     }
 }
 
+/// Work that would take minutes, and what it leaves in its folder when it is ended.
+const LONG: [(&str, &str, &[&str]); 5] = [
+    ("simulate", "figure-3 --samples 10000000 --format csv --out OUT/motion.csv", &[]),
+    ("figures", "--scale 16 --format png --out OUT", &[]),
+    ("animate", "figure-3 --size 4096x4096 --out OUT/film.gif", &[]),
+    ("atlas", "figure-3 --axis theta=-3:3:9000 --axis theta_rate=-4:4:9000 --chunk 1000000 --threads 1", &[]),
+    (
+        "map",
+        "figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1 --out OUT/a.zarr \
+         --out OUT/a.parquet --out OUT/a.png",
+        &["a.parquet.parts", "a.zarr"],
+    ),
+];
+
+/// How long a program may take to end: two seconds, and what a machine with other work adds.
+const SOON: Duration = Duration::from_secs(6);
+
+/// Tests that keep a core busy for seconds wait for one another: the others watch the clock, too.
+static BUSY: Mutex<()> = Mutex::new(());
+
+#[test]
+fn every_command_ends_soon_with_either_signal_and_leaves_nothing_unfinished() {
+    let _alone = BUSY.lock();
+    for (n, (command, words, left)) in LONG.into_iter().enumerate() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let words = words.replace("OUT", folder.path().to_str().expect("a path"));
+        let words: Vec<&str> = [command].into_iter().chain(words.split_whitespace()).collect();
+        let mut child = littlewood(&words).spawn().expect("it runs");
+        sleep(Duration::from_millis(700));
+        assert!(child.try_wait().expect("a state").is_none(), "{command} is over before the signal");
+        let begun = Instant::now();
+        signal(&child, if n % 2 == 0 { "-TERM" } else { "-INT" });
+        let output = child.wait_with_output().expect("it ends");
+        let took = begun.elapsed();
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(130), "{command}: {message}");
+        assert!(took < SOON, "{command} took {took:?}");
+        assert!(message.contains("stopped") && message.contains("hint:"), "{command}: {message}");
+        assert_eq!(names(folder.path()), left, "{command}");
+        assert!(!tree(folder.path()).keys().any(|name| name.ends_with("unfinished")), "{command}");
+    }
+}
+
+/// The names in a folder, in their order.
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn work_that_does_not_look_is_ended_all_the_same() {
+    // A reader that does not read: the program waits for it for ever.
+    for (signals, soonest) in [(1, 1400), (2, 0)] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let pipe = folder.path().join("pipe.png");
+        assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo runs").success());
+        // More than a pipe holds.
+        let plane =
+            "map figure-3 --x theta=-3:3:300 --y theta_rate=-4:4:300 --shade lift_off_time --size 2000x2000";
+        let mut child = littlewood(&plane.split_whitespace().collect::<Vec<_>>())
+            .arg("--out")
+            .arg(&pipe)
+            .spawn()
+            .expect("it runs");
+        let reader = fs::File::open(&pipe).expect("a pipe");
+        sleep(Duration::from_millis(700));
+        assert!(child.try_wait().expect("a state").is_none());
+        let begun = Instant::now();
+        for _ in 0..signals {
+            signal(&child, "-TERM");
+            sleep(Duration::from_millis(50));
+        }
+        let output = child.wait_with_output().expect("it ends");
+        let took = begun.elapsed();
+        drop(reader);
+        assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+        assert!(text(&output.stderr).contains("stopped"), "{}", text(&output.stderr));
+        assert!(Duration::from_millis(soonest) < took && took < SOON, "{signals}: {took:?}");
+    }
+}
+
+/// Runs the program on a terminal of its own, until Ctrl-C comes after some seconds.
+#[cfg(target_os = "linux")]
+fn on_a_terminal(seconds: &str, words: &str) -> String {
+    let program = env!("CARGO_BIN_EXE_littlewood");
+    let command = format!("stty cols 120; timeout --foreground -s INT {seconds} {program} {words}");
+    let mut script = Command::new("script");
+    let script = script.args(["-qec", &command, "/dev/null"]).env("TERM", "xterm").stdin(Stdio::null());
+    text(&script.output().expect("it runs").stdout)
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn progress_is_shown_on_a_terminal() {
+    let _alone = BUSY.lock();
     let folder = tempfile::tempdir().expect("a folder");
-    let out = folder.path().join("a.zarr");
-    let command = format!(
-        "stty cols 120; {} map {} --out {}",
-        env!("CARGO_BIN_EXE_littlewood"),
-        PLANE.join(" "),
-        out.display()
-    );
-    let output = Command::new("script")
-        .args(["-qec", &command, "/dev/null"])
-        .env("TERM", "xterm")
-        .stdin(Stdio::null())
-        .output()
-        .expect("it runs");
-    assert!(output.status.success(), "{}", text(&output.stdout));
-    let shown = text(&output.stdout);
-    for word in ["%", "of 360,000 starts", "/s", " left", "Written"] {
-        assert!(shown.contains(word), "no {word:?} in {shown}");
+    let path = folder.path().to_str().expect("a path");
+    // Motions of a second and more, told of before the first of them is in a finished chunk.
+    let plane = "map figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1";
+    for (words, unit) in [
+        (format!("{plane} --out {path}/a.png"), "of 16,000,000 starts"),
+        (format!("figures --scale 16 --format png --out {path}"), "of 18 figures"),
+        (format!("animate figure-3 --size 4096x4096 --out {path}/film.gif"), "frames"),
+    ] {
+        let shown = on_a_terminal("3", &words);
+        for word in ["%", unit, "/s", " left", "stopped"] {
+            assert!(shown.contains(word), "no {word:?} in {shown}");
+        }
     }
-    // Into a pipe nothing but the result is written.
-    fs::remove_dir_all(&out).expect("removed");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn short_work_and_pipes_have_no_bar() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().to_str().expect("a path");
+    let plane = "map figure-3 --x theta=-3:3:40 --y theta_rate=-4:4:40 --out";
+    let shown = on_a_terminal("60", &format!("{plane} {path}/a.zarr"));
+    assert!(shown.contains("Written") && !shown.contains(" left"), "{shown}");
+    // Into a pipe nothing but the result is written, however long it takes.
+    let out = folder.path().join("b.zarr");
     assert_eq!(text(&succeed(&mut map(&[&out], &[])).stderr), "");
 }

@@ -37,7 +37,7 @@ fn the_plane_of_figure_2_has_the_known_counts() {
     let count = |name: &str| counts.get(name).map_or(0, |count| count.as_u64().expect("a count"));
     assert_eq!(count("leaves_at_once"), 9_784);
     assert_eq!(count("lifts_off_later"), 12_690);
-    let contact = ["rolls_forever", "slides_forever", "in_contact_at_limit"];
+    let contact = ["rolls_forever", "repeats_forever", "slips_forever", "in_contact"];
     assert_eq!(contact.map(count).iter().sum::<u64>(), 17_526);
     assert_eq!(number(&found["points"]), 40_000.0);
     assert_eq!(found["complete"], true);

@@ -246,6 +246,9 @@ fn other_mistakes_in_a_scenario_are_shown_too() {
     assert!(message.contains("samples = 1 is not between 2 and 10000000"), "{message}");
     let message = refused("case = \"figure-3\"\n[run]\nmax_transitions = 0\n");
     assert!(message.contains("max_transitions = 0"), "{message}");
+    let message = refused("case = \"figure-3\"\n[run]\nproof = \"endles\"\n");
+    assert!(message.contains("there is no proof 'endles'") && message.contains("endless"), "{message}");
+    assert!(message.contains("hoop.toml:3:9"), "{message}");
     let message = refused("[hoop]\nmass_ratio = 1\n");
     assert!(message.contains("missing: offset, inertia"), "{message}");
 }

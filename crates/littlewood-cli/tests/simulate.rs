@@ -5,7 +5,9 @@ mod support;
 use littlewood::{CASES, Cause, Mode, Phase};
 use predicates::prelude::*;
 use serde_json::Value;
-use support::{FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, json, littlewood, number, text};
+use support::{
+    FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, json, littlewood, number, text,
+};
 
 const STATE: [&str; 5] = ["time", "theta", "theta_rate", "slip", "x"];
 
@@ -294,6 +296,44 @@ fn limits_stop_the_motion_where_they_say() {
     assert_eq!(document["outcome"]["kind"], "transition_limit");
     assert_eq!(document["outcome"]["transitions"], 2);
     assert_close(number(&document["outcome"]["time"]), FIGURE_3_EVENTS[1][0], 1e-12);
+}
+
+/// Figure 2's hoop with one coefficient of friction, from a start that rotates.
+const ONE_COEFFICIENT: [&str; 10] =
+    ["simulate", "figure-3", "--mu-s", "0.5", "--mu-k", "0.5", "--theta", "3", "--theta-rate", "2.36"];
+
+#[test]
+fn a_motion_that_slips_for_ever_ends_by_a_proof_and_says_towards_what() {
+    let document = json(&ONE_COEFFICIENT);
+    let outcome = &document["outcome"];
+    assert_eq!(outcome["kind"], "slips_forever");
+    // reference/grazing.json
+    assert_close(number(&outcome["grazing_energy"]), 4.390_439_266_391_853, 1e-13);
+    assert_close(number(&outcome["grazing_theta"]), 1.628_570_503_598_365, 1e-12);
+    assert_eq!(outcome["recurrence"], "rotation");
+    let table = text(&ONE_COEFFICIENT);
+    assert!(
+        table.contains("slips for ever") && table.contains("grazes static friction at θ = ±1.62"),
+        "{table}"
+    );
+}
+
+#[test]
+fn the_proofs_that_end_a_motion_can_be_chosen() {
+    let with = |proof: &'static str| {
+        json(&[&ONE_COEFFICIENT[..], &["--proof", proof, "--max-transitions", "60"]].concat())
+    };
+    assert_eq!(with("none")["outcome"]["kind"], "transition_limit");
+    assert_eq!(with("endless")["outcome"]["kind"], "slips_forever");
+    let slow = ["simulate", "figure-3", "--theta", "2.5", "--theta-rate", "0.1"];
+    let known = json(&[&slow[..], &["--proof", "contact"]].concat());
+    assert_eq!(
+        (&known["outcome"]["kind"], &known["outcome"]["time"]),
+        (&"stays_in_contact".into(), &0.0.into())
+    );
+    assert_eq!(json(&slow)["outcome"]["kind"], "rolls_forever");
+    let message = complaint(&["simulate", "figure-3", "--proof", "perhaps"], 2);
+    assert!(message.contains("perhaps") && message.contains("contact"), "{message}");
 }
 
 #[test]

@@ -15,7 +15,18 @@ pub struct FigureEntry {
     pub title: &'static str,
     /// The named case that it is made of unless another hoop or start is asked for.
     pub case: &'static str,
-    make: fn(&FigureInput) -> Result<Figure, FigureError>,
+    make: Make,
+}
+
+/// Is told how many of how many starts have been followed for a figure.
+pub type Watch<'a> = dyn FnMut(u64, u64) + 'a;
+
+#[derive(Clone, Copy, Debug)]
+enum Make {
+    /// From one motion, or from none.
+    Soon(fn(&FigureInput) -> Result<Figure, FigureError>),
+    /// From many motions, which can take long.
+    OfStarts(fn(&FigureInput, &mut Watch<'_>) -> Result<Figure, FigureError>),
 }
 
 impl FigureEntry {
@@ -24,7 +35,18 @@ impl FigureEntry {
     /// # Errors
     /// A hoop that the figure cannot show, or a start that is out of bounds.
     pub fn figure(&self, input: &FigureInput) -> Result<Figure, FigureError> {
-        (self.make)(input)
+        self.figure_with(input, &mut |_, _| {})
+    }
+
+    /// As [`FigureEntry::figure`]; of a figure that takes many motions `watch` is told how far it is.
+    ///
+    /// # Errors
+    /// As [`FigureEntry::figure`].
+    pub fn figure_with(&self, input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
+        match self.make {
+            Make::Soon(make) => make(input),
+            Make::OfStarts(make) => make(input, watch),
+        }
     }
 
     /// The figure as the paper has it.
@@ -42,7 +64,7 @@ const fn entry(
     case: &'static str,
     make: fn(&FigureInput) -> Result<Figure, FigureError>,
 ) -> FigureEntry {
-    FigureEntry { name, title, case, make }
+    FigureEntry { name, title, case, make: Make::Soon(make) }
 }
 
 /// All figures, in the order of the paper, then those that it does not have.
@@ -84,7 +106,12 @@ pub const FIGURES: &[FigureEntry] = &[
     entry("friction-demand", "friction that rolling demands along orbits", "figure-3", paper::demand::figure),
     entry("impact", "an impact in the plane of impulses", "figure-3-bounces", paper::impact::figure),
     entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", paper::bounces::figure),
-    entry("outcomes", "what becomes of the starts of the plane", "figure-3", paper::outcomes::figure),
+    FigureEntry {
+        name: "outcomes",
+        title: "what becomes of the starts of the plane",
+        case: "figure-3",
+        make: Make::OfStarts(paper::outcomes::figure),
+    },
 ];
 
 /// Pixels of the pictures of the gallery to one of the drawing.

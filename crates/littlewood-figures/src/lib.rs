@@ -48,7 +48,7 @@ mod style;
 mod trace;
 mod words;
 
-pub use catalogue::{FIGURES, FigureEntry, GALLERY_SCALE, find_figure, gallery_page};
+pub use catalogue::{FIGURES, FigureEntry, GALLERY_SCALE, Watch, find_figure, gallery_page};
 pub use draw::{LEAST_SCALE, MOST_SCALE, markdown, plain};
 pub use error::FigureError;
 pub use figure::{Anchor, Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Series, View};

@@ -194,7 +194,7 @@ fn a_hoop_in_the_air_at_the_time_limit_has_lifted_off() {
     let input = FigureInput::of_case("figure-3").expect("a case");
     let figure = outcomes("figure-3", Some(until));
     assert!(plain(&figure.caption).contains("followed to τ = 2:"));
-    assert!(classes(&figure).contains(&Class::InContactAtLimit));
+    assert!(classes(&figure).contains(&Class::InContact));
     let mut in_the_air = 0;
     for class in classes(&figure) {
         let rows: Vec<[f64; 2]> =

@@ -8,16 +8,21 @@ use crate::colour::{self, INK, PAPER, SOFT};
 use crate::letters::Style;
 use crate::scene::Scene;
 
-/// The plane with a mark at every radius.
+/// Closest that marks stand, in units of lettering.
+const CLOSEST: f64 = 2.0;
+
+/// The plane with a mark at every radius, or at so many radii that marks can be told apart.
 pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64) {
     let (_, y) = view.place(Position { x: 0.0, y: 0.0 });
     canvas.rectangle((0.0, y), width, GROUND * unit, colour::GROUND);
     canvas.rectangle((0.0, y), width, (1.4 * unit).max(1.0), INK);
     let style = Style { size: 9.5 * unit, is_bold: false, anchor: 0.5 };
-    let each = label_step(view.scale, unit);
-    let (first, last) = (libm::ceil(view.x_at(0.0)), libm::floor(view.x_at(width)));
-    let mut x = first;
-    while x <= last {
+    let (each, between) = steps(view.scale, unit);
+    let [first, last] = [view.x_at(0.0), view.x_at(width)].map(|x| x / between);
+    let marks = (libm::floor(last) - libm::ceil(first)).min(width / (CLOSEST * unit));
+    let mut mark = 0.0;
+    while mark <= marks {
+        let x = (libm::ceil(first) + mark) * between;
         let (place, _) = view.place(Position { x, y: 0.0 });
         let is_labelled = libm::fmod(x, each) == 0.0;
         let length = if is_labelled { 5.0 } else { 3.0 } * unit;
@@ -26,7 +31,7 @@ pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64
             let words = format!("{}", x as i64).replace('-', "−");
             canvas.words(&words, (place, y + (GROUND - 3.5) * unit), style, SOFT);
         }
-        x += 1.0;
+        mark += 1.0;
     }
     let end = Style { anchor: 1.0, ..style };
     let place = (width - 4.0 * unit, y + (GROUND - 3.5) * unit);
@@ -34,16 +39,19 @@ pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64
     canvas.words(&title, place, end, SOFT);
 }
 
-/// Every how many radii there is room for a number.
-fn label_step(scale: f64, unit: f64) -> f64 {
-    let mut each = 1.0;
-    for factor in [2.0, 2.5, 2.0].into_iter().cycle() {
-        if each * scale >= 30.0 * unit || each > 1e6 {
+/// Every how many radii there is room for a number, and for a mark.
+fn steps(scale: f64, unit: f64) -> (f64, f64) {
+    let (mut each, mut parts) = (1.0, 1.0);
+    // One, two, five, ten; marks divide the step of the numbers into fives or halves.
+    for (factor, finer) in [(2.0, 2.0), (2.5, 5.0), (2.0, 2.0)].into_iter().cycle() {
+        let is_close = each * scale < 30.0 * unit;
+        if !is_close {
             break;
         }
         each *= factor;
+        parts = finer;
     }
-    each
+    (each, if scale >= CLOSEST * unit { 1.0 } else { each / parts })
 }
 
 /// The point of contact, or the lowest point of the rim over the plane and the gap between them.

@@ -1,6 +1,6 @@
 //! Parameters without physical meaning, as a Python exception.
 
-use littlewood::{ParameterError as Refusal, RestitutionLaw, UnknownName};
+use littlewood::{ParameterError as Refusal, Proof, RestitutionLaw, UnknownName};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -20,6 +20,12 @@ pub(crate) fn refuse(py: Python<'_>, error: &Refusal, index: Option<usize>) -> P
 pub(crate) fn unknown_law(py: Python<'_>, error: &UnknownName) -> PyErr {
     let hint = format!("leave it out for the {} law", RestitutionLaw::default());
     exception(py, error.to_string(), "law", &hint, None)
+}
+
+/// The exception of a proof that there is not.
+pub(crate) fn unknown_proof(py: Python<'_>, error: &UnknownName) -> PyErr {
+    let hint = format!("leave it out for '{}'", Proof::default());
+    exception(py, error.to_string(), "proof", &hint, None)
 }
 
 fn exception(py: Python<'_>, message: String, quantity: &str, hint: &str, index: Option<usize>) -> PyErr {

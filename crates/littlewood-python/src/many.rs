@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 
 use crate::error::refuse;
-use crate::record::{LawName, law, setup};
+use crate::record::{LawName, law, limits, setup};
 use crate::waiting::{self, Cancelled, Signals};
 
 /// Starts of a task: short enough to share the work evenly, long enough to pay for the task.
@@ -211,6 +211,7 @@ fn summaries<'py>(
     count: usize,
     until: Option<f64>,
     max_transitions: usize,
+    proof: &str,
     tables: bool,
     threads: usize,
     progress: Option<Py<PyAny>>,
@@ -221,7 +222,7 @@ fn summaries<'py>(
         return Err(PyRuntimeError::new_err("columns of unequal length"));
     }
     let points = Points { columns, law: law(py, &law_name)?, count };
-    let limits = Limits::default().with_until(until).with_transitions(max_transitions);
+    let limits = limits(py, until, max_transitions, proof)?;
     let result =
         waiting::run(py, threads, progress.as_ref(), |signals| compute(&points, limits, tables, signals))?;
     match result {

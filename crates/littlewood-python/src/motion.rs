@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::refuse;
-use crate::record::{GivenHoop, StartNumbers, StateNumbers, hoop, start, start_numbers};
+use crate::record::{GivenHoop, StartNumbers, StateNumbers, hoop, limits, start, start_numbers};
 use crate::samples::Samples;
 
 /// Checks the parameters of a hoop; returns its mass m, h, its moment of inertia about the mass centre, and its law of
@@ -32,6 +32,12 @@ fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
         .map_err(|error| refuse(py, &error, None))
 }
 
+/// Refuses the name of a proof that there is not.
+#[pyfunction]
+fn check_proof(py: Python<'_>, proof: &str) -> PyResult<()> {
+    limits(py, None, 0, proof).map(drop)
+}
+
 /// A simulated motion.
 #[pyclass(frozen, module = "littlewood._core")]
 struct Trajectory(Core);
@@ -44,9 +50,10 @@ fn simulate(
     start_numbers: StartNumbers,
     until: Option<f64>,
     max_transitions: usize,
+    proof: &str,
 ) -> PyResult<Trajectory> {
     let hoop = hoop(py, &given)?;
-    let limits = Limits::default().with_until(until).with_transitions(max_transitions);
+    let limits = limits(py, until, max_transitions, proof)?;
     let motion = py.detach(|| hoop.simulate(start(start_numbers), limits));
     motion.map(Trajectory).map_err(|error| refuse(py, &error, None))
 }
@@ -274,6 +281,7 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Trajectory>()?;
     module.add_function(wrap_pyfunction!(check_hoop, module)?)?;
     module.add_function(wrap_pyfunction!(check_until, module)?)?;
+    module.add_function(wrap_pyfunction!(check_proof, module)?)?;
     module.add_function(wrap_pyfunction!(simulate, module)?)?;
     module.add_function(wrap_pyfunction!(classify, module)?)?;
     module.add_function(wrap_pyfunction!(bouncing_orbit, module)?)

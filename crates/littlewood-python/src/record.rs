@@ -1,9 +1,11 @@
 //! Numbers of a hoop, a start, a state and a setup in SI units, in the order of the tables of the core.
 
-use littlewood::{Hoop, HoopParameters, Quantity, RestitutionLaw, Setup, SiSetup, Start, State, UnknownName};
+use littlewood::{
+    Hoop, HoopParameters, Limits, Quantity, RestitutionLaw, Setup, SiSetup, Start, State, UnknownName,
+};
 use pyo3::prelude::*;
 
-use crate::error::{refuse, unknown_law};
+use crate::error::{refuse, unknown_law, unknown_proof};
 
 /// The values of [`Quantity::HOOP`]; none for one that is absent.
 pub(crate) type HoopNumbers = [Option<f64>; Quantity::HOOP.len()];
@@ -30,6 +32,17 @@ pub(crate) type SiStartNumbers = [f64; Quantity::SI_START.len()];
 pub(crate) fn law(py: Python<'_>, name: &LawName) -> PyResult<Option<RestitutionLaw>> {
     let parse = |name: &String| name.parse().map_err(|error: UnknownName| unknown_law(py, &error));
     name.as_ref().map(parse).transpose()
+}
+
+/// The limits of a motion.
+pub(crate) fn limits(
+    py: Python<'_>,
+    until: Option<f64>,
+    max_transitions: usize,
+    proof: &str,
+) -> PyResult<Limits> {
+    let proof = proof.parse().map_err(|error: UnknownName| unknown_proof(py, &error))?;
+    Ok(Limits::default().with_until(until).with_transitions(max_transitions).with_proof(proof))
 }
 
 /// A setup with these values; the quantities that are not given are zero, or absent if they can be.

@@ -3,7 +3,7 @@
 
 use littlewood::{
     CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, ImpactCase, Limits, Mode, OutcomeKind,
-    PhaseCode, PhaseSequence, Presence, Quantity, RestitutionLaw, RollingType, STANDARD_GRAVITY,
+    PhaseCode, PhaseSequence, Presence, Proof, Quantity, RestitutionLaw, RollingType, STANDARD_GRAVITY,
     SampleColumn, StartRegion, State, SummaryColumn,
 };
 use numpy::PyReadonlyArray1;
@@ -144,6 +144,8 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("STATE", State::COLUMNS.map(SampleColumn::name).to_vec())?;
     module.add("STANDARD_GRAVITY", STANDARD_GRAVITY)?;
     module.add("MAX_TRANSITIONS", Limits::default().transitions)?;
+    module.add("PROOF", Limits::default().proof.name())?;
+    module.add("PROOFS", Proof::NAMES.to_vec())?;
     module.add("OUTSIDE", OUTSIDE)?;
     module.add("MODES", Mode::ALL.map(|mode| (mode.code(), mode.name())).to_vec())?;
     let arrows = Direction::ALL.map(|direction| (Direction::code(Some(direction)), direction.arrow()));

@@ -115,6 +115,9 @@ fn gap_rate_at_limit(trajectory: &Trajectory) -> f64 {
         OutcomeKind::Landing
         | OutcomeKind::RollsForever
         | OutcomeKind::SlidesForever
+        | OutcomeKind::SlipsForever
+        | OutcomeKind::RepeatsForever
+        | OutcomeKind::StaysInContact
         | OutcomeKind::ParticleAtPlane
         | OutcomeKind::ParticleAtBottom
         | OutcomeKind::ParticleAtTop

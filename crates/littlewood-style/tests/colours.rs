@@ -27,26 +27,38 @@ fn lab(colour: Rgb) -> [f64; 3] {
 }
 
 /// Whether two classes can be found in one map of a kind of hoop. A hoop with inertia may leave the plane and may be
-/// faster than the clock; the particle of a massless one comes to the plane, or to the bottom if it is inside the rim.
+/// faster than the clock; with friction it may slip for ever or meet P ≤ 0, and without it repeats itself. The particle of a massless one comes to the
+/// plane, or to the bottom if it is inside the rim.
 fn meet(a: Class, b: Class) -> bool {
     const HEAVY: [Class; 7] = [
         Class::LeavesAtOnce,
         Class::LiftsOffLater,
         Class::RollsForever,
-        Class::SlidesForever,
-        Class::InContactAtLimit,
+        Class::SlipsForever,
+        Class::InContact,
         Class::Painleve,
         Class::Unresolved,
     ];
-    const MASSLESS: [Class; 6] = [
+    const WITHOUT_FRICTION: [Class; 6] = [
+        Class::LeavesAtOnce,
+        Class::LiftsOffLater,
         Class::RollsForever,
-        Class::InContactAtLimit,
+        Class::RepeatsForever,
+        Class::InContact,
+        Class::Unresolved,
+    ];
+    const MASSLESS: [Class; 7] = [
+        Class::RollsForever,
+        Class::RepeatsForever,
+        Class::InContact,
         Class::ParticleAtPlane,
         Class::ParticleAtBottom,
         Class::ParticleAtTop,
         Class::Painleve,
     ];
-    [&HEAVY[..], &MASSLESS[..]].into_iter().any(|kind| kind.contains(&a) && kind.contains(&b))
+    [&HEAVY[..], &WITHOUT_FRICTION[..], &MASSLESS[..]]
+        .into_iter()
+        .any(|kind| kind.contains(&a) && kind.contains(&b))
 }
 
 #[test]

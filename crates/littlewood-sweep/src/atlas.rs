@@ -6,10 +6,11 @@ use littlewood::{Hoop, Limits, OutcomeKind, ParameterError, PhaseSequence, Setup
 use rayon::prelude::*;
 
 use crate::chunk::{Chunk, Chunks};
-use crate::compute::Workers;
+use crate::compute::{Halt, Workers};
 use crate::first_turn::{FirstTurn, Stop};
 use crate::grid::Grid;
-use crate::options::{Options, Progress};
+use crate::options::Options;
+use crate::watch::{Ledger, Watch};
 
 /// A sequence of phases that occurs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +27,9 @@ pub struct AtlasEntry {
     /// earlier ones.
     pub number: u64,
 }
+
+/// The sequence of a point, and what stops it; none for a point whose parameters contradict each other.
+type Found = Option<(PhaseSequence, Option<Stop>)>;
 
 /// All sequences of phases of one or more grids, the most frequent first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,12 +55,17 @@ impl Atlas {
         workers: &Workers,
         options: &Options<'_>,
     ) -> Result<Self, ParameterError> {
-        Self::collect(grid, options, |chunk| {
-            let columns = workers.compute(chunk.points(grid), limits)?;
+        Self::collect(grid, options, |chunk, watch| {
+            let points: Vec<Setup> = chunk.points(grid).collect();
+            let columns = match workers.compute_points(&points, limits, watch) {
+                Ok(columns) => columns,
+                Err(Halt::Refused(refused)) => return Err(refused.error),
+                Err(Halt::Cancelled) => return Ok(None),
+            };
             let sequences = columns
                 .summaries()
                 .map(|summary| (summary.outcome != OutcomeKind::Invalid).then_some((summary.sequence, None)));
-            Ok(sequences.collect())
+            Ok(Some(sequences.collect()))
         })
     }
 
@@ -69,21 +78,31 @@ impl Atlas {
         workers: &Workers,
         options: &Options<'_>,
     ) -> Result<Self, ParameterError> {
-        Self::collect(grid, options, |chunk| {
+        Self::collect(grid, options, |chunk, watch| {
             let points: Vec<Setup> = chunk.points(grid).map(with_one_friction).collect();
             let turns: Vec<Result<_, ParameterError>> = workers.install(|| {
                 points
                     .par_iter()
-                    .map(|point| match Hoop::new(point.hoop) {
-                        Ok(hoop) => FirstTurn::new(&hoop, point.start)
-                            .map(|turn| Some((turn.sequence, Some(turn.stop)))),
-                        Err(error) if error.is_contradiction() => Ok(None),
-                        Err(error) => Err(error),
+                    .map(|point| {
+                        let mut watch = watch.clone();
+                        if watch.is_cancelled() {
+                            return Ok(None);
+                        }
+                        watch.count();
+                        match Hoop::new(point.hoop) {
+                            Ok(hoop) => FirstTurn::new(&hoop, point.start)
+                                .map(|turn| Some((turn.sequence, Some(turn.stop)))),
+                            Err(error) if error.is_contradiction() => Ok(None),
+                            Err(error) => Err(error),
+                        }
                     })
                     .collect()
             });
+            if watch.is_cancelled() {
+                return Ok(None);
+            }
             // In order: a parallel `collect` into a Result would return any of several errors.
-            turns.into_iter().collect()
+            turns.into_iter().collect::<Result<_, _>>().map(Some)
         })
         .map(|mut atlas| {
             for entry in &mut atlas.entries {
@@ -96,17 +115,16 @@ impl Atlas {
     fn collect(
         grid: &Grid,
         options: &Options<'_>,
-        mut sequences: impl FnMut(&Chunk) -> Result<Vec<Option<(PhaseSequence, Option<Stop>)>>, ParameterError>,
+        mut sequences: impl FnMut(&Chunk, &Watch<'_>) -> Result<Option<Vec<Found>>, ParameterError>,
     ) -> Result<Self, ParameterError> {
         let chunks = Chunks::new(grid, options.chunk_points);
         let shape = grid.shape();
         let mut found: HashMap<(PhaseSequence, Option<Stop>), (u64, u64)> = HashMap::new();
         let (mut points, mut invalid) = (0, 0);
+        let ledger = Ledger::new(options, 0, grid.len());
         for chunk in (0..chunks.count()).map(|number| chunks.chunk(number)) {
-            if options.is_cancelled() {
-                break;
-            }
-            for (indices, sequence) in chunk.indices().zip(sequences(&chunk)?) {
+            let Some(sequences) = sequences(&chunk, &ledger.watch())? else { break };
+            for (indices, sequence) in chunk.indices().zip(sequences) {
                 points += 1;
                 let Some(key) = sequence else {
                     invalid += 1;
@@ -120,7 +138,7 @@ impl Atlas {
                 *count += 1;
                 *first = number.min(*first);
             }
-            options.report(Progress { done: points, reused: 0, total: grid.len() });
+            ledger.finish(chunk.len() as u64);
         }
         let entries = found
             .into_iter()

@@ -10,6 +10,7 @@ use thiserror::Error;
 
 use crate::columns::Columns;
 use crate::setup::{HoopBits, hoop_bits};
+use crate::watch::Watch;
 
 /// Points that one task computes: enough to outweigh its overhead, few enough to share a chunk among many cores.
 const TASK: usize = 512;
@@ -70,6 +71,15 @@ pub(crate) struct Refused {
     pub(crate) error: ParameterError,
 }
 
+/// Why points were not computed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Halt {
+    /// One of them was refused.
+    Refused(Refused),
+    /// The run was cancelled.
+    Cancelled,
+}
+
 impl Workers {
     /// Starts this many threads; all cores if none is given.
     ///
@@ -121,7 +131,12 @@ impl Workers {
         limits: Limits,
     ) -> Result<Columns, ParameterError> {
         let points: Vec<Setup> = points.into_iter().collect();
-        self.compute_points(&points, limits).map_err(|refused| refused.error)
+        match self.compute_points(&points, limits, &Watch::NONE) {
+            Err(Halt::Refused(refused)) => Err(refused.error),
+            // Nobody can cancel it.
+            Err(Halt::Cancelled) => Ok(Columns::blank(points.len())),
+            Ok(columns) => Ok(columns),
+        }
     }
 
     /// Computes starts of one hoop, as [`Workers::compute`] does.
@@ -137,7 +152,12 @@ impl Workers {
         self.compute(starts.iter().map(|&start| Setup::new(hoop, start)), limits)
     }
 
-    pub(crate) fn compute_points(&self, points: &[Setup], limits: Limits) -> Result<Columns, Refused> {
+    pub(crate) fn compute_points(
+        &self,
+        points: &[Setup],
+        limits: Limits,
+        watch: &Watch<'_>,
+    ) -> Result<Columns, Halt> {
         let groups = group_by_hoop(points);
         let known = std::mem::take(&mut *self.engines.lock().unwrap_or_else(PoisonError::into_inner));
         let keep = groups.len() <= KEPT;
@@ -146,27 +166,33 @@ impl Workers {
                 groups
                     .par_iter()
                     .map(|indices| {
+                        if watch.is_cancelled() {
+                            return Err(Halt::Cancelled);
+                        }
                         let first = &points[indices[0] as usize];
                         let bits = hoop_bits(first);
                         // What was prepared earlier must not change the digits of a hoop with few points.
                         let has_tables = indices.len() >= Engine::MIN_STARTS_FOR_TABLES;
                         let prepared = match known.iter().find(|known| has_tables && known.bits == bits) {
                             Some(prepared) => prepared.clone(),
-                            None => Prepared::new(first, indices.len())
-                                .map_err(|error| Refused { index: indices[0] as usize, error })?,
+                            None => Prepared::new(first, indices.len()).map_err(|error| {
+                                Halt::Refused(Refused { index: indices[0] as usize, error })
+                            })?,
                         };
                         let tasks = indices
                             .par_chunks(TASK)
-                            .map(|task| compute_task(points, task, prepared.engine.as_deref(), limits))
+                            .map(|task| {
+                                compute_task(points, task, prepared.engine.as_deref(), limits, watch.clone())
+                            })
                             .collect::<Vec<_>>();
                         // In order: a parallel `collect` into a Result would return any of several errors.
                         let tasks = tasks.into_iter().collect::<Result<Vec<_>, _>>()?;
                         Ok(((keep && has_tables).then_some(prepared), tasks))
                     })
-                    .collect::<Vec<Result<_, Refused>>>()
+                    .collect::<Vec<Result<_, Halt>>>()
             })
             .into_iter()
-            .fold(Ok(Vec::new()), first_refused)?;
+            .fold(Ok(Vec::new()), first_halt)?;
 
         let mut columns = Columns::blank(points.len());
         let mut engines = Vec::new();
@@ -181,14 +207,17 @@ impl Workers {
     }
 }
 
-/// Gathers results; of several errors the one of the first point is kept.
-fn first_refused<T>(so_far: Result<Vec<T>, Refused>, next: Result<T, Refused>) -> Result<Vec<T>, Refused> {
+/// Gathers results; of several refusals the one of the first point is kept.
+fn first_halt<T>(so_far: Result<Vec<T>, Halt>, next: Result<T, Halt>) -> Result<Vec<T>, Halt> {
     match (so_far, next) {
         (Ok(mut all), Ok(one)) => {
             all.push(one);
             Ok(all)
         }
-        (Err(a), Err(b)) => Err(if b.index < a.index { b } else { a }),
+        (Err(Halt::Refused(a)), Err(Halt::Refused(b))) => {
+            Err(Halt::Refused(if b.index < a.index { b } else { a }))
+        }
+        (Err(Halt::Cancelled), _) | (_, Err(Halt::Cancelled)) => Err(Halt::Cancelled),
         (Err(error), Ok(_)) | (Ok(_), Err(error)) => Err(error),
     }
 }
@@ -198,16 +227,24 @@ fn compute_task<'a>(
     places: &'a [u32],
     engine: Option<&Engine>,
     limits: Limits,
-) -> Result<Task<'a>, Refused> {
+    mut watch: Watch<'_>,
+) -> Result<Task<'a>, Halt> {
     let summary = |&place: &u32| {
         let Some(engine) = engine else { return Ok(Summary::INVALID) };
         let index = place as usize;
         match engine.summary(points[index].start, limits) {
             Err(error) if error.is_contradiction() => Ok(Summary::INVALID),
-            result => result.map_err(|error| Refused { index, error }),
+            result => result.map_err(|error| Halt::Refused(Refused { index, error })),
         }
     };
-    let summaries = places.iter().map(summary).collect::<Result<Vec<Summary>, Refused>>()?;
+    let mut summaries = Vec::with_capacity(places.len());
+    for place in places {
+        if watch.is_cancelled() {
+            return Err(Halt::Cancelled);
+        }
+        summaries.push(summary(place)?);
+        watch.count();
+    }
     Ok(Task { places, columns: Columns::of_summaries(&summaries) })
 }
 

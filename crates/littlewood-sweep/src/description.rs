@@ -10,7 +10,7 @@ use crate::starts::StartList;
 
 /// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and no version, version 2 no
 /// columns of impacts.
-pub const STORE_FORMAT: u32 = 3;
+pub const STORE_FORMAT: u32 = 4;
 
 /// The version of stores that have none.
 const FIRST_FORMAT: u64 = 1;
@@ -141,7 +141,8 @@ impl Description {
         let limits = value.get("limits")?;
         let limits = Limits::default()
             .with_until(limits.get("until")?.as_f64())
-            .with_transitions(usize::try_from(limits.get("transitions")?.as_u64()?).ok()?);
+            .with_transitions(usize::try_from(limits.get("transitions")?.as_u64()?).ok()?)
+            .with_proof(limits.get("proof")?.as_str()?.parse().ok()?);
         let chunk = value.get("chunk")?.as_array()?;
         let chunk =
             chunk.iter().map(|size| usize::try_from(size.as_u64()?).ok()).collect::<Option<Vec<_>>>()?;
@@ -150,7 +151,7 @@ impl Description {
 }
 
 fn of_limits(limits: Limits) -> Value {
-    json!({ "until": limits.until, "transitions": limits.transitions })
+    json!({ "until": limits.until, "transitions": limits.transitions, "proof": limits.proof.name() })
 }
 
 fn compare(path: &str, there: Option<&Value>, here: Option<&Value>, differences: &mut Vec<String>) {

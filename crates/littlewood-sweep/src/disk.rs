@@ -39,7 +39,7 @@ pub trait Disk: Sync {
 pub struct FileSystem;
 
 /// Ending of files that are not finished.
-pub(crate) const UNFINISHED: &str = ".unfinished";
+pub const UNFINISHED: &str = ".unfinished";
 
 /// A path with more at the end of its name.
 pub(crate) fn with_ending(path: &Path, ending: &str) -> PathBuf {

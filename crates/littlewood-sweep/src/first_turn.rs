@@ -4,7 +4,8 @@
 use core::f64::consts::TAU;
 
 use littlewood::{
-    Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, PhaseSequence, PhaseSolution, Start,
+    Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, PhaseSequence, PhaseSolution,
+    Proof, Start,
 };
 
 /// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of its orbit, in which
@@ -86,7 +87,9 @@ impl FirstTurn {
 
     /// The first turn within a number of transitions; in `Err` the part of it that was followed if it does not stop in them.
     fn within(hoop: &Hoop, start: Start, transitions: usize) -> Result<Result<Self, Self>, ParameterError> {
-        let motion = hoop.simulate(start, Limits::default().with_transitions(transitions))?;
+        // Slips that shrink for ever, too, come to the end of the turn.
+        let limits = Limits::default().with_transitions(transitions).with_proof(Proof::None);
+        let motion = hoop.simulate(start, limits)?;
         let mut sequence = PhaseSequence::default();
         let Some(travel) = Direction::of_sign(start.theta_rate) else {
             for phase in motion.phases() {
@@ -114,7 +117,12 @@ impl FirstTurn {
         let never = Self { sequence, stop: Stop::Never, time: f64::NAN };
         Ok(match motion.outcome().kind() {
             OutcomeKind::TransitionLimit => Err(never),
-            OutcomeKind::RollsForever | OutcomeKind::SlidesForever | OutcomeKind::TimeLimit => Ok(never),
+            OutcomeKind::RollsForever
+            | OutcomeKind::SlidesForever
+            | OutcomeKind::SlipsForever
+            | OutcomeKind::RepeatsForever
+            | OutcomeKind::StaysInContact
+            | OutcomeKind::TimeLimit => Ok(never),
             OutcomeKind::Landing
             | OutcomeKind::ParticleAtPlane
             | OutcomeKind::ParticleAtBottom

@@ -49,6 +49,7 @@ mod starts;
 mod store;
 mod sweep;
 mod tally;
+mod watch;
 mod zarr;
 
 pub use atlas::{Atlas, AtlasEntry};
@@ -58,7 +59,7 @@ pub use columns::{ColumnValues, Columns};
 pub use compute::{ThreadsError, Workers};
 pub use description::{ForeignVersion, STORE_FORMAT};
 pub use destination::Target;
-pub use disk::{Disk, FileSystem};
+pub use disk::{Disk, FileSystem, UNFINISHED};
 pub use error::SweepError;
 pub use first_turn::{FirstTurn, Stop};
 pub use grid::Grid;

@@ -1,6 +1,6 @@
 //! How to run: resuming, size of chunks, cancelling, progress, and the disk.
 
-use core::sync::atomic::{AtomicBool, Ordering};
+use core::sync::atomic::AtomicBool;
 
 use crate::disk::{Disk, FileSystem};
 
@@ -13,9 +13,10 @@ pub struct Options<'a> {
     pub resume: bool,
     /// Largest number of points of a chunk.
     pub chunk_points: usize,
-    /// When it becomes true the chunks in work are finished, and the run ends with a partial store.
+    /// When it becomes true the run ends after the motions that are being followed, with a partial store: chunks that
+    /// are finished are kept, those in work are not.
     pub cancel: Option<&'a AtomicBool>,
-    /// Called whenever chunks have been finished.
+    /// Called, from any thread, whenever motions have been followed and whenever a chunk has been finished.
     pub progress: Option<&'a (dyn Fn(Progress) + Sync)>,
     /// Where files are written.
     pub disk: &'a dyn Disk,
@@ -24,6 +25,8 @@ pub struct Options<'a> {
 /// How far a run is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
+    /// Points that have been followed, including those of chunks in work.
+    pub followed: u64,
     /// Points whose chunks are on disk, including those of an earlier run.
     pub done: u64,
     /// Points of them that an earlier run has computed.
@@ -48,10 +51,6 @@ impl core::fmt::Debug for Options<'_> {
 }
 
 impl Options<'_> {
-    pub(crate) fn is_cancelled(&self) -> bool {
-        self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
-    }
-
     pub(crate) fn report(&self, progress: Progress) {
         if let Some(callback) = self.progress {
             callback(progress);

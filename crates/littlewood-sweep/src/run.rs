@@ -1,16 +1,19 @@
 //! Running a sweep: chunk after chunk is computed and written atomically; a run that was stopped is resumed.
 
+use std::sync::Arc;
+
 use littlewood::{Class, Limits, Setup};
 use rayon::prelude::*;
 
 use crate::columns::Columns;
-use crate::compute::{Refused, Workers};
+use crate::compute::{Halt, Refused, Workers};
 use crate::destination::{Destination, OpenDestination};
 use crate::error::SweepError;
-use crate::options::{Options, Progress};
+use crate::options::Options;
 use crate::source::Source;
 use crate::store::{StoreError, StoreFile, WrittenChunk};
 use crate::tally::Tally;
+use crate::watch::{Ledger, Watch};
 
 /// Chunks that are computed while those before them are written.
 const BATCH: usize = 2;
@@ -55,8 +58,9 @@ pub(crate) fn run(
     let mut batches = missing.chunks(BATCH);
     let mut finished: Vec<FinishedChunk> = Vec::new();
     loop {
-        // While one batch is written the next is computed. A cancelled run writes what it has computed.
-        let batch = if options.is_cancelled() { &[][..] } else { batches.next().unwrap_or_default() };
+        // While one batch is written the next is computed. A cancelled run writes the chunks that it has computed.
+        let cancelled = run.ledger.watch().is_cancelled();
+        let batch = if cancelled { &[][..] } else { batches.next().unwrap_or_default() };
         if batch.is_empty() && finished.is_empty() {
             break;
         }
@@ -64,13 +68,14 @@ pub(crate) fn run(
             Ok(inputs) => (inputs, None),
             Err(error) => (Vec::new(), Some(error)),
         };
+        let ledger = Arc::clone(&run.ledger);
         let (written, computed) = workers.install(|| {
             rayon::join(
                 || run.write(&finished),
                 || {
                     inputs
                         .into_par_iter()
-                        .map(|input| compute(input, destinations, limits, workers))
+                        .map(|input| compute(input, destinations, limits, workers, &ledger.watch()))
                         .collect::<Vec<_>>()
                 },
             )
@@ -81,10 +86,12 @@ pub(crate) fn run(
         }
         finished = Vec::new();
         for chunk in computed {
-            let (chunk, columns) = chunk.map_err(|failure| match failure {
-                Failure::Point { chunk, refused } => source.refused(chunk, refused),
-                Failure::Store(error) => error.into(),
-            })?;
+            let (chunk, columns) = match chunk {
+                Ok(chunk) => chunk,
+                Err(Failure::Cancelled) => continue,
+                Err(Failure::Point { chunk, refused }) => return Err(source.refused(chunk, refused)),
+                Err(Failure::Store(error)) => return Err(error.into()),
+            };
             if let Some(view) = &mut view {
                 view(chunk.written.number, &columns);
             }
@@ -97,8 +104,7 @@ pub(crate) fn run(
 /// A run whose destinations are open.
 struct Run<'a> {
     destinations: Vec<OpenDestination<'a>>,
-    options: &'a Options<'a>,
-    progress: Progress,
+    ledger: Arc<Ledger<'a>>,
     tally: Tally,
 }
 
@@ -131,9 +137,9 @@ impl<'a> Run<'a> {
         // A file that is complete knows all its points, but not which are in which chunk; a store beside it does.
         let tally = destinations.iter().find_map(|destination| destination.tally(&known)).unwrap_or_default();
         let reused: u64 = known.iter().map(|&number| source.points_of(number)).sum();
-        let progress = Progress { done: reused, reused, total: source.total() };
-        options.report(progress);
-        Ok((Self { destinations, options, progress, tally }, missing))
+        let ledger = Arc::new(Ledger::new(options, reused, source.total()));
+        ledger.report();
+        Ok((Self { destinations, ledger, tally }, missing))
     }
 
     /// The points of some chunks, and which destinations lack them.
@@ -153,19 +159,19 @@ impl<'a> Run<'a> {
                 if let Some(files) = files {
                     destination
                         .add(chunk.written, files)
-                        .map_err(|error| error.with_finished(self.progress.done))?;
+                        .map_err(|error| error.with_finished(self.ledger.progress().done))?;
                 }
             }
             self.tally += chunk.written.tally;
-            self.progress.done += chunk.written.tally.total();
-            self.options.report(self.progress);
+            self.ledger.finish(chunk.written.tally.total());
         }
         Ok(())
     }
 
     /// Completes the destinations if all chunks are there.
     fn complete(self) -> Result<Report, StoreError> {
-        let Self { destinations, progress, mut tally, .. } = self;
+        let Self { destinations, ledger, mut tally } = self;
+        let progress = ledger.progress();
         let complete = progress.done == progress.total;
         let damaged_chunks = destinations.iter().map(OpenDestination::damaged_chunks).sum();
         if complete {
@@ -191,6 +197,7 @@ struct Input {
 enum Failure {
     Point { chunk: usize, refused: Refused },
     Store(StoreError),
+    Cancelled,
 }
 
 fn compute(
@@ -198,11 +205,13 @@ fn compute(
     destinations: &[Destination],
     limits: Limits,
     workers: &Workers,
+    watch: &Watch<'_>,
 ) -> Result<(FinishedChunk, Columns), Failure> {
     let Input { number, points, lacking } = input;
-    let columns = workers
-        .compute_points(&points, limits)
-        .map_err(|refused| Failure::Point { chunk: number, refused })?;
+    let columns = workers.compute_points(&points, limits, watch).map_err(|halt| match halt {
+        Halt::Refused(refused) => Failure::Point { chunk: number, refused },
+        Halt::Cancelled => Failure::Cancelled,
+    })?;
     let files = destinations
         .iter()
         .zip(lacking)

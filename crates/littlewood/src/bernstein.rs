@@ -105,6 +105,12 @@ impl Bernstein {
         ((1.0 - x) * work[0] + x * work[1], degree * (work[1] - work[0]))
     }
 
+    /// The same polynomial where it is known to be zero at 0, but for rounding.
+    pub(crate) fn from_zero(mut self) -> Self {
+        self.coefficients[0] = 0.0;
+        self
+    }
+
     /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right of 0 crosses
     /// at 0; a root where it only touches zero is no crossing.
     pub(crate) fn first_crossing(&self) -> Option<Bracket> {

@@ -88,7 +88,10 @@ impl Candidates {
 /// The motion that follows.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Next {
-    Roll,
+    /// `on_limit` where |F| = μs N, and static friction holds from there on.
+    Roll {
+        on_limit: bool,
+    },
     /// `slip_acceleration` where η′ = 0.
     Slide {
         body: Heavy,
@@ -115,6 +118,9 @@ pub(crate) enum Arrival {
     Open,
     /// Rolling has just reached this limit.
     RollingLimit(RollingLimit),
+    /// A slide without kinetic friction has come back to the limit of static friction, and slips on in this direction; or static
+    /// friction holds from there on.
+    BackOnLimit(Option<Direction>),
     /// The normal force of a slide has just vanished, w falling through zero: only flight follows.
     LiftOff,
 }
@@ -124,7 +130,7 @@ pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next 
     match hoop.body() {
         Body::Heavy(body) => match arrival {
             Arrival::LiftOff => Next::Fly { body, take_off: TakeOff::Grazing },
-            Arrival::Open | Arrival::RollingLimit(_) => {
+            Arrival::Open | Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) => {
                 weigh(hoop, &body, state, &exact_evidence(hoop, &body, state, arrival))
             }
         },
@@ -144,6 +150,8 @@ pub(crate) struct Evidence<P> {
     pub(crate) solvability: P,
     /// Whether P > 0 in both directions.
     pub(crate) is_solvable: bool,
+    /// Whether rolling, if it follows, begins with |F| = μs N.
+    pub(crate) on_limit: bool,
 }
 
 /// State of the slip.
@@ -177,6 +185,12 @@ fn exact_evidence(
                     Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
                         Hold::NoNormalForce
                     }
+                    Arrival::BackOnLimit(None) => Hold::Holds,
+                    Arrival::BackOnLimit(Some(direction)) => {
+                        let forces = rolling.forces(theta, theta_rate);
+                        let excess = forces.friction.abs() - hoop.mu_s() * forces.normal;
+                        Hold::Slips { direction, excess }
+                    }
                     Arrival::Open => RollingOrbit::new(hoop, theta, theta_rate).hold(),
                 },
                 rolling_forces: rolling.forces(theta, theta_rate),
@@ -192,6 +206,7 @@ fn exact_evidence(
         slip,
         solvability: move |direction| solvability[place(direction)],
         is_solvable: solvability.iter().all(|p| *p > 0.0),
+        on_limit: arrival == Arrival::BackOnLimit(None),
     }
 }
 
@@ -203,7 +218,7 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
     state: &State,
     evidence: &Evidence<P>,
 ) -> Next {
-    let Evidence { contact, leaves, slip, ref solvability, is_solvable } = *evidence;
+    let Evidence { contact, leaves, slip, ref solvability, is_solvable, on_limit } = *evidence;
     if is_solvable && contact != 0.0 {
         // Without Painlevé's paradox the candidates exclude each other: the plane presses on a hoop in contact where w > 0,
         // and while N > 0 in rolling, friction drives a slide only against its own direction.
@@ -212,7 +227,9 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
             SlipEvidence::Moving(direction) => {
                 return Next::Slide { body: *body, direction, slip_acceleration: None };
             }
-            SlipEvidence::AtRest { hold: Hold::Holds, .. } => return Next::Roll,
+            SlipEvidence::AtRest { hold: Hold::Holds, .. } => {
+                return Next::Roll { on_limit: on_limit };
+            }
             SlipEvidence::AtRest {
                 hold: Hold::Slips { direction, excess },
                 rolling_forces: forces,
@@ -229,14 +246,14 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
             SlipEvidence::AtRest { .. } => {}
         }
     }
-    weigh_all((hoop, body, state), (contact, leaves), slip, Direction::ALL.map(solvability))
+    weigh_all((hoop, body, state), (contact, leaves), (slip, on_limit), Direction::ALL.map(solvability))
 }
 
 /// The same without a short cut.
 fn weigh_all(
     (hoop, body, state): (&Hoop, &Heavy, &State),
     (contact, leaves): (f64, bool),
-    slip: SlipEvidence,
+    (slip, on_limit): (SlipEvidence, bool),
     solvability: [f64; 2],
 ) -> Next {
     // N = Î m w/P > 0; with w = 0 the normal force grows from zero if the body does not leave the plane.
@@ -286,7 +303,7 @@ fn weigh_all(
 
     let slide = |direction, slip_acceleration| Next::Slide { body: *body, direction, slip_acceleration };
     match (rolling, sliding, leaves) {
-        (true, [None, None], false) => Next::Roll,
+        (true, [None, None], false) => Next::Roll { on_limit },
         (false, [Some(acceleration), None], false) => slide(Direction::Negative, acceleration),
         (false, [None, Some(acceleration)], false) => slide(Direction::Positive, acceleration),
         (false, [None, None], true) => {
@@ -333,7 +350,7 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
         && arrival == Arrival::Open
         && RollingOrbit::new(hoop, theta, theta_rate).hold() == Hold::Holds;
     if rolls {
-        return Next::Roll;
+        return Next::Roll { on_limit: false };
     }
     let contact = contact(1.0, body.offset, libm::cos(theta) * (theta_rate * theta_rate));
     // At the top the particle must have just the acceleration of free fall: ℓ̂ θ′² = 1.

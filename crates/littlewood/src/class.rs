@@ -13,24 +13,27 @@ named! {
         LiftsOffLater = 1, "lifts_off_later";
         /// Rolls for ever, which is proved.
         RollsForever = 2, "rolls_forever";
-        /// Slides for ever, without kinetic friction, which is proved.
-        SlidesForever = 3, "slides_forever";
-        /// Still in contact when a limit of time, of transitions or of steps stopped it.
-        InContactAtLimit = 4, "in_contact_at_limit";
+        /// Slides, or rolls and slides, in the same way again and again, without kinetic friction or without mass, which is proved.
+        RepeatsForever = 3, "repeats_forever";
+        /// Rolls and slips for ever, with μs = μk, which is proved.
+        SlipsForever = 4, "slips_forever";
+        /// In contact, as far as it was followed: to a limit of time, of transitions or of steps, or until its energy proved that it
+        /// never lifts off.
+        InContact = 5, "in_contact";
         /// The particle has reached the plane.
-        ParticleAtPlane = 5, "particle_at_plane";
+        ParticleAtPlane = 6, "particle_at_plane";
         /// The particle has reached its lowest place inside a massless rim.
-        ParticleAtBottom = 6, "particle_at_bottom";
+        ParticleAtBottom = 7, "particle_at_bottom";
         /// The particle has reached the top with velocity to spare.
-        ParticleAtTop = 7, "particle_at_top";
+        ParticleAtTop = 8, "particle_at_top";
         /// A Painlevé paradox: no motion, several motions, or a slide that runs into a singularity.
-        Painleve = 8, "painleve";
+        Painleve = 9, "painleve";
         /// Faster than the clock resolves.
-        Unresolved = 9, "unresolved";
+        Unresolved = 10, "unresolved";
         /// Parameters that contradict each other.
-        Invalid = 10, "invalid";
+        Invalid = 11, "invalid";
         /// Not computed.
-        NotComputed = 11, "not_computed";
+        NotComputed = 12, "not_computed";
     }
 }
 
@@ -47,10 +50,12 @@ impl Class {
         match summary.outcome {
             OutcomeKind::Landing => Self::LiftsOffLater,
             OutcomeKind::RollsForever => Self::RollsForever,
-            OutcomeKind::SlidesForever => Self::SlidesForever,
-            OutcomeKind::TimeLimit | OutcomeKind::TransitionLimit | OutcomeKind::StepLimit => {
-                Self::InContactAtLimit
-            }
+            OutcomeKind::SlidesForever | OutcomeKind::RepeatsForever => Self::RepeatsForever,
+            OutcomeKind::SlipsForever => Self::SlipsForever,
+            OutcomeKind::TimeLimit
+            | OutcomeKind::TransitionLimit
+            | OutcomeKind::StepLimit
+            | OutcomeKind::StaysInContact => Self::InContact,
             OutcomeKind::ParticleAtPlane => Self::ParticleAtPlane,
             OutcomeKind::ParticleAtBottom => Self::ParticleAtBottom,
             OutcomeKind::ParticleAtTop => Self::ParticleAtTop,
@@ -68,8 +73,9 @@ impl Class {
             Self::LeavesAtOnce => "leaves at once",
             Self::LiftsOffLater => "lifts off later",
             Self::RollsForever => "rolls for ever",
-            Self::SlidesForever => "slides for ever",
-            Self::InContactAtLimit => "in contact at the limit",
+            Self::SlipsForever => "slips for ever",
+            Self::RepeatsForever => "repeats for ever",
+            Self::InContact => "in contact",
             Self::ParticleAtPlane => "particle at the plane",
             Self::ParticleAtBottom => "particle at the bottom",
             Self::ParticleAtTop => "particle at the top",
@@ -83,6 +89,6 @@ impl Class {
     /// Whether the body stays in contact, as far as it was followed.
     #[must_use]
     pub const fn stays_in_contact(self) -> bool {
-        matches!(self, Self::RollsForever | Self::SlidesForever | Self::InContactAtLimit)
+        matches!(self, Self::RollsForever | Self::RepeatsForever | Self::SlipsForever | Self::InContact)
     }
 }

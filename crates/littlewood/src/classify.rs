@@ -96,7 +96,7 @@ impl Hoop {
             return Ok(found);
         }
         match next_motion(self, &state, Arrival::Open) {
-            Next::Roll => {
+            Next::Roll { .. } => {
                 let orbit = RollingOrbit::new(self, theta, theta_rate);
                 found.region = StartRegion::Rolling;
                 found.mode = Some(Mode::Rolling);

@@ -10,8 +10,10 @@ use crate::gliding::{Gliding, GlidingEnd};
 use crate::hoop::{Heavy, Hoop, Massless};
 use crate::mode::Direction;
 use crate::outcome::Outcome;
+use crate::proof::Proof;
 use crate::rolling::Rolling;
 use crate::settling::Settling;
+use crate::simulate::Limits;
 use crate::sliding::{Entry, Sliding, SlidingEnd};
 use crate::state::State;
 use crate::trajectory::PhaseSolution;
@@ -22,6 +24,7 @@ use crate::walk::{Ending, Solution, Solved, Solver};
 pub(crate) struct Exact<'a> {
     hoop: &'a Hoop,
     until: Option<f64>,
+    proof: Proof,
     /// Steps that slides may still take.
     steps: Cell<usize>,
 }
@@ -32,8 +35,8 @@ const MAX_STEPS: usize = 100_000;
 type ExactEnding = Ending<State, Outcome>;
 
 impl<'a> Exact<'a> {
-    pub(crate) const fn new(hoop: &'a Hoop, until: Option<f64>) -> Self {
-        Self { hoop, until, steps: Cell::new(MAX_STEPS) }
+    pub(crate) const fn new(hoop: &'a Hoop, limits: &Limits) -> Self {
+        Self { hoop, until: limits.until, proof: limits.proof(), steps: Cell::new(MAX_STEPS) }
     }
 
     /// Time left until the limit.
@@ -83,10 +86,11 @@ impl Solver for Exact<'_> {
         next_motion(self.hoop, state, arrival)
     }
 
-    fn roll(&self, state: &State) -> Solved<PhaseSolution, State, Outcome> {
+    fn roll(&self, state: &State, on_limit: bool) -> Solved<PhaseSolution, State, Outcome> {
         let rolling = Rolling::new(self.hoop, *state);
         let allowed = self.allowed(state);
-        let ending = match rolling.orbit().end() {
+        let end = if on_limit { rolling.orbit().end_from_limit() } else { rolling.orbit().end() };
+        let ending = match end {
             Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => Ending::Event {
                 place: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
                 cause: end.limit.cause(),
@@ -125,6 +129,11 @@ impl Solver for Exact<'_> {
             }
             SlidingEnd::Unresolved(state) => {
                 Ending::Motion { event: None, end: Some(state), verdict: Outcome::Unresolved { state } }
+            }
+            SlidingEnd::StepLimit { state, .. }
+                if self.proof != Proof::None && self.hoop.never_lifts_off(&state) =>
+            {
+                Ending::Motion { event: None, end: Some(state), verdict: Outcome::StaysInContact { state } }
             }
             SlidingEnd::StepLimit { state, time_left } => Ending::Motion {
                 event: None,

@@ -82,6 +82,18 @@ impl Trigonometric {
         Self(form.0.to_vec())
     }
 
+    /// The value at an angle.
+    pub(crate) fn value(&self, angle: f64) -> f64 {
+        let (y, x) = libm::sincos(0.5 * angle);
+        let mut power = 1.0;
+        let mut sum = 0.0;
+        for c in &self.0 {
+            sum = sum * x + c * power;
+            power *= y;
+        }
+        sum
+    }
+
     pub(crate) fn times(&self, other: &Self) -> Self {
         let mut product = vec![0.0; self.0.len() + other.0.len() - 1];
         for (i, a) in self.0.iter().enumerate() {
@@ -167,17 +179,6 @@ mod tests {
 
     use super::*;
 
-    fn value(polynomial: &Trigonometric, angle: f64) -> f64 {
-        let (y, x) = libm::sincos(0.5 * angle);
-        let mut power = 1.0;
-        let mut sum = 0.0;
-        for c in &polynomial.0 {
-            sum = sum * x + c * power;
-            power *= y;
-        }
-        sum
-    }
-
     proptest! {
         #[test]
         fn products_sums_and_derivatives_are_those_of_the_functions(
@@ -187,9 +188,9 @@ mod tests {
             let g = f.times(&Trigonometric::sin()).minus(&Trigonometric::cos());
             let (s, k) = libm::sincos(angle);
             let exact = (a + b * s + c * k) * s - k;
-            prop_assert!((value(&g, angle) - exact).abs() < 1e-14);
+            prop_assert!((g.value(angle) - exact).abs() < 1e-14);
             let slope = (b * k - c * s) * s + (a + b * s + c * k) * k + s;
-            prop_assert!((value(&g.derivative(), angle) - slope).abs() < 1e-13);
+            prop_assert!((g.derivative().value(angle) - slope).abs() < 1e-13);
         }
 
         #[test]

@@ -5,7 +5,7 @@ use crate::candidates::Candidates;
 use crate::detail::Detail;
 use crate::dimension::Dimension;
 use crate::named::named;
-use crate::rolling::Recurrence;
+use crate::rolling::{GrazingOrbit, Recurrence};
 use crate::state::State;
 
 named! {
@@ -37,6 +37,12 @@ named! {
         Unresolved = 11, "unresolved";
         /// [`Outcome::StepLimit`].
         StepLimit = 12, "step_limit";
+        /// [`Outcome::SlipsForever`].
+        SlipsForever = 13, "slips_forever";
+        /// [`Outcome::RepeatsForever`].
+        RepeatsForever = 14, "repeats_forever";
+        /// [`Outcome::StaysInContact`].
+        StaysInContact = 15, "stays_in_contact";
         /// A point that has not been computed: what a partial grid holds where chunks are missing.
         NotComputed = 254, "not_computed";
         /// A point whose hoop has no physical meaning because two parameters contradict each other, such as μk > μs.
@@ -62,6 +68,9 @@ impl OutcomeKind {
             Self::Singular => "sliding is not solvable",
             Self::Unresolved => "unresolved",
             Self::StepLimit => "step limit",
+            Self::SlipsForever => "slips for ever",
+            Self::RepeatsForever => "repeats for ever",
+            Self::StaysInContact => "stays in contact",
             Self::NotComputed => "not computed",
             Self::Invalid => "invalid parameters",
         }
@@ -74,6 +83,9 @@ impl OutcomeKind {
             Self::Landing
             | Self::RollsForever
             | Self::SlidesForever
+            | Self::SlipsForever
+            | Self::RepeatsForever
+            | Self::StaysInContact
             | Self::ParticleAtPlane
             | Self::ParticleAtBottom
             | Self::ParticleAtTop
@@ -112,6 +124,9 @@ impl OutcomeKind {
             Self::Singular => Some(Cause::Singularity),
             Self::RollsForever
             | Self::SlidesForever
+            | Self::SlipsForever
+            | Self::RepeatsForever
+            | Self::StaysInContact
             | Self::TimeLimit
             | Self::TransitionLimit
             | Self::StepLimit
@@ -149,6 +164,34 @@ pub enum Outcome {
         since: State,
         /// How θ and θ′ recur.
         recurrence: Recurrence,
+    },
+    /// With μs = μk the motion rolls and slips for ever: its slips shrink towards the orbit of rolling that grazes the limit of
+    /// static friction, E − E* like 1/n with their number n. Said where a slip ends whose loss shows it.
+    SlipsForever {
+        /// State at the end of that slip.
+        state: State,
+        /// The grazing orbit.
+        orbit: GrazingOrbit,
+        /// Number of slips, 1/(c (E − E*)), in which E − E* halves.
+        slips_to_halve: f64,
+    },
+    /// Without kinetic friction, or without mass, energy is conserved in contact, and the motion has come back to an event: it
+    /// repeats itself.
+    RepeatsForever {
+        /// State at the first of the two events.
+        since: State,
+        /// Time between them.
+        period: f64,
+        /// What θ gains in a period, a multiple of 2π.
+        theta_gained: f64,
+        /// Number of transitions in a period.
+        transitions: usize,
+    },
+    /// The energy is too small for a lift-off, now and later ([`crate::Hoop::never_lifts_off`]); the motion in contact has been
+    /// followed to here only, because no more was asked for or because a limit was reached.
+    StaysInContact {
+        /// State.
+        state: State,
     },
     /// The particle on the rim of a massless hoop has reached the plane, θ = ±π. No impact follows: the rim has no inertia that
     /// an impulse could act on.
@@ -234,6 +277,9 @@ impl Outcome {
             Self::Singular { .. } => OutcomeKind::Singular,
             Self::Unresolved { .. } => OutcomeKind::Unresolved,
             Self::StepLimit { .. } => OutcomeKind::StepLimit,
+            Self::SlipsForever { .. } => OutcomeKind::SlipsForever,
+            Self::RepeatsForever { .. } => OutcomeKind::RepeatsForever,
+            Self::StaysInContact { .. } => OutcomeKind::StaysInContact,
         }
     }
 
@@ -241,8 +287,12 @@ impl Outcome {
     #[must_use]
     pub const fn state(&self) -> State {
         match self {
-            Self::RollsForever { since, .. } | Self::SlidesForever { since, .. } => *since,
+            Self::RollsForever { since, .. }
+            | Self::SlidesForever { since, .. }
+            | Self::RepeatsForever { since, .. } => *since,
             Self::Landing { state, .. }
+            | Self::SlipsForever { state, .. }
+            | Self::StaysInContact { state }
             | Self::ParticleAtPlane { state }
             | Self::ParticleAtBottom { state }
             | Self::ParticleAtTop { state }
@@ -270,6 +320,9 @@ impl Outcome {
                 Some(*recurrence)
             }
             Self::Landing { .. }
+            | Self::SlipsForever { .. }
+            | Self::RepeatsForever { .. }
+            | Self::StaysInContact { .. }
             | Self::ParticleAtPlane { .. }
             | Self::ParticleAtBottom { .. }
             | Self::ParticleAtTop { .. }
@@ -291,6 +344,9 @@ impl Outcome {
             Self::Landing { .. }
             | Self::RollsForever { .. }
             | Self::SlidesForever { .. }
+            | Self::SlipsForever { .. }
+            | Self::RepeatsForever { .. }
+            | Self::StaysInContact { .. }
             | Self::ParticleAtPlane { .. }
             | Self::ParticleAtBottom { .. }
             | Self::ParticleAtTop { .. }
@@ -310,6 +366,16 @@ impl Outcome {
             Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } => {
                 recurrence.details()
             }
+            Self::SlipsForever { orbit, slips_to_halve, .. } => orbit
+                .details()
+                .into_iter()
+                .chain([("slips_to_halve", Detail::Real(slips_to_halve, Dimension::Ratio))])
+                .collect(),
+            Self::RepeatsForever { period, theta_gained, transitions, .. } => vec![
+                ("period", Detail::Real(period, Dimension::Time)),
+                ("theta_gained", Detail::Real(theta_gained, Dimension::Angle)),
+                ("transitions", Detail::Count(transitions)),
+            ],
             Self::TransitionLimit { transitions, .. } => vec![("transitions", Detail::Count(transitions))],
             Self::StepLimit { steps, time_left, .. } => {
                 vec![("steps", Detail::Count(steps)), ("time_left", Detail::Real(time_left, Dimension::Time))]
@@ -321,6 +387,7 @@ impl Outcome {
             | Self::ParticleAtBottom { .. }
             | Self::ParticleAtTop { .. }
             | Self::TimeLimit { .. }
+            | Self::StaysInContact { .. }
             | Self::Inconsistent { .. }
             | Self::Ambiguous { .. }
             | Self::Unresolved { .. } => Vec::new(),

@@ -6,6 +6,7 @@ use crate::hoop::{Body, Hoop};
 use crate::impact::Impact;
 use crate::mode::Direction;
 use crate::outcome::Outcome;
+use crate::proof::Proof;
 use crate::quantity::{Bound, Quantity};
 use crate::state::{Start, State};
 use crate::trajectory::{Phase, PhaseSolution, Trajectory};
@@ -19,14 +20,16 @@ use crate::walk::{Event, PhaseSeen, Recorder, walk};
 pub struct Limits {
     /// Time τ at which to stop, if any. A motion that is proved to roll for ever is reported as such in any case.
     pub until: Option<f64>,
-    /// Largest number of transitions. μs = μk needs it, where slips can shrink without end towards the orbit that grazes the
-    /// static limit, and e = 1, where bounces need not end.
+    /// Largest number of transitions. Light hoops on nearly smooth planes need it, whose friction takes off next to no energy,
+    /// and e = 1, where bounces need not end.
     pub transitions: usize,
+    /// Which proofs end a motion that is not followed to a time limit.
+    pub proof: Proof,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { until: None, transitions: 10_000 }
+        Self { until: None, transitions: 10_000, proof: Proof::default() }
     }
 }
 
@@ -39,9 +42,9 @@ impl Limits {
         Ok(())
     }
 
-    /// Whether a motion may reverse its slip for ever without losing energy, so that its return has to be proved.
-    pub(crate) fn is_conservative(&self, hoop: &Hoop) -> bool {
-        hoop.mu_s() == 0.0 && self.until.is_none()
+    /// The proofs that end a motion: none where the states up to a time limit are wanted.
+    pub(crate) const fn proof(&self) -> Proof {
+        if self.until.is_some() { Proof::None } else { self.proof }
     }
 
     /// Stops at the time τ.
@@ -60,6 +63,12 @@ impl Limits {
     #[must_use]
     pub const fn with_transitions(self, transitions: usize) -> Self {
         Self { transitions, ..self }
+    }
+
+    /// The same limits, ending a motion by these proofs.
+    #[must_use]
+    pub const fn with_proof(self, proof: Proof) -> Self {
+        Self { proof, ..self }
     }
 }
 
@@ -94,14 +103,8 @@ impl Hoop {
             transitions: Vec::new(),
             outcome: Outcome::TimeLimit { state },
         };
-        let solver = Exact::new(self, limits.until);
-        trajectory.outcome = walk(
-            &solver,
-            (state, start.gap_rate),
-            limits.transitions,
-            limits.is_conservative(self),
-            &mut trajectory,
-        );
+        let solver = Exact::new(self, &limits);
+        trajectory.outcome = walk(&solver, (state, start.gap_rate), &limits, &mut trajectory);
         Ok(trajectory)
     }
 

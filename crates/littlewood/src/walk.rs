@@ -5,8 +5,6 @@
 //! whether a trajectory is kept or a summary. What the engine does can therefore differ from what the simulation does
 //! only where a solver of a phase differs.
 
-use core::f64::consts::TAU;
-
 use crate::automaton::Cause;
 use crate::candidates::{Arrival, Next};
 use crate::flight::{Flight, TakeOff};
@@ -14,12 +12,12 @@ use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::impact::{Contact, ContactVelocities, Impact};
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
-use crate::rolling::Recurrence;
+use crate::proof::Proofs;
+use crate::rolling::RollingLimit;
 use crate::settling::Settling;
+use crate::simulate::Limits;
+use crate::slip::LastSlip;
 use crate::state::{Start, State};
-
-/// Two states of a conservative orbit that differ by no more are the same but for rounding.
-const SAME_STATE: f64 = 1e-9;
 
 /// Solves phases of motion, each from the place where it begins to the event that ends it, or to the time limit.
 pub(crate) trait Solver {
@@ -35,7 +33,8 @@ pub(crate) trait Solver {
     fn state(place: &Self::Place) -> State;
     /// Which motion follows.
     fn decide(&self, place: &Self::Place, arrival: Arrival) -> Next;
-    fn roll(&self, place: &Self::Place) -> SolvedBy<Self>;
+    /// `on_limit` where |F| = μs N at the start, and static friction holds from there on.
+    fn roll(&self, place: &Self::Place, on_limit: bool) -> SolvedBy<Self>;
     /// `slip_acceleration` where η′ = 0 at the start.
     fn slide(
         &self,
@@ -131,20 +130,18 @@ enum Begin {
 struct Now<P> {
     place: P,
     begin: Begin,
+    /// Where rolling has given way, while the slides that follow conserve the energy and the horizontal momentum.
+    limit: Option<LastSlip>,
 }
 
 /// An event, and the impact that it is, if it is one.
 type Happening = (Event, Option<Box<Impact>>);
 
 /// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion, or to a limit.
-///
-/// `transitions` is the largest number of transitions; `conservative` says that the hoop is without friction and the
-/// time without limit, so that a motion that only reverses its slip is followed for one period.
 pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     (start, gap_rate): (State, f64),
-    transitions: usize,
-    conservative: bool,
+    limits: &Limits,
     recorder: &mut R,
 ) -> T::Verdict {
     let place = solver.place(start);
@@ -152,13 +149,16 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         Body::Heavy(body) if gap_rate > 0.0 => rise(solver, &body, &start, gap_rate),
         Body::Heavy(_) | Body::Massless(_) => Begin::Motion(solver.decide(&place, Arrival::Open)),
     };
-    let mut now = Now { place, begin };
+    let mut proofs = Proofs::new(solver.hoop(), limits);
+    if let Some(outcome) = proofs.at_start(&start, begin.mode()) {
+        return outcome.into();
+    }
+    let mut now = Now { place, begin, limit: None };
     let mut pending: Option<Event> = None;
-    let mut reversals = Reversals::default();
     let mut count = 0;
     loop {
         let mut range = None;
-        let seen = conservative.then_some(&mut range);
+        let seen = proofs.wants_range().then_some(&mut range);
         let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), seen) {
             Ok(happening) => happening,
             Err(verdict) => return verdict,
@@ -172,15 +172,11 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
             recorder.transition(&event, impact.as_deref(), direction);
         }
         count += 1;
-        let stopped = if let Some((since, recurrence)) =
-            conservative.then(|| reversals.add(&event, direction, range)).flatten()
-        {
-            Some(Outcome::SlidesForever { since, recurrence })
-        } else if count >= transitions && event.to.is_some() {
-            Some(Outcome::TransitionLimit { state: T::state(&now.place), transitions })
-        } else {
-            None
-        };
+        let state = T::state(&now.place);
+        let stopped = proofs.at_event(&event, (&state, direction), range).or_else(|| {
+            let limit = Outcome::TransitionLimit { state, transitions: limits.transitions };
+            (count >= limits.transitions && event.to.is_some()).then(|| proofs.at_limit(limit, event.to))
+        });
         if let Some(outcome) = stopped {
             flush(recorder, &mut pending, direction);
             return outcome.into();
@@ -200,7 +196,7 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     let place = &now.place;
     let state = T::state(place);
     let (mode, solved) = match &now.begin {
-        Begin::Motion(Next::Roll) => (Mode::Rolling, solver.roll(place)),
+        Begin::Motion(Next::Roll { on_limit }) => (Mode::Rolling, solver.roll(place, *on_limit)),
         Begin::Motion(Next::Slide { body, direction, slip_acceleration }) => {
             (Mode::Sliding, solver.slide(place, body, *direction, *slip_acceleration))
         }
@@ -273,8 +269,25 @@ fn continues<T: Solver>(
     (cause, arrival): (Cause, Arrival),
 ) -> Event {
     now.place = place;
+    let state = T::state(&now.place);
+    let arrival = match (arrival, now.limit) {
+        (Arrival::Open, Some(limit)) if cause == Cause::Stick => limit.arrival(&state).unwrap_or(arrival),
+        (
+            Arrival::Open | Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) | Arrival::LiftOff,
+            Some(_) | None,
+        ) => arrival,
+    };
     now.begin = Begin::Motion(solver.decide(&now.place, arrival));
     let begin = &now.begin;
+    now.limit = match (arrival, begin.mode()) {
+        (Arrival::RollingLimit(RollingLimit::Friction(direction)), Some(Mode::Sliding))
+            if solver.hoop().mu_k() == 0.0 =>
+        {
+            Some(LastSlip { state, direction })
+        }
+        (_, Some(Mode::Sliding)) => now.limit,
+        (_, Some(Mode::Rolling | Mode::Gliding | Mode::Flight) | None) => None,
+    };
     // Only now is it known what coming to rest leads to.
     let cause = match (cause, begin.mode()) {
         (Cause::Stick, Some(Mode::Sliding | Mode::Gliding)) => {
@@ -285,7 +298,7 @@ fn continues<T: Solver>(
         (Cause::Stick, Some(Mode::Flight)) => Cause::LiftOff,
         (cause, Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None) => cause,
     };
-    Event::new(T::state(&now.place), mode, cause)
+    Event::new(state, mode, cause)
 }
 
 /// What follows a landing of a hoop with restitution.
@@ -360,7 +373,7 @@ impl Begin {
     /// The mode that begins.
     const fn mode(&self) -> Option<Mode> {
         match self {
-            Self::Motion(Next::Roll) => Some(Mode::Rolling),
+            Self::Motion(Next::Roll { .. }) => Some(Mode::Rolling),
             Self::Motion(Next::Slide { .. }) => Some(Mode::Sliding),
             Self::Motion(Next::Glide { .. }) => Some(Mode::Gliding),
             Self::Motion(Next::Fly { .. }) | Self::Settle(..) => Some(Mode::Flight),
@@ -373,61 +386,9 @@ impl Begin {
         match self {
             Self::Motion(Next::Slide { direction, .. }) => Some(*direction),
             Self::Motion(
-                Next::Roll | Next::Glide { .. } | Next::Fly { .. } | Next::None(_) | Next::Several(_),
+                Next::Roll { .. } | Next::Glide { .. } | Next::Fly { .. } | Next::None(_) | Next::Several(_),
             )
             | Self::Settle(..) => None,
         }
-    }
-}
-
-/// The reversals of a motion without any friction. Energy and horizontal momentum are conserved through them, and the
-/// orbit of (θ, θ′) is closed: once a reversal comes back to the place of an earlier one, a whole period has passed,
-/// and the motion repeats itself.
-#[derive(Debug, Default)]
-struct Reversals(Vec<Reversal>);
-
-#[derive(Clone, Copy, Debug)]
-struct Reversal {
-    state: State,
-    direction: Option<Direction>,
-    /// Angles of the slide that it ends.
-    range: (f64, f64),
-}
-
-impl Reversals {
-    /// Adds an event; the state since which the motion recurs, and how, if it has come back.
-    fn add(
-        &mut self,
-        event: &Event,
-        direction: Option<Direction>,
-        range: Option<(f64, f64)>,
-    ) -> Option<(State, Recurrence)> {
-        let Event { state, cause, .. } = *event;
-        let (Cause::Reversal, Some(range)) = (cause, range) else {
-            self.0.clear();
-            return None;
-        };
-        let same = |a: f64, b: f64| (a - b).abs() <= SAME_STATE * (1.0 + a.abs());
-        let back = self.0.iter().rposition(|earlier| {
-            let turned = (state.theta - earlier.state.theta) / TAU;
-            direction == earlier.direction
-                && same(earlier.state.theta_rate, state.theta_rate)
-                && same(turned.round() * TAU + earlier.state.theta, state.theta)
-        });
-        self.0.push(Reversal { state, direction, range });
-        let back = back?;
-        let since = self.0[back].state;
-        let period = state.time - since.time;
-        let recurrence = if (state.theta - since.theta).abs() > 1.0 {
-            Recurrence::Rotation { period }
-        } else {
-            let (theta_min, theta_max) = self.0[back + 1..]
-                .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), reversal| {
-                    (low.min(reversal.range.0), high.max(reversal.range.1))
-                });
-            Recurrence::Libration { period, theta_min, theta_max }
-        };
-        Some((since, recurrence))
     }
 }

@@ -234,6 +234,9 @@ export const OUTCOMES = [
   'singular',
   'unresolved',
   'step_limit',
+  'slips_forever',
+  'repeats_forever',
+  'stays_in_contact',
   'not_computed',
   'invalid',
 ] as const;
@@ -262,6 +265,9 @@ export const OUTCOME_ROWS = {
   singular: { label: 'sliding is not solvable', forever: false, lastEvent: 'singularity' },
   unresolved: { label: 'unresolved', forever: false, lastEvent: null },
   step_limit: { label: 'step limit', forever: false, lastEvent: null },
+  slips_forever: { label: 'slips for ever', forever: false, lastEvent: null },
+  repeats_forever: { label: 'repeats for ever', forever: false, lastEvent: null },
+  stays_in_contact: { label: 'stays in contact', forever: false, lastEvent: null },
   not_computed: { label: 'not computed', forever: false, lastEvent: null },
   invalid: { label: 'invalid parameters', forever: false, lastEvent: null },
 } as const satisfies Record<OutcomeKind, OutcomeRow>;
@@ -271,8 +277,9 @@ export const CLASSES = [
   'leaves_at_once',
   'lifts_off_later',
   'rolls_forever',
-  'slides_forever',
-  'in_contact_at_limit',
+  'repeats_forever',
+  'slips_forever',
+  'in_contact',
   'particle_at_plane',
   'particle_at_bottom',
   'particle_at_top',
@@ -288,8 +295,9 @@ export const CLASS_LABELS = {
   leaves_at_once: 'leaves at once',
   lifts_off_later: 'lifts off later',
   rolls_forever: 'rolls for ever',
-  slides_forever: 'slides for ever',
-  in_contact_at_limit: 'in contact at the limit',
+  repeats_forever: 'repeats for ever',
+  slips_forever: 'slips for ever',
+  in_contact: 'in contact',
   particle_at_plane: 'particle at the plane',
   particle_at_bottom: 'particle at the bottom',
   particle_at_top: 'particle at the top',
@@ -344,4 +352,4 @@ export const IMPULSE_UNITS = {
 } as const satisfies Record<System, string>;
 
 /** What a core of the same version says of the order of names. */
-export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever slides_forever in_contact_at_limit particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';
+export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever repeats_forever slips_forever in_contact particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';

@@ -43,7 +43,10 @@ Examples:
   littlewood simulate figure-3 --mu-k 0.3 --format json
   littlewood cases
   littlewood classify figure-7
-  littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out map.png";
+  littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out map.png
+
+Exit codes: 0 for every result, 1 for a failure to write, 2 for bad input, 130 if Ctrl-C or a signal such as SIGTERM has
+ended it; files that were not finished are removed then, and a second signal does not wait for what is finished.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -82,7 +85,7 @@ Follow a motion to its end: phases, transitions, outcome.
 The motion is a named case, or parameters, or a scenario file; flags override the values of both. Five numbers define \
 the hoop (2.9), and theta and theta' the start; slip, x and time are 0 unless given. Without --until the motion is \
 followed to a final outcome: a landing, rolling for ever, or a state beyond which the model has no unique motion. \
-Each of these is a result, with exit code 0. Bad input has exit code 2, a failure to write 1.
+Each of these is a result, not a failure.
 
 With --restitution the motion goes on after a landing: each impact is solved exactly, with friction, by the law of \
 --restitution-law, and bounces that accumulate are followed to their end. Where no motion is consistent the hoop then jams \

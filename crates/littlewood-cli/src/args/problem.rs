@@ -4,7 +4,8 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args;
-use littlewood::Limits;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use littlewood::{Limits, Proof};
 
 use super::quantity::{LimitArgs, SetupArgs};
 
@@ -31,6 +32,8 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(MAX_TRANSITIONS),
           help = max_transitions())]
     pub(crate) max_transitions: Option<u64>,
+    #[arg(long, value_name = "PROOF", value_parser = proofs(), help = proof())]
+    pub(crate) proof: Option<Proof>,
 }
 
 /// Largest numbers of transitions that can be asked for.
@@ -38,10 +41,19 @@ pub(crate) const MAX_TRANSITIONS: RangeInclusive<u64> = 1..=u64::MAX;
 
 fn max_transitions() -> String {
     format!(
-        "Stop after this many transitions. Only equal coefficients of friction can need it: there slips may shrink \
-         without end [default: {}]",
+        "Stop after this many transitions. Light hoops on nearly smooth planes make very many, and bounces without loss \
+         need not end [default: {}]",
         Limits::default().transitions
     )
+}
+
+fn proofs() -> impl TypedValueParser<Value = Proof> {
+    let names = Proof::ALL.map(|proof| PossibleValue::new(proof.name()).help(proof.label()));
+    PossibleValuesParser::new(names).try_map(|name| name.parse::<Proof>())
+}
+
+fn proof() -> String {
+    format!("What is enough to end a motion without a time limit [default: {}]", Limits::default().proof)
 }
 
 /// A number after a flag.

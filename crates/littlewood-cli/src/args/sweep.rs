@@ -28,7 +28,7 @@ otherwise.
 
 --out takes a Zarr v3 store (.zarr), a Parquet file (.parquet) or a picture (.png), once for each that is wanted; every \
 motion is followed once. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
-table. Results are written chunk by chunk. Ctrl-C leaves what is finished, with exit code 130, and --resume goes on from \
+table. Results are written chunk by chunk. Ctrl-C leaves what is finished, and --resume goes on from \
 there: a store can be read at any time, a table is in NAME.parquet.parts until it is complete, and a picture that is not \
 complete is NAME.partial.png. A picture alone is not resumed.",
         names(Quantity::AXES.to_vec(), "and"),
@@ -49,7 +49,7 @@ list.
 A list is a CSV file with a header, or a Parquet file; its columns are named as axes are, or x and time, and what has no \
 column comes from the case, the scenario or the flags. --out takes a Parquet file (.parquet), or for a grid a Zarr v3 \
 store (.zarr); the rows of a table are in the order of the list. With more than 16,777,216 starts .parquet is a folder \
-of files, which readers take as one table. Ctrl-C leaves what is finished, with exit code 130, and --resume goes on from \
+of files, which readers take as one table. Ctrl-C leaves what is finished, and --resume goes on from \
 there; until a table is complete it is in NAME.parquet.parts.";
 
 pub(super) const SWEEP_EXAMPLES: &str = "\

@@ -15,6 +15,8 @@ use littlewood_sweep::{AxisError, PictureError, StoreError, SweepError};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use thiserror::Error;
 
+use crate::interrupt::STOPPED;
+
 use hint::{of_axis, of_figure, of_sweep};
 
 /// A failure of the command line. No physical outcome is a failure.
@@ -195,6 +197,10 @@ pub(crate) enum Error {
         /// How to go on.
         hint: String,
     },
+    /// Ctrl-C, or another signal that asks the program to end, in work that cannot be gone on with.
+    #[error("stopped")]
+    #[diagnostic(help("files that were not finished are removed; what had been finished before is kept"))]
+    Stopped,
     /// The program was built without the laboratory.
     #[error("this program was built without the laboratory")]
     #[diagnostic(help(
@@ -235,7 +241,9 @@ impl Error {
                 | FilmError::NoFfmpeg { .. }
                 | FilmError::Ffmpeg { .. },
             ) => ExitCode::from(1),
-            Self::Interrupted { .. } | Self::Film(FilmError::Stopped { .. }) => ExitCode::from(130),
+            Self::Interrupted { .. } | Self::Stopped | Self::Film(FilmError::Stopped { .. }) => {
+                ExitCode::from(STOPPED)
+            }
             Self::Sweep(error) if is_of_the_system(error) => ExitCode::from(1),
             Self::Value { .. }
             | Self::ScenarioValue { .. }

@@ -35,7 +35,7 @@ pub(crate) fn run(args: &LabArgs) -> Result<(), Error> {
     let server = Server::http((Ipv4Addr::LOCALHOST, args.port))
         .map_err(|source| Error::Port { port: args.port, source: into_io(source) })?;
     let port = server.server_addr().to_ip().map_or(args.port, |address| address.port());
-    let asked_to_stop = interrupt::listen();
+    let asked_to_stop = interrupt::asked();
     let address = format!("http://127.0.0.1:{port}/");
     announce(&address)?;
     if !args.no_open && has_browser() {

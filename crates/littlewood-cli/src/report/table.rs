@@ -178,6 +178,32 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             format!("slides for ever from {at}: no friction, and no event in a whole period"),
             &recurrence,
         ),
+        Outcome::SlipsForever { orbit, slips_to_halve, .. } => vec![
+            format!("slips for ever from {at}: each slip is shorter than the last"),
+            format!(
+                "towards the orbit with E = {} that grazes static friction at θ = ±{}; E comes half as near in about {} slips",
+                scale.show(Dimension::Energy, orbit.energy),
+                brief(orbit.theta),
+                format!("{slips_to_halve:.0}"),
+            ),
+            there,
+            place,
+        ],
+        Outcome::RepeatsForever { period, theta_gained, transitions, .. } => vec![
+            format!("repeats itself for ever from {at}: no energy is lost"),
+            format!(
+                "{transitions} transitions in a period of {}, in which θ gains {}",
+                scale.show_with_unit(Dimension::Time, period),
+                brief(theta_gained),
+            ),
+            there,
+            place,
+        ],
+        Outcome::StaysInContact { .. } => vec![
+            format!("stays in contact for ever: from {at} on its energy is too small for a lift-off"),
+            there,
+            place,
+        ],
         Outcome::ParticleAtPlane { .. } => end_of_glide("the plane", &at, there, place),
         Outcome::ParticleAtBottom { .. } => end_of_glide("its lowest place", &at, there, place),
         Outcome::ParticleAtTop { .. } => vec![

@@ -6,6 +6,7 @@ use littlewood::{Class, Engine, Limits, Start};
 use littlewood_style::{Curve, of_class};
 
 use crate::axes::{angle, plane_window, rate};
+use crate::catalogue::Watch;
 use crate::columns::PLANE;
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Mark, Panel, Series, View};
@@ -28,6 +29,7 @@ fn cells_by_class(
     input: &FigureInput,
     window: Window,
     cell: [f64; 2],
+    watch: &mut Watch<'_>,
 ) -> Result<[Vec<Vec<f64>>; Class::ALL.len()], FigureError> {
     let engine = Engine::new(&input.hoop);
     let mut cells: [Vec<Vec<f64>>; Class::ALL.len()] = Default::default();
@@ -37,6 +39,7 @@ fn cells_by_class(
             let theta = window.x[0] + cell[0] * (f64::from(i) + 0.5);
             let class = class_of(&engine, input, Start::at(theta, theta_rate))?;
             cells[usize::from(class.code())].push(vec![theta, theta_rate]);
+            watch(u64::from(j * CELLS[0] + i + 1), u64::from(CELLS[0] * CELLS[1]));
         }
     }
     Ok(cells)
@@ -47,7 +50,7 @@ fn class_of(engine: &Engine, input: &FigureInput, start: Start) -> Result<Class,
     let limits = input.limits;
     if input.hoop.restitution().is_some() && limits.transitions > FIRST {
         let class = Class::of(&engine.summary(start, limits.with_transitions(FIRST))?);
-        if class != Class::InContactAtLimit {
+        if class != Class::InContact {
             return Ok(class);
         }
     }
@@ -59,14 +62,14 @@ fn followed(limits: Limits) -> String {
     limits.until.map_or_else(|| "to its end".to_owned(), |until| format!("to *τ* = {}", short(until)))
 }
 
-pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let hoop = &input.hoop;
     let window =
         if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { plane_window(hoop) };
     let side = |range: [f64; 2], cells: u32| (range[1] - range[0]) / f64::from(cells);
     let cell = [side(window.x, CELLS[0]), side(window.y, CELLS[1])];
-    let cells = cells_by_class(input, window, cell)?;
+    let cells = cells_by_class(input, window, cell, watch)?;
 
     let total = f64::from(CELLS[0] * CELLS[1]);
     let mut layers = Vec::new();

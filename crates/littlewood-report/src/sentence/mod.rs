@@ -117,6 +117,18 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Outcome::SlidesForever { recurrence, .. } => {
             format!("Slides for ever without friction, {}.", returns(&recurrence, scale))
         }
+        Outcome::SlipsForever { orbit, .. } => format!(
+            "Slips for ever, ever less: towards the orbit that grazes static friction at θ = ±{}, {}.",
+            brief(short(orbit.theta)),
+            returns(&orbit.recurrence, scale)
+        ),
+        Outcome::RepeatsForever { period, .. } => format!(
+            "Repeats itself for ever, with the period {}: no energy is lost.",
+            scale.show_with_unit(Dimension::Time, three(period))
+        ),
+        Outcome::StaysInContact { .. } => {
+            "Stays in contact for ever: the energy is too small for a lift-off.".to_owned()
+        }
         Outcome::TimeLimit { .. } => "The time limit ends the motion here.".to_owned(),
         Outcome::TransitionLimit { transitions, .. } => {
             let bounces = trajectory.transitions().last().is_some_and(|event| event.cause == Cause::Landing);

@@ -132,14 +132,15 @@ impl<'a> Store<'a> {
         Ok(())
     }
 
-    /// Writes the manifest in the order of the chunks, and the header that says that the store is complete.
+    /// Writes the manifest in the order of the chunks, and the header that says that the store is complete. What
+    /// describes the store is written again where it has been damaged since it was begun.
     pub(crate) fn complete(&self) -> Result<(), StoreError> {
-        for (path, bytes) in [
-            (Path::new(self.format.manifest_path()), self.manifest.text().into_bytes()),
-            (Path::new(self.format.header_path()), self.format.header(true)?),
-        ] {
-            if fs::read(self.root.join(path)).ok().as_deref() != Some(&bytes) {
-                self.write(path, &bytes)?;
+        let mut files = self.format.initial_files()?;
+        files.push((self.format.manifest_path().into(), self.manifest.text().into_bytes()));
+        files.push((self.format.header_path().into(), self.format.header(true)?));
+        for (path, bytes) in files {
+            if fs::read(self.root.join(&path)).ok().as_deref() != Some(&bytes) {
+                self.write(&path, &bytes)?;
             }
         }
         Ok(())

@@ -19,6 +19,7 @@ use crate::exact::Exact;
 use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
 use crate::simulate::Limits;
+use crate::solvability::is_solvable;
 use crate::state::Start;
 use crate::summary::{Summary, SummaryRecorder};
 use crate::walk::walk;
@@ -87,7 +88,7 @@ impl Engine {
             {
                 // P > 0 with μs, too: then never more than one motion is consistent.
                 SlideTable::new(&body, hoop.mu_k())
-                    .filter(|_| slide::is_solvable(&body, hoop.mu_s()))
+                    .filter(|_| is_solvable(&body, hoop.mu_s()))
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
                         let sliding =
@@ -142,16 +143,15 @@ impl Engine {
         let state = (self.hoop.check(start)?, start.gap_rate);
         limits.check(&start)?;
         let mut recorder = SummaryRecorder::new(&self.hoop);
-        let conservative = limits.is_conservative(&self.hoop);
         Ok(match &self.tables {
             Some(tables) => {
                 let solver = Tabulated::new(&self.hoop, tables, limits);
-                let end = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+                let end = walk(&solver, state, &limits, &mut recorder);
                 recorder.finish(end.kind, end.state)
             }
             None => {
-                let solver = Exact::new(&self.hoop, limits.until);
-                let outcome = walk(&solver, state, limits.transitions, conservative, &mut recorder);
+                let solver = Exact::new(&self.hoop, &limits);
+                let outcome = walk(&solver, state, &limits, &mut recorder);
                 recorder.finish(outcome.kind(), outcome.state())
             }
         })

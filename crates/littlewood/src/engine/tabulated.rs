@@ -87,7 +87,7 @@ type Ended = Ending<Place, Verdict>;
 impl<'a> Tabulated<'a> {
     pub(super) fn new(hoop: &'a Hoop, tables: &'a Tables, limits: Limits) -> Self {
         let until = limits.until.unwrap_or(f64::INFINITY);
-        Self { hoop, tables, until, exact: Exact::new(hoop, limits.until) }
+        Self { hoop, tables, until, exact: Exact::new(hoop, &limits) }
     }
 
     /// Whether so much time is left at a state.
@@ -134,7 +134,7 @@ impl<'a> Tabulated<'a> {
             let law = self.tables.law_of(direction);
             law.p(sin, law.q(1.0, sin, cos))
         };
-        Some(Evidence { contact: w, leaves: w < 0.0, slip, solvability, is_solvable: true })
+        Some(Evidence { contact: w, leaves: w < 0.0, slip, solvability, is_solvable: true, on_limit: false })
     }
 
     /// The same at η′ = 0.
@@ -148,6 +148,7 @@ impl<'a> Tabulated<'a> {
         let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);
         let hold = match arrival {
             Arrival::Open | Arrival::RollingLimit(_) | Arrival::LiftOff if w < 0.0 => Hold::NoNormalForce,
+            Arrival::BackOnLimit(_) => return None,
             Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
                 Hold::Slips { direction, excess: 0.0 }
             }
@@ -196,10 +197,10 @@ impl Solver for Tabulated<'_> {
     }
 
     #[inline(always)]
-    fn roll(&self, place: &Place) -> SolvedBy<Self> {
+    fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let known = if state.theta_rate.abs() < MIN_RATE {
+        let known = if on_limit || state.theta_rate.abs() < MIN_RATE {
             None
         } else {
             let ahead = match &place.ahead {
@@ -243,7 +244,7 @@ impl Solver for Tabulated<'_> {
                     arrival: Arrival::RollingLimit(limit),
                 }
             }
-            Some(RollEnd::Slip { .. }) | None => return Self::take(self.exact.roll(&state)),
+            Some(RollEnd::Slip { .. }) | None => return Self::take(self.exact.roll(&state, on_limit)),
         };
         Solved { solution: None, direction: None, ending }
     }

@@ -11,6 +11,7 @@
 
 mod boundary;
 mod end;
+mod grazing;
 mod orbit;
 mod recurrence;
 mod rim;
@@ -18,6 +19,8 @@ mod rim;
 pub use boundary::RollingLimit;
 pub(crate) use end::Hold;
 pub use end::RollingEnd;
+pub use grazing::GrazingOrbit;
+pub(crate) use grazing::Levels;
 pub use orbit::RollingOrbit;
 pub use recurrence::{Recurrence, RecurrenceKind};
 

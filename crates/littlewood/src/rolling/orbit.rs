@@ -102,7 +102,15 @@ impl RollingOrbit {
     #[must_use]
     pub fn end(&self) -> Option<RollingEnd> {
         match &self.0 {
-            Kind::Elliptic(orbit) => orbit.end(),
+            Kind::Elliptic(orbit) => orbit.end(false),
+            Kind::Rim(orbit) => orbit.end(),
+        }
+    }
+
+    /// The same from a point on the limit of static friction, from where it holds: no end at once.
+    pub(crate) fn end_from_limit(&self) -> Option<RollingEnd> {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.end(true),
             Kind::Rim(orbit) => orbit.end(),
         }
     }
@@ -351,15 +359,24 @@ impl Elliptic {
         arcs.into_iter().flatten().filter(|arc| arc.from != arc.to)
     }
 
-    fn end(&self) -> Option<RollingEnd> {
-        self.arcs().find_map(|arc| {
+    fn end(&self, from_limit: bool) -> Option<RollingEnd> {
+        self.arcs().enumerate().find_map(|(passed, arc)| {
+            let at_limit = (from_limit && passed == 0).then(|| self.limit_at_start(&arc)).flatten();
             let crossings = self.boundary.on_arc(arc.from, arc.to).filter_map(|(margin, limit)| {
+                let margin = if at_limit == Some(limit) { margin.from_zero() } else { margin };
                 let bracket = margin.first_crossing()?;
                 Some((bracket.refine(|x| margin.value_and_slope(x)), limit))
             });
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
             Some(self.end_at(&arc, at, limit))
         })
+    }
+
+    /// The limit whose margin is nearest to zero at the start.
+    fn limit_at_start(&self, arc: &Arc) -> Option<RollingLimit> {
+        let margins =
+            self.boundary.on_arc(arc.from, arc.to).map(|(margin, limit)| (start_value(&margin).abs(), limit));
+        margins.min_by(|a, b| a.0.total_cmp(&b.0)).map(|nearest| nearest.1)
     }
 
     fn end_at(&self, arc: &Arc, at: f64, limit: RollingLimit) -> RollingEnd {

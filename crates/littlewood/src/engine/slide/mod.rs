@@ -23,6 +23,7 @@ use crate::equations::{SlidingLaw, contact};
 use crate::form::Trigonometric;
 use crate::hoop::Heavy;
 use crate::mode::Direction;
+use crate::solvability::{is_solvable, solvability};
 
 use self::cell::Cell;
 
@@ -75,19 +76,6 @@ pub(super) struct Passing {
     pub(super) slip_acceleration: f64,
     /// 1 − h cos ϑ u.
     pub(super) contact: f64,
-}
-
-/// P of a body at every angle, as a trigonometric polynomial, and q.
-fn solvability(body: &Heavy, mu: f64) -> (Trigonometric, Trigonometric) {
-    let Heavy { mass, h, inertia, .. } = *body;
-    let q = Trigonometric::linear(-mu, h, -mu * h);
-    let p = Trigonometric::sin().times(&q).scaled(mass * h).plus(&Trigonometric::linear(inertia, 0.0, 0.0));
-    (p, q)
-}
-
-/// Whether P > 0 at every angle.
-pub(super) fn is_solvable(body: &Heavy, mu: f64) -> bool {
-    body.inertia > 0.0 && solvability(body, mu).0.sign_changes().is_empty()
 }
 
 /// The angles at which the signs change that matter for slides of any speed: those of q, of β and of the slope of the

@@ -1,0 +1,190 @@
+//! Random hoops, starts and limits over the whole of the allowed ranges, biased to the bounds and to what is nearly
+//! degenerate. The same seed draws the same on every machine.
+
+#![allow(dead_code, reason = "the census draws nothing that is not allowed")]
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use littlewood::{Bound, HoopParameters, Limits, Quantity, RestitutionLaw, Setup, Start};
+
+/// Small numbers, each of which some computation may take for zero.
+const TINY: [f64; 12] =
+    [5e-324, f64::MIN_POSITIVE, 1e-300, 1e-150, 1e-30, 1e-16, 2e-16, 1e-12, 1e-9, 1e-6, 1e-4, 1e-3];
+
+/// Numbers that a person types.
+const NICE: [f64; 8] = [0.1, 0.25, 0.4, 0.5, 0.75, 1.0, 2.0, 3.0];
+
+/// Numbers that are no parameter of anything.
+const WRONG: [f64; 8] = [
+    f64::NAN,
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::MAX,
+    f64::MIN,
+    -1.0,
+    -5e-324,
+    1.000_000_000_000_000_2e9,
+];
+
+/// Random numbers (SplitMix64).
+#[derive(Clone, Debug)]
+pub(crate) struct Draw(u64);
+
+impl Draw {
+    /// The numbers of a case: those of other cases tell nothing about them.
+    pub(crate) fn of_case(seed: u64, stream: u64, number: u64) -> Self {
+        let mut draw = Self(seed);
+        let mixed = draw.bits() ^ stream.wrapping_mul(0xd134_2543_de82_ef95);
+        let mut draw = Self(mixed);
+        Self(draw.bits() ^ number.wrapping_mul(0x9e6c_63d0_876a_68ed))
+    }
+
+    pub(crate) const fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A whole number below another.
+    pub(crate) fn below(&mut self, end: usize) -> usize {
+        (self.bits() % end.max(1) as u64) as usize
+    }
+
+    /// From 0 to 1.
+    pub(crate) fn share(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(crate) fn between(&mut self, [from, to]: [f64; 2]) -> f64 {
+        from + (to - from) * self.share()
+    }
+
+    /// Whether something comes that comes with this probability.
+    pub(crate) fn comes(&mut self, probability: f64) -> bool {
+        self.share() < probability
+    }
+
+    pub(crate) fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
+        items[self.below(items.len())]
+    }
+
+    /// A number with any exponent between two powers of ten.
+    fn of_any_size(&mut self, powers: [f64; 2]) -> f64 {
+        libm::exp10(self.between(powers))
+    }
+
+    /// A value that a quantity may have by itself.
+    pub(crate) fn allowed(&mut self, quantity: Quantity) -> f64 {
+        let most = largest(quantity);
+        let size = match self.below(12) {
+            0 => 0.0,
+            1 => most,
+            2 => most.next_down(),
+            3 => self.one_of(&TINY),
+            4 => self.one_of(&NICE),
+            5 | 6 => self.of_any_size([-12.0, libm::log10(most)]),
+            7 => self.of_any_size([-2.0, libm::log10(most).min(2.0)]),
+            8 if quantity == Quantity::Theta => {
+                let quarters = self.below(13) as f64 - 6.0;
+                self.beside(quarters * FRAC_PI_2)
+            }
+            _ => self.between(quantity.row().usual),
+        };
+        let value = if self.comes(0.5) { -size } else { size };
+        if quantity.check(value).is_ok() { value } else { size.clamp(0.0, most) }
+    }
+
+    /// A number, or one beside it.
+    fn beside(&mut self, value: f64) -> f64 {
+        match self.below(5) {
+            0 => value.next_up(),
+            1 => value.next_down(),
+            2 => value + self.one_of(&[1e-12, -1e-9, 1e-6]),
+            _ => value,
+        }
+    }
+
+    /// A value that may be out of bounds, too.
+    pub(crate) fn any(&mut self, quantity: Quantity) -> f64 {
+        match self.below(8) {
+            0 => self.one_of(&WRONG),
+            1 => largest(quantity).next_up(),
+            2 => -self.allowed(quantity),
+            _ => self.allowed(quantity),
+        }
+    }
+
+    /// Parameters of a hoop, each within its bounds; now and then they contradict each other.
+    pub(crate) fn hoop(&mut self) -> HoopParameters {
+        let (mass_ratio, inertia) = match self.below(8) {
+            0 => (0.0, 0.0),
+            1 => (0.0, self.allowed(Quantity::Inertia)),
+            2 => (self.allowed(Quantity::MassRatio), 0.0),
+            3 => {
+                let mass_ratio = self.allowed(Quantity::MassRatio);
+                (mass_ratio, mass_ratio)
+            }
+            _ => (self.allowed(Quantity::MassRatio), self.allowed(Quantity::Inertia)),
+        };
+        let offset = if self.comes(0.3) { 1.0 } else { self.allowed(Quantity::Offset) };
+        let mu_s = self.allowed(Quantity::MuS).abs();
+        let mu_k = match self.below(10) {
+            0 | 1 => mu_s,
+            2 => 0.0,
+            3 => mu_s.next_down().max(0.0),
+            4 => mu_s * (1.0 - self.one_of(&TINY)),
+            5 => self.allowed(Quantity::MuK),
+            _ => mu_s * self.share(),
+        };
+        let hoop = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+        if inertia == 0.0 || self.comes(0.6) {
+            return hoop;
+        }
+        let coefficient = match self.below(4) {
+            0 => 0.0,
+            1 => 1.0,
+            2 => self.allowed(Quantity::Restitution),
+            _ => self.share(),
+        };
+        hoop.with_restitution(coefficient, self.one_of(RestitutionLaw::ALL.as_slice()))
+    }
+
+    pub(crate) fn start(&mut self) -> Start {
+        let theta = if self.comes(0.5) { self.between([-PI, PI]) } else { self.allowed(Quantity::Theta) };
+        let mut start = Start::at(theta, self.allowed(Quantity::ThetaRate));
+        if self.comes(0.5) {
+            start = start.with_slip(self.allowed(Quantity::Slip));
+        }
+        if self.comes(0.1) {
+            start = start.with_gap_rate(self.allowed(Quantity::GapRate));
+        }
+        if self.comes(0.1) {
+            start = start.with_time(self.allowed(Quantity::Time)).with_x(self.allowed(Quantity::X));
+        }
+        start
+    }
+
+    pub(crate) fn setup(&mut self) -> Setup {
+        Setup::new(self.hoop(), self.start())
+    }
+
+    pub(crate) fn limits(&mut self, start: Start) -> Limits {
+        let until = match self.below(4) {
+            0 | 1 => None,
+            2 => Some(start.time + self.one_of(&[0.0, 1e-300, 1e-9, 1.0, 50.0, 1e5, 1e9, 1e300])),
+            _ => Some(start.time + self.of_any_size([-3.0, 4.0])),
+        };
+        let limits = Limits::default().with_until(until);
+        if self.comes(0.3) { limits.with_transitions(self.one_of(&[1, 2, 3, 7, 100])) } else { limits }
+    }
+}
+
+/// The largest value that a quantity may have; of one without a bound a large one.
+fn largest(quantity: Quantity) -> f64 {
+    let bound = |bound: &Bound| match *bound {
+        Bound::AtMostConstant(most) | Bound::MagnitudeAtMost(most) => Some(most),
+        Bound::Finite | Bound::Positive | Bound::NonNegative | Bound::AtMost(..) | Bound::AtLeast(..) => None,
+    };
+    quantity.bounds().iter().find_map(bound).unwrap_or(1e9)
+}

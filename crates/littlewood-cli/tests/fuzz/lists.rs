@@ -1,0 +1,121 @@
+//! Lists of starts, CSV and Parquet: as they should be, and damaged.
+
+use std::fs::{self, File};
+use std::path::Path;
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+use littlewood::{HoopParameters, Quantity, Setup, Start};
+use littlewood_sweep::StartList;
+use parquet::arrow::ArrowWriter;
+
+use crate::damage::{damage, damage_text};
+use crate::draw::Draw;
+use crate::program::{judge, run as run_program};
+use crate::{Case, Verdict};
+
+/// Where nothing else is said.
+const BASE: Setup =
+    Setup::new(HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4), Start::at(1.0, 1.0));
+
+/// Which part of the lists goes through the program, which takes a thousand times as long.
+const THROUGH_THE_PROGRAM: f64 = 0.1;
+
+pub(crate) fn run(case: &mut Case) -> Verdict {
+    let draw = &mut case.draw;
+    let is_csv = draw.comes(0.5);
+    let name = if is_csv { "starts.csv" } else { "starts.parquet" };
+    let path = case.folder.join(name);
+    let table = Table::random(draw);
+    let mut harm = String::new();
+    if is_csv {
+        let mut text = table.csv(draw);
+        while draw.comes(0.4) {
+            text = damage_text(draw, &text);
+        }
+        fs::write(&path, text).expect("written");
+    } else {
+        table.parquet(&path);
+        let mut bytes = fs::read(&path).expect("a file");
+        while draw.comes(0.5) {
+            harm += &damage(draw, &mut bytes);
+            harm += "; ";
+        }
+        fs::write(&path, bytes).expect("written");
+    }
+    case.told
+        .tell(format!("littlewood sweep figure-3 --starts {} --out list.parquet  {harm}", path.display()));
+    if draw.comes(THROUGH_THE_PROGRAM) {
+        let words = ["sweep", "figure-3", "--until=9", "--starts", name, "--out", "list.parquet"];
+        return judge(&run_program(&words.map(str::to_owned), &case.folder));
+    }
+    match read(&path) {
+        Ok(rows) if rows == table.rows as u64 => Ok("read"),
+        Ok(_) => Ok("read otherwise"),
+        Err(message) if message.is_empty() => Err("a refusal that says nothing".to_owned()),
+        Err(_) => Ok("refused"),
+    }
+}
+
+/// Reads a list to its end: the number of rows, each of which can be followed.
+fn read(path: &Path) -> Result<u64, String> {
+    let list = StartList::open(path, BASE).map_err(|error| error.to_string())?;
+    let mut rows = 0;
+    for row in list.points().map_err(|error| error.to_string())? {
+        row.map_err(|error| error.to_string())?;
+        rows += 1;
+    }
+    if rows == list.rows() { Ok(rows) } else { Err(format!("{rows} rows of {}", list.rows())) }
+}
+
+/// A list before it is written.
+struct Table {
+    rows: usize,
+    columns: Vec<(Quantity, Vec<f64>)>,
+}
+
+impl Table {
+    fn random(draw: &mut Draw) -> Self {
+        let rows = draw.one_of(&[0, 1, 2, 3, 30]);
+        let quantities: Vec<Quantity> =
+            Quantity::HOOP.into_iter().chain(Quantity::START).filter(|_| draw.comes(0.4)).collect();
+        let mut columns = Vec::new();
+        for quantity in quantities {
+            let mut value =
+                || if draw.comes(0.02) { draw.any(quantity) } else { draw.between(quantity.row().usual) };
+            columns.push((quantity, (0..rows).map(|_| value()).collect()));
+        }
+        Self { rows, columns }
+    }
+
+    fn csv(&self, draw: &mut Draw) -> String {
+        let end = draw.one_of(&["\n", "\r\n"]);
+        let header: Vec<&str> = self.columns.iter().map(|(quantity, _)| quantity.name()).collect();
+        let mut text = header.join(",") + end;
+        for row in 0..self.rows {
+            let cells: Vec<String> = self.columns.iter().map(|(_, values)| values[row].to_string()).collect();
+            text += &cells.join(",");
+            text += end;
+        }
+        text
+    }
+
+    fn parquet(&self, path: &Path) {
+        let columns = self
+            .columns
+            .iter()
+            .map(|(quantity, values)| {
+                (quantity.name(), Arc::new(Float64Array::from(values.clone())) as ArrayRef)
+            })
+            .collect::<Vec<_>>();
+        if columns.is_empty() {
+            fs::write(path, b"PAR1PAR1").expect("written");
+            return;
+        }
+        let batch = RecordBatch::try_from_iter(columns).expect("a table");
+        let mut writer = ArrowWriter::try_new(File::create(path).expect("a file"), batch.schema(), None)
+            .expect("a writer");
+        writer.write(&batch).expect("written");
+        writer.close().expect("written");
+    }
+}

@@ -1,0 +1,184 @@
+//! What is proved about endless motions, against the motions themselves, followed without proofs.
+
+mod common;
+
+use std::f64::consts::PI;
+
+use littlewood::{
+    Cause, GrazingOrbit, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, RollingLaw, Start, State,
+    Trajectory,
+};
+use proptest::prelude::*;
+use serde_json::Value;
+
+/// Hoops of moderate proportions with one coefficient of friction.
+fn equal_friction() -> impl Strategy<Value = Hoop> {
+    let masses = prop_oneof![(0.1..4.0_f64).prop_map(|m1| (m1, m1)), (0.0..4.0_f64, 0.2..3.0_f64)];
+    (masses, prop_oneof![Just(1.0), 0.1..1.0_f64], 0.02..1.2_f64).prop_filter_map(
+        "a body that can move",
+        |((mass_ratio, inertia), offset, mu)| {
+            Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu, mu)).ok()
+        },
+    )
+}
+
+fn energy(hoop: &Hoop, state: &State) -> f64 {
+    RollingLaw::new(hoop).energy(state.theta, state.theta_rate)
+}
+
+fn follow(hoop: &Hoop, state: State, transitions: usize) -> Trajectory {
+    hoop.simulate(Start::from(state), Limits::default().with_transitions(transitions).with_proof(Proof::None))
+        .expect("a start")
+}
+
+/// Largest |F| − μs N over an orbit, sampled densely.
+fn largest_excess(hoop: &Hoop, energy: f64) -> f64 {
+    let law = RollingLaw::new(hoop);
+    let mut largest = f64::NEG_INFINITY;
+    let mut look = |theta: f64, u: f64| {
+        let forces = law.forces(theta, u.sqrt());
+        largest = largest.max(forces.friction.abs() - hoop.mu_s() * forces.normal);
+    };
+    for step in 0..=20_000 {
+        let theta = PI * f64::from(step) / 20_000.0;
+        let u = 2.0 * (energy - hoop.offset() * theta.cos()) / law.denominator(theta);
+        if u >= 0.0 {
+            look(theta, u);
+        }
+    }
+    let turning = energy / hoop.offset();
+    if turning.abs() < 1.0 {
+        look(turning.acos(), 0.0);
+    }
+    largest
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn the_grazing_orbit_is_where_the_limit_begins_to_be_exceeded(hoop in equal_friction(), above in 0.0..3.0_f64, librates in any::<bool>()) {
+        let from = if librates { hoop.offset() * (1.0 - 1e-9) } else { hoop.offset() * (1.0 + 1e-9) + above };
+        let Some(orbit) = GrazingOrbit::below(&hoop, from) else { return Ok(()) };
+        let size = 1e-6 * (1.0 + orbit.energy.abs());
+        prop_assert!(largest_excess(&hoop, orbit.energy - size) < 0.0, "{orbit:?}");
+        prop_assert!(largest_excess(&hoop, orbit.energy + size) > 0.0, "{orbit:?}");
+        let forces = RollingLaw::new(&hoop).forces(orbit.theta, orbit.theta_rate);
+        prop_assert!((forces.demand() - hoop.mu_s()).abs() < 1e-9, "{orbit:?}");
+    }
+
+    #[test]
+    fn a_slip_near_the_grazing_orbit_loses_what_its_law_says(hoop in equal_friction(), librates in any::<bool>()) {
+        let from = if librates { hoop.offset() * (1.0 - 1e-9) } else { 1e3 };
+        let Some(orbit) = GrazingOrbit::below(&hoop, from) else { return Ok(()) };
+        // So near that a slip takes a thousandth of the distance; terms of higher order are of the size of its square root.
+        let distance = 1e-3 / orbit.loss;
+        prop_assume!(distance < 1e-2 && distance > 1e-6);
+        let law = RollingLaw::new(&hoop);
+        let rate = (2.0 * (orbit.energy + distance + hoop.offset()) / law.denominator(PI)).sqrt();
+        let motion = follow(&hoop, State { time: 0.0, theta: PI, theta_rate: rate, slip: 0.0, x: 0.0 }, 2);
+        let [slip, stick] = motion.transitions() else { return Err(TestCaseError::fail(format!("{orbit:?}"))) };
+        prop_assert_eq!((slip.cause, stick.cause), (Cause::Slip, Cause::Stick));
+        let lost = energy(&hoop, &slip.before) - energy(&hoop, &stick.before);
+        let expected = orbit.loss * distance * distance;
+        prop_assert!((lost / expected - 1.0).abs() < 0.1, "{} of {}: {orbit:?}", lost, expected);
+    }
+
+    #[test]
+    fn a_motion_that_slips_for_ever_goes_on_slipping(hoop in equal_friction(), theta in -PI..PI, rate in -3.0..3.0_f64) {
+        let motion = hoop.simulate(Start::at(theta, rate), Limits::default()).expect("a start");
+        let Outcome::SlipsForever { state, orbit, .. } = motion.outcome() else { return Ok(()) };
+        let further = follow(&hoop, state, 400);
+        let is_limit = matches!(further.outcome(), Outcome::TransitionLimit { .. });
+        prop_assert!(is_limit, "{:?}", further.outcome());
+        // Slips before and behind the vertical differ; those of one kind shrink.
+        let mut last = energy(&hoop, &state);
+        let mut losses: Vec<f64> = Vec::new();
+        for pair in further.transitions().chunks_exact(2) {
+            prop_assert_eq!((pair[0].cause, pair[1].cause), (Cause::Slip, Cause::Stick));
+            let now = energy(&hoop, &pair[1].before);
+            let lost = last - now;
+            prop_assert!(now > orbit.energy, "{} {orbit:?}", now);
+            let like = losses.len().checked_sub(2).map_or(f64::INFINITY, |earlier| losses[earlier]);
+            prop_assert!(lost > 0.0 && lost <= like * (1.0 + 1e-9), "{lost} {like} {orbit:?}");
+            losses.push(lost);
+            last = now;
+        }
+    }
+
+    #[test]
+    fn a_motion_that_repeats_itself_does(
+        hoop in common::moderate_hoop(), theta in -PI..PI, rate in -3.0..3.0_f64, slip in prop_oneof![Just(0.0), -2.0..2.0_f64],
+    ) {
+        let hoop = Hoop::new(hoop.parameters().with_friction(hoop.mu_s(), 0.0)).expect("without kinetic friction");
+        let motion = hoop.simulate(Start::at(theta, rate).with_slip(slip), Limits::default()).expect("a start");
+        prop_assert!(motion.outcome().is_final(), "{:?}", motion.outcome());
+        let Outcome::RepeatsForever { since, period, theta_gained, transitions } = motion.outcome() else { return Ok(()) };
+        let turns = theta_gained / (2.0 * PI);
+        prop_assert!((turns - turns.round()).abs() < 1e-8);
+        let further = follow(&hoop, motion.start(), motion.transitions().len() + 2 * transitions);
+        for (n, later) in further.transitions().iter().skip(motion.transitions().len()).enumerate() {
+            let earlier = &further.transitions()[motion.transitions().len() + n - transitions];
+            prop_assert_eq!((earlier.cause, earlier.direction), (later.cause, later.direction));
+            prop_assert!((later.time() - earlier.time() - period).abs() < 1e-8 * (1.0 + period));
+            prop_assert!((later.before.theta - earlier.before.theta - theta_gained).abs() < 1e-8);
+            prop_assert!((later.before.theta_rate - earlier.before.theta_rate).abs() < 1e-8);
+        }
+        prop_assert!(since.time >= 0.0);
+    }
+
+    #[test]
+    fn a_hoop_of_little_energy_never_lifts_off(
+        hoop in common::heavy_hoop(), theta in -PI..PI, rate in -2.0..2.0_f64, slip in prop_oneof![Just(0.0), -1.0..1.0_f64],
+    ) {
+        let start = State { time: 0.0, theta, theta_rate: rate, slip, x: 0.0 };
+        prop_assume!(hoop.never_lifts_off(&start));
+        let motion = follow(&hoop, start, 60);
+        prop_assert!(motion.phases().iter().all(|phase| phase.mode() != Mode::Flight));
+        let asked = Limits::default().with_proof(Proof::Contact);
+        let known = hoop.simulate(Start::from(start), asked).expect("a start");
+        prop_assert_eq!(known.outcome(), Outcome::StaysInContact { state: start });
+    }
+
+    #[test]
+    fn the_question_who_jumps_has_the_same_answer_by_proof(
+        hoop in common::moderate_hoop(), theta in -PI..PI, rate in -4.0..4.0_f64,
+    ) {
+        let start = Start::at(theta, rate);
+        let whole = hoop.simulate(start, Limits::default()).expect("a start").summary();
+        let asked = hoop.simulate(start, Limits::default().with_proof(Proof::Contact)).expect("a start").summary();
+        prop_assert_eq!(whole.lift_off_time.to_bits(), asked.lift_off_time.to_bits());
+    }
+}
+
+#[test]
+fn the_least_energy_of_a_lift_off_is_reached_at_the_top() {
+    let hoop = Hoop::figure_2(0.5, 0.4).expect("Figure 2's hoop");
+    let needed = hoop.lift_off_energy().expect("a heavy hoop");
+    // Past the top by a little, a little faster than 1/√h, the mass centre at rest but for its fall.
+    let (theta, rate) = (1e-4_f64, -(2.0_f64.sqrt() + 1e-7));
+    let slip = rate * (1.0 + 0.5 * theta.cos());
+    let motion = hoop.simulate(Start::at(theta, rate).with_slip(slip), Limits::default()).expect("a start");
+    assert_eq!(motion.phases()[0].mode(), Mode::Flight);
+    let has = 0.5 * (2.0 * (0.5 * theta.sin() * rate).powi(2) + 1.5 * rate * rate) + theta.cos();
+    assert!(has > needed && has < needed + 1e-6, "{has} {needed}");
+}
+
+#[test]
+fn grazing_orbits_are_those_of_a_search_with_40_digits() {
+    let orbits: Value =
+        serde_json::from_str(include_str!("../../../reference/grazing.json")).expect("the reference");
+    let number = |value: &Value| value.as_f64().or_else(|| value.as_str()?.parse().ok()).expect("a number");
+    for expected in orbits["orbits"].as_array().expect("orbits") {
+        let get = |name: &str| number(&expected["hoop"][name]);
+        let parameters = HoopParameters::new(get("mass_ratio"), get("offset"), get("inertia"));
+        let hoop = Hoop::new(parameters.with_friction(get("mu_s"), get("mu_k"))).expect("a hoop");
+        let orbit = GrazingOrbit::below(&hoop, number(&expected["below"])).expect("a grazing orbit");
+        for (name, ours) in
+            [("energy", orbit.energy), ("theta", orbit.theta), ("theta_rate", orbit.theta_rate)]
+        {
+            let theirs = number(&expected[name]);
+            assert!((ours - theirs).abs() < 1e-13 * (1.0 + theirs.abs()), "{name} of {orbit:?}: {theirs}");
+        }
+    }
+}
