@@ -81,14 +81,15 @@ impl Rule {
         core::array::from_fn(|i| dot(&self.integrals[i], values))
     }
 
-    /// The last two coefficients over the largest value: how far the polynomial through the nodes is from the function.
+    /// The last two coefficients: how far the polynomial through the nodes is from the function.
     pub(super) fn tail(&self, values: &[f64; NODES]) -> f64 {
-        let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        if largest == 0.0 {
-            return 0.0;
-        }
-        (dot(&self.tails[0], values).abs() + dot(&self.tails[1], values).abs()) / largest
+        dot(&self.tails[0], values).abs() + dot(&self.tails[1], values).abs()
     }
+}
+
+/// The largest magnitude.
+pub(super) fn largest(values: &[f64; NODES]) -> f64 {
+    values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
 }
 
 fn dot(a: &[f64; NODES], b: &[f64; NODES]) -> f64 {

@@ -20,7 +20,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use crate::equations::SlidingLaw;
 use crate::hoop::Heavy;
 
-use super::panel::{NODES, Rule};
+use super::panel::{NODES, Rule, largest};
 
 /// Most panels of a turn: those of very light hoops would be more.
 const MOST_PANELS: usize = 160;
@@ -28,10 +28,10 @@ const MOST_PANELS: usize = 160;
 /// Panels at the beginning, before any is halved.
 const PANELS: usize = 6;
 
-/// The linear map is known to rounding where a tail of its coefficients is below this.
+/// The linear map is known to rounding where a tail of its coefficients is below this part of their largest value so far.
 const CONVERGED: f64 = 1e-14;
 
-/// The time is, where a tail of 1/√u is below this: the rule is exact to twice the degree.
+/// The time is, where a tail of 1/√u is below this part of its largest value: the rule is exact to twice the degree.
 const HALF_CONVERGED: f64 = 1e-8;
 
 /// The section at which turns of a law are counted, in the direction of travel, within (−π, π].
@@ -101,6 +101,8 @@ impl Turn {
             ends.windows(2).rev().map(|pair| (pair[0], pair[1])).filter(|(a, b)| a < b).collect();
         // log A/f and the work −(e₀ − e₀(θs))/(f A) up to here.
         let (mut growth, mut work) = (0.0, 0.0);
+        // Near the bottom of a rim hoop both are small differences.
+        let mut scale = (0.0_f64, 0.0_f64);
         let f = law.friction;
         let value = |lower: f64, inertia: f64, growth: f64, work: f64| {
             let gain = libm::exp(f * growth);
@@ -113,7 +115,9 @@ impl Turn {
         while let Some((left, right)) = pending.pop() {
             let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
             let sampled = Sampled::new(law, start, rule.nodes.map(|x| centre + half * x))?;
-            let mut fine = rule.tail(&sampled.growth) < CONVERGED && rule.tail(&sampled.work) < CONVERGED;
+            scale = (scale.0.max(largest(&sampled.growth)), scale.1.max(largest(&sampled.work)));
+            let mut fine = rule.tail(&sampled.growth) <= CONVERGED * scale.0
+                && rule.tail(&sampled.work) <= CONVERGED * scale.1;
             let mut nodes = [(0.0, 0.0); NODES];
             let mut works = [0.0; NODES];
             if fine {
@@ -121,7 +125,7 @@ impl Turn {
                 for i in 0..NODES {
                     works[i] = sampled.work[i] * libm::exp(-f * growths[i]);
                 }
-                fine = rule.tail(&works) < CONVERGED;
+                fine = rule.tail(&works) <= CONVERGED * scale.1.max(largest(&works));
                 let sums = rule.up_to(&works);
                 for i in 0..NODES {
                     let (lower, inertia) = (sampled.lower[i], sampled.inertia[i]);
@@ -129,7 +133,7 @@ impl Turn {
                 }
                 for energy in energies.into_iter().flat_map(|(low, high)| [low, high]) {
                     let slowness = nodes.map(|(base, gain)| 1.0 / (base + energy * gain).sqrt());
-                    fine &= rule.tail(&slowness) < HALF_CONVERGED;
+                    fine &= rule.tail(&slowness) < HALF_CONVERGED * largest(&slowness);
                 }
             }
             if !fine {
