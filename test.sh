@@ -15,4 +15,4 @@ cargo test --workspace --locked --no-fail-fast
 LITTLEWOOD_FUZZ_SECONDS=60 cargo test --package littlewood-cli --test fuzz --locked -- --nocapture
 cargo test --package littlewood --features serde --test serde --locked
 python/test.sh
-web/test.sh
+LITTLEWOOD_FUZZ_SECONDS=60 web/test.sh

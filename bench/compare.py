@@ -29,8 +29,9 @@ STARTS = 200
 class Peer:
     """A program that answers one line with one line; `start` returns why it cannot run, or None."""
 
-    def __init__(self, name, *command, build=None):
+    def __init__(self, name, *command, build=None, environment=None):
         self.name, self.command, self.build, self.process = name, command, build, None
+        self.environment = os.environ | (environment or {})
 
     def start(self):
         if self.build:
@@ -39,7 +40,7 @@ class Peer:
             if built.returncode:
                 return last_line(built.stderr)
         self.process = subprocess.Popen(
-            list(map(str, self.command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            list(map(str, self.command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=self.environment
         )
         return None
 
@@ -65,8 +66,8 @@ def last_line(text):
     return (text.strip().splitlines() or ["no message"])[-1].replace("|", "/")
 
 
-def python_peer(name):
-    return Peer(name, PYTHON, HERE / "peers" / f"{name.lower()}_peer.py")
+def python_peer(name, environment=None):
+    return Peer(name, PYTHON, HERE / "peers" / f"{name.lower()}_peer.py", environment=environment)
 
 
 def cargo_peer(name, folder, binary):

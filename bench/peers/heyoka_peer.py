@@ -6,13 +6,16 @@ import time
 import heyoka as hy
 import numpy as np
 
-from physics import ARM, FIGURE_3, INERTIA, MASS, MU_K, MU_S, OFFSET, ROLL, ROLLS, SEED, follow, grid
-from worker import median_seconds, outcome_map, serve, trajectory
+from physics import ARM, FAILED, FIGURE_3, INERTIA, MASS, MU_K, MU_S, OFFSET, ROLL, ROLLS, SEED, follow, grid, listed
+from worker import median_seconds, outcome_map, outcomes_in, serve, trajectory
+
+hy.set_logger_level_critical()  # its warnings go to the standard output, where the answers are
 
 THETA, RATE, SLIP, X = VARIABLES = hy.make_vars("theta", "rate", "slip", "x")
 FALLING = hy.event_direction.negative
 NO_EVENT = int(hy.taylor_outcome.time_limit)
 FIRST, SECOND = -1, -2  # how heyoka numbers the events that stop it
+MOST_STEPS = 1_000_000  # of a phase
 
 
 def rolling():
@@ -57,7 +60,7 @@ class Hybrid:
         integrator.time = start
         integrator.state[:] = state
         integrator.reset_cooldowns()
-        outcome = int(integrator.propagate_until(until)[0])
+        outcome = int(integrator.propagate_until(until, max_steps=MOST_STEPS)[0])
         if outcome not in (NO_EVENT, FIRST, SECOND):
             raise RuntimeError(f"heyoka stopped with outcome {outcome}")
         event = {NO_EVENT: None, FIRST: 0, SECOND: 1}[outcome]
@@ -82,8 +85,8 @@ class Hybrid:
         plus.propagate_until(10.0)
         return minus.time, roll.time, plus.time
 
-    def outcome(self, theta, rate):
-        return follow(theta, rate, 50.0, self.advance)[0]
+    def outcome(self, theta, rate, slip=0.0):
+        return follow(theta, rate, 50.0, self.advance, slip)[0]
 
 
 class Batch:
@@ -148,6 +151,11 @@ def maps(cells):
     return [outcome_map("heyoka, fast_math, tol 1e-9", grid(cells, slice(None)), LOOSE.outcome)]
 
 
+def regime(seconds):
+    LOOSE.outcome(1.0, 1.0)
+    return outcomes_in("heyoka, fast_math, tol 1e-9", listed(), LOOSE.outcome, FAILED, seconds)
+
+
 def angle(until):
     """In pieces, whole turns and x taken off between them: heyoka's tolerance is relative to the largest of the state.
 
@@ -173,4 +181,4 @@ def rolls(until):
     return [{"name": "heyoka, tol = eps", "seconds": time.perf_counter() - start, "theta": theta}]
 
 
-serve(trajectory=trajectories, map=maps, rolling=rolls)
+serve(trajectory=trajectories, map=maps, rolling=rolls, regime=regime)

@@ -1,9 +1,10 @@
-"""The hoop of figure 2 (mass ratio = offset = inertia = 1, mu_s = 0.5, mu_k = 0.4), and what follows at rest.
+"""The hoop of LITTLEWOOD_HOOP (mass ratio, offset, inertia, mu_s, mu_k), or that of figure 2, and what follows at rest.
 
 Everything here works on floats, compiled where numba is there, so that the peers spend their time on integrating.
 """
 
 import math
+import os
 
 try:
     from numba import njit
@@ -11,8 +12,10 @@ except ImportError:  # the peers that do not need numba still run
     def njit(function):
         return function
 
-MASS, OFFSET, INERTIA, ARM = 2.0, 0.5, 1.5, 1.0  # whole mass, centre of mass, inertia about it, particle
-MU_S, MU_K = 0.5, 0.4
+MASS_RATIO, ARM, MOMENT, MU_S, MU_K = map(float, os.environ.get("LITTLEWOOD_HOOP", "1 1 1 0.5 0.4").split())
+MASS = 1.0 + MASS_RATIO  # of the whole
+OFFSET = ARM / MASS  # of the mass centre
+INERTIA = MOMENT + MASS_RATIO * ARM * ARM / MASS  # about it
 FIGURE_3 = (math.pi / 2, 2.0)
 ROLLS = (0.0, 0.5)
 
@@ -79,14 +82,16 @@ def mode_after(mode, event, theta, rate):
     return following
 
 
-def follow(theta, rate, until, advance):
+def follow(theta, rate, until, advance, slip=0.0):
     """Outcome and times of the events, with `advance(mode, time, state, until)` -> (event or None, time, state)."""
-    mode, time, state, times = mode_at_rest(theta, rate), 0.0, (theta, rate, 0.0, 0.0), []
-    if mode == FREE:
+    time, state, times = 0.0, (theta, rate, slip, 0.0), []
+    mode = int(math.copysign(1.0, slip)) if slip else mode_at_rest(theta, rate)
+    if mode == FREE or slip and weight(theta, rate) < 0.0:
         return AT_ONCE, times
     while mode != SEVERAL and len(times) < MOST_PHASES:
         theta, rate, _, x = state
-        event, time, state = advance(mode, time, (theta, rate, SEED * mode, x), until)
+        event, time, state = advance(mode, time, (theta, rate, slip or SEED * mode, x), until)
+        slip = 0.0
         if event is None:
             return CONTACT, times
         times.append(time)
@@ -96,6 +101,12 @@ def follow(theta, rate, until, advance):
         if mode == FREE:
             return LATER, times
     return FAILED, times
+
+
+def listed():
+    """The starts (angle, rate, slip) of the file LITTLEWOOD_STARTS, which has a header."""
+    with open(os.environ["LITTLEWOOD_STARTS"]) as file:
+        return [tuple(map(float, line.split(","))) for line in list(file)[1:]]
 
 
 def grid(cells, pick):

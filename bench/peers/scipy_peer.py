@@ -5,8 +5,8 @@ from functools import partial
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from physics import FIGURE_3, ROLL, follow, grid, rolling, slip_margins, sliding, weight
-from worker import outcome_map, serve, trajectory
+from physics import FAILED, FIGURE_3, ROLL, follow, grid, listed, rolling, slip_margins, sliding, weight
+from worker import outcome_map, outcomes_in, serve, trajectory
 
 COARSE = 20  # rows and columns of the map that are computed
 
@@ -62,4 +62,10 @@ def maps(cells):
     return [outcome_map("SciPy DOP853, 1e-9", grid(cells, pick), outcome, pick.tolist())]
 
 
-serve(trajectory=trajectories, map=maps)
+def regime(seconds):
+    outcome = lambda theta, rate, slip: follow(theta, rate, 50.0, LOOSE, slip)[0]
+    outcome(1.0, 1.0, 0.0)
+    return outcomes_in("SciPy DOP853, 1e-9", listed(), outcome, FAILED, seconds)
+
+
+serve(trajectory=trajectories, map=maps, regime=regime)

@@ -23,6 +23,29 @@ def median_seconds(call, seconds=0.5):
     return statistics.median(samples)
 
 
+def outcomes_in(name, starts, outcome, failed, most):
+    """As many outcomes as can be had in some seconds of the processor, and the time of each: the least, where there is time
+    for more than one round. What cannot be integrated has failed.
+    """
+    outcomes, seconds = [], []
+    end = time.process_time() + most
+    while time.process_time() < end:
+        for number, start in enumerate(starts):
+            begun = time.process_time()
+            if begun > end:
+                break
+            try:
+                found = outcome(*start)
+            except (ArithmeticError, RuntimeError, ValueError):
+                found = failed
+            took = time.process_time() - begun
+            if number == len(outcomes):
+                outcomes.append(found)
+                seconds.append(took)
+            seconds[number] = min(seconds[number], took)
+    return {"name": name, "outcomes": outcomes, "seconds": seconds}
+
+
 def trajectory(name, call, each=1):
     """`call` returns the times of the three events of figure 3; it follows `each` motions at a time."""
     return {"name": name, "seconds": median_seconds(call) / each, "times": [float(t) for t in call()]}

@@ -2,7 +2,7 @@
 //! units.
 
 use littlewood::{
-    CASES, Classification, Group, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Presence,
+    CASES, Classification, Digits, Group, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Presence,
     Quantity, Setup, SiSetup, Start, Trajectory, Units, find_case,
 };
 use littlewood_report::{RESTITUTION_LAW, Subject};
@@ -95,6 +95,14 @@ impl Problem {
         self.hoop.simulate(self.start, self.limits).map_err(|error| self.inputs.blame(error))
     }
 
+    /// Estimates how many digits of each transition can be trusted.
+    ///
+    /// # Errors
+    /// A start or a time limit that is out of bounds.
+    pub(crate) fn digits(&self) -> Result<Vec<Option<Digits>>, Error> {
+        self.hoop.digits(self.start, self.limits).map_err(|error| self.inputs.blame(error))
+    }
+
     /// Classifies the start.
     ///
     /// # Errors
@@ -105,7 +113,7 @@ impl Problem {
 
     /// What a report says beside the motion.
     pub(crate) const fn subject(&self) -> Subject<'_> {
-        Subject { case: self.case, start: self.start, units: self.units.as_ref() }
+        Subject { case: self.case, start: self.start, units: self.units.as_ref(), digits: None }
     }
 
     /// The scenario file, if there is one.

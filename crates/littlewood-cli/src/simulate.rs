@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use littlewood_report::Subject;
+
 use crate::args::{Format, SimulateArgs};
 use crate::error::Error;
 use crate::output::Output;
@@ -29,11 +31,18 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let trajectory = problem.simulate()?;
     let sampling =
         samples.map(|count| Sampling::of(&trajectory, usize::try_from(count).unwrap_or(usize::MAX)));
-    let look = Look { sampling, all_bounces: args.all_bounces, colour: output.has_colour() };
+    let digits = if args.digits { Some(problem.digits()?) } else { None };
+    let subject = Subject { digits: digits.as_deref(), ..problem.subject() };
+    let look = Look {
+        sampling,
+        digits: digits.as_deref(),
+        all_bounces: args.all_bounces,
+        colour: output.has_colour(),
+    };
     output.write(|writer| match format {
         Format::Table => report::table::motion(writer, &problem, &trajectory, look),
-        Format::Json => report::json::motion(writer, &problem.subject(), &trajectory, sampling),
-        Format::Csv => report::csv::motion(writer, &problem.subject(), &trajectory, sampling),
+        Format::Json => report::json::motion(writer, &subject, &trajectory, sampling),
+        Format::Csv => report::csv::motion(writer, &subject, &trajectory, sampling),
     })
 }
 

@@ -5,6 +5,7 @@
 mod support;
 
 use std::fs;
+use std::io::Read as _;
 use std::os::unix::process::ExitStatusExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
@@ -346,8 +347,9 @@ fn work_that_does_not_look_is_ended_all_the_same() {
             .arg(&pipe)
             .spawn()
             .expect("it runs");
-        let reader = fs::File::open(&pipe).expect("a pipe");
-        sleep(Duration::from_millis(700));
+        let mut reader = fs::File::open(&pipe).expect("a pipe");
+        reader.read_exact(&mut [0]).expect("the picture begins");
+        sleep(Duration::from_millis(100));
         assert!(child.try_wait().expect("a state").is_none());
         let begun = Instant::now();
         for _ in 0..signals {

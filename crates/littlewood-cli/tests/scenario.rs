@@ -28,6 +28,9 @@ fn every_example_runs() {
     let mut count = 0;
     for entry in fs::read_dir(example("")).unwrap() {
         let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
         let path = path.to_str().unwrap();
         assert!(!text(&["simulate", "--scenario", path]).is_empty());
         text(&["classify", "--scenario", path]);

@@ -472,7 +472,8 @@ fn glides_outside_the_limit_of_small_inertia_are_marked() {
 #[test]
 fn a_long_motion_is_shortened_on_the_page_only() {
     // Equal coefficients: slips shrink without end towards the orbit that grazes the static limit.
-    let start = ["simulate", "stick-slip-no-jump", "--mu-k", "0.5", "--max-transitions", "100"];
+    let start: Vec<&str> =
+        "simulate stick-slip-no-jump --mu-k 0.5 --max-transitions 100 --proof none".split(' ').collect();
     let document = json(&start);
     assert_eq!(document["transitions"].as_array().unwrap().len(), 100);
     let page = text(&start);
@@ -490,4 +491,35 @@ fn help_and_version_are_no_errors() {
     for part in ["Examples:", "sqrt(R/g)", "(2.13)", "--theta-rate-rad-per-s", "[default: 9.80665]"] {
         assert!(help.contains(part), "{part} is not in\n{help}");
     }
+}
+
+#[test]
+fn digits_say_what_the_start_determines() {
+    let digits = |arguments: &[&str]| json(&[&["simulate"], arguments, &["--digits"]].concat());
+    let document = digits(&["figure-3"]);
+    for transition in document["transitions"].as_array().unwrap() {
+        let found = &transition["digits"];
+        assert!(STATE.iter().all(|name| (13..=15).contains(&found[name].as_u64().unwrap())), "{found}");
+    }
+    assert_eq!(json(&["simulate", "figure-3"])["transitions"][0].get("digits"), None);
+
+    // Beside Type II: the time between slip and reversal is 3e-8, and the slip at the plane has all its digits.
+    let near = "--mass-ratio 0 --offset 1 --inertia 0 --mu-s 0.5283159453317953 --mu-k 0.5283159453317953 \
+                --theta 0.10426763454642875 --theta-rate 0.7535483562309895";
+    let document = digits(&near.split_whitespace().collect::<Vec<_>>());
+    assert!(document["transitions"][1]["digits"]["time"].as_u64().unwrap() >= 14);
+
+    // θ′ and μs to the last digit on Type II: which gives way first is not decided.
+    let tie = "--mass-ratio 0 --offset 1 --inertia 0 --mu-s 0.5 --mu-k 0.4 --theta 0 --theta-rate 0.7745966692414834";
+    let tie: Vec<&str> = tie.split_whitespace().collect();
+    assert!(digits(&tie)["transitions"][0]["digits"].is_null());
+    let page = text(&[&["simulate"], &tie[..], &["--digits"]].concat());
+    assert!(page.contains("not decided by the last digits of the start"), "{page}");
+
+    let text = text(&["simulate", "figure-3", "--format", "csv", "--digits"]);
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let place = reader.headers().unwrap().iter().position(|name| name == "theta_digits").unwrap();
+    let column = Vec::from_iter(reader.records().map(|row| row.unwrap()[place].to_owned()));
+    assert_eq!(column[0], "");
+    assert!(column[1..].iter().all(|digits| digits.parse::<u8>().unwrap() >= 13), "{column:?}");
 }

@@ -7,7 +7,7 @@ use littlewood::{Cause, Impact, Outcome, OutcomeKind, Phase, State, Trajectory};
 
 use crate::instants::{START, instants};
 use crate::record::{
-    Fields, Value, edge, edge_of, jump, opening, sample, si_jump, si_sample, si_state, state,
+    Fields, Value, columns, edge, edge_of, jump, opening, sample, si_jump, si_sample, si_state, state,
 };
 use crate::{Sampling, Subject};
 
@@ -39,8 +39,12 @@ fn events<W: Write>(
     // Without impacts every row has the state of its instant, and the gap does not open but by itself.
     let may_jump = trajectory.hoop().restitution().is_some() || subject.start.gap_rate != 0.0;
     let mut rows = rows(subject, trajectory).into_iter().map(|row| {
-        let Row { state: at, edge, gap_rate, side, impact } = row;
+        let Row { state: at, edge, gap_rate, side, impact, transition } = row;
         let fields = state(&at).followed_by(edge);
+        let fields = match subject.digits {
+            Some(digits) => fields.followed_by(columns(transition.and_then(|index| digits.get(index)))),
+            None => fields,
+        };
         let fields = if may_jump { fields.followed_by(jump(gap_rate, side, impact)) } else { fields };
         let Some(units) = subject.units else { return fields };
         let fields = fields.followed_by(si_state(units, &at));
@@ -59,27 +63,29 @@ struct Row<'a> {
     side: Option<&'static str>,
     /// The impact, behind it.
     impact: Option<&'a Impact>,
+    /// The number of the transition, if it is one.
+    transition: Option<usize>,
 }
 
 impl Row<'_> {
-    const fn smooth(state: State, gap_rate: f64, edge: Fields) -> Self {
-        Self { state, edge, gap_rate, side: None, impact: None }
+    const fn smooth(state: State, gap_rate: f64, edge: Fields, transition: Option<usize>) -> Self {
+        Self { state, edge, gap_rate, side: None, impact: None, transition }
     }
 }
 
 fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
     let (mode, direction) = opening(trajectory);
     let start = edge(None, mode, direction, Some(START));
-    let mut rows = vec![Row::smooth(trajectory.start(), subject.start.gap_rate, start)];
+    let mut rows = vec![Row::smooth(trajectory.start(), subject.start.gap_rate, start, None)];
     let outcome = trajectory.outcome();
-    for transition in trajectory.transitions() {
+    for (index, transition) in trajectory.transitions().iter().enumerate() {
         let Some(impact) = &transition.impact else {
             let mut gap_rate = 0.0;
             if let (Cause::Landing, Outcome::Landing { gap_rate: closing, .. }) = (transition.cause, outcome)
             {
                 gap_rate = closing;
             }
-            rows.push(Row::smooth(transition.after, gap_rate, edge_of(transition)));
+            rows.push(Row::smooth(transition.after, gap_rate, edge_of(transition), Some(index)));
             continue;
         };
         rows.push(Row {
@@ -88,6 +94,7 @@ fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
             gap_rate: impact.before.gap_rate,
             side: Some("before"),
             impact: None,
+            transition: Some(index),
         });
         rows.push(Row {
             state: transition.after,
@@ -95,12 +102,13 @@ fn rows<'a>(subject: &Subject<'_>, trajectory: &'a Trajectory) -> Vec<Row<'a>> {
             gap_rate: impact.after.gap_rate,
             side: Some("after"),
             impact: Some(impact),
+            transition: Some(index),
         });
     }
     if outcome.kind().last_event().is_none() {
         let last = trajectory.phases().last().map(Phase::mode);
         let edge = edge(last, None, None, Some(outcome.kind().name()));
-        rows.push(Row::smooth(outcome.state(), gap_rate_at_limit(trajectory), edge));
+        rows.push(Row::smooth(outcome.state(), gap_rate_at_limit(trajectory), edge, None));
     }
     rows
 }

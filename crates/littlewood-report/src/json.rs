@@ -71,7 +71,14 @@ pub fn motion(
         case: subject.case.map(|case| case.name),
         hoop: hoop(trajectory.hoop().parameters()),
         start: StartRecord::of(trajectory, subject.start, units),
-        transitions: trajectory.transitions().iter().map(|it| TransitionRecord::new(it, units)).collect(),
+        transitions: trajectory
+            .transitions()
+            .iter()
+            .enumerate()
+            .map(|(index, it)| {
+                TransitionRecord::new(it, units, subject.digits.and_then(|digits| digits.get(index)))
+            })
+            .collect(),
         outcome: OutcomeRecord::new(&trajectory.outcome(), units),
         phases: trajectory.phases().iter().map(|phase| PhaseRecord::new(phase, units)).collect(),
         energy: Fields::of_details(energy.clone()),

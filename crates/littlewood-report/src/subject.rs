@@ -1,6 +1,6 @@
 //! What a report is about, apart from the motion itself.
 
-use littlewood::{NamedCase, Start, Units};
+use littlewood::{Digits, NamedCase, Start, Units};
 
 /// What was asked for: the case, the start, and whether results are wanted in SI units too.
 #[derive(Clone, Copy, Debug)]
@@ -11,12 +11,14 @@ pub struct Subject<'a> {
     pub start: Start,
     /// Units, if results are wanted in SI units too.
     pub units: Option<&'a Units>,
+    /// How many digits of each transition can be trusted, if that is wanted.
+    pub digits: Option<&'a [Option<Digits>]>,
 }
 
 impl Subject<'_> {
     /// A named case without dimension.
     #[must_use]
     pub const fn of_case(case: &'static NamedCase) -> Self {
-        Self { case: Some(case), start: case.setup.start, units: None }
+        Self { case: Some(case), start: case.setup.start, units: None, digits: None }
     }
 }

@@ -129,7 +129,12 @@ impl Motion {
     }
 
     const fn subject(&self) -> Subject<'_> {
-        Subject { case: self.case, start: self.problem.start, units: self.problem.units.as_ref() }
+        Subject {
+            case: self.case,
+            start: self.problem.start,
+            units: self.problem.units.as_ref(),
+            digits: None,
+        }
     }
 
     fn sampling(&self, samples: Option<usize>) -> Option<Sampling> {

@@ -198,25 +198,24 @@ impl Bracket {
     pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
         self.iterate(0.5 * (self.low + self.high), 0.5 * f64::EPSILON, |x| {
             let (value, slope) = function(x);
-            (value, -value / slope)
+            (value, -value / slope, 0.0)
         })
     }
 
-    /// The same from a guess, which may lie anywhere, and with the second derivative, for a function whose root is not
-    /// close to another: Halley's method, whose error after a step of 1e-6 of x is of its third power, and below the last
-    /// digit.
+    /// The same from a guess, which may lie anywhere, and with the second derivative: Halley's method, whose error after a step
+    /// of 1e-6 of x is of its third power, and below the last digit, unless another root is close.
     pub(crate) fn refine_from(self, guess: f64, mut function: impl FnMut(f64) -> (f64, f64, f64)) -> f64 {
         self.iterate(guess, 1e-6, |x| {
             let (value, slope, curvature) = function(x);
             let newton = -value / slope;
             // Far from the root the second derivative is not to be trusted.
             let bend = (0.5 * newton * curvature / slope).clamp(-0.5, 0.5);
-            (value, newton / (1.0 + bend))
+            (value, newton / (1.0 + bend), bend)
         })
     }
 
-    /// Iterates with a rule that returns the value and the step.
-    fn iterate(self, guess: f64, tolerance: f64, mut rule: impl FnMut(f64) -> (f64, f64)) -> f64 {
+    /// Iterates with a rule that returns the value, the step, and the part of the step by which the function is not straight.
+    fn iterate(self, guess: f64, tolerance: f64, mut rule: impl FnMut(f64) -> (f64, f64, f64)) -> f64 {
         let (mut low, mut high) = (self.low, self.high);
         if high <= low {
             return low;
@@ -224,7 +223,7 @@ impl Bracket {
         let mut x = if guess > low && guess < high { guess } else { 0.5 * (low + high) };
         let mut width = high - low;
         loop {
-            let (value, step) = rule(x);
+            let (value, step, bend) = rule(x);
             if value == 0.0 {
                 return x;
             }
@@ -238,7 +237,9 @@ impl Bracket {
             let taken = proposed > low && proposed < high && step.abs() < 0.5 * width;
             let next = if taken { proposed } else { low + 0.5 * (high - low) };
             width = (next - x).abs();
-            let limit = if taken { tolerance } else { 0.5 * f64::EPSILON };
+            // Next to another root a short step is not yet the last.
+            let is_last = bend * bend * width <= f64::EPSILON * x.abs();
+            let limit = if taken && is_last { tolerance } else { 0.5 * f64::EPSILON };
             if next == x || next <= low || next >= high || width <= limit * x.abs() {
                 return next;
             }

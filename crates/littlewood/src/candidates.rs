@@ -20,6 +20,7 @@ use crate::equations::{
     ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
 };
 use crate::flight::TakeOff;
+use crate::gliding::GlideEntry;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::mode::{Direction, Mode};
 use crate::rolling::{Hold, RollingLimit, RollingOrbit};
@@ -98,10 +99,9 @@ pub(crate) enum Next {
         direction: Direction,
         slip_acceleration: Option<f64>,
     },
-    /// `from_extremum` where η″ = 0 at the start.
     Glide {
         body: Massless,
-        from_extremum: bool,
+        entry: GlideEntry,
     },
     Fly {
         body: Heavy,
@@ -114,8 +114,10 @@ pub(crate) enum Next {
 /// How the state was reached, which resolves ties on a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Arrival {
-    /// No boundary: a start, or a slide or glide that came to rest.
+    /// No boundary: a start, or a slide that came to rest.
     Open,
+    /// The slip of a glide has just come to rest, where the normal force of rolling is positive or negative.
+    GlideAtRest { presses: bool },
     /// Rolling has just reached this limit.
     RollingLimit(RollingLimit),
     /// A slide without kinetic friction has come back to the limit of static friction, and slips on in this direction; or static
@@ -130,7 +132,10 @@ pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next 
     match hoop.body() {
         Body::Heavy(body) => match arrival {
             Arrival::LiftOff => Next::Fly { body, take_off: TakeOff::Grazing },
-            Arrival::Open | Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) => {
+            Arrival::Open
+            | Arrival::GlideAtRest { .. }
+            | Arrival::RollingLimit(_)
+            | Arrival::BackOnLimit(_) => {
                 weigh(hoop, &body, state, &exact_evidence(hoop, &body, state, arrival))
             }
         },
@@ -191,7 +196,9 @@ fn exact_evidence(
                         let excess = forces.friction.abs() - hoop.mu_s() * forces.normal;
                         Hold::Slips { direction, excess }
                     }
-                    Arrival::Open => RollingOrbit::new(hoop, theta, theta_rate).hold(),
+                    Arrival::Open | Arrival::GlideAtRest { .. } => {
+                        RollingOrbit::new(hoop, theta, theta_rate).hold()
+                    }
                 },
                 rolling_forces: rolling.forces(theta, theta_rate),
                 denominator: rolling.denominator(theta),
@@ -228,7 +235,7 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
                 return Next::Slide { body: *body, direction, slip_acceleration: None };
             }
             SlipEvidence::AtRest { hold: Hold::Holds, .. } => {
-                return Next::Roll { on_limit: on_limit };
+                return Next::Roll { on_limit };
             }
             SlipEvidence::AtRest {
                 hold: Hold::Slips { direction, excess },
@@ -346,17 +353,27 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     let sin = libm::sin(theta);
     let forces = RollingLaw::new(hoop).forces(theta, theta_rate);
     let at_rest = state.slip == 0.0;
-    let rolls = at_rest
-        && arrival == Arrival::Open
-        && RollingOrbit::new(hoop, theta, theta_rate).hold() == Hold::Holds;
-    if rolls {
+    let may_roll = match arrival {
+        Arrival::Open => at_rest,
+        Arrival::GlideAtRest { presses } => presses,
+        Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) | Arrival::LiftOff => false,
+    };
+    if may_roll && RollingOrbit::new(hoop, theta, theta_rate).hold() == Hold::Holds {
         return Next::Roll { on_limit: false };
     }
     let contact = contact(1.0, body.offset, libm::cos(theta) * (theta_rate * theta_rate));
     // At the top the particle must have just the acceleration of free fall: ℓ̂ θ′² = 1.
     if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
-        let unloaded = arrival == Arrival::RollingLimit(RollingLimit::NormalForce);
-        return Next::Glide { body: *body, from_extremum: at_rest && unloaded };
+        let entry = match arrival {
+            Arrival::Open | Arrival::BackOnLimit(_) | Arrival::LiftOff if !at_rest => GlideEntry::Moving,
+            Arrival::RollingLimit(RollingLimit::NormalForce) => GlideEntry::Unloaded,
+            Arrival::RollingLimit(RollingLimit::Friction(_)) => GlideEntry::FromRest { presses: Some(true) },
+            Arrival::GlideAtRest { presses } => GlideEntry::FromRest { presses: Some(presses) },
+            Arrival::Open | Arrival::BackOnLimit(_) | Arrival::LiftOff => {
+                GlideEntry::FromRest { presses: None }
+            }
+        };
+        return Next::Glide { body: *body, entry };
     }
     Next::None(Box::new(Candidates {
         rolling: false,

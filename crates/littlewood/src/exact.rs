@@ -6,7 +6,7 @@ use crate::automaton::Cause;
 use crate::candidates::{Arrival, Next, next_motion};
 use crate::equations::SlidingLaw;
 use crate::flight::{Flight, TakeOff};
-use crate::gliding::{Gliding, GlidingEnd};
+use crate::gliding::{GlideEntry, Gliding, GlidingEnd};
 use crate::hoop::{Heavy, Hoop, Massless};
 use crate::mode::Direction;
 use crate::outcome::Outcome;
@@ -183,12 +183,14 @@ impl Solver for Exact<'_> {
         &self,
         state: &State,
         body: &Massless,
-        from_extremum: bool,
+        entry: GlideEntry,
     ) -> Solved<PhaseSolution, State, Outcome> {
         let allowed = self.allowed(state);
-        let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, from_extremum, allowed);
+        let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
         let ending = match end {
-            GlidingEnd::Rest(place) => Ending::Event { place, cause: Cause::Stick, arrival: Arrival::Open },
+            GlidingEnd::Rest { state, presses } => {
+                Ending::Event { place: state, cause: Cause::Stick, arrival: Arrival::GlideAtRest { presses } }
+            }
             GlidingEnd::Bottom(state) if body.offset < 1.0 => {
                 Self::ended(Cause::ParticleAtBottom, state, Outcome::ParticleAtBottom { state })
             }

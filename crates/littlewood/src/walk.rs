@@ -8,6 +8,7 @@
 use crate::automaton::Cause;
 use crate::candidates::{Arrival, Next};
 use crate::flight::{Flight, TakeOff};
+use crate::gliding::GlideEntry;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::impact::{Contact, ContactVelocities, Impact};
 use crate::mode::{Direction, Mode};
@@ -46,8 +47,7 @@ pub(crate) trait Solver {
     fn fly(&self, place: &Self::Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self>;
     /// Bounces without number.
     fn settle(&self, place: &Self::Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self>;
-    /// `from_extremum` where η″ = 0 at the start.
-    fn glide(&self, place: &Self::Place, body: &Massless, from_extremum: bool) -> SolvedBy<Self>;
+    fn glide(&self, place: &Self::Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self>;
 }
 
 /// Properties of a solved phase, exact or tabulated.
@@ -201,9 +201,7 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
             (Mode::Sliding, solver.slide(place, body, *direction, *slip_acceleration))
         }
         Begin::Motion(Next::Fly { body, take_off }) => (Mode::Flight, solver.fly(place, body, *take_off)),
-        Begin::Motion(Next::Glide { body, from_extremum }) => {
-            (Mode::Gliding, solver.glide(place, body, *from_extremum))
-        }
+        Begin::Motion(Next::Glide { body, entry }) => (Mode::Gliding, solver.glide(place, body, *entry)),
         Begin::Settle(body, settling) => (Mode::Flight, solver.settle(place, body, settling)),
         Begin::Motion(Next::None(candidates)) => {
             flush(recorder, pending, None);
@@ -273,7 +271,11 @@ fn continues<T: Solver>(
     let arrival = match (arrival, now.limit) {
         (Arrival::Open, Some(limit)) if cause == Cause::Stick => limit.arrival(&state).unwrap_or(arrival),
         (
-            Arrival::Open | Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) | Arrival::LiftOff,
+            Arrival::Open
+            | Arrival::GlideAtRest { .. }
+            | Arrival::RollingLimit(_)
+            | Arrival::BackOnLimit(_)
+            | Arrival::LiftOff,
             Some(_) | None,
         ) => arrival,
     };

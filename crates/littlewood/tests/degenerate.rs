@@ -493,3 +493,52 @@ fn a_slip_that_ends_where_the_hoop_lifts_off_is_a_lift_off() {
     assert!((flies.before.theta - (std::f64::consts::TAU - start.theta)).abs() < 1e-7);
     assert!(flies.before.slip.abs() < 1e-7);
 }
+
+/// Next to Type II the glide begins with η″ = 1.5e-8, and its slip is 2e-16 at most before it reverses. The times have been computed
+/// with 45 digits by an independent program.
+#[test]
+fn a_reversal_just_after_a_slip_next_to_type_ii_is_not_missed() {
+    let mu = 0.528_315_945_331_795_3;
+    let motion =
+        run(&hoop(0.0, 1.0, 0.0, mu, mu), Start::at(0.104_267_634_546_428_75, 0.753_548_356_230_989_5));
+    let found = Vec::from_iter(motion.transitions().iter().map(|it| (it.cause, it.to, it.direction)));
+    assert_eq!(
+        found,
+        [
+            (Cause::Slip, Some(Mode::Gliding), Some(Direction::Positive)),
+            (Cause::Reversal, Some(Mode::Gliding), Some(Direction::Negative)),
+            (Cause::ParticleAtPlane, None, None),
+        ]
+    );
+    for (transition, time) in
+        motion.transitions().iter().zip([1.036_895_971_622_241, 1.036_896_000_955_513, 2.162_636_097_892_943])
+    {
+        assert!((transition.time() - time).abs() < 1e-15, "{} {time}", transition.time());
+    }
+}
+
+/// The double next to π lies on the side θ < π, on which the particle falls through 1e-32.
+#[test]
+fn a_particle_that_is_all_but_at_the_plane_ends_on_its_own_side() {
+    let rim = hoop(0.0, 1.0, 0.0, 0.5, 0.4);
+    for turns in [-3.0, 0.0, 1.0, 7.0] {
+        for side in [PI, -PI] {
+            let theta = 2.0 * PI * turns + side;
+            let motion = run(&rim, Start::at(theta, 0.0).with_slip(1.0));
+            let Outcome::ParticleAtPlane { state } = motion.outcome() else {
+                panic!("{:?}", motion.outcome())
+            };
+            assert!((state.theta - theta).abs() < 1e-14, "{theta} {}", state.theta);
+            assert!(state.time < 1e-14 && state.slip == 1.0);
+        }
+    }
+}
+
+/// x̄ = x̄0 + v Δτ, and at θ = π the centre is above the particle. The number has 45 digits behind it.
+#[test]
+fn the_centre_is_above_the_particle_at_the_end_of_a_glide() {
+    let motion = run(&hoop(0.0, 1.0, 0.0, 3.0, 0.4), Start::at(0.0, 0.5));
+    let state = motion.outcome().state();
+    assert!((state.x + 3.393_616_639_732_249).abs() < 1e-15, "{}", state.x);
+    assert_eq!(state.theta, PI);
+}

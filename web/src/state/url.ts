@@ -32,11 +32,11 @@ export function format(state: State, cases: readonly NamedCase[]): string {
   if (named) {
     parts.push(`case=${named.name}`);
   } else {
-    for (const name of numbersOf(problem.system)) parts.push(`${name}=${valueOf(problem, name)}`);
-    if (problem.restitution !== null) parts.push(`restitution=${problem.restitution}`, `${LAW}=${lawOf(problem)}`);
-    if (problem.until !== null) parts.push(`${LIMIT[problem.system]}=${problem.until}`);
+    for (const name of numbersOf(problem.system)) parts.push(`${name}=${written(valueOf(problem, name))}`);
+    if (problem.restitution !== null) parts.push(`restitution=${written(problem.restitution)}`, `${LAW}=${lawOf(problem)}`);
+    if (problem.until !== null) parts.push(`${LIMIT[problem.system]}=${written(problem.until)}`);
   }
-  if (view.time !== null) parts.push(`at=${view.time}`);
+  if (view.time !== null) parts.push(`at=${written(view.time)}`);
   if (view.rate !== VIEW.rate) parts.push(`rate=${view.rate}`);
   if (view.speed !== VIEW.speed) parts.push(`speed=${view.speed}`);
   if (view.loop) parts.push('loop=1');
@@ -45,6 +45,11 @@ export function format(state: State, cases: readonly NamedCase[]): string {
   if (!view.follow) parts.push('follow=0');
   if (view.theme !== 'auto') parts.push(`theme=${view.theme}`);
   return parts.join('&');
+}
+
+/** A number such that the same is read again; the language leaves out the sign of a zero. */
+function written(number: number | null): string {
+  return Object.is(number, -0) ? '-0' : String(number);
 }
 
 /** Reads a fragment. What it does not say stays as in `base`; what cannot be read is reported and stays, too. */

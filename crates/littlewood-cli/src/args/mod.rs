@@ -136,6 +136,10 @@ pub(crate) struct SimulateArgs {
     /// shortened
     #[arg(long, help_heading = "Output")]
     pub(crate) all_bounces: bool,
+    /// Estimate how many digits of each transition the numbers of the hoop and the start determine, from motions that start a
+    /// last digit beside it
+    #[arg(long, help_heading = "Output")]
+    pub(crate) digits: bool,
     /// Write to this file; it is replaced only once everything has been written
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub(crate) out: Option<PathBuf>,

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use littlewood::{
-    CASES, Candidates, Classification, Dimension, Hoop, Impact, Outcome, Phase, Quantity, Recurrence,
+    CASES, Candidates, Classification, Digits, Dimension, Hoop, Impact, Outcome, Phase, Quantity, Recurrence,
     RollingLimit, RollingType, SampleColumn, SampleValue, Setup, SiSetup, Start, StartRegion, State,
     Trajectory,
 };
@@ -37,11 +37,13 @@ const COLUMNS: [SampleColumn; 9] = [
 
 /// What the page of a motion shows.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Look {
+pub(crate) struct Look<'a> {
     /// Which instants, if any.
     pub(crate) sampling: Option<Sampling>,
     /// Whether every bounce and every phase has a row of its own.
     pub(crate) all_bounces: bool,
+    /// How many digits of each transition can be trusted, if that is wanted.
+    pub(crate) digits: Option<&'a [Option<Digits>]>,
     /// Whether it has emphasis.
     pub(crate) colour: bool,
 }
@@ -51,7 +53,7 @@ pub(crate) fn motion(
     writer: &mut dyn Write,
     problem: &Problem,
     trajectory: &Trajectory,
-    look: Look,
+    look: Look<'_>,
 ) -> io::Result<()> {
     let mut sheet = Sheet::new(writer, look.colour);
     let scale = Scale::new(problem.units.as_ref());
@@ -65,11 +67,55 @@ pub(crate) fn motion(
     sheet.fact("Jump", &jumps(trajectory, scale, look.all_bounces))?;
     sheet.fact("Landings", &Vec::from_iter(landings(trajectory, scale)))?;
     sheet.fact("Energy", &Vec::from_iter(energy(trajectory, scale)))?;
+    if let Some(digits) = look.digits {
+        sheet.fact("Digits", &trusted(trajectory, digits, scale))?;
+    }
     if let Some(sampling) = look.sampling {
         sheet.gap()?;
         samples(&mut sheet, trajectory, sampling, scale)?;
     }
     notes(&mut sheet, problem, trajectory)
+}
+
+/// Digits from which on an estimate needs no word.
+const MOST_DIGITS: u8 = 13;
+
+/// Transitions of which some number has lost digits, at most so many, and the first that the start does not decide.
+fn trusted(trajectory: &Trajectory, digits: &[Option<Digits>], scale: Scale<'_>) -> Vec<String> {
+    const MOST_LINES: usize = 12;
+    let decided = digits.iter().take_while(|at| at.is_some()).count();
+    let all = decided == digits.len();
+    let at = |index: usize| {
+        trajectory.transitions().get(index).map_or_else(String::new, |it| {
+            let time = scale.show(Dimension::Time, it.time());
+            format!("{} at {} = {time}", it.cause.label(), scale.sign(Quantity::Time))
+        })
+    };
+    let poor = digits.iter().enumerate().filter_map(|(index, digits)| {
+        let digits = digits.filter(|digits| digits.least() < MOST_DIGITS)?;
+        let numbers = [
+            (Quantity::Time, digits.time),
+            (Quantity::Theta, digits.theta),
+            (Quantity::ThetaRate, digits.theta_rate),
+            (Quantity::Slip, digits.slip),
+            (Quantity::X, digits.x),
+        ];
+        let numbers = numbers.map(|(quantity, digits)| format!("{} {digits}", scale.sign(quantity)));
+        Some(format!("{}: {}", at(index), numbers.join("  ")))
+    });
+    let mut lines = Vec::from_iter(poor);
+    let hidden = lines.len().saturating_sub(MOST_LINES);
+    lines.truncate(MOST_LINES);
+    if hidden > 0 {
+        lines.push(format!("… {hidden} more"));
+    }
+    if lines.is_empty() && decided > 0 {
+        lines.push(format!("at least {MOST_DIGITS} of every number of {decided} transitions"));
+    }
+    if !all {
+        lines.push(format!("not decided by the last digits of the start from here on: {}", at(decided)));
+    }
+    lines
 }
 
 fn heading(sheet: &mut Sheet<'_>, problem: &Problem, scale: Scale<'_>) -> io::Result<()> {

@@ -100,6 +100,7 @@ pub(crate) fn tree(root: &Path) -> Tree {
 
 /// Writes files into a folder.
 pub(crate) fn plant(tree: &Tree, root: &Path) {
+    fs::create_dir_all(root).expect("a folder");
     for (path, bytes) in tree {
         let path = root.join(path);
         fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");

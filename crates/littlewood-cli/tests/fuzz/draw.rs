@@ -1,7 +1,7 @@
 //! Random hoops, starts and limits over the whole of the allowed ranges, biased to the bounds and to what is nearly
 //! degenerate. The same seed draws the same on every machine.
 
-#![allow(dead_code, reason = "the census draws nothing that is not allowed")]
+#![allow(dead_code, reason = "the fuzzer and the census draw different things")]
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -169,6 +169,20 @@ impl Draw {
         Setup::new(self.hoop(), self.start())
     }
 
+    /// A hoop and a start as a person sets them: every number in its usual range.
+    pub(crate) fn usual(&mut self) -> Setup {
+        let mut usual = |quantity: Quantity| self.between(quantity.row().usual);
+        let hoop = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia].map(&mut usual);
+        let start = [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip].map(&mut usual);
+        let mu_s = usual(Quantity::MuS);
+        let mu_k = mu_s * self.share();
+        let hoop = HoopParameters::new(hoop[0], hoop[1], hoop[2]).with_friction(mu_s, mu_k);
+        Setup::new(
+            hoop,
+            Start::at(start[0], start[1]).with_slip(if self.comes(0.5) { start[2] } else { 0.0 }),
+        )
+    }
+
     pub(crate) fn limits(&mut self, start: Start) -> Limits {
         let until = match self.below(4) {
             0 | 1 => None,
@@ -187,4 +201,30 @@ fn largest(quantity: Quantity) -> f64 {
         Bound::Finite | Bound::Positive | Bound::NonNegative | Bound::AtMost(..) | Bound::AtLeast(..) => None,
     };
     quantity.bounds().iter().find_map(bound).unwrap_or(1e9)
+}
+
+/// The command that follows a motion.
+pub(crate) fn command(setup: &Setup, limits: Limits) -> String {
+    let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law, .. } =
+        setup.hoop;
+    let Start { time, theta, theta_rate, slip, gap_rate, x, .. } = setup.start;
+    let mut words = format!(
+        "littlewood simulate --mass-ratio {mass_ratio:e} --offset {offset:e} --inertia {inertia:e} --mu-s {mu_s:e} \
+         --mu-k {mu_k:e} --theta {theta:e} --theta-rate {theta_rate:e} --slip {slip:e}"
+    );
+    if let (Some(restitution), Some(law)) = (restitution, restitution_law) {
+        words += &format!(" --restitution {restitution:e} --restitution-law {law}");
+    }
+    for (flag, value) in [("gap-rate", gap_rate), ("x", x), ("time", time)] {
+        if value != 0.0 {
+            words += &format!(" --{flag} {value:e}");
+        }
+    }
+    if let Some(until) = limits.until {
+        words += &format!(" --until {until:e}");
+    }
+    if limits != Limits::default().with_until(limits.until) {
+        words += &format!(" --max-transitions {}", limits.transitions);
+    }
+    words
 }

@@ -1,12 +1,11 @@
 //! Random motions, followed in this process and written down in every format.
 
-use littlewood::{
-    Engine, Hoop, HoopParameters, Limits, Outcome, OutcomeKind, ParameterError, Start, Trajectory, Units,
-};
+use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Trajectory, Units};
 use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, Subject, csv, json, sentence};
 use serde_json::Value;
 
+use crate::draw::command;
 use crate::{Case, Verdict};
 
 /// Offset of a massless hoop below which rates leave the range of doubles.
@@ -18,7 +17,7 @@ const SAMPLES: usize = 40;
 pub(crate) fn run(case: &mut Case) -> Verdict {
     let setup = case.draw.setup();
     let limits = case.draw.limits(setup.start);
-    case.told.tell(command(setup.hoop, setup.start, limits));
+    case.told.tell(command(&setup, limits));
     let hoop = match Hoop::new(setup.hoop) {
         Ok(hoop) => hoop,
         Err(error) => return refused(&error),
@@ -40,31 +39,6 @@ pub(crate) fn run(case: &mut Case) -> Verdict {
         return Err(format!("the engine says {}", summary.outcome));
     }
     Ok(kind.name())
-}
-
-/// The command that follows a motion.
-pub(crate) fn command(hoop: HoopParameters, start: Start, limits: Limits) -> String {
-    let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law, .. } = hoop;
-    let Start { time, theta, theta_rate, slip, gap_rate, x, .. } = start;
-    let mut words = format!(
-        "littlewood simulate --mass-ratio {mass_ratio:e} --offset {offset:e} --inertia {inertia:e} --mu-s {mu_s:e} \
-         --mu-k {mu_k:e} --theta {theta:e} --theta-rate {theta_rate:e} --slip {slip:e}"
-    );
-    if let (Some(restitution), Some(law)) = (restitution, restitution_law) {
-        words += &format!(" --restitution {restitution:e} --restitution-law {law}");
-    }
-    for (flag, value) in [("gap-rate", gap_rate), ("x", x), ("time", time)] {
-        if value != 0.0 {
-            words += &format!(" --{flag} {value:e}");
-        }
-    }
-    if let Some(until) = limits.until {
-        words += &format!(" --until {until:e}");
-    }
-    if limits != Limits::default().with_until(limits.until) {
-        words += &format!(" --max-transitions {}", limits.transitions);
-    }
-    words
 }
 
 fn refused(error: &ParameterError) -> Verdict {

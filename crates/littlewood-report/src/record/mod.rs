@@ -4,6 +4,7 @@
 mod candidates;
 mod case;
 mod classification;
+mod digits;
 mod fields;
 mod impact;
 mod instant;
@@ -14,6 +15,7 @@ mod transition;
 
 pub(crate) use case::CaseRecord;
 pub(crate) use classification::ClassificationRecord;
+pub(crate) use digits::columns;
 pub(crate) use fields::{Fields, Value};
 pub(crate) use impact::{jump, si_jump};
 pub(crate) use instant::{sample, si_sample, si_state, state};

@@ -1,8 +1,9 @@
 //! Transitions.
 
-use littlewood::{Detail, Dimension, Direction, Impact, Mode, SampleColumn, Transition, Units};
+use littlewood::{Detail, Digits, Dimension, Direction, Impact, Mode, SampleColumn, Transition, Units};
 use serde::Serialize;
 
+use super::digits::object;
 use super::fields::{Fields, Value};
 use super::impact::ImpactRecord;
 use super::instant::{si_state, state};
@@ -31,6 +32,9 @@ pub(crate) struct TransitionRecord {
     plain: JumpRecord,
     #[serde(skip_serializing_if = "Option::is_none")]
     si: Option<JumpRecord>,
+    /// `null` where the start does not decide what happens.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    digits: Option<Option<Fields>>,
 }
 
 /// What is known just after an impact, and the impact, if there is one; in one system of units.
@@ -43,7 +47,11 @@ struct JumpRecord {
 }
 
 impl TransitionRecord {
-    pub(crate) fn new(transition: &Transition, units: Option<&Units>) -> Self {
+    pub(crate) fn new(
+        transition: &Transition,
+        units: Option<&Units>,
+        digits: Option<&Option<Digits>>,
+    ) -> Self {
         let impact = transition.impact.as_ref();
         let after = &transition.after;
         Self {
@@ -55,6 +63,7 @@ impl TransitionRecord {
                 after: si_state(units, after),
                 impact: impact.map(|impact| ImpactRecord::in_si(units, impact)),
             }),
+            digits: digits.map(|digits| digits.as_ref().map(object)),
         }
     }
 
@@ -70,6 +79,7 @@ impl TransitionRecord {
                 after: Fields::of_si_details(units, after),
                 impact: Some(ImpactRecord::in_si(units, impact)),
             }),
+            digits: None,
         }
     }
 }
@@ -84,14 +94,14 @@ mod tests {
     fn only_a_jump_of_the_velocities_has_an_impact() -> Result<(), Box<dyn std::error::Error>> {
         let case = find_case("figure-3").ok_or("a named case")?;
         let landing = *case.simulate()?.transitions().last().ok_or("the landing")?;
-        let text = serde_json::to_value(TransitionRecord::new(&landing, None))?;
+        let text = serde_json::to_value(TransitionRecord::new(&landing, None, None))?;
         assert_eq!(text.get("impact"), None);
         assert_eq!(text["slip"], landing.before.slip);
 
         let hoop = Hoop::new(case.setup.hoop.with_restitution(0.5, RestitutionLaw::Energetic))?;
         let motion = hoop.simulate(case.setup.start, littlewood::Limits::default())?;
         let landing = motion.transitions().iter().find(|it| it.impact.is_some()).ok_or("a landing")?;
-        let text = serde_json::to_value(TransitionRecord::new(landing, None))?;
+        let text = serde_json::to_value(TransitionRecord::new(landing, None, None))?;
         assert_eq!(text["slip"].as_f64(), Some(0.0));
         assert_eq!(text["to"], "flight");
         let impact = &text["impact"];

@@ -16,8 +16,10 @@
 
 mod column;
 mod file;
+mod open;
 mod read;
 mod table;
 
 pub(crate) use file::OneFile;
+pub(crate) use open::open_reader;
 pub(crate) use table::Table;

@@ -4,9 +4,8 @@ use std::fs::File;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
-
 use super::column::{append, empty};
+use super::open::open_reader;
 use crate::columns::Columns;
 use crate::store::StoreError;
 
@@ -23,8 +22,7 @@ pub(super) fn read_part(path: &Path) -> Result<Option<Columns>, StoreError> {
 pub(super) fn read_row_group(path: &Path, number: usize) -> Result<Columns, StoreError> {
     let file = File::open(path).map_err(|source| StoreError::unreadable(path, source))?;
     let damaged = |reason: String| StoreError::DamagedChunk { path: path.to_owned(), reason };
-    let builder =
-        ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| damaged(error.to_string()))?;
+    let builder = open_reader(file).map_err(damaged)?;
     if number >= builder.metadata().num_row_groups() {
         return Err(damaged(format!("it has no row group {number}")));
     }

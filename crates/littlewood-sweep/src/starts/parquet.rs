@@ -9,10 +9,11 @@ use arrow_array::{Array as _, ArrayRef, Float64Array, RecordBatch};
 use arrow_schema::DataType;
 use littlewood::{Quantity, Setup};
 use parquet::arrow::ProjectionMask;
-use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
+use parquet::arrow::arrow_reader::ParquetRecordBatchReader;
 
 use super::error::ListError;
 use super::header::columns_of;
+use crate::parquet::open_reader;
 
 /// Rows that are decoded at once.
 const BATCH: usize = 8192;
@@ -30,8 +31,7 @@ pub(super) struct ParquetRows {
 impl ParquetRows {
     /// Reads the names and the types of the columns.
     pub(super) fn open(path: &Path, file: File) -> Result<(Vec<Quantity>, Self), ListError> {
-        let builder =
-            ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| bad_parquet(path, &error))?;
+        let builder = open_reader(file).map_err(|error| bad_parquet(path, &error))?;
         let schema = builder.schema();
         let columns = columns_of(path, schema.fields().iter().map(|field| field.name().as_str()))?;
         for (&column, field) in columns.iter().zip(schema.fields()) {

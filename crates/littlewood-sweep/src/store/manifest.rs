@@ -135,8 +135,10 @@ mod tests {
         let manifest = example();
         assert_eq!(
             manifest.text(),
-            "littlewood-sweep 3 run 5f3759df\n0 24681 00001b2c leaves_at_once=52\n7 9 ffffffff \
-             leaves_at_once=52,rolls_forever=25\n"
+            format!(
+                "littlewood-sweep {STORE_FORMAT} run 5f3759df\n0 24681 00001b2c leaves_at_once=52\n7 9 ffffffff \
+                 leaves_at_once=52,rolls_forever=25\n"
+            )
         );
         assert_eq!(Manifest::parse(manifest.text().as_bytes(), manifest.run, 8), Ok(manifest));
     }
@@ -155,8 +157,8 @@ mod tests {
     #[test]
     fn damage_is_found_and_its_line_named() {
         let parse = |text: &str| Manifest::parse(text.as_bytes(), 0x5f37_59df, 8).map(|_| ());
-        let head = "littlewood-sweep 3 run 5f3759df\n";
-        assert_eq!(parse("littlewood-sweep 3 run 5f3759de\n"), Err(1));
+        let head = format!("littlewood-sweep {STORE_FORMAT} run 5f3759df\n");
+        assert_eq!(parse(&head.replace("df\n", "de\n")), Err(1));
         assert_eq!(parse("something else\n"), Err(1));
         let good = "1 1 00000000 painleve=1";
         assert_eq!(parse(&format!("{head}{good}\n")), Ok(()));

@@ -5,6 +5,7 @@ use crate::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weig
 use crate::equations::contact;
 use crate::exact::Exact;
 use crate::flight::{Flight, TakeOff};
+use crate::gliding::GlideEntry;
 use crate::hoop::{Heavy, Hoop, Massless};
 use crate::mode::Direction;
 use crate::outcome::{Outcome, OutcomeKind};
@@ -147,7 +148,11 @@ impl<'a> Tabulated<'a> {
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
         let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);
         let hold = match arrival {
-            Arrival::Open | Arrival::RollingLimit(_) | Arrival::LiftOff if w < 0.0 => Hold::NoNormalForce,
+            Arrival::Open | Arrival::GlideAtRest { .. } | Arrival::RollingLimit(_) | Arrival::LiftOff
+                if w < 0.0 =>
+            {
+                Hold::NoNormalForce
+            }
             Arrival::BackOnLimit(_) => return None,
             Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
                 Hold::Slips { direction, excess: 0.0 }
@@ -156,9 +161,10 @@ impl<'a> Tabulated<'a> {
             Arrival::Open if is_clear && excess > 0.0 => {
                 Hold::Slips { direction: Direction::of_sign(-forces.friction)?, excess }
             }
-            Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff | Arrival::Open => {
-                return None;
-            }
+            Arrival::RollingLimit(RollingLimit::NormalForce)
+            | Arrival::GlideAtRest { .. }
+            | Arrival::LiftOff
+            | Arrival::Open => return None,
         };
         if let Hold::Slips { excess, .. } = hold {
             // The slip must begin clearly: with equal coefficients its acceleration vanishes on the limit.
@@ -333,7 +339,7 @@ impl Solver for Tabulated<'_> {
         Self::take(self.exact.settle(&place.state, body, settling))
     }
 
-    fn glide(&self, place: &Place, body: &Massless, from_extremum: bool) -> SolvedBy<Self> {
-        Self::take(self.exact.glide(&place.state, body, from_extremum))
+    fn glide(&self, place: &Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
+        Self::take(self.exact.glide(&place.state, body, entry))
     }
 }
