@@ -419,7 +419,7 @@ class Run:
             _, eta, _ = law.balances(theta)
             dt = half * mp.sin(psi) / mp.sqrt(w)
             return dt, (eta[0] + eta[1] * w) * dt
-        cuts = [mp.pi * k / 32 for k in range(33)]
+        cuts = [mp.pi * k / 256 for k in range(257)]
         swing, profile = [mpf(0), mpf(0)], [(mpf(0), mpf(0))]
         for left, right in zip(cuts, cuts[1:]):
             for x, w in RULE:
