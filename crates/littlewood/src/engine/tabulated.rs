@@ -153,7 +153,6 @@ impl<'a> Tabulated<'a> {
             {
                 Hold::NoNormalForce
             }
-            Arrival::BackOnLimit(_) => return None,
             Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
                 Hold::Slips { direction, excess: 0.0 }
             }
@@ -161,7 +160,8 @@ impl<'a> Tabulated<'a> {
             Arrival::Open if is_clear && excess > 0.0 => {
                 Hold::Slips { direction: Direction::of_sign(-forces.friction)?, excess }
             }
-            Arrival::RollingLimit(RollingLimit::NormalForce)
+            Arrival::BackOnLimit(_)
+            | Arrival::RollingLimit(RollingLimit::NormalForce)
             | Arrival::GlideAtRest { .. }
             | Arrival::LiftOff
             | Arrival::Open => return None,
