@@ -1129,6 +1129,14 @@ def remembered(path):
         return pickle.load(file)
 
 
+def write(starts, families, different, kept):
+    """The file, with a line for each start that it keeps."""
+    top = dict(made_by="coincidences.py", starts=starts, limit=LIMIT, families=families, disagreements=different)
+    with open(os.path.join(HERE, "coincidences.json"), "w", encoding="ascii") as file:
+        file.write(json.dumps(top, indent=1)[:-2] + ',\n "kept": [\n')
+        file.write(",\n".join("  " + json.dumps(item, separators=(",", ":")) for item in kept) + "\n ]\n}\n")
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("family", nargs="?", choices=FAMILIES)
@@ -1142,7 +1150,7 @@ def main():
     gc.disable()
     with multiprocessing.Pool(options.workers, maxtasksperchild=500) as pool:
         results = remembered(options.motions)
-        for name in sorted(names, key=lambda name: QUICK.get(name, STARTS), reverse=True):
+        for name in sorted(names, key=lambda name: QUICK.get(name, STARTS)):
             todo = [task for task in tasks if task[0] == name and task not in results]
             results.update(((r[0], r[1]), r) for r in pool.map(one, todo, chunksize=4))
             if options.motions and todo:
@@ -1162,12 +1170,8 @@ def main():
     for item in different:
         print(item)
     print(f"{len(results)} starts, {len(different)} disagreements, {time.time() - began:.0f} s")
-    if options.family or options.starts:
-        return
-    with open(os.path.join(HERE, "coincidences.json"), "w", encoding="ascii") as file:
-        file.write(json.dumps(dict(made_by="coincidences.py", starts=len(results), limit=LIMIT, families=families,
-                                   disagreements=different), indent=1)[:-2] + ',\n "kept": [\n')
-        file.write(",\n".join("  " + json.dumps(item, separators=(",", ":")) for item in kept) + "\n ]\n}\n")
+    if not (options.family or options.starts):
+        write(len(results), families, different, kept)
 
 
 if __name__ == "__main__":

@@ -106,7 +106,7 @@ impl Bernstein {
     }
 
     /// The same polynomial where it is known to be zero at 0, but for rounding.
-    pub(crate) fn from_zero(mut self) -> Self {
+    pub(crate) fn starting_at_zero(mut self) -> Self {
         self.coefficients[0] = 0.0;
         self
     }

@@ -242,11 +242,12 @@ pub enum Outcome {
         /// P there.
         solvability: f64,
     },
-    /// The slides of the motion have taken more steps than are kept: on a plane of next to no friction, or of a fast hoop.
+    /// The slides of the motion have taken more work than a motion is given; or a slide on a plane of next to no friction, or of a fast
+    /// hoop, has turned more often than angles resolve.
     StepLimit {
         /// State.
         state: State,
-        /// Number of steps of all slides.
+        /// What all slides have taken, in steps.
         steps: usize,
         /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any.
         time_left: f64,

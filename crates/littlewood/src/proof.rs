@@ -21,20 +21,16 @@ use crate::walk::Event;
 
 named! {
     /// Which proofs end a motion, besides those that a phase lasts for ever.
+    #[derive(Default)]
     pub enum Proof, "proof" {
         /// None: the motion is followed to a phase without end, or to a limit.
         None = 0, "none";
         /// That it repeats itself ([`Outcome::RepeatsForever`], [`Outcome::SlidesForever`]) or slips for ever
         /// ([`Outcome::SlipsForever`]); at a limit of transitions or of steps, that it stays in contact.
+        #[default]
         Endless = 1, "endless";
         /// The same, and at any time that it never lifts off ([`Outcome::StaysInContact`]): for the question who jumps.
         Contact = 2, "contact";
-    }
-}
-
-impl Default for Proof {
-    fn default() -> Self {
-        Self::Endless
     }
 }
 

@@ -425,10 +425,11 @@ fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
     assert!((period * 1e-9 / std::f64::consts::TAU - 1.0).abs() < 1e-6);
 }
 
-/// A heavy rim on a plane of next to no friction slips for 4.4 million time units: the slip loses μk in each.
+/// A heavy rim on a plane of next to no friction would slip for 4.4e12 time units, through 3e12 turns: the angle at their end would
+/// be known to no digit. The slip loses μk in each time unit.
 #[test]
 fn a_slide_without_end_in_sight_says_how_much_is_left() {
-    let mu_k = 3e-7;
+    let mu_k = 3e-13;
     let hoop = HoopParameters::new(0.2387, 0.001, 1e9).with_friction(1e-6, mu_k);
     let start = Start::at(-5.16, 4.59).with_slip(1.33);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
@@ -438,7 +439,8 @@ fn a_slide_without_end_in_sight_says_how_much_is_left() {
     let Outcome::StepLimit { state, steps, time_left } = motion.outcome() else {
         panic!("{:?}", motion.outcome())
     };
-    assert!(steps >= 500_000 && !motion.outcome().is_final());
+    assert!(steps < 1_000 && !motion.outcome().is_final());
+    assert!(state.theta > 6e9, "{state:?}");
     let expected = state.slip / mu_k;
     assert!((time_left / expected - 1.0).abs() < 0.05, "{time_left} {expected}");
 }

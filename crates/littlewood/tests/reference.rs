@@ -2,13 +2,16 @@
 //! rolling times of `reference/`, integrated with mpmath from the full Newton–Euler equations.
 #![allow(clippy::disallowed_methods, clippy::panic, clippy::excessive_precision)] // expected values may come from the platform's mathematics
 
+use std::f64::consts::PI;
+
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Recurrence, RollingOrbit, Sample, Start, Trajectory,
-    find_case,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Recurrence, RollingOrbit, Sample, Start, State,
+    Trajectory, find_case,
 };
 use serde_json::Value;
 
 const MOTIONS: &str = include_str!("../../../reference/motions.json");
+const SLIDES: &str = include_str!("../../../reference/slides.json");
 const ROLLING: &str = include_str!("../../../reference/rolling.json");
 
 fn number(value: &Value) -> f64 {
@@ -186,5 +189,69 @@ fn rolling_times_agree_with_quadrature() {
         };
         assert_eq!(Some(kind), item["kind"].as_str(), "{name}");
         close(name, period, number(&item["period"]), near_separatrix(&hoop(item), theta, rate));
+    }
+}
+
+/// Slides of up to millions of turns, to the last digits: their ends and states on the way are wrong by no more than a few
+/// units in the last place, and, as in the tests of the engine, by four times what they move by when a number of the start moves by four. An angle has the last place of a
+/// whole turn, which is rounded in each step.
+#[test]
+fn long_slides_agree_with_their_reference() {
+    let slides: Value = serde_json::from_str(SLIDES).expect("valid JSON");
+    let slides = slides["slides"].as_array().expect("slides");
+    assert!(slides.len() >= 12);
+    for slide in slides {
+        let name = slide["name"].as_str().expect("a name");
+        let get = |of: &str, key: &str| number(&slide[of][key]);
+        let mu = get("hoop", "mu");
+        let hoop = Hoop::new(
+            HoopParameters::new(get("hoop", "mass_ratio"), get("hoop", "offset"), get("hoop", "inertia"))
+                .with_friction(mu, mu),
+        )
+        .expect("a valid hoop");
+        let start = ["theta", "theta_rate", "slip"].map(|key| get("start", key));
+        let follow = |[theta, rate, slip]: [f64; 3]| {
+            let start = Start::at(theta, rate).with_slip(slip);
+            hoop.simulate(start, Limits::default().with_transitions(1)).expect("a valid start")
+        };
+        let nudged: Vec<Trajectory> = (0..3)
+            .flat_map(|i| [-4.0, 4.0].map(|units| (i, units)))
+            .map(|(i, units)| {
+                let mut other = start;
+                let size = if i == 0 { other[i].abs().max(2.0 * PI) } else { other[i].abs() };
+                other[i] += units * 0.5 * f64::EPSILON * size;
+                follow(other)
+            })
+            .collect();
+        let motion = follow(start);
+        assert!(number(&slide["passed"]) > 20.0, "{name}: not a long slide");
+        let end = motion.transitions()[0];
+        let expected_cause = slide["cause"].as_str();
+        let cause = if end.before.slip == 0.0 { "stick" } else { end.cause.name() };
+        assert_eq!(Some(cause), expected_cause, "{name}");
+        let check = |what: &str, place: &Value, state_of: &dyn Fn(&Trajectory) -> State| {
+            let ours = state_of(&motion);
+            let keys = ["time", "theta", "theta_rate", "slip"];
+            let parts = |s: State| [s.time, s.theta, s.theta_rate, s.slip];
+            for (i, key) in keys.into_iter().enumerate() {
+                let theirs = number(&place[key]);
+                let moves =
+                    nudged.iter().map(|other| 4.0 * (parts(state_of(other))[i] - parts(ours)[i]).abs());
+                // The time of the reference is no double: states on the way are those at the nearest one.
+                let late = ours.time * f64::EPSILON * (1.0 + ours.theta_rate * ours.theta_rate);
+                let tolerance = moves.fold(8.0 * f64::EPSILON * (1.0 + theirs.abs()) + 4.0 * late, f64::max);
+                let error = (parts(ours)[i] - theirs).abs();
+                assert!(
+                    error <= tolerance,
+                    "{name}, {what}: {key} {} is not {theirs}, error {error:e}, allowed {tolerance:e}",
+                    parts(ours)[i]
+                );
+            }
+        };
+        check("end", &slide["end"], &|motion| motion.transitions()[0].before);
+        for place in slide["places"].as_array().expect("places") {
+            let time = number(&place["time"]);
+            check("on the way", place, &|motion| motion.phases()[0].sample(time).state);
+        }
     }
 }

@@ -282,7 +282,7 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
         Outcome::StepLimit { steps, time_left, .. } => {
             let left = scale.show_with_unit(Dimension::Time, time_left);
             vec![
-                format!("stopped at {at} after {steps} steps of slides, which are all that are kept"),
+                format!("stopped at {at} after {steps} steps of slides: this one is too long to be followed"),
                 format!("at its pace this slide would stick after another {left}"),
                 there,
                 place,

@@ -356,7 +356,7 @@ impl Elliptic {
         self.arcs().enumerate().find_map(|(passed, arc)| {
             let at_limit = (from_limit && passed == 0).then(|| self.limit_at_start(&arc)).flatten();
             let crossings = self.boundary.on_arc(arc.from, arc.to).filter_map(|(margin, limit)| {
-                let margin = if at_limit == Some(limit) { margin.from_zero() } else { margin };
+                let margin = if at_limit == Some(limit) { margin.starting_at_zero() } else { margin };
                 let bracket = margin.first_crossing()?;
                 Some((bracket.refine(|x| margin.value_and_slope(x)), limit))
             });

@@ -9,7 +9,10 @@
 //! ```
 
 mod arc;
+mod leap;
+mod panel;
 mod series;
+mod turn;
 
 pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlidingEnd};

@@ -4,6 +4,7 @@
 //! θ, θ′, η′ and the two quantities whose signs limit sliding, w and P. The equations are those of [`SlidingLaw`], coefficient
 //! by coefficient; a test holds the two against each other.
 
+use crate::bernstein::{Bernstein, Bracket};
 use crate::equations::{SlidingLaw, contact};
 use crate::hoop::Heavy;
 
@@ -18,7 +19,7 @@ pub(super) type Series = [f64; DEGREE + 1];
 const TOLERANCE: f64 = f64::EPSILON / 4.0;
 
 /// Longest step: the series of a body at rest has no scale of its own.
-const LONGEST: f64 = 16.0;
+pub(super) const LONGEST: f64 = 16.0;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlideSeries {
@@ -31,16 +32,22 @@ pub(super) struct SlideSeries {
     pub(super) solvability: Series,
 }
 
-/// Terms a_j b_{n−j} of coefficient `order` of a product.
+/// Coefficients `n` of products of series, each added up in the order of its first factor; all at a time, since an addition waits
+/// for the one before.
 #[inline(always)]
-fn terms<'a>(a: &'a Series, b: &'a Series, order: usize) -> impl Iterator<Item = f64> + 'a {
-    a[..=order].iter().zip(b[..=order].iter().rev()).map(|(a, b)| a * b)
-}
-
-/// Coefficient `order` of a product.
-#[inline(always)]
-fn convolve(a: &Series, b: &Series, order: usize) -> f64 {
-    terms(a, b, order).fold(0.0, |sum, term| sum + term)
+fn convolve<const N: usize>(products: [(&Series, &Series); N], n: usize) -> [f64; N] {
+    let mut sums = [0.0; N];
+    if n > DEGREE {
+        return sums;
+    }
+    let mut j = 0;
+    while j <= n {
+        for i in 0..N {
+            sums[i] += products[i].0[j] * products[i].1[n - j];
+        }
+        j += 1;
+    }
+    sums
 }
 
 impl SlideSeries {
@@ -52,47 +59,40 @@ impl SlideSeries {
         let mut s = Self { theta: zero, theta_rate: zero, slip: zero, contact: zero, solvability: zero };
         let (mut sin, mut cos, mut u, mut q) = (zero, zero, zero, zero);
         let (mut lever, mut acceleration) = (zero, zero);
-        // n θ_n, the coefficients of the derivative.
-        let mut turning = zero;
+        // j θ_j, the coefficients of dθ in sin θ = ∫ cos θ dθ and cos θ = −∫ sin θ dθ.
+        let mut increment = zero;
 
         s.theta[0] = theta;
         s.theta_rate[0] = theta_rate;
         (sin[0], cos[0]) = libm::sincos(theta);
-        u[0] = theta_rate * theta_rate;
         let mut order = 0.0;
         for n in 0..=DEGREE {
             if n > 0 {
                 s.theta_rate[n] = acceleration[n - 1] / order;
                 s.theta[n] = s.theta_rate[n - 1] / order;
-                turning[n] = order * s.theta[n];
-                // Sums that do not wait for each other, each in the order of its terms.
-                let (mut for_sin, mut for_cos, mut square) = (0.0, 0.0, 0.0);
-                let products = terms(&turning, &cos, n).zip(terms(&turning, &sin, n));
-                for ((a, b), c) in products.zip(terms(&s.theta_rate, &s.theta_rate, n)) {
-                    (for_sin, for_cos, square) = (for_sin + a, for_cos + b, square + c);
-                }
-                (sin[n], cos[n], u[n]) = (for_sin / order, -(for_cos / order), square);
+                increment[n] = order * s.theta[n];
+            }
+            let [square, forth, back] =
+                convolve([(&s.theta_rate, &s.theta_rate), (&increment, &cos), (&increment, &sin)], n);
+            u[n] = square;
+            if n > 0 {
+                sin[n] = forth / order;
+                cos[n] = -(back / order);
             }
             let constant = if n == 0 { 1.0 } else { 0.0 };
             q[n] = law.q(constant, sin[n], cos[n]);
-            let (mut cos_u, mut sin_q) = (0.0, 0.0);
-            for (a, b) in terms(&cos, &u, n).zip(terms(&sin, &q, n)) {
-                (cos_u, sin_q) = (cos_u + a, sin_q + b);
-            }
+            lever[n] = constant + h * cos[n] + friction * h * sin[n];
+            let [cos_u, sin_q, levered] = convolve([(&cos, &u), (&sin, &q), (&s.theta_rate, &lever)], n);
             s.contact[n] = contact(constant, h, cos_u);
             s.solvability[n] = inertia * constant + m * h * sin_q;
-            let mut remainder = m * convolve(&q, &s.contact, n);
-            for (p, a) in s.solvability[1..=n].iter().zip(acceleration[..n].iter().rev()) {
-                remainder -= p * a;
+            s.slip[n] = levered;
+            let [driven] = convolve([(&q, &s.contact)], n);
+            let mut remainder = m * driven;
+            for j in 1..=n {
+                remainder -= s.solvability[j] * acceleration[n - j];
             }
             acceleration[n] = remainder / s.solvability[0];
-            lever[n] = constant + h * cos[n] + friction * h * sin[n];
             order += 1.0;
-        }
-        for (j, rate) in s.theta_rate.iter().enumerate() {
-            for (slip, lever) in s.slip[j..].iter_mut().zip(&lever) {
-                *slip += rate * lever;
-            }
         }
         // First integral of sliding: η′ = const − μk σ τ + θ′ (1 + h cos θ + μk σ h sin θ).
         s.slip[0] = slip;
@@ -110,10 +110,10 @@ impl SlideSeries {
     }
 
     /// Length of the step on which the series has converged to the last digit, from its last two coefficients
-    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005).
-    pub(super) fn reach(&self) -> f64 {
+    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); no longer than `longest`.
+    pub(super) fn reach(&self, longest: f64) -> f64 {
         let scale = self.theta_rate[0].abs().max(self.theta_rate[1].abs());
-        let mut reach = LONGEST;
+        let mut reach = longest;
         if !self.theta_rate[DEGREE].is_finite() || !self.slip[DEGREE].is_finite() {
             // Coefficients grow like reach^−n: overflow means a reach below 1e-13.
             return 0.0;
@@ -142,6 +142,28 @@ pub(super) fn value_and_slope(series: &Series, at: f64) -> (f64, f64) {
     series.iter().rev().fold((0.0, 0.0), |(sum, slope), c| (sum * at + c, slope * at + sum))
 }
 
+/// First crossing of a series from non-negative to negative in [0, width].
+pub(super) fn crossing(series: &Series, width: f64) -> Option<f64> {
+    let mut swing = 0.0;
+    for c in series[1..].iter().rev() {
+        swing = (swing + c.abs()) * width;
+    }
+    if series[0] > swing {
+        return None;
+    }
+    let Bracket { low, high } = Bernstein::from_taylor(series, width).first_crossing()?;
+    let bracket = Bracket { low: low * width, high: high * width };
+    Some(bracket.refine(|at| value_and_slope(series, at)))
+}
+
+/// Where a series that is monotone on [0, width], of the given sign at 0, takes a level.
+pub(super) fn root(series: &Series, level: f64, sign: f64, width: f64) -> f64 {
+    Bracket { low: 0.0, high: width }.refine(|at| {
+        let (value, slope) = value_and_slope(series, at);
+        (sign * (value - level), sign * slope)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -167,7 +189,7 @@ mod tests {
             prop_assert!((series.theta_rate[1] - expected.theta).abs() < 1e-14 * size);
             prop_assert!((series.slip[1] - expected.slip).abs() < 1e-13 * size);
             // The first integral holds along the series, term by term.
-            let at = 0.5 * series.reach();
+            let at = 0.5 * series.reach(LONGEST);
             let (theta_then, rate_then) = (value(&series.theta, at), value(&series.theta_rate, at));
             let drift = law.momentum_integral(at, theta_then, rate_then, value(&series.slip, at))
                 - law.momentum_integral(0.0, theta, rate, 0.25);

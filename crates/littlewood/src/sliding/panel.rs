@@ -1,0 +1,126 @@
+//! Gauss–Legendre quadrature on panels, with the integral up to each node.
+
+use std::sync::OnceLock;
+
+/// Number of nodes of a panel.
+pub(super) const NODES: usize = 16;
+
+/// Nodes of [−1, 1] with what is computed from values there.
+#[derive(Clone, Debug)]
+pub(super) struct Rule {
+    pub(super) nodes: [f64; NODES],
+    pub(super) weights: [f64; NODES],
+    /// Row i gives the integral from −1 to node i.
+    integrals: [[f64; NODES]; NODES],
+    /// The last two coefficients of the expansion in Legendre polynomials.
+    tails: [[f64; NODES]; 2],
+}
+
+/// P_0 … P_n and P_n′ at x, for n = `NODES`.
+fn legendre(x: f64) -> ([f64; NODES + 1], f64) {
+    let mut p = [1.0; NODES + 1];
+    p[1] = x;
+    let mut k = 1.0;
+    for i in 2..=NODES {
+        k += 1.0;
+        p[i] = ((2.0 * k - 1.0) * x * p[i - 1] - (k - 1.0) * p[i - 2]) / k;
+    }
+    let slope = k * (x * p[NODES] - p[NODES - 1]) / (x * x - 1.0);
+    (p, slope)
+}
+
+impl Rule {
+    /// The rule, which is computed once.
+    pub(super) fn get() -> &'static Self {
+        static RULE: OnceLock<Rule> = OnceLock::new();
+        RULE.get_or_init(Self::new)
+    }
+
+    fn new() -> Self {
+        let count = NODES as f64;
+        let mut nodes = [0.0; NODES];
+        for i in 0..NODES / 2 {
+            // Newton's method from an estimate that is good to 1e-3.
+            let mut x = libm::cos(core::f64::consts::PI * (i as f64 + 0.75) / (count + 0.5));
+            for _ in 0..6 {
+                let (p, slope) = legendre(x);
+                x -= p[NODES] / slope;
+            }
+            (nodes[i], nodes[NODES - 1 - i]) = (-x, x);
+        }
+        let values = nodes.map(|x| legendre(x).0);
+        let weights = nodes.map(|x| {
+            let (_, slope) = legendre(x);
+            2.0 / ((1.0 - x * x) * slope * slope)
+        });
+        let mut integrals = [[0.0; NODES]; NODES];
+        for (i, row) in integrals.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                // ∫ P_k = (P_{k+1} − P_{k−1})/(2k + 1), of the polynomial that is 1 at node j and 0 at the others.
+                let mut sum = nodes[i] + 1.0;
+                for k in 1..NODES {
+                    sum += values[j][k] * (values[i][k + 1] - values[i][k - 1]);
+                }
+                *entry = 0.5 * weights[j] * sum;
+            }
+        }
+        let tails = [NODES - 2, NODES - 1].map(|k| {
+            let scale = k as f64 + 0.5;
+            core::array::from_fn(|j| scale * weights[j] * values[j][k])
+        });
+        Self { nodes, weights, integrals, tails }
+    }
+
+    /// Integral over [−1, 1].
+    pub(super) fn integral(&self, values: &[f64; NODES]) -> f64 {
+        dot(&self.weights, values)
+    }
+
+    /// Integrals from −1 to the nodes.
+    pub(super) fn up_to(&self, values: &[f64; NODES]) -> [f64; NODES] {
+        core::array::from_fn(|i| dot(&self.integrals[i], values))
+    }
+
+    /// The last two coefficients: how far the polynomial through the nodes is from the function.
+    pub(super) fn tail(&self, values: &[f64; NODES]) -> f64 {
+        dot(&self.tails[0], values).abs() + dot(&self.tails[1], values).abs()
+    }
+}
+
+/// The largest magnitude.
+pub(super) fn largest(values: &[f64; NODES]) -> f64 {
+    values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
+}
+
+fn dot(a: &[f64; NODES], b: &[f64; NODES]) -> f64 {
+    a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + a * b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_are_integrated_exactly() {
+        let rule = Rule::get();
+        for degree in 0..2 * NODES {
+            let power = |x: f64, n: usize| (0..n).fold(1.0, |product, _| product * x);
+            let exact = |x: f64| (power(x, degree + 1) - power(-1.0, degree + 1)) / (degree + 1) as f64;
+            let values = rule.nodes.map(|x| power(x, degree));
+            assert!((rule.integral(&values) - exact(1.0)).abs() < 1e-15, "degree {degree}");
+            if degree < NODES {
+                for (x, integral) in rule.nodes.iter().zip(rule.up_to(&values)) {
+                    assert!((integral - exact(*x)).abs() < 1e-15, "degree {degree} at {x}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_tail_tells_a_polynomial_from_another_function() {
+        let rule = Rule::get();
+        let noise = rule.tail(&rule.nodes.map(|x| 1.0 + x * x));
+        assert!(noise < 3e-15, "{noise:e}");
+        assert!(rule.tail(&rule.nodes.map(f64::abs)) > 1e-4);
+    }
+}
