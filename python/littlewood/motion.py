@@ -225,10 +225,10 @@ class Outcome:
     details : mapping
         What is known besides: `gap_rate` of a landing; `recurrence`, `period`, `theta_min`, `theta_max`, `theta_limit`
         of a motion that lasts for ever, and of the orbit that one with `slips_forever` approaches; of that orbit
-        `grazing_energy`, `grazing_theta` and `grazing_theta_rate`, and `slips_to_halve` its distance; `theta_gained` and
-        `transitions` in the period of one that repeats itself; `transitions` where their limit was reached; `consistent`, `rolling_normal`,
-        `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive` where no motion or several are
-        consistent; `solvability` of a singular slide.
+        `grazing_energy`, `grazing_theta` and `grazing_theta_rate`, and `slips_to_halve` its distance; `theta_gained`
+        and `transitions` in the period of one that repeats itself; `transitions` where their limit was reached;
+        `consistent`, `rolling_normal`, `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive`
+        where no motion or several are consistent; `solvability` of a singular slide.
     """
 
     kind: str
