@@ -57,7 +57,7 @@ def _records(
     axes: Mapping[str, tuple[int, ...]],
     fixed: Mapping[str, float],
     law: str | None,
-    limits: tuple[float | None, int],
+    limits: tuple[float | None, int, str],
     tables: bool,
 ) -> npt.NDArray[Any]:
     arrays = dict(zip(names, blocks, strict=True))
