@@ -23,6 +23,12 @@ def test_the_counts_of_other_solvers(hoop):
     assert (at_once, later, plane.outcome.size - at_once - later) == (9784, 12690, 17526)
 
 
+def digits(motion):
+    """To how many digits a sweep agrees with the simulation: docs/engine.md."""
+    bound = 1e-12 * (1 + len(motion.transitions))
+    return {"rel": bound, "abs": bound}
+
+
 def test_a_few_starts_are_those_of_simulate(hoop):
     theta = np.linspace(-3.0, 3.0, 7)
     result = lw.simulate_many(hoop, theta=theta, theta_rate=2.0, until=30.0)
@@ -30,7 +36,7 @@ def test_a_few_starts_are_those_of_simulate(hoop):
         motion = hoop.simulate(theta=angle, theta_rate=2.0, until=30.0)
         assert lw.OUTCOMES[int(result.outcome[i])] == motion.outcome.kind
         assert str(lw.sequence_names(result.sequence)[i]) == motion.sequence
-        assert result.end_time[i] == motion.outcome.state.time
+        assert float(result.end_time[i]) == pytest.approx(motion.outcome.state.time, **digits(motion))
         assert result.transitions[i] == len(motion.transitions)
 
 
@@ -60,9 +66,9 @@ def test_what_follows_a_landing_is_that_of_simulate(law, hoop):
         landings, lost, settle = impacts_of(motion)
         assert lw.OUTCOMES[int(point.outcome)] == motion.outcome.kind
         assert point.landings == landings
-        assert point.end_theta == motion.outcome.state.theta
-        assert float(point.impact_energy_lost) == pytest.approx(lost, abs=1e-13)
-        np.testing.assert_equal(float(point.settle_time), settle)
+        assert float(point.end_theta) == pytest.approx(motion.outcome.state.theta, **digits(motion))
+        assert float(point.impact_energy_lost) == pytest.approx(lost, **digits(motion))
+        assert float(point.settle_time) == pytest.approx(settle, **digits(motion), nan_ok=True)
     assert result.landings.max() > 3
     assert result.settle_time.notnull().any()
 

@@ -54,7 +54,7 @@ def test_a_map_has_a_legend_with_shares(motion):
         "leaves at once",
         "lifts off later",
         "rolls for ever",
-        "in contact at the limit",
+        "in contact",
     ]
     shares = [float(word.split("\n")[1].removesuffix(" %")) for word in words]
     assert sum(shares) == pytest.approx(100.0, abs=0.3)
