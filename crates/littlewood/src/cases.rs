@@ -5,8 +5,8 @@ use core::f64::consts::FRAC_PI_2;
 use crate::error::ParameterError;
 use crate::hoop::{Hoop, HoopParameters};
 use crate::law::RestitutionLaw;
+use crate::limits::Limits;
 use crate::setup::Setup;
-use crate::simulate::Limits;
 use crate::state::Start;
 use crate::trajectory::Trajectory;
 

@@ -2,9 +2,9 @@
 
 use crate::error::ParameterError;
 use crate::hoop::Hoop;
+use crate::limits::Limits;
 use crate::quantity::Quantity;
 use crate::setup::Setup;
-use crate::simulate::Limits;
 use crate::state::{Start, State};
 use crate::transition::Transition;
 

@@ -6,14 +6,10 @@
 //! symmetry: the friction force that rolling needs, over the normal force, is the same in size at all four places (±θ, ±θ′), and grows at two of them, where
 //! the hoop slips, and falls at the other two, where static friction holds from there on.
 
-use core::f64::consts::TAU;
-
 use crate::candidates::Arrival;
 use crate::mode::Direction;
+use crate::same::{is_same, is_same_direction};
 use crate::state::State;
-
-/// Two states that differ by no more are the same but for rounding.
-const SAME_STATE: f64 = 1e-9;
 
 /// A slip out of rolling without kinetic friction.
 #[derive(Clone, Copy, Debug)]
@@ -26,13 +22,10 @@ pub(crate) struct LastSlip {
 impl LastSlip {
     /// How a state at which η′ has vanished again is reached, if it is one of the four.
     pub(crate) fn arrival(&self, state: &State) -> Option<Arrival> {
-        let is_turn = |angle: f64| {
-            (angle - TAU * (angle / TAU).round()).abs() <= SAME_STATE * (1.0 + state.theta.abs())
-        };
-        let same_angle = is_turn(state.theta - self.state.theta);
-        let mirrored = is_turn(state.theta + self.state.theta);
+        let same_angle = is_same_direction(state.theta, self.state.theta);
+        let mirrored = is_same_direction(state.theta, -self.state.theta);
         let (rate, at_slip) = (state.theta_rate, self.state.theta_rate);
-        let same_rate = (rate.abs() - at_slip.abs()).abs() <= SAME_STATE * (1.0 + at_slip.abs());
+        let same_rate = is_same(at_slip.abs(), rate.abs());
         if !same_rate || same_angle == mirrored {
             return None;
         }

@@ -2,6 +2,7 @@
 
 use crate::automaton::Cause;
 use crate::equations::energy_at;
+use crate::event::Event;
 use crate::flight::Flight;
 use crate::hoop::Hoop;
 use crate::impact::Impact;
@@ -12,7 +13,7 @@ use crate::state::State;
 use crate::trajectory::{PhaseSolution, Trajectory};
 use crate::transition::Transition;
 use crate::trig::sincos;
-use crate::walk::{Event, PhaseSeen, Recorder, Solution};
+use crate::walk::{PhaseSeen, Recorder, Solution};
 
 /// The summary of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]

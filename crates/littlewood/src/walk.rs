@@ -7,16 +7,17 @@
 
 use crate::automaton::Cause;
 use crate::candidates::{Arrival, Next};
+use crate::event::Event;
 use crate::flight::{Flight, TakeOff};
 use crate::gliding::GlideEntry;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::impact::{Contact, ContactVelocities, Impact};
+use crate::limits::Limits;
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
-use crate::proof::Proofs;
+use crate::proofs::Proofs;
 use crate::rolling::RollingLimit;
 use crate::settling::Settling;
-use crate::simulate::Limits;
 use crate::slip::LastSlip;
 use crate::state::{Start, State};
 
@@ -99,23 +100,6 @@ pub(crate) struct PhaseSeen {
     pub(crate) direction: Option<Direction>,
     pub(crate) start: State,
     pub(crate) end: Option<State>,
-}
-
-/// An event between two phases, or at the end of the last.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Event {
-    /// State just before.
-    pub(crate) state: State,
-    pub(crate) from: Option<Mode>,
-    pub(crate) to: Option<Mode>,
-    pub(crate) cause: Cause,
-}
-
-impl Event {
-    /// An event that ends a mode.
-    const fn new(state: State, from: Mode, cause: Cause) -> Self {
-        Self { state, from: Some(from), to: None, cause }
-    }
 }
 
 /// What begins.

@@ -21,7 +21,7 @@ mod tabulated;
 use crate::error::ParameterError;
 use crate::exact::Exact;
 use crate::hoop::{Body, Hoop};
-use crate::simulate::Limits;
+use crate::limits::Limits;
 use crate::solvability::is_solvable;
 use crate::state::{Start, State};
 use crate::summary::{Summary, SummaryRecorder};

@@ -1,0 +1,43 @@
+//! The energy that a lift-off needs, and the proof that there is none.
+
+use crate::equations::energy;
+use crate::hoop::{Body, Hoop};
+use crate::solvability::is_solvable_below;
+use crate::state::State;
+
+impl Hoop {
+    /// Least energy (2.8) of a lift-off, Î/(2h) + ℓ̂. Infinite for a balanced hoop, whose normal force is constant; none for a
+    /// massless hoop, which stays at the plane.
+    ///
+    /// A hoop in contact leaves the plane only where h cos θ θ′² ≥ 1 (2.18). Its energy is at least
+    /// ½ (Î + m h² sin²θ) θ′² + ℓ̂ cos θ, the mass centre moving up and down only, which with θ′² = 1/(h cos θ) falls as cos θ grows,
+    /// to Î/(2h) + ℓ̂ at the top. Sliding takes energy off and rolling conserves it,
+    /// so that a hoop in contact with less never comes to a lift-off.
+    ///
+    /// ```
+    /// let hoop = littlewood::Hoop::figure_2(0.5, 0.4)?;
+    /// assert_eq!(hoop.lift_off_energy(), Some(2.5));
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn lift_off_energy(&self) -> Option<f64> {
+        match self.body() {
+            Body::Heavy(body) if body.h == 0.0 => Some(f64::INFINITY),
+            Body::Heavy(body) => Some(0.5 * body.inertia / body.h + body.offset),
+            Body::Massless(_) => None,
+        }
+    }
+
+    /// Whether the energy proves that a hoop that is in contact at this state never lifts off, by a margin that covers rounding.
+    /// Only where P > 0 at all angles that it may reach, ℓ̂ cos θ ≤ E: elsewhere an impact without a collision may throw it up.
+    #[must_use]
+    pub fn never_lifts_off(&self, state: &State) -> bool {
+        /// Relative error that the energy may have.
+        const ROUNDING: f64 = 1e-12;
+        let Body::Heavy(body) = self.body() else { return false };
+        let Some(needed) = self.lift_off_energy() else { return false };
+        let energy = energy(self, state, 0.0, 0.0);
+        let at_most = energy + ROUNDING * (1.0 + energy.abs());
+        at_most < needed && is_solvable_below(&body, self.mu_k(), at_most / body.offset)
+    }
+}

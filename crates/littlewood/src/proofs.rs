@@ -1,0 +1,233 @@
+//! What can be proved at an event about all that follows it, so that a motion need not be followed for ever.
+//!
+//! - Without kinetic friction, and for a massless hoop, energy is conserved in contact: every slip, stick and reversal of a
+//!   motion is one of finitely many, and a motion that comes back to one repeats itself.
+//! - With μs = μk > 0 slips shrink towards the orbit that grazes the limit of static friction ([`GrazingOrbit`]).
+//! - The energy in contact never grows, and a lift-off needs at least a certain energy ([`Hoop::lift_off_energy`]).
+
+use crate::automaton::Cause;
+use crate::equations::RollingLaw;
+use crate::event::Event;
+use crate::hoop::{Body, Hoop};
+use crate::limits::Limits;
+use crate::mode::{Direction, Mode};
+use crate::outcome::Outcome;
+use crate::proof::Proof;
+use crate::rolling::{GrazingOrbit, Levels, Recurrence};
+use crate::same::{is_same, is_same_direction};
+use crate::state::State;
+
+/// What has been seen of a motion, as far as proofs need it.
+#[derive(Debug)]
+pub(crate) struct Proofs<'a> {
+    hoop: &'a Hoop,
+    proof: Proof,
+    kind: Kind,
+}
+
+/// What may be proved of a motion by its events.
+#[derive(Debug)]
+enum Kind {
+    /// Nothing.
+    None,
+    /// That it repeats itself.
+    Conservative(Vec<Visit>),
+    /// That it slips for ever.
+    Grazing(Box<Slips>),
+}
+
+/// An event of a motion that conserves its energy.
+#[derive(Clone, Copy, Debug)]
+struct Visit {
+    state: State,
+    cause: Cause,
+    direction: Option<Direction>,
+    /// Angles of the slide that it ends.
+    range: Option<(f64, f64)>,
+}
+
+/// A slip out of rolling.
+#[derive(Clone, Copy, Debug)]
+struct Slip {
+    energy: f64,
+    /// Whether the particle moves away from the upward vertical.
+    ahead: bool,
+}
+
+/// Slips with μs = μk.
+#[derive(Debug)]
+struct Slips {
+    law: RollingLaw,
+    /// The last slip, if none but complete slips have followed it.
+    slip: Option<Slip>,
+    /// The slip before it, if it was one towards the grazing orbit.
+    confirmed: Option<Slip>,
+    /// Once they are needed.
+    levels: Option<Option<Levels>>,
+    /// The orbit that was found last.
+    orbit: Option<GrazingOrbit>,
+}
+
+impl<'a> Proofs<'a> {
+    pub(crate) fn new(hoop: &'a Hoop, limits: &Limits) -> Self {
+        let proof = limits.proof();
+        let kind = match hoop.body() {
+            Body::Heavy(_) | Body::Massless(_) if proof == Proof::None => Kind::None,
+            Body::Massless(_) => Kind::Conservative(Vec::new()),
+            Body::Heavy(_) if hoop.mu_k() == 0.0 => Kind::Conservative(Vec::new()),
+            Body::Heavy(body) if hoop.mu_s() == hoop.mu_k() && body.h > 0.0 => {
+                Kind::Grazing(Box::new(Slips {
+                    law: RollingLaw::new(hoop),
+                    slip: None,
+                    confirmed: None,
+                    levels: None,
+                    orbit: None,
+                }))
+            }
+            Body::Heavy(_) => Kind::None,
+        };
+        Self { hoop, proof, kind }
+    }
+
+    /// Whether the range of the angle of slides is needed.
+    pub(crate) const fn wants_range(&self) -> bool {
+        matches!(self.kind, Kind::Conservative(_))
+    }
+
+    /// What is known where a motion in this mode begins, if that is to end it.
+    pub(crate) fn at_start(&self, state: &State, mode: Option<Mode>) -> Option<Outcome> {
+        (self.proof == Proof::Contact && touches(mode) && self.hoop.never_lifts_off(state))
+            .then_some(Outcome::StaysInContact { state: *state })
+    }
+
+    /// What an event proves, with the direction of slip and the state after it, and the range of the angle of a slide that it ends.
+    pub(crate) fn at_event(
+        &mut self,
+        event: &Event,
+        (after, direction): (&State, Option<Direction>),
+        range: Option<(f64, f64)>,
+    ) -> Option<Outcome> {
+        let endless = match &mut self.kind {
+            Kind::None => None,
+            Kind::Conservative(visits) => repeats(visits, event, direction, range),
+            Kind::Grazing(slips) => slips.add(self.hoop, event),
+        };
+        endless.or_else(|| self.at_start(after, event.to))
+    }
+
+    /// What is known where a limit of transitions stops a motion that goes on in this mode.
+    pub(crate) fn at_limit(&self, limit: Outcome, mode: Option<Mode>) -> Outcome {
+        let state = limit.state();
+        if self.proof != Proof::None && touches(mode) && self.hoop.never_lifts_off(&state) {
+            Outcome::StaysInContact { state }
+        } else {
+            limit
+        }
+    }
+}
+
+fn touches(mode: Option<Mode>) -> bool {
+    mode.is_some_and(Mode::touches_plane)
+}
+
+/// Adds an event to those of a conservative motion; whether the motion repeats itself.
+fn repeats(
+    visits: &mut Vec<Visit>,
+    event: &Event,
+    direction: Option<Direction>,
+    range: Option<(f64, f64)>,
+) -> Option<Outcome> {
+    let Event { state, cause, .. } = *event;
+    match cause {
+        Cause::Slip | Cause::NormalForceZero | Cause::Stick | Cause::Reversal | Cause::Graze => {}
+        Cause::LiftOff
+        | Cause::Landing
+        | Cause::ParticleAtPlane
+        | Cause::ParticleAtBottom
+        | Cause::ParticleAtTop
+        | Cause::Singularity
+        | Cause::Settle
+        | Cause::Jam => {
+            visits.clear();
+            return None;
+        }
+    }
+    let back = visits.iter().rposition(|earlier| {
+        cause == earlier.cause
+            && direction == earlier.direction
+            && is_same(earlier.state.theta_rate, state.theta_rate)
+            && is_same_direction(state.theta, earlier.state.theta)
+    });
+    visits.push(Visit { state, cause, direction, range });
+    let back = back?;
+    let since = visits[back].state;
+    let cycle = &visits[back + 1..];
+    let (period, theta_gained) = (state.time - since.time, state.theta - since.theta);
+    let transitions = cycle.len();
+    let ranges: Option<Vec<(f64, f64)>> =
+        cycle.iter().map(|visit| visit.range.filter(|_| visit.cause == Cause::Reversal)).collect();
+    let Some(ranges) = ranges else {
+        return Some(Outcome::RepeatsForever { since, period, theta_gained, transitions });
+    };
+    let recurrence = if theta_gained.abs() > 1.0 {
+        Recurrence::Rotation { period }
+    } else {
+        let (theta_min, theta_max) =
+            ranges.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), range| {
+                (low.min(range.0), high.max(range.1))
+            });
+        Recurrence::Libration { period, theta_min, theta_max }
+    };
+    Some(Outcome::SlidesForever { since, recurrence })
+}
+
+impl Slips {
+    /// Adds an event; whether the motion slips for ever.
+    fn add(&mut self, hoop: &Hoop, event: &Event) -> Option<Outcome> {
+        let Event { state, cause, to, .. } = *event;
+        match (cause, to) {
+            (Cause::Slip, Some(Mode::Sliding)) => {
+                let energy = self.law.energy(state.theta, state.theta_rate);
+                let ahead = libm::sin(state.theta) * state.theta_rate > 0.0;
+                self.slip = Some(Slip { energy, ahead });
+                None
+            }
+            (Cause::Stick, Some(Mode::Rolling)) => {
+                let slip = self.slip.take()?;
+                let before = self.confirmed.take();
+                let energy = self.law.energy(state.theta, state.theta_rate);
+                if !self.orbit.is_some_and(|orbit| energy > orbit.energy && slip.energy < orbit.ceiling) {
+                    let levels = self.levels.get_or_insert_with(|| Levels::new(hoop)).as_ref()?;
+                    self.orbit = levels.orbit_below(hoop, energy);
+                }
+                let orbit = self.orbit.filter(|orbit| orbit.attracts(slip.energy, energy))?;
+                self.confirmed = Some(slip);
+                // An orbit that grazes the limit away from its turning points does so before and behind the vertical, and slips
+                // there differ but for the limit.
+                let is_known =
+                    orbit.theta_rate == 0.0 || before.is_some_and(|before| before.ahead != slip.ahead);
+                let slips_to_halve = 1.0 / (orbit.loss * (energy - orbit.energy));
+                is_known.then_some(Outcome::SlipsForever { state, orbit, slips_to_halve })
+            }
+            (
+                Cause::Slip
+                | Cause::NormalForceZero
+                | Cause::Stick
+                | Cause::Reversal
+                | Cause::Graze
+                | Cause::LiftOff
+                | Cause::Landing
+                | Cause::ParticleAtPlane
+                | Cause::ParticleAtBottom
+                | Cause::ParticleAtTop
+                | Cause::Singularity
+                | Cause::Settle
+                | Cause::Jam,
+                Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None,
+            ) => {
+                (self.slip, self.confirmed) = (None, None);
+                None
+            }
+        }
+    }
+}
