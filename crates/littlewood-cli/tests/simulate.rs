@@ -313,7 +313,8 @@ fn a_motion_that_slips_for_ever_ends_by_a_proof_and_says_towards_what() {
     assert_eq!(outcome["recurrence"], "rotation");
     let table = text(&ONE_COEFFICIENT);
     assert!(
-        table.contains("slips for ever") && table.contains("grazes static friction at θ = ±1.62"),
+        table.contains("slips for ever")
+            && table.contains("grazes the limit of static friction at θ = ±1.62"),
         "{table}"
     );
 }

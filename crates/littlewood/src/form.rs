@@ -34,14 +34,8 @@ impl<const N: usize> Form<N> {
 
     /// The value in a direction.
     #[inline]
-    pub(crate) fn value(&self, [x, y]: HalfAngle) -> f64 {
-        let mut power = 1.0;
-        let mut sum = 0.0;
-        for c in &self.0 {
-            sum = sum * x + c * power;
-            power *= y;
-        }
-        sum
+    pub(crate) fn value(&self, direction: HalfAngle) -> f64 {
+        value(&self.0, direction)
     }
 
     /// The value in a direction, and its derivative along another.
@@ -55,6 +49,27 @@ impl<const N: usize> Form<N> {
         }
         (sum, slope)
     }
+}
+
+/// The value of a form in a direction.
+#[inline(always)]
+fn value(form: &[f64], [x, y]: HalfAngle) -> f64 {
+    let mut power = 1.0;
+    let mut sum = 0.0;
+    for c in form {
+        sum = sum * x + c * power;
+        power *= y;
+    }
+    sum
+}
+
+/// The direction at a point of an arc, of length one, as [`Form::on_arc`] counts its points.
+#[inline]
+pub(crate) fn on_arc(from: HalfAngle, to: HalfAngle, at: f64) -> HalfAngle {
+    let x = (1.0 - at) * from[0] + at * to[0];
+    let y = (1.0 - at) * from[1] + at * to[1];
+    let length = (x * x + y * y).sqrt();
+    [x / length, y / length]
 }
 
 /// Substitutes the barycentric coordinates of an arc, by Horner's scheme. `sum` and `power` are zero, and as long as the form.
@@ -108,13 +123,7 @@ impl Trigonometric {
     /// The value at an angle.
     pub(crate) fn value(&self, angle: f64) -> f64 {
         let (y, x) = libm::sincos(0.5 * angle);
-        let mut power = 1.0;
-        let mut sum = 0.0;
-        for c in &self.0 {
-            sum = sum * x + c * power;
-            power *= y;
-        }
-        sum
+        value(&self.0, [x, y])
     }
 
     pub(crate) fn times(&self, other: &Self) -> Self {

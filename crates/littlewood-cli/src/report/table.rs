@@ -1,5 +1,6 @@
 //! Tables and sentences for a person.
 
+use std::f64::consts::TAU;
 use std::io::{self, Write};
 
 use littlewood::{
@@ -225,12 +226,14 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             &recurrence,
         ),
         Outcome::SlipsForever { orbit, slips_to_halve, .. } => vec![
-            format!("slips for ever from {at}: each slip is shorter than the last"),
+            format!("slips for ever from {at}, ever less"),
             format!(
-                "towards the orbit with E = {} that grazes static friction at θ = ±{}; E comes half as near in about {} slips",
-                scale.show(Dimension::Energy, orbit.energy),
-                brief(orbit.theta),
-                format!("{slips_to_halve:.0}"),
+                "towards the orbit that grazes the limit of static friction at θ = ±{}",
+                brief(orbit.theta)
+            ),
+            format!(
+                "with the energy {}; the distance from it halves in about {slips_to_halve:.0} slips",
+                scale.show_with_unit(Dimension::Energy, orbit.energy),
             ),
             there,
             place,
@@ -238,9 +241,9 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
         Outcome::RepeatsForever { period, theta_gained, transitions, .. } => vec![
             format!("repeats itself for ever from {at}: no energy is lost"),
             format!(
-                "{transitions} transitions in a period of {}, in which θ gains {}",
+                "with the period {}, in which there are {transitions} transitions and {:.0} turns",
                 scale.show_with_unit(Dimension::Time, period),
-                brief(theta_gained),
+                (theta_gained / TAU).abs(),
             ),
             there,
             place,

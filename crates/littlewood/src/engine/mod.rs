@@ -11,6 +11,7 @@ mod direct;
 mod interpolant;
 mod jump;
 mod piece;
+mod polynomial;
 mod quadrature;
 mod roll;
 mod slide;

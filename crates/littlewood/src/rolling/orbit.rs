@@ -17,7 +17,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use crate::bernstein::Bernstein;
 use crate::carlson::{rf, rj};
 use crate::equations::RollingLaw;
-use crate::form::HalfAngle;
+use crate::form::{HalfAngle, on_arc};
 use crate::hoop::Hoop;
 use crate::mode::Direction;
 
@@ -373,10 +373,8 @@ impl Elliptic {
     }
 
     fn end_at(&self, arc: &Arc, at: f64, limit: RollingLimit) -> RollingEnd {
-        let x = (1.0 - at) * arc.from[0] + at * arc.to[0];
-        let y = (1.0 - at) * arc.from[1] + at * arc.to[1];
-        let length = (x * x + y * y).sqrt();
-        let (z, y) = (-x / length, y / length);
+        let [x, y] = on_arc(arc.from, arc.to, at);
+        let z = -x;
         let four_l = 4.0 * self.law.offset;
         let d = self.law.bottom + four_l * z * z;
         let angle = self.angle_of(self.lap, z, y);

@@ -10,7 +10,7 @@ use core::f64::consts::TAU;
 
 use crate::bernstein::Bracket;
 use crate::equations::RollingLaw;
-use crate::form::{Form, HalfAngle};
+use crate::form::{Form, HalfAngle, on_arc};
 use crate::hoop::Hoop;
 use crate::rolling::{margin_forms, time_from_bottom};
 use crate::trig::sincos;
@@ -170,10 +170,8 @@ impl Orbit<'_> {
 
     /// The slip at a point of an arc.
     fn slip(&self, arc: &Arc, at: f64, side: usize) -> Option<RollEnd> {
-        let x = (1.0 - at) * arc.from[0] + at * arc.to[0];
-        let y = (1.0 - at) * arc.from[1] + at * arc.to[1];
-        let length = (x * x + y * y).sqrt();
-        let (z, y) = (-x / length, y / length);
+        let [x, y] = on_arc(arc.from, arc.to, at);
+        let z = -x;
         let four_l = 4.0 * self.law.offset;
         let d = self.law.bottom + four_l * z * z;
         // K − D changes by 4ℓ̂ (z0² − z²).

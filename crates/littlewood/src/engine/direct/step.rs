@@ -1,6 +1,7 @@
 //! A step of a slide on which θ′ keeps its sign.
 
 use super::super::piece::Piece;
+use super::super::polynomial::value;
 use super::super::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
 use super::expansion::{DEGREE, Expansion, Series, Signs, scaled};
 
@@ -83,20 +84,6 @@ pub(super) fn rotated((sin, cos): (f64, f64), z: f64) -> (f64, f64) {
     let inverse = 1.0 / (1.0 + square);
     let (turn_sin, turn_cos) = (2.0 * z * inverse, (1.0 - square) * inverse);
     (sin * turn_cos + cos * turn_sin, cos * turn_cos - sin * turn_sin)
-}
-
-/// Value of a series, even and odd powers apart: two short chains instead of a long one.
-#[inline]
-pub(super) fn value(series: &Series, t: f64) -> f64 {
-    let square = t * t;
-    let (mut even, mut odd) = (series[DEGREE], 0.0);
-    let mut k = DEGREE;
-    while k > 0 {
-        odd = odd * square + series[k - 1];
-        even = even * square + series[k - 2];
-        k -= 2;
-    }
-    even + t * odd
 }
 
 impl Piece for Step {

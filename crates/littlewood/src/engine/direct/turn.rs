@@ -5,9 +5,10 @@
 //! negative to positive through the turning point, dτ/dy = 4 √width/((1 + z²) √v) has no singularity.
 
 use super::super::piece::Piece;
+use super::super::polynomial::value;
 use super::super::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
 use super::expansion::{DEGREE, Expansion, Series, Signs, scaled};
-use super::step::{rotated, value};
+use super::step::rotated;
 
 /// Up to this multiple of the width v has no zero: the terms of its series are at most the part `SMOOTH` of the first. The Gauss sum
 /// of 1/√v in y is then exact to rounding: r = 2.9 and r⁻³² = 1e-15 at least.

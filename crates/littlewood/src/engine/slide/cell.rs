@@ -4,6 +4,7 @@ use crate::equations::SlidingLaw;
 use crate::hoop::Heavy;
 use crate::trig::{sincos, sincos_small};
 
+use super::super::polynomial::value;
 use super::super::quadrature::{NODE, NODES, WEIGHT};
 
 /// Degree of the polynomials of a cell.
@@ -124,20 +125,6 @@ fn quotient(a: &Polynomial, b: &Polynomial) -> Polynomial {
         result[k] = rest / b[0];
     }
     result
-}
-
-/// Value of a polynomial, even and odd powers apart: two short chains instead of a long one.
-#[inline]
-pub(super) fn value(series: &Polynomial, z: f64) -> f64 {
-    let square = z * z;
-    let (mut even, mut odd) = (series[DEGREE], 0.0);
-    let mut k = DEGREE;
-    while k > 0 {
-        odd = odd * square + series[k - 1];
-        even = even * square + series[k - 2];
-        k -= 2;
-    }
-    even + z * odd
 }
 
 impl Cell {

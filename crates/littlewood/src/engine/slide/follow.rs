@@ -3,7 +3,8 @@
 use crate::equations::contact;
 
 use super::super::piece::{Piece, Way, Waypoint};
-use super::cell::{Cell, Polynomial, value};
+use super::super::polynomial::value;
+use super::cell::{Cell, Polynomial};
 use super::{SlideEvent, SlideStart, SlideTable};
 
 /// Ratio of the ends of u up to which the Gauss sum of 1/√u is exact to rounding.
