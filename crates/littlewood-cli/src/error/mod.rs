@@ -4,7 +4,6 @@ mod hint;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
-use std::process::ExitCode;
 use std::sync::Arc;
 
 use anstyle::{AnsiColor, Style};
@@ -15,6 +14,7 @@ use littlewood_sweep::{AxisError, PictureError, StoreError, SweepError};
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
 use thiserror::Error;
 
+use crate::BAD_INPUT;
 use crate::interrupt::STOPPED;
 
 use hint::{of_axis, of_figure, of_sweep};
@@ -227,9 +227,9 @@ pub(crate) enum Error {
 
 impl Error {
     /// 2 for bad input, 1 for a failure to write, 0 where a reader has left.
-    pub(crate) fn exit_code(&self) -> ExitCode {
+    pub(crate) fn exit_code(&self) -> u8 {
         match self {
-            Self::ClosedPipe => ExitCode::SUCCESS,
+            Self::ClosedPipe => 0,
             Self::Write { .. }
             | Self::WriteFile { .. }
             | Self::NoLab
@@ -240,11 +240,9 @@ impl Error {
                 | FilmError::Encoding { .. }
                 | FilmError::NoFfmpeg { .. }
                 | FilmError::Ffmpeg { .. },
-            ) => ExitCode::from(1),
-            Self::Interrupted { .. } | Self::Stopped | Self::Film(FilmError::Stopped { .. }) => {
-                ExitCode::from(STOPPED)
-            }
-            Self::Sweep(error) if is_of_the_system(error) => ExitCode::from(1),
+            ) => 1,
+            Self::Interrupted { .. } | Self::Stopped | Self::Film(FilmError::Stopped { .. }) => STOPPED,
+            Self::Sweep(error) if is_of_the_system(error) => 1,
             Self::Value { .. }
             | Self::ScenarioValue { .. }
             | Self::Scenario { .. }
@@ -260,7 +258,7 @@ impl Error {
             | Self::UnknownShade { .. }
             | Self::UnknownFigure { .. }
             | Self::Figure(_)
-            | Self::Film(_) => ExitCode::from(2),
+            | Self::Film(_) => BAD_INPUT,
         }
     }
 
