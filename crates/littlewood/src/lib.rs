@@ -90,6 +90,7 @@ mod impact;
 mod law;
 mod lift_off;
 mod limits;
+mod links;
 mod mode;
 mod named;
 mod outcome;

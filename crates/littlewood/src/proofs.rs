@@ -96,8 +96,7 @@ impl<'a> Proofs<'a> {
 
     /// What is known where a motion in this mode begins, if that is to end it.
     pub(crate) fn at_start(&self, state: &State, mode: Option<Mode>) -> Option<Outcome> {
-        (self.proof == Proof::Contact && touches(mode) && self.hoop.never_lifts_off(state))
-            .then_some(Outcome::StaysInContact { state: *state })
+        (touches(mode) && self.ends_motion(state)).then_some(Outcome::StaysInContact { state: *state })
     }
 
     /// What an event proves, with the direction of slip and the state after it, and the range of the angle of a slide that it ends.
@@ -113,6 +112,21 @@ impl<'a> Proofs<'a> {
             Kind::Grazing(slips) => slips.add(self.hoop, event),
         };
         endless.or_else(|| self.at_start(after, event.to))
+    }
+
+    /// Whether what events prove is no more than what their states do.
+    pub(crate) const fn may_pass_events(&self) -> bool {
+        matches!(self.kind, Kind::None)
+    }
+
+    /// Whether each state may end the motion.
+    pub(crate) fn asks_each_state(&self) -> bool {
+        self.proof == Proof::Contact
+    }
+
+    /// Whether a state in contact, and all that follow it, ends the motion.
+    pub(crate) fn ends_motion(&self, state: &State) -> bool {
+        self.proof == Proof::Contact && self.hoop.never_lifts_off(state)
     }
 
     /// What is known where a limit of transitions stops a motion that goes on in this mode.

@@ -6,6 +6,7 @@ use crate::event::Event;
 use crate::flight::Flight;
 use crate::hoop::Hoop;
 use crate::impact::Impact;
+use crate::links::LinkPhases;
 use crate::mode::{Direction, Mode};
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
@@ -13,7 +14,7 @@ use crate::state::State;
 use crate::trajectory::{PhaseSolution, Trajectory};
 use crate::transition::Transition;
 use crate::trig::sincos;
-use crate::walk::{PhaseSeen, Recorder, Solution};
+use crate::walk::{PhaseSeen, Recorder, Solution, Wants};
 
 /// The summary of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,6 +129,17 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
             if event.from == Some(Mode::Flight) && event.to != Some(Mode::Flight) {
                 self.summary.settle_time = event.state.time;
             }
+        }
+    }
+
+    fn wants(&self) -> Wants {
+        if self.summary.sequence.is_truncated() { Wants::Number } else { Wants::Modes }
+    }
+
+    fn links(&mut self, transitions: u32, phases: &LinkPhases) {
+        self.summary.transitions = self.summary.transitions.saturating_add(transitions);
+        for (mode, direction) in phases.iter() {
+            self.summary.sequence.push(mode, direction);
         }
     }
 }

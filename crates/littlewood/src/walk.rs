@@ -13,6 +13,7 @@ use crate::gliding::GlideEntry;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::impact::{Contact, ContactVelocities, Impact};
 use crate::limits::Limits;
+use crate::links::{LinkPhases, Linked, Room};
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::proofs::Proofs;
@@ -49,6 +50,10 @@ pub(crate) trait Solver {
     /// Bounces without number.
     fn settle(&self, place: &Self::Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self>;
     fn glide(&self, place: &Self::Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self>;
+    /// Links of a chain of slips at once, from a slip out of rolling in a direction: none where phases are to be followed.
+    fn pass_links(&self, _: &Self::Place, _: Direction, _: &Room<'_>) -> Option<Linked<Self::Place>> {
+        None
+    }
 }
 
 /// Properties of a solved phase, exact or tabulated.
@@ -91,6 +96,23 @@ pub(crate) trait Recorder<S> {
     /// An event, which ends the last phase if it has a mode that ends; its impact, and the direction of slip of the motion
     /// that begins.
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>);
+    /// Which phases are to be told.
+    fn wants(&self) -> Wants {
+        Wants::Solutions
+    }
+    /// Phases and transitions from a slip out of rolling to a later one, the first phases that are wanted among them.
+    fn links(&mut self, _transitions: u32, _phases: &LinkPhases) {}
+}
+
+/// What a recorder keeps of the phases that follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wants {
+    /// Their solutions.
+    Solutions,
+    /// Their modes.
+    Modes,
+    /// Their number.
+    Number,
 }
 
 /// A phase as it is passed to a recorder.
@@ -116,6 +138,18 @@ struct Now<P> {
     begin: Begin,
     /// Where rolling has given way, while the slides that follow conserve the energy and the horizontal momentum.
     limit: Option<LastSlip>,
+    /// The direction of slip, where rolling has just given way to it.
+    slips: Option<Direction>,
+}
+
+impl<P> Now<P> {
+    /// At a slip out of rolling.
+    fn slipping<T: Solver<Place = P>>(solver: &T, place: P, direction: Direction) -> Self {
+        let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
+        let begin = Begin::Motion(solver.decide(&place, arrival));
+        let slips = begin.direction();
+        Self { place, begin, limit: None, slips }
+    }
 }
 
 /// An event, and the impact that it is, if it is one.
@@ -137,10 +171,11 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     if let Some(outcome) = proofs.at_start(&start, begin.mode()) {
         return outcome.into();
     }
-    let mut now = Now { place, begin, limit: None };
+    let mut now = Now { place, begin, limit: None, slips: None };
     let mut pending: Option<Event> = None;
     let mut count = 0;
     loop {
+        count += pass_links(solver, &mut now, recorder, &proofs, limits.transitions.saturating_sub(count));
         let mut range = None;
         let seen = proofs.wants_range().then_some(&mut range);
         let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), seen) {
@@ -168,6 +203,70 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     }
 }
 
+/// Passes links of a chain of slips, if a slip out of rolling has been reached; the number of transitions.
+#[inline(always)]
+fn pass_links<T: Solver, R: Recorder<T::Solution>>(
+    solver: &T,
+    now: &mut Now<T::Place>,
+    recorder: &mut R,
+    proofs: &Proofs<'_>,
+    most: usize,
+) -> usize {
+    let mut passed = 0;
+    while let (Some(direction), Wants::Modes | Wants::Number, true) =
+        (now.slips, recorder.wants(), proofs.may_pass_events())
+    {
+        let open = |state: &State| !proofs.ends_motion(state);
+        let room = Room {
+            transitions: u32::try_from(most - passed).unwrap_or(u32::MAX).saturating_sub(1),
+            one_link: recorder.wants() == Wants::Modes,
+            open: proofs.asks_each_state().then_some(&open),
+        };
+        let Some(linked) = solver.pass_links(&now.place, direction, &room) else { break };
+        let Linked { place, direction, transitions, phases } = linked;
+        recorder.links(transitions, &phases);
+        passed += transitions as usize;
+        *now = Now::slipping(solver, place, direction);
+    }
+    passed
+}
+
+/// The next slip out of rolling after one, and its direction, if the motion comes to one before anything but slides and rolls, and within the
+/// phases that `tell` accepts.
+pub(crate) fn next_slip<T: Solver>(
+    solver: &T,
+    slip: T::Place,
+    direction: Direction,
+    tell: impl FnMut(Mode, Option<Direction>) -> bool,
+) -> Option<(State, Direction)> {
+    let mut teller = Teller { tell, goes_on: true };
+    let mut now = Now::slipping(solver, slip, direction);
+    loop {
+        let (_, impact) = follow(solver, &mut now, (&mut teller, &mut None), None).ok()?;
+        if impact.is_some() || !teller.goes_on {
+            return None;
+        }
+        if let Some(direction) = now.slips {
+            return Some((T::state(&now.place), direction));
+        }
+    }
+}
+
+/// Tells the modes of phases, as long as they are accepted.
+struct Teller<F> {
+    tell: F,
+    goes_on: bool,
+}
+
+impl<S: Solution, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for Teller<F> {
+    fn phase(&mut self, phase: PhaseSeen, _: S) {
+        let touches = matches!(phase.mode, Mode::Rolling | Mode::Sliding);
+        self.goes_on &= touches && (self.tell)(phase.mode, phase.direction);
+    }
+
+    fn transition(&mut self, _: &Event, _: Option<&Impact>, _: Option<Direction>) {}
+}
+
 /// Follows the phase that begins now to the event that ends it, and tells the recorder of it; or says how the motion has ended.
 /// The range of the angle of a slide is kept where it is asked for.
 #[inline(always)]
@@ -177,6 +276,7 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     (recorder, pending): (&mut R, &mut Option<Event>),
     range: Option<&mut Option<(f64, f64)>>,
 ) -> Result<Happening, T::Verdict> {
+    now.slips = None;
     let place = &now.place;
     let state = T::state(place);
     let (mode, solved) = match &now.begin {
@@ -273,6 +373,16 @@ fn continues<T: Solver>(
         }
         (_, Some(Mode::Sliding)) => now.limit,
         (_, Some(Mode::Rolling | Mode::Gliding | Mode::Flight) | None) => None,
+    };
+    now.slips = match arrival {
+        Arrival::RollingLimit(RollingLimit::Friction(_)) if begin.mode() == Some(Mode::Sliding) => {
+            begin.direction()
+        }
+        Arrival::RollingLimit(_)
+        | Arrival::Open
+        | Arrival::GlideAtRest { .. }
+        | Arrival::BackOnLimit(_)
+        | Arrival::LiftOff => None,
     };
     // Only now is it known what coming to rest leads to.
     let cause = match (cause, begin.mode()) {

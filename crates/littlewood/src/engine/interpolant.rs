@@ -5,8 +5,24 @@ use core::f64::consts::PI;
 /// Number of nodes and of coefficients.
 pub(super) const NODES: usize = 14;
 
-/// A polynomial has converged when its last coefficients are below this part of its largest value.
-const CONVERGED: f64 = 2e-15;
+/// How small the last coefficients of a polynomial that has converged are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tolerance {
+    /// Part of the largest value.
+    pub(super) relative: f64,
+    /// The least bound, however small the values are.
+    pub(super) least: f64,
+}
+
+impl Tolerance {
+    /// To rounding.
+    pub(super) const ROUNDING: Self = Self { relative: 2e-15, least: 0.0 };
+
+    /// The bound for values of this size.
+    pub(super) fn of(&self, size: f64) -> f64 {
+        (self.relative * size.abs()).max(self.least)
+    }
+}
 
 /// `LANES` polynomials on one interval.
 #[derive(Clone, Debug)]
@@ -65,6 +81,7 @@ impl Basis {
         left: f64,
         right: f64,
         values: &[[f64; LANES]; NODES],
+        tolerance: Tolerance,
     ) -> Option<Interpolant<LANES>> {
         // Of the differences from one of them, whose sums round less.
         let level = values[NODES / 2];
@@ -78,7 +95,7 @@ impl Basis {
         }
         for lane in 0..LANES {
             let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value[lane].abs()));
-            if !chebyshev[NODES - 2..].iter().all(|c| c[lane].abs() <= CONVERGED * largest) {
+            if !chebyshev[NODES - 2..].iter().all(|c| c[lane].abs() <= tolerance.of(largest)) {
                 return None;
             }
         }
@@ -159,7 +176,7 @@ mod tests {
     fn smooth_functions_are_interpolated_to_rounding() {
         let basis = Basis::new();
         let values = basis.nodes(0.2, 0.5).map(|x| [libm::exp(x), libm::cos(3.0 * x)]);
-        let both = basis.through(0.2, 0.5, &values).expect("converges");
+        let both = basis.through(0.2, 0.5, &values, Tolerance::ROUNDING).expect("converges");
         for k in 0..=30 {
             let x = 0.2 + 0.01 * f64::from(k);
             let [exponential, cosine] = both.at(x);
@@ -172,6 +189,6 @@ mod tests {
     fn a_kink_does_not_converge() {
         let basis = Basis::new();
         let values = basis.nodes(-1.0, 1.0).map(|x| [(x - 0.1).abs()]);
-        assert!(basis.through(-1.0, 1.0, &values).is_none());
+        assert!(basis.through(-1.0, 1.0, &values, Tolerance::ROUNDING).is_none());
     }
 }

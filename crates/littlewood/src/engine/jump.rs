@@ -12,7 +12,7 @@ use crate::flight::{Flight, TakeOff};
 use crate::hoop::Heavy;
 use crate::state::State;
 
-use super::interpolant::{Basis, Interpolant, Slots};
+use super::interpolant::{Basis, Interpolant, Slots, Tolerance};
 
 /// From this angle on the time in the air jumps up: C/S has a point of inflection there, where tan φ/2 = φ/2.
 const SINGULAR: f64 = 1.351_816_804_319_27;
@@ -59,7 +59,7 @@ impl JumpTable {
                     .angles()
                     .map(|phi| phi / angle)
             });
-            pieces.push(basis.through(left, right, &values)?);
+            pieces.push(basis.through(left, right, &values, Tolerance::ROUNDING)?);
             left = right;
         }
         let ends: Vec<f64> = pieces.iter().map(|piece| piece.right).collect();

@@ -7,6 +7,7 @@
 //!
 //! A hoop without tables has its phases from [`direct`], which computes what tables would hold where the motion goes.
 
+mod chain;
 mod direct;
 mod interpolant;
 mod jump;
@@ -28,6 +29,7 @@ use crate::state::{Start, State};
 use crate::summary::{Summary, SummaryRecorder};
 use crate::walk::walk;
 
+use chain::Chains;
 use direct::Direct;
 use roll::RollTable;
 use slide::SlideTable;
@@ -74,6 +76,8 @@ enum Source {
     Tables(Box<Tables>),
     /// What tables would hold, computed where the motion goes.
     Direct(Direct),
+    /// The same, but chains of slips are passed by whole links.
+    Chained(Box<(Direct, Chains)>),
     /// The solutions of the simulation.
     Exact,
 }
@@ -85,6 +89,7 @@ struct Tables {
     roll: RollTable,
     slide: SlideTable,
     slip: SlipTable,
+    chains: Chains,
 }
 
 impl Engine {
@@ -104,15 +109,32 @@ impl Engine {
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
                         let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
-                        Tables { direct: Direct::new(hoop, body), roll, slide, slip }
+                        let chains = Chains::new(&body, &roll);
+                        Tables { direct: Direct::new(hoop, body), roll, slide, slip, chains }
                     })
             }
             Body::Heavy(_) | Body::Massless(_) => None,
         };
         match tables {
             Some(tables) => Self { hoop: *hoop, source: Source::Tables(Box::new(tables)) },
-            None => Self::without_tables(hoop),
+            None => Self::without_tables(hoop).with_chains(),
         }
+    }
+
+    /// The same engine, which passes chains of slips by whole links.
+    fn with_chains(self) -> Self {
+        let Self { hoop, source } = self;
+        let source = match source {
+            Source::Direct(direct) => match RollTable::new(&hoop) {
+                Some(roll) => {
+                    let chains = Chains::new(direct.body(), &roll);
+                    Source::Chained(Box::new((direct, chains)))
+                }
+                None => Source::Direct(direct),
+            },
+            source @ (Source::Tables(_) | Source::Chained(_) | Source::Exact) => source,
+        };
+        Self { hoop, source }
     }
 
     /// Number of starts of one hoop from which on tables save more time than they cost.
@@ -157,7 +179,7 @@ impl Engine {
     pub fn cells(&self) -> usize {
         match &self.source {
             Source::Tables(tables) => tables.slide.cells(),
-            Source::Direct(_) | Source::Exact => 0,
+            Source::Direct(_) | Source::Chained(_) | Source::Exact => 0,
         }
     }
 
@@ -166,7 +188,7 @@ impl Engine {
     pub fn slip_pieces(&self) -> usize {
         match &self.source {
             Source::Tables(tables) => tables.slip.pieces(),
-            Source::Direct(_) | Source::Exact => 0,
+            Source::Direct(_) | Source::Chained(_) | Source::Exact => 0,
         }
     }
 
@@ -178,8 +200,9 @@ impl Engine {
         let state = (self.hoop.check(start)?, start.gap_rate);
         limits.check(&start)?;
         Ok(match &self.source {
-            Source::Tables(tables) => self.fast_summary(tables.as_ref(), state, limits),
-            Source::Direct(direct) => self.fast_summary(direct, state, limits),
+            Source::Tables(tables) => self.fast_summary(tables.as_ref(), Some(&tables.chains), state, limits),
+            Source::Chained(chained) => self.fast_summary(&chained.0, Some(&chained.1), state, limits),
+            Source::Direct(direct) => self.fast_summary(direct, None, state, limits),
             Source::Exact => {
                 let mut recorder = SummaryRecorder::new(&self.hoop);
                 let solver = Exact::new(&self.hoop, &limits);
@@ -189,9 +212,15 @@ impl Engine {
         })
     }
 
-    fn fast_summary<P: Phases>(&self, phases: &P, state: (State, f64), limits: Limits) -> Summary {
+    fn fast_summary<P: Phases>(
+        &self,
+        phases: &P,
+        chains: Option<&Chains>,
+        state: (State, f64),
+        limits: Limits,
+    ) -> Summary {
         let mut recorder = SummaryRecorder::new(&self.hoop);
-        let solver = FastSolver::new(&self.hoop, phases, limits);
+        let solver = FastSolver::new(&self.hoop, phases, chains, limits);
         let end = walk(&solver, state, &limits, &mut recorder);
         recorder.finish(end.kind, end.state)
     }

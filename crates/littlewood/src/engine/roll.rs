@@ -12,7 +12,9 @@ use core::f64::consts::{PI, TAU};
 use crate::equations::RollingLaw;
 use crate::form::{Form, Trigonometric};
 use crate::hoop::Hoop;
+use crate::mode::Direction;
 use crate::rolling::margin_forms;
+use crate::state::State;
 use crate::trig::{sincos, sincos_small};
 
 use super::quadrature::{NODE, NODES, WEIGHT};
@@ -25,6 +27,25 @@ type Margin = Form<7>;
 pub(super) struct SlipPoint {
     pub(super) side: usize,
     pub(super) angle: f64,
+}
+
+impl SlipPoint {
+    /// Of a state at which a hoop slips.
+    pub(super) fn of(state: &State, direction: Direction) -> Self {
+        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let theta = travel * state.theta;
+        Self { side: side_of(direction, travel), angle: theta - TAU * (theta / TAU).floor() }
+    }
+}
+
+/// The side of a slip in the frame of motion, of a hoop that travels in the direction `travel`.
+pub(super) fn side_of(direction: Direction, travel: f64) -> usize {
+    usize::from((direction == Direction::Positive) == (travel > 0.0))
+}
+
+/// The direction of a slip to a side.
+pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
+    if (side == 1) == (travel > 0.0) { Direction::Positive } else { Direction::Negative }
 }
 
 /// A margin within this part of its terms of zero is solved exactly.
@@ -160,9 +181,10 @@ impl RollTable {
         let mut slips = Vec::new();
         for pair in self.stops.windows(2) {
             let middle = 0.5 * (pair[0].angle + pair[1].angle);
-            let Some(u) = self.limit(side, middle).filter(|u| *u > 0.0) else { continue };
+            let Some(u) = self.limit(side, middle) else { continue };
             let k = self.law.denominator(middle) * (1.0 + u);
-            // The margin on the orbit through the middle, a little before and behind: it changes sign but once.
+            // The margin for the level at the middle, before and behind: it falls through zero there or rises, as at all levels of the
+            // piece, those among them that no orbit has (u < 0).
             let margin = |angle: f64| {
                 let (y, x) = libm::sincos(0.5 * angle);
                 let [a, b] = &self.forms[side];

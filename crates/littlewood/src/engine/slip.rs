@@ -18,8 +18,8 @@ use crate::hoop::Heavy;
 use crate::mode::Direction;
 use crate::trig::sincos;
 
-use super::interpolant::{Basis, Interpolant, NODES, Slots};
-use super::roll::{RollAhead, RollEnd, RollTable, SlipPoint};
+use super::interpolant::{Basis, Interpolant, NODES, Slots, Tolerance};
+use super::roll::{RollAhead, RollEnd, RollTable, SlipPoint, direction_of};
 use super::slide::{SlideEvent, SlideStart, SlideTable};
 
 /// Pieces are not halved below this width.
@@ -103,7 +103,7 @@ impl SlipTable {
             let mut slides = Vec::new();
             for (from, to) in roll.slips(side) {
                 let mut left = from;
-                for bound in slide.bounds(side_of(side)).into_iter().chain([to]) {
+                for bound in slide.bounds(slips_to(side)).into_iter().chain([to]) {
                     if bound > left && bound <= to {
                         builder.slides(left, bound, &mut slides);
                         left = bound;
@@ -136,7 +136,7 @@ impl SlipTable {
             family.slides.find(point.angle, |piece| (piece.ends.left, piece.ends.right))?;
         let [turned, elapsed, rate] = ends.at(point.angle);
         let lifts_off = *lifts_off;
-        let sigma = side_of(point.side).sign();
+        let sigma = slips_to(point.side).sign();
         let theta = theta + turned;
         let (end_sin, end_cos) = sincos(theta);
         let law = &self.laws[point.side];
@@ -172,9 +172,9 @@ impl SlipTable {
     }
 }
 
-/// The direction of the slip through a margin.
-const fn side_of(side: usize) -> Direction {
-    if side == 0 { Direction::Negative } else { Direction::Positive }
+/// The direction of the slip through a margin, in the frame of motion.
+fn slips_to(side: usize) -> Direction {
+    direction_of(side, 1.0)
 }
 
 impl<T> Pieces<T> {
@@ -280,7 +280,10 @@ impl Builder<'_> {
                 return None;
             }
         }
-        Some(Slides { lifts_off: lifts_off?, ends: self.basis.through(left, right, &ends)? })
+        Some(Slides {
+            lifts_off: lifts_off?,
+            ends: self.basis.through(left, right, &ends, Tolerance::ROUNDING)?,
+        })
     }
 
     fn fit_rolls(&self, slides: &Interpolant<3>, left: f64, right: f64) -> Fit<Rolls> {
@@ -309,7 +312,7 @@ impl Builder<'_> {
                 _ => return Fit::Divide,
             }
         }
-        match self.basis.through(left, right, &ends) {
+        match self.basis.through(left, right, &ends, Tolerance::ROUNDING) {
             Some(ends) => Fit::Found(Rolls { stop, side, ends }),
             None => Fit::Divide,
         }
@@ -327,7 +330,7 @@ impl Builder<'_> {
         if (self.mu_s - self.mu_k) * normal <= UNCERTAIN_END {
             return None;
         }
-        let sigma = side_of(self.side).sign();
+        let sigma = slips_to(self.side).sign();
         Some(SlideStart {
             theta: sigma * angle,
             theta_rate: sigma * u.sqrt(),

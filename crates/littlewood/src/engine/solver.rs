@@ -8,16 +8,18 @@ use crate::flight::{Flight, TakeOff};
 use crate::gliding::GlideEntry;
 use crate::hoop::{Heavy, Hoop, Massless};
 use crate::limits::Limits;
+use crate::links::{LinkPhases, Linked, Room};
 use crate::mode::Direction;
 use crate::outcome::{Outcome, OutcomeKind};
 use crate::rolling::{Hold, RollingLimit};
 use crate::settling::Settling;
 use crate::state::State;
 use crate::trig::sincos;
-use crate::walk::{Ending, Solution, Solved, SolvedBy, Solver};
+use crate::walk::{Ending, Solution, Solved, SolvedBy, Solver, next_slip};
 
+use super::chain::{Chains, Follow, Link, Passage};
 use super::jump;
-use super::roll::{RollEnd, SlipPoint};
+use super::roll::{RollEnd, SlipPoint, direction_of, side_of};
 use super::slide::SlideEvent;
 use super::slip::Ahead;
 
@@ -57,6 +59,8 @@ pub(super) trait Phases {
 pub(super) struct FastSolver<'a, P> {
     hoop: &'a Hoop,
     phases: &'a P,
+    /// Chains of slips, if they are passed by whole links.
+    chains: Option<&'a Chains>,
     until: f64,
     exact: Exact<'a>,
 }
@@ -115,9 +119,9 @@ impl Solution for Option<Box<Flight>> {
 type Ended = Ending<Place, Verdict>;
 
 impl<'a, P: Phases> FastSolver<'a, P> {
-    pub(super) fn new(hoop: &'a Hoop, phases: &'a P, limits: Limits) -> Self {
+    pub(super) fn new(hoop: &'a Hoop, phases: &'a P, chains: Option<&'a Chains>, limits: Limits) -> Self {
         let until = limits.until.unwrap_or(f64::INFINITY);
-        Self { hoop, phases, until, exact: Exact::new(hoop, &limits) }
+        Self { hoop, phases, chains, until, exact: Exact::new(hoop, &limits) }
     }
 
     /// Whether so much time is left at a state.
@@ -211,6 +215,21 @@ impl<'a, P: Phases> FastSolver<'a, P> {
     }
 }
 
+impl<P: Phases> Follow for FastSolver<'_, P> {
+    fn link(&self, point: SlipPoint, theta_rate: f64) -> Option<Link> {
+        let solver = Self::new(self.hoop, self.phases, None, Limits::default());
+        let state = State { time: 0.0, theta: point.angle, theta_rate, slip: 0.0, x: 0.0 };
+        let place = Place { slip: Some(point), ..Place::new(state) };
+        let mut phases = LinkPhases::default();
+        let (end, direction) =
+            next_slip(&solver, place, direction_of(point.side, 1.0), |mode, direction| {
+                phases.push(mode, direction)
+            })?;
+        let side = side_of(direction, if end.theta_rate < 0.0 { -1.0 } else { 1.0 });
+        Some(Link::to(&end, side, phases))
+    }
+}
+
 impl<P: Phases> Solver for FastSolver<'_, P> {
     type Place = Place;
     type Solution = Option<Box<Flight>>;
@@ -251,11 +270,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                 if self.is_in_time(&state, elapsed) =>
             {
                 let theta = travel * theta;
-                let towards = if (point.side == 0) == (travel < 0.0) {
-                    Direction::Positive
-                } else {
-                    Direction::Negative
-                };
+                let towards = direction_of(point.side, travel);
                 let end = State {
                     time: state.time + elapsed,
                     theta,
@@ -345,5 +360,31 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
 
     fn glide(&self, place: &Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
         Self::take(self.exact.glide(&place.state, body, entry))
+    }
+
+    fn pass_links(&self, place: &Place, direction: Direction, room: &Room<'_>) -> Option<Linked<Place>> {
+        let chains = self.chains?;
+        let (state, travel) = (place.state, place.travel());
+        let point = place.slip.unwrap_or_else(|| SlipPoint::of(&state, direction));
+        let after = |passage: &Passage| Some(passage.state_after(&state, chains.rate(passage.end)?));
+        let has_room = |passage: &Passage| {
+            passage.route.transitions <= room.transitions
+                && self.is_in_time(&state, passage.elapsed)
+                && room.open.is_none_or(|open| after(passage).is_some_and(|state| open(&state)))
+        };
+        let (passage, phases) = if room.one_link {
+            chains.link(point, self).filter(|(passage, _)| has_room(passage))?
+        } else {
+            (chains.pass(point, self, has_room)?, LinkPhases::default())
+        };
+        let end = after(&passage)?;
+        let place = Place { slip: Some(passage.end), ..Place::new(end) };
+        let towards = direction_of(passage.end.side, place.travel());
+        Some(Linked {
+            place,
+            direction: towards,
+            transitions: passage.route.transitions,
+            phases: phases.mirrored(travel),
+        })
     }
 }

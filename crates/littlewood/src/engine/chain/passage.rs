@@ -1,0 +1,111 @@
+//! What links do: from a slip to a later one.
+
+use core::f64::consts::TAU;
+
+use crate::links::LinkPhases;
+use crate::sequence::PhaseCode;
+use crate::state::State;
+
+use super::super::roll::SlipPoint;
+use super::reduced;
+
+/// From a slip, travelling to positive angles, to a later one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::engine) struct Passage {
+    /// The slip at the end, in the frame of motion there.
+    pub(in crate::engine) end: SlipPoint,
+    pub(in crate::engine) elapsed: f64,
+    /// What is added to x.
+    pub(in crate::engine) moved: f64,
+    pub(in crate::engine) route: Route,
+}
+
+/// What is the same for all links of a piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::engine) struct Route {
+    /// Side of the slip at the end.
+    side: usize,
+    /// −1 if the hoop travels back at the end.
+    pub(super) travel: f64,
+    /// Turns: the angle at the end is travel (angle + 2π turns).
+    turns: f64,
+    pub(in crate::engine) transitions: u32,
+    /// Digest of the phases.
+    digest: u64,
+}
+
+/// A link.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::engine) struct Link {
+    pub(in crate::engine) passage: Passage,
+    pub(in crate::engine) phases: LinkPhases,
+}
+
+/// A digest of the phases of a link.
+fn digest(phases: &LinkPhases) -> u64 {
+    phases
+        .iter()
+        .fold(0, |digest, (mode, direction)| mixed(digest, u64::from(PhaseCode::new(mode, direction).code())))
+}
+
+/// A digest of two numbers, in order.
+const fn mixed(first: u64, second: u64) -> u64 {
+    // The multipliers are odd, so that nothing is lost.
+    let sum = first.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(second).wrapping_add(1);
+    (sum ^ (sum >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
+}
+
+impl Link {
+    /// The link that led to a state at a slip, travelling to positive angles from x = 0 at τ = 0.
+    pub(in crate::engine) fn to(end: &State, side: usize, phases: LinkPhases) -> Self {
+        let travel = if end.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let (angle, turns) = reduced(travel * end.theta);
+        let route =
+            Route { side, travel, turns, transitions: phases.iter().count() as u32, digest: digest(&phases) };
+        let passage = Passage { end: SlipPoint { side, angle }, elapsed: end.time, moved: end.x, route };
+        Self { passage, phases }
+    }
+}
+
+impl Passage {
+    /// The numbers that are interpolated.
+    pub(super) const fn numbers(&self) -> [f64; 3] {
+        [self.end.angle, self.elapsed, self.moved]
+    }
+
+    /// From the numbers of a route.
+    pub(super) const fn with_numbers(route: Route, [angle, elapsed, moved]: [f64; 3]) -> Self {
+        Self { end: SlipPoint { side: route.side, angle }, elapsed, moved, route }
+    }
+
+    /// This one, and another from its end.
+    pub(super) fn then(&self, next: &Self) -> Self {
+        let (first, second) = (&self.route, &next.route);
+        Self {
+            end: next.end,
+            elapsed: self.elapsed + next.elapsed,
+            moved: self.moved + first.travel * next.moved,
+            route: Route {
+                side: second.side,
+                travel: first.travel * second.travel,
+                turns: second.turns + second.travel * first.turns,
+                transitions: first.transitions.saturating_add(second.transitions),
+                digest: mixed(first.digest, second.digest),
+            },
+        }
+    }
+
+    /// The state at the end of a passage from a slip at a state, with |θ′| at the end.
+    pub(in crate::engine) fn state_after(&self, start: &State, rate: f64) -> State {
+        let sign = if start.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let (_, turns) = reduced(sign * start.theta);
+        let Route { travel, turns: gained, .. } = self.route;
+        State {
+            time: start.time + self.elapsed,
+            theta: sign * (travel * (self.end.angle + TAU * gained) + TAU * turns),
+            theta_rate: sign * travel * rate,
+            slip: 0.0,
+            x: start.x + sign * self.moved,
+        }
+    }
+}
