@@ -303,6 +303,59 @@ fn every_regime_has_the_outcomes_of_the_simulation() {
     }
 }
 
+/// A hoop that swings for hundreds of slips: light, or with μk a little below μs, or with P ≤ 0 at some angles.
+fn swinging_hoop() -> impl Strategy<Value = Hoop> {
+    let light = (-2.5_f64..-0.5, 0.0_f64..0.2, 0.1_f64..1.2, 0.3_f64..0.95).prop_map(
+        |(inertia, mass, mu_s, part)| {
+            HoopParameters::new(mass, 1.0, 10.0_f64.powf(inertia)).with_friction(mu_s, part * mu_s)
+        },
+    );
+    let alike = (0.0_f64..2.0, 0.3_f64..1.0, 0.3_f64..2.0, 0.3_f64..0.8, -3.5_f64..-1.0).prop_map(
+        |(mass, offset, inertia, mu_s, less)| {
+            HoopParameters::new(mass, offset, inertia).with_friction(mu_s, mu_s * (1.0 - 10.0_f64.powf(less)))
+        },
+    );
+    prop_oneof![light, alike].prop_map(|parameters| Hoop::new(parameters).expect("a valid hoop"))
+}
+
+/// Whole chains of slips, to their ends: the sums over thousands of phases, not one of which is followed.
+#[test]
+fn chains_of_slips_are_those_of_the_simulation() {
+    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig {
+        cases: 24,
+        max_shrink_iters: 0,
+        ..ProptestConfig::default()
+    });
+    let longest = std::cell::Cell::new(0);
+    let checked = runner.run(&(swinging_hoop(), prop::collection::vec(start(), 30)), |(hoop, starts)| {
+        let (engine, direct) = (Engine::new(&hoop), Engine::without_tables(&hoop));
+        for limits in [Limits::default().with_transitions(3_000), Limits::until(60.0)] {
+            for start in &starts {
+                let limits = limits.with_until(limits.until.map(|until| start.time + until));
+                let theirs = direct.summary(*start, limits).expect("a valid start");
+                if theirs.transitions < 20 {
+                    continue;
+                }
+                let ours = engine.summary(*start, limits).expect("a valid start");
+                longest.set(longest.get().max(theirs.transitions));
+                let sway = || {
+                    let motion = hoop.simulate(*start, limits).expect("a valid start");
+                    sway(&motion, limits)
+                        .unwrap_or_else(|| vec![f64::INFINITY; SummaryColumn::reals().count()])
+                };
+                if let Err(difference) = compare(&ours, &theirs, tolerance(&theirs), sway) {
+                    return Err(TestCaseError::fail(format!("{hoop:?}\n{start:?} {limits:?}\n{difference}")));
+                }
+            }
+        }
+        Ok(())
+    });
+    if let Err(difference) = checked {
+        panic!("{difference}");
+    }
+    assert!(longest.get() > 1_000, "{}", longest.get());
+}
+
 /// A very light hoop with next to no friction: each passage of the bottom amplifies rounding by 1e4.
 #[test]
 fn a_hoop_whose_motion_amplifies_rounding_has_no_tables() {

@@ -59,7 +59,7 @@ impl JumpTable {
                     .angles()
                     .map(|phi| phi / angle)
             });
-            pieces.push(basis.through(left, right, &values, Tolerance::ROUNDING)?);
+            pieces.push(basis.through(left, right, &values, &[Tolerance::ROUNDING; 2])?);
             left = right;
         }
         let ends: Vec<f64> = pieces.iter().map(|piece| piece.right).collect();

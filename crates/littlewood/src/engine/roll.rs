@@ -29,6 +29,15 @@ pub(super) struct SlipPoint {
     pub(super) angle: f64,
 }
 
+/// A piece of a turn on which orbits pass from a positive to a negative margin of a side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SlipPiece {
+    pub(super) left: f64,
+    pub(super) right: f64,
+    /// The stop at its right end.
+    stop: usize,
+}
+
 impl SlipPoint {
     /// Of a state at which a hoop slips.
     pub(super) fn of(state: &State, direction: Direction) -> Self {
@@ -176,13 +185,20 @@ impl RollTable {
         k.is_finite().then_some((k - d) / d)
     }
 
+    /// 1/K of the orbit whose margin of a side vanishes at this angle.
+    pub(super) fn inverse_level(&self, side: usize, angle: f64) -> f64 {
+        let (y, x) = libm::sincos(0.5 * angle);
+        let [a, b] = &self.forms[side];
+        -b.value([x, y]) / a.value([x, y])
+    }
+
     /// The pieces of a turn on which orbits pass from a positive to a negative margin of a side.
-    pub(super) fn slips(&self, side: usize) -> Vec<(f64, f64)> {
+    pub(super) fn slips(&self, side: usize) -> Vec<SlipPiece> {
         let mut slips = Vec::new();
-        for pair in self.stops.windows(2) {
-            let middle = 0.5 * (pair[0].angle + pair[1].angle);
-            let Some(u) = self.limit(side, middle) else { continue };
-            let k = self.law.denominator(middle) * (1.0 + u);
+        for (stop, pair) in (1..).zip(self.stops.windows(2)) {
+            let (left, right) = (pair[0].angle, pair[1].angle);
+            let Some(u) = self.limit(side, 0.5 * (left + right)) else { continue };
+            let k = self.law.denominator(0.5 * (left + right)) * (1.0 + u);
             // The margin for the level at the middle, before and behind: it falls through zero there or rises, as at all levels of the
             // piece, those among them that no orbit has (u < 0).
             let margin = |angle: f64| {
@@ -190,11 +206,17 @@ impl RollTable {
                 let [a, b] = &self.forms[side];
                 a.value([x, y]) + k * b.value([x, y])
             };
-            if margin(pair[0].angle) > margin(pair[1].angle) {
-                slips.push((pair[0].angle, pair[1].angle));
+            if margin(left) > margin(right) {
+                slips.push(SlipPiece { left, right, stop });
             }
         }
         slips
+    }
+
+    /// The angle on a piece at which the orbit with the constant K slips.
+    pub(super) fn slip_on(&self, piece: &SlipPiece, side: usize, k: f64) -> Option<f64> {
+        let stop = &self.stops[piece.stop];
+        k.is_finite().then(|| self.slip(k, piece.left, stop, side).0)
     }
 
     /// Follows an orbit on which rolling holds at the start, θ growing at the rate `theta_rate` > 0. None where a

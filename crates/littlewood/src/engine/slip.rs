@@ -19,7 +19,7 @@ use crate::mode::Direction;
 use crate::trig::sincos;
 
 use super::interpolant::{Basis, Interpolant, NODES, Slots, Tolerance};
-use super::roll::{RollAhead, RollEnd, RollTable, SlipPoint, direction_of};
+use super::roll::{RollAhead, RollEnd, RollTable, SlipPiece, SlipPoint, direction_of};
 use super::slide::{SlideEvent, SlideStart, SlideTable};
 
 /// Pieces are not halved below this width.
@@ -101,7 +101,7 @@ impl SlipTable {
         let families = [0, 1].map(|side| {
             let builder = Builder { body, mu_s, mu_k, roll, slide, basis: Basis::new(), side };
             let mut slides = Vec::new();
-            for (from, to) in roll.slips(side) {
+            for SlipPiece { left: from, right: to, .. } in roll.slips(side) {
                 let mut left = from;
                 for bound in slide.bounds(slips_to(side)).into_iter().chain([to]) {
                     if bound > left && bound <= to {
@@ -282,7 +282,7 @@ impl Builder<'_> {
         }
         Some(Slides {
             lifts_off: lifts_off?,
-            ends: self.basis.through(left, right, &ends, Tolerance::ROUNDING)?,
+            ends: self.basis.through(left, right, &ends, &[Tolerance::ROUNDING; 3])?,
         })
     }
 
@@ -312,7 +312,7 @@ impl Builder<'_> {
                 _ => return Fit::Divide,
             }
         }
-        match self.basis.through(left, right, &ends, Tolerance::ROUNDING) {
+        match self.basis.through(left, right, &ends, &[Tolerance::ROUNDING; 2]) {
             Some(ends) => Fit::Found(Rolls { stop, side, ends }),
             None => Fit::Divide,
         }

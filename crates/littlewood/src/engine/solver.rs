@@ -17,9 +17,9 @@ use crate::state::State;
 use crate::trig::sincos;
 use crate::walk::{Ending, Solution, Solved, SolvedBy, Solver, next_slip};
 
-use super::chain::{Chains, Follow, Link, Passage};
+use super::chain::{Chains, Follow, Passage};
 use super::jump;
-use super::roll::{RollEnd, SlipPoint, direction_of, side_of};
+use super::roll::{RollEnd, SlipPoint, direction_of};
 use super::slide::SlideEvent;
 use super::slip::Ahead;
 
@@ -216,17 +216,14 @@ impl<'a, P: Phases> FastSolver<'a, P> {
 }
 
 impl<P: Phases> Follow for FastSolver<'_, P> {
-    fn link(&self, point: SlipPoint, theta_rate: f64) -> Option<Link> {
+    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, LinkPhases)> {
         let solver = Self::new(self.hoop, self.phases, None, Limits::default());
-        let state = State { time: 0.0, theta: point.angle, theta_rate, slip: 0.0, x: 0.0 };
-        let place = Place { slip: Some(point), ..Place::new(state) };
+        let state = State { time: 0.0, theta: slip.angle, theta_rate, slip: 0.0, x: 0.0 };
+        let place = Place { slip: Some(slip), ..Place::new(state) };
         let mut phases = LinkPhases::default();
-        let (end, direction) =
-            next_slip(&solver, place, direction_of(point.side, 1.0), |mode, direction| {
-                phases.push(mode, direction)
-            })?;
-        let side = side_of(direction, if end.theta_rate < 0.0 { -1.0 } else { 1.0 });
-        Some(Link::to(&end, side, phases))
+        let tell = |mode, direction| phases.push(mode, direction);
+        let (end, direction) = next_slip(&solver, place, direction_of(slip.side, 1.0), tell)?;
+        Some((end, direction, phases))
     }
 }
 
@@ -365,21 +362,24 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn pass_links(&self, place: &Place, direction: Direction, room: &Room<'_>) -> Option<Linked<Place>> {
         let chains = self.chains?;
         let (state, travel) = (place.state, place.travel());
-        let point = place.slip.unwrap_or_else(|| SlipPoint::of(&state, direction));
-        let after = |passage: &Passage| Some(passage.state_after(&state, chains.rate(passage.end)?));
+        let point = chains.point(&state, direction)?;
+        let after = |passage: &Passage| {
+            let (slip, rate) = chains.slip(passage.end)?;
+            Some((slip, passage.state_after(&state, (slip.angle, rate))))
+        };
         let has_room = |passage: &Passage| {
             passage.route.transitions <= room.transitions
                 && self.is_in_time(&state, passage.elapsed)
-                && room.open.is_none_or(|open| after(passage).is_some_and(|state| open(&state)))
+                && room.open.is_none_or(|open| after(passage).is_some_and(|(_, state)| open(&state)))
         };
         let (passage, phases) = if room.one_link {
             chains.link(point, self).filter(|(passage, _)| has_room(passage))?
         } else {
             (chains.pass(point, self, has_room)?, LinkPhases::default())
         };
-        let end = after(&passage)?;
-        let place = Place { slip: Some(passage.end), ..Place::new(end) };
-        let towards = direction_of(passage.end.side, place.travel());
+        let (slip, end) = after(&passage)?;
+        let place = Place { slip: Some(slip), ..Place::new(end) };
+        let towards = direction_of(slip.side, place.travel());
         Some(Linked {
             place,
             direction: towards,

@@ -6,14 +6,13 @@ use crate::links::LinkPhases;
 use crate::sequence::PhaseCode;
 use crate::state::State;
 
-use super::super::roll::SlipPoint;
-use super::reduced;
+use super::curve::Point;
 
 /// From a slip, travelling to positive angles, to a later one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::engine) struct Passage {
     /// The slip at the end, in the frame of motion there.
-    pub(in crate::engine) end: SlipPoint,
+    pub(in crate::engine) end: Point,
     pub(in crate::engine) elapsed: f64,
     /// What is added to x.
     pub(in crate::engine) moved: f64,
@@ -23,8 +22,8 @@ pub(in crate::engine) struct Passage {
 /// What is the same for all links of a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::engine) struct Route {
-    /// Side of the slip at the end.
-    side: usize,
+    /// Part of the curves on which the slip at the end is.
+    part: usize,
     /// −1 if the hoop travels back at the end.
     pub(super) travel: f64,
     /// Turns: the angle at the end is travel (angle + 2π turns).
@@ -32,13 +31,6 @@ pub(in crate::engine) struct Route {
     pub(in crate::engine) transitions: u32,
     /// Digest of the phases.
     digest: u64,
-}
-
-/// A link.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::engine) struct Link {
-    pub(in crate::engine) passage: Passage,
-    pub(in crate::engine) phases: LinkPhases,
 }
 
 /// A digest of the phases of a link.
@@ -55,27 +47,24 @@ const fn mixed(first: u64, second: u64) -> u64 {
     (sum ^ (sum >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
 }
 
-impl Link {
-    /// The link that led to a state at a slip, travelling to positive angles from x = 0 at τ = 0.
-    pub(in crate::engine) fn to(end: &State, side: usize, phases: LinkPhases) -> Self {
-        let travel = if end.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let (angle, turns) = reduced(travel * end.theta);
-        let route =
-            Route { side, travel, turns, transitions: phases.iter().count() as u32, digest: digest(&phases) };
-        let passage = Passage { end: SlipPoint { side, angle }, elapsed: end.time, moved: end.x, route };
-        Self { passage, phases }
-    }
-}
-
 impl Passage {
+    /// The link that led to a state at a slip, travelling to positive angles from x = 0 at τ = 0.
+    pub(super) fn to(state: &State, end: Point, phases: &LinkPhases) -> Self {
+        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let turns = (travel * state.theta / TAU).floor();
+        let transitions = phases.iter().count() as u32;
+        let route = Route { part: end.part, travel, turns, transitions, digest: digest(phases) };
+        Self { end, elapsed: state.time, moved: state.x, route }
+    }
+
     /// The numbers that are interpolated.
     pub(super) const fn numbers(&self) -> [f64; 3] {
-        [self.end.angle, self.elapsed, self.moved]
+        [self.end.at, self.elapsed, self.moved]
     }
 
     /// From the numbers of a route.
-    pub(super) const fn with_numbers(route: Route, [angle, elapsed, moved]: [f64; 3]) -> Self {
-        Self { end: SlipPoint { side: route.side, angle }, elapsed, moved, route }
+    pub(super) const fn with_numbers(route: Route, [at, elapsed, moved]: [f64; 3]) -> Self {
+        Self { end: Point { part: route.part, at }, elapsed, moved, route }
     }
 
     /// This one, and another from its end.
@@ -86,7 +75,7 @@ impl Passage {
             elapsed: self.elapsed + next.elapsed,
             moved: self.moved + first.travel * next.moved,
             route: Route {
-                side: second.side,
+                part: second.part,
                 travel: first.travel * second.travel,
                 turns: second.turns + second.travel * first.turns,
                 transitions: first.transitions.saturating_add(second.transitions),
@@ -95,14 +84,14 @@ impl Passage {
         }
     }
 
-    /// The state at the end of a passage from a slip at a state, with |θ′| at the end.
-    pub(in crate::engine) fn state_after(&self, start: &State, rate: f64) -> State {
+    /// The state at the end of a passage from a slip at a state, with the angle, reduced to a turn in the frame of motion, and |θ′| there.
+    pub(in crate::engine) fn state_after(&self, start: &State, (angle, rate): (f64, f64)) -> State {
         let sign = if start.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let (_, turns) = reduced(sign * start.theta);
+        let turns = (sign * start.theta / TAU).floor();
         let Route { travel, turns: gained, .. } = self.route;
         State {
             time: start.time + self.elapsed,
-            theta: sign * (travel * (self.end.angle + TAU * gained) + TAU * turns),
+            theta: sign * (travel * (angle + TAU * gained) + TAU * turns),
             theta_rate: sign * travel * rate,
             slip: 0.0,
             x: start.x + sign * self.moved,

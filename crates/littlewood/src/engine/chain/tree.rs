@@ -15,11 +15,11 @@ use super::passage::{Passage, Route};
 /// amplified by.
 pub(super) const CONVERGED: f64 = 2e-15;
 
-/// Pieces are not halved below this width.
-const NARROWEST: f64 = 1.0 / 8192.0;
+/// Most halvings of a part.
+const HALVINGS: u32 = 17;
 
-/// An interval without links is not searched further below this width.
-const SEARCHED: f64 = 1.0 / 16.0;
+/// Halvings after which an interval without links at its ends and its middle is taken to have none.
+const SEARCHED: u32 = 3;
 
 /// By how many tolerances the polynomials may miss the links between the nodes.
 const MISSED: f64 = 8.0;
@@ -33,10 +33,10 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// The links from an angle of the piece.
+    /// The links from a slip of the piece.
     #[inline]
-    pub(super) fn at(&self, angle: f64) -> Passage {
-        Passage::with_numbers(self.route, self.numbers.at(angle))
+    pub(super) fn from(&self, at: f64) -> Passage {
+        Passage::with_numbers(self.route, self.numbers.at(at))
     }
 }
 
@@ -52,56 +52,61 @@ enum Fit {
 struct Node {
     left: f64,
     right: f64,
+    /// Halvings of the part that led to it.
+    halvings: u32,
     fit: OnceLock<Fit>,
 }
 
-/// Intervals of a curve of slips, each divided as far as it was needed.
+/// A part of a curve of slips, divided as far as it was needed.
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
-    roots: Vec<Node>,
+    root: Node,
 }
 
 impl Node {
-    const fn new(left: f64, right: f64) -> Self {
-        Self { left, right, fit: OnceLock::new() }
+    const fn new(left: f64, right: f64, halvings: u32) -> Self {
+        Self { left, right, halvings, fit: OnceLock::new() }
     }
 }
 
 impl Tree {
-    pub(super) fn new(intervals: &[(f64, f64)]) -> Self {
-        Self { roots: intervals.iter().map(|(left, right)| Node::new(*left, *right)).collect() }
+    /// Between two coordinates.
+    pub(super) const fn new(left: f64, right: f64) -> Self {
+        Self { root: Node::new(left, right, 0) }
     }
 
-    /// The piece that holds an angle, of links that `value` follows.
+    /// The piece that holds a slip, of links that `value` follows.
     pub(super) fn find(
         &self,
-        angle: f64,
+        at: f64,
         basis: &Basis,
         tolerance: f64,
         value: &impl Fn(f64) -> Option<(Passage, LinkPhases)>,
     ) -> Option<&Found> {
-        let root = self.roots.partition_point(|root| root.right < angle);
-        let mut node = self.roots.get(root).filter(|root| root.left <= angle)?;
+        let mut node = Some(&self.root).filter(|root| root.left <= at && at <= root.right)?;
         loop {
-            match node.fit.get_or_init(|| fit((node.left, node.right), basis, tolerance, value)) {
+            match node.fit.get_or_init(|| fit(node, basis, tolerance, value)) {
                 Fit::Found(found) => return Some(found),
                 Fit::Nothing => return None,
-                Fit::Divided(halves) => node = &halves[usize::from(angle > halves[0].right)],
+                Fit::Divided(halves) => node = &halves[usize::from(at > halves[0].right)],
             }
         }
     }
 }
 
 fn fit(
-    (left, right): (f64, f64),
+    &Node { left, right, halvings, .. }: &Node,
     basis: &Basis,
     tolerance: f64,
     value: &impl Fn(f64) -> Option<(Passage, LinkPhases)>,
 ) -> Fit {
     let middle = 0.5 * (left + right);
     let divided = || {
-        if right - left > 2.0 * NARROWEST {
-            Fit::Divided(Box::new([Node::new(left, middle), Node::new(middle, right)]))
+        if halvings < HALVINGS {
+            Fit::Divided(Box::new([
+                Node::new(left, middle, halvings + 1),
+                Node::new(middle, right, halvings + 1),
+            ]))
         } else {
             Fit::Nothing
         }
@@ -109,7 +114,7 @@ fn fit(
     let [first, second, last] = [left, middle, right].map(value);
     let (Some(first), Some(second), Some(last)) = (&first, &second, &last) else {
         let nothing = first.is_none() && second.is_none() && last.is_none();
-        return if nothing && right - left < SEARCHED { Fit::Nothing } else { divided() };
+        return if nothing && halvings >= SEARCHED { Fit::Nothing } else { divided() };
     };
     let (route, phases) = (first.0.route, first.1);
     let same = |(passage, other): &(Passage, LinkPhases)| {
@@ -120,24 +125,25 @@ fn fit(
     }
     let nodes = basis.nodes(left, right);
     let mut numbers = [[0.0; 3]; NODES];
-    for (angle, numbers) in nodes.iter().zip(&mut numbers) {
-        match value(*angle).as_ref().and_then(same) {
+    for (at, numbers) in nodes.iter().zip(&mut numbers) {
+        match value(*at).as_ref().and_then(same) {
             Some(found) => *numbers = found,
             None => return divided(),
         }
     }
-    let tolerance = Tolerance { relative: tolerance, least: tolerance };
-    let Some(interpolant) = basis.through(left, right, &numbers, tolerance) else { return divided() };
-    let agrees = |angle: f64, expected: [f64; 3]| {
-        interpolant
-            .at(angle)
-            .iter()
-            .zip(expected)
-            .all(|(value, expected)| (value - expected).abs() <= MISSED * tolerance.of(expected))
+    // x comes back to where it was, unlike time.
+    let relative = Tolerance { relative: tolerance, least: 0.0 };
+    let tolerances = [relative, relative, Tolerance { least: tolerance, ..relative }];
+    let Some(interpolant) = basis.through(left, right, &numbers, &tolerances) else { return divided() };
+    let agrees = |at: f64, expected: [f64; 3]| {
+        let values = interpolant.at(at).into_iter().zip(expected).zip(&tolerances);
+        values
+            .into_iter()
+            .all(|((value, expected), tolerance)| (value - expected).abs() <= MISSED * tolerance.of(expected))
     };
     let between = nodes.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).chain([left, right]);
-    for angle in between {
-        if !value(angle).as_ref().and_then(same).is_some_and(|expected| agrees(angle, expected)) {
+    for at in between {
+        if !value(at).as_ref().and_then(same).is_some_and(|expected| agrees(at, expected)) {
             return divided();
         }
     }
