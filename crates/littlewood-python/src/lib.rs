@@ -6,6 +6,7 @@
 //! handed over, not copied.
 
 mod closed_form;
+mod digest;
 mod error;
 mod many;
 mod motion;
@@ -30,5 +31,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     plane::register(module)?;
     closed_form::register(module)?;
     palette::register(module)?;
+    digest::register(module)?;
     table::register(module)
 }

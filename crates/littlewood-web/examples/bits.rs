@@ -8,52 +8,11 @@
 
 use std::io::{self, BufWriter, Write};
 
-use littlewood::{CASES, Hoop, HoopParameters, RestitutionLaw, Setup, Start};
+use littlewood::{CASES, Hoop, Setup};
+use littlewood_digest::{limits, setups};
 use littlewood_web::{Motion, Problem, dimensionless_quantities};
 
-const STARTS: u32 = 1000;
 const SAMPLES: usize = 20;
-
-/// Limit of the motions that bounce: some do without end.
-const UNTIL: f64 = 60.0;
-
-/// `SplitMix64` (Steele, Lea and Flood, 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn between(&mut self, least: f64, most: f64) -> f64 {
-        least + (most - least) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-}
-
-/// Hoops of all kinds: that of Figure 2, Littlewood's, and any other.
-fn setup(random: &mut Random, index: u32) -> Setup {
-    let [mass_ratio, offset, inertia] = match index % 4 {
-        0 | 1 => [1.0, 1.0, 1.0],
-        2 => [0.0, 1.0, 0.0],
-        _ => [random.between(0.0, 4.0), random.between(0.05, 1.0), random.between(0.02, 4.0)],
-    };
-    let mu_s = random.between(0.05, 1.2);
-    let mu_k = mu_s * random.between(0.0, 1.0);
-    let slip = if index.is_multiple_of(3) { random.between(-2.0, 2.0) } else { 0.0 };
-    let (theta, rate) = (random.between(-4.0, 7.0), random.between(-4.0, 4.0));
-    let hoop = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
-    let start = Start::at(theta, rate).with_slip(slip);
-    if inertia > 0.0 && index.is_multiple_of(5) {
-        let law = RestitutionLaw::ALL[index as usize / 5 % RestitutionLaw::ALL.len()];
-        let hoop = hoop.with_restitution(random.between(0.0, 0.95), law);
-        return Setup::new(hoop, start.with_gap_rate(random.between(-1.0, 1.0).max(0.0)));
-    }
-    Setup::new(hoop, start)
-}
 
 fn hash(bytes: impl IntoIterator<Item = u8>) -> u64 {
     bytes
@@ -80,7 +39,7 @@ fn line(out: &mut impl Write, case: Option<&str>, setup: &Setup) -> io::Result<(
     let restitution = Hoop::new(setup.hoop).ok().and_then(|hoop| hoop.restitution());
     let law = restitution.map(|it| it.law().name().to_owned());
     let coefficient = restitution.map(|it| it.coefficient());
-    let until = restitution.map(|_| UNTIL);
+    let until = limits(setup).until;
     let motion = Problem::dimensionless(&numbers, coefficient, law.clone(), until)
         .and_then(|problem| Motion::new(&problem, case.map(str::to_owned)))
         .map_err(|refusal| io::Error::other(refusal.message()))?;
@@ -102,9 +61,8 @@ fn main() -> io::Result<()> {
     for case in CASES {
         line(&mut out, Some(case.name), &case.setup)?;
     }
-    let mut random = Random(2019);
-    for index in 0..STARTS {
-        line(&mut out, None, &setup(&mut random, index))?;
+    for setup in setups(0) {
+        line(&mut out, None, &setup)?;
     }
     out.flush()
 }

@@ -11,6 +11,7 @@
 
 mod boundary;
 mod cases;
+mod digest;
 mod energy;
 pub mod hops;
 mod map;
@@ -25,6 +26,7 @@ mod ticks;
 
 pub use boundary::boundary;
 pub use cases::cases;
+pub use digest::digest_line;
 pub use map::{MapSubject, OutcomeMap};
 pub use motion::Motion;
 pub use panic::{begin, provoke_panic};

@@ -1,0 +1,140 @@
+//! A block of motions, and its digests.
+
+use littlewood::{
+    Direction, Engine, Hoop, Impact, Mode, OutcomeKind, ParameterError, Phase, Sample, SampleColumn, Setup,
+    Start, State, Summary, SummaryColumn, SummaryValue, Trajectory,
+};
+
+use crate::hash::Hash;
+use crate::starts::{limits, setups};
+
+/// Instants at which a phase is looked at, in parts of its duration.
+const INSTANTS: [f64; 4] = [0.0, 0.3125, 0.75, 1.0];
+
+/// Duration of the part that is looked at of a phase that lasts for ever.
+const WINDOW: f64 = 8.0;
+
+/// Starts of the hoop of a block with which the engine makes tables.
+const STARTS: usize = Engine::MIN_STARTS_FOR_TABLES;
+
+/// The digests of a block of motions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// Which block.
+    pub index: u32,
+    /// Of the simulated motions: phases, transitions, impacts, outcomes, and samples of all phases.
+    pub trajectories: u64,
+    /// Of the summaries that the engine makes, without tables, and with those of one of the hoops.
+    pub summaries: u64,
+}
+
+impl Block {
+    /// Follows the motions.
+    #[must_use]
+    pub fn compute(index: u32) -> Self {
+        let (mut trajectories, mut summaries) = (Hash::new(), Hash::new());
+        for setup in setups(index) {
+            if motion(&mut trajectories, &setup).is_err() {
+                trajectories.word(u64::MAX);
+            }
+            if summary(&mut summaries, &setup).is_err() {
+                summaries.word(u64::MAX);
+            }
+        }
+        tabulated(&mut summaries, index);
+        Self { index, trajectories: trajectories.finish(), summaries: summaries.finish() }
+    }
+
+    /// The block as a line of `reference/digest.txt`.
+    #[must_use]
+    pub fn line(&self) -> String {
+        format!("{:2} {:016x} {:016x}", self.index, self.trajectories, self.summaries)
+    }
+}
+
+fn motion(hash: &mut Hash, setup: &Setup) -> Result<(), ParameterError> {
+    let motion = Hoop::new(setup.hoop)?.simulate(setup.start, limits(setup))?;
+    trajectory(hash, &motion);
+    Ok(())
+}
+
+fn trajectory(hash: &mut Hash, motion: &Trajectory) {
+    for phase in motion.phases() {
+        samples(hash, phase);
+    }
+    for transition in motion.transitions() {
+        hash.word(u64::from(transition.cause.code()));
+        hash.word(transition.to.map_or(u64::MAX, |mode| u64::from(Mode::code(mode))));
+        hash.word(u64::from(Direction::code(transition.direction).cast_unsigned()));
+        state(hash, &transition.before);
+        state(hash, &transition.after);
+        if let Some(it) = &transition.impact {
+            impact(hash, it);
+        }
+    }
+    let outcome = motion.outcome();
+    hash.word(u64::from(OutcomeKind::code(outcome.kind())));
+    state(hash, &outcome.state());
+}
+
+fn samples(hash: &mut Hash, phase: &Phase) {
+    let duration = phase.duration();
+    let duration = if duration.is_finite() { duration } else { WINDOW };
+    for part in INSTANTS {
+        sample(hash, &phase.sample(part * duration));
+    }
+}
+
+fn sample(hash: &mut Hash, sample: &Sample) {
+    for column in SampleColumn::ALL {
+        hash.number(column.of(sample).number());
+    }
+}
+
+fn state(hash: &mut Hash, state: &State) {
+    for number in state.numbers() {
+        hash.number(number);
+    }
+}
+
+fn impact(hash: &mut Hash, impact: &Impact) {
+    hash.word(u64::from(impact.case.code()));
+    let Impact { before, after, .. } = impact;
+    for number in [before.gap_rate, after.theta_rate, after.slip, after.gap_rate] {
+        hash.number(number);
+    }
+    for number in [impact.normal_work, impact.friction_work] {
+        hash.number(number);
+    }
+}
+
+fn summary(hash: &mut Hash, setup: &Setup) -> Result<(), ParameterError> {
+    let engine = Engine::without_tables(&Hoop::new(setup.hoop)?);
+    add(hash, &engine.summary(setup.start, limits(setup))?);
+    Ok(())
+}
+
+/// Summaries of one hoop with its tables: that of Figure 2 in even blocks, any other in odd ones, with the starts of other setups.
+fn tabulated(hash: &mut Hash, index: u32) {
+    let place = if index.is_multiple_of(2) { 1 } else { 3 };
+    let Some(setup) = setups(index).nth(place) else { return };
+    let Ok(hoop) = Hoop::new(setup.hoop) else { return };
+    let engine = Engine::new(&hoop);
+    for other in setups(index).take(STARTS) {
+        let Start { theta, theta_rate, slip, .. } = other.start;
+        if let Ok(it) = engine.summary(Start::at(theta, theta_rate).with_slip(slip), limits(&setup)) {
+            add(hash, &it);
+        }
+    }
+}
+
+fn add(hash: &mut Hash, summary: &Summary) {
+    for column in SummaryColumn::ALL {
+        match column.of(summary) {
+            SummaryValue::U8(value) => hash.word(u64::from(value)),
+            SummaryValue::U32(value) => hash.word(u64::from(value)),
+            SummaryValue::U64(value) => hash.word(value),
+            SummaryValue::F64(value) => hash.number(value),
+        }
+    }
+}

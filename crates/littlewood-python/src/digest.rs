@@ -1,0 +1,14 @@
+//! Digests of random motions.
+
+use littlewood_digest::Block;
+use pyo3::prelude::*;
+
+/// The digests of a block of motions as this core computes them: a line of `reference/digest.txt`.
+#[pyfunction]
+fn digest_line(py: Python<'_>, block: u32) -> String {
+    py.detach(|| Block::compute(block).line())
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(digest_line, module)?)
+}
