@@ -6,10 +6,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use clap::Command;
 use clap_complete::Shell;
 use clap_complete::aot::generate;
-use clap_mangen::Man;
 
 /// The name of the program.
 const PROGRAM: &str = "littlewood";
@@ -43,27 +41,10 @@ pub fn write(prefix: &Path) -> io::Result<()> {
         generate(shell, &mut littlewood_cli::command(), PROGRAM, &mut script);
         write_file(&prefix.join(place), &script)?;
     }
-    for page in pages() {
-        let mut text = Vec::new();
-        page.render(&mut text)?;
-        write_file(&prefix.join("share/man/man1").join(page.get_filename()), &text)?;
-    }
-    Ok(())
-}
-
-/// The page of the program, and one for each command.
-#[must_use]
-pub fn pages() -> Vec<Man> {
-    let mut program = littlewood_cli::command().disable_help_subcommand(true);
-    program.build();
-    let of_command = |command: &Command| {
-        let name = format!("{PROGRAM}-{}", command.get_name());
-        // The page is found by the name with a hyphen; the command is typed with a space.
-        let typed = format!("{PROGRAM} {}", command.get_name());
-        Man::new(command.clone().name(name).bin_name(typed))
-    };
-    let commands: Vec<Man> = program.get_subcommands().map(of_command).collect();
-    std::iter::once(Man::new(program)).chain(commands).collect()
+    let pages = prefix.join("share/man/man1");
+    fs::create_dir_all(&pages)?;
+    // A page for the program and one for each command; none for `help`, which lists them.
+    clap_mangen::generate_to(littlewood_cli::command().disable_help_subcommand(true), pages)
 }
 
 fn write_file(path: &Path, content: &[u8]) -> io::Result<()> {

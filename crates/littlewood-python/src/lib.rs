@@ -12,6 +12,7 @@ mod many;
 mod motion;
 mod palette;
 mod plane;
+mod program;
 mod record;
 mod samples;
 mod table;
@@ -32,5 +33,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     closed_form::register(module)?;
     palette::register(module)?;
     digest::register(module)?;
+    program::register(module)?;
     table::register(module)
 }
