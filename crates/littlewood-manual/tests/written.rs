@@ -12,7 +12,8 @@ fn pages_and_completions_have_every_command() {
     let command = littlewood_cli::command();
     let commands: Vec<&str> = command.get_subcommands().map(|command| command.get_name()).collect();
     assert!(commands.contains(&"simulate"));
-    let program = fs::read_to_string(prefix.join("share/man/man1/littlewood.1")).expect("the page of the program");
+    let program =
+        fs::read_to_string(prefix.join("share/man/man1/littlewood.1")).expect("the page of the program");
     for command in &commands {
         let page = prefix.join(format!("share/man/man1/littlewood-{command}.1"));
         let page = fs::read_to_string(page).expect("a page");

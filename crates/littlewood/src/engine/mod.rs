@@ -9,6 +9,7 @@
 
 mod chain;
 mod direct;
+mod frictionless;
 mod interpolant;
 mod jump;
 mod piece;
@@ -125,7 +126,8 @@ impl Engine {
     fn with_chains(self) -> Self {
         let Self { hoop, source } = self;
         let source = match source {
-            Source::Direct(direct) => match RollTable::new(&hoop) {
+            // Without friction no hoop rolls.
+            Source::Direct(direct) => match RollTable::new(&hoop).filter(|_| hoop.mu_k() > 0.0) {
                 Some(roll) => {
                     let chains = Chains::new(direct.body(), &roll);
                     Source::Chained(Box::new((direct, chains)))
@@ -145,7 +147,7 @@ impl Engine {
     pub fn without_tables(hoop: &Hoop) -> Self {
         let source = match hoop.body() {
             Body::Heavy(body)
-                if hoop.mu_k() > 0.0
+                if (hoop.mu_k() > 0.0 || hoop.mu_s() == 0.0)
                     && body.h >= MIN_IMBALANCE
                     && body.inertia >= MIN_INERTIA_DIRECT * body.mass =>
             {

@@ -1,10 +1,14 @@
 //! A piece of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
 
 use crate::equations::{SlidingLaw, contact};
+use crate::hoop::Heavy;
 
 /// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 + |θ′|), so that below this
 /// part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.
 const MIN_SLIP_ACCELERATION: f64 = 2e-3;
+
+/// Rounding of η′ by light hoops, which amplify it by (Î/m)^(−1/2) at each passage of the bottom, as a part of that.
+const AMPLIFIED: f64 = 0.1;
 
 /// A part of a slide on which u is known as a function of a coordinate z, along which the slide goes up or down.
 pub(super) trait Piece {
@@ -152,7 +156,9 @@ impl<P: Piece> Way<'_, P> {
                 continue;
             }
             if step.abs() < 1e-7 {
-                if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * (1.0 + at.u.sqrt()) {
+                let Heavy { mass, inertia, .. } = self.law.body;
+                let amplified = (AMPLIFIED * (mass / inertia).sqrt()).max(1.0);
+                if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * amplified * (1.0 + at.u.sqrt()) {
                     return None;
                 }
                 return Some(Waypoint {

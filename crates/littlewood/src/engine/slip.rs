@@ -161,6 +161,7 @@ impl SlipTable {
                 slip,
                 direction: (sigma * end_sin, end_cos),
                 lifts_off,
+                turns: None,
             },
             ahead,
         })

@@ -18,10 +18,10 @@ use crate::trig::sincos;
 use crate::walk::{Ending, Solution, Solved, SolvedBy, Solver, next_slip};
 
 use super::chain::{Chains, Follow, Passage};
-use super::jump;
 use super::roll::{RollEnd, SlipPoint, direction_of};
 use super::slide::SlideEvent;
 use super::slip::Ahead;
+use super::{frictionless, jump};
 
 /// Forces within this part of the friction limit, or of lift-off, are weighed by the exact rules.
 const UNCERTAIN_FORCES: f64 = 1e-9;
@@ -105,14 +105,28 @@ impl From<Outcome> for Verdict {
     }
 }
 
-/// Of the phases a summary keeps no more than the flight, which most of them are not.
-impl Solution for Option<Box<Flight>> {
+/// What a summary keeps of a phase.
+#[derive(Clone, Debug)]
+pub(super) enum Kept {
+    Nothing,
+    Flight(Box<Flight>),
+    /// The range of the angle of a slide.
+    Slide((f64, f64)),
+}
+
+impl Solution for Kept {
     fn flight(&self) -> Option<&Flight> {
-        self.as_deref()
+        match self {
+            Self::Flight(flight) => Some(flight),
+            Self::Nothing | Self::Slide(_) => None,
+        }
     }
 
     fn theta_range(&self) -> Option<(f64, f64)> {
-        None
+        match self {
+            Self::Slide(range) => Some(*range),
+            Self::Nothing | Self::Flight(_) => None,
+        }
     }
 }
 
@@ -141,7 +155,11 @@ impl<'a, P: Phases> FastSolver<'a, P> {
             Ending::Motion { event, end, verdict } => Ending::Motion { event, end, verdict: verdict.into() },
         };
         Solved {
-            solution: solved.solution.flight().map(|flight| Box::new(*flight)),
+            solution: match (solved.solution.flight(), solved.solution.theta_range()) {
+                (Some(flight), _) => Kept::Flight(Box::new(*flight)),
+                (None, Some(range)) => Kept::Slide(range),
+                (None, None) => Kept::Nothing,
+            },
             direction: solved.direction,
             ending,
         }
@@ -229,7 +247,7 @@ impl<P: Phases> Follow for FastSolver<'_, P> {
 
 impl<P: Phases> Solver for FastSolver<'_, P> {
     type Place = Place;
-    type Solution = Option<Box<Flight>>;
+    type Solution = Kept;
     type Verdict = Verdict;
 
     fn hoop(&self) -> &Hoop {
@@ -289,7 +307,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             }
             Some(RollEnd::Slip { .. }) | None => return Self::take(self.exact.roll(&state, on_limit)),
         };
-        Solved { solution: None, direction: None, ending }
+        Solved { solution: Kept::Nothing, direction: None, ending }
     }
 
     #[inline(always)]
@@ -301,6 +319,11 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         slip_acceleration: Option<f64>,
     ) -> SolvedBy<Self> {
         let state = place.state;
+        if self.hoop.mu_s() == 0.0 && self.until.is_infinite() && frictionless::slides_forever(body, &state) {
+            let verdict = Verdict { kind: OutcomeKind::SlidesForever, state };
+            let ending = Ending::Motion { event: None, end: None, verdict };
+            return Solved { solution: Kept::Nothing, direction: Some(direction), ending };
+        }
         let followed = self.phases.slide(place, direction, slip_acceleration, self.until - state.time);
         let followed = followed.filter(|(event, _)| self.is_in_time(&state, event.elapsed));
         let Some((event, ahead)) = followed else {
@@ -318,7 +341,11 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         let (cause, arrival) =
             if event.lifts_off { (Cause::LiftOff, Arrival::LiftOff) } else { (Cause::Stick, Arrival::Open) };
         let place = Place { state: end, direction: here, slip: None, ahead };
-        Solved { solution: None, direction: Some(direction), ending: Ending::Event { place, cause, arrival } }
+        Solved {
+            solution: Kept::Slide(event.range_from(state.theta)),
+            direction: Some(direction),
+            ending: Ending::Event { place, cause, arrival },
+        }
     }
 
     #[inline(always)]
@@ -348,7 +375,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                 verdict: Verdict { kind: OutcomeKind::TimeLimit, state: end },
             }
         };
-        Solved { solution: Some(Box::new(flight)), direction: None, ending }
+        Solved { solution: Kept::Flight(Box::new(flight)), direction: None, ending }
     }
 
     fn settle(&self, place: &Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {

@@ -75,6 +75,7 @@ enum End {
 /// Follows a slide from a place to its event. None where a sign is in doubt, P comes close to zero, or the slide takes more pieces, or
 /// more time than is `allowed`.
 pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint, allowed: f64) -> Option<SlideEvent> {
+    let mut turns: Option<(f64, f64)> = None;
     for _ in 0..MOST_PIECES {
         if here.elapsed > allowed {
             return None;
@@ -90,6 +91,10 @@ pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint, allowed: f64) -> 
             }
             (end, at) = pass_turn(&before.way(&turn), &place)?;
             rate = turn.rate(at.z, at.u);
+            if place.z < 0.0 && at.z > 0.0 {
+                let angle = before.sign * before.theta;
+                turns = Some(turns.map_or((angle, angle), |(low, high)| (low.min(angle), high.max(angle))));
+            }
             frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
             if end == End::Open {
                 frame = frame.mirrored();
@@ -121,8 +126,9 @@ pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint, allowed: f64) -> 
             slip: if lifts_off { frame.sigma * at.slip } else { 0.0 },
             direction: at.direction,
             lifts_off,
+            turns: None,
         };
-        return Some(event.mirrored(frame.sign));
+        return Some(SlideEvent { turns, ..event.mirrored(frame.sign) });
     }
     None
 }
@@ -192,11 +198,13 @@ fn pass<P: Piece>(
         }
         Signs::Rising => {
             let least = way.least(here, &there)?;
-            if least.slip <= 0.0 {
-                return Some((End::Rest, way.rest(here, &least)?));
-            }
-            if least.slip <= doubt * (there.elapsed - here.elapsed) + UNCERTAIN * (1.0 + least.u.sqrt()) {
+            // Where it hardly vanishes, or hardly does not, rounding would decide.
+            if least.slip.abs() <= doubt * (there.elapsed - here.elapsed) + UNCERTAIN * (1.0 + least.u.sqrt())
+            {
                 return None;
+            }
+            if least.slip < 0.0 {
+                return Some((End::Rest, way.rest(here, &least)?));
             }
         }
         Signs::Unknown => return None,

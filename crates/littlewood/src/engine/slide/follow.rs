@@ -151,6 +151,7 @@ impl SlideTable {
             slip: if lifts_off { at.slip } else { 0.0 },
             direction: at.direction,
             lifts_off,
+            turns: None,
         }
     }
 }

@@ -63,14 +63,24 @@ pub(super) struct SlideEvent {
     /// sin ϑ and cos ϑ.
     pub(super) direction: (f64, f64),
     pub(super) lifts_off: bool,
+    /// Smallest and largest angle of turning points on the way.
+    pub(super) turns: Option<(f64, f64)>,
 }
 
 impl SlideEvent {
+    /// Smallest and largest angle of the slide, with the angle at its start.
+    pub(super) fn range_from(&self, start: f64) -> (f64, f64) {
+        let (low, high) = self.turns.unwrap_or((start, start));
+        (low.min(start).min(self.theta), high.max(start).max(self.theta))
+    }
+
     /// The same in the frame that is mirrored for −1.
     #[inline]
     pub(super) fn mirrored(self, sign: f64) -> Self {
         let (sin, cos) = self.direction;
+        let mirrored = |(low, high): (f64, f64)| if sign < 0.0 { (-high, -low) } else { (low, high) };
         Self {
+            turns: self.turns.map(mirrored),
             theta: sign * self.theta,
             theta_rate: sign * self.theta_rate,
             slip: if self.lifts_off { sign * self.slip } else { 0.0 },
