@@ -4,6 +4,8 @@
 # packages, and cargo says so; any other warning is an error.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+
+python3 scripts/metadata.py
 log="$(mktemp)"
 trap 'rm -f "$log"' EXIT
 

@@ -159,3 +159,8 @@ pub use summary::Summary;
 pub use trajectory::{Phase, PhaseSolution, Trajectory};
 pub use transition::Transition;
 pub use units::Units;
+
+/// The example of the package's page.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}
