@@ -46,9 +46,9 @@ const ERRORS: [&str; 22] = [
     "simulate figure-7 --restitution 0.5",
     "simulate --mass-ratio 1",
     "simulate --scenario missing.toml",
-    "figures figure-9",
-    "map figure-3 --x theta=0:1:10 --y theta=0:1:10",
-    "map figure-3 --x theta=0:1 --y theta_rate=0:1:10",
+    "figures figure-9 --out missing",
+    "map figure-3 --x theta=0:1:10 --y theta=0:1:10 --out map.png",
+    "map figure-3 --x theta=0:1 --y theta_rate=0:1:10 --out map.png",
     "sweep figure-3 --axis colour=0:1:10 --out out.zarr",
 ];
 
