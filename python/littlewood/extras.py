@@ -12,6 +12,7 @@ _EXTRA_OF = {
     "matplotlib": "plot",
     "scipy": "fit",
     "tqdm": "progress",
+    "anywidget": "lab",
 }
 """The extra that brings a package."""
 

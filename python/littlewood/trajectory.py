@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from .animation import Animation
     from .hoop import Hoop
+    from .laboratory import Laboratory
 
 __all__ = ["Trajectory"]
 
@@ -75,6 +76,11 @@ class Trajectory:
     def start(self) -> Start:
         """The start."""
         return self._start
+
+    @property
+    def until(self) -> float | None:
+        """Time limit that was asked for, √(R/g)."""
+        return self._until
 
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
@@ -324,6 +330,33 @@ class Trajectory:
         from .animation import Animation
 
         return Animation(self, frames=frames, seconds=seconds)
+
+    def lab(self, *, time: float | None = None, height: int = 820) -> Laboratory:
+        """Show the laboratory with this motion in a notebook, where its start can be dragged.
+
+        Parameters
+        ----------
+        time : float, optional
+            Instant that is shown first, √(R/g); by default the start.
+        height : int, optional
+            Height in pixels.
+
+        Returns
+        -------
+        Laboratory
+            A widget. Its `motion` and `time` follow what is done in the page, and the page follows them.
+
+        Raises
+        ------
+        ImportError
+            If anywidget is not installed.
+        RuntimeError
+            If the package was built without the page.
+        """
+        require("anywidget")
+        from .laboratory import Laboratory
+
+        return Laboratory(self, time=time, height=height)
 
     def __repr__(self) -> str:
         return f"<Trajectory {self.sequence or 'of no phase'}: {self.outcome}>"

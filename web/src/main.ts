@@ -7,18 +7,22 @@ import './style/page.css';
 import './style/panes.css';
 import './style/dialogue.css';
 import './style/screens.css';
+import './style/embed.css';
 import { namesAgree } from './core/motion';
-import { cases as casesOfCore, load, provokePanic } from './core/wasm';
+import { coreModule } from './core/module';
+import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
 import { Lab, type Change } from './state/lab';
 import { casesOf, problemOfCase, VIEW, type NamedCase, type State, type Theme } from './state/state';
 import { format, parse, type FieldError } from './state/url';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
 import { byId } from './dom';
+import { Embedding } from './ui/embedding';
 import { EnergyBar } from './ui/energy-bar';
 import { EventTable } from './ui/event-table';
 import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
+import { Host } from './ui/host';
 import { ImpactPane } from './ui/impact-pane';
 import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
@@ -31,14 +35,19 @@ import { Plots } from './views/plots';
 /** How long the address waits, so that a drag does not write it at every step. */
 const ADDRESS_PAUSE = 250;
 
+const HAS_ADDRESS = location.protocol !== 'about:';
+
 watch();
-await load(showDefect);
+await startCore(await coreModule(), showDefect);
 if (!namesAgree()) throw new Error('the page and its core are of different versions');
 start(casesOf(casesOfCore()));
 
 function start(cases: NamedCase[]): void {
   if (location.hash === '#panic') provokePanic();
-  const first: State = { problem: problemOfCase(cases[0]!), view: { ...VIEW } };
+  const plain: State = { problem: problemOfCase(cases[0]!), view: { ...VIEW } };
+  // A frame does not compute, even for a moment, what it does not show.
+  const { embed } = parse(location.hash, plain, cases).state.view;
+  const first: State = { ...plain, view: { ...plain.view, embed } };
   const lab = new Lab(first, cases);
   setTheme(first.view.theme);
 
@@ -47,7 +56,10 @@ function start(cases: NamedCase[]): void {
   const draw = (): void => {
     if (frame === 0) frame = requestAnimationFrame(paint);
   };
-  const clock = new Clock(lab, () => transport.showView());
+  const clock = new Clock(lab, () => {
+    transport.showView();
+    if (!clock.playing) writeSoon(lab, host);
+  });
   const go = (time: number): void => {
     clock.pause();
     lab.setTime(time);
@@ -67,16 +79,18 @@ function start(cases: NamedCase[]): void {
     plane: (c, width, height) => plane.drawOn(c, width, height),
     impact: (c, width, height) => impact.drawOn(c, width, height),
   }, () => palette, () => address(lab));
+  const embedding = new Embedding(lab);
 
   const stale = { motion: true, time: true };
   function paint(): void {
     frame = 0;
+    hoop.paint();
+    if (lab.state.view.embed) return;
     if (stale.motion) plots.setMotion({ motion: lab.motion, units: lab.units, system: lab.state.problem.system });
     if (stale.motion || stale.time) plots.setTime(lab.time);
     stale.motion = false;
     stale.time = false;
     plane.paint();
-    hoop.paint();
     impact.paint();
   }
 
@@ -108,6 +122,7 @@ function start(cases: NamedCase[]): void {
       if (!reading) showLinkErrors([]);
     }
     if (changes.has('view')) {
+      embedding.showView();
       transport.showView();
       hoop.viewChanged();
       plane.viewChanged();
@@ -128,17 +143,20 @@ function start(cases: NamedCase[]): void {
     plane.motionChanged();
     draw();
     // While it plays, the time in the address would change at every frame.
-    if (!(clock.playing && changes.size === 1 && changes.has('time'))) writeSoon(lab);
+    if (!(clock.playing && changes.size === 1 && changes.has('time'))) writeSoon(lab, host);
   });
 
-  const read = (): void => {
+  const read = (fragment: string): void => {
     clock.pause();
-    const { state, fieldErrors } = parse(location.hash, lab.state, cases);
+    const { state, fieldErrors } = parse(fragment, lab.state, cases);
     reading = true;
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
     showLinkErrors(lab.fieldErrors);
   };
+  const host = new Host((fragment) => {
+    if (fragment.replace(/^#/, '') !== format(lab.state, cases)) read(fragment);
+  });
   byId('theme', HTMLButtonElement).addEventListener('click', () => {
     lab.setView({ theme: isDark(lab.state.view.theme) ? 'light' : 'dark' });
   });
@@ -149,30 +167,34 @@ function start(cases: NamedCase[]): void {
     byId('start-handle', HTMLButtonElement).focus();
   });
   window.addEventListener('hashchange', () => {
-    if (location.hash.slice(1) !== format(lab.state, cases)) read();
+    if (location.hash.slice(1) !== format(lab.state, cases)) read(location.hash);
   });
   lab.announce();
-  if (location.hash.length > 1) read();
+  if (location.hash.length > 1) read(location.hash);
+  host.ready();
   document.documentElement.dataset['ready'] = 'true';
   performance.mark('ready');
-  if ('serviceWorker' in navigator && import.meta.env.PROD) void navigator.serviceWorker.register('./sw.js').catch(() => {
+  if (HAS_ADDRESS && 'serviceWorker' in navigator && import.meta.env.PROD) void navigator.serviceWorker.register('./sw.js').catch(() => {
     // Without it the page needs the network; that is all.
   });
 }
 
+/** The address of the state. As the document of a notebook's frame the page has no address, and this is the fragment alone. */
 function address(lab: Lab): string {
-  return `${location.origin}${location.pathname}${location.search}#${format(lab.state, lab.cases)}`;
+  const fragment = `#${format(lab.state, lab.cases)}`;
+  return HAS_ADDRESS ? `${location.origin}${location.pathname}${location.search}${fragment}` : fragment;
 }
 
 let timer = 0;
-function writeSoon(lab: Lab): void {
+function writeSoon(lab: Lab, host: Host): void {
   window.clearTimeout(timer);
   // A link that is wrong stays in sight, to be mended.
   if (lab.fieldErrors.length > 0) return;
   const shown = location.hash;
   timer = window.setTimeout(() => {
     // Another address that has come meanwhile, as by going back, is yet to be read.
-    if (location.hash === shown) history.replaceState(null, '', address(lab));
+    if (HAS_ADDRESS && location.hash === shown) history.replaceState(null, '', address(lab));
+    host.tell(format(lab.state, lab.cases));
   }, ADDRESS_PAUSE);
 }
 

@@ -16,7 +16,7 @@ const FIGURE_3: NamedCase = {
 };
 const BASE: State = { problem: problemOfCase(FIGURE_3), view: { ...VIEW } };
 
-const KEYS = [...QUANTITIES, 'case', 'restitution_law', 'at', 'rate', 'speed', 'loop', 'map', 'shows', 'follow', 'theme', ''];
+const KEYS = [...QUANTITIES, 'case', 'restitution_law', 'at', 'rate', 'speed', 'loop', 'map', 'shows', 'follow', 'embed', 'theme', ''];
 const VALUES = [
   '0', '-0', '1', '0.4', '1e9', '1e-320', '5e-324', '1e400', '-1e400', 'nan', 'Infinity', '', ' 2 ', '−1', '0x10', '1_0', '+.5', '1.',
   '.', 'e5', 'figure-3', 'newton', 'poisson', 'hops', 'light', 'true', '%', '%zz', '%2D1', '%F0%9F', '=', '1=2', '<b>', '💥', '__proto__',

@@ -3,7 +3,9 @@
 import type { Palette } from '../generated/palette';
 import { CLASSES, type Class } from '../generated/tables';
 import type { Shows } from '../state/state';
-import type { MapAnswer, MapRequest } from './messages';
+import { coreModule } from '../core/module';
+import type { MapAnswer, MapQuestion, MapRequest } from './messages';
+import { spawn } from './spawn';
 
 /** Starts each way of the finest level. */
 const SIDE = 512;
@@ -25,19 +27,24 @@ export class OutcomePicture {
   present: Class[] = [];
   /** The classes of landings in the picture, the fewest first. */
   hops: HopClass[] = [];
-  private readonly worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
+  /** Made when a map is first asked for. */
+  private worker: Worker | null = null;
   private classes: Uint8Array | null = null;
   private shows: Shows = 'outcome';
   private palette: Palette;
   private id = 0;
   private timer = 0;
 
-  constructor(palette: Palette, private readonly drawn: () => void, failed: (message: string) => void) {
+  constructor(palette: Palette, private readonly drawn: () => void, private readonly failed: (message: string) => void) {
     this.picture.width = SIDE;
     this.picture.height = SIDE;
     this.palette = palette;
-    this.worker.onmessage = ({ data }: MessageEvent<MapAnswer>) => {
-      if (data.kind === 'failed') failed(data.message);
+  }
+
+  private start(): Worker {
+    const worker = spawn();
+    worker.onmessage = ({ data }: MessageEvent<MapAnswer>) => {
+      if (data.kind === 'failed') this.failed(data.message);
       else if (data.kind === 'level' && data.id === this.id) {
         this.classes = data.classes;
         this.shows = data.shows;
@@ -48,7 +55,9 @@ export class OutcomePicture {
         document.documentElement.dataset['map'] = data.last ? 'done' : String(data.stride);
       }
     };
-    this.worker.onerror = (event) => failed(event.message);
+    worker.onerror = (event) => this.failed(event.message);
+    coreModule().then((module) => worker.postMessage({ kind: 'core', module } satisfies MapQuestion), (error: unknown) => this.failed(String(error)));
+    return worker;
   }
 
   /** Asks for a map. The old one stays until the first level of the new one is there. */
@@ -57,7 +66,10 @@ export class OutcomePicture {
     document.documentElement.dataset['map'] = 'asked';
     this.id += 1;
     const request: MapRequest = { ...wanted, side: SIDE, id: this.id };
-    this.timer = window.setTimeout(() => this.worker.postMessage(request), PAUSE);
+    this.timer = window.setTimeout(() => {
+      this.worker ??= this.start();
+      this.worker.postMessage({ kind: 'map', request } satisfies MapQuestion);
+    }, PAUSE);
   }
 
   setPalette(palette: Palette): void {

@@ -1,4 +1,4 @@
-// The messages between the page and the worker of the map.
+// The messages between the page and the worker of the map. The first is the compiled core, which the page has already.
 
 import type { Shows } from '../state/state';
 
@@ -13,6 +13,8 @@ export interface MapRequest {
   /** Tells the answers to one request from those to an older one. */
   id: number;
 }
+
+export type MapQuestion = { kind: 'core'; module: WebAssembly.Module } | { kind: 'map'; request: MapRequest };
 
 export type MapAnswer =
   | { kind: 'ready' }

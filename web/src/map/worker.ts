@@ -1,8 +1,8 @@
 // Computes the outcome map, coarse to fine. A new request ends the work on an older one.
 
-import { load, MapSubject, OutcomeMap, Problem } from '../core/wasm';
+import { MapSubject, OutcomeMap, Problem, startCore } from '../core/wasm';
 import type { Shows } from '../state/state';
-import type { MapAnswer, MapRequest } from './messages';
+import type { MapAnswer, MapQuestion, MapRequest } from './messages';
 
 const SUBJECT: Readonly<Record<Shows, MapSubject>> = { outcome: MapSubject.Outcome, hops: MapSubject.Hops };
 
@@ -69,17 +69,19 @@ async function processRequests(): Promise<void> {
   }
 }
 
-self.onmessage = ({ data }: MessageEvent<MapRequest>) => {
-  latest = data;
-  if (loaded) void processRequests();
-};
+let started = false;
 
-let loaded = false;
-load((message) => answer({ kind: 'failed', message })).then(
-  () => {
-    loaded = true;
+self.onmessage = async ({ data }: MessageEvent<MapQuestion>) => {
+  if (data.kind === 'map') latest = data.request;
+  else {
+    try {
+      await startCore(data.module, (message) => answer({ kind: 'failed', message }));
+    } catch (error) {
+      answer({ kind: 'failed', message: String(error) });
+      return;
+    }
+    started = true;
     answer({ kind: 'ready' });
-    void processRequests();
-  },
-  (error: unknown) => answer({ kind: 'failed', message: String(error) }),
-);
+  }
+  if (started) void processRequests();
+};

@@ -36,6 +36,8 @@ export interface ViewState {
   map: boolean;
   shows: Shows;
   follow: boolean;
+  /** Whether the page is a frame in another one: the hoop and its time line alone. */
+  embed: boolean;
   theme: Theme;
 }
 
@@ -48,7 +50,8 @@ export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
 export const RATES = [1, 1.5, 2, 3, 4, 6, 8, 12, 20] as const;
 
 export const VIEW: Readonly<ViewState> = {
-  time: null, speed: 0.5, loop: false, rate: 4, map: true, shows: 'outcome', follow: true, theme: 'auto',
+  time: null, speed: 0.5, loop: false, rate: 4, map: true, shows: 'outcome', follow: true, embed: false,
+  theme: 'auto',
 };
 
 /** A problem with a value for each number of its system. */

@@ -43,6 +43,7 @@ export function format(state: State, cases: readonly NamedCase[]): string {
   if (!view.map) parts.push('map=0');
   if (view.shows !== VIEW.shows) parts.push(`shows=${view.shows}`);
   if (!view.follow) parts.push('follow=0');
+  if (view.embed) parts.push('embed=1');
   if (view.theme !== 'auto') parts.push(`theme=${view.theme}`);
   return parts.join('&');
 }
@@ -135,6 +136,7 @@ export function parse(fragment: string, base: State, cases: readonly NamedCase[]
   if (subject !== undefined) view.shows = subject;
   else if (shows !== undefined) report('shows', shows, `one of ${SHOWS.join(', ')}`);
   view.follow = flag('follow', view.follow);
+  view.embed = flag('embed', view.embed);
   const theme = take('theme');
   if (theme === 'light' || theme === 'dark' || theme === 'auto') view.theme = theme satisfies Theme;
   else if (theme !== undefined) report('theme', theme, 'light, dark or auto');

@@ -114,8 +114,8 @@ export class PlanePane {
   }
 
   private askMap(): void {
-    const { problem, state: { view: { map, rate, shows } } } = this.lab;
-    if (!map || this.asked === shows) return;
+    const { problem, state: { view: { embed, map, rate, shows } } } = this.lab;
+    if (embed || !map || this.asked === shows) return;
     this.asked = shows;
     const { restitution, restitutionLaw: law } = problem;
     this.map.ask({ numbers: problem.toDimensionless(), restitution, law, rate, shows });

@@ -6,6 +6,12 @@ import { pythonLine, shellLine } from './commands';
 import { byId } from '../dom';
 import { painterOfPlots, pngOf, save, svgOf, type Painter, type View } from './export';
 
+/** The motion at an address as a frame for another page. */
+function frameOf(address: string): string {
+  const source = `${address}&embed=1`.replaceAll('&', '&amp;');
+  return `<iframe src="${source}" title="Littlewood’s hoop" width="640" height="420" style="border: 0" allow="clipboard-write"></iframe>`;
+}
+
 const VIEWS: readonly View[] = ['hoop', 'plane', 'plots', 'impact'];
 
 export class Share {
@@ -19,7 +25,7 @@ export class Share {
     byId('open-share', HTMLButtonElement).addEventListener('click', () => this.open());
     byId('copy-link', HTMLButtonElement).addEventListener('click', () => void this.shareLink());
     byId('close-share', HTMLButtonElement).addEventListener('click', () => this.dialog.close());
-    for (const id of ['link', 'shell', 'python']) {
+    for (const id of ['link', 'frame', 'shell', 'python']) {
       const field = byId(`${id}-text`, HTMLTextAreaElement);
       byId(`copy-${id}-text`, HTMLButtonElement).addEventListener('click', () => void this.copy(field.value, field));
     }
@@ -34,6 +40,7 @@ export class Share {
 
   private open(): void {
     byId('link-text', HTMLTextAreaElement).value = this.address();
+    byId('frame-text', HTMLTextAreaElement).value = frameOf(this.address());
     byId('shell-text', HTMLTextAreaElement).value = shellLine(this.lab.state.problem, this.lab.cases);
     byId('python-text', HTMLTextAreaElement).value = pythonLine(this.lab.state.problem, this.lab.cases);
     const { impact, motion } = this.lab;

@@ -1,0 +1,82 @@
+// The page as a frame in another one.
+
+import AxeBuilder from '@axe-core/playwright';
+import { expect, test, type Page } from '@playwright/test';
+import { open, ready } from './lab';
+
+/** Another page, on the same machine. */
+async function lecture(page: Page, body: string): Promise<void> {
+  await page.route('**/lecture', (route) => route.fulfill({ contentType: 'text/html', body: `<!doctype html><title>a lecture</title>${body}` }));
+  await page.goto('/lecture');
+}
+
+test('a frame shows the hoop, what happens, and the time line, and nothing to set', async ({ page }) => {
+  await page.setViewportSize({ width: 640, height: 420 });
+  await open(page, 'case=figure-3&at=1.2&embed=1');
+  for (const id of ['hoop', 'sentence', 'play', 'time', 'now', 'whole']) await expect(page.locator(`#${id}`)).toBeVisible();
+  for (const id of ['case', 'open-share', 'theme', 'fields', 'plane', 'plots', 'events', 'speed', 'loop', 'follow', 'next']) {
+    await expect(page.locator(`#${id}`)).toBeHidden();
+  }
+  // Everything is in sight: neither is there a bar to scroll.
+  const { width, height } = await page.evaluate(() => ({ width: document.documentElement.scrollWidth, height: document.documentElement.scrollHeight }));
+  expect([width, height]).toEqual([640, 420]);
+  await page.locator('#play').click();
+  await expect.poll(async () => Number((await page.locator('#now').textContent())!.slice(4))).toBeGreaterThan(1.25);
+  await page.locator('#play').click();
+  await expect(page).toHaveURL(/embed=1/);
+});
+
+test('a frame computes no map', async ({ page }) => {
+  await open(page, 'case=figure-3&embed=1');
+  await page.waitForTimeout(200);
+  expect(page.workers()).toHaveLength(0);
+  expect(await page.locator('html').getAttribute('data-map')).toBeNull();
+  await page.evaluate(() => (location.hash = 'case=figure-3'));
+  await expect(page.locator('#plane')).toBeVisible();
+  await expect(page.locator('html[data-map=done]')).toBeAttached();
+});
+
+test('its link opens the whole laboratory at the same instant', async ({ page, context }) => {
+  await open(page, 'case=figure-3&at=1.2&embed=1');
+  await page.locator('#time').press('Home');
+  await page.locator('#time').press('End');
+  const [other] = await Promise.all([context.waitForEvent('page'), page.locator('#whole').click()]);
+  await ready(other);
+  await expect(other.locator('#plane')).toBeVisible();
+  await expect(other.locator('#now')).toHaveText('τ = 3.847');
+});
+
+test('the dialogue has the frame, and the frame shows the motion', async ({ page }) => {
+  await open(page, 'case=figure-7&at=2');
+  await page.locator('#open-share').click();
+  const text = await page.locator('#frame-text').inputValue();
+  await lecture(page, text);
+  const frame = page.frameLocator('iframe');
+  await expect(frame.locator('#mode')).toHaveText('gliding');
+  await expect(frame.locator('#now')).toHaveText('τ = 2.000');
+});
+
+for (const theme of ['light', 'dark'] as const) {
+  test(`axe finds nothing in a frame, ${theme}`, async ({ page }) => {
+    await page.setViewportSize({ width: 360, height: 400 });
+    await open(page, `case=figure-3-bounces&at=4.2&embed=1&theme=${theme}`);
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    expect(violations.map((it) => `${it.id}: ${it.nodes.map((node) => node.html).join(' ')}`)).toEqual([]);
+  });
+}
+
+test('a frame and the page around it tell each other of the state', async ({ page, baseURL }) => {
+  await lecture(page, '<iframe id="frame" width="640" height="420"></iframe>');
+  await page.evaluate(() => {
+    Object.assign(window, { heard: [] });
+    window.addEventListener('message', ({ data }) => (window as unknown as { heard: unknown[] }).heard.push(data));
+  });
+  await page.locator('#frame').evaluate((frame: HTMLIFrameElement, base) => (frame.src = `${base}#case=figure-3&embed=1`), baseURL!);
+  const heard = (): Promise<unknown[]> => page.evaluate('heard');
+  await expect.poll(heard).toContainEqual({ littlewood: { ready: true } });
+  const frame = page.frameLocator('#frame');
+  await page.locator('#frame').evaluate((it: HTMLIFrameElement) => it.contentWindow!.postMessage({ littlewood: { link: 'case=figure-7&at=2&embed=1' } }, '*'));
+  await expect(frame.locator('#mode')).toHaveText('gliding');
+  await frame.locator('#time').press('Home');
+  await expect.poll(heard).toContainEqual({ littlewood: { link: 'case=figure-7&embed=1' } });
+});
