@@ -1,0 +1,119 @@
+"""The directive `program-help`: the command line as its own `--help` tells it, a section for each command."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinx.errors import ExtensionError
+from sphinx.util.docutils import SphinxDirective
+
+_HEADING = re.compile(r"^([A-Z][\w ,()/-]*):$")
+_OPTION = re.compile(r"^ {2,6}(-\w, )?(--[\w-]+.*|-\w.*|[<\[]\w.*)$")
+_COMMAND = re.compile(r"^  ([a-z]+) +\S")
+
+
+def _help(*command: str) -> list[str]:
+    program = os.environ.get("LITTLEWOOD_BIN")
+    if program is None:
+        raise ExtensionError("LITTLEWOOD_BIN names no program")
+    # As wide as it likes: paragraphs are put together again, and the page breaks them.
+    environment = {**os.environ, "COLUMNS": "100000"}
+    run = subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=True, env=environment)
+    return run.stdout.splitlines()
+
+
+def _blocks(lines: list[str]) -> list[tuple[str, list[str]]]:
+    """The text before the first heading, and then what stands below each heading."""
+    blocks: list[tuple[str, list[str]]] = [("", [])]
+    for line in lines:
+        heading = _HEADING.match(line)
+        if heading:
+            blocks.append((heading[1], []))
+        elif line.startswith("Usage: "):
+            blocks.append(("Usage", [line.removeprefix("Usage: ")]))
+        else:
+            blocks[-1][1].append(line)
+    return [(heading, "\n".join(block).strip("\n").split("\n")) for heading, block in blocks]
+
+
+def _paragraphs(lines: list[str]) -> list[nodes.Node]:
+    found: list[nodes.Node] = []
+    for text in "\n".join(line.strip() for line in lines).split("\n\n"):
+        items = [line for line in text.split("\n") if line.startswith("- ")]
+        if items and len(items) == len(text.split("\n")):
+            found.append(nodes.bullet_list("", *(nodes.list_item("", _paragraph(it[2:])) for it in items)))
+        elif text.strip():
+            found += [_paragraph(line) for line in text.split("\n") if line]
+    return found
+
+
+def _paragraph(text: str) -> nodes.paragraph:
+    parts = text.split("`")
+    return nodes.paragraph("", "", *(nodes.literal(it, it) if i % 2 else nodes.Text(it) for i, it in enumerate(parts) if it))
+
+
+def _code(lines: list[str]) -> nodes.literal_block:
+    text = "\n".join(line.removeprefix("  ") for line in lines)
+    return nodes.literal_block(text, text, language="text")
+
+
+class ProgramHelp(SphinxDirective):
+    """Shows the help of the program and of all its commands."""
+
+    has_content = False
+
+    def run(self) -> list[nodes.Node]:
+        lines = _help()
+        commands = [match[1] for line in lines if (match := _COMMAND.match(line)) and match[1] != "help"]
+        if not commands:
+            raise self.error("the help of the program lists no commands")
+        sections = [self._section(name, _help(name)) for name in commands]
+        return [*self._body("littlewood", lines), *sections]
+
+    def _section(self, name: str, lines: list[str]) -> nodes.section:
+        title = f"littlewood {name}"
+        section = nodes.section("", nodes.title("", "", nodes.literal(title, title)), ids=[f"littlewood-{name}"], names=[title])
+        section += self._body(name, lines)
+        return section
+
+    def _body(self, command: str, lines: list[str]) -> list[nodes.Node]:
+        body: list[nodes.Node] = []
+        for heading, block in _blocks(lines):
+            if heading == "":
+                body += _paragraphs(block)
+            elif heading in ("Usage", "Examples") or heading.startswith("Example"):
+                if heading != "Usage":
+                    body.append(nodes.rubric("", heading))
+                body.append(_code(block))
+            else:
+                body.append(nodes.rubric("", heading))
+                body.append(self._options(command, block))
+        return body
+
+    def _options(self, command: str, lines: list[str]) -> nodes.definition_list:
+        """Flags, arguments or commands, each with what is said of it."""
+        listed = nodes.definition_list(classes=["flags"])
+        entries: list[tuple[str, list[str]]] = []
+        for line in lines:
+            indent = len(line) - len(line.lstrip())
+            if _OPTION.match(line) or (indent == 2 and line.strip()):
+                head, _, text = line.strip().partition("  ")
+                entries.append((head, [text]))
+            elif entries:
+                entries[-1][1].append(line)
+        for head, text in entries:
+            flag = re.search(r"--([\w-]+)", head)
+            anchor = [f"{command}-{flag[1]}"] if flag else []
+            term = nodes.term("", "", nodes.literal(head, head), ids=anchor)
+            listed += nodes.definition_list_item("", term, nodes.definition("", *_paragraphs(text)))
+        return listed
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    app.add_directive("program-help", ProgramHelp)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
