@@ -23,6 +23,7 @@ extensions = [
     "formulas",
     "docstrings",
     "frames",
+    "landmarks",
     "programs",
     "repository",
     "tables",
@@ -41,11 +42,29 @@ include_patterns = [
     "bench/README.md",
     "reference/README.md",
 ]
-exclude_patterns = ["target", "**/node_modules", "**/.venv", "**/.git", "crates", "web", "docs/site", ".github", "python/littlewood"]
+exclude_patterns = [
+    "target",
+    "**/node_modules",
+    "**/.venv",
+    "**/.git",
+    "crates",
+    "web",
+    "docs/site",
+    ".github",
+    "python/littlewood",
+]
 
 repository_url = _workspace.get("repository")
 
-myst_enable_extensions = ["amsmath", "attrs_block", "attrs_inline", "colon_fence", "deflist", "dollarmath", "substitution"]
+myst_enable_extensions = [
+    "amsmath",
+    "attrs_block",
+    "attrs_inline",
+    "colon_fence",
+    "deflist",
+    "dollarmath",
+    "substitution",
+]
 myst_heading_anchors = 4
 
 numfig = True
@@ -56,7 +75,7 @@ math_eqref_format = "(T{number})"
 default_role = "literal"
 autodoc_typehints = "none"
 autodoc_member_order = "bysource"
-autodoc_default_options = {"members": True, "show-inheritance": False}
+autodoc_default_options = {"members": True}
 napoleon_numpy_docstring = True
 napoleon_google_docstring = False
 napoleon_use_rtype = False
@@ -79,15 +98,13 @@ html_short_title = "littlewood"
 html_static_path = ["static"]
 templates_path = ["templates"]
 html_css_files = ["site.css"]
-html_js_files = [("frames.js", {"defer": "defer"})]
+html_js_files = [("frames.js", {"defer": "defer"}), ("scroll.js", {"defer": "defer"})]
 html_favicon = "../../web/public/icon.svg"
 html_copy_source = False
 html_show_sphinx = False
 html_additional_pages = {"index": "index.html"}
 html_theme_options = {
-    "source_repository": f"{repository_url}/" if repository_url else "",
-    "source_branch": "main",
-    "source_directory": "",
+    "top_of_page_buttons": [],
     "light_css_variables": {
         "color-brand-primary": "#5b2a91",
         "color-brand-content": "#5b2a91",

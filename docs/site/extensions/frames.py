@@ -38,12 +38,14 @@ def _visit(writer: Any, node: Frame) -> None:
     page = relative_uri(writer.builder.get_target_uri(writer.builder.current_docname), "lab/index.html")
     address = escape(f"{page}#{node['link']}")
     title = escape(node["title"])
+    whole = "embed=1" not in node["link"].split("&")
+    kind = "lab-frame whole" if whole else "lab-frame"
     writer.body.append(
-        f'<div class="lab-frame"><iframe src="{address}" title="{title}" height="{node["height"]}" '
+        f'<div class="{kind}"><iframe src="{address}" title="{title}" height="{node["height"]}" '
         f'allow="clipboard-write" data-link="{escape(node["link"])}"></iframe></div>'
     )
     # A frame without controls has such a link of its own.
-    if "embed=1" not in node["link"].split("&"):
+    if whole:
         writer.body.append(f'<p class="lab-more"><a href="{address}">Open it in the whole window</a></p>')
     raise nodes.SkipNode
 

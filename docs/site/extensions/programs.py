@@ -54,7 +54,9 @@ def _paragraphs(lines: list[str]) -> list[nodes.Node]:
 
 def _paragraph(text: str) -> nodes.paragraph:
     parts = text.split("`")
-    return nodes.paragraph("", "", *(nodes.literal(it, it) if i % 2 else nodes.Text(it) for i, it in enumerate(parts) if it))
+    return nodes.paragraph(
+        "", "", *(nodes.literal(it, it) if i % 2 else nodes.Text(it) for i, it in enumerate(parts) if it)
+    )
 
 
 def _code(lines: list[str]) -> nodes.literal_block:
@@ -77,7 +79,9 @@ class ProgramHelp(SphinxDirective):
 
     def _section(self, name: str, lines: list[str]) -> nodes.section:
         title = f"littlewood {name}"
-        section = nodes.section("", nodes.title("", "", nodes.literal(title, title)), ids=[f"littlewood-{name}"], names=[title])
+        section = nodes.section(
+            "", nodes.title("", "", nodes.literal(title, title)), ids=[f"littlewood-{name}"], names=[title]
+        )
         section += self._body(name, lines)
         return section
 

@@ -37,9 +37,7 @@ def _edges() -> Rows:
 def _quantities(si: bool) -> Rows:
     head = ("name", "symbol", "meaning", "unit", "if left out")
     chosen = (it for it in QUANTITIES.values() if it.is_si == si or (si and it.twin is None and not it.is_si))
-    return head, (
-        (_code(it.name), it.sign, it.long_name, it.unit_sign or "1", _default(it)) for it in chosen
-    )
+    return head, ((_code(it.name), it.sign, it.long_name, it.unit_sign or "1", _default(it)) for it in chosen)
 
 
 def _default(quantity: Any) -> str:

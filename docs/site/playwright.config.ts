@@ -1,0 +1,30 @@
+import { defineConfig } from '@playwright/test';
+
+const PORT = 4175;
+const SITE = process.env['LITTLEWOOD_SITE'] ?? '../../target/site';
+
+export default defineConfig({
+  testDir: 'tests',
+  outputDir: 'test-results',
+  workers: 2,
+  timeout: 60_000,
+  expect: { timeout: 15_000 },
+  reporter: [['list']],
+  use: {
+    // Under a sub-path, as a host of projects has it.
+    baseURL: `http://127.0.0.1:${PORT}/littlewood/`,
+    viewport: { width: 1280, height: 900 },
+    launchOptions: {
+      executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+      args: [
+        '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+        '--disable-component-update', '--disable-sync',
+      ],
+    },
+  },
+  webServer: {
+    command: `node ../../web/tests/serve.mjs ${SITE} ${PORT} /littlewood/`,
+    url: `http://127.0.0.1:${PORT}/littlewood/index.html`,
+    reuseExistingServer: false,
+  },
+});

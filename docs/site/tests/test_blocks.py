@@ -1,0 +1,97 @@
+"""The commands of the pages, run as they stand, and what they print; and the Python of those that need nothing but NumPy.
+
+python/tests/test_docs.py runs the pages of the package.
+"""
+
+import os
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+PROGRAM = os.environ["LITTLEWOOD_BIN"]
+PAGES = sorted({ROOT / "README.md", *(ROOT / "docs").rglob("*.md")} - set((ROOT / "docs" / "site").rglob("*.md")))
+BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+
+# What is not run, and why: a part of the command.
+NOT_RUN = {
+    "littlewood figures --out figures": "draws everything, which crates/littlewood-figures/tests/gallery.rs does",
+    ".mp4": "needs ffmpeg",
+    "lab": "serves until it is stopped",
+    "--hoops FILE": "a form, not a command",
+}
+# Grids and pictures are made smaller, so that a page takes seconds.
+SMALLER = ((re.compile(r":\d{2,}\b(?!:)"), ":8"), (re.compile(r"--fps \d+"), "--fps 5"), (re.compile(r"--size \w+"), "--size 96x54"))
+
+
+def commands(text: str) -> list[str]:
+    """The commands of a block for a shell, their lines put together."""
+    lines = text.replace("\\\n", " ").splitlines()
+    return [line.removeprefix("$ ") for line in lines if re.match(r"(\$ )?littlewood ", line)]
+
+
+def blocks(page: Path) -> list[tuple[str, str]]:
+    return BLOCK.findall(page.read_text(encoding="utf-8"))
+
+
+def run(command: str, folder: Path) -> str:
+    arguments = shlex.split(command, comments=True)[1:]
+    done = subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0, f"{command}\n{done.stderr}"
+    return done.stdout
+
+
+def is_run(command: str) -> bool:
+    return not any(part in command for part in NOT_RUN) and command.split()[1] != "lab"
+
+
+WITH_COMMANDS = [page for page in PAGES if any(commands(text) for kind, text in blocks(page) if kind in ("sh", "console"))]
+
+
+@pytest.mark.parametrize("page", WITH_COMMANDS, ids=lambda page: str(page.relative_to(ROOT)))
+def test_commands_run(page, tmp_path):
+    for example in (ROOT / "crates" / "littlewood-cli" / "examples").glob("*.toml"):
+        (tmp_path / example.name).write_bytes(example.read_bytes())
+    for kind, text in blocks(page):
+        if kind != "sh":
+            continue
+        for command in filter(is_run, commands(text)):
+            for large, small in SMALLER:
+                command = large.sub(small, command)
+            run(command, tmp_path)
+
+
+def sessions() -> list[tuple[str, str, list[str]]]:
+    """Commands with what the page says they print."""
+    found = []
+    for page in WITH_COMMANDS:
+        for kind, text in blocks(page):
+            if kind != "console":
+                continue
+            for part in re.split(r"^\$ ", text, flags=re.MULTILINE)[1:]:
+                command, *lines = part.rstrip("\n").split("\n")
+                found.append((str(page.relative_to(ROOT)), command, lines))
+    return found
+
+
+@pytest.mark.parametrize(("page", "command", "lines"), sessions())
+def test_programs_print_what_the_page_says(page, command, lines, tmp_path):
+    printed = [line.rstrip() for line in run(command, tmp_path).splitlines()]
+    at = 0
+    free = False
+    for line in lines:
+        if line.strip() == "…":
+            free = True
+            continue
+        place = printed.index(line.rstrip(), at) if free and line.rstrip() in printed[at:] else at
+        assert printed[place : place + 1] == [line.rstrip()], f"{command} of {page} printed\n" + "\n".join(printed)
+        at, free = place + 1, False
+    assert free or not any(printed[at:]), f"{command} of {page} printed more:\n" + "\n".join(printed[at:])
+
+
+def test_there_are_sessions_and_commands():
+    assert len(sessions()) >= 3
+    assert len(WITH_COMMANDS) >= 5
