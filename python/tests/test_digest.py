@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+
 from littlewood import _core
 
 COMMITTED = (Path(__file__).parents[2] / "reference" / "digest.txt").read_text(encoding="utf-8").splitlines()
