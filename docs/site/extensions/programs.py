@@ -21,9 +21,7 @@ def _help(*command: str) -> list[str]:
     program = os.environ.get("LITTLEWOOD_BIN")
     if program is None:
         raise ExtensionError("LITTLEWOOD_BIN names no program")
-    # As wide as it likes: paragraphs are put together again, and the page breaks them.
-    environment = {**os.environ, "COLUMNS": "100000"}
-    run = subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=True, env=environment)
+    run = subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=True)
     return run.stdout.splitlines()
 
 
@@ -42,13 +40,22 @@ def _blocks(lines: list[str]) -> list[tuple[str, list[str]]]:
 
 
 def _paragraphs(lines: list[str]) -> list[nodes.Node]:
+    """Paragraphs and lists, their lines put together."""
     found: list[nodes.Node] = []
-    for text in "\n".join(line.strip() for line in lines).split("\n\n"):
-        items = [line for line in text.split("\n") if line.startswith("- ")]
-        if items and len(items) == len(text.split("\n")):
-            found.append(nodes.bullet_list("", *(nodes.list_item("", _paragraph(it[2:])) for it in items)))
-        elif text.strip():
-            found += [_paragraph(line) for line in text.split("\n") if line]
+    for block in re.split(r"\n\s*\n", "\n".join(lines).strip("\n")):
+        words: list[str] = []
+        items: list[str] = []
+        for line in map(str.strip, block.split("\n")):
+            if line.startswith("- "):
+                items.append(line.removeprefix("- "))
+            elif items:
+                items[-1] += f" {line}"
+            else:
+                words.append(line)
+        if any(words):
+            found.append(_paragraph(" ".join(words)))
+        if items:
+            found.append(nodes.bullet_list("", *(nodes.list_item("", _paragraph(it)) for it in items)))
     return found
 
 

@@ -3,6 +3,7 @@
 python/tests/test_docs.py runs the pages of the package.
 """
 
+import json
 import os
 import re
 import shlex
@@ -81,7 +82,8 @@ def sessions() -> list[tuple[str, str, list[str]]]:
 def test_programs_print_what_the_page_says(page, command, lines, tmp_path):
     printed = [line.rstrip() for line in run(command, tmp_path).splitlines()]
     at = 0
-    free = False
+    # What stands before the table may be left out, and what "…" stands for.
+    free = True
     for line in lines:
         if line.strip() == "…":
             free = True
@@ -96,3 +98,15 @@ def test_programs_print_what_the_page_says(page, command, lines, tmp_path):
 def test_there_are_sessions_and_commands():
     assert len(sessions()) >= 3
     assert len(WITH_COMMANDS) >= 5
+
+
+def test_the_keys_of_a_document_are_those_of_the_page(tmp_path):
+    page = (ROOT / "docs" / "reference" / "files.md").read_text(encoding="utf-8")
+    table = page.partition("## JSON of a motion")[2].partition("\n## ")[0]
+    listed = {name for row in re.findall(r"^\| (`.*?) \|", table, re.MULTILINE) for name in re.findall(r"`(\w+)`", row)}
+    documents = (
+        "littlewood simulate figure-3-bounces --format json --samples 3",
+        "littlewood simulate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --si --format json",
+    )
+    keys = {key for command in documents for key in json.loads(run(command, tmp_path))}
+    assert listed == keys
