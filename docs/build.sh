@@ -2,8 +2,8 @@
 # Builds the documentation as a site, target/site: a folder for any static host. Warnings are errors.
 #
 # Needs Rust, Python 3.11 or later (PYTHON names it) and node 20; for the laboratory Rust with WebAssembly. What has been
-# built is taken: the command line (LITTLEWOOD_BIN, or target/debug/littlewood), the page (web/dist) and the wheel
-# (LITTLEWOOD_WHEEL, or target/python/dist) unless the Python sources are newer.
+# built is taken: the page (web/dist), the wheel (LITTLEWOOD_WHEEL, or target/python/dist unless the Python sources are
+# newer), and the command line (LITTLEWOOD_BIN, or target/debug/littlewood, or that of the wheel).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root="$PWD"
@@ -24,10 +24,7 @@ if ! cmp --silent docs/site/package-lock.json docs/site/node_modules/.littlewood
     cp docs/site/package-lock.json docs/site/node_modules/.littlewood
 fi
 
-if [ -z "${LITTLEWOOD_BIN:-}" ]; then
-    export LITTLEWOOD_BIN="$target/debug/littlewood"
-    [ -x "$LITTLEWOOD_BIN" ] || cargo build --locked -p littlewood-cli
-fi
+# The page comes first, because the wheel has it.
 [ -f web/dist/index.html ] || web/build.sh
 
 wheel="${LITTLEWOOD_WHEEL:-}"
@@ -41,6 +38,12 @@ if [ -z "$wheel" ]; then
     fi
 fi
 "$python" -m pip install --quiet --disable-pip-version-check --no-deps --force-reinstall "$wheel"
+
+# The wheel has the command line, too.
+if [ -z "${LITTLEWOOD_BIN:-}" ]; then
+    export LITTLEWOOD_BIN="$target/debug/littlewood"
+    [ -x "$LITTLEWOOD_BIN" ] || LITTLEWOOD_BIN="$work/venv/bin/littlewood"
+fi
 
 crates=(littlewood littlewood-report littlewood-style littlewood-sweep littlewood-figures littlewood-film)
 cargo doc --locked --no-deps "${crates[@]/#/--package=}"

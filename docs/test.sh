@@ -4,10 +4,11 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export CARGO_TARGET_DIR="${CARGO_TARGET_DIR:-$PWD/target}"
-export LITTLEWOOD_BIN="${LITTLEWOOD_BIN:-$CARGO_TARGET_DIR/debug/littlewood}"
-[ -x "$LITTLEWOOD_BIN" ] || cargo build --locked -p littlewood-cli
-
 docs/build.sh
+if [ -z "${LITTLEWOOD_BIN:-}" ]; then
+    export LITTLEWOOD_BIN="$CARGO_TARGET_DIR/debug/littlewood"
+    [ -x "$LITTLEWOOD_BIN" ] || LITTLEWOOD_BIN="$CARGO_TARGET_DIR/docs/venv/bin/littlewood"
+fi
 export LITTLEWOOD_SITE="$CARGO_TARGET_DIR/site"
 "$CARGO_TARGET_DIR/docs/venv/bin/python" -P -m pytest -q -p no:cacheprovider docs/site/tests "$@"
 cd docs/site

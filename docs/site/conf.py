@@ -67,6 +67,9 @@ myst_enable_extensions = [
 ]
 myst_heading_anchors = 4
 
+# Documents have the quotation marks and dashes that they mean, and flags have two hyphens.
+smartquotes = False
+
 numfig = True
 numfig_secnum_depth = 1
 math_numfig = True

@@ -12,7 +12,7 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 
-_HEADING = re.compile(r"^([A-Z][\w ,()/-]*):$")
+_HEADING = re.compile(r"^([A-Z][^:]*):$")
 _OPTION = re.compile(r"^ {2,6}(-\w, )?(--[\w-]+.*|-\w.*|[<\[]\w.*)$")
 _COMMAND = re.compile(r"^  ([a-z]+) +\S")
 
@@ -78,7 +78,8 @@ class ProgramHelp(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         lines = _help()
-        commands = [match[1] for line in lines if (match := _COMMAND.match(line)) and match[1] != "help"]
+        listed = dict(_blocks(lines)).get("Commands", [])
+        commands = [match[1] for line in listed if (match := _COMMAND.match(line)) and match[1] != "help"]
         if not commands:
             raise self.error("the help of the program lists no commands")
         sections = [self._section(name, _help(name)) for name in commands]
@@ -97,10 +98,12 @@ class ProgramHelp(SphinxDirective):
         for heading, block in _blocks(lines):
             if heading == "":
                 body += _paragraphs(block)
-            elif heading in ("Usage", "Examples") or heading.startswith("Example"):
-                if heading != "Usage":
-                    body.append(nodes.rubric("", heading))
+            elif heading == "Usage":
                 body.append(_code(block))
+            elif heading == "Examples":
+                body.append(nodes.rubric("", heading))
+                body.append(_code([line for line in block if line.startswith("  ")]))
+                body += _paragraphs([line for line in block if not line.startswith("  ")])
             else:
                 body.append(nodes.rubric("", heading))
                 body.append(self._options(command, block))
