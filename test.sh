@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Passes all tests on a fresh machine that has Rust, Python 3.11 and node 20: format, lints, documentation, tests of the
-# crates, of the Python package and of the web page. On Debian, as root, it installs Chromium.
+# crates, of the Python package, of the web page and of the documentation. On Debian, as root, it installs Chromium.
 set -euo pipefail
 cd "$(dirname "$0")"
 export RUSTDOCFLAGS="-D warnings"
@@ -16,3 +16,4 @@ LITTLEWOOD_FUZZ_SECONDS=60 cargo test --package littlewood-cli --test fuzz --loc
 cargo test --package littlewood --features serde --test serde --locked
 python/test.sh
 LITTLEWOOD_FUZZ_SECONDS=60 web/test.sh
+docs/test.sh

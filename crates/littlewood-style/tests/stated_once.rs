@@ -20,8 +20,8 @@ const SOURCES: [(&str, &[&str]); 3] = [
     ("web/src", &["ts", "css", "js"]),
 ];
 
-/// Folders of sources that are not written by hand.
-const GENERATED: [&str; 2] = ["web/src/generated", "web/src/wasm"];
+/// Folders and files of sources that are not written by hand.
+const GENERATED: [&str; 3] = ["web/src/generated", "web/src/wasm", "python/littlewood/laboratory.js"];
 
 const QUANTITIES: &str = "crates/littlewood/src/quantity.rs";
 const CURVES: &str = "crates/littlewood-style/src/curve.rs";
@@ -106,7 +106,8 @@ fn collect(root: &Path, folder: &Path, endings: &[&str], sources: &mut Vec<Sourc
             continue;
         }
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-        let is_source = !file.starts_with("crates") || file.split('/').nth(2) == Some("src");
+        let is_source = !GENERATED.contains(&file.as_str())
+            && (!file.starts_with("crates") || file.split('/').nth(2) == Some("src"));
         if is_source && endings.contains(&ending) {
             let text = fs::read_to_string(root.join(&path)).expect("a text in UTF-8");
             sources.push(Source { file, text: unwrapped(&without_comments(&text, ending)) });
