@@ -38,7 +38,7 @@ test('nothing is wider than a phone', async ({ page }, info) => {
 
 for (const [name, scheme] of [
   ['docs/index', 'light'], ['docs/index', 'dark'], ['docs/theory/jumps', 'light'], ['docs/howto/embed', 'dark'],
-  ['docs/sweep', 'light'], ['docs/reference/command-line', 'light'],
+  ['docs/sweep', 'light'],
 ] as const) {
   test(`${name}, ${scheme}: axe finds nothing`, async ({ page }) => {
     await page.emulateMedia({ colorScheme: scheme });
@@ -87,7 +87,7 @@ for (const [word, found] of [['restitution', 'After the landing'], ['jump', 'One
 
 test('the documentation of Rust is there, and is searched', async ({ page }) => {
   await page.goto('./docs/reference/rust.html');
-  await page.getByRole('link', { name: 'littlewood', exact: true }).first().click();
+  await page.locator('article a[href$="rust/littlewood/index.html"]').click();
   await expect(page).toHaveURL(/rust\/littlewood\/index\.html/);
   await expect(page.locator('h1')).toContainText('littlewood');
 });
