@@ -1,6 +1,7 @@
 """The how-tos: their code runs as it stands, block after block."""
 
 import re
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -28,6 +29,17 @@ def test_the_code_of_a_page_runs(page, tmp_path, monkeypatch):
     names = {"__name__": page.stem}
     for block in blocks:
         exec(compile(block, str(page), "exec"), names)
+
+
+def test_the_page_on_sweeps_reads_a_store_of_the_program(binary, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    text = (PYTHON.parent / "docs" / "sweep.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    axes = ["--x", "theta=-pi:pi:9", "--y", "theta_rate=-4:4:7"]
+    subprocess.run([binary, "map", "figure-3", *axes, "--until", "5", "--out", "plane.zarr"], check=True)
+    names = {}
+    exec(compile(block, "sweep.md", "exec"), names)
+    assert names["plane"].outcome.shape == (9, 7)
 
 
 def test_links_lead_somewhere():

@@ -21,7 +21,8 @@ lines.on('line', (line) => {
   const { tex, displayMode } = JSON.parse(line);
   let answer;
   try {
-    answer = { html: katex.renderToString(tex, { displayMode, throwOnError: true, strict: 'error', output: 'htmlAndMathml' }) };
+    const options = { displayMode, throwOnError: true, strict: 'error', output: 'htmlAndMathml' };
+    answer = { html: katex.renderToString(tex, options) };
   } catch (error) {
     answer = { error: error.message };
   }

@@ -1,4 +1,4 @@
-"""What the theme leaves out for those who listen to a page: names of its side bars, and the level of the headings in them."""
+"""What the theme leaves out for those who listen to a page: names of its side bars, and the level of their headings."""
 
 from __future__ import annotations
 

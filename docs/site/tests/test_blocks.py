@@ -1,6 +1,6 @@
-"""The commands of the pages, run as they stand, and what they print; and the Python of those that need nothing but NumPy.
+"""The commands of the pages, run as they stand, and what they print.
 
-python/tests/test_docs.py runs the pages of the package.
+python/tests/test_docs.py runs the Python of the pages.
 """
 
 import json
@@ -25,7 +25,11 @@ NOT_RUN = {
     "--hoops FILE": "a form, not a command",
 }
 # Grids and pictures are made smaller, so that a page takes seconds.
-SMALLER = ((re.compile(r":\d{2,}\b(?!:)"), ":8"), (re.compile(r"--fps \d+"), "--fps 5"), (re.compile(r"--size \w+"), "--size 96x54"))
+SMALLER = (
+    (re.compile(r":\d{2,}\b(?!:)"), ":8"),
+    (re.compile(r"--fps \d+"), "--fps 5"),
+    (re.compile(r"--size \w+"), "--size 96x54"),
+)
 
 
 def commands(text: str) -> list[str]:
@@ -49,7 +53,9 @@ def is_run(command: str) -> bool:
     return not any(part in command for part in NOT_RUN) and command.split()[1] != "lab"
 
 
-WITH_COMMANDS = [page for page in PAGES if any(commands(text) for kind, text in blocks(page) if kind in ("sh", "console"))]
+WITH_COMMANDS = [
+    page for page in PAGES if any(commands(text) for kind, text in blocks(page) if kind in ("sh", "console"))
+]
 
 
 @pytest.mark.parametrize("page", WITH_COMMANDS, ids=lambda page: str(page.relative_to(ROOT)))

@@ -10,7 +10,9 @@ from urllib.parse import unquote, urlsplit
 import pytest
 
 SITE = Path(os.environ["LITTLEWOOD_SITE"])
-PAGES = sorted(page for page in SITE.rglob("*.html") if not {"rust", "lab", "_static"} & set(page.relative_to(SITE).parts))
+PAGES = sorted(
+    page for page in SITE.rglob("*.html") if not {"rust", "lab", "_static"} & set(page.relative_to(SITE).parts)
+)
 
 # What a page loads, as against what it links to.
 LOADS = {"script": "src", "img": "src", "iframe": "src", "source": "src", "link": "href"}

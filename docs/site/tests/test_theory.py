@@ -356,6 +356,23 @@ def stepped(it: Body, slip: float, gap: float, e: float, law: str) -> tuple[floa
                 return u, v
 
 
+def test_ends():
+    # (T8.1): the loss of a slip by quadrature of its slip velocity.
+    a, omega, normal, mu, factor, small = RANDOM.uniform(0.5, 2, 6)
+    begin = math.sqrt(2 * a * small / omega)
+    t = np.linspace(-begin, 2 * begin, 200_001)
+    excess = 2 * a * small - omega * t**2
+    slip = factor * np.concatenate([[0], np.cumsum((excess[1:] + excess[:-1]) / 2 * np.diff(t))])
+    assert slip[-1] == pytest.approx(0, abs=1e-8)
+    lost = mu * normal * np.sum((slip[1:] + slip[:-1]) / 2 * np.diff(t))
+    assert lost == pytest.approx(9 * mu * normal * a**2 * factor / omega * small**2, rel=1e-8)
+    # (T8.2): the least energy on the curve of lift-off.
+    for it in bodies(20):
+        c = np.linspace(1e-3, 1, 100_001)
+        energy = 0.5 * (it.I + it.m * it.h**2 * (1 - c**2)) / (it.h * c) + it.l * c
+        assert energy.min() == pytest.approx(it.I / (2 * it.h) + it.l, rel=1e-12)
+
+
 def test_errata():
     for theta, rate in RANDOM.uniform(-1, 1, (20, 2)):
         z, slope = math.sin(theta / 2), math.cos(theta / 2) * rate / 2
