@@ -44,6 +44,20 @@ pub enum FigureError {
         /// Name of the figure.
         figure: &'static str,
     },
+    /// A figure of the region of rolling asked for a massless hoop without static friction, which has none.
+    #[error("{figure} shows where static friction holds the massless hoop; with mu_s 0 that is nowhere")]
+    NeedsStaticFriction {
+        /// Name of the figure.
+        figure: &'static str,
+    },
+    /// A figure of contact asked for a motion that never is in contact.
+    #[error("{figure} shows a motion in contact, but from this start the hoop leaves the plane at once: {}", outcome.label())]
+    NoContact {
+        /// Name of the figure.
+        figure: &'static str,
+        /// How the motion ends.
+        outcome: OutcomeKind,
+    },
     /// A figure of a motion that does not begin: no motion, or more than one, is consistent at the start.
     #[error("{figure} shows a motion, but from this start there is none: {}", outcome.label())]
     NoMotion {

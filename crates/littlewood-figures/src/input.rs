@@ -60,6 +60,23 @@ impl FigureInput {
         if self.hoop.offset() == 0.0 { Err(FigureError::NeedsOffset { figure }) } else { Ok(()) }
     }
 
+    /// The motion, if it touches the plane for a while, or hits it.
+    pub(crate) fn motion_in_contact(&self, figure: &'static str) -> Result<Trajectory, FigureError> {
+        let motion = self.motion(figure)?;
+        let touches = motion.phases().iter().any(|phase| phase.mode().touches_plane());
+        if touches || motion.transitions().iter().any(|transition| transition.impact.is_some()) {
+            Ok(motion)
+        } else {
+            Err(FigureError::NoContact { figure, outcome: motion.outcome().kind() })
+        }
+    }
+
+    /// Refuses all but Littlewood's hoop with static friction.
+    pub(crate) fn littlewood_that_rolls(&self, figure: &'static str) -> Result<(), FigureError> {
+        self.littlewood(figure)?;
+        if self.hoop.mu_s() > 0.0 { Ok(()) } else { Err(FigureError::NeedsStaticFriction { figure }) }
+    }
+
     /// Refuses all but Littlewood's hoop.
     pub(crate) fn littlewood(&self, figure: &'static str) -> Result<(), FigureError> {
         if !self.is_massless() {

@@ -16,8 +16,15 @@ const FEWEST_INSTANTS: u32 = 2;
 /// Most transitions that are shown of a motion that was stopped at a number of them.
 const TRANSITIONS: usize = 12;
 
-/// The instants of a phase, evenly spaced; one that lasts for ever is cut at `until`.
+/// The instants of a phase at which its rate is finite, evenly spaced; one that lasts for ever is cut at `until`.
 pub(crate) fn instants(motion: &Trajectory, phase: &Phase, until: f64) -> Vec<Sample> {
+    let mut samples = all_instants(motion, phase, until);
+    samples.retain(|sample| sample.state.theta_rate.is_finite());
+    samples
+}
+
+/// The instants of a phase, its last one among them.
+pub(crate) fn all_instants(motion: &Trajectory, phase: &Phase, until: f64) -> Vec<Sample> {
     let duration = f64::min(phase.duration(), until - phase.start().time);
     if duration <= 0.0 {
         return Vec::new();
@@ -28,10 +35,7 @@ pub(crate) fn instants(motion: &Trajectory, phase: &Phase, until: f64) -> Vec<Sa
     } else {
         INSTANTS
     };
-    (0..=intervals)
-        .map(|i| phase.sample(duration * f64::from(i) / f64::from(intervals)))
-        .filter(|sample| sample.state.theta_rate.is_finite())
-        .collect()
+    (0..=intervals).map(|i| phase.sample(duration * f64::from(i) / f64::from(intervals))).collect()
 }
 
 /// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns after the last phase

@@ -11,7 +11,7 @@ type Point = [f64; 2];
 type Curve<'a> = &'a dyn Fn(f64) -> Option<Point>;
 
 /// Largest distance of a chord from its curve, in parts of the window.
-const FLAT: f64 = 4e-4;
+const FLAT: f64 = 1.5e-4;
 /// How often an interval is halved at most.
 const DEPTH: u32 = 12;
 

@@ -2,7 +2,8 @@
 
 mod support;
 
-use littlewood_figures::Series;
+use littlewood::{Cause, Hoop, HoopParameters, Limits, Start};
+use littlewood_figures::{FigureInput, Series, find_figure};
 use support::{assert_near, columns, figure, series};
 
 /// Stick, slip and lift-off of Figure 3, computed elsewhere with 40 digits: τ, θ, θ′, η′.
@@ -160,4 +161,58 @@ fn the_demand_for_friction_is_that_of_2_12() {
             }
         }
     }
+}
+
+#[test]
+fn figure_7a_ends_at_the_horizontal_velocity_of_the_particle() {
+    // It rolls with θ′² (1 + cos θ) + cos θ = 3/2 up to cos θ = 3/5, so that θ′ = 3/4, and leaves the particle there with
+    // −θ′ (1 + cos θ) = −6/5, which a free fall keeps. At the plane the particle is the contact point.
+    let figure = figure("figure-7a");
+    let glides = series(&figure, "gliding");
+    let slip = glides.iter().filter(|series| series.column("theta").is_none());
+    let last = slip.flat_map(|series| columns(series, ["time", "slip"])).last().expect("an end");
+    assert_near(last[1], -1.2, 1e-12, "η′ at τ_g");
+}
+
+#[test]
+fn what_cannot_be_shown_is_refused_with_the_reason() {
+    let refused = |name: &str, hoop: Hoop, start: Start| {
+        let input = FigureInput::new(hoop, start, Limits::default());
+        let entry = find_figure(name).expect("a figure");
+        entry.figure(&input).expect_err("nothing to show").to_string()
+    };
+    let smooth = Hoop::littlewood(0.0, 0.0).expect("a hoop");
+    for name in ["figure-5a", "figure-5b", "figure-6b"] {
+        assert!(refused(name, smooth, Start::at(0.0, 0.5)).contains("mu_s 0"), "{name}");
+    }
+    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    for name in ["figure-3a", "forces"] {
+        assert!(refused(name, hoop, Start::at(0.0, 3.5)).contains("leaves the plane at once"), "{name}");
+    }
+}
+
+#[test]
+fn a_massless_hoop_demands_the_same_friction_on_every_orbit() {
+    let hoop = Hoop::littlewood(0.5, 0.4).expect("a hoop");
+    let input = FigureInput::new(hoop, Start::at(0.3, 0.5), Limits::default());
+    let figure = find_figure("friction-demand").expect("a figure").figure(&input).expect("it can be drawn");
+    // (3.9): |F|/N = |tan θ/2|.
+    for [theta, demand] in columns(series(&figure, "every orbit")[0], ["theta", "demand"]) {
+        assert_near(demand, (0.5 * theta).tan().abs(), 1e-12, "|F|/N");
+    }
+}
+
+#[test]
+fn the_names_of_transitions_stand_beside_or_above_each_other() {
+    // Slip, reversal and stick within a tenth of the picture.
+    let hoop = Hoop::new(HoopParameters::new(0.0, 1.0, 0.05).with_friction(0.5, 0.4)).expect("a hoop");
+    let input = FigureInput::new(hoop, Start::at(2.0, 0.5), Limits::until(8.0));
+    let motion = hoop.simulate(input.start, input.limits).expect("a motion");
+    let figure = find_figure("forces").expect("a figure").figure(&input).expect("it can be drawn");
+    let named = figure.panels[0]
+        .labels
+        .iter()
+        .filter(|label| Cause::ALL.iter().any(|cause| cause.label() == label.text));
+    assert_eq!(named.count(), motion.transitions().len());
+    assert!(!figure.caption.contains("where there is room"));
 }

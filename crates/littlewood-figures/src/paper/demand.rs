@@ -9,6 +9,7 @@ use crate::columns::{ENERGY, MU_S, THETA};
 use crate::error::FigureError;
 use crate::figure::{Figure, Key, Label, Mark, Panel, PlotAxis, Series, View};
 use crate::input::FigureInput;
+use crate::plane::rows;
 use crate::style::{FIRST, FRICTION_FORCE, INK, SOFT, Stroke};
 use crate::trace::Window;
 use crate::words::{rolling_in_words, short, start_in_words};
@@ -53,7 +54,14 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     ];
     let mut layers = Vec::new();
     let mut keys = Vec::new();
-    for (i, (name, energy, stroke)) in orbits.into_iter().enumerate() {
+    // N and F of a massless hoop vanish together, and their ratio is the same on all orbits.
+    let orbits = if input.is_massless() { &orbits[..0] } else { &orbits[..] };
+    if input.is_massless() {
+        let demand = window.pieces(window.x, 1440, &|theta| Some([theta, plane.forces(theta, 0.0).demand()]));
+        let series = Series::new("every orbit", &[THETA, "demand"], rows(demand));
+        layers.push(series.drawn(Mark::Line(Stroke::solid(FIRST, BOLD))));
+    }
+    for (i, (name, energy, stroke)) in orbits.iter().copied().enumerate() {
         let series = Series::new(name, &[THETA, "demand", ENERGY], demand_on(&plane, energy, window));
         layers.push(series.drawn(Mark::Line(stroke)));
         let what = if name == "start" { "orbit of the start" } else { name };
@@ -69,7 +77,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE))));
     let at = libm::remainder(input.start.theta, TAU);
     let at = if at < turn[0] { at + TAU } else { at };
-    let here = plane.forces(input.start.theta, input.start.theta_rate).demand();
+    let here_rate = if input.is_massless() { 0.0 } else { input.start.theta_rate };
+    let here = plane.forces(input.start.theta, here_rate).demand();
     if here <= most {
         let row = vec![at, here, start];
         layers.push(
@@ -81,13 +90,22 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     Ok(Figure {
         name: NAME,
         title: "Friction that rolling demands".to_owned(),
-        caption: format!(
-            "The share |*F*|/*N* that rolling demands along four orbits of constant energy *E* (2.12). Where a curve rises \
+        caption: if input.is_massless() {
+            format!(
+                "The share |*F*|/*N* that rolling of a massless hoop demands: *F* and *N* vanish together, and their ratio is \
+                 the same on all orbits and at all rates (3.9). Where the curve rises above *μ*_{{s}} the hoop slips. {}; {}.",
+                rolling_in_words(hoop),
+                start_in_words(hoop, &input.start)
+            )
+        } else {
+            format!(
+                "The share |*F*|/*N* that rolling demands along four orbits of constant energy *E* (2.12). Where a curve rises \
              above *μ*_{{s}} the hoop slips; a curve that ends goes up to where *N* = 0 or beyond the frame, or the orbit \
              turns there. |*F*|/*N* does not depend on the direction of motion. {}; {}.",
-            rolling_in_words(hoop),
-            start_in_words(hoop, &input.start)
-        ),
+                rolling_in_words(hoop),
+                start_in_words(hoop, &input.start)
+            )
+        },
         width: 620.0,
         height: 430.0,
         panels: vec![Panel {

@@ -157,7 +157,7 @@ fn figure(
 /// Figure 6(b).
 pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-6b";
-    input.littlewood(NAME)?;
+    input.littlewood_that_rolls(NAME)?;
     let Some(body) = massless(input) else { return Err(needs(input, NAME)) };
     let portrait = Portrait::new(&input.hoop, WINDOW);
     let theta_s = 2.0 * libm::atan(input.hoop.mu_s());

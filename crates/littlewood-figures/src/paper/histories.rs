@@ -80,8 +80,21 @@ fn transitions(motion: &Trajectory, axis: &PlotAxis) -> Layer {
         .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)))
 }
 
-/// The names of the phases over a panel, and of the transitions above them.
-fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
+/// Names over a panel.
+struct Names {
+    labels: Vec<Label>,
+    /// Room that they take beyond one row of transitions.
+    height: f64,
+    /// Whether there was no room for some.
+    are_all: bool,
+}
+
+/// Rows of names of transitions above each other, and their distance.
+const ROWS: usize = 3;
+const ROW: f64 = 13.0;
+
+/// The names of the phases over a panel, and of the transitions above them, in as many rows as it takes.
+fn names(motion: &Trajectory, top: f64, width: f64) -> Names {
     let (from, until) = (motion.start().time, horizon(motion));
     let pixels = |time: f64| (time - from) / (until - from) * width;
     let mut labels: Vec<Label> = Vec::new();
@@ -96,21 +109,39 @@ fn names(motion: &Trajectory, top: f64, width: f64) -> Vec<Label> {
     // Bounces have a name only where there is room beside all others.
     let (bounces, others): (Vec<&Transition>, Vec<&Transition>) =
         motion.transitions().iter().partition(|transition| is_bounce(transition));
-    let mut taken: Vec<f64> = Vec::new();
+    // More than these cannot be told apart in any number of rows.
+    let count = motion.transitions().iter().filter(|transition| transition.time() <= until).count();
+    let rows = if count as f64 > ROWS as f64 * width / NAME { 1 } else { ROWS };
+    let mut taken = vec![Vec::new(); rows];
+    let mut are_all = true;
     for transition in others.into_iter().chain(bounces) {
         let at = transition.time();
         let room = if is_bounce(transition) { 1.4 * NAME } else { NAME };
-        if at <= until && taken.iter().all(|place| (pixels(at) - place).abs() > room) {
-            taken.push(pixels(at));
-            let label = Label::new(transition.cause.label(), &[at, top]).sized(SMALL).coloured(SOFT);
-            labels.push(if width - pixels(at) < 24.0 {
-                label.shifted(0.0, -27.0).right()
-            } else {
-                label.shifted(0.0, -27.0)
-            });
+        if at > until {
+            continue;
+        }
+        let is_free = |row: &Vec<f64>| row.iter().all(|place| (pixels(at) - place).abs() > room);
+        let Some(row) = taken.iter().position(is_free) else {
+            are_all = false;
+            continue;
+        };
+        taken[row].push(pixels(at));
+        let label = Label::new(transition.cause.label(), &[at, top]).sized(SMALL).coloured(SOFT);
+        let label = label.shifted(0.0, -27.0 - ROW * row as f64);
+        labels.push(if width - pixels(at) < 24.0 { label.right() } else { label });
+    }
+    let rows = taken.iter().filter(|row| !row.is_empty()).count();
+    Names { labels, height: ROW * rows.saturating_sub(1) as f64, are_all }
+}
+
+impl Names {
+    fn in_words(&self) -> &'static str {
+        if self.are_all {
+            "dashed verticals: transitions"
+        } else {
+            "dashed verticals: transitions, named where there is room"
         }
     }
-    labels
 }
 
 fn in_words(input: &FigureInput, hoop: &Hoop) -> String {
@@ -245,8 +276,13 @@ fn zero(range: [f64; 2], column: &'static str) -> Layer {
     level(range, "zero", column, 0.0, Stroke::solid(FAINT, FINE))
 }
 
-/// Normal force and normal impulses.
-fn normal_panel(motion: &Trajectory, range: [f64; 2], normal: Series, spikes: &Spikes) -> Panel {
+/// Normal force and normal impulses, with the room that names take above, and what the verticals are.
+fn normal_panel(
+    motion: &Trajectory,
+    range: [f64; 2],
+    normal: Series,
+    spikes: &Spikes,
+) -> (Panel, f64, &'static str) {
     let weight = motion.hoop().mass();
     let part = |impulse: &Impulse| impulse.normal;
     let mut heights = [vec![0.0], spikes.heights(part)].concat();
@@ -260,14 +296,16 @@ fn normal_panel(motion: &Trajectory, range: [f64; 2], normal: Series, spikes: &S
         normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
     ];
     layers.extend(spikes.layers([TIME, NORMAL, NORMAL_IMPULSE], part));
-    let top = axis.range[1];
-    let mut panel = panel(SampleColumn::Normal.long_name(), 38.0, 190.0, bare(range), axis, layers);
-    panel.labels = names(motion, top, INNER - 62.0);
+    let names = names(motion, axis.range[1], INNER - 62.0);
+    let mut panel =
+        panel(SampleColumn::Normal.long_name(), 38.0 + names.height, 190.0, bare(range), axis, layers);
+    let (height, words) = (names.height, names.in_words());
+    panel.labels = names.labels;
     panel.labels.push(
         Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
     );
     panel.labels.extend(spikes.label("*P*", range[1], part));
-    panel
+    (panel, height, words)
 }
 
 /// Friction force and friction impulses.
@@ -320,28 +358,28 @@ fn demand_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes) -> Panel 
 /// Forces and the share of friction against time.
 pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "forces";
-    let motion = input.motion(NAME)?;
+    let motion = input.motion_in_contact(NAME)?;
     let hoop = motion.hoop();
     let range = [motion.start().time, horizon(&motion)];
     let normal = history(&motion, SampleColumn::Normal.long_name(), NORMAL, &|_, sample| Some(sample.normal));
     let spikes = Spikes::new(&motion, normal.rows().map(|row| row[1]).fold(hoop.mass(), f64::max));
-    let panels = vec![
-        normal_panel(&motion, range, normal, &spikes),
-        friction_panel(&motion, range, &spikes),
-        demand_panel(&motion, range, &spikes),
-    ];
+    let (first, down, verticals) = normal_panel(&motion, range, normal, &spikes);
+    let mut panels =
+        vec![first, friction_panel(&motion, range, &spikes), demand_panel(&motion, range, &spikes)];
+    for panel in &mut panels[1..] {
+        panel.frame[1] += down;
+    }
     Ok(Figure {
         name: NAME,
         title: "Forces of a motion".to_owned(),
         caption: format!(
-            "Normal force *N*, friction force *F* (positive along *E*_{{1}}) and |*F*|/*N* against time; dashed verticals: \
-             transitions. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
+            "Normal force *N*, friction force *F* (positive along *E*_{{1}}) and |*F*|/*N* against time; {verticals}. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
              jump where a slide begins or ends.{} {}.",
             spikes.in_words(),
             in_words(input, hoop)
         ),
         width: WIDTH,
-        height: 550.0,
+        height: 550.0 + down,
         panels,
     })
 }
@@ -394,9 +432,11 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     let words = ["total *E*", "kinetic *T*", "potential *U*"];
     let mut keys: Vec<(&str, Mark)> = words.into_iter().zip(marks).collect();
     keys.extend(drops.as_ref().map(|drops| (EnergyPart::Impacts.label(), drops.mark)));
+    let names = names(&motion, axis.range[1], INNER - 62.0);
+    let (down, verticals) = (names.height, names.in_words());
     let mut panel = panel(
         "energy",
-        62.0,
+        62.0 + down,
         340.0,
         time(range),
         axis.clone(),
@@ -409,7 +449,7 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         ],
     );
     panel.layers.extend(drops);
-    panel.labels = names(&motion, axis.range[1], INNER - 62.0);
+    panel.labels = names.labels;
     panel.keys = keys
         .into_iter()
         .enumerate()
@@ -420,12 +460,12 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         title: "Energy of a motion".to_owned(),
         caption: format!(
             "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
-             against time; dashed verticals: transitions. {}. {}.",
+             against time; {verticals}. {}. {}.",
             losses(&motion),
             in_words(input, hoop)
         ),
         width: WIDTH,
-        height: 410.0,
+        height: 410.0 + down,
         panels: vec![panel],
     })
 }

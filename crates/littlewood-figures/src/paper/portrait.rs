@@ -11,7 +11,7 @@ use crate::error::FigureError;
 use crate::figure::{Figure, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
 use crate::plane::{Portrait, nearest};
-use crate::style::{FAINT, FRICTION_FORCE, HATCH, INK, NORMAL_FORCE, REGION, Stroke};
+use crate::style::{FAINT, FRICTION_FORCE, HATCH, INK, NORMAL_FORCE, REGION, SMALL, Stroke};
 use crate::trace::Window;
 use crate::words::{rolling_in_words, short};
 use littlewood_style::Curve;
@@ -46,7 +46,16 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
             .map(|at| Label::new("*n*", &at).shifted(-10.0, 0.0).coloured(NORMAL_FORCE)),
     );
     labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
+    let lift_off = portrait.lift_off_locus();
+    labels.extend(nearest(&lift_off, [0.3 * PI, 0.93 * window.y[1]], window).map(|at| {
+        Label::new("*h* cos *θ* *θ*′^{2} = 1", &at)
+            .shifted(-8.0, 0.0)
+            .right()
+            .sized(SMALL)
+            .coloured(NORMAL_FORCE)
+    }));
     layers.push(slip.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
+    layers.push(lift_off.drawn(Mark::Line(Stroke::of_curve(Curve::LiftOff))));
     layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
     layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
     layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 0.62 * PI).drawn(Mark::Head(INK)));
@@ -60,7 +69,8 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
              particle on top, with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
              gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
              where the hoop can roll. Hatched: *N* < 0. The paper has the hoop lose contact there at once; in truth it \
-             only cannot roll: between *n* and *h* cos *θ* *θ*′^{{2}} = 1 it slides. {}.",
+             only cannot roll: between *n* and the curve *h* cos *θ* *θ*′^{{2}} = 1 it slides. {}{}.",
+            if hoop.mu_s() == 0.0 { "Without friction 𝓡 has no area. " } else { "" },
             rolling_in_words(hoop)
         ),
         width: 580.0,

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Cause, Mode, Sample, State};
+use littlewood::{Cause, Mode, Sample, State, Transition};
 
 use super::portrait::massless_limit;
 use crate::axes::{angle, plain, rate, slip, time};
@@ -10,9 +10,9 @@ use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
-use crate::motion::{bounds, by_mode, horizon};
+use crate::motion::{all_instants, bounds, by_mode, horizon};
 use crate::plane::Portrait;
-use crate::style::{FAINT, IMPULSE, INK, PAPER, REGION, SOFT, Stroke};
+use crate::style::{FAINT, IMPULSE, INK, PAPER, REGION, SMALL, SOFT, Stroke};
 use crate::trace::Window;
 use crate::words::{hoop_in_words, short, start_in_words};
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -32,7 +32,7 @@ fn row(sample: &Sample) -> Vec<f64> {
 pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-3a";
     input.with_inertia(NAME)?;
-    let motion = input.motion(NAME)?;
+    let motion = input.motion_in_contact(NAME)?;
     let until = horizon(&motion);
     // Before the lift-off only, as in the paper, unless the motion goes on after the landing.
     let goes_on = motion.hoop().restitution().is_some();
@@ -149,6 +149,29 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     })
 }
 
+/// Rows of the names of transitions.
+const ROWS: u32 = 3;
+
+/// A transition and its time, with the symbols of §3: τ_s where static friction gives way, τ_g where the particle reaches the plane.
+fn instant(transition: &Transition) -> String {
+    let time = short(transition.time());
+    match transition.cause {
+        Cause::Slip => format!("*τ*_{{s}} = {time}"),
+        Cause::ParticleAtPlane => format!("*τ*_{{g}} = {time}"),
+        Cause::NormalForceZero
+        | Cause::Stick
+        | Cause::Reversal
+        | Cause::Graze
+        | Cause::LiftOff
+        | Cause::Landing
+        | Cause::ParticleAtBottom
+        | Cause::ParticleAtTop
+        | Cause::Singularity
+        | Cause::Settle
+        | Cause::Jam => format!("{} at *τ* = {time}", transition.cause.label()),
+    }
+}
+
 /// Figure 7(a).
 pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-7a";
@@ -186,7 +209,6 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
             ..series.clone()
         };
         plane.push(inside.drawn(mark));
-        trace.push(series.clone().drawn(mark));
         if let Some(middle) = series.pieces.first().and_then(|piece| piece.get(piece.len() / 2)) {
             let label =
                 Label::new(mode.name(), &[middle[1], middle[2]]).coloured(Stroke::of_mode(*mode).colour);
@@ -196,61 +218,78 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
             });
         }
     }
-    let changes: Vec<Vec<f64>> = motion
-        .transitions()
+    let until = horizon(&motion);
+    // η′ is finite where θ′ is not: at the end of a glide.
+    let slips: Vec<(Mode, Vec<Vec<f64>>)> = motion
+        .phases()
         .iter()
-        .filter(|transition| transition.before.theta_rate.is_finite())
-        .map(|transition| {
-            let state = transition.before;
-            vec![state.time, state.theta, state.theta_rate, state.slip]
+        .map(|phase| {
+            let rows = all_instants(&motion, phase, until).into_iter().map(|sample| sample.state);
+            (phase.mode(), rows.map(|state| vec![state.time, state.slip]).collect())
         })
         .collect();
-    let range = bounds(modes.iter().flat_map(|(_, series)| series.rows().map(|row| row[3])), 0.1);
+    let range = bounds(slips.iter().flat_map(|(_, rows)| rows.iter().map(|row| row[1])), 0.1);
+    for (mode, rows) in slips {
+        let stroke = Stroke::of_mode(mode).wide(BOLD);
+        trace.push(Series::of_rows(mode.name(), &[TIME, SLIP], rows).drawn(Mark::Line(stroke)));
+    }
     let mut trace_labels = Vec::new();
-    for (i, change) in changes.iter().enumerate() {
-        let vertical = vec![vec![change[0], range[0]], vec![change[0], range[1]]];
+    for (transition, row) in motion.transitions().iter().zip((0..ROWS).cycle()) {
+        let time = transition.time();
+        let vertical = range.map(|slip| vec![time, slip]).to_vec();
         trace.push(
             Series::of_rows("time of transition", &[TIME, SLIP], vertical)
                 .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
         );
-        if i == 0 {
-            trace_labels.push(
-                Label::new(format!("*τ*_{{s}} = {}", short(change[0])), &[change[0], range[1]])
-                    .shifted(-6.0, 14.0)
-                    .right(),
-            );
-        }
+        // Above the panel, where no curve is, in rows.
+        let label = Label::new(instant(transition), &[time, range[1]]).sized(SMALL);
+        let label = label.shifted(0.0, -10.0 - 16.0 * f64::from(row));
+        let part = (time - motion.start().time) / (until - motion.start().time);
+        trace_labels.push(match part {
+            part if part < 0.2 => label.left(),
+            part if part > 0.8 => label.right(),
+            _ => label,
+        });
     }
+    let changes: Vec<Vec<f64>> = motion
+        .transitions()
+        .iter()
+        .map(|transition| of_state(transition.before))
+        .filter(|row| row[2].is_finite())
+        .collect();
     plane.push(Series::of_rows("transition", &COLUMNS, changes.clone()).drawn(Mark::Dot(INK, 3.4)));
     let start = motion.start();
     plane.push(
         Series::of_rows("start", &COLUMNS, vec![vec![start.time, start.theta, start.theta_rate, start.slip]])
             .drawn(Mark::Ring(INK, 3.4)),
     );
-    let times = match (changes.first(), motion.end_time()) {
-        (Some(change), end) if end.is_finite() => {
-            format!(" *τ*_{{s}} = {}, *τ*_{{g}} = *τ*_{{s}} + {}.", short(change[0]), short(end - change[0]))
-        }
-        _ => String::new(),
+    let ends = motion.transitions().last().is_some_and(|last| last.cause == Cause::ParticleAtPlane);
+    let times = if ends {
+        " As *τ* → *τ*_{g}, *θ* → ±π and *θ*′ → ±∞, but *η*′ remains finite."
+    } else {
+        ""
     };
+    let modes: Vec<&str> = motion.phases().iter().map(|phase| phase.mode().name()).collect();
     let caption = format!(
-        "A motion that rolls, then glides. Left: in the phase plane, with 𝓡 shaded. Right: slip velocity *η*′, zero while \
-         the hoop rolls.{times} As *τ* → *τ*_{{g}}, *θ* → π and *θ*′ → ∞. *μ*_{{s}} = {}; {}. Gliding follows (3.17) with \
+        "A massless hoop: {}. Left: in the phase plane, with 𝓡 shaded. Right: slip velocity *η*′, zero while \
+         the hoop rolls; dashed verticals: transitions.{times} *μ*_{{s}} = {}; {}. Gliding follows (3.17) with \
          the corrected integral.",
+        modes.join(", then "),
         short(input.hoop.mu_s()),
         start_in_words(motion.hoop(), &input.start)
     );
     let from = motion.start().time;
+    let above = 16.0 * f64::from(ROWS.min(motion.transitions().len() as u32));
     Ok(Figure {
         name: NAME,
         title: "Figure 7(a): rolling, then gliding".to_owned(),
         caption,
         width: 860.0,
-        height: 380.0,
+        height: 380.0 + above,
         panels: vec![
             Panel {
                 name: "phase plane",
-                frame: [6.0, 12.0, 420.0, 362.0],
+                frame: [6.0, 12.0 + above, 420.0, 362.0],
                 view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
                 layers: plane,
                 labels,
@@ -258,7 +297,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
             },
             Panel {
                 name: "slip velocity",
-                frame: [440.0, 12.0, 400.0, 362.0],
+                frame: [440.0, 12.0 + above, 400.0, 362.0],
                 view: View::Plane { x: time([from, horizon(&motion)]), y: slip(range), axes: true },
                 layers: trace,
                 labels: trace_labels,

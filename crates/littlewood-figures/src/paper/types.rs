@@ -82,7 +82,7 @@ fn figure(
 /// Figure 5(a).
 pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-5a";
-    input.littlewood(NAME)?;
+    input.littlewood_that_rolls(NAME)?;
     let (portrait, theta_s) = portrait_of(input);
     let two = type_two_energy(theta_s);
     // Type I is between the orbit of Type II and the lines n.
@@ -174,7 +174,7 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
 /// Figure 5(b).
 pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-5b";
-    input.littlewood(NAME)?;
+    input.littlewood_that_rolls(NAME)?;
     let (portrait, theta_s) = portrait_of(input);
     let two = type_two_energy(theta_s);
     let top = libm::cos(theta_s);
