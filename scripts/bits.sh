@@ -12,7 +12,7 @@ for build in "$@"; do
   case "$build" in
     native) cargo run --quiet --release --locked -p littlewood-digest -- check ;;
     wasm) node web/digest.mjs ;;
-    python) "${PYTHON:-python3}" -P scripts/bits.py ;;
+    python) "${PYTHON:-python3}" scripts/bits.py ;;
     print)
       cargo run --quiet --release --locked -p littlewood-digest -- print >reference/digest.new
       mv reference/digest.new reference/digest.txt

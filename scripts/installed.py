@@ -22,7 +22,7 @@ script = next(Path(sysconfig.get_path("scripts")).glob("littlewood*"))
 for program in [[sys.executable, "-m", "littlewood"], [str(script)]]:
     run = [*program, "simulate", "figure-3", "--format", "json"]
     printed = json.loads(subprocess.run(run, check=True, capture_output=True, encoding="utf-8").stdout)
-    assert [it["time"] for it in printed["transitions"]] == [it.before.time for it in motion.transitions]
+    assert [it["time"] for it in printed["transitions"]] == [it.time for it in motion.transitions]
     refused = subprocess.run([*program, "simulate", "figure-3", "--mu-s", "-1"], capture_output=True, check=False)
     assert refused.returncode == 2, refused
     told = subprocess.run([*program, "--version"], check=True, capture_output=True, encoding="utf-8").stdout

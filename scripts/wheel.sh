@@ -9,4 +9,10 @@ flags=(--release --locked --out dist)
 [ "$(uname -s)" != Linux ] || flags+=(--zig --compatibility manylinux2014)
 [ "$(uname -s)" != Darwin ] || export MACOSX_DEPLOYMENT_TARGET="${MACOSX_DEPLOYMENT_TARGET:-11.0}"
 maturin build "${flags[@]}"
-[ "${1:-}" != sdist ] || maturin sdist --out dist
+if [ "${1:-}" = sdist ]; then
+  page=../crates/littlewood-cli/page
+  trap 'rm -rf "$page"' EXIT
+  rm -rf "$page"
+  [ ! -d ../web/dist ] || cp -r ../web/dist "$page"
+  maturin sdist --out dist
+fi
