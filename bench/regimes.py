@@ -239,7 +239,7 @@ def built():
     if program := os.environ.get("LITTLEWOOD"):
         return program
     manifest = str(ROOT / "Cargo.toml")
-    build = ["cargo", "build", "--release", "--locked", "--manifest-path", manifest, "--package", "littlewood-cli"]
+    build = ["cargo", "build", "--release", "--locked", "--manifest-path", manifest, "--package", "littlewood-cli", "--features", "sweep"]
     if subprocess.run(build).returncode:
         sys.exit("the program does not build")
     return Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "littlewood"

@@ -14,18 +14,18 @@ python="$work/venv/bin/python"
 "$python" -m pip install --quiet --disable-pip-version-check -r requirements-test.txt
 
 # The wheel is built from the source distribution, which proves that this builds: unpacked with the time of now (`-m`),
-# because Cargo goes by it, and in a target folder of its own. Its workspace has fewer members than ours, so that its lock
-# file is ours without what they need: `--locked` would refuse that.
+# because Cargo goes by it, and with the profile and the target folder of the tests, whose libraries it takes. Its workspace has
+# fewer members than ours, so that its lock file is ours without what they need: `--locked` would refuse that.
 rm -rf "$work/dist" "$work/source"
 mkdir "$work/source"
 "$work/venv/bin/maturin" sdist --out "$work/dist"
 tar -xzmf "$work"/dist/littlewood-*.tar.gz -C "$work/source" --strip-components 1
-(cd "$work/source" && CARGO_TARGET_DIR="$work/target" "$work/venv/bin/maturin" build --release --out "$work/dist")
+(cd "$work/source" && CARGO_TARGET_DIR="$target" "$work/venv/bin/maturin" build --profile dev --out "$work/dist")
 "$python" -m pip install --quiet --disable-pip-version-check --no-deps "$work"/dist/littlewood-*.whl
 
 if [ -z "${LITTLEWOOD_BIN:-}" ]; then
     export LITTLEWOOD_BIN="$target/debug/littlewood"
-    [ -x "$LITTLEWOOD_BIN" ] || cargo build --locked -p littlewood-cli
+    [ -x "$LITTLEWOOD_BIN" ] || cargo build --locked -p littlewood-cli --features full
 fi
 
 "$work/venv/bin/ruff" check .

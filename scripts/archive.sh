@@ -18,7 +18,7 @@ out="$folder/release-archive"
 tree="$out/$name"
 
 case "$target" in *windows*) ending=.exe ;; *) ending= ;; esac
-cargo build --profile dist --locked --target "$target" --package littlewood-cli
+cargo build --profile dist --locked --target "$target" --package littlewood-cli --features full
 rm -rf "$tree"
 mkdir -p "$tree/bin" "$tree/share/doc/littlewood"
 cp "$folder/$target/dist/littlewood$ending" "$tree/bin/"

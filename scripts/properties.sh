@@ -8,4 +8,4 @@ export LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-900}"
 
 echo "PROPTEST_RNG_SEED=$PROPTEST_RNG_SEED"
 cargo test --release --package littlewood --package littlewood-sweep --package littlewood-film --locked --no-fail-fast
-cargo test --release --package littlewood-cli --locked fuzz -- --nocapture
+cargo test --release --package littlewood-cli --features full --locked fuzz:: -- --nocapture

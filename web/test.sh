@@ -17,8 +17,12 @@ fi
 
 ./build.sh
 # What WebAssembly has to agree with, bit for bit.
-cargo run --quiet --locked --manifest-path ../Cargo.toml -p littlewood-web --example bits > bits.txt
+if [ -n "${LITTLEWOOD_BITS:-}" ]; then
+  "$LITTLEWOOD_BITS" > bits.txt
+else
+  cargo run --quiet --locked --manifest-path ../Cargo.toml -p littlewood-web --example bits > bits.txt
+fi
 # And the command line, where it has been built.
-program="${CARGO_TARGET_DIR:-../target}/debug/littlewood"
+program="${LITTLEWOOD_BIN:-${CARGO_TARGET_DIR:-../target}/debug/littlewood}"
 [ -x "$program" ] && export LITTLEWOOD="$program"
 npx playwright test "$@"

@@ -19,6 +19,7 @@ pub(crate) struct TypedAxis {
 
 impl TypedAxis {
     /// An axis without dimension.
+    #[cfg(feature = "sweep")]
     pub(crate) const fn plain(quantity: Quantity, from: f64, to: f64, count: usize) -> Self {
         Self { quantity, from, to, count }
     }

@@ -128,6 +128,8 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
             | FigureError::NeedsRim { .. }
             | FigureError::NeedsOffset { .. }
             | FigureError::NeedsRestitution { .. }
+            | FigureError::NeedsStaticFriction { .. }
+            | FigureError::NoContact { .. }
             | FigureError::NoMotion { .. }
             | FigureError::NoImpact { .. }
     )

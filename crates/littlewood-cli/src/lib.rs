@@ -1,20 +1,27 @@
 //! The command line of Littlewood's hoop as a library: the program `littlewood`, the Python package, which brings the same
 //! program, and the generator of its manual call it. A module for each command.
 
+#[cfg(feature = "film")]
 mod animate;
 mod args;
+#[cfg(feature = "sweep")]
 mod atlas;
 mod axis;
 mod cases;
 mod classify;
 mod error;
+mod feature;
+#[cfg(feature = "figures")]
 mod figures;
 mod interrupt;
+#[cfg(feature = "lab")]
 mod lab;
+#[cfg(feature = "sweep")]
 mod list;
 mod map;
 mod nearest;
 mod output;
+mod plane;
 mod problem;
 mod progress;
 mod report;
@@ -22,6 +29,7 @@ mod request;
 mod scenario;
 mod simulate;
 mod store;
+#[cfg(feature = "sweep")]
 mod sweep;
 mod unfinished;
 mod values;
@@ -32,6 +40,8 @@ use std::ffi::OsString;
 use clap::{CommandFactory, Parser};
 
 use crate::args::{Cli, Command, join_negative_numbers};
+#[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
+use crate::feature::Feature;
 
 /// Exit code of bad input.
 const BAD_INPUT: u8 = 2;
@@ -53,11 +63,26 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Classify(args) => classify::run(&args),
         Command::Cases(args) => cases::run(&args),
         Command::Map(args) => map::run(&args),
+        #[cfg(feature = "sweep")]
         Command::Sweep(args) => sweep::run(&args),
+        #[cfg(not(feature = "sweep"))]
+        Command::Sweep(_) => Err(not_built("littlewood sweep", Feature::Sweep)),
+        #[cfg(feature = "sweep")]
         Command::Atlas(args) => atlas::run(&args),
+        #[cfg(not(feature = "sweep"))]
+        Command::Atlas(_) => Err(not_built("littlewood atlas", Feature::Sweep)),
+        #[cfg(feature = "lab")]
         Command::Lab(args) => lab::run(&args),
+        #[cfg(not(feature = "lab"))]
+        Command::Lab(_) => Err(not_built("littlewood lab", Feature::Lab)),
+        #[cfg(feature = "film")]
         Command::Animate(args) => animate::run(*args),
+        #[cfg(not(feature = "film"))]
+        Command::Animate(_) => Err(not_built("littlewood animate", Feature::Film)),
+        #[cfg(feature = "figures")]
         Command::Figures(args) => figures::run(&args),
+        #[cfg(not(feature = "figures"))]
+        Command::Figures(_) => Err(not_built("littlewood figures", Feature::Figures)),
     };
     match result {
         Ok(()) => 0,
@@ -66,6 +91,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             error.exit_code()
         }
     }
+}
+
+/// The error about a command that is not in this program.
+#[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
+fn not_built(command: &str, feature: Feature) -> error::Error {
+    error::Error::NotBuilt { what: format!("`{command}`"), feature }
 }
 
 /// The command line as it is defined: commands, flags and their help, from which completions and manual pages are made.

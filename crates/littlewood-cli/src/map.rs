@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::interrupt;
 use crate::nearest;
 use crate::output::Output;
+use crate::plane::Plane;
 use crate::progress::Bar;
 use crate::report::sweep::{self, Run};
 use crate::store::{self, Kind};
@@ -24,60 +25,79 @@ use crate::work;
 pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
     let size = PictureSize { width: args.size.0, height: args.size.1 };
-    let kinds = store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet, Kind::Picture])?;
+    let kinds =
+        store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet, Kind::Csv, Kind::Json, Kind::Picture])?;
     let (grid, limits) = work::grid(&args.base, &args.run, &[args.x, args.y])?;
     let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, grid.len())).collect();
-    let drawn: Vec<&Path> =
-        kinds.iter().filter(|(kind, _)| *kind == Kind::Picture).map(|(_, path)| *path).collect();
-    if let ([], [path, ..], true) = (&targets[..], &drawn[..], args.store.resume) {
+    let at_the_end: Vec<(Kind, &Path)> =
+        kinds.iter().copied().filter(|(kind, _)| kind.is_written_at_the_end()).collect();
+    if let ([], [(_, path), ..], true) = (&targets[..], &at_the_end[..], args.store.resume) {
         return Err(Error::Out {
             path: path.to_path_buf(),
-            reason: "there is nothing to resume: a picture alone does not keep what it is drawn from"
-                .to_owned(),
+            reason:
+                "there is nothing to resume: a picture or a text alone does not keep what it is made from"
+                    .to_owned(),
             hint: "leave out --resume; with a second --out NAME.zarr a picture can be resumed".to_owned(),
         });
     }
     let mut picture = Picture::new(&grid, limits, shade, size)?;
-    let files = drawn.iter().map(|path| Output::open(Some(path))).collect::<Result<Vec<_>, Error>>()?;
+    let mut plane = match at_the_end.iter().find(|(kind, _)| *kind != Kind::Picture) {
+        Some((_, path)) => Some(Plane::new(&grid, path)?),
+        None => None,
+    };
+    let files =
+        at_the_end.iter().map(|(_, path)| Output::open(Some(path))).collect::<Result<Vec<_>, Error>>()?;
     let workers = work::workers(&args.work)?;
     let cancel = interrupt::asked();
     let bar = Bar::new();
     let show = |progress: Progress| bar.show(work::STARTS, work::count(progress));
     let options = work::options(&args.work, args.store.resume, cancel, &show);
     let began = Instant::now();
-    let report = if drawn.is_empty() {
+    let report = if at_the_end.is_empty() {
         sweep_grid(&grid, limits, &targets, None, &workers, &options)?
     } else {
-        let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
+        let mut add = |chunk: &Chunk, columns: &Columns| {
+            picture.add(chunk, columns);
+            if let Some(plane) = &mut plane {
+                plane.add(chunk, columns);
+            }
+        };
         sweep_grid(&grid, limits, &targets, Some(&mut add), &workers, &options)?
     };
     let time = began.elapsed();
     drop(bar);
 
-    let mut pictures = Vec::new();
-    if report.complete {
-        for (file, path) in files.into_iter().zip(&drawn) {
+    let write = |kind: Kind, file: Output| match (kind, &plane) {
+        (Kind::Csv, Some(plane)) => file.write(|writer| plane.csv(writer)),
+        (Kind::Json, Some(plane)) => file.write(|writer| plane.json(writer)),
+        (_, _) => {
             let png = picture.png()?;
-            file.write(|writer| writer.write_all(&png))?;
-            pictures.push(path.to_path_buf());
+            file.write(|writer| writer.write_all(&png))
+        }
+    };
+    let mut written = Vec::new();
+    if report.complete {
+        for (file, (kind, path)) in files.into_iter().zip(&at_the_end) {
+            write(*kind, file)?;
+            written.push(path.to_path_buf());
         }
     } else if report.computed + report.reused > 0 {
-        // A picture that is not complete does not take the place of one that may be.
+        // What is not complete does not take the place of what may be.
         drop(files);
-        for path in &drawn {
+        for (kind, path) in &at_the_end {
             let path = partial(path);
-            let png = picture.png()?;
-            Output::open(Some(&path))?.write(|writer| writer.write_all(&png))?;
-            pictures.push(path);
+            write(*kind, Output::open(Some(&path))?)?;
+            written.push(path);
         }
     }
-    let kept = work::kept(&targets, &report, pictures);
+    let kept = work::kept(&targets, &report, written);
     sweep::finish(&Run::new(&report, time, workers.threads(), kept), args.store.format)
 }
 
 /// Where a picture goes that is not complete: `map.partial.png`.
 fn partial(path: &Path) -> PathBuf {
-    path.with_extension("partial.png")
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    path.with_extension(format!("partial.{ending}"))
 }
 
 fn shade_of(name: &str) -> Result<Shade, Error> {

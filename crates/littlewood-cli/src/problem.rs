@@ -242,8 +242,7 @@ impl Inputs {
         };
         match (origin, &self.scenario) {
             (Some(Origin::File(span)), Some(scenario)) => {
-                let source_code = scenario.source_code();
-                Error::ScenarioValue { error, source_code, span: span.clone().into() }
+                Error::ScenarioValue { error, excerpt: scenario.excerpt(span) }
             }
             (Some(Origin::File(_) | Origin::Case | Origin::Flag) | None, _) => Error::Value { error },
         }

@@ -7,17 +7,15 @@ use std::fs;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use std::sync::Arc;
 
 use clap::ValueEnum;
 use littlewood::{Group, Proof, Quantity, RestitutionLaw};
 use littlewood_report::RESTITUTION_LAW;
-use miette::NamedSource;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::args::{Format, MAX_TRANSITIONS, SAMPLES};
-use crate::error::Error;
+use crate::error::{Error, Excerpt};
 use crate::nearest;
 use crate::values::{Given, GivenLaw, Origin, si_name};
 
@@ -138,9 +136,9 @@ impl Scenario {
         Some(self.source.path.parent().map_or_else(|| out.clone(), |folder| folder.join(out)))
     }
 
-    /// The file with its name, for messages.
-    pub(crate) fn source_code(&self) -> Arc<NamedSource<String>> {
-        self.source.named()
+    /// A place in the file, for messages.
+    pub(crate) fn excerpt(&self, span: &Range<usize>) -> Excerpt {
+        self.source.excerpt(span)
     }
 
     /// An error at a place in the file.
@@ -211,12 +209,12 @@ struct Source {
 }
 
 impl Source {
-    fn named(&self) -> Arc<NamedSource<String>> {
-        Arc::new(NamedSource::new(self.path.display().to_string(), self.text.clone()))
+    fn excerpt(&self, span: &Range<usize>) -> Excerpt {
+        Excerpt::new(&self.path, &self.text, span)
     }
 
     fn complain(&self, message: String, help: String, span: Range<usize>) -> Error {
-        Error::Scenario { message, help, source_code: self.named(), span: span.into() }
+        Error::Scenario { message, help, excerpt: self.excerpt(&span) }
     }
 }
 

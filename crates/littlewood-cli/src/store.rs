@@ -1,10 +1,11 @@
-//! Where a sweep goes: a Zarr store, a table or a picture, by the ending of its name.
+//! Where a sweep goes: a Zarr store, a table, a text or a picture, by the ending of its name.
 
 use std::path::{Path, PathBuf};
 
 use littlewood_sweep::Target;
 
 use crate::error::Error;
+use crate::feature::Feature;
 
 /// What an ending stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +14,10 @@ pub(crate) enum Kind {
     Zarr,
     /// Parquet.
     Parquet,
+    /// CSV.
+    Csv,
+    /// JSON.
+    Json,
     /// PNG.
     Picture,
 }
@@ -27,7 +32,14 @@ const ONE_FILE: u64 = 1 << 24;
 pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let ending = ending.to_ascii_lowercase();
-    allowed.iter().copied().find(|kind| kind.ending() == ending).ok_or_else(|| {
+    let kind = allowed.iter().copied().find(|kind| kind.ending() == ending);
+    if let Some(Kind::Zarr | Kind::Parquet) = kind
+        && !cfg!(feature = "sweep")
+    {
+        let what = format!("what --out {} needs", path.display());
+        return Err(Error::NotBuilt { what, feature: Feature::Sweep });
+    }
+    kind.ok_or_else(|| {
         let endings: Vec<String> = allowed.iter().map(|kind| format!(".{}", kind.ending())).collect();
         Error::Out {
             path: path.to_owned(),
@@ -42,17 +54,27 @@ impl Kind {
         match self {
             Self::Zarr => "zarr",
             Self::Parquet => "parquet",
+            Self::Csv => "csv",
+            Self::Json => "json",
             Self::Picture => "png",
         }
     }
 
-    /// The target of a run with so many starts; none for a picture.
+    /// Whether it is written once all is computed, and not chunk by chunk.
+    pub(crate) const fn is_written_at_the_end(self) -> bool {
+        match self {
+            Self::Zarr | Self::Parquet => false,
+            Self::Csv | Self::Json | Self::Picture => true,
+        }
+    }
+
+    /// The target of a run with so many starts; none for what is written at its end.
     pub(crate) const fn target(self, path: &Path, starts: u64) -> Option<Target<'_>> {
         match self {
             Self::Zarr => Some(Target::Zarr(path)),
             Self::Parquet if starts <= ONE_FILE => Some(Target::Parquet(path)),
             Self::Parquet => Some(Target::ParquetFolder(path)),
-            Self::Picture => None,
+            Self::Csv | Self::Json | Self::Picture => None,
         }
     }
 }
@@ -76,15 +98,18 @@ pub(crate) fn kinds<'a>(out: &'a [PathBuf], allowed: &[Kind]) -> Result<Vec<(Kin
 
 /// What to say when Ctrl-C has come.
 pub(crate) fn interrupted(done: u64, total: u64, kept: &[PathBuf]) -> Error {
-    let store = kept.iter().find(|path| path.extension().is_none_or(|ending| ending != "png"));
+    let at_the_end = |path: &Path| {
+        kind_of(path, &[Kind::Csv, Kind::Json, Kind::Picture]).is_ok_and(Kind::is_written_at_the_end)
+    };
+    let store = kept.iter().find(|path| !at_the_end(path));
     let hint = match (store, kept.first()) {
         (Some(path), _) => format!(
             "{} can be read as far as it goes; the same command with --resume goes on from there",
             path.display()
         ),
-        (None, Some(picture)) => format!(
-            "what was done is drawn in {}; a picture alone is not resumed, with a .zarr store beside it, it can be",
-            picture.display()
+        (None, Some(partial)) => format!(
+            "what was done is in {}; a picture or a text alone is not resumed, with a .zarr store beside it, it can be",
+            partial.display()
         ),
         (None, None) => "nothing was done that could be kept".to_owned(),
     };

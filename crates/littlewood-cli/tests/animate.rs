@@ -1,13 +1,12 @@
 //! `littlewood animate`: files, bad values, and what is left where a film is not finished.
 
-mod support;
-
+use crate::support;
 use std::fs;
 use std::path::Path;
 #[cfg(unix)]
 use std::process::{Command, Stdio};
 
-use support::{complaint, littlewood, text};
+use crate::support::{complaint, littlewood, text};
 use tempfile::TempDir;
 
 const PRECIOUS: &str = "years of work";

@@ -1,10 +1,8 @@
 //! `littlewood atlas`.
 
-mod support;
-
 use std::fs;
 
-use support::{complaint, json, number, text};
+use crate::support::{complaint, json, number, text};
 
 #[test]
 fn an_atlas_counts_every_point_once() {

@@ -1,10 +1,8 @@
 //! `littlewood classify` and `littlewood cases`.
 
-mod support;
-
+use crate::support::{assert_close, json, number, text};
 use littlewood::{CASES, find_case};
 use serde_json::Value;
-use support::{assert_close, json, number, text};
 
 #[test]
 fn figure_3_starts_beyond_the_static_friction() {

@@ -1,11 +1,9 @@
 //! `littlewood figures`: what it writes, what it leaves out, what it refuses.
 
-mod support;
-
 use std::fs;
 use std::path::Path;
 
-use support::{littlewood, text};
+use crate::support::{littlewood, text};
 
 /// Names of the files in a folder.
 fn files(folder: &Path) -> Vec<String> {

@@ -2,10 +2,9 @@
 
 #![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
 
-mod support;
-
+use crate::support;
+use crate::support::{FIGURE_3_LANDING, assert_close, json, number, text};
 use serde_json::Value;
-use support::{FIGURE_3_LANDING, assert_close, json, number, text};
 
 /// The velocities just before the first landing of Figure 3, from a computation of its own with 40 digits.
 const SLIP: f64 = -0.785_244_687_128_996_169;

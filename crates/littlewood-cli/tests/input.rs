@@ -1,9 +1,7 @@
 //! Bad input: the value, its bound and a hint on the standard error, and exit code 2.
 
-mod support;
-
+use crate::support::{FIGURE_3, complaint, littlewood, text};
 use littlewood::{Group, Quantity, RestitutionLaw};
-use support::{FIGURE_3, complaint, littlewood, text};
 
 /// The message for Figure 3 with these flags on top.
 fn refused(flags: &[&str]) -> String {

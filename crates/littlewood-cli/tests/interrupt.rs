@@ -2,8 +2,7 @@
 
 #![cfg(unix)]
 
-mod support;
-
+use crate::support;
 use std::fs;
 use std::io::Read as _;
 use std::os::unix::process::ExitStatusExt as _;
@@ -13,8 +12,8 @@ use std::sync::Mutex;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use crate::support::{complaint, tree};
 use littlewood_sweep::ZarrStore;
-use support::{complaint, tree};
 
 /// A plane of 180 chunks.
 const PLANE: [&str; 8] = [

@@ -1,16 +1,11 @@
 //! `littlewood map` and `sweep`.
 
-mod support;
-
 use std::f64::consts::FRAC_PI_2;
 use std::fs;
 use std::path::Path;
-use std::sync::Arc;
 
-use arrow_array::{ArrayRef, Float64Array, RecordBatch};
-use parquet::arrow::ArrowWriter;
-use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
-use support::{FIGURE_3_EVENTS, assert_close, complaint, json, littlewood, number, text, tree};
+use crate::support::table::{Table, write_table};
+use crate::support::{FIGURE_3_EVENTS, assert_close, complaint, json, littlewood, number, text, tree};
 
 /// The hoop of Figure 2.
 const FIGURE_2: [&str; 10] =
@@ -227,27 +222,18 @@ fn several_outputs_are_of_one_run() {
 fn a_list_in_parquet_is_followed_and_may_say_where_and_when() {
     let folder = folder();
     let starts = path(&folder, "starts.parquet");
-    let column = |values: &[f64]| Arc::new(Float64Array::from(values.to_vec())) as ArrayRef;
-    let batch = RecordBatch::try_from_iter([
-        ("theta", column(&[FRAC_PI_2, FRAC_PI_2])),
-        ("theta_rate", column(&[2.0, 2.0])),
-        ("time", column(&[0.0, 10.0])),
-        ("x", column(&[0.0, 1.0])),
-    ])
-    .expect("a table");
-    let file = fs::File::create(&starts).expect("a file");
-    let mut writer = ArrowWriter::try_new(file, batch.schema(), None).expect("a writer");
-    writer.write(&batch).expect("written");
-    writer.close().expect("closed");
+    let columns: [(&str, &[f64]); 4] = [
+        ("theta", &[FRAC_PI_2, FRAC_PI_2]),
+        ("theta_rate", &[2.0, 2.0]),
+        ("time", &[0.0, 10.0]),
+        ("x", &[0.0, 1.0]),
+    ];
+    write_table(Path::new(&starts), columns.into_iter());
     let out = path(&folder, "motions.parquet");
     let found = json(&[&["sweep"], &FIGURE_2[..], &["--starts", &starts, "--out", &out]].concat());
     assert_eq!(found["counts"]["lifts_off_later"], 2);
-    let reader = ParquetRecordBatchReaderBuilder::try_new(fs::File::open(&out).expect("a file"));
-    let table = reader.expect("a table").build().expect("rows").next().expect("a batch").expect("rows");
-    let values = |name: &str| {
-        let column = table.column_by_name(name).expect("a column").as_any();
-        column.downcast_ref::<Float64Array>().expect("numbers").values().to_vec()
-    };
+    let table = Table::read(&out);
+    let values = |name: &str| table.reals(name);
     let lift_off = FIGURE_3_EVENTS[2][0];
     assert_close(values("lift_off_time")[0], lift_off, 1e-13);
     assert_close(values("lift_off_time")[1], 10.0 + lift_off, 1e-13);

@@ -1,13 +1,11 @@
 //! Where the output goes: files that are replaced at the end only, closed pipes, and failures to write.
 
-mod support;
-
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use support::{complaint, littlewood, text};
+use crate::support::{complaint, littlewood, text};
 use tempfile::TempDir;
 
 const PRECIOUS: &str = "years of work";

@@ -1,9 +1,7 @@
 //! The page that a person reads of a motion with impacts.
 
-mod support;
-
+use crate::support::text;
 use littlewood::CASES;
-use support::text;
 
 /// The rows of the table of phases: between the line under its header and the next empty line.
 fn rows(page: &str) -> Vec<&str> {

@@ -2,13 +2,10 @@
 
 #![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
 
-mod support;
-
 use std::fs;
 
-use arrow_array::{Float64Array, RecordBatch, UInt32Array};
-use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
-use support::{FIGURE_3_LANDING, assert_close, complaint, json, number, text};
+use crate::support::table::Table;
+use crate::support::{FIGURE_3_LANDING, assert_close, complaint, json, number, text};
 use tempfile::TempDir;
 
 /// Energy lost in the first landing of Figure 3, e = 0 and e = 0.5, from the notes.
@@ -20,37 +17,19 @@ fn folder() -> (TempDir, impl Fn(&str) -> String) {
     (folder, move |name: &str| root.join(name).to_string_lossy().into_owned())
 }
 
-fn table(path: &str) -> RecordBatch {
-    let file = fs::File::open(path).expect("a file");
-    let reader = ParquetRecordBatchReaderBuilder::try_new(file).expect("a table").build().expect("rows");
-    let batches: Vec<RecordBatch> = reader.map(|batch| batch.expect("rows")).collect();
-    assert_eq!(batches.len(), 1, "one chunk");
-    batches.into_iter().next().expect("a batch")
-}
-
-fn reals(table: &RecordBatch, name: &str) -> Vec<f64> {
-    let column = table.column_by_name(name).expect(name).as_any();
-    column.downcast_ref::<Float64Array>().expect("numbers").values().to_vec()
-}
-
-fn counts(table: &RecordBatch, name: &str) -> Vec<u32> {
-    let column = table.column_by_name(name).expect(name).as_any();
-    column.downcast_ref::<UInt32Array>().expect("counts").values().to_vec()
-}
-
 #[test]
 fn restitution_is_an_axis() {
     let (_folder, path) = folder();
     let out = path("grid.parquet");
     text(&["sweep", "figure-3", "--axis", "restitution=0:0.5:2", "--until", "4", "--out", &out]);
-    let table = table(&out);
-    assert_eq!(reals(&table, "restitution"), [0.0, 0.5]);
-    assert_eq!(counts(&table, "landings"), [1, 1]);
-    for (found, expected) in reals(&table, "impact_energy_lost").into_iter().zip(LOST) {
+    let table = Table::read(&out);
+    assert_eq!(table.reals("restitution"), [0.0, 0.5]);
+    assert_eq!(table.counts("landings"), [1, 1]);
+    for (found, expected) in table.reals("impact_energy_lost").into_iter().zip(LOST) {
         assert_close(found, expected, 1e-12);
     }
     // Without a rebound the rim stays at the plane from the landing on; with one it is in the air at τ = 4.
-    let since = reals(&table, "settle_time");
+    let since = table.reals("settle_time");
     assert_close(since[0], FIGURE_3_LANDING[0], 1e-12);
     assert!(since[1].is_nan());
 }
@@ -62,7 +41,7 @@ fn the_law_is_that_of_the_whole_sweep() {
         let out = path(&format!("{law}.parquet"));
         let flags = ["sweep", "figure-3", "--axis", "restitution=0.5:1:2", "--until", "4", "--out", &out];
         text(&[&flags[..], &["--restitution-law", law]].concat());
-        let lost = reals(&table(&out), "impact_energy_lost")[0];
+        let lost = Table::read(&out).reals("impact_energy_lost")[0];
         let flags =
             ["simulate", "figure-3", "--restitution", "0.5", "--until", "4", "--restitution-law", law];
         assert_close(lost, number(&json(&flags)["impact_energy_lost"]), 1e-12);
@@ -85,10 +64,10 @@ fn a_list_may_have_columns_for_restitution_and_the_rate_of_the_gap() {
     let found = json(&["sweep", "figure-3", "--starts", &starts, "--out", &out]);
     assert_eq!(found["counts"]["lifts_off_later"], 1);
     assert_eq!(found["counts"]["leaves_at_once"], 1);
-    let table = table(&out);
-    assert_close(reals(&table, "settle_time")[0], 6.924_682_083_018_513_65, 1e-12);
+    let table = Table::read(&out);
+    assert_close(table.reals("settle_time")[0], 6.924_682_083_018_513_65, 1e-12);
     let thrown = json(&["simulate", "figure-3", "--restitution", "0.5", "--gap-rate", "0.25"]);
-    assert_close(reals(&table, "impact_energy_lost")[1], number(&thrown["impact_energy_lost"]), 1e-13);
+    assert_close(table.reals("impact_energy_lost")[1], number(&thrown["impact_energy_lost"]), 1e-13);
     for (cell, said) in [("1.5", "must not exceed 1"), ("nan", "not a finite number"), ("", "restitution")] {
         let text = format!("theta,theta_rate,restitution\n0,1,0\n0,2,{cell}\n");
         fs::write(&starts, text).expect("written");
@@ -108,7 +87,7 @@ fn the_rate_of_the_gap_is_an_axis_also_in_metres_per_second() {
         let out = path(name);
         let flags = ["sweep", "figure-3", "--restitution", "0.5", "--axis", axis, "--out", &out];
         text(&[&flags[..], more].concat());
-        reals(&table(&out), "settle_time")
+        Table::read(&out).reals("settle_time")
     };
     let plain = run("plain.parquet", "gap_rate=0:1:3", &[]);
     assert_close(plain[0], 6.924_682_083_018_513_65, 1e-12);

@@ -1,12 +1,10 @@
 //! Scenario files: what they say, what flags change, and what is wrong with them.
 
-mod support;
-
 use std::fs;
 use std::path::PathBuf;
 
+use crate::support::{FIGURE_3_EVENTS, assert_close, complaint, example, json, number, text};
 use littlewood::Quantity;
-use support::{FIGURE_3_EVENTS, assert_close, complaint, example, json, number, text};
 use tempfile::TempDir;
 
 /// A scenario file in a folder of its own.
@@ -89,7 +87,7 @@ fn broken_toml_is_shown_where_it_breaks() {
     let message = refused("case = \"figure-3\"\n[start]\ntheta = = 2\n");
     assert!(message.contains("hoop.toml:3:9"), "{message}");
     assert!(message.contains("theta = = 2"), "{message}");
-    assert!(message.contains("help: "), "{message}");
+    assert!(message.contains("hint: "), "{message}");
 }
 
 #[test]

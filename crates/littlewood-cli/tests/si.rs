@@ -1,9 +1,7 @@
 //! SI units: the same motion as without dimensions, and every value in both.
 
-mod support;
-
+use crate::support::{FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, json, number, text};
 use serde_json::Value;
-use support::{FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, json, number, text};
 
 /// Figure 3 with m2 = 2 kg, R = 1 m and g = 4 m/s²: the unit of time is ½ s, and no conversion rounds.
 const FIGURE_3_SI: &str = "--si --disc-mass-kg 2 --particle-mass-kg 2 --radius-m 1 --offset-m 1 --inertia-kg-m2 2 \

@@ -1,13 +1,12 @@
 //! `littlewood simulate`: the numbers and names that other programs rely on, and the page that a person reads.
 
-mod support;
-
+use crate::support;
+use crate::support::{
+    FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, json, littlewood, number, text,
+};
 use littlewood::{CASES, Cause, Mode, Phase};
 use predicates::prelude::*;
 use serde_json::Value;
-use support::{
-    FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, json, littlewood, number, text,
-};
 
 const STATE: [&str; 5] = ["time", "theta", "theta_rate", "slip", "x"];
 

@@ -1,16 +1,14 @@
 //! What the program prints for people, as transcripts: help, errors, tables.
 //!
 //! ```sh
-//! LITTLEWOOD_WRITE=1 cargo test -p littlewood-cli snapshots
+//! LITTLEWOOD_WRITE=1 cargo test -p littlewood-cli --all-features snapshots::
 //! ```
 //! writes them anew. Numbers are tested elsewhere; here a change of words or of layout has to be seen and meant.
-
-mod support;
 
 use std::fs;
 use std::path::PathBuf;
 
-use support::littlewood;
+use crate::support::littlewood;
 
 /// Each command with all its flags.
 const HELP: [&str; 10] = [

@@ -1,7 +1,6 @@
 //! What is written: SVG that parses and has its labels, tables that hold what is drawn, refusals that say why.
 
-mod support;
-
+use crate::support;
 use littlewood::{Class, Hoop, HoopParameters, Limits, Start};
 use littlewood_figures::{FIGURES, Figure, FigureError, FigureInput, View, find_figure, plain};
 use roxmltree::Document;

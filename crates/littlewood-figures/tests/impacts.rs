@@ -1,10 +1,9 @@
 //! Figures of what comes after the landing, against the notes and the laws of impact written out once more.
 
-mod support;
-
+use crate::support;
+use crate::support::{assert_near, columns, figure, series};
 use littlewood::{CASES, Hoop, HoopParameters, Impact, Limits, RestitutionLaw, Start, Trajectory, find_case};
 use littlewood_figures::{Figure, FigureError, FigureInput, Series, find_figure, plain};
-use support::{assert_near, columns, figure, series};
 
 /// The landing of Figure 3, computed elsewhere: time, slip, rate of the gap, and A, B, C.
 const LANDING: f64 = 3.847_395_556_686_894;

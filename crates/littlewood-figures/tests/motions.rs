@@ -1,10 +1,8 @@
 //! The motions of the figures against the reference table, the parabola, the cycloid and the laws of friction.
 
-mod support;
-
+use crate::support::{assert_near, columns, figure, series};
 use littlewood::{Cause, Hoop, HoopParameters, Limits, Start};
 use littlewood_figures::{FigureInput, Series, find_figure};
-use support::{assert_near, columns, figure, series};
 
 /// Stick, slip and lift-off of Figure 3, computed elsewhere with 40 digits: τ, θ, θ′, η′.
 const EVENTS: [[f64; 4]; 3] = [

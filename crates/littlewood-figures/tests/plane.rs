@@ -1,11 +1,9 @@
 //! The loci, orbits and regions of the phase planes against the equations of the paper.
 
-mod support;
-
 use core::f64::consts::TAU;
 
+use crate::support::{THIN, assert_near, columns, figure, series};
 use littlewood_figures::Series;
-use support::{THIN, assert_near, columns, figure, series};
 
 const PLANE: [&str; 2] = ["theta", "theta_rate"];
 const EXACT: f64 = 1e-10;

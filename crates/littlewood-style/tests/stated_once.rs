@@ -269,6 +269,26 @@ fn no_file_in_another_language_lists_a_table() {
 }
 
 #[test]
+fn every_file_of_tests_is_a_module_of_their_program() {
+    let crates = root().join("crates");
+    let mut forgotten = Vec::new();
+    for package in fs::read_dir(crates).unwrap() {
+        let tests = package.unwrap().path().join("tests");
+        let Ok(all) = fs::read_to_string(tests.join("all.rs")) else { continue };
+        for file in fs::read_dir(&tests).unwrap() {
+            let file = file.unwrap().path();
+            let name = file.file_stem().unwrap().to_string_lossy().into_owned();
+            let has_tests =
+                file.extension().is_some_and(|ending| ending == "rs") || file.join("mod.rs").exists();
+            if has_tests && name != "all" && !all.contains(&format!("mod {name};")) {
+                forgotten.push(file);
+            }
+        }
+    }
+    assert!(forgotten.is_empty(), "nobody runs {forgotten:#?}");
+}
+
+#[test]
 fn colours_stand_in_the_style_alone() {
     let colours: BTreeSet<[u8; 3]> =
         Theme::ALL.into_iter().flat_map(swatches).map(|swatch| swatch.colour.0).collect();

@@ -6,6 +6,7 @@ use crate::columns::Columns;
 use crate::compute::Workers;
 use crate::disk::Disk;
 use crate::options::Options;
+#[cfg(feature = "parquet")]
 use crate::parquet::{OneFile, Table};
 use crate::store::{Format, Store, StoreError, StoreFile, WrittenChunk};
 use crate::tally::Tally;
@@ -24,7 +25,11 @@ pub enum Target<'a> {
 
 /// A target with the format of its files.
 pub(crate) enum Destination {
-    Store { root: PathBuf, format: Box<dyn Format> },
+    Store {
+        root: PathBuf,
+        format: Box<dyn Format>,
+    },
+    #[cfg(feature = "parquet")]
     File(OneFile),
 }
 
@@ -33,6 +38,7 @@ impl Destination {
         Self::Store { root: root.to_owned(), format: Box::new(format) }
     }
 
+    #[cfg(feature = "parquet")]
     pub(crate) fn file(path: &Path, table: Table) -> Self {
         Self::File(OneFile::new(path, table))
     }
@@ -40,6 +46,7 @@ impl Destination {
     pub(crate) fn format(&self) -> &dyn Format {
         match self {
             Self::Store { format, .. } => format.as_ref(),
+            #[cfg(feature = "parquet")]
             Self::File(file) => file.table(),
         }
     }
@@ -48,6 +55,7 @@ impl Destination {
     pub(crate) fn inspect(&self, resume: bool) -> Result<(), StoreError> {
         match self {
             Self::Store { root, format } => Store::inspect(root, format.as_ref(), resume),
+            #[cfg(feature = "parquet")]
             Self::File(file) => match file.inspect()? {
                 Some(_) if !resume => {
                     Err(StoreError::Exists { path: file.path().to_owned(), complete: true })
@@ -69,6 +77,7 @@ impl Destination {
         let open = |root| Store::open(root, self.format(), count, options.resume, disk, workers);
         let state = match self {
             Self::Store { root, .. } => State::Open(open(root)?),
+            #[cfg(feature = "parquet")]
             Self::File(file) => match file.inspect()? {
                 Some(tally) => {
                     // A run may have been killed between its last two steps.
@@ -122,7 +131,9 @@ impl OpenDestination<'_> {
     /// The results of a chunk that it has.
     pub(crate) fn read(&self, chunk: usize) -> Result<Columns, StoreError> {
         let (path, columns) = match (&self.state, self.destination) {
+            #[cfg(feature = "parquet")]
             (State::Done(_), Destination::File(file)) => (file.path(), file.read(chunk)?),
+            #[cfg(feature = "parquet")]
             (_, Destination::File(file)) => (file.parts(), file.table().read(file.parts(), chunk)?),
             (_, Destination::Store { root, format }) => (root.as_path(), format.read(root, chunk)?),
         };
@@ -143,6 +154,7 @@ impl OpenDestination<'_> {
     pub(crate) fn complete(self, tally: Tally) -> Result<(), StoreError> {
         let State::Open(store) = self.state else { return Ok(()) };
         store.complete()?;
+        #[cfg(feature = "parquet")]
         if let Destination::File(file) = self.destination {
             file.join(self.count, tally, self.disk)?;
             file.remove_parts()?;

@@ -35,6 +35,14 @@ pub enum SweepError {
         /// The target.
         path: PathBuf,
     },
+    /// The format of a target is not in this build.
+    #[error("{}: this program was built without the feature `{feature}`", path.display())]
+    NotBuilt {
+        /// The target.
+        path: PathBuf,
+        /// The feature of this crate that has the format.
+        feature: &'static str,
+    },
     /// The threads.
     #[error(transparent)]
     Threads(#[from] ThreadsError),

@@ -24,7 +24,14 @@
 //! exists is overwritten. [`Picture`] draws a grid with two axes or a store of one, [`Atlas`] lists the sequences of
 //! phases that occur.
 //!
+//! The features `zarr` and `parquet`, both on by default, bring the formats; without one its targets are refused.
+//!
 //! All quantities are dimensionless, as in the core.
+
+#![cfg_attr(
+    not(any(feature = "parquet", feature = "zarr")),
+    allow(unused, reason = "without a format of files nothing calls what keeps them")
+)]
 
 mod atlas;
 mod attributes;
@@ -40,6 +47,7 @@ mod first_turn;
 mod grid;
 mod maps;
 mod options;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod picture;
 mod run;
@@ -50,6 +58,7 @@ mod store;
 mod sweep;
 mod tally;
 mod watch;
+#[cfg(feature = "zarr")]
 mod zarr;
 
 pub use atlas::{Atlas, AtlasEntry};
@@ -70,4 +79,5 @@ pub use starts::{ListError, StartList};
 pub use store::StoreError;
 pub use sweep::{ChunkView, grid_to_parquet, grid_to_zarr, list_to_parquet, sweep_grid, sweep_list};
 pub use tally::Tally;
+#[cfg(feature = "zarr")]
 pub use zarr::ZarrStore;

@@ -10,6 +10,7 @@ use crate::grid::Grid;
 use crate::options::Options;
 use crate::picture::{Picture, PictureSize, Shade};
 use crate::sweep::sweep_grid;
+#[cfg(feature = "zarr")]
 use crate::zarr::ZarrStore;
 
 impl Picture {
@@ -36,6 +37,7 @@ impl Picture {
     ///
     /// # Errors
     /// As [`Picture::new`]; a chunk that cannot be read.
+    #[cfg(feature = "zarr")]
     pub fn of_store(store: &ZarrStore, shade: Shade, size: PictureSize) -> Result<Self, SweepError> {
         let mut picture = Self::new(store.grid(), store.limits(), shade, size)?;
         for number in 0..store.chunks().count() {

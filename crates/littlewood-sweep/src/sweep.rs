@@ -12,10 +12,12 @@ use crate::destination::{Destination, Target};
 use crate::error::SweepError;
 use crate::grid::Grid;
 use crate::options::Options;
+#[cfg(feature = "parquet")]
 use crate::parquet::Table;
 use crate::run::{Report, run};
 use crate::source::{GridSource, ListSource, Source as _};
 use crate::starts::StartList;
+#[cfg(feature = "zarr")]
 use crate::zarr::Layout;
 
 /// Is called with the results of each chunk of a grid.
@@ -40,17 +42,21 @@ pub fn sweep_grid(
 ) -> Result<Report, SweepError> {
     let chunks = Chunks::new(grid, options.chunk_points);
     let description = Description::of_grid(grid, limits, chunks.shape());
+    #[cfg(feature = "parquet")]
     let table = || Table::of_grid(&description, chunks.count(), grid);
     let destinations = targets
         .iter()
-        .map(|target| {
-            Ok(match target {
-                Target::Zarr(path) => {
-                    Destination::store(path, Layout::new(grid, chunks.clone(), description.clone())?)
-                }
-                Target::Parquet(path) => Destination::file(path, table()),
-                Target::ParquetFolder(path) => Destination::store(path, table()),
-            })
+        .map(|target| match target {
+            #[cfg(feature = "zarr")]
+            Target::Zarr(path) => {
+                Ok(Destination::store(path, Layout::new(grid, chunks.clone(), description.clone())))
+            }
+            #[cfg(feature = "parquet")]
+            Target::Parquet(path) => Ok(Destination::file(path, table())),
+            #[cfg(feature = "parquet")]
+            Target::ParquetFolder(path) => Ok(Destination::store(path, table())),
+            #[cfg(not(all(feature = "parquet", feature = "zarr")))]
+            other => Err(not_built(other)),
         })
         .collect::<Result<Vec<_>, SweepError>>()?;
     let mut source = GridSource { grid, chunks: chunks.clone() };
@@ -77,16 +83,31 @@ pub fn sweep_list(
     let chunk = options.chunk_points.max(1);
     let description = Description::of_list(list, limits, chunk);
     let mut source = ListSource::new(list, chunk);
+    #[cfg(feature = "parquet")]
     let table = || Table::of_list(&description, source.count(), list);
     let destinations = targets
         .iter()
         .map(|target| match target {
             Target::Zarr(path) => Err(SweepError::ListAsZarr { path: (*path).to_owned() }),
+            #[cfg(feature = "parquet")]
             Target::Parquet(path) => Ok(Destination::file(path, table())),
+            #[cfg(feature = "parquet")]
             Target::ParquetFolder(path) => Ok(Destination::store(path, table())),
+            #[cfg(not(feature = "parquet"))]
+            other => Err(not_built(other)),
         })
         .collect::<Result<Vec<_>, SweepError>>()?;
     run(&mut source, &destinations, None, limits, workers, options)
+}
+
+/// The error about a target whose format is not in this build.
+#[cfg(not(all(feature = "parquet", feature = "zarr")))]
+fn not_built(target: &Target<'_>) -> SweepError {
+    let (path, feature) = match target {
+        Target::Zarr(path) => (path, "zarr"),
+        Target::Parquet(path) | Target::ParquetFolder(path) => (path, "parquet"),
+    };
+    SweepError::NotBuilt { path: path.to_path_buf(), feature }
 }
 
 /// [`sweep_grid`] into a Zarr store.

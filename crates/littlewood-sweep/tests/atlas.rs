@@ -2,14 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
 
-mod support;
-
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+use crate::support::{map, mixed, workers};
 use littlewood::{Hoop, HoopParameters, Limits, Quantity, Setup, Start};
 use littlewood_sweep::{Atlas, Axis, FirstTurn, Grid, Options, Stop};
-use support::{map, mixed, workers};
 
 #[test]
 fn the_counts_are_those_of_the_simulations_and_examples_have_their_sequence() {

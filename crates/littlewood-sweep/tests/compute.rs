@@ -2,14 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
 
-mod support;
-
+use crate::support::{bits, figure_2, map, mixed, reals, workers};
 use littlewood::{
     Class, Hoop, HoopParameters, Limits, OutcomeKind, Quantity, Setup, Start, SummaryColumn, SummaryValue,
 };
 use littlewood_sweep::{Axis, AxisError, Chunks, Grid};
 use proptest::prelude::*;
-use support::{bits, figure_2, map, mixed, reals, workers};
 
 #[test]
 fn the_map_of_figure_2_has_the_known_counts() {

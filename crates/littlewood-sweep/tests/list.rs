@@ -2,18 +2,15 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
 
-mod support;
-
+use crate::support;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use arrow_array::{ArrayRef, Float32Array, Float64Array, Int64Array, RecordBatch, StringArray};
-use littlewood::{Limits, Quantity, Setup};
+use crate::support::table::{Cells, Table, write_table};
+use crate::support::{figure_2, workers};
+use littlewood::{Limits, ParameterError, Quantity, Setup};
 use littlewood_sweep::{ListError, Options, StartList, SweepError, Target, list_to_parquet, sweep_list};
-use parquet::arrow::ArrowWriter;
-use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
-use support::{figure_2, workers};
+use parquet::record::Field;
 
 fn csv(folder: &Path, text: &str) -> PathBuf {
     let path = folder.join("starts.csv");
@@ -88,11 +85,8 @@ fn a_fixed_value_without_meaning_is_refused_before_anything_is_written() {
     assert!(matches!(error, ListError::Fixed { .. }), "{error}");
 }
 
-fn parquet(path: &Path, columns: Vec<(&str, ArrayRef)>) {
-    let batch = RecordBatch::try_from_iter(columns).unwrap();
-    let mut writer = ArrowWriter::try_new(fs::File::create(path).unwrap(), batch.schema(), None).unwrap();
-    writer.write(&batch).unwrap();
-    writer.close().unwrap();
+fn parquet(path: &Path, columns: &[(&str, Cells)]) {
+    write_table(path, columns, None);
 }
 
 #[test]
@@ -101,16 +95,29 @@ fn a_parquet_list_is_read_whatever_its_numbers_are() {
     let path = folder.path().join("starts.parquet");
     parquet(
         &path,
-        vec![
-            ("theta_rate", Arc::new(Int64Array::from(vec![1, 2]))),
-            ("theta", Arc::new(Float32Array::from(vec![0.5, -0.25]))),
+        &[
+            ("required int64 theta_rate", Cells::Int64(vec![1, -2])),
+            ("required float theta", Cells::Float(vec![0.5, -0.25])),
+            ("required int32 mass_ratio (integer(8, false))", Cells::Int32(vec![200, 3])),
+            ("required int64 inertia (integer(64, false))", Cells::Int64(vec![5, 4])),
+            ("optional double x", Cells::Some(vec![7.0, 8.0], vec![1, 1])),
         ],
     );
     let list = StartList::open(&path, figure_2()).unwrap();
     let points: Vec<Setup> = list.points().unwrap().map(|row| row.unwrap().1).collect();
-    let starts: Vec<(f64, f64)> =
-        points.iter().map(|point| (point.start.theta, point.start.theta_rate)).collect();
-    assert_eq!(starts, [(0.5, 1.0), (-0.25, 2.0)]);
+    let starts: Vec<(f64, f64, f64)> =
+        points.iter().map(|point| (point.start.theta, point.start.theta_rate, point.start.x)).collect();
+    assert_eq!(starts, [(0.5, 1.0, 7.0), (-0.25, -2.0, 8.0)]);
+    let hoops: Vec<(f64, f64)> =
+        points.iter().map(|point| (point.hoop.mass_ratio, point.hoop.inertia)).collect();
+    assert_eq!(hoops, [(200.0, 5.0), (3.0, 4.0)]);
+    // Without a sign the bits of −1 are 2⁶⁴ − 1, which is too much.
+    parquet(&path, &[("required int64 inertia (integer(64, false))", Cells::Int64(vec![-1]))]);
+    let error = StartList::open(&path, figure_2()).unwrap_err();
+    let ListError::BadValue { line: 1, source: ParameterError::OutOfBounds { value, .. }, .. } = error else {
+        panic!("{error}");
+    };
+    assert_eq!(value, 18_446_744_073_709_551_615.0);
 }
 
 #[test]
@@ -118,20 +125,26 @@ fn mistakes_in_parquet_are_named_with_row_and_column() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("starts.parquet");
     let open = || StartList::open(&path, figure_2()).unwrap_err();
-    parquet(&path, vec![("theta", Arc::new(Float64Array::from(vec![Some(1.0), None])))]);
+    parquet(&path, &[("optional double theta", Cells::Some(vec![1.0], vec![1, 0]))]);
     assert!(
         open().to_string().ends_with("line 2, column theta: \"null\" is not a finite number"),
         "{}",
         open()
     );
-    parquet(&path, vec![("theta", Arc::new(Float64Array::from(vec![1.0, 2.0, f64::INFINITY])))]);
+    parquet(&path, &[("required double theta", Cells::Double(vec![1.0, 2.0, f64::INFINITY]))]);
     assert!(
         open().to_string().ends_with("line 3, column theta: \"inf\" is not a finite number"),
         "{}",
         open()
     );
-    parquet(&path, vec![("theta", Arc::new(StringArray::from(vec!["1"])))]);
-    assert!(matches!(open(), ListError::NotNumbers { .. }), "{}", open());
+    for (line, cells) in [
+        ("required binary theta (utf8)", Cells::Text(vec!["1"])),
+        ("required int64 theta (timestamp(millis, true))", Cells::Int64(vec![1])),
+        ("required int32 theta (decimal(5, 2))", Cells::Int32(vec![1])),
+    ] {
+        parquet(&path, &[(line, cells)]);
+        assert!(matches!(open(), ListError::NotNumbers { .. }), "{line}: {}", open());
+    }
     fs::write(&path, "not parquet").unwrap();
     assert!(matches!(open(), ListError::BadParquet { .. }), "{}", open());
 }
@@ -148,50 +161,22 @@ fn the_table_has_the_starts_and_their_motions_in_order() {
     let out = folder.path().join("out.parquet");
     let options = Options { chunk_points: 3, ..Options::default() };
     sweep_list(&list, Limits::default(), &[Target::ParquetFolder(&out)], &workers(1), &options).unwrap();
-    let mut rows: Vec<(f64, String, String, f64, u64)> = Vec::new();
-    for part in ["part-00000.parquet", "part-00001.parquet"] {
-        let file = fs::File::open(out.join(part)).unwrap();
-        let builder = ParquetRecordBatchReaderBuilder::try_new(file).unwrap();
-        assert_eq!(builder.metadata().num_row_groups(), 1);
-        let metadata = builder.schema().field_with_name("lift_off_time").unwrap().metadata().clone();
-        assert_eq!((metadata["units"].as_str(), metadata["scale"].as_str()), ("1", "sqrt(R/g)"));
-        let metadata = builder.schema().field_with_name("outcome_code").unwrap().metadata().clone();
-        assert!(
-            metadata["flag_values"].starts_with("[0,1,") && metadata["flag_meanings"].starts_with("landing ")
-        );
-        let run = builder.metadata().file_metadata().key_value_metadata().unwrap();
-        let run = run.iter().find(|entry| entry.key == "littlewood_run").unwrap().value.clone().unwrap();
-        let run: serde_json::Value = serde_json::from_str(&run).unwrap();
+    let tables = ["part-00000.parquet", "part-00001.parquet"].map(|part| Table::read(&out.join(part)));
+    for table in &tables {
+        assert_eq!(table.groups, 1);
+        let run: serde_json::Value = serde_json::from_str(table.entry("littlewood_run")).unwrap();
         assert_eq!(run["base"]["mu_s"], 0.5);
-        for batch in builder.build().unwrap() {
-            let batch = batch.unwrap();
-            let text = |name: &str| {
-                arrow_cast::cast(batch.column_by_name(name).unwrap(), &arrow_schema::DataType::Utf8).unwrap()
-            };
-            let number = |name: &str| {
-                batch.column_by_name(name).unwrap().as_any().downcast_ref::<Float64Array>().unwrap().clone()
-            };
-            let (outcome, sequence) = (text("outcome"), text("sequence"));
-            let words = |array: &ArrayRef, i: usize| {
-                array.as_any().downcast_ref::<StringArray>().unwrap().value(i).to_owned()
-            };
-            let code = batch.column_by_name("sequence_code").unwrap().clone();
-            let code = code.as_any().downcast_ref::<arrow_array::UInt64Array>().unwrap().clone();
-            for i in 0..batch.num_rows() {
-                rows.push((
-                    number("theta").value(i),
-                    words(&outcome, i),
-                    words(&sequence, i),
-                    number("lift_off_time").value(i),
-                    code.value(i),
-                ));
-            }
-        }
     }
-    let told: Vec<(f64, &str, &str)> = rows
+    let rows: Vec<(f64, String, String)> = tables
         .iter()
-        .map(|(theta, outcome, sequence, ..)| (*theta, outcome.as_str(), sequence.as_str()))
+        .flat_map(|table| {
+            let words = table.words("outcome").into_iter().zip(table.words("sequence"));
+            let rows = table.reals("theta").into_iter().zip(words);
+            rows.map(|(theta, (outcome, sequence))| (theta, outcome, sequence))
+        })
         .collect();
+    let told: Vec<(f64, &str, &str)> =
+        rows.iter().map(|(theta, outcome, sequence)| (*theta, outcome.as_str(), sequence.as_str())).collect();
     assert_eq!(
         told,
         [
@@ -201,10 +186,10 @@ fn the_table_has_the_starts_and_their_motions_in_order() {
             (3.1, "rolls_forever", "R"),
         ]
     );
-    assert!((rows[0].3 - 1.518_670_213_819_437).abs() < 1e-13);
+    assert!((tables[0].reals("lift_off_time")[0] - 1.518_670_213_819_437).abs() < 1e-13);
     // - is 2, R is 1, + is 3, F is 7: four bits each, the first lowest.
-    assert_eq!(rows[0].4, 0x7312);
-    assert!(rows[3].3.is_nan());
+    assert_eq!(tables[0].column("sequence_code")[0], &Field::ULong(0x7312));
+    assert!(tables[1].reals("lift_off_time")[0].is_nan());
 }
 
 #[test]
@@ -219,12 +204,6 @@ fn a_file_that_changes_after_it_was_opened_is_an_error() {
     assert!(matches!(error, SweepError::List(ListError::Changed { .. })), "{error}");
 }
 
-fn table(path: &Path) -> RecordBatch {
-    let reader = ParquetRecordBatchReaderBuilder::try_new(fs::File::open(path).unwrap()).unwrap();
-    let rows = usize::try_from(reader.metadata().file_metadata().num_rows()).unwrap();
-    reader.with_batch_size(rows).build().unwrap().next().unwrap().unwrap()
-}
-
 #[test]
 fn one_file_has_the_rows_of_all_chunks_in_order() {
     let folder = tempfile::tempdir().unwrap();
@@ -234,13 +213,10 @@ fn one_file_has_the_rows_of_all_chunks_in_order() {
     let out = folder.path().join("out.parquet");
     let options = Options { chunk_points: 20, ..Options::default() };
     list_to_parquet(&list, Limits::until(5.0), &out, &workers(2), &options).unwrap();
-    let whole = table(&out);
-    let theta = whole.column_by_name("theta").unwrap();
-    let theta = theta.as_any().downcast_ref::<Float64Array>().unwrap();
+    let whole = Table::read(&out);
     let expected: Vec<f64> = (0..95).map(|i| format!("{}", 0.1 * f64::from(i)).parse().unwrap()).collect();
-    assert_eq!(theta.values(), &expected[..]);
-    let builder = ParquetRecordBatchReaderBuilder::try_new(fs::File::open(&out).unwrap()).unwrap();
-    assert_eq!(builder.metadata().num_row_groups(), 5);
+    assert_eq!(whole.reals("theta"), expected);
+    assert_eq!(whole.groups, 5);
     assert!(!support::parts(&out).exists());
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
 }
@@ -253,11 +229,8 @@ fn a_list_may_say_where_and_when_its_starts_are() {
     let list = StartList::open(&path, figure_2()).unwrap();
     let out = folder.path().join("out.parquet");
     list_to_parquet(&list, Limits::until(50.0), &out, &workers(1), &Options::default()).unwrap();
-    let whole = table(&out);
-    let column = |name: &str| -> Vec<f64> {
-        let column = whole.column_by_name(name).unwrap();
-        column.as_any().downcast_ref::<Float64Array>().unwrap().values().to_vec()
-    };
+    let whole = Table::read(&out);
+    let column = |name: &str| whole.reals(name);
     assert_eq!((column("time"), column("x")), (vec![0.0, 3.0], vec![0.0, -5.0]));
     let (lift_off, end) = (column("lift_off_time"), column("end_x"));
     assert!((lift_off[1] - lift_off[0] - 3.0).abs() < 1e-13 && (end[1] - end[0] + 5.0).abs() < 1e-13);

@@ -2,14 +2,12 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
 
-mod support;
-
 use std::f64::consts::PI;
 
+use crate::support::{figure_2, map, workers};
 use littlewood::{Class, Limits, Quantity, SummaryColumn};
 use littlewood_style::{Theme, of_class};
 use littlewood_sweep::{Axis, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError};
-use support::{figure_2, map, workers};
 
 fn draw(grid: &Grid, shade: Shade, size: PictureSize) -> (Picture, Vec<u8>) {
     let picture =

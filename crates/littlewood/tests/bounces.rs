@@ -2,9 +2,7 @@
 //! hoops.
 #![allow(clippy::panic)] // a failed expectation
 
-mod common;
-
-use common::{heavy_hoop, heavy_motion, instants, moderate_hoop, start};
+use crate::common::{heavy_hoop, heavy_motion, instants, moderate_hoop, start};
 use littlewood::{
     BodyClass, BouncingOrbit, Cause, Hoop, HoopParameters, Limits, Mode, NoSettling, Outcome, OutcomeKind,
     PhaseSolution, Restitution, RestitutionLaw, Start, State, Trajectory, find_case, find_edge,

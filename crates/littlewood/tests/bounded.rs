@@ -1,6 +1,6 @@
 //! No call hangs: random hoops, starts and limits over the whole ranges of the quantities, each in bounded time.
 //!
-//! `LITTLEWOOD_CALLS=100000 cargo test --release -p littlewood --test bounded -- --nocapture` follows so many and prints how
+//! `LITTLEWOOD_CALLS=100000 cargo test --release -p littlewood bounded:: -- --nocapture` follows so many and prints how
 //! long they took; `LITTLEWOOD_FIRST_CALL` is the number of the first.
 #![allow(clippy::panic)] // a failed expectation
 

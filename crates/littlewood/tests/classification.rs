@@ -1,8 +1,6 @@
 //! What `classify` says begins is what the simulation begins with.
 
-mod common;
-
-use common::{heavy_motion, massless_hoop, start};
+use crate::common::{heavy_motion, massless_hoop, start};
 use littlewood::{Hoop, Limits, Mode, OutcomeKind, Proof, Start, StartRegion};
 use proptest::prelude::*;
 

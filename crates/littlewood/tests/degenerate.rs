@@ -1,11 +1,9 @@
 //! Starts on a boundary, at rest, on a vertical, without offset, friction or (nearly) inertia; and bad parameters.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
-mod common;
-
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use common::{boundary_start, heavy_hoop, simulate};
+use crate::common::{boundary_start, heavy_hoop, simulate};
 use littlewood::{
     Bound, Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, PhasePlane,
     PhaseSolution, Proof, Quantity, Recurrence, RestitutionLaw, Setup, Start, StartRegion, Trajectory,

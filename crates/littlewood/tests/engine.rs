@@ -2,11 +2,9 @@
 
 #![allow(clippy::panic)] // a failed comparison
 
-mod common;
-
 use std::f64::consts::PI;
 
-use common::{heavy_motion, massless_hoop, moderate_hoop, start};
+use crate::common::{heavy_motion, massless_hoop, moderate_hoop, start};
 use littlewood::{
     ColumnType, Engine, Hoop, HoopParameters, Limits, OutcomeKind, PhaseSequence, Restitution,
     RestitutionLaw, Start, Summary, SummaryColumn, SummaryValue, Trajectory,

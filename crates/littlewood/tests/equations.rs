@@ -2,9 +2,7 @@
 //! equation of motion by finite differences.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
-mod common;
-
-use common::{heavy_hoop, heavy_motion, instants, massless_hoop, moderate_hoop, simulate, start};
+use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, moderate_hoop, simulate, start};
 use littlewood::{
     Body, Direction, Hoop, PhasePlane, PhaseSolution, RollingLaw, RollingOrbit, SlidingLaw, Start,
     gliding_accelerations,

@@ -2,9 +2,7 @@
 //! and energy; its mirror image; and numbers computed with 40 digits.
 #![allow(clippy::panic)] // a failed expectation
 
-mod common;
-
-use common::heavy_hoop;
+use crate::common::heavy_hoop;
 use littlewood::{
     Body, Hoop, HoopParameters, Impact, ImpactCase, ImpactError, Outcome, Quantity, Restitution,
     RestitutionLaw, Start, State, find_case,

@@ -3,9 +3,7 @@
 //! which its mode is the motion. A missed event breaks the latter.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
-mod common;
-
-use common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start};
+use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start};
 use littlewood::{
     Body, Cause, Direction, GlidingIntegrals, Hoop, Mode, Outcome, Phase, PhaseSolution, Sample, SlidingLaw,
     Start, Trajectory,

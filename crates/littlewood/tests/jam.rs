@@ -1,9 +1,7 @@
 //! Painlevé's jam: where a slide runs into P = 0 with slip left, and how the motion goes on by an impact without a collision.
 #![allow(clippy::panic)] // a failed expectation
 
-mod common;
-
-use common::start;
+use crate::common::start;
 use littlewood::{
     Body, Cause, Hoop, HoopParameters, ImpactCase, Limits, Mode, Outcome, OutcomeKind, Restitution,
     RestitutionLaw, SlidingLaw, Start, Trajectory,

@@ -1,8 +1,7 @@
 //! What is proved about endless motions, against the motions themselves, followed without proofs.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
-mod common;
-
+use crate::common;
 use std::f64::consts::PI;
 
 use littlewood::{

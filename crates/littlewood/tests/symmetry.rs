@@ -1,9 +1,7 @@
 //! The plane has no left or right, and conservative motions no direction of time.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
-mod common;
-
-use common::{heavy_motion, massless_hoop, moderate_hoop, simulate, start};
+use crate::common::{heavy_motion, massless_hoop, moderate_hoop, simulate, start};
 use littlewood::{
     Hoop, Limits, Mode, Outcome, Restitution, RestitutionLaw, RollingOrbit, Start, State, Trajectory,
 };

@@ -188,13 +188,12 @@ fn columns_of_a_summary_can_be_read_and_set() {
 /// A hula hoop of 0.4 kg and 0.45 m with 0.14 kg on its rim.
 fn hula_hoop(quantity: Quantity) -> Option<f64> {
     Some(match quantity {
-        Quantity::DiscMassKg => 0.4,
+        Quantity::DiscMassKg | Quantity::MuK => 0.4,
         Quantity::ParticleMassKg => 0.14,
         Quantity::RadiusM | Quantity::OffsetM => 0.45,
         Quantity::InertiaKgM2 => 0.081,
         Quantity::GravityMPerS2 => 9.8,
         Quantity::MuS => 0.5,
-        Quantity::MuK => 0.4,
         Quantity::Theta => 1.2,
         Quantity::ThetaRateRadPerS => 6.0,
         Quantity::TimeS | Quantity::SlipMPerS | Quantity::GapRateMPerS => 0.0,

@@ -1,5 +1,7 @@
 //! Arguments of `littlewood lab`.
 
+use std::path::PathBuf;
+
 use clap::Args;
 
 pub(super) const LAB: &str = "\
@@ -7,7 +9,8 @@ Serve the laboratory on 127.0.0.1 and open it in the browser: drag a start on th
 slide and jump.
 
 Nothing leaves this machine, and no other machine can ask: requests for another host name are refused. Ctrl-C ends it. \
-The page is part of the program if it was built before the program was (web/build.sh, which needs node).";
+The page is part of a released program, and of one that was built after the page. Another is given its page with --page, or builds \
+it when it is called in the sources of the project (web/build.sh, which needs node).";
 
 /// Arguments of `littlewood lab`.
 #[derive(Debug, Args)]
@@ -15,6 +18,9 @@ pub(crate) struct LabArgs {
     /// Port to listen on; 0 takes a free one
     #[arg(long, value_name = "PORT", default_value_t = 0)]
     pub(crate) port: u16,
+    /// Folder of a built page to serve instead
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) page: Option<PathBuf>,
     /// Do not open a browser, only say where the laboratory is
     #[arg(long)]
     pub(crate) no_open: bool,

@@ -1,29 +1,47 @@
 //! The command line as it is typed. [`crate::problem`] combines it with a case and a scenario file.
 
+#[cfg(feature = "film")]
 mod animate;
+#[cfg(feature = "figures")]
 mod figures;
+#[cfg(feature = "lab")]
 mod lab;
 mod negative;
+mod not_built;
 mod problem;
 mod quantity;
 mod sweep;
 
+#[cfg(feature = "film")]
 pub(crate) use animate::{AnimateArgs, Bar, Camera};
+#[cfg(feature = "figures")]
 pub(crate) use figures::{FigureFormat, FiguresArgs};
+#[cfg(feature = "lab")]
 pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;
+#[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
+pub(crate) use not_built::NotBuiltArgs;
 pub(crate) use problem::{MAX_TRANSITIONS, ProblemArgs, RunArgs, number};
-pub(crate) use sweep::{AtlasArgs, MapArgs, SweepArgs, WorkArgs, size};
+#[cfg(feature = "film")]
+pub(crate) use sweep::size;
+#[cfg(feature = "sweep")]
+pub(crate) use sweep::{AtlasArgs, SweepArgs};
+pub(crate) use sweep::{MapArgs, WorkArgs};
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+#[cfg(feature = "film")]
 use self::animate::{ANIMATE, ANIMATE_EXAMPLES};
+#[cfg(feature = "figures")]
 use self::figures::{FIGURES, FIGURES_EXAMPLES};
+#[cfg(feature = "lab")]
 use self::lab::LAB;
-use self::sweep::{ATLAS, ATLAS_EXAMPLES, MAP_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
+use self::sweep::MAP_EXAMPLES;
+#[cfg(feature = "sweep")]
+use self::sweep::{ATLAS, ATLAS_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
 
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
 ///
@@ -63,20 +81,45 @@ pub(crate) enum Command {
     #[command(long_about = sweep::map(), after_help = MAP_EXAMPLES)]
     Map(Box<MapArgs>),
     /// Follow the starts of a grid with any number of axes, or of a list
+    #[cfg(feature = "sweep")]
     #[command(long_about = SWEEP, after_help = SWEEP_EXAMPLES)]
     Sweep(Box<SweepArgs>),
+    /// Follow the starts of a grid with any number of axes, or of a list (not in this program: feature `sweep`)
+    #[cfg(not(feature = "sweep"))]
+    #[command(disable_help_flag = true)]
+    Sweep(NotBuiltArgs),
     /// Count the sequences of phases that occur on a grid of starts, with an example of each
+    #[cfg(feature = "sweep")]
     #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
     Atlas(Box<AtlasArgs>),
+    /// Count the sequences of phases that occur on a grid of starts, with an example of each (not in this program: feature `sweep`)
+    #[cfg(not(feature = "sweep"))]
+    #[command(disable_help_flag = true)]
+    Atlas(NotBuiltArgs),
     /// Draw the figures of the paper, and more, of its hoops or of any other
+    #[cfg(feature = "figures")]
     #[command(long_about = FIGURES, after_help = FIGURES_EXAMPLES)]
     Figures(Box<FiguresArgs>),
+    /// Draw the figures of the paper, and more, of its hoops or of any other (not in this program: feature `figures`)
+    #[cfg(not(feature = "figures"))]
+    #[command(disable_help_flag = true)]
+    Figures(NotBuiltArgs),
     /// Make a film of a motion: GIF, APNG or MP4
+    #[cfg(feature = "film")]
     #[command(long_about = ANIMATE, after_help = ANIMATE_EXAMPLES)]
     Animate(Box<AnimateArgs>),
+    /// Make a film of a motion: GIF, APNG or MP4 (not in this program: feature `film`)
+    #[cfg(not(feature = "film"))]
+    #[command(disable_help_flag = true)]
+    Animate(NotBuiltArgs),
     /// Open the laboratory in the browser: drag a start and watch the hoop
+    #[cfg(feature = "lab")]
     #[command(long_about = LAB)]
     Lab(LabArgs),
+    /// Open the laboratory in the browser: drag a start and watch the hoop (not in this program: feature `lab`)
+    #[cfg(not(feature = "lab"))]
+    #[command(disable_help_flag = true)]
+    Lab(NotBuiltArgs),
 }
 
 const SIMULATE: &str = "\

@@ -26,11 +26,11 @@ An axis is NAME=FROM:TO:COUNT, both ends included; NAME is one of {}, and FROM a
 varies comes from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless a scenario says \
 otherwise.
 
---out takes a Zarr v3 store (.zarr), a Parquet file (.parquet) or a picture (.png), once for each that is wanted; every \
-motion is followed once. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
+--out takes a picture (.png), a text (.csv, .json), a Zarr v3 store (.zarr) or a Parquet file (.parquet), once for each that is \
+wanted; every motion is followed once. Stores and Parquet need the feature `sweep`; a text has 1,048,576 starts at most. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
 table. Results are written chunk by chunk. Ctrl-C leaves what is finished, and --resume goes on from \
 there: a store can be read at any time, a table is in NAME.parquet.parts until it is complete, and a picture that is not \
-complete is NAME.partial.png. A picture alone is not resumed.",
+complete is NAME.partial.png (a text NAME.partial.csv). A picture or a text alone is not resumed.",
         names(Quantity::AXES.to_vec(), "and"),
         names(si_quantities().collect(), "or"),
     )
@@ -42,6 +42,7 @@ Examples:
   littlewood map figure-3 --x theta=-pi:pi:500 --y mu_s=0.4:2:500 --out jumps.png --shade jump_length
   littlewood map --scenario hoop.toml --x theta=-pi:pi:500 --y theta_rate_rad_per_s=0:20:500 --out hoop.png";
 
+#[cfg(feature = "sweep")]
 pub(super) const SWEEP: &str = "\
 Follow the starts of a grid with any number of axes (see `littlewood map --help`), the last running fastest, or of a \
 list.
@@ -52,11 +53,13 @@ store (.zarr); the rows of a table are in the order of the list. With more than 
 of files, which readers take as one table. Ctrl-C leaves what is finished, and --resume goes on from \
 there; until a table is complete it is in NAME.parquet.parts.";
 
+#[cfg(feature = "sweep")]
 pub(super) const SWEEP_EXAMPLES: &str = "\
 Examples:
   littlewood sweep figure-3 --axis mu_s=0.4:1:7 --axis theta=-pi:pi:100 --axis theta_rate=-4:4:100 --out grid.zarr
   littlewood sweep figure-3 --starts starts.csv --out motions.parquet";
 
+#[cfg(feature = "sweep")]
 pub(super) const ATLAS: &str = "\
 Count the sequences of phases that occur on a grid of starts, with an example of each.
 
@@ -68,6 +71,7 @@ With --first-turn a motion is followed as Theron and Maritz do (2008): from the 
 revolution, to the instant when theta' changes sign, or to lift-off; the grid is then theta_rate=0.01:2:200 and \
 mu_s=0.01:2:200.";
 
+#[cfg(feature = "sweep")]
 pub(super) const ATLAS_EXAMPLES: &str = "\
 Examples:
   littlewood atlas figure-3
@@ -101,6 +105,7 @@ pub(crate) struct MapArgs {
 }
 
 /// Arguments of `littlewood sweep`.
+#[cfg(feature = "sweep")]
 #[derive(Debug, Args)]
 pub(crate) struct SweepArgs {
     /// An axis of the grid; give one or more, the slowest first
@@ -121,6 +126,7 @@ pub(crate) struct SweepArgs {
 }
 
 /// Arguments of `littlewood atlas`.
+#[cfg(feature = "sweep")]
 #[derive(Debug, Args)]
 pub(crate) struct AtlasArgs {
     /// An axis of the grid; give one or more

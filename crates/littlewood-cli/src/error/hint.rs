@@ -1,15 +1,75 @@
 //! What to do about the errors of the other crates.
 
+#[cfg(feature = "sweep")]
+use littlewood::Quantity;
+#[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
 use littlewood_sweep::{AxisError, ListError, PictureError, StoreError, SweepError};
 
+use super::Error;
+
+/// What to do about a failure, where there is something.
+#[allow(clippy::match_same_arms, reason = "an attribute holds for a whole arm")]
+pub(super) fn of(error: &Error) -> Option<String> {
+    let hint = match error {
+        Error::Value { error } | Error::ScenarioValue { error, .. } => error.hint().to_owned(),
+        Error::Scenario { help, .. } => help.clone(),
+        Error::UnknownCase { hint, .. }
+        | Error::Mixed { hint, .. }
+        | Error::Out { hint, .. }
+        | Error::UnknownShade { hint, .. }
+        | Error::Interrupted { hint, .. } => hint.clone(),
+        #[cfg(feature = "figures")]
+        Error::UnknownFigure { hint, .. } => hint.clone(),
+        #[cfg(feature = "lab")]
+        Error::NoPage { hint, .. } => hint.clone(),
+        Error::Missing { flags, .. } => format!(
+            "give {}, or start from a case (`littlewood cases` lists them) or a scenario file (--scenario)",
+            flags.join(", ")
+        ),
+        Error::Unreadable { .. } => "--scenario takes the path of a TOML file in UTF-8".to_owned(),
+        Error::Unwritable { .. } => {
+            "--out takes the path of a file in a folder that exists and can be written to".to_owned()
+        }
+        Error::WriteFile { .. } => "what stood there before has not been touched".to_owned(),
+        Error::Sweep(error) => of_sweep(error),
+        #[cfg(feature = "sweep")]
+        Error::Hoop { source, .. } => of_axis(source),
+        #[cfg(feature = "sweep")]
+        Error::HoopColumn { .. } => format!(
+            "columns of --hoops are those of {} that no --axis varies",
+            Quantity::HOOP.map(Quantity::name).join(", ")
+        ),
+        #[cfg(feature = "figures")]
+        Error::Figure(error) => of_figure(error),
+        Error::Stopped => {
+            "files that were not finished are removed; what had been finished before is kept".to_owned()
+        }
+        Error::NotBuilt { feature, .. } => format!(
+            "in the sources, `cargo run --release --features {feature} -- …` builds it with the feature, and \
+             `--all-features` with all of them; released programs have them all"
+        ),
+        #[cfg(feature = "lab")]
+        Error::Port { .. } => "give another --port, or leave the flag out for a free one".to_owned(),
+        #[cfg(feature = "film")]
+        Error::Film(error) => error.hint().to_owned(),
+        Error::Write { .. } | Error::ClosedPipe => return None,
+    };
+    Some(hint)
+}
+
 /// What to do about a figure that cannot be made.
-pub(super) fn of_figure(error: &FigureError) -> String {
+#[cfg(feature = "figures")]
+fn of_figure(error: &FigureError) -> String {
     match error {
         FigureError::NeedsInertia { .. } => "give --mass-ratio or --inertia above 0, or leave the figure out",
         FigureError::NeedsMassless { .. } => "give --mass-ratio 0 and --inertia 0, or leave the figure out",
         FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
         FigureError::NeedsOffset { .. } => "give --offset above 0",
+        FigureError::NeedsStaticFriction { .. } => "give --mu-s above 0, or leave the figure out",
+        FigureError::NoContact { .. } => {
+            "give a start at which the hoop stays on the plane, or leave the figure out"
+        }
         FigureError::NoMotion { .. } => {
             "give another start; `littlewood classify` says what there is at this one"
         }
@@ -27,7 +87,7 @@ pub(super) fn of_figure(error: &FigureError) -> String {
 }
 
 /// What to do about an error of a sweep.
-pub(super) fn of_sweep(error: &SweepError) -> String {
+fn of_sweep(error: &SweepError) -> String {
     match error {
         SweepError::Axis(error) => of_axis(error),
         SweepError::Parameter(error) => error.hint().to_owned(),
@@ -35,6 +95,7 @@ pub(super) fn of_sweep(error: &SweepError) -> String {
         SweepError::ListAsZarr { .. } => "a list goes to a table: give --out NAME.parquet".to_owned(),
         SweepError::Store(error) => of_store(error).to_owned(),
         SweepError::Picture(error) => of_picture(error).to_owned(),
+        SweepError::NotBuilt { .. } => "give a name that ends in another format".to_owned(),
         SweepError::Threads(_) => "give fewer --threads, or leave the flag out".to_owned(),
     }
 }
@@ -43,6 +104,7 @@ fn of_list(error: &ListError) -> String {
     match error {
         ListError::BadValue { source, .. } | ListError::Fixed { source, .. } => source.hint().to_owned(),
         ListError::Changed { .. } => "give the command again when nothing writes to the list".to_owned(),
+        ListError::NotBuilt { .. } => "give the list as CSV".to_owned(),
         ListError::Unreadable { .. }
         | ListError::UnknownFormat { .. }
         | ListError::UnknownColumn { .. }
@@ -60,7 +122,7 @@ fn of_list(error: &ListError) -> String {
 }
 
 /// What to do about an error of an axis.
-pub(super) fn of_axis(error: &AxisError) -> String {
+fn of_axis(error: &AxisError) -> String {
     match error {
         AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().to_owned(),
         AxisError::TooMany => "take fewer points".to_owned(),

@@ -1,65 +1,59 @@
 //! Failures of the command line, as messages and as exit codes.
 
+mod excerpt;
 mod hint;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use anstyle::{AnsiColor, Style};
-use littlewood::{ParameterError, Quantity};
+use littlewood::ParameterError;
+#[cfg(feature = "sweep")]
+use littlewood::Quantity;
+#[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
+#[cfg(feature = "film")]
 use littlewood_film::FilmError;
-use littlewood_sweep::{AxisError, PictureError, StoreError, SweepError};
-use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, NamedSource, SourceSpan};
+#[cfg(feature = "sweep")]
+use littlewood_sweep::AxisError;
+use littlewood_sweep::{PictureError, StoreError, SweepError};
 use thiserror::Error;
 
 use crate::BAD_INPUT;
+use crate::feature::Feature;
 use crate::interrupt::STOPPED;
 
-use hint::{of_axis, of_figure, of_sweep};
+pub(crate) use excerpt::Excerpt;
 
 /// A failure of the command line. No physical outcome is a failure.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
 pub(crate) enum Error {
     /// A value has no physical meaning.
     #[error("{error}")]
-    #[diagnostic(help("{}", error.hint()))]
     Value {
         /// The value and its bound.
         error: ParameterError,
     },
     /// A value in a scenario file has no physical meaning.
     #[error("{error}")]
-    #[diagnostic(help("{}", error.hint()))]
     ScenarioValue {
         /// The value and its bound.
         error: ParameterError,
-        /// The file.
-        #[source_code]
-        source_code: Arc<NamedSource<String>>,
         /// The value in the file.
-        #[label("out of bounds")]
-        span: SourceSpan,
+        excerpt: Excerpt,
     },
     /// A scenario file that is malformed.
     #[error("{message}")]
-    #[diagnostic(help("{help}"))]
     Scenario {
         /// What is wrong.
         message: String,
         /// What to do.
         help: String,
-        /// The file.
-        #[source_code]
-        source_code: Arc<NamedSource<String>>,
         /// Where.
-        #[label("here")]
-        span: SourceSpan,
+        excerpt: Excerpt,
     },
     /// No case has this name.
     #[error("there is no case named '{name}'")]
-    #[diagnostic(help("{hint}"))]
     UnknownCase {
         /// The name that was given.
         name: String,
@@ -68,10 +62,6 @@ pub(crate) enum Error {
     },
     /// Values that have no default.
     #[error("missing: {}", names.join(", "))]
-    #[diagnostic(help(
-        "give {}, or start from a case (`littlewood cases` lists them) or a scenario file (--scenario)",
-        flags.join(", ")
-    ))]
     Missing {
         /// The names of the quantities.
         names: Vec<String>,
@@ -80,7 +70,6 @@ pub(crate) enum Error {
     },
     /// SI and dimensionless values side by side.
     #[error("{plain} has no dimension, {si} is in SI units: the two do not go together")]
-    #[diagnostic(help("{hint}"))]
     Mixed {
         /// The dimensionless quantity.
         plain: String,
@@ -91,7 +80,6 @@ pub(crate) enum Error {
     },
     /// A scenario file that cannot be read.
     #[error("cannot read the scenario {}: {source}", path.display())]
-    #[diagnostic(help("--scenario takes the path of a TOML file in UTF-8"))]
     Unreadable {
         /// Its path.
         path: PathBuf,
@@ -100,7 +88,6 @@ pub(crate) enum Error {
     },
     /// A file for the output that cannot be written to.
     #[error("cannot write to {}: {source}", path.display())]
-    #[diagnostic(help("--out takes the path of a file in a folder that exists and can be written to"))]
     Unwritable {
         /// Its path.
         path: PathBuf,
@@ -109,7 +96,6 @@ pub(crate) enum Error {
     },
     /// Writing has failed on the way.
     #[error("writing to {target} failed: {source}")]
-    #[diagnostic(help("what stood there before has not been touched"))]
     WriteFile {
         /// The file.
         target: String,
@@ -126,11 +112,10 @@ pub(crate) enum Error {
     },
     /// A sweep that cannot be done, or not be written.
     #[error("{0}")]
-    #[diagnostic(help("{}", of_sweep(.0)))]
     Sweep(Box<SweepError>),
     /// A row of a list of hoops whose parameters, together with the axes, are invalid.
+    #[cfg(feature = "sweep")]
     #[error("{}, line {line}: {source}", path.display())]
-    #[diagnostic(help("{}", of_axis(.source)))]
     Hoop {
         /// The list.
         path: PathBuf,
@@ -140,11 +125,8 @@ pub(crate) enum Error {
         source: Box<AxisError>,
     },
     /// A column that a list of hoops cannot have.
+    #[cfg(feature = "sweep")]
     #[error("{}: column {column} {reason}", path.display())]
-    #[diagnostic(help(
-        "columns of --hoops are those of {} that no --axis varies",
-        Quantity::HOOP.map(Quantity::name).join(", ")
-    ))]
     HoopColumn {
         /// The list.
         path: PathBuf,
@@ -155,7 +137,6 @@ pub(crate) enum Error {
     },
     /// An `--out` that the command does not know what to do with.
     #[error("--out {}: {reason}", path.display())]
-    #[diagnostic(help("{hint}"))]
     Out {
         /// The path.
         path: PathBuf,
@@ -166,7 +147,6 @@ pub(crate) enum Error {
     },
     /// A column that a picture cannot show.
     #[error("--shade {name}: there is no such column")]
-    #[diagnostic(help("{hint}"))]
     UnknownShade {
         /// The name that was given.
         name: String,
@@ -174,8 +154,8 @@ pub(crate) enum Error {
         hint: String,
     },
     /// No figure has this name.
+    #[cfg(feature = "figures")]
     #[error("there is no figure named '{name}'")]
-    #[diagnostic(help("{hint}"))]
     UnknownFigure {
         /// The name that was given.
         name: String,
@@ -183,12 +163,11 @@ pub(crate) enum Error {
         hint: String,
     },
     /// A figure that cannot be made.
+    #[cfg(feature = "figures")]
     #[error("{0}")]
-    #[diagnostic(help("{}", of_figure(.0)))]
     Figure(FigureError),
     /// Ctrl-C.
     #[error("stopped after {done} of {total} starts")]
-    #[diagnostic(help("{hint}"))]
     Interrupted {
         /// Starts that are done.
         done: u64,
@@ -199,17 +178,27 @@ pub(crate) enum Error {
     },
     /// Ctrl-C, or another signal that asks the program to end, in work that cannot be gone on with.
     #[error("stopped")]
-    #[diagnostic(help("files that were not finished are removed; what had been finished before is kept"))]
     Stopped,
-    /// The program was built without the laboratory.
-    #[error("this program was built without the laboratory")]
-    #[diagnostic(help(
-        "in the sources, `web/build.sh` makes the page (it needs node); build the program again after it"
-    ))]
-    NoLab,
+    /// Something that a feature of this package brings, and this program was built without it.
+    #[error("{what} is not in this program: it was built without the feature `{feature}`")]
+    NotBuilt {
+        /// What was asked for.
+        what: String,
+        /// The feature.
+        feature: Feature,
+    },
+    /// There is no page to serve.
+    #[cfg(feature = "lab")]
+    #[error("{reason}")]
+    NoPage {
+        /// Why.
+        reason: String,
+        /// How to get one.
+        hint: String,
+    },
     /// A port that cannot be listened on.
+    #[cfg(feature = "lab")]
     #[error("cannot listen on port {port} of 127.0.0.1: {source}")]
-    #[diagnostic(help("give another --port, or leave the flag out for a free one"))]
     Port {
         /// The port that was asked for.
         port: u16,
@@ -217,8 +206,8 @@ pub(crate) enum Error {
         source: io::Error,
     },
     /// A film that cannot be made, or not be written.
+    #[cfg(feature = "film")]
     #[error("{0}")]
-    #[diagnostic(help("{}", .0.hint()))]
     Film(FilmError),
     /// The reader of the output has closed the pipe.
     #[error("the reader has closed the pipe")]
@@ -226,22 +215,26 @@ pub(crate) enum Error {
 }
 
 impl Error {
+    #[allow(clippy::match_same_arms, reason = "an attribute holds for a whole arm")]
     /// 2 for bad input, 1 for a failure to write, 0 where a reader has left.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
             Self::ClosedPipe => 0,
-            Self::Write { .. }
-            | Self::WriteFile { .. }
-            | Self::NoLab
-            | Self::Port { .. }
-            | Self::Figure(FigureError::Drawing(_))
-            | Self::Film(
+            Self::Write { .. } | Self::WriteFile { .. } => 1,
+            #[cfg(feature = "lab")]
+            Self::NoPage { .. } | Self::Port { .. } => 1,
+            #[cfg(feature = "figures")]
+            Self::Figure(FigureError::Drawing(_)) => 1,
+            #[cfg(feature = "film")]
+            Self::Film(
                 FilmError::Write(_)
                 | FilmError::Encoding { .. }
                 | FilmError::NoFfmpeg { .. }
                 | FilmError::Ffmpeg { .. },
             ) => 1,
-            Self::Interrupted { .. } | Self::Stopped | Self::Film(FilmError::Stopped { .. }) => STOPPED,
+            Self::Interrupted { .. } | Self::Stopped => STOPPED,
+            #[cfg(feature = "film")]
+            Self::Film(FilmError::Stopped { .. }) => STOPPED,
             Self::Sweep(error) if is_of_the_system(error) => 1,
             Self::Value { .. }
             | Self::ScenarioValue { .. }
@@ -252,13 +245,28 @@ impl Error {
             | Self::Unreadable { .. }
             | Self::Unwritable { .. }
             | Self::Sweep(_)
-            | Self::Hoop { .. }
-            | Self::HoopColumn { .. }
             | Self::Out { .. }
             | Self::UnknownShade { .. }
-            | Self::UnknownFigure { .. }
-            | Self::Figure(_)
-            | Self::Film(_) => BAD_INPUT,
+            | Self::NotBuilt { .. } => BAD_INPUT,
+            #[cfg(feature = "sweep")]
+            Self::Hoop { .. } | Self::HoopColumn { .. } => BAD_INPUT,
+            #[cfg(feature = "figures")]
+            Self::UnknownFigure { .. } | Self::Figure(_) => BAD_INPUT,
+            #[cfg(feature = "film")]
+            Self::Film(_) => BAD_INPUT,
+        }
+    }
+
+    /// What to do.
+    fn hint(&self) -> Option<String> {
+        hint::of(self)
+    }
+
+    /// The place in a file that it is about.
+    const fn excerpt(&self) -> Option<&Excerpt> {
+        match self {
+            Self::ScenarioValue { excerpt, .. } | Self::Scenario { excerpt, .. } => Some(excerpt),
+            _ => None,
         }
     }
 
@@ -272,23 +280,20 @@ impl Error {
     }
 
     fn render(&self) -> String {
-        if self.source_code().is_some() {
-            let mut text = String::new();
-            let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode()).with_links(false);
-            if handler.render_report(&mut text, self).is_ok() {
-                return text;
-            }
-        }
         let red = Style::new().bold().fg_color(Some(AnsiColor::Red.into()));
         let cyan = Style::new().bold().fg_color(Some(AnsiColor::Cyan.into()));
         let mut text = format!("{red}error:{red:#} {self}\n");
-        if let Some(hint) = self.help() {
+        if let Some(excerpt) = self.excerpt() {
+            text.push_str(&excerpt.render());
+        }
+        if let Some(hint) = self.hint() {
             text.push_str(&format!("\n{cyan}hint:{cyan:#} {hint}\n"));
         }
         text
     }
 }
 
+#[cfg(feature = "figures")]
 impl Error {
     /// Of a figure.
     pub(crate) fn of_figure(error: FigureError) -> Self {

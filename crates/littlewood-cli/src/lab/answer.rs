@@ -61,7 +61,7 @@ pub(super) fn answer(question: &Question<'_>, port: u16, find: impl Fn(&str) -> 
     };
     // The names of assets change with their content; the other files keep theirs.
     let lasts = if name.starts_with("assets/") { "max-age=31536000, immutable" } else { "no-cache" };
-    with_headers(200, &[("Content-Type", &kind), ("Cache-Control", lasts)], content.into_owned())
+    with_headers(200, &[("Content-Type", kind), ("Cache-Control", lasts)], content.into_owned())
 }
 
 fn refusal(status: u16, text: &str, headers: &[(&'static str, &str)]) -> Answer {
@@ -85,7 +85,7 @@ mod tests {
             "sw.js" | "assets/a.js" => ("1", "text/javascript; charset=utf-8"),
             _ => return None,
         };
-        Some(Asset { content: content.as_bytes().into(), kind: kind.to_owned() })
+        Some(Asset { content: content.as_bytes().into(), kind })
     }
 
     fn ask(host: Option<&str>, path: &str) -> Answer {

@@ -1,27 +1,106 @@
-//! The files of the page, in the program itself.
+//! The files of the page: in the program itself, or in a folder.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::Path;
 
-use rust_embed::RustEmbed;
+mod embedded {
+    include!(concat!(env!("OUT_DIR"), "/page.rs"));
+}
 
-/// What `web/build.sh` has made, from the folder of this crate; nothing where it was not run before the program was built.
-#[derive(RustEmbed)]
-#[folder = "../../web/dist"]
-#[allow_missing = true]
-struct Files;
+/// The file that a page begins with.
+const FIRST: &str = "index.html";
 
 /// A file of the page.
 #[derive(Clone, Debug)]
 pub(super) struct Asset {
     pub(super) content: Cow<'static, [u8]>,
     /// Media type.
-    pub(super) kind: String,
+    pub(super) kind: &'static str,
 }
 
-/// The file of this name.
-pub(super) fn find(name: &str) -> Option<Asset> {
-    let file = Files::get(name)?;
-    let kind = file.metadata.mimetype();
-    let kind = if kind.starts_with("text/") { format!("{kind}; charset=utf-8") } else { kind.to_owned() };
-    Some(Asset { content: file.data, kind })
+/// All files of a page, by their names.
+#[derive(Debug)]
+pub(super) struct Page(BTreeMap<String, Cow<'static, [u8]>>);
+
+impl Page {
+    /// The page that is part of this program, if it was built before the program was.
+    pub(super) fn embedded() -> Option<Self> {
+        let files = embedded::FILES.iter().map(|&(name, content)| (name.to_owned(), Cow::Borrowed(content)));
+        Self(files.collect()).if_whole()
+    }
+
+    /// The page in a folder, read at once, so that nothing else is ever served; none if there is no page in it.
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub(super) fn read(folder: &Path) -> io::Result<Option<Self>> {
+        let mut files = BTreeMap::new();
+        if folder.join(FIRST).is_file() {
+            read_folder(folder, "", &mut files)?;
+        }
+        Ok(Self(files).if_whole())
+    }
+
+    fn if_whole(self) -> Option<Self> {
+        self.0.contains_key(FIRST).then_some(self)
+    }
+
+    /// The file of this name.
+    pub(super) fn find(&self, name: &str) -> Option<Asset> {
+        let content = self.0.get(name)?.clone();
+        Some(Asset { content, kind: media_type(name) })
+    }
+}
+
+fn read_folder(
+    folder: &Path,
+    prefix: &str,
+    files: &mut BTreeMap<String, Cow<'static, [u8]>>,
+) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else { continue };
+        let name = format!("{prefix}{name}");
+        if path.is_dir() {
+            read_folder(&path, &format!("{name}/"), files)?;
+        } else {
+            files.insert(name, fs::read(&path)?.into());
+        }
+    }
+    Ok(())
+}
+
+/// The media type of the files that a page has.
+fn media_type(name: &str) -> &'static str {
+    match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
+        "html" => "text/html; charset=utf-8",
+        "js" => "text/javascript; charset=utf-8",
+        "css" => "text/css; charset=utf-8",
+        "svg" => "image/svg+xml",
+        "wasm" => "application/wasm",
+        "webmanifest" => "application/manifest+json",
+        _ => "application/octet-stream",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_a_page_if_it_has_a_first_file() {
+        let folder = tempfile::tempdir().expect("a folder");
+        assert!(Page::read(folder.path()).expect("it can be read").is_none());
+        assert!(Page::read(&folder.path().join("nowhere")).expect("nothing to read").is_none());
+        fs::create_dir(folder.path().join("assets")).expect("a folder");
+        fs::write(folder.path().join("assets/a.js"), "1").expect("written");
+        fs::write(folder.path().join("index.html"), "<!doctype html>").expect("written");
+        let page = Page::read(folder.path()).expect("it can be read").expect("a page");
+        let script = page.find("assets/a.js").expect("a script");
+        assert_eq!((&*script.content, script.kind), (&b"1"[..], "text/javascript; charset=utf-8"));
+        assert!(page.find("assets").is_none() && page.find("../assets/a.js").is_none());
+    }
 }

@@ -2,8 +2,9 @@
 
 mod answer;
 mod assets;
+mod browser;
+mod source;
 
-use std::env;
 use std::io::{self, Write};
 use std::net::Ipv4Addr;
 use std::sync::atomic::Ordering;
@@ -17,6 +18,7 @@ use crate::error::Error;
 use crate::interrupt;
 
 use answer::{Answer, Question, answer};
+use assets::Page;
 
 /// Threads that answer requests. A browser requests several files at once.
 const THREADS: usize = 4;
@@ -27,27 +29,25 @@ const LOOK: Duration = Duration::from_millis(100);
 /// Runs the command, until Ctrl-C.
 ///
 /// # Errors
-/// The page is not part of this program, the port is taken, or the address cannot be printed.
+/// There is no page, the port is taken, or the address cannot be printed.
 pub(crate) fn run(args: &LabArgs) -> Result<(), Error> {
-    if assets::find("index.html").is_none() {
-        return Err(Error::NoLab);
-    }
+    let page = source::page(args.page.as_deref())?;
     let server = Server::http((Ipv4Addr::LOCALHOST, args.port))
         .map_err(|source| Error::Port { port: args.port, source: into_io(source) })?;
     let port = server.server_addr().to_ip().map_or(args.port, |address| address.port());
     let asked_to_stop = interrupt::asked();
     let address = format!("http://127.0.0.1:{port}/");
     announce(&address)?;
-    if !args.no_open && has_browser() {
+    if !args.no_open {
         // The address has been printed: without a browser it can be typed.
-        let _ = webbrowser::open(&address);
+        let _ = browser::open(&address);
     }
     thread::scope(|scope| {
         for _ in 0..THREADS {
             scope.spawn(|| {
                 while !asked_to_stop.load(Ordering::Relaxed) {
                     if let Ok(Some(request)) = server.recv_timeout(LOOK) {
-                        respond(request, port);
+                        respond(request, port, &page);
                     }
                 }
             });
@@ -63,22 +63,14 @@ fn announce(address: &str) -> Result<(), Error> {
         .map_err(|source| Error::Write { target: "the standard output".to_owned(), source })
 }
 
-/// Whether there is a screen to open a browser on. Without one, some systems would start a browser for text here.
-fn has_browser() -> bool {
-    cfg!(any(windows, target_os = "macos"))
-        || ["DISPLAY", "WAYLAND_DISPLAY"]
-            .iter()
-            .any(|name| env::var_os(name).is_some_and(|it| !it.is_empty()))
-}
-
-fn respond(request: Request, port: u16) {
+fn respond(request: Request, port: u16, page: &Page) {
     let host = request.headers().iter().find(|header| header.field.equiv("Host"));
     let question = Question {
         reads: matches!(request.method(), Method::Get | Method::Head),
         host: host.map(|header| header.value.as_str()),
         path: request.url(),
     };
-    let Answer { status, headers, body } = answer(&question, port, assets::find);
+    let Answer { status, headers, body } = answer(&question, port, |name| page.find(name));
     let mut response = Response::from_data(body).with_status_code(status);
     for (name, value) in headers {
         if let Ok(header) = Header::from_bytes(name, value) {

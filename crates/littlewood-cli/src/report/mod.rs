@@ -1,5 +1,6 @@
 //! The results as text: for a person ([`table`]) and for programs ([`json`], [`csv`]).
 
+#[cfg(feature = "sweep")]
 pub(crate) mod atlas;
 mod balance;
 mod bounces;

@@ -1,18 +1,16 @@
 //! Lists of starts, CSV and Parquet: as they should be, and damaged.
 
-use std::fs::{self, File};
+use std::fs;
 use std::path::Path;
-use std::sync::Arc;
 
-use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use littlewood::{HoopParameters, Quantity, Setup, Start};
 use littlewood_sweep::StartList;
-use parquet::arrow::ArrowWriter;
 
-use crate::damage::{damage, damage_text};
-use crate::draw::Draw;
-use crate::program::{judge, run as run_program};
-use crate::{Case, Verdict};
+use crate::fuzz::damage::{damage, damage_text};
+use crate::fuzz::draw::Draw;
+use crate::fuzz::program::{judge, run as run_program};
+use crate::fuzz::{Case, Verdict};
+use crate::support::table::write_table;
 
 /// Where nothing else is said.
 const BASE: Setup =
@@ -101,21 +99,11 @@ impl Table {
     }
 
     fn parquet(&self, path: &Path) {
-        let columns = self
-            .columns
-            .iter()
-            .map(|(quantity, values)| {
-                (quantity.name(), Arc::new(Float64Array::from(values.clone())) as ArrayRef)
-            })
-            .collect::<Vec<_>>();
-        if columns.is_empty() {
+        if self.columns.is_empty() {
             fs::write(path, b"PAR1PAR1").expect("written");
             return;
         }
-        let batch = RecordBatch::try_from_iter(columns).expect("a table");
-        let mut writer = ArrowWriter::try_new(File::create(path).expect("a file"), batch.schema(), None)
-            .expect("a writer");
-        writer.write(&batch).expect("written");
-        writer.close().expect("written");
+        let columns = self.columns.iter().map(|(quantity, values)| (quantity.name(), values.as_slice()));
+        write_table(path, columns);
     }
 }

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Instant;
 
-use crate::{HANGS, Verdict};
+use crate::fuzz::{HANGS, Verdict};
 
 /// What came of a run.
 pub(crate) struct Ran {

@@ -6,10 +6,10 @@ use std::fs;
 use littlewood::Quantity;
 use serde_json::Value;
 
-use crate::damage::damage_text;
-use crate::draw::Draw;
-use crate::program::{judge, run as run_program};
-use crate::{Case, Verdict};
+use crate::fuzz::damage::damage_text;
+use crate::fuzz::draw::Draw;
+use crate::fuzz::program::{judge, run as run_program};
+use crate::fuzz::{Case, Verdict};
 
 /// The examples that the program comes with.
 const EXAMPLES: [&str; 4] = [

@@ -11,10 +11,10 @@ use littlewood_sweep::{
     SweepError, Target, Workers, ZarrStore, sweep_grid,
 };
 
-use crate::damage::{Tree, damage, plant, tree};
-use crate::draw::Draw;
-use crate::program::{judge, run as run_program};
-use crate::{Case, Verdict};
+use crate::fuzz::damage::{Tree, damage, plant, tree};
+use crate::fuzz::draw::Draw;
+use crate::fuzz::program::{judge, run as run_program};
+use crate::fuzz::{Case, Verdict};
 
 /// Which part of the runs goes through the program.
 const THROUGH_THE_PROGRAM: f64 = 0.05;
@@ -148,7 +148,7 @@ fn resume(draw: &mut Draw, kind: usize, folder: &Path) -> Verdict {
 }
 
 /// A damaged store can also end in a failure to write, where a file stands in the place of a folder.
-fn judge_system(ran: &crate::program::Ran) -> Verdict {
+fn judge_system(ran: &crate::fuzz::program::Ran) -> Verdict {
     if ran.code == Some(1) && ran.stdout.is_empty() && ran.stderr.contains("hint:") {
         return Ok("failed");
     }

@@ -1,7 +1,8 @@
 //! Runs the program and reads what it says.
 
-#![allow(dead_code, reason = "no test file needs all of it")]
 #![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
+
+pub(crate) mod table;
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,120 +1,196 @@
-//! The columns of a table: the fields of a column of results, and its values as arrays and back.
+//! The columns of a table: what a file says of them, and their values to a file and back.
 
 use std::collections::HashMap;
+use std::io::Write;
 use std::sync::Arc;
 
-use arrow_array::cast::AsArray as _;
-use arrow_array::types::{Float64Type, Int32Type, UInt8Type, UInt32Type, UInt64Type};
-use arrow_array::{
-    ArrayRef, BooleanArray, DictionaryArray, Float64Array, RecordBatch, StringArray, UInt8Array, UInt32Array,
-    UInt64Array,
-};
-use arrow_schema::{DataType, Field};
-use littlewood::{ColumnType, OutcomeKind, PhaseSequence, Quantity, SummaryColumn};
+use littlewood::{ColumnType, OutcomeKind, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
+use parquet::basic::{LogicalType, Repetition, Type as Physical};
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
+use parquet::errors::Result;
+use parquet::file::writer::SerializedRowGroupWriter;
+use parquet::schema::types::{Type, TypePtr};
 use serde_json::Value;
 
 use crate::attributes::{Attributes, of_column, of_quantity, of_words};
 use crate::columns::{ColumnValues, not_computed};
 
-/// The field of a quantity.
-pub(super) fn field_of_quantity(quantity: Quantity) -> Field {
-    field(quantity.name(), DataType::Float64, of_quantity(quantity))
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Words,
+    Flag,
+    U8,
+    U32,
+    U64,
+    F64,
 }
 
-/// The fields of a column of results: a code has its words before it.
-pub(super) fn fields(column: SummaryColumn) -> Vec<Field> {
-    let words = || {
-        let text = DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8));
-        field(column.name(), text, of_words(column))
-    };
-    let numbers = |data_type| field(&name_of_numbers(column), data_type, of_column(column));
-    match column.column_type() {
-        ColumnType::Outcome => vec![words(), numbers(DataType::UInt8)],
-        ColumnType::Sequence => vec![words(), numbers(DataType::UInt64)],
-        ColumnType::Count => vec![numbers(DataType::UInt32)],
-        ColumnType::Flag => vec![numbers(DataType::Boolean)],
-        ColumnType::Real => vec![numbers(DataType::Float64)],
+/// A column of a table, without its values.
+pub(super) struct Column {
+    pub(super) name: String,
+    pub(super) kind: Kind,
+    /// Attributes, as text.
+    pub(super) attributes: Vec<(String, String)>,
+}
+
+impl Column {
+    fn new(name: &str, kind: Kind, attributes: Attributes) -> Self {
+        let text = |value| match value {
+            Value::String(text) => text,
+            other => other.to_string(),
+        };
+        let attributes = attributes.into_iter().map(|(name, value)| (name, text(value))).collect();
+        Self { name: name.to_owned(), kind, attributes }
+    }
+
+    /// That of a quantity.
+    pub(super) fn of_quantity(quantity: Quantity) -> Self {
+        Self::new(quantity.name(), Kind::F64, of_quantity(quantity))
+    }
+
+    /// Those of a column of results: a code has its words before it.
+    pub(super) fn of_results(column: SummaryColumn) -> Vec<Self> {
+        let words = || Self::new(column.name(), Kind::Words, of_words(column));
+        let numbers = |kind| Self::new(&name_of_numbers(column), kind, of_column(column));
+        match column.column_type() {
+            ColumnType::Outcome => vec![words(), numbers(Kind::U8)],
+            ColumnType::Sequence => vec![words(), numbers(Kind::U64)],
+            ColumnType::Count => vec![numbers(Kind::U32)],
+            ColumnType::Flag => vec![numbers(Kind::Flag)],
+            ColumnType::Real => vec![numbers(Kind::F64)],
+        }
+    }
+
+    /// The type of the column in the file.
+    pub(super) fn field(&self) -> Result<TypePtr> {
+        let (physical, logical) = match self.kind {
+            Kind::Words => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+            Kind::Flag => (Physical::BOOLEAN, None),
+            Kind::U8 => (Physical::INT32, Some(LogicalType::integer(8, false))),
+            Kind::U32 => (Physical::INT32, Some(LogicalType::integer(32, false))),
+            Kind::U64 => (Physical::INT64, Some(LogicalType::integer(64, false))),
+            Kind::F64 => (Physical::DOUBLE, None),
+        };
+        Type::primitive_type_builder(&self.name, physical)
+            .with_repetition(Repetition::REQUIRED)
+            .with_logical_type(logical)
+            .build()
+            .map(Arc::new)
     }
 }
 
 /// The name under which a table has the numbers of a column.
-fn name_of_numbers(column: SummaryColumn) -> String {
+pub(super) fn name_of_numbers(column: SummaryColumn) -> String {
     match column.column_type() {
         ColumnType::Outcome | ColumnType::Sequence => format!("{column}_code"),
         ColumnType::Count | ColumnType::Flag | ColumnType::Real => column.to_string(),
     }
 }
 
-fn field(name: &str, data_type: DataType, attributes: Attributes) -> Field {
-    let text = |value| match value {
-        Value::String(text) => text,
-        other => other.to_string(),
-    };
-    let metadata: HashMap<String, String> =
-        attributes.into_iter().map(|(name, value)| (name, text(value))).collect();
-    Field::new(name, data_type, false).with_metadata(metadata)
-}
+/// The columns of a row group, written one after the other.
+pub(super) struct Writer<'a, 'b, W: Write>(pub(super) &'a mut SerializedRowGroupWriter<'b, W>);
 
-/// The arrays of a column of results, one for each of its [`fields`].
-pub(super) fn arrays(column: SummaryColumn, values: &ColumnValues) -> Vec<ArrayRef> {
-    match (column.column_type(), values) {
-        (ColumnType::Outcome, ColumnValues::U8(codes)) => {
-            let name = |code: u8| match OutcomeKind::try_from(code) {
-                Ok(kind) => kind.to_string(),
-                Err(unknown) => unknown.to_string(),
-            };
-            vec![words(codes, name), Arc::new(UInt8Array::from(codes.clone()))]
-        }
-        (ColumnType::Sequence, ColumnValues::U64(codes)) => {
-            let text = |bits| PhaseSequence::from_bits(bits).to_string();
-            vec![words(codes, text), Arc::new(UInt64Array::from(codes.clone()))]
-        }
-        (ColumnType::Flag, ColumnValues::U8(flags)) => {
-            vec![Arc::new(flags.iter().map(|&flag| Some(flag != 0)).collect::<BooleanArray>())]
-        }
-        (_, ColumnValues::U8(values)) => vec![Arc::new(UInt8Array::from(values.clone()))],
-        (_, ColumnValues::U32(values)) => vec![Arc::new(UInt32Array::from(values.clone()))],
-        (_, ColumnValues::U64(values)) => vec![Arc::new(UInt64Array::from(values.clone()))],
-        (_, ColumnValues::F64(values)) => vec![Arc::new(Float64Array::from(values.clone()))],
+impl<W: Write + Send> Writer<'_, '_, W> {
+    /// The values of a quantity.
+    pub(super) fn reals(&mut self, values: &[f64]) -> Result<()> {
+        self.write::<DoubleType>(values)
     }
-}
 
-/// The words of some codes, each distinct one written once.
-fn words<T: Copy + Eq + core::hash::Hash>(codes: &[T], text: impl Fn(T) -> String) -> ArrayRef {
-    let mut words: Vec<String> = Vec::new();
-    let mut places = HashMap::new();
-    let indices: Vec<i32> = codes
-        .iter()
-        .map(|&code| {
-            *places.entry(code).or_insert_with(|| {
-                words.push(text(code));
-                i32::try_from(words.len() - 1).unwrap_or(i32::MAX)
-            })
-        })
-        .collect();
-    let words = Arc::new(StringArray::from(words));
-    Arc::new(DictionaryArray::<Int32Type>::new(indices.into(), words))
-}
-
-/// No values of each column of results.
-pub(super) fn empty() -> Vec<ColumnValues> {
-    SummaryColumn::ALL.into_iter().map(|column| ColumnValues::repeat(not_computed(column), 0)).collect()
-}
-
-/// Appends the rows of a batch to the values of each column; none if the batch lacks a column, or has it of another
-/// type.
-pub(super) fn append(columns: &mut [ColumnValues], batch: &RecordBatch) -> Option<()> {
-    for (column, values) in SummaryColumn::ALL.into_iter().zip(columns) {
-        let array = batch.column_by_name(&name_of_numbers(column))?;
-        match values {
-            ColumnValues::U8(values) if column.column_type() == ColumnType::Flag => {
-                values.extend(array.as_boolean_opt()?.values().iter().map(u8::from));
+    /// A column of results: all that [`Column::of_results`] has of it.
+    pub(super) fn results(&mut self, column: SummaryColumn, values: &ColumnValues) -> Result<()> {
+        match (column.column_type(), values) {
+            (ColumnType::Outcome, ColumnValues::U8(codes)) => {
+                let name = |code: u8| match OutcomeKind::try_from(code) {
+                    Ok(kind) => kind.to_string(),
+                    Err(unknown) => unknown.to_string(),
+                };
+                self.words(codes, name)?;
             }
-            ColumnValues::U8(values) => values.extend(array.as_primitive_opt::<UInt8Type>()?.values()),
-            ColumnValues::U32(values) => values.extend(array.as_primitive_opt::<UInt32Type>()?.values()),
-            ColumnValues::U64(values) => values.extend(array.as_primitive_opt::<UInt64Type>()?.values()),
-            ColumnValues::F64(values) => values.extend(array.as_primitive_opt::<Float64Type>()?.values()),
+            (ColumnType::Sequence, ColumnValues::U64(codes)) => {
+                self.words(codes, |bits| PhaseSequence::from_bits(bits).to_string())?;
+            }
+            (ColumnType::Flag, ColumnValues::U8(flags)) => {
+                return self.write::<BoolType>(&each(flags, |flag| flag != 0));
+            }
+            (_, ColumnValues::U8(_) | ColumnValues::U32(_) | ColumnValues::U64(_) | ColumnValues::F64(_)) => {
+            }
+        }
+        // The file has the bits of a number, and its type says that they have no sign.
+        match values {
+            ColumnValues::U8(values) => self.write::<Int32Type>(&each(values, i32::from)),
+            ColumnValues::U32(values) => self.write::<Int32Type>(&each(values, u32::cast_signed)),
+            ColumnValues::U64(values) => self.write::<Int64Type>(&each(values, u64::cast_signed)),
+            ColumnValues::F64(values) => self.reals(values),
         }
     }
-    Some(())
+
+    /// The words of some codes, each distinct one made once.
+    fn words<T: Copy + Eq + core::hash::Hash>(
+        &mut self,
+        codes: &[T],
+        text: impl Fn(T) -> String,
+    ) -> Result<()> {
+        let mut words = HashMap::new();
+        let word =
+            |code| words.entry(code).or_insert_with(|| ByteArray::from(text(code).into_bytes())).clone();
+        self.write::<ByteArrayType>(&each(codes, word))
+    }
+
+    fn write<T: DataType>(&mut self, values: &[T::T]) -> Result<()> {
+        if let Some(mut column) = self.0.next_column()? {
+            column.typed::<T>().write_batch(values, None, None)?;
+            column.close()?;
+        }
+        Ok(())
+    }
+}
+
+fn each<T: Copy, U>(values: &[T], to: impl FnMut(T) -> U) -> Vec<U> {
+    values.iter().copied().map(to).collect()
+}
+
+/// Records that are read at once: what a damaged footer says of their number makes no memory be taken.
+const BATCH: usize = 1 << 16;
+
+/// The values of a column of results from its reader, or what is wrong with it.
+pub(super) fn read(
+    column: SummaryColumn,
+    reader: ColumnReader,
+) -> core::result::Result<ColumnValues, String> {
+    let no_code = |_| format!("column {column} has a number that is no code");
+    match (not_computed(column), reader) {
+        (SummaryValue::U8(_), ColumnReader::BoolColumnReader(reader)) => {
+            Ok(ColumnValues::U8(each(&all(reader)?, u8::from)))
+        }
+        (SummaryValue::U8(_), ColumnReader::Int32ColumnReader(reader)) => {
+            let codes: core::result::Result<_, _> = all(reader)?.into_iter().map(u8::try_from).collect();
+            codes.map(ColumnValues::U8).map_err(no_code)
+        }
+        (SummaryValue::U32(_), ColumnReader::Int32ColumnReader(reader)) => {
+            Ok(ColumnValues::U32(each(&all(reader)?, i32::cast_unsigned)))
+        }
+        (SummaryValue::U64(_), ColumnReader::Int64ColumnReader(reader)) => {
+            Ok(ColumnValues::U64(each(&all(reader)?, i64::cast_unsigned)))
+        }
+        (SummaryValue::F64(_), ColumnReader::DoubleColumnReader(reader)) => {
+            Ok(ColumnValues::F64(all(reader)?))
+        }
+        (SummaryValue::U8(_) | SummaryValue::U32(_) | SummaryValue::U64(_) | SummaryValue::F64(_), _) => {
+            Err(format!("column {column} is of another type"))
+        }
+    }
+}
+
+/// All values of a column that is never null.
+fn all<T: DataType>(mut reader: ColumnReaderImpl<T>) -> core::result::Result<Vec<T::T>, String> {
+    let mut values = Vec::new();
+    loop {
+        let (records, _, _) =
+            reader.read_records(BATCH, None, None, &mut values).map_err(|error| error.to_string())?;
+        if records == 0 {
+            return Ok(values);
+        }
+    }
 }

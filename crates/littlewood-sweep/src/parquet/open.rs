@@ -2,18 +2,19 @@
 
 use std::fs::File;
 
-use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaData};
+use parquet::file::reader::FileReader as _;
+use parquet::file::serialized_reader::SerializedFileReader;
 
 /// A reader of a file whose footer speaks of what there is in it: the library takes that for granted.
 ///
 /// # Errors
 /// What is wrong with the file.
-pub(crate) fn open_reader(file: File) -> Result<ParquetRecordBatchReaderBuilder<File>, String> {
+pub(crate) fn open_reader(file: File) -> Result<SerializedFileReader<File>, String> {
     let length = file.metadata().map_err(|error| error.to_string())?.len();
-    let builder = ParquetRecordBatchReaderBuilder::try_new(file).map_err(|error| error.to_string())?;
-    if is_inside(builder.metadata(), length) {
-        Ok(builder)
+    let reader = SerializedFileReader::new(file).map_err(|error| error.to_string())?;
+    if is_inside(reader.metadata(), length) {
+        Ok(reader)
     } else {
         Err("its footer speaks of columns that are not in it".to_owned())
     }

@@ -4,7 +4,10 @@ use std::fs::File;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use super::column::{append, empty};
+use littlewood::SummaryColumn;
+use parquet::file::reader::FileReader as _;
+
+use super::column::{name_of_numbers, read as read_column};
 use super::open::open_reader;
 use crate::columns::Columns;
 use crate::store::StoreError;
@@ -22,16 +25,19 @@ pub(super) fn read_part(path: &Path) -> Result<Option<Columns>, StoreError> {
 pub(super) fn read_row_group(path: &Path, number: usize) -> Result<Columns, StoreError> {
     let file = File::open(path).map_err(|source| StoreError::unreadable(path, source))?;
     let damaged = |reason: String| StoreError::DamagedChunk { path: path.to_owned(), reason };
-    let builder = open_reader(file).map_err(damaged)?;
-    if number >= builder.metadata().num_row_groups() {
+    let reader = open_reader(file).map_err(damaged)?;
+    if number >= reader.num_row_groups() {
         return Err(damaged(format!("it has no row group {number}")));
     }
-    let reader = builder.with_row_groups(vec![number]).build().map_err(|error| damaged(error.to_string()))?;
-    let mut columns = empty();
-    for batch in reader {
-        let batch = batch.map_err(|error| damaged(error.to_string()))?;
-        append(&mut columns, &batch)
-            .ok_or_else(|| damaged("a column is missing, or of another type".to_owned()))?;
-    }
-    Columns::from_values(columns).map_err(damaged)
+    let group = reader.get_row_group(number).map_err(|error| damaged(error.to_string()))?;
+    let schema = group.metadata().schema_descr_ptr();
+    let values = SummaryColumn::ALL.into_iter().map(|column| {
+        let name = name_of_numbers(column);
+        let place = schema.columns().iter().position(|field| field.path().parts() == [name.as_str()]);
+        let place = place.ok_or_else(|| format!("column {name} is missing"))?;
+        let reader = group.get_column_reader(place).map_err(|error| error.to_string())?;
+        read_column(column, reader)
+    });
+    let values = values.collect::<Result<Vec<_>, String>>().map_err(damaged)?;
+    Columns::from_values(values).map_err(damaged)
 }

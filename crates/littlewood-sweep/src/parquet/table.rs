@@ -3,16 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use arrow_array::{ArrayRef, Float64Array, RecordBatch};
-use arrow_schema::{Field, Schema};
 use littlewood::{Quantity, Setup, SummaryColumn};
-use parquet::arrow::ArrowWriter;
 use parquet::basic::{Compression, ZstdLevel};
+use parquet::errors::Result as Encoded;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::Type;
 use serde_json::{Value, json};
 
-use super::column::{arrays, field_of_quantity, fields};
+use super::arrow;
+use super::column::{Column, Writer};
 use super::read::read_part;
 use crate::columns::Columns;
 use crate::description::{Description, STORE_FORMAT};
@@ -35,7 +36,9 @@ pub(super) const CHUNK_KEY: &str = "littlewood_chunk";
 /// A table in files, one a chunk.
 pub(crate) struct Table {
     description: Description,
-    schema: Arc<Schema>,
+    columns: Vec<Column>,
+    /// The columns as Arrow describes them.
+    arrow_schema: String,
     digits: usize,
     /// The quantities of the points.
     quantities: Vec<Quantity>,
@@ -63,19 +66,39 @@ impl Table {
 
     fn new(description: Description, chunks: usize, quantities: Vec<Quantity>) -> Self {
         let digits = chunks.saturating_sub(1).to_string().len().max(5);
-        let of_points = quantities.iter().copied().map(field_of_quantity);
-        let schema: Vec<Field> = of_points.chain(SummaryColumn::ALL.into_iter().flat_map(fields)).collect();
-        Self { description, schema: Arc::new(Schema::new(schema)), digits, quantities }
+        let of_points = quantities.iter().copied().map(Column::of_quantity);
+        let columns: Vec<Column> =
+            of_points.chain(SummaryColumn::ALL.into_iter().flat_map(Column::of_results)).collect();
+        let arrow_schema = arrow::schema(&columns);
+        Self { description, columns, arrow_schema, digits, quantities }
     }
 
-    fn batch(&self, points: &[Setup], columns: &Columns) -> Result<RecordBatch, StoreError> {
-        let of_points = self.quantities.iter().map(|&quantity| {
-            let values = points.iter().map(|point| point.get(quantity).unwrap_or(f64::NAN));
-            Arc::new(Float64Array::from_iter_values(values)) as ArrayRef
-        });
-        let results = columns.columns().flat_map(|(column, values)| arrays(column, values));
-        RecordBatch::try_new(Arc::clone(&self.schema), of_points.chain(results).collect())
-            .map_err(StoreError::encoding("a table"))
+    fn file(&self, chunk: usize, points: &[Setup], columns: &Columns) -> Encoded<Vec<u8>> {
+        let entry = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
+        let properties = WriterProperties::builder()
+            .set_compression(Compression::ZSTD(ZstdLevel::try_new(3)?))
+            .set_created_by(concat!("littlewood-sweep ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_key_value_metadata(Some(vec![
+                entry(RUN_KEY, self.description.0.to_string()),
+                entry(CHUNK_KEY, chunk.to_string()),
+                entry(arrow::SCHEMA_KEY, self.arrow_schema.clone()),
+            ]))
+            .build();
+        let fields = self.columns.iter().map(Column::field).collect::<Encoded<_>>()?;
+        let schema = Type::group_type_builder("schema").with_fields(fields).build()?;
+        let mut file = SerializedFileWriter::new(Vec::new(), Arc::new(schema), Arc::new(properties))?;
+        let mut group = file.next_row_group()?;
+        let mut writer = Writer(&mut group);
+        for &quantity in &self.quantities {
+            let values: Vec<f64> =
+                points.iter().map(|point| point.get(quantity).unwrap_or(f64::NAN)).collect();
+            writer.reals(&values)?;
+        }
+        for (column, values) in columns.columns() {
+            writer.results(column, values)?;
+        }
+        group.close()?;
+        file.into_inner()
     }
 
     /// The file of a chunk.
@@ -149,20 +172,7 @@ impl Format for Table {
     ) -> Result<Vec<StoreFile>, StoreError> {
         let path = self.path(chunk);
         let name = path.to_string_lossy().into_owned();
-        let level = ZstdLevel::try_new(3).map_err(StoreError::encoding(&name))?;
-        let properties = WriterProperties::builder()
-            .set_compression(Compression::ZSTD(level))
-            .set_max_row_group_row_count(None)
-            .set_created_by(concat!("littlewood-sweep ", env!("CARGO_PKG_VERSION")).to_owned())
-            .set_key_value_metadata(Some(vec![
-                KeyValue::new(RUN_KEY.to_owned(), self.description.0.to_string()),
-                KeyValue::new(CHUNK_KEY.to_owned(), chunk.to_string()),
-            ]))
-            .build();
-        let mut writer = ArrowWriter::try_new(Vec::new(), Arc::clone(&self.schema), Some(properties))
-            .map_err(StoreError::encoding(&name))?;
-        writer.write(&self.batch(points, columns)?).map_err(StoreError::encoding(&name))?;
-        let bytes = writer.into_inner().map_err(StoreError::encoding(&name))?;
+        let bytes = self.file(chunk, points, columns).map_err(StoreError::encoding(&name))?;
         Ok(vec![(path, bytes)])
     }
 

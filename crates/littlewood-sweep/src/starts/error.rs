@@ -20,6 +20,12 @@ pub enum ListError {
         /// Why.
         source: io::Error,
     },
+    /// A Parquet file, for which this program has no reader.
+    #[error("{}: this program was built without the feature `parquet`", path.display())]
+    NotBuilt {
+        /// The file.
+        path: PathBuf,
+    },
     /// Neither `.csv` nor `.parquet`.
     #[error("{}: a list of starts ends in .csv or .parquet", path.display())]
     UnknownFormat {

@@ -36,7 +36,10 @@ impl StartList {
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
         let format = match extension.to_ascii_lowercase().as_str() {
             "csv" => ListFormat::Csv,
+            #[cfg(feature = "parquet")]
             "parquet" => ListFormat::Parquet,
+            #[cfg(not(feature = "parquet"))]
+            "parquet" => return Err(ListError::NotBuilt { path: path.to_owned() }),
             _ => return Err(ListError::UnknownFormat { path: path.to_owned() }),
         };
         let content = checksum(path)?;

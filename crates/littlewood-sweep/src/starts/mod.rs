@@ -4,6 +4,7 @@ mod csv;
 mod error;
 mod header;
 mod list;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod rows;
 

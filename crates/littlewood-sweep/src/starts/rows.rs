@@ -7,12 +7,14 @@ use littlewood::{Quantity, Setup};
 
 use super::csv::CsvRows;
 use super::error::{ListError, unreadable};
+#[cfg(feature = "parquet")]
 use super::parquet::ParquetRows;
 
 /// Format of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ListFormat {
     Csv,
+    #[cfg(feature = "parquet")]
     Parquet,
 }
 
@@ -26,6 +28,7 @@ pub(crate) struct Rows {
 
 enum Cells {
     Csv(CsvRows),
+    #[cfg(feature = "parquet")]
     Parquet(ParquetRows),
 }
 
@@ -37,6 +40,7 @@ impl Rows {
                 let (columns, rows) = CsvRows::open(path, file)?;
                 (columns, Cells::Csv(rows))
             }
+            #[cfg(feature = "parquet")]
             ListFormat::Parquet => {
                 let (columns, rows) = ParquetRows::open(path, file)?;
                 (columns, Cells::Parquet(rows))
@@ -55,6 +59,7 @@ impl Rows {
         let Self { path, base, columns, cells } = self;
         match cells {
             Cells::Csv(rows) => rows.next_row(path, *base, columns),
+            #[cfg(feature = "parquet")]
             Cells::Parquet(rows) => rows.next_row(path, *base, columns),
         }
     }

@@ -1,83 +1,73 @@
 //! Arrays of a store: their metadata, and chunks to bytes and back.
 
-use core::num::NonZeroU64;
-use std::sync::Arc;
+use serde_json::{Value, json};
+use zstd::bulk::{Compressor, Decompressor};
 
-use zarrs::array::builder::ArrayBuilderFillValue;
-use zarrs::array::codec::ZstdCodec;
-use zarrs::array::{
-    Array, ArrayBuilder, ArrayBytes, ArrayMetadata, ArrayMetadataOptions, ArrayToBytesCodecTraits as _,
-    CodecOptions, DataType,
-};
-use zarrs::storage::store::MemoryStore;
-
+use super::data_type::DataType;
 use crate::attributes::Attributes;
 use crate::store::StoreError;
 
-/// An array that is described here; its chunks are on disk.
-pub(super) type MemoryArray = Array<MemoryStore>;
+/// Level of the compression. With the checksum every reader notices a damaged chunk.
+const LEVEL: i32 = 3;
 
-pub(super) fn widths(sizes: &[usize]) -> Vec<u64> {
-    sizes.iter().map(|&size| size as u64).collect()
+/// An array of a store.
+#[derive(Debug)]
+pub(super) struct Array {
+    pub(super) name: &'static str,
+    pub(super) shape: Vec<usize>,
+    /// Shape of a chunk, also of one that is cut off at the far end of an axis.
+    pub(super) chunk: Vec<usize>,
+    pub(super) data_type: DataType,
+    /// The names of its dimensions.
+    pub(super) dimensions: Vec<&'static str>,
+    pub(super) attributes: Attributes,
 }
 
-fn nonzero(sizes: &[usize]) -> Vec<NonZeroU64> {
-    sizes.iter().map(|&size| NonZeroU64::new(size as u64).unwrap_or(NonZeroU64::MIN)).collect()
-}
+impl Array {
+    /// What `zarr.json` says of it.
+    pub(super) fn metadata(&self) -> Value {
+        json!({
+            "zarr_format": 3,
+            "node_type": "array",
+            "shape": self.shape,
+            "data_type": self.data_type.name(),
+            "chunk_grid": { "name": "regular", "configuration": { "chunk_shape": self.chunk } },
+            "chunk_key_encoding": { "name": "default", "configuration": { "separator": "/" } },
+            "fill_value": self.data_type.fill_value(),
+            "codecs": [
+                { "name": "bytes", "configuration": { "endian": "little" } },
+                { "name": "zstd", "configuration": { "level": LEVEL, "checksum": true } },
+            ],
+            "attributes": self.attributes,
+            "dimension_names": self.dimensions,
+        })
+    }
 
-pub(super) fn array(
-    name: &str,
-    shape: &[usize],
-    chunk: &[usize],
-    data_type: DataType,
-    fill_value: ArrayBuilderFillValue,
-    dimensions: &[&str],
-    attributes: Attributes,
-) -> Result<MemoryArray, StoreError> {
-    ArrayBuilder::new(widths(shape), widths(chunk), data_type, fill_value)
-        // The checksum makes every reader notice a damaged chunk.
-        .bytes_to_bytes_codecs(vec![Arc::new(ZstdCodec::new(3, true))])
-        .dimension_names(Some(dimensions.iter().copied()))
-        .attributes(attributes)
-        .build(Arc::new(MemoryStore::new()), &format!("/{name}"))
-        .map_err(StoreError::encoding(name))
-}
+    /// The path of a chunk in the store.
+    pub(super) fn path(&self, place: &[usize]) -> String {
+        let place = place.iter().map(|number| format!("/{number}"));
+        format!("{}/c{}", self.name, place.collect::<String>())
+    }
 
-pub(super) fn metadata(array: &MemoryArray) -> ArrayMetadata {
-    array.metadata_opt(&ArrayMetadataOptions::default().with_include_zarrs_metadata(false))
-}
+    /// The file of a chunk with these values.
+    pub(super) fn encode(&self, values: &[u8]) -> Result<Vec<u8>, StoreError> {
+        let compress = || {
+            let mut compressor = Compressor::new(LEVEL)?;
+            compressor.include_checksum(true)?;
+            compressor.compress(values)
+        };
+        compress().map_err(StoreError::encoding(self.name))
+    }
 
-pub(super) fn encode(
-    name: &str,
-    array: &MemoryArray,
-    shape: &[usize],
-    bytes: Vec<u8>,
-) -> Result<Vec<u8>, StoreError> {
-    array
-        .codecs()
-        .encode(
-            ArrayBytes::new_flen(bytes),
-            &nonzero(shape),
-            array.data_type(),
-            array.fill_value(),
-            &CodecOptions::default().with_concurrent_target(1),
-        )
-        .map(std::borrow::Cow::into_owned)
-        .map_err(StoreError::encoding(name))
-}
-
-pub(super) fn decode(array: &MemoryArray, shape: &[usize], bytes: Vec<u8>) -> Result<Vec<u8>, String> {
-    array
-        .codecs()
-        .decode(
-            bytes.into(),
-            &nonzero(shape),
-            array.data_type(),
-            array.fill_value(),
-            &CodecOptions::default().with_concurrent_target(1),
-        )
-        .map_err(|error| error.to_string())?
-        .into_fixed()
-        .map(std::borrow::Cow::into_owned)
-        .map_err(|error| error.to_string())
+    /// The values of a chunk from its file.
+    pub(super) fn decode(&self, file: &[u8]) -> Result<Vec<u8>, String> {
+        let size = self.chunk.iter().product::<usize>() * self.data_type.size();
+        let decompress = || Decompressor::new()?.decompress(file, size);
+        let values = decompress().map_err(|error| error.to_string())?;
+        if values.len() == size {
+            Ok(values)
+        } else {
+            Err(format!("{} bytes of values instead of {size}", values.len()))
+        }
+    }
 }

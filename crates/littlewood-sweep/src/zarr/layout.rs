@@ -2,17 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
-use littlewood::{Setup, SummaryColumn};
+use littlewood::{Setup, SummaryColumn, SummaryValue};
 use rayon::prelude::*;
 use serde_json::{Value, json};
-use zarrs::array::data_type;
 
-use super::array::{MemoryArray, array, decode, encode, metadata, widths};
+use super::array::Array;
+use super::data_type::DataType;
 use super::variable;
 use crate::attributes::{Attributes, CONVENTIONS, of_column, of_quantity};
 use crate::axis::Axis;
 use crate::chunk::{Chunk, Chunks};
-use crate::columns::Columns;
+use crate::columns::{Columns, not_computed};
 use crate::description::{Description, STORE_FORMAT};
 use crate::grid::Grid;
 use crate::store::{Format, Header, StoreError, StoreFile};
@@ -20,57 +20,43 @@ use crate::store::{Format, Header, StoreError, StoreFile};
 pub(super) const METADATA: &str = "zarr.json";
 
 /// The arrays of a store.
+#[derive(Debug)]
 pub(crate) struct Layout {
     pub(super) chunks: Chunks,
     description: Description,
-    coordinates: Vec<(Axis, MemoryArray)>,
+    coordinates: Vec<(Axis, Array)>,
     /// In the order of [`SummaryColumn::ALL`].
-    variables: Vec<(SummaryColumn, MemoryArray)>,
-}
-
-impl core::fmt::Debug for Layout {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Layout").field("chunks", &self.chunks).finish_non_exhaustive()
-    }
+    variables: Vec<(SummaryColumn, Array)>,
 }
 
 impl Layout {
-    pub(crate) fn new(grid: &Grid, chunks: Chunks, description: Description) -> Result<Self, StoreError> {
-        let names: Vec<&str> = grid.axes().iter().map(|axis| axis.quantity().name()).collect();
-        let coordinates = grid
-            .axes()
-            .iter()
-            .map(|axis| {
-                let name = axis.quantity().name();
-                let attributes = of_quantity(axis.quantity());
-                let shape = [axis.count()];
-                // The whole axis is one chunk: it is read with the metadata, and small beside a column.
-                array(name, &shape, &shape, data_type::float64(), f64::NAN.into(), &[name], attributes)
-                    .map(|array| (*axis, array))
-            })
-            .collect::<Result<_, _>>()?;
-        let shape = grid.shape();
-        let variables = SummaryColumn::ALL
-            .into_iter()
-            .map(|column| {
-                array(
-                    column.name(),
-                    &shape,
-                    chunks.shape(),
-                    variable::data_type(column),
-                    variable::fill_value(column),
-                    &names,
-                    of_column(column),
-                )
-                .map(|array| (column, array))
-            })
-            .collect::<Result<_, _>>()?;
-        Ok(Self { chunks, description, coordinates, variables })
+    pub(crate) fn new(grid: &Grid, chunks: Chunks, description: Description) -> Self {
+        let names: Vec<&'static str> = grid.axes().iter().map(|axis| axis.quantity().name()).collect();
+        let coordinate = |axis: &Axis| Array {
+            name: axis.quantity().name(),
+            shape: vec![axis.count()],
+            // The whole axis is one chunk: it is read with the metadata, and small beside a column.
+            chunk: vec![axis.count()],
+            data_type: DataType(SummaryValue::F64(f64::NAN)),
+            dimensions: vec![axis.quantity().name()],
+            attributes: of_quantity(axis.quantity()),
+        };
+        let variable = |column: SummaryColumn| Array {
+            name: column.name(),
+            shape: grid.shape(),
+            chunk: chunks.shape().to_vec(),
+            data_type: DataType(not_computed(column)),
+            dimensions: names.clone(),
+            attributes: of_column(column),
+        };
+        let coordinates = grid.axes().iter().map(|axis| (*axis, coordinate(axis))).collect();
+        let variables = SummaryColumn::ALL.into_iter().map(|column| (column, variable(column))).collect();
+        Self { chunks, description, coordinates, variables }
     }
 
-    fn arrays(&self) -> impl Iterator<Item = (&'static str, &MemoryArray)> {
-        let coordinates = self.coordinates.iter().map(|(axis, array)| (axis.quantity().name(), array));
-        coordinates.chain(self.variables.iter().map(|(column, array)| (column.name(), array)))
+    fn arrays(&self) -> impl Iterator<Item = &Array> {
+        let coordinates = self.coordinates.iter().map(|(_, array)| array);
+        coordinates.chain(self.variables.iter().map(|(_, array)| array))
     }
 
     /// What the metadata of a group say, if it is a store of this program.
@@ -105,15 +91,8 @@ impl Format for Layout {
     }
 
     fn header(&self, complete: bool) -> Result<Vec<u8>, StoreError> {
-        let arrays = self
-            .arrays()
-            .map(|(name, array)| {
-                Ok((
-                    name.to_owned(),
-                    serde_json::to_value(metadata(array)).map_err(StoreError::encoding(name))?,
-                ))
-            })
-            .collect::<Result<Attributes, StoreError>>()?;
+        let arrays: Attributes =
+            self.arrays().map(|array| (array.name.to_owned(), array.metadata())).collect();
         pretty(
             METADATA,
             &json!({
@@ -142,23 +121,19 @@ impl Format for Layout {
 
     fn initial_files(&self) -> Result<Vec<StoreFile>, StoreError> {
         let mut files = Vec::new();
-        for (name, array) in self.arrays() {
-            files.push((Path::new(name).join(METADATA), pretty(name, &metadata(array))?));
+        for array in self.arrays() {
+            files.push((Path::new(array.name).join(METADATA), pretty(array.name, &array.metadata())?));
         }
         for (axis, array) in &self.coordinates {
-            let name = axis.quantity().name();
-            let bytes = axis.values().flat_map(f64::to_le_bytes).collect();
-            files.push((
-                PathBuf::from(array.chunk_key(&[0]).as_str()),
-                encode(name, array, &[axis.count()], bytes)?,
-            ));
+            let values: Vec<u8> = axis.values().flat_map(f64::to_le_bytes).collect();
+            files.push((PathBuf::from(array.path(&[0])), array.encode(&values)?));
         }
         Ok(files)
     }
 
     fn paths(&self, chunk: usize) -> Vec<PathBuf> {
-        let place = widths(&self.chunks.chunk(chunk).place);
-        self.variables.iter().map(|(_, array)| PathBuf::from(array.chunk_key(&place).as_str())).collect()
+        let place = self.chunks.chunk(chunk).place;
+        self.variables.iter().map(|(_, array)| PathBuf::from(array.path(&place))).collect()
     }
 
     fn encode(&self, chunk: usize, _: &[Setup], columns: &Columns) -> Result<Vec<StoreFile>, StoreError> {
@@ -169,8 +144,7 @@ impl Format for Layout {
             .variables
             .par_iter()
             .map(|(column, array)| {
-                let bytes = variable::to_bytes(*column, columns.column(*column), &places, size);
-                encode(column.name(), array, full, bytes)
+                array.encode(&variable::to_bytes(*column, columns.column(*column), &places, size))
             })
             .collect();
         self.paths(chunk).into_iter().zip(files).map(|(path, bytes)| Ok((path, bytes?))).collect()
@@ -187,7 +161,8 @@ impl Format for Layout {
                 Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
                 Err(source) => return Err(StoreError::unreadable(&path, source)),
             };
-            let bytes = decode(array, full, encoded)
+            let bytes = array
+                .decode(&encoded)
                 .map_err(|reason| StoreError::DamagedChunk { path: path.clone(), reason })?;
             columns.push(variable::from_bytes(*column, &bytes, &places));
         }

@@ -41,7 +41,7 @@ impl ZarrStore {
             reason: "the attribute \"run\" does not describe a grid".to_owned(),
         })?;
         let chunks = Chunks::of_shape(&grid, shape);
-        let layout = Layout::new(&grid, chunks, Description(run))?;
+        let layout = Layout::new(&grid, chunks, Description(run));
         Ok(Self { root: path.to_owned(), grid, limits, complete, layout })
     }
 

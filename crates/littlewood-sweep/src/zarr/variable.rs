@@ -1,29 +1,8 @@
-//! The columns of a store: type, fill value, and their values as bytes.
+//! The values of a column of a store as bytes.
 
 use littlewood::{SummaryColumn, SummaryValue};
-use zarrs::array::builder::ArrayBuilderFillValue;
-use zarrs::array::{DataType, data_type};
 
 use crate::columns::{ColumnValues, not_computed};
-
-pub(super) fn data_type(column: SummaryColumn) -> DataType {
-    match not_computed(column) {
-        SummaryValue::U8(_) => data_type::uint8(),
-        SummaryValue::U32(_) => data_type::uint32(),
-        SummaryValue::U64(_) => data_type::uint64(),
-        SummaryValue::F64(_) => data_type::float64(),
-    }
-}
-
-/// What readers see where a chunk is missing.
-pub(super) fn fill_value(column: SummaryColumn) -> ArrayBuilderFillValue {
-    match not_computed(column) {
-        SummaryValue::U8(value) => value.into(),
-        SummaryValue::U32(value) => value.into(),
-        SummaryValue::U64(value) => value.into(),
-        SummaryValue::F64(value) => value.into(),
-    }
-}
 
 /// The values of a chunk in a box of the full chunk size, little-endian, with the fill value where there are none.
 pub(super) fn to_bytes(

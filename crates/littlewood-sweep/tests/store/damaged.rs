@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use littlewood_sweep::{Options, Progress, StoreError, SweepError, ZarrStore, grid_to_zarr};
 
-use crate::runs::{each_kind, interrupted, limits, options, store_of};
+use crate::store::runs::{each_kind, interrupted, limits, options, store_of};
 use crate::support::{assert_same_tree, bits, map, tree, workers};
 
 #[test]

@@ -8,7 +8,7 @@ use littlewood_sweep::{
     sweep_grid,
 };
 
-use crate::runs::{each_kind, interrupted, limits, options, store_of};
+use crate::store::runs::{each_kind, interrupted, limits, options, store_of};
 use crate::support::{assert_same_tree, figure_2, map, mixed, tree, workers};
 
 #[test]

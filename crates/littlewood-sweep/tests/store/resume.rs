@@ -9,7 +9,7 @@ use littlewood_sweep::{
     sweep_grid,
 };
 
-use crate::runs::{each_kind, interrupted, limits, options};
+use crate::store::runs::{each_kind, interrupted, limits, options};
 use crate::support::{SmallDisk, assert_same_tree, mixed, parts, tree, workers};
 
 #[test]

@@ -2,19 +2,15 @@
 
 use std::fs;
 use std::path::Path;
-use std::sync::Arc;
 
-use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use littlewood::PhaseSequence;
 use littlewood_sweep::{
     ForeignVersion, Options, Report, STORE_FORMAT, StoreError, SweepError, ZarrStore, grid_to_parquet,
 };
-use parquet::arrow::ArrowWriter;
-use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
 use serde_json::{Value, json};
 
-use crate::runs::{each_kind, interrupted, options, store_of};
+use crate::store::runs::{each_kind, interrupted, options, store_of};
+use crate::support::table::{Cells, write_table};
 use crate::support::{assert_same_tree, mixed, tree, workers};
 
 /// The version that a run is refused for.
@@ -88,15 +84,8 @@ fn a_file_of_the_first_version_is_refused() {
     let path = folder.path().join("table.parquet");
     // What the footer of a file of version 1 said of its run: no format.
     let run = json!({ "version": "0.1.0", "points": "grid" }).to_string();
-    let properties = WriterProperties::builder()
-        .set_key_value_metadata(Some(vec![KeyValue::new("littlewood_run".to_owned(), run)]))
-        .build();
-    let theta: ArrayRef = Arc::new(Float64Array::from(vec![0.5]));
-    let batch = RecordBatch::try_from_iter([("theta", theta)]).unwrap();
-    let file = fs::File::create(&path).unwrap();
-    let mut writer = ArrowWriter::try_new(file, batch.schema(), Some(properties)).unwrap();
-    writer.write(&batch).unwrap();
-    writer.close().unwrap();
+    let columns = [("required double theta", Cells::Double(vec![0.5]))];
+    write_table(&path, &columns, Some(("littlewood_run", run)));
     let before = fs::read(&path).unwrap();
     let resume = Options { resume: true, ..options("grid file") };
     let version =

@@ -1,7 +1,9 @@
 //! What the tests share: the hoop of Figure 2, grids of it, trees of files, a disk that fills up.
 
-#![allow(dead_code, reason = "each test file uses some of it")]
-#![allow(clippy::unwrap_used, reason = "helpers of tests stand outside of test functions")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
+
+pub(crate) mod table;
+pub(crate) mod zarr;
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;

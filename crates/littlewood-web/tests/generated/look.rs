@@ -8,7 +8,7 @@ use littlewood_style::{
 };
 use littlewood_web::hops;
 
-use crate::source::{Source, WRITTEN, object, quoted, quoted_or_null};
+use crate::generated::source::{Source, WRITTEN, object, quoted, quoted_or_null};
 
 /// How much of the colour of a class a map shows that lies behind curves and letters.
 const MAP_OPACITY: f64 = 0.55;

@@ -4,7 +4,7 @@ use core::fmt::Write;
 
 /// How the files are made.
 pub(crate) const WRITTEN: &str =
-    "Written by `LITTLEWOOD_WRITE=1 cargo test -p littlewood-web --test generated`; do not edit.";
+    "Written by `LITTLEWOOD_WRITE=1 cargo test -p littlewood-web generated::`; do not edit.";
 
 /// A file that grows.
 pub(crate) struct Source(String);

@@ -6,7 +6,7 @@ use littlewood::{
 };
 use littlewood_web::{dimensionless_quantities, si_quantities};
 
-use crate::source::{Source, object, quoted, quoted_or_null};
+use crate::generated::source::{Source, object, quoted, quoted_or_null};
 
 /// The whole file.
 pub(crate) fn typescript() -> String {

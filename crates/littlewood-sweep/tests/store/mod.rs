@@ -6,6 +6,4 @@ mod damaged;
 mod refused;
 mod resume;
 mod runs;
-#[path = "../support/mod.rs"]
-mod support;
 mod versions;

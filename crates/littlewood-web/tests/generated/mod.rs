@@ -2,7 +2,7 @@
 //! and colours. A test fails where a file differs from the tables by a byte; this writes the files:
 //!
 //! ```sh
-//! LITTLEWOOD_WRITE=1 cargo test -p littlewood-web --test generated
+//! LITTLEWOOD_WRITE=1 cargo test -p littlewood-web generated::
 //! ```
 
 mod look;

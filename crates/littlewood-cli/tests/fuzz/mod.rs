@@ -4,7 +4,7 @@
 //! Without further ado it runs for a moment, the same cases every time. By hand it runs as long as it is to:
 //!
 //! ```sh
-//! LITTLEWOOD_FUZZ_SECONDS=3600 LITTLEWOOD_FUZZ_SEED=$RANDOM cargo test -p littlewood-cli --test fuzz -- --nocapture
+//! LITTLEWOOD_FUZZ_SECONDS=3600 LITTLEWOOD_FUZZ_SEED=$RANDOM cargo test -p littlewood-cli --all-features fuzz:: -- --nocapture
 //! ```
 //!
 //! A case that fails is told with what reproduces it; `LITTLEWOOD_FUZZ_CASE=stores:17` (with the same seed) runs it

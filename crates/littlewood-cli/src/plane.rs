@@ -1,0 +1,139 @@
+//! A plane as text: what has become of each of its starts, as CSV or JSON.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use littlewood::{ColumnType, OutcomeKind, PhaseSequence, Summary, SummaryColumn, SummaryValue};
+use littlewood_sweep::{Axis, Chunk, Columns, Grid};
+use serde::Serialize;
+use serde::ser::{SerializeMap as _, Serializer};
+
+use crate::error::Error;
+
+/// Starts that are written as text at most: they are all held, and text is read whole.
+const MOST: u64 = 1 << 20;
+
+/// The results of a grid, in the order of its points, the last axis fastest.
+pub(crate) struct Plane<'a> {
+    axes: &'a [Axis],
+    summaries: Vec<Summary>,
+}
+
+impl<'a> Plane<'a> {
+    /// Without results.
+    ///
+    /// # Errors
+    /// The grid is too large for the text at `path`.
+    pub(crate) fn new(grid: &'a Grid, path: &Path) -> Result<Self, Error> {
+        let len = usize::try_from(grid.len()).ok().filter(|_| grid.len() <= MOST);
+        let len = len.ok_or_else(|| Error::Out {
+            path: path.to_owned(),
+            reason: format!("{} starts are too many for a text, which may have {MOST}", grid.len()),
+            hint: "give fewer points, or a name that ends in .parquet or .zarr (feature `sweep`)".to_owned(),
+        })?;
+        Ok(Self { axes: grid.axes(), summaries: vec![Summary::NOT_COMPUTED; len] })
+    }
+
+    /// Adds the results of a chunk.
+    pub(crate) fn add(&mut self, chunk: &Chunk, columns: &Columns) {
+        for (indices, summary) in chunk.indices().zip(columns.summaries()) {
+            let place = indices.iter().zip(self.axes).fold(0, |place, (i, axis)| place * axis.count() + i);
+            self.summaries[place] = summary;
+        }
+    }
+
+    /// One row a start: its place on the axes, then the columns. What has no value is an empty cell.
+    pub(crate) fn csv(&self, writer: &mut dyn Write) -> io::Result<()> {
+        let names = self.axes.iter().map(|axis| axis.quantity().name());
+        let names: Vec<&str> = names.chain(SummaryColumn::ALL.into_iter().map(SummaryColumn::name)).collect();
+        writeln!(writer, "{}", names.join(","))?;
+        for (place, summary) in self.summaries.iter().enumerate() {
+            let mut cells: Vec<String> = vec![String::new(); self.axes.len()];
+            let mut rest = place;
+            for (cell, axis) in cells.iter_mut().zip(self.axes).rev() {
+                *cell = axis.value(rest % axis.count()).to_string();
+                rest /= axis.count();
+            }
+            cells.extend(SummaryColumn::ALL.into_iter().map(|column| Cell::of(column, summary).text()));
+            writeln!(writer, "{}", cells.join(","))?;
+        }
+        Ok(())
+    }
+
+    /// The axes, and each column as a list in the order of the points. What has no value is `null`.
+    pub(crate) fn json(&self, writer: &mut dyn Write) -> io::Result<()> {
+        serde_json::to_writer(&mut *writer, self)?;
+        writeln!(writer)
+    }
+}
+
+impl Serialize for Plane<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        let axes: Vec<Values> = self
+            .axes
+            .iter()
+            .map(|axis| Values { name: axis.quantity().name(), values: axis.values().collect() })
+            .collect();
+        map.serialize_entry("axes", &axes)?;
+        map.serialize_entry("columns", &Lists(&self.summaries))?;
+        map.end()
+    }
+}
+
+#[derive(Serialize)]
+struct Values {
+    name: &'static str,
+    values: Vec<f64>,
+}
+
+/// The columns of some summaries by their names.
+struct Lists<'a>(&'a [Summary]);
+
+impl Serialize for Lists<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(SummaryColumn::ALL.into_iter().map(|column| {
+            let cells: Vec<Cell> = self.0.iter().map(|summary| Cell::of(column, summary)).collect();
+            (column.name(), cells)
+        }))
+    }
+}
+
+/// A value of a summary, codes as words.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Cell {
+    Word(String),
+    Flag(bool),
+    Count(u64),
+    Real(f64),
+}
+
+impl Cell {
+    fn of(column: SummaryColumn, summary: &Summary) -> Self {
+        match (column.column_type(), column.of(summary)) {
+            (ColumnType::Outcome, SummaryValue::U8(code)) => Self::Word(
+                OutcomeKind::try_from(code)
+                    .map_or_else(|unknown| unknown.to_string(), |kind| kind.to_string()),
+            ),
+            (ColumnType::Sequence, SummaryValue::U64(bits)) => {
+                Self::Word(PhaseSequence::from_bits(bits).to_string())
+            }
+            (ColumnType::Flag, SummaryValue::U8(flag)) => Self::Flag(flag != 0),
+            (_, SummaryValue::U8(count)) => Self::Count(count.into()),
+            (_, SummaryValue::U32(count)) => Self::Count(count.into()),
+            (_, SummaryValue::U64(count)) => Self::Count(count),
+            (_, SummaryValue::F64(value)) => Self::Real(value),
+        }
+    }
+
+    fn text(&self) -> String {
+        match self {
+            Self::Word(word) => word.clone(),
+            Self::Flag(flag) => flag.to_string(),
+            Self::Count(count) => count.to_string(),
+            Self::Real(value) if value.is_nan() => String::new(),
+            Self::Real(value) => value.to_string(),
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! The tests of the figures: one program, a module for each subject.
+
+mod files;
+mod gallery;
+mod impacts;
+mod motions;
+mod plane;
+mod support;

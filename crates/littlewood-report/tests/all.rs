@@ -1,0 +1,4 @@
+//! The tests of the reports: one program, a module for each subject.
+
+mod impact;
+mod sentence;

@@ -1,0 +1,12 @@
+//! The tests of the sweeps: one program, a module for each subject.
+
+#![cfg(all(feature = "parquet", feature = "zarr"))]
+
+mod atlas;
+mod compute;
+mod list;
+mod picture;
+mod restitution;
+mod store;
+mod support;
+mod zarr;

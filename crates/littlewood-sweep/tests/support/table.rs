@@ -1,0 +1,103 @@
+//! Parquet files, written and read row by row.
+
+use std::fs::File;
+use std::path::Path;
+use std::sync::Arc;
+
+use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, FloatType, Int32Type, Int64Type};
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use parquet::file::reader::FileReader as _;
+use parquet::file::serialized_reader::SerializedFileReader;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::record::{Field, Row};
+use parquet::schema::parser::parse_message_type;
+
+/// The values of a column that a test writes.
+pub(crate) enum Cells {
+    Int32(Vec<i32>),
+    Int64(Vec<i64>),
+    Float(Vec<f32>),
+    Double(Vec<f64>),
+    /// With nulls: the values that are there, and for each row whether there is one.
+    Some(Vec<f64>, Vec<i16>),
+    Text(Vec<&'static str>),
+}
+
+/// Writes columns, which a line of a schema describes each, into a row group, with an entry in the footer.
+pub(crate) fn write_table(path: &Path, columns: &[(&str, Cells)], entry: Option<(&str, String)>) {
+    let lines: String = columns.iter().map(|(line, _)| format!("{line};")).collect();
+    let schema = parse_message_type(&format!("message table {{ {lines} }}")).unwrap();
+    let entry = entry.map(|(key, value)| vec![KeyValue::new(key.to_owned(), value)]);
+    let properties = WriterProperties::builder().set_key_value_metadata(entry).build();
+    let file = File::create(path).unwrap();
+    let mut writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties)).unwrap();
+    let mut group = writer.next_row_group().unwrap();
+    for (_, cells) in columns {
+        let mut column = group.next_column().unwrap().unwrap();
+        match cells {
+            Cells::Int32(values) => column.typed::<Int32Type>().write_batch(values, None, None),
+            Cells::Int64(values) => column.typed::<Int64Type>().write_batch(values, None, None),
+            Cells::Float(values) => column.typed::<FloatType>().write_batch(values, None, None),
+            Cells::Double(values) => column.typed::<DoubleType>().write_batch(values, None, None),
+            Cells::Some(values, is_there) => {
+                column.typed::<DoubleType>().write_batch(values, Some(is_there), None)
+            }
+            Cells::Text(values) => {
+                let values: Vec<ByteArray> = values.iter().map(|&text| text.into()).collect();
+                column.typed::<ByteArrayType>().write_batch(&values, None, None)
+            }
+        }
+        .unwrap();
+        column.close().unwrap();
+    }
+    group.close().unwrap();
+    writer.close().unwrap();
+}
+
+/// A table that has been read.
+pub(crate) struct Table {
+    rows: Vec<Row>,
+    /// Number of row groups.
+    pub(crate) groups: usize,
+    /// What the footer says, by its keys.
+    pub(crate) entries: Vec<KeyValue>,
+}
+
+impl Table {
+    pub(crate) fn read(path: &Path) -> Self {
+        let reader = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
+        let entries = reader.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default();
+        let groups = reader.num_row_groups();
+        Self { rows: reader.get_row_iter(None).unwrap().map(Result::unwrap).collect(), groups, entries }
+    }
+
+    /// An entry of the footer.
+    pub(crate) fn entry(&self, key: &str) -> &str {
+        let entry = self.entries.iter().find(|entry| entry.key == key).unwrap();
+        entry.value.as_deref().unwrap()
+    }
+
+    /// The values of a column.
+    pub(crate) fn column(&self, name: &str) -> Vec<&Field> {
+        let find = |row: &Row| row.get_column_iter().position(|(column, _)| column == name).unwrap();
+        let Some(place) = self.rows.first().map(find) else { return Vec::new() };
+        self.rows.iter().map(|row| row.get_column_iter().nth(place).unwrap().1).collect()
+    }
+
+    pub(crate) fn reals(&self, name: &str) -> Vec<f64> {
+        let real = |field: &Field| match field {
+            Field::Double(value) => *value,
+            other => panic!("{name} has {other}"),
+        };
+        self.column(name).into_iter().map(real).collect()
+    }
+
+    pub(crate) fn words(&self, name: &str) -> Vec<String> {
+        let word = |field: &Field| match field {
+            Field::Str(text) => text.clone(),
+            other => panic!("{name} has {other}"),
+        };
+        self.column(name).into_iter().map(word).collect()
+    }
+}

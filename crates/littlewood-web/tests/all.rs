@@ -1,0 +1,3 @@
+//! The tests of the module of the page: one program, a module for each subject.
+
+mod generated;

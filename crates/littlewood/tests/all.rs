@@ -1,0 +1,22 @@
+//! The tests of the core: one program, a module for each subject.
+
+mod bounces;
+mod bounded;
+mod cases;
+mod classification;
+mod coincidences;
+mod common;
+mod counts;
+mod degenerate;
+mod documentation;
+mod engine;
+mod equations;
+mod errata;
+mod impact;
+mod invariants;
+mod jam;
+mod proofs;
+mod reference;
+mod serde;
+mod symmetry;
+mod vocabulary;
