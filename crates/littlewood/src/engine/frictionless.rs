@@ -23,7 +23,7 @@ pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
     let Heavy { mass, h, inertia, offset } = *body;
     let (sin, cos) = sincos(state.theta);
     let rate = state.theta_rate;
-    let energy = (inertia + mass * (h * sin).powi(2)) * rate * rate + 2.0 * offset * cos;
+    let energy = (inertia + mass * (h * sin) * (h * sin)) * rate * rate + 2.0 * offset * cos;
     let over_top = energy - 2.0 * offset;
     let rotates = over_top > UNCERTAIN * energy.abs();
     if !rotates && over_top > -UNCERTAIN * energy.abs() {
