@@ -32,13 +32,23 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
 
     // All is drawn before anything is written: a figure that cannot be made leaves no others behind.
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
-    let mut left_out: Vec<(&FigureEntry, FigureError)> = Vec::new();
+    let mut left_out = LeftOut::default();
     let bar = Bar::new();
     let total = entries.len() as u64;
     for (done, entry) in (0..).zip(entries) {
         bar.show("figures", Count { done, total });
         let mut watch = |done, total| bar.show(STARTS, Count { done, total });
-        match entry.figure_with(&subject(args, entry)?, &mut watch) {
+        let input = match subject(args, entry) {
+            Ok(input) => input,
+            // The hoop of the figure's own case does not bear what was asked for.
+            Err(error) if args.names.is_empty() && args.takes_own_cases() => {
+                let reason = format!("its own hoop, of the case {}, cannot have this: {error}", entry.case);
+                left_out.add(entry, reason, error);
+                continue;
+            }
+            Err(error) => return Err(error),
+        };
+        match entry.figure_with(&input, &mut watch) {
             Ok(figure) => {
                 for format in &args.format {
                     files.push((
@@ -48,15 +58,19 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
                 }
             }
             // Without names all figures are meant that this hoop has.
-            Err(error) if args.names.is_empty() && is_about_the_hoop(&error) => left_out.push((entry, error)),
+            Err(error) if args.names.is_empty() && is_about_the_hoop(&error) => {
+                let text = error.to_string();
+                let reason = text.strip_prefix(entry.name).unwrap_or(&text).trim_start().to_owned();
+                left_out.add(entry, reason, Error::of_figure(error));
+            }
             Err(error) => return Err(Error::of_figure(error)),
         }
     }
     drop(bar);
     if files.is_empty()
-        && let Some((_, error)) = left_out.pop()
+        && let Some(error) = left_out.last.take()
     {
-        return Err(Error::of_figure(error));
+        return Err(error);
     }
     for (path, bytes) in &files {
         Output::open(Some(path))?.write(|writer| writer.write_all(bytes))?;
@@ -65,11 +79,29 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
         for (path, _) in &files {
             writeln!(writer, "{}", path.display())?;
         }
-        for (entry, error) in &left_out {
-            writeln!(writer, "left out {}: {error}", entry.name)?;
+        for (reason, names) in &left_out.reasons {
+            writeln!(writer, "left out {}: {reason}", names.join(", "))?;
         }
         Ok(())
     })
+}
+
+/// Figures that cannot be made of a hoop.
+#[derive(Debug, Default)]
+struct LeftOut {
+    /// Each reason once, with the names of the figures.
+    reasons: Vec<(String, Vec<&'static str>)>,
+    last: Option<Error>,
+}
+
+impl LeftOut {
+    fn add(&mut self, entry: &FigureEntry, reason: String, error: Error) {
+        self.last = Some(error);
+        match self.reasons.iter_mut().find(|(known, _)| *known == reason) {
+            Some((_, names)) => names.push(entry.name),
+            None => self.reasons.push((reason, vec![entry.name])),
+        }
+    }
 }
 
 fn list() -> Result<(), Error> {
@@ -130,7 +162,9 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
             | FigureError::NeedsRestitution { .. }
             | FigureError::NeedsStaticFriction { .. }
             | FigureError::NoContact { .. }
+            | FigureError::NeedsStaticFriction { .. }
             | FigureError::NoMotion { .. }
+            | FigureError::NoContact { .. }
             | FigureError::NoImpact { .. }
     )
 }

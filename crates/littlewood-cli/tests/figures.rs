@@ -49,7 +49,8 @@ fn without_names_a_hoop_has_all_figures_that_can_show_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
     let printed = text(&["figures", "--out", out, "--format", "txt", "--mass-ratio", "2"]);
-    assert!(printed.contains("left out figure-4: figure-4 shows the massless hoop"), "{printed}");
+    let massless = "left out figure-4, figure-5a, figure-5b, figure-6a, figure-6b, figure-7a, figure-7b: shows the massless hoop";
+    assert!(printed.contains(massless), "{printed}");
     let found = files(folder.path());
     assert!(found.contains(&"figure-2a.txt".to_owned()) && found.contains(&"forces.txt".to_owned()));
     assert!(!found.iter().any(|name| name.starts_with("figure-4")));
@@ -127,10 +128,20 @@ fn without_restitution_the_figures_of_impacts_are_left_out() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
     let printed = text(&["figures", "--case", "figure-3", "--out", out, "--format", "txt"]);
-    for name in ["impact", "bounces"] {
-        assert!(
-            printed.contains(&format!("left out {name}: {name} shows what follows a landing")),
-            "{printed}"
-        );
-    }
+    // The one of each also says what else it lacks.
+    assert!(printed.contains("left out impact, bounces: shows what follows a landing"), "{printed}");
+}
+
+#[test]
+fn a_balanced_hoop_has_the_figures_that_do_not_need_its_angle() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let printed = text(&["figures", "--offset", "0", "--out", out, "--format", "txt"]);
+    // Without mass the particle has to be off the centre: no hoop of these figures can have the offset 0.
+    assert!(
+        printed.contains("figure-4, ")
+            && printed.contains("its own hoop, of the case figure-7, cannot have this"),
+        "{printed}"
+    );
+    assert!(files(folder.path()).contains(&"forces.txt".to_owned()), "{printed}");
 }

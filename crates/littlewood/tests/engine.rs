@@ -305,12 +305,13 @@ fn every_regime_has_the_outcomes_of_the_simulation() {
 fn swinging_hoop() -> impl Strategy<Value = Hoop> {
     let light = (-2.5_f64..-0.5, 0.0_f64..0.2, 0.1_f64..1.2, 0.3_f64..0.95).prop_map(
         |(inertia, mass, mu_s, part)| {
-            HoopParameters::new(mass, 1.0, 10.0_f64.powf(inertia)).with_friction(mu_s, part * mu_s)
+            HoopParameters::new(mass, 1.0, libm::pow(10.0, inertia)).with_friction(mu_s, part * mu_s)
         },
     );
     let alike = (0.0_f64..2.0, 0.3_f64..1.0, 0.3_f64..2.0, 0.3_f64..0.8, -3.5_f64..-1.0).prop_map(
         |(mass, offset, inertia, mu_s, less)| {
-            HoopParameters::new(mass, offset, inertia).with_friction(mu_s, mu_s * (1.0 - 10.0_f64.powf(less)))
+            HoopParameters::new(mass, offset, inertia)
+                .with_friction(mu_s, mu_s * (1.0 - libm::pow(10.0, less)))
         },
     );
     prop_oneof![light, alike].prop_map(|parameters| Hoop::new(parameters).expect("a valid hoop"))

@@ -72,6 +72,11 @@ fn impact(text: &str) -> Result<usize, String> {
 }
 
 impl FiguresArgs {
+    /// Whether each figure shows the hoop of its own case, as far as nothing else is asked for.
+    pub(crate) const fn takes_own_cases(&self) -> bool {
+        self.scenario.is_none() && self.case.is_none()
+    }
+
     /// The same as `simulate` has it, with a case if none is asked for.
     pub(crate) fn problem(&self, case: &str) -> ProblemArgs<false> {
         let Self { scenario, setup, .. } = self;
