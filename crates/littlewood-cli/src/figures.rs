@@ -161,8 +161,6 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
             | FigureError::NeedsOffset { .. }
             | FigureError::NeedsRestitution { .. }
             | FigureError::NeedsStaticFriction { .. }
-            | FigureError::NoContact { .. }
-            | FigureError::NeedsStaticFriction { .. }
             | FigureError::NoMotion { .. }
             | FigureError::NoContact { .. }
             | FigureError::NoImpact { .. }
