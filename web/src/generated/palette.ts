@@ -1,4 +1,4 @@
-// Colours and lines of the style crate. Written by `LITTLEWOOD_WRITE=1 cargo test -p littlewood-web --test generated`; do not edit.
+// Colours and lines of the style crate. Written by `LITTLEWOOD_WRITE=1 cargo test -p littlewood-web generated::`; do not edit.
 
 import type { Class, Mode } from './tables';
 

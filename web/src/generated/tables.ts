@@ -1,4 +1,4 @@
-// The tables of the core. Written by `LITTLEWOOD_WRITE=1 cargo test -p littlewood-web --test generated`; do not edit.
+// The tables of the core. Written by `LITTLEWOOD_WRITE=1 cargo test -p littlewood-web generated::`; do not edit.
 
 /** What a person can set. */
 export const QUANTITIES = [
