@@ -6,7 +6,8 @@ from pathlib import Path
 
 from littlewood import _core
 
-committed = (Path(__file__).parents[1] / "reference" / "digest.txt").read_text(encoding="utf-8").splitlines()
+digest = Path(__file__).parents[1] / "crates" / "littlewood-digest" / "digest.txt"
+committed = digest.read_text(encoding="utf-8").splitlines()
 with ThreadPoolExecutor() as threads:
     computed = list(threads.map(_core.digest_line, range(len(committed))))
 pairs = [(ours, theirs) for ours, theirs in zip(committed, computed, strict=True) if ours != theirs]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compares the bits of 100,000 motions with those of reference/digest.txt.
+# Compares the bits of 100,000 motions with those of crates/littlewood-digest/digest.txt.
 #
 #   scripts/bits.sh native   a release build
 #   scripts/bits.sh wasm     the core of the page, in node; after web/build-wasm.sh
@@ -14,8 +14,8 @@ for build in "$@"; do
     wasm) node web/digest.mjs ;;
     python) "${PYTHON:-python3}" scripts/bits.py ;;
     print)
-      cargo run --quiet --release --locked -p littlewood-digest -- print >reference/digest.new
-      mv reference/digest.new reference/digest.txt
+      cargo run --quiet --release --locked -p littlewood-digest -- print >crates/littlewood-digest/digest.new
+      mv crates/littlewood-digest/digest.new crates/littlewood-digest/digest.txt
       ;;
     *)
       echo "usage: scripts/bits.sh native|wasm|python|print …" >&2

@@ -6,7 +6,7 @@ import { digestLine, initSync } from './src/wasm/littlewood_web.js';
 const read = (path) => readFileSync(new URL(path, import.meta.url));
 
 initSync({ module: read('src/wasm/littlewood_web_bg.wasm') });
-const committed = read('../reference/digest.txt').toString().trimEnd().split('\n');
+const committed = read('../crates/littlewood-digest/digest.txt').toString().trimEnd().split('\n');
 let differing = 0;
 for (const [block, line] of committed.entries()) {
   const computed = digestLine(block);

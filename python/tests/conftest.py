@@ -21,7 +21,9 @@ def binary() -> Path:
     target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
     path = Path(os.environ.get("LITTLEWOOD_BIN", target / "debug" / "littlewood"))
     if not path.is_file():
-        pytest.fail(f"no command line at {path}: run `cargo build -p littlewood-cli --features full`, or set LITTLEWOOD_BIN")
+        pytest.fail(
+            f"no command line at {path}: run `cargo build -p littlewood-cli --features full`, or set LITTLEWOOD_BIN"
+        )
     return path
 
 

@@ -6,7 +6,8 @@ import pytest
 
 from littlewood import _core
 
-COMMITTED = (Path(__file__).parents[2] / "reference" / "digest.txt").read_text(encoding="utf-8").splitlines()
+DIGEST = Path(__file__).parents[2] / "crates" / "littlewood-digest" / "digest.txt"
+COMMITTED = DIGEST.read_text(encoding="utf-8").splitlines()
 
 
 def test_there_are_a_hundred_blocks():

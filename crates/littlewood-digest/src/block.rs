@@ -45,7 +45,7 @@ impl Block {
         Self { index, trajectories: trajectories.finish(), summaries: summaries.finish() }
     }
 
-    /// The block as a line of `reference/digest.txt`.
+    /// The block as a line of `crates/littlewood-digest/digest.txt`.
     #[must_use]
     pub fn line(&self) -> String {
         format!("{:2} {:016x} {:016x}", self.index, self.trajectories, self.summaries)

@@ -15,5 +15,5 @@ pub use starts::{MOTIONS, limits, setups};
 /// Number of blocks.
 pub const BLOCKS: u32 = 100;
 
-/// The lines of all blocks: `reference/digest.txt`.
-pub const COMMITTED: &str = include_str!("../../../reference/digest.txt");
+/// The lines of all blocks: `crates/littlewood-digest/digest.txt`.
+pub const COMMITTED: &str = include_str!("../digest.txt");

@@ -1,4 +1,4 @@
-//! Computes the digests of all blocks. `print` writes them: the content of `reference/digest.txt`. `check` compares them with that, and
+//! Computes the digests of all blocks. `print` writes them: the content of `crates/littlewood-digest/digest.txt`. `check` compares them with that, and
 //! tells which differ.
 
 use std::io::{self, Write};
