@@ -4,6 +4,7 @@ import re
 import subprocess
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
@@ -15,6 +16,13 @@ PAGES = [
     *(PYTHON / "docs" / name for name in ("own-hoop.md", "jumps.md", "landing.md", "fit.md", "lab.md")),
     PYTHON.parent / "docs" / "start.md",
 ]
+
+
+@pytest.fixture(autouse=True)
+def close_figures():
+    """A page leaves its figures open for its reader; the next test counts the open ones."""
+    yield
+    plt.close("all")
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
