@@ -57,7 +57,8 @@ impl Atlas {
     ) -> Result<Self, ParameterError> {
         Self::collect(grid, options, |chunk, watch| {
             let points: Vec<Setup> = chunk.points(grid).collect();
-            let columns = match workers.compute_points(&points, limits, watch) {
+            let columns = match workers.compute_points(&points, Some(grid.starts_of_a_hoop()), limits, watch)
+            {
                 Ok(columns) => columns,
                 Err(Halt::Refused(refused)) => return Err(refused.error),
                 Err(Halt::Cancelled) => return Ok(None),

@@ -1,6 +1,6 @@
 //! An axis of a sweep: one quantity, evenly spaced.
 
-use littlewood::{ParameterError, Quantity};
+use littlewood::{Group, ParameterError, Quantity};
 use thiserror::Error;
 
 /// What is wrong with the axes of a grid.
@@ -126,6 +126,11 @@ impl Axis {
     #[must_use]
     pub const fn quantity(&self) -> Quantity {
         self.quantity
+    }
+
+    /// Whether its values are hoops, not starts.
+    pub(crate) fn is_of_the_hoop(&self) -> bool {
+        self.quantity.group() == Group::Hoop
     }
 
     /// First value.

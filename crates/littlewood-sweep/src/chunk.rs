@@ -1,8 +1,7 @@
 //! How a grid is cut into chunks.
 
-use littlewood::{Group, Setup};
+use littlewood::Setup;
 
-use crate::axis::Axis;
 use crate::grid::Grid;
 
 /// The chunks of a grid: equal boxes, those at the far ends cut off.
@@ -47,11 +46,10 @@ impl Chunks {
         let axes = grid.axes();
         let mut shape = vec![1; axes.len()];
         let mut room = points.max(1);
-        let is_of_the_hoop = |axis: &Axis| axis.quantity().group() == Group::Hoop;
         let order = (0..axes.len())
             .rev()
-            .filter(|&i| !is_of_the_hoop(&axes[i]))
-            .chain((0..axes.len()).rev().filter(|&i| is_of_the_hoop(&axes[i])));
+            .filter(|&i| !axes[i].is_of_the_hoop())
+            .chain((0..axes.len()).rev().filter(|&i| axes[i].is_of_the_hoop()));
         for i in order {
             let count = axes[i].count();
             if count <= room {

@@ -43,9 +43,8 @@ struct Prepared {
 }
 
 impl Prepared {
-    fn new(point: &Setup, starts: usize) -> Result<Self, ParameterError> {
-        let prepare =
-            if starts >= Engine::MIN_STARTS_FOR_TABLES { Engine::new } else { Engine::without_tables };
+    fn new(point: &Setup, has_tables: bool) -> Result<Self, ParameterError> {
+        let prepare = if has_tables { Engine::new } else { Engine::without_tables };
         let engine = match Hoop::new(point.hoop) {
             Ok(hoop) => Some(Arc::new(prepare(&hoop))),
             Err(error) if error.is_contradiction() => None,
@@ -108,7 +107,8 @@ impl Workers {
     /// Computes points, in their order. The result does not depend on the number of threads.
     ///
     /// Points that share their hoop share its engine, wherever they stand; a hoop with few points is simulated without
-    /// tables; results with and without tables agree to rounding. Where the parameters of a hoop contradict each other (μk > μs, or a point mass at the centre) the outcome is
+    /// tables; results with and without tables agree to rounding. Where the parameters of a hoop contradict each other
+    /// (μk > μs, or a point mass at the centre) the outcome is
     /// [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid).
     ///
     /// ```
@@ -131,7 +131,7 @@ impl Workers {
         limits: Limits,
     ) -> Result<Columns, ParameterError> {
         let points: Vec<Setup> = points.into_iter().collect();
-        match self.compute_points(&points, limits, &Watch::NONE) {
+        match self.compute_points(&points, None, limits, &Watch::NONE) {
             Err(Halt::Refused(refused)) => Err(refused.error),
             // Nobody can cancel it.
             Err(Halt::Cancelled) => Ok(Columns::blank(points.len())),
@@ -152,9 +152,11 @@ impl Workers {
         self.compute(starts.iter().map(|&start| Setup::new(hoop, start)), limits)
     }
 
+    /// Computes points of a run in which each hoop has so many starts, or, where that is not known, as many as here.
     pub(crate) fn compute_points(
         &self,
         points: &[Setup],
+        starts_of_a_hoop: Option<u64>,
         limits: Limits,
         watch: &Watch<'_>,
     ) -> Result<Columns, Halt> {
@@ -172,10 +174,11 @@ impl Workers {
                         let first = &points[indices[0] as usize];
                         let bits = hoop_bits(first);
                         // What was prepared earlier must not change the digits of a hoop with few points.
-                        let has_tables = indices.len() >= Engine::MIN_STARTS_FOR_TABLES;
+                        let starts = starts_of_a_hoop.unwrap_or(indices.len() as u64);
+                        let has_tables = starts >= Engine::MIN_STARTS_FOR_TABLES as u64;
                         let prepared = match known.iter().find(|known| has_tables && known.bits == bits) {
                             Some(prepared) => prepared.clone(),
-                            None => Prepared::new(first, indices.len()).map_err(|error| {
+                            None => Prepared::new(first, has_tables).map_err(|error| {
                                 Halt::Refused(Refused { index: indices[0] as usize, error })
                             })?,
                         };

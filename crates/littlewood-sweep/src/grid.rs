@@ -88,6 +88,13 @@ impl Grid {
         self.len
     }
 
+    /// Number of starts of each hoop: the points of the axes that are not of the hoop.
+    #[must_use]
+    pub(crate) fn starts_of_a_hoop(&self) -> u64 {
+        let counts = self.axes.iter().filter(|axis| !axis.is_of_the_hoop());
+        counts.map(|axis| axis.count() as u64).product()
+    }
+
     /// The point with a number below [`Grid::len`].
     #[must_use]
     pub fn point(&self, index: u64) -> Setup {

@@ -148,7 +148,8 @@ impl<'a> Run<'a> {
             .iter()
             .map(|&number| {
                 let lacking = self.destinations.iter().map(|destination| !destination.has(number)).collect();
-                Ok(Input { number, points: source.points(number)?, lacking })
+                let starts_of_a_hoop = source.starts_of_a_hoop();
+                Ok(Input { number, points: source.points(number)?, starts_of_a_hoop, lacking })
             })
             .collect()
     }
@@ -190,6 +191,8 @@ impl<'a> Run<'a> {
 struct Input {
     number: usize,
     points: Vec<Setup>,
+    /// Starts of each hoop in the whole run, where that is known.
+    starts_of_a_hoop: Option<u64>,
     /// Which destinations lack it.
     lacking: Vec<bool>,
 }
@@ -207,11 +210,12 @@ fn compute(
     workers: &Workers,
     watch: &Watch<'_>,
 ) -> Result<(FinishedChunk, Columns), Failure> {
-    let Input { number, points, lacking } = input;
-    let columns = workers.compute_points(&points, limits, watch).map_err(|halt| match halt {
-        Halt::Refused(refused) => Failure::Point { chunk: number, refused },
-        Halt::Cancelled => Failure::Cancelled,
-    })?;
+    let Input { number, points, starts_of_a_hoop, lacking } = input;
+    let columns =
+        workers.compute_points(&points, starts_of_a_hoop, limits, watch).map_err(|halt| match halt {
+            Halt::Refused(refused) => Failure::Point { chunk: number, refused },
+            Halt::Cancelled => Failure::Cancelled,
+        })?;
     let files = destinations
         .iter()
         .zip(lacking)

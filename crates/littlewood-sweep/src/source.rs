@@ -12,6 +12,8 @@ use crate::starts::{ListError, Rows, StartList};
 pub(crate) trait Source {
     /// Number of points.
     fn total(&self) -> u64;
+    /// Starts of each hoop, where that is known before all points have been read.
+    fn starts_of_a_hoop(&self) -> Option<u64>;
     /// Number of chunks.
     fn count(&self) -> usize;
     /// Number of points of a chunk.
@@ -31,6 +33,10 @@ pub(crate) struct GridSource<'a> {
 impl Source for GridSource<'_> {
     fn total(&self) -> u64 {
         self.grid.len()
+    }
+
+    fn starts_of_a_hoop(&self) -> Option<u64> {
+        Some(self.grid.starts_of_a_hoop())
     }
 
     fn count(&self) -> usize {
@@ -78,6 +84,10 @@ const CHUNKS_WITH_LINES: usize = 2;
 impl Source for ListSource<'_> {
     fn total(&self) -> u64 {
         self.list.rows()
+    }
+
+    fn starts_of_a_hoop(&self) -> Option<u64> {
+        None
     }
 
     fn count(&self) -> usize {
