@@ -1,5 +1,7 @@
 import { defineConfig } from '@playwright/test';
 
+import { CHROMIUM } from './tests/chromium.mjs';
+
 const PORT = 4173;
 
 export default defineConfig({
@@ -13,13 +15,7 @@ export default defineConfig({
     // Under a sub-path, as on the pages of a course.
     baseURL: `http://127.0.0.1:${PORT}/courses/mechanics/hoop/`,
     viewport: { width: 1440, height: 900 },
-    launchOptions: {
-      executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
-      args: [
-        '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-        '--disable-component-update', '--disable-sync',
-      ],
-    },
+    launchOptions: CHROMIUM,
   },
   webServer: {
     command: `node tests/serve.mjs dist ${PORT}`,

@@ -1,5 +1,7 @@
 import { defineConfig } from '@playwright/test';
 
+import { CHROMIUM } from '../../web/tests/chromium.mjs';
+
 const PORT = 4175;
 const SITE = process.env['LITTLEWOOD_SITE'] ?? '../../target/site';
 
@@ -15,13 +17,7 @@ export default defineConfig({
     // Under a sub-path, as a host of projects has it.
     baseURL: `http://127.0.0.1:${PORT}/littlewood/`,
     viewport: { width: 1280, height: 900 },
-    launchOptions: {
-      executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
-      args: [
-        '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-        '--disable-component-update', '--disable-sync',
-      ],
-    },
+    launchOptions: CHROMIUM,
   },
   webServer: {
     command: `node ../../web/tests/serve.mjs ${SITE} ${PORT} /littlewood/`,

@@ -9,6 +9,8 @@ import { cpus, loadavg } from 'node:os';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { chromium } from '@playwright/test';
 
+import { CHROMIUM } from '../tests/chromium.mjs';
+
 const PORT = 4174;
 const ADDRESS = `http://127.0.0.1:${PORT}/lab/`;
 const RUNS = 7;
@@ -127,11 +129,7 @@ async function plot(browser, points) {
 }
 
 const server = spawn(process.execPath, ['tests/serve.mjs', 'dist', String(PORT), '/lab/'], { stdio: 'ignore' });
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-    '--disable-component-update', '--disable-sync'],
-});
+const browser = await chromium.launch(CHROMIUM);
 try {
   await new Promise((resolve) => setTimeout(resolve, 500));
   const size = sizes();

@@ -3,14 +3,12 @@
 import { spawn } from 'node:child_process';
 import { chromium } from '@playwright/test';
 
+import { CHROMIUM } from '../tests/chromium.mjs';
+
 const PORT = 4175;
 
 const server = spawn(process.execPath, ['tests/serve.mjs', 'dist', String(PORT), '/lab/'], { stdio: 'ignore' });
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-    '--disable-component-update', '--disable-sync'],
-});
+const browser = await chromium.launch(CHROMIUM);
 try {
   await new Promise((resolve) => setTimeout(resolve, 500));
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
