@@ -291,6 +291,7 @@ fn every_regime_has_the_outcomes_of_the_simulation() {
         ("no kinetic friction", HoopParameters::thin(1.0).with_friction(0.5, 0.0)),
         ("no friction", HoopParameters::thin(1.0).with_friction(0.0, 0.0)),
         ("little friction", HoopParameters::thin(1.0).with_friction(2e-3, 1e-3)),
+        ("some friction", HoopParameters::thin(1.0).with_friction(0.05, 0.04)),
         ("thin", HoopParameters::thin(0.05).with_friction(0.5, 0.4)),
         ("light", HoopParameters::new(0.0, 1.0, 1e-2).with_friction(0.5, 0.4)),
         ("very light", HoopParameters::new(0.0, 1.0, 1e-5).with_friction(0.5, 0.4)),

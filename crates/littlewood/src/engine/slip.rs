@@ -230,7 +230,7 @@ impl Builder<'_> {
     fn fit_slides(&self, left: f64, right: f64) -> Fit<Slides> {
         let nodes = self.basis.nodes(left, right);
         let probes = [nodes[0], nodes[NODES / 2], nodes[NODES - 1]];
-        let ends = probes.map(|angle| self.slide.follow(self.start(angle)?));
+        let ends = probes.map(|angle| self.slide.follow_one_way(self.start(angle)?));
         match ends.map(|end| end.map(|end| end.lifts_off)) {
             [None, None, None] => return Fit::Nothing,
             [Some(first), Some(middle), Some(last)] if first == middle && middle == last => {}
@@ -246,7 +246,7 @@ impl Builder<'_> {
         let mut lifts_off = None;
         for ((angle, end), level) in nodes.iter().zip(&mut ends).zip(&mut levels) {
             let start = self.start(*angle)?;
-            let event = self.slide.follow(start)?;
+            let event = self.slide.follow_one_way(start)?;
             if *lifts_off.get_or_insert(event.lifts_off) != event.lifts_off {
                 return None;
             }

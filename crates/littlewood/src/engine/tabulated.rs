@@ -32,13 +32,11 @@ impl Tables {
         slip_acceleration: Option<f64>,
     ) -> Option<(SlideEvent, Ahead)> {
         let (state, travel, sigma) = (place.state, place.travel(), direction.sign());
-        if state.theta_rate.abs() < MIN_RATE {
-            return None;
-        }
         let (sin, cos) = place.direction;
         let known = place.slip.and_then(|point| {
             self.slip.follow(point, travel * state.theta, travel * state.theta_rate, (travel * sin, cos))
         });
+        let known = known.filter(|end| end.event.theta_rate.abs() >= MIN_RATE);
         let ahead = known.map_or(Ahead::Open, |end| end.ahead);
         let event = match (known, slip_acceleration) {
             (Some(end), _) => end.event,
@@ -51,7 +49,7 @@ impl Tables {
                 direction: (sigma * sin, cos),
             })?,
         };
-        (event.theta_rate.abs() >= MIN_RATE).then(|| (event.mirrored(sigma), ahead))
+        Some((event.mirrored(sigma), ahead))
     }
 }
 

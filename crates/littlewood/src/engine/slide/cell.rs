@@ -8,7 +8,7 @@ use super::super::polynomial::value;
 use super::super::quadrature::{NODE, NODES, WEIGHT};
 
 /// Degree of the polynomials of a cell.
-const DEGREE: usize = 18;
+pub(super) const DEGREE: usize = 18;
 
 /// A series has converged when its last coefficients are below this part of the largest.
 const CONVERGED: f64 = 1e-17;

@@ -4,16 +4,48 @@ use crate::equations::contact;
 
 use super::super::piece::{Piece, Way, Waypoint};
 use super::super::polynomial::value;
+use super::super::solver::MIN_RATE;
 use super::cell::{Cell, Polynomial};
+use super::turning::Turning;
 use super::{SlideEvent, SlideStart, SlideTable};
+
+/// Ratio of the ends of u from which a turning point is looked for.
+const UNEVEN: f64 = 2.0;
+
+/// A slide over more turns than this is followed otherwise.
+const MOST_TURNS: usize = 16;
+
+/// A minimum of η′ within this of zero is in doubt.
+const UNCERTAIN: f64 = 1e-9;
 
 /// Ratio of the ends of u up to which the Gauss sum of 1/√u is exact to rounding.
 const SMOOTH: f64 = 1.5;
 
-/// Whether u changes so little between two values.
-fn is_smooth(from: f64, to: f64) -> bool {
+/// A way is halved at most so often.
+pub(super) const MOST_HALVINGS: u32 = 6;
+
+/// Whether a factor under the root changes so little between two values.
+pub(super) fn is_smooth(from: f64, to: f64) -> bool {
     let ratio = to / from;
     ratio > 1.0 / SMOOTH && ratio < SMOOTH
+}
+
+/// The sum over parts of a way on each of which a factor changes so little.
+pub(super) fn in_parts(
+    factor: &impl Fn(f64) -> f64,
+    sum: &impl Fn(f64, f64) -> f64,
+    (from, first): (f64, f64),
+    (to, last): (f64, f64),
+    halvings: u32,
+) -> Option<f64> {
+    if is_smooth(first, last) {
+        return Some(sum(from, to));
+    }
+    let halvings = halvings.checked_sub(1)?;
+    let middle = 0.5 * (from + to);
+    let between = (middle, factor(middle));
+    let begin = in_parts(factor, sum, (from, first), between, halvings)?;
+    Some(begin + in_parts(factor, sum, between, (to, last), halvings)?)
 }
 
 /// One slide through a cell.
@@ -54,7 +86,8 @@ impl Piece for Crossing<'_> {
     }
 
     fn time(&self, (from, u): (f64, f64), (to, to_u): (f64, f64)) -> Option<f64> {
-        is_smooth(u, to_u).then(|| self.cell.time(&self.motion, from.min(to), from.max(to)))
+        let time = |from: f64, to: f64| self.cell.time(&self.motion, from.min(to), from.max(to));
+        in_parts(&|z| self.u(z), &time, (from, u), (to, to_u), MOST_HALVINGS)
     }
 
     fn short_time(&self, z: f64, u: f64, step: f64) -> f64 {
@@ -64,94 +97,230 @@ impl Piece for Crossing<'_> {
     }
 }
 
-impl SlideTable {
-    /// Follows a slide to its event. None where the shape of η′ is in doubt, θ′ comes close to zero, or the slide takes
-    /// longer than a few turns: the caller then follows it by Taylor series.
-    pub(in crate::engine) fn follow(&self, start: SlideStart) -> Option<SlideEvent> {
-        let travel = if start.theta_rate > 0.0 {
-            1.0
-        } else if start.theta_rate < 0.0 {
-            -1.0
-        } else {
+/// How a part of a slide ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    /// The slide goes on.
+    Open,
+    /// η′ = 0.
+    Rest,
+    /// w = 0.
+    LiftOff,
+}
+
+/// The end of a way on which η″ changes its sign at most once, from a place to another, at which contact ends or not.
+fn pass<P: Piece>(
+    way: &Way<'_, P>,
+    here: &Waypoint,
+    there: Waypoint,
+    lifts_off: bool,
+) -> Option<(End, Waypoint)> {
+    if there.slip <= 0.0 {
+        return Some((End::Rest, way.rest(here, &there)?));
+    }
+    if here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0 {
+        let least = way.least(here, &there)?;
+        // Where it hardly vanishes, or hardly does not, rounding would decide.
+        if least.slip.abs() <= UNCERTAIN * (1.0 + least.u.sqrt()) {
             return None;
-        };
-        let (mut index, mut offset) = self.entrance(&start);
-        let first = &self.cells[index];
-        let z = ((start.theta - offset - first.centre) / first.half).clamp(-1.0, 1.0);
-        let (sin, cos) = start.direction;
-        let (alpha, beta) = self.law.slip_acceleration(sin, cos);
-        let u = start.theta_rate * start.theta_rate;
-        let lever = self.law.lever(sin, cos);
-        let integral = start.slip - start.theta_rate * lever;
-        let slip_acceleration = alpha + beta * u;
-        let mut here =
-            Waypoint { z, u, elapsed: 0.0, slip: start.slip, slip_acceleration, direction: (sin, cos) };
-        let mut whole = false;
-        for _ in 0..4 * self.cells.len() {
-            let cell = &self.cells[index];
-            let level = if whole {
-                let entry = &cell.edges[usize::from(travel < 0.0)];
-                (here.u - entry.p) / entry.h
-            } else {
-                cell.level(here.u, here.z)
-            };
-            let exit = &cell.edges[usize::from(travel > 0.0)];
-            let exit_u = exit.p + level * exit.h;
-            let lifts_off = contact(1.0, self.law.body.h, exit.cos * exit_u) < 0.0;
-            let crossing = || Crossing { cell, motion: cell.motion(level), travel };
-            let there = if lifts_off {
-                self.way(&crossing(), integral).lift_off(&here, travel)?
-            } else {
-                if !is_smooth(here.u, exit_u) {
-                    return None;
-                }
-                let time = if whole {
-                    cell.whole_time(level)
-                } else {
-                    cell.time(&cell.motion(level), here.z.min(travel), here.z.max(travel))
-                };
-                let elapsed = here.elapsed + time;
-                let rate = travel * exit_u.sqrt();
-                Waypoint {
-                    z: travel,
-                    u: exit_u,
-                    elapsed,
-                    slip: integral + rate * exit.lever - self.law.friction * elapsed,
-                    slip_acceleration: exit.alpha + exit.beta * exit_u,
-                    direction: (0.0, exit.cos),
-                }
-            };
-            if there.slip <= 0.0 {
-                let rest = self.way(&crossing(), integral).rest(&here, &there)?;
-                return Some(Self::event(cell, offset, &rest, travel, false));
+        }
+        if least.slip < 0.0 {
+            return Some((End::Rest, way.rest(here, &least)?));
+        }
+    }
+    Some((if lifts_off { End::LiftOff } else { End::Open }, there))
+}
+
+/// The same up to a coordinate.
+fn pass_to<P: Piece>(way: &Way<'_, P>, here: &Waypoint, to: f64) -> Option<(End, Waypoint)> {
+    let (_, cos) = way.piece.direction(to);
+    let lifts_off = contact(1.0, way.law.body.h, cos * way.piece.u(to)) < 0.0;
+    let there = if lifts_off { way.lift_off(here, to)? } else { way.at(here, to)? };
+    pass(way, here, there, lifts_off)
+}
+
+/// Whether the time is known from the angle.
+fn is_fast(at: &Waypoint) -> bool {
+    at.u >= MIN_RATE * MIN_RATE
+}
+
+/// A slide on its way through the cells.
+#[derive(Clone, Copy, Debug)]
+struct Follower<'a> {
+    table: &'a SlideTable,
+    /// The constant of the first integral.
+    integral: f64,
+    /// The cell, and the multiple of a turn that its angles stand for.
+    index: usize,
+    offset: f64,
+    /// Sign of θ′.
+    travel: f64,
+    here: Waypoint,
+    /// Whether the way through the cell begins at its end.
+    whole: bool,
+    /// Smallest and largest angle of turning points.
+    turns: Option<(f64, f64)>,
+}
+
+impl SlideTable {
+    /// Follows a slide to its event. None where the sign of η′ is in doubt, turning points are close to each other, or the slide takes
+    /// longer than a few turns: the caller then follows it otherwise.
+    pub(in crate::engine) fn follow(&self, start: SlideStart) -> Option<SlideEvent> {
+        let mut follower = Follower::new(self, &start)?;
+        for _ in 0..MOST_TURNS * self.cells.len() {
+            if let Some(event) = follower.pass_cell()? {
+                return Some(event);
             }
-            if here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0 {
-                // η′ may have a minimum inside; it may also touch zero there.
-                return None;
-            }
-            if lifts_off {
-                return Some(Self::event(cell, offset, &there, travel, true));
-            }
-            here = Waypoint { z: -travel, ..there };
-            whole = true;
-            (index, offset) = self.neighbour(index, offset, travel > 0.0);
         }
         None
     }
 
-    fn way<'a>(&'a self, piece: &'a Crossing<'a>, integral: f64) -> Way<'a, Crossing<'a>> {
-        Way { law: &self.law, piece, forward: piece.travel, sigma: 1.0, integral }
+    /// The same, if θ′ keeps its sign.
+    pub(in crate::engine) fn follow_one_way(&self, start: SlideStart) -> Option<SlideEvent> {
+        self.follow(start).filter(|event| event.turns.is_none())
+    }
+}
+
+impl<'a> Follower<'a> {
+    fn new(table: &'a SlideTable, start: &SlideStart) -> Option<Self> {
+        if start.theta_rate == 0.0 || start.theta_rate.is_nan() {
+            return None;
+        }
+        let (index, offset) = table.entrance(start);
+        let cell = &table.cells[index];
+        let z = ((start.theta - offset - cell.centre) / cell.half).clamp(-1.0, 1.0);
+        let (sin, cos) = start.direction;
+        let (alpha, beta) = table.law.slip_acceleration(sin, cos);
+        let u = start.theta_rate * start.theta_rate;
+        let slip_acceleration = alpha + beta * u;
+        Some(Self {
+            table,
+            integral: start.slip - start.theta_rate * table.law.lever(sin, cos),
+            index,
+            offset,
+            travel: start.theta_rate.signum(),
+            here: Waypoint { z, u, elapsed: 0.0, slip: start.slip, slip_acceleration, direction: (sin, cos) },
+            whole: false,
+            turns: None,
+        })
     }
 
-    fn event(cell: &Cell, offset: f64, at: &Waypoint, travel: f64, lifts_off: bool) -> SlideEvent {
-        SlideEvent {
+    /// Passes a cell, or leads to the event in it.
+    fn pass_cell(&mut self) -> Option<Option<SlideEvent>> {
+        let Self { table, index, travel, here, .. } = *self;
+        let cell = &table.cells[index];
+        let level = if self.whole {
+            let entry = &cell.edges[usize::from(travel < 0.0)];
+            (here.u - entry.p) / entry.h
+        } else {
+            cell.level(here.u, here.z)
+        };
+        let exit = &cell.edges[usize::from(travel > 0.0)];
+        let exit_u = exit.p + level * exit.h;
+        if !is_smooth(here.u, exit_u) {
+            return self.pass_unevenly(cell, level, exit_u);
+        }
+        let lifts_off = contact(1.0, table.law.body.h, exit.cos * exit_u) < 0.0;
+        let crossing = || Crossing { cell, motion: cell.motion(level), travel };
+        let there = if lifts_off {
+            self.way(&crossing(), travel).lift_off(&here, travel)?
+        } else {
+            let time = if self.whole {
+                cell.whole_time(level)
+            } else {
+                cell.time(&cell.motion(level), here.z.min(travel), here.z.max(travel))
+            };
+            let elapsed = here.elapsed + time;
+            let rate = travel * exit_u.sqrt();
+            Waypoint {
+                z: travel,
+                u: exit_u,
+                elapsed,
+                slip: self.integral + rate * exit.lever - table.law.friction * elapsed,
+                slip_acceleration: exit.alpha + exit.beta * exit_u,
+                direction: (0.0, exit.cos),
+            }
+        };
+        let has_minimum = here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0;
+        let (end, at) = if there.slip <= 0.0 || has_minimum {
+            pass(&self.way(&crossing(), travel), &here, there, lifts_off)?
+        } else {
+            (if lifts_off { End::LiftOff } else { End::Open }, there)
+        };
+        self.cross(end, at)
+    }
+
+    /// Goes on behind a cell that was crossed, or says where the slide has ended in it.
+    fn cross(&mut self, end: End, at: Waypoint) -> Option<Option<SlideEvent>> {
+        let is_fast = is_fast(&self.here) && is_fast(&at);
+        is_fast.then(|| self.go_on(end, at, at.z, self.travel * at.u.sqrt()))
+    }
+
+    /// Passes a cell in which θ′ changes much, or its sign.
+    fn pass_unevenly(&mut self, cell: &Cell, level: f64, exit_u: f64) -> Option<Option<SlideEvent>> {
+        let (here, travel) = (self.here, self.travel);
+        let motion = cell.motion(level);
+        let ratio = exit_u / here.u;
+        let is_steep = !(ratio > 1.0 / UNEVEN && ratio < UNEVEN);
+        let turning =
+            is_steep.then(|| Turning::new(cell, &motion, (here.z, here.u), (travel, exit_u))).flatten();
+        let Some(turning) = turning else {
+            let crossing = Crossing { cell, motion, travel };
+            let (end, at) = pass_to(&self.way(&crossing, travel), &here, travel)?;
+            return self.cross(end, at);
+        };
+        let way = self.way(&turning, 1.0);
+        let is_before = turning.travel() == travel;
+        let entrance = turning.coordinate_of(here.z, here.u);
+        let from = Waypoint { z: if is_before { -entrance } else { entrance }, ..here };
+        let (end, at) = if is_before && turning.is_inside() {
+            match pass_to(&way, &from, 0.0)? {
+                (End::Open, middle) => {
+                    let angle = self.offset + (cell.centre + cell.half * turning.place(0.0));
+                    let (low, high) = self.turns.unwrap_or((angle, angle));
+                    self.turns = Some((low.min(angle), high.max(angle)));
+                    self.travel = -self.travel;
+                    pass_to(&way, &middle, turning.coordinate(self.travel))?
+                }
+                ended => ended,
+            }
+        } else {
+            let exit = turning.coordinate(self.travel);
+            pass_to(&way, &from, if is_before { -exit } else { exit })?
+        };
+        // About the turning point the time is known from θ′, but the next cell knows the angle.
+        let is_known = end != End::Open || is_fast(&at);
+        is_known.then(|| self.go_on(end, at, turning.place(at.z), turning.rate(at.z, at.u)))
+    }
+
+    fn way<'b, P: Piece>(&self, piece: &'b P, forward: f64) -> Way<'b, P>
+    where
+        'a: 'b,
+    {
+        Way { law: &self.table.law, piece, forward, sigma: 1.0, integral: self.integral }
+    }
+
+    /// Goes on to the next cell, or says where the slide has ended, at z of the cell.
+    fn go_on(&mut self, end: End, at: Waypoint, z: f64, theta_rate: f64) -> Option<SlideEvent> {
+        let lifts_off = match end {
+            End::Open => {
+                (self.index, self.offset) = self.table.neighbour(self.index, self.offset, self.travel > 0.0);
+                self.here = Waypoint { z: -self.travel, ..at };
+                self.whole = true;
+                return None;
+            }
+            End::Rest => false,
+            End::LiftOff => true,
+        };
+        let cell = &self.table.cells[self.index];
+        Some(SlideEvent {
             elapsed: at.elapsed,
-            theta: offset + (cell.centre + cell.half * at.z),
-            theta_rate: travel * at.u.sqrt(),
+            theta: self.offset + (cell.centre + cell.half * z),
+            theta_rate,
             slip: if lifts_off { at.slip } else { 0.0 },
             direction: at.direction,
             lifts_off,
-            turns: None,
-        }
+            turns: self.turns,
+        })
     }
 }

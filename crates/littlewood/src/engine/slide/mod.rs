@@ -16,6 +16,7 @@
 
 mod cell;
 mod follow;
+mod turning;
 
 use core::f64::consts::{PI, TAU};
 
