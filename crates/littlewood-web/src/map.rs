@@ -8,7 +8,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::hops;
 use crate::problem::Problem;
 
-/// Largest number of transitions that a map follows. Only with μs = μk, and with bounces, can there be more.
+/// Largest number of transitions that a map follows: it has to be there while a person looks. With bounces, with little friction and with
+/// light hoops there can be more.
 const TRANSITIONS: usize = 200;
 
 /// What a map shows of each motion.
@@ -39,9 +40,8 @@ impl MapSubject {
 pub struct OutcomeMap {
     subject: MapSubject,
     engine: Engine,
-    /// Without restitution.
-    until_landing: Engine,
-    bounces: bool,
+    /// Without restitution, where the hoop has one.
+    until_landing: Option<Engine>,
     slip: f64,
     gap_rate: f64,
     rate: f64,
@@ -61,8 +61,10 @@ impl OutcomeMap {
         Self {
             subject,
             engine: Engine::new(&problem.hoop),
-            until_landing: Engine::new(&without_restitution(&problem.hoop)),
-            bounces: problem.hoop.restitution().is_some(),
+            until_landing: problem
+                .hoop
+                .restitution()
+                .map(|_| Engine::new(&without_restitution(&problem.hoop))),
             slip,
             gap_rate,
             rate,
@@ -148,8 +150,10 @@ impl OutcomeMap {
         let class = |engine: &Engine| {
             engine.summary(start, limits()).map_or(Class::Invalid, |summary| Class::of(&summary))
         };
-        let decided = class(&self.until_landing);
-        if self.bounces && decided == Class::Painleve { class(&self.engine) } else { decided }
+        match self.until_landing.as_ref().map(class) {
+            Some(decided) if decided != Class::Painleve => decided,
+            Some(_) | None => class(&self.engine),
+        }
     }
 }
 
