@@ -5,11 +5,12 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
+use littlewood::{Dimension, Quantity, Trajectory, Units};
 use littlewood_film::{
-    ApngFilm, Encoder, EnergyBar, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace,
+    ApngFilm, Encoder, EnergyBar, FfmpegFilm, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Video, With,
 };
 
-use crate::args::{AnimateArgs, Bar, Camera};
+use crate::args::{AnimateArgs, Bar, Beside, Camera};
 use crate::error::Error;
 use crate::interrupt;
 use crate::output::Output;
@@ -28,7 +29,7 @@ const LIBRATION: [&str; 2] = ["libration", "figure-2-libration"];
 enum Kind {
     Gif,
     Apng,
-    Mp4,
+    Video(Video),
 }
 
 /// Runs the command.
@@ -47,6 +48,7 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
         hold,
         slow_impacts,
         energy_bar,
+        with,
     } = args;
     let kind = kind_of(&out)?;
     let size = FrameSize::new(width, height).map_err(|error| Error::Film(error.into()))?;
@@ -69,9 +71,17 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
         Bar::Always => EnergyBar::Always,
         Bar::Never => EnergyBar::Never,
     };
-    let film = Film::new(&trajectory, &pace, size, framing).map_err(Error::Film)?.with_energy_bar(bar);
+    let film = Film::new(&trajectory, &pace, size, framing).map_err(Error::Film)?;
+    let film = match with {
+        None => film.with_energy_bar(bar),
+        Some(pane) => film.with_pane(match pane {
+            Beside::Plane => With::Plane,
+            Beside::Friction => With::Friction,
+            Beside::Energy => With::Energy,
+        }),
+    };
     let output = Output::open(Some(&out))?;
-    match kind {
+    let made = match kind {
         Kind::Gif => write(output, |writer| {
             let mut encoder = GifFilm::new(writer, &film)?;
             play(&film, &mut encoder)?;
@@ -82,8 +92,9 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
             play(&film, &mut encoder)?;
             encoder.finish()
         }),
-        Kind::Mp4 => write_with_ffmpeg(output, &film),
-    }
+        Kind::Video(video) => write_with_ffmpeg(output, &film, video),
+    };
+    made.and_then(|()| say_what_is_shown(&film, &trajectory, units.as_ref()))
 }
 
 fn kind_of(out: &Path) -> Result<Kind, Error> {
@@ -91,13 +102,28 @@ fn kind_of(out: &Path) -> Result<Kind, Error> {
     match ending.as_deref() {
         Some("gif") => Ok(Kind::Gif),
         Some("png" | "apng") => Ok(Kind::Apng),
-        Some("mp4") => Ok(Kind::Mp4),
+        Some("mp4") => Ok(Kind::Video(Video::Mp4)),
+        Some("webm") => Ok(Kind::Video(Video::WebM)),
         _ => Err(Error::Out {
             path: out.to_owned(),
             reason: "its ending does not say what the film is to be".to_owned(),
-            hint: "the endings are .gif, .png or .apng, and .mp4".to_owned(),
+            hint: "the endings are .gif, .png or .apng, .mp4, and .webm".to_owned(),
         }),
     }
+}
+
+/// Says up to when a motion without end is shown.
+fn say_what_is_shown(film: &Film<'_>, trajectory: &Trajectory, units: Option<&Units>) -> Result<(), Error> {
+    let schedule = film.schedule();
+    let Some(part) = schedule.part().label() else { return Ok(()) };
+    let until = match units {
+        Some(units) => format!("t = {:.4} s", units.to_si(Dimension::Time, schedule.end())),
+        None => format!("{} = {:.4}", Quantity::Until.sign(), schedule.end()),
+    };
+    let outcome = trajectory.outcome().kind().label();
+    Output::Stdout.write(|writer| {
+        writeln!(writer, "The film shows {part} ({outcome}), to {until}; --until says otherwise.")
+    })
 }
 
 /// Draws the film until it is finished or Ctrl-C comes.
@@ -125,11 +151,12 @@ fn write(output: Output, body: impl FnOnce(&mut dyn Write) -> Result<(), FilmErr
 }
 
 /// ffmpeg writes the file itself, under the name that it has until it is finished.
-fn write_with_ffmpeg(output: Output, film: &Film<'_>) -> Result<(), Error> {
+fn write_with_ffmpeg(output: Output, film: &Film<'_>, video: Video) -> Result<(), Error> {
     let Output::File { temporary, .. } = &output else {
         return Err(Error::Film(FilmError::Write(io::ErrorKind::NotSeekable.into())));
     };
-    let mut encoder = Mp4Film::start(OsStr::new("ffmpeg"), temporary.path(), film).map_err(Error::Film)?;
+    let mut encoder =
+        FfmpegFilm::start(OsStr::new("ffmpeg"), temporary.path(), film, video).map_err(Error::Film)?;
     play(film, &mut encoder).and_then(|()| encoder.finish()).map_err(Error::Film)?;
     output.write(|_| Ok(()))
 }

@@ -15,7 +15,7 @@ const FILMS: [(&str, &str, f64, Impacts); 4] = [
     ("figure-3.gif", "figure-3", 3.0, None),
     ("figure-7.gif", "figure-7", 4.0, None),
     ("libration.gif", "figure-2-libration", 1.25, None),
-    ("bounces.gif", "figure-3-bounces", 1.5, Some((6.0, 8.0))),
+    ("bounces.gif", "figure-3-bounces", 1.2, Some((6.0, 8.0))),
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let limits = Limits::default().with_until(impacts.map(|(_, until)| until));
         let motion = Hoop::new(hoop)?.simulate(start, limits)?;
         let slow_impacts = impacts.map(|(factor, _)| factor);
-        let pace = Pace { fps: 25, slow, units: None, hold_s: None, slow_impacts };
+        let pace = Pace { fps: 20, slow, units: None, hold_s: None, slow_impacts };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto)?;
         let mut encoder = GifFilm::new(Vec::new(), &film)?;
         film.play(&mut encoder, |_| true)?;

@@ -7,6 +7,7 @@ use littlewood::{Hoop, Position, SampleColumn};
 use crate::camera::View;
 use crate::canvas::{Canvas, Place};
 use crate::colour::{FRICTION_FORCE, IMPULSE, INK, LINE, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode};
+use crate::ground::CONTACT;
 use crate::letters::Style;
 use crate::scene::{DrawnArrow, Scene};
 use crate::trail::{Step, Trail};
@@ -80,15 +81,27 @@ pub(crate) fn draw_mass_centre(canvas: &mut Canvas, (x, y): Place, radius: f64) 
     }
 }
 
-/// The normal force, the friction and the slip velocity, with their letters.
+/// The weight, the normal force, the friction and the slip velocity, with their letters. Each has a form of its own, so that
+/// they are told apart without colours too.
 pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit: f64) {
     let style = Style { size: 13.0 * unit, is_bold: true, anchor: 0.5 };
+    if let Some(weight) = visible(&scene.weight) {
+        let (tail, head) = ends(view, weight);
+        Shape::Open.draw(canvas, tail, head, SOFT, unit);
+        // On the side where the normal force is not.
+        let side = if weight.tail.x > scene.lowest.x { 11.0 } else { -11.0 };
+        canvas.label(WEIGHT, (head.0 + side * unit, head.1 - 2.0 * unit), style, SOFT);
+    }
     // The slip velocity begins at the contact point too; it is drawn lower, so that F does not cover it.
     let lowered = 9.0 * unit;
     if let Some(slip) = visible(&scene.slip) {
         let (tail, head) = (view.place(slip.tail), view.place(slip.head));
         let (tail, head) = ((tail.0, tail.1 + lowered), (head.0, head.1 + lowered));
-        let side = draw_arrow(canvas, tail, head, slip.is_cut, SLIP, unit);
+        let side = if slip.is_cut {
+            draw_arrow(canvas, tail, head, true, SLIP, unit)
+        } else {
+            Shape::Thin.draw(canvas, tail, head, SLIP, unit)
+        };
         canvas.label(
             SampleColumn::Slip.sign(),
             (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit),
@@ -98,11 +111,18 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
     }
     if let Some(friction) = visible(&scene.friction) {
         let (tail, head) = ends(view, friction);
-        let side = draw_arrow(canvas, tail, head, friction.is_cut, FRICTION_FORCE, unit);
+        // From the edge of the point of contact, so that a short arrow is seen beside it.
+        let beside = (CONTACT + 1.2) * unit * if head.0 < tail.0 { -1.0 } else { 1.0 };
+        let (tail, head) = ((tail.0 + beside, tail.1), (head.0 + beside, head.1));
+        let side = if friction.is_cut {
+            draw_arrow(canvas, tail, head, true, FRICTION_FORCE, unit)
+        } else {
+            Shape::Hollow.draw(canvas, tail, head, FRICTION_FORCE, unit)
+        };
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
         canvas.label(
             SampleColumn::Friction.sign(),
-            (head.0 + 7.0 * unit * side.0, head.1 + 15.0 * unit),
+            (head.0 + 7.0 * unit * side.0, head.1 + 16.0 * unit),
             style,
             FRICTION_FORCE,
         );
@@ -118,6 +138,67 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
             style,
             NORMAL_FORCE,
         );
+    }
+}
+
+/// The letter of the weight.
+pub(crate) const WEIGHT: &str = "W";
+
+/// The form of an arrow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shape {
+    /// A head that is filled, on a strong line: the normal force, impulses.
+    Solid,
+    /// A head that is empty: the friction.
+    Hollow,
+    /// A head of two strokes: the weight.
+    Open,
+    /// A narrow head on a thin line: the slip velocity.
+    Thin,
+}
+
+impl Shape {
+    /// Draws an arrow; returns its direction.
+    pub(crate) fn draw(
+        self,
+        canvas: &mut Canvas,
+        tail: Place,
+        head: Place,
+        colour: Rgb,
+        unit: f64,
+    ) -> (f64, f64) {
+        let along = (head.0 - tail.0, head.1 - tail.1);
+        let length = libm::hypot(along.0, along.1);
+        if length == 0.0 {
+            return (0.0, 0.0);
+        }
+        let (x, y) = (along.0 / length, along.1 / length);
+        let at = |back: f64, aside: f64| (head.0 - back * x - aside * y, head.1 - back * y + aside * x);
+        match self {
+            Self::Solid => return draw_arrow(canvas, tail, head, false, colour, unit),
+            Self::Hollow => {
+                let tip = (10.5 * unit).min(length);
+                let half = 0.5 * tip;
+                canvas.line(&[tail, at(0.9 * tip, 0.0)], (0.24 * tip).max(1.4 * unit), colour);
+                canvas.polygon(&[head, at(tip, half), at(tip, -half)], colour);
+                let inner = 0.27 * tip;
+                canvas.polygon(
+                    &[at(inner, 0.0), at(0.86 * tip, 0.58 * half), at(0.86 * tip, -0.58 * half)],
+                    PAPER,
+                );
+            }
+            Self::Open => {
+                let tip = (8.0 * unit).min(length);
+                canvas.line(&[tail, head], 1.8 * unit, colour);
+                canvas.line(&[at(tip, 0.55 * tip), head, at(tip, -0.55 * tip)], 1.8 * unit, colour);
+            }
+            Self::Thin => {
+                let tip = (9.0 * unit).min(length);
+                canvas.line(&[tail, at(0.8 * tip, 0.0)], (0.16 * tip).max(1.2 * unit), colour);
+                canvas.polygon(&[head, at(tip, 0.3 * tip), at(0.75 * tip, 0.0), at(tip, -0.3 * tip)], colour);
+            }
+        }
+        (x, y)
     }
 }
 

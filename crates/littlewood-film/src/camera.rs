@@ -8,12 +8,12 @@ use crate::schedule::Schedule;
 /// What the picture shows of the path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Framing {
-    /// The whole path if the hoop is large enough then, else as `Follow`.
+    /// The whole path if the hoop is large all the same, else as `Follow`.
     #[default]
     Auto,
     /// The whole path, however small the hoop is.
     Whole,
-    /// The camera follows the mass centre.
+    /// The camera follows the mass centre; the whole path is shown in small beside it.
     Follow,
 }
 
@@ -22,16 +22,16 @@ pub(crate) const GROUND: f64 = 33.0;
 
 /// Space beside and above the path, in radii.
 const BESIDE: f64 = 0.25;
-const ABOVE: f64 = 0.15;
+const ABOVE: f64 = 0.2;
 
 /// Instants at which the path is examined; it is smooth on their scale.
 pub(crate) const EXAMINED: usize = 4000;
 
 /// Smallest radius, in units of lettering, with which `Auto` shows the whole path.
-const SMALLEST: f64 = 34.0;
+const SMALLEST: f64 = 72.0;
 
 /// Smallest radius of a hoop that is followed: it then goes out of sight of the plane in a very high jump.
-const SMALLEST_FOLLOWED: f64 = 18.0;
+const SMALLEST_FOLLOWED: f64 = 48.0;
 
 /// The part of the picture in which the motion is seen, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -40,6 +40,34 @@ impl Canvas {
         self.pixels.data_mut().copy_from_slice(other);
     }
 
+    /// Takes over what another picture of the same size has to the right of a column, from a row on.
+    pub(crate) fn restore(&mut self, other: &[u8], [column, row]: [usize; 2]) {
+        let [width, height] = [self.pixels.width(), self.pixels.height()].map(|side| side as usize);
+        self.restore_rows(other, [column.min(width), row.min(height), width, height]);
+    }
+
+    /// Takes over what another picture of the same size has in a box: left, top, width, height.
+    pub(crate) fn restore_box(&mut self, other: &[u8], [left, top, width, height]: [f64; 4]) {
+        let [right, bottom] = [self.pixels.width(), self.pixels.height()].map(f64::from);
+        let within = |value: f64, most: f64| libm::round(value.clamp(0.0, most)) as usize;
+        let bounds = [
+            within(left, right),
+            within(top, bottom),
+            within(left + width, right),
+            within(top + height, bottom),
+        ];
+        self.restore_rows(other, bounds);
+    }
+
+    fn restore_rows(&mut self, other: &[u8], [left, top, right, bottom]: [usize; 4]) {
+        let stride = 4 * self.pixels.width() as usize;
+        let data = self.pixels.data_mut();
+        for row in top..bottom {
+            let range = row * stride + 4 * left..row * stride + 4 * right;
+            data[range.clone()].copy_from_slice(&other[range]);
+        }
+    }
+
     /// Red, green, blue and 255 for each pixel, row by row.
     pub(crate) fn data(&self) -> &[u8] {
         self.pixels.data()
@@ -98,6 +126,23 @@ impl Canvas {
 
     pub(crate) fn dashes(&mut self, points: &[Place], width: f64, dash: f64, colour: Rgb) {
         self.stroke(polyline(points, false), colour, width, Some(dash));
+    }
+
+    /// A line in dashes and gaps of these lengths by turns; unbroken if there are none.
+    pub(crate) fn pattern(&mut self, points: &[Place], width: f64, pattern: &[f64], colour: Rgb) {
+        if pattern.is_empty() {
+            return self.line(points, width, colour);
+        }
+        let Some(path) = polyline(points, false) else { return };
+        let dash = StrokeDash::new(pattern.iter().map(|part| *part as f32).collect(), 0.0);
+        let stroke = Stroke {
+            width: width.max(1.0) as f32,
+            line_cap: LineCap::Butt,
+            line_join: LineJoin::Round,
+            dash,
+            ..Stroke::default()
+        };
+        self.pixels.stroke_path(&path, &paint(colour), &stroke, Transform::identity(), None);
     }
 
     pub(crate) fn polygon(&mut self, points: &[Place], colour: Rgb) {

@@ -4,7 +4,7 @@ use littlewood::Mode;
 use littlewood_style::{Arrow, EnergyPart, Ink, Rgb, Theme};
 
 /// What films are drawn on.
-const THEME: Theme = Theme::Light;
+pub(crate) const THEME: Theme = Theme::Light;
 
 pub(crate) const PAPER: Rgb = Ink::Paper.colour(THEME);
 pub(crate) const INK: Rgb = Ink::Ink.colour(THEME);
@@ -17,6 +17,11 @@ pub(crate) const FRICTION_FORCE: Rgb = Arrow::FrictionForce.colour(THEME);
 pub(crate) const SLIP: Rgb = Arrow::Slip.colour(THEME);
 
 pub(crate) const IMPULSE: Rgb = Arrow::Impulse.colour(THEME);
+
+/// Colour of the region where the hoop can roll.
+pub(crate) const fn of_region() -> Rgb {
+    Ink::Region.colour(THEME)
+}
 
 /// Colour of a part of the energy.
 pub(crate) const fn of_energy(part: EnergyPart) -> Rgb {
@@ -37,7 +42,7 @@ pub(crate) fn on_mode(mode: Mode) -> Rgb {
 /// are mixtures at edges.
 pub(crate) fn all(with_energies: bool) -> Vec<Rgb> {
     let energies = EnergyPart::ALL.map(of_energy).into_iter().chain([IMPULSE]).filter(|_| with_energies);
-    [PAPER, INK, SOFT, LINE, GROUND, NORMAL_FORCE, FRICTION_FORCE, SLIP]
+    [PAPER, INK, SOFT, LINE, GROUND, of_region(), NORMAL_FORCE, FRICTION_FORCE, SLIP]
         .into_iter()
         .chain(Mode::ALL.map(of_mode))
         .chain(energies)

@@ -83,7 +83,7 @@ pub enum FilmError {
         message: String,
     },
     /// ffmpeg cannot be started.
-    #[error("an MP4 needs ffmpeg, and '{program}' cannot be started: {source}")]
+    #[error("a video needs ffmpeg, and '{program}' cannot be started: {source}")]
     NoFfmpeg {
         /// The program that was tried.
         program: String,
@@ -129,7 +129,9 @@ impl FilmError {
                 "install ffmpeg (apt install ffmpeg, brew install ffmpeg, winget install ffmpeg), or write a .gif or \
                  a .png, which need no other program"
             }
-            Self::Ffmpeg { .. } => "it must be able to write H.264 (libx264); or write a .gif or a .png",
+            Self::Ffmpeg { .. } => {
+                "it must be able to write H.264 (libx264), or VP9 (libvpx-vp9); or write a .gif or a .png"
+            }
         }
     }
 }

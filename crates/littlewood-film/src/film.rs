@@ -10,7 +10,9 @@ use crate::encoder::Encoder;
 use crate::error::FilmError;
 use crate::ground::{draw_contact, draw_plane};
 use crate::impacts::ShownImpact;
+use crate::inset::{self, Inset};
 use crate::ledger::{EnergyParts, Ledger};
+use crate::pane::{PANE, Pane, With};
 use crate::panel::{FOOT, HEAD, Panel, short};
 use crate::scene::{ArrowScale, DrawnImpulse, Scene};
 use crate::schedule::{Pace, Schedule};
@@ -45,6 +47,7 @@ pub struct Film<'a> {
     slow_impacts: Option<f64>,
     impacts: Vec<ShownImpact>,
     energies: Option<Energies>,
+    with: Option<With>,
 }
 
 /// The energy of a motion, and the largest sum of its parts that the bar has to show.
@@ -83,7 +86,7 @@ impl<'a> Film<'a> {
         let samples = trajectory.sample_evenly(EXAMINED, schedule.end());
         let scale = ArrowScale::fitting(trajectory.hoop(), samples, &impacts);
         let energies = Self::energies(EnergyBar::Auto, trajectory, &schedule);
-        let window = window_of(size, energies.is_some());
+        let window = window_of(size, energies.is_some(), false);
         let camera = Camera::new(trajectory, &schedule, framing, window, size.unit(), scale);
         let (units, note, slow_impacts) = (pace.units, note(pace), pace.slow_impacts);
         Ok(Self {
@@ -98,6 +101,7 @@ impl<'a> Film<'a> {
             slow_impacts,
             impacts,
             energies,
+            with: None,
         })
     }
 
@@ -114,21 +118,36 @@ impl<'a> Film<'a> {
     #[must_use]
     pub fn with_energy_bar(self, bar: EnergyBar) -> Self {
         let energies = Self::energies(bar, self.trajectory, &self.schedule);
-        let window = window_of(self.size, energies.is_some());
+        Self { energies, ..self }.framed()
+    }
+
+    /// The same film with a pane beside the hoop in which the motion runs along; it takes the place of a bar of the energy.
+    #[must_use]
+    pub fn with_pane(self, with: With) -> Self {
+        Self { with: Some(with), energies: None, ..self }.framed()
+    }
+
+    /// With a camera for what else is in the picture.
+    fn framed(self) -> Self {
+        let window = window_of(self.size, self.energies.is_some(), self.with.is_some());
         let unit = self.size.unit();
         let camera = Camera::new(self.trajectory, &self.schedule, self.framing, window, unit, self.scale);
-        Self { camera, energies, ..self }
+        Self { camera, ..self }
     }
 
     /// Whether impulses or energies are drawn, which have inks of their own.
     pub(crate) const fn has_energies(&self) -> bool {
-        self.energies.is_some() || !self.impacts.is_empty()
+        self.energies.is_some() || !self.impacts.is_empty() || matches!(self.with, Some(With::Energy))
     }
 
     /// The instants of the frames.
     #[must_use]
     pub const fn schedule(&self) -> &Schedule {
         &self.schedule
+    }
+
+    fn window(&self) -> Window {
+        window_of(self.size, self.energies.is_some(), self.with.is_some())
     }
 
     /// Lengths of the arrows.
@@ -216,6 +235,8 @@ struct Reel<'a> {
     panel: Panel,
     canvas: Canvas,
     trail: Trail,
+    pane: Option<Pane>,
+    inset: Option<Inset>,
     /// What all frames have in common.
     ground: Vec<u8>,
 }
@@ -224,31 +245,52 @@ impl<'a> Reel<'a> {
     fn new(film: &'a Film<'a>) -> Result<Self, FilmError> {
         let mut canvas = Canvas::new(film.size)?;
         let panel = Panel::new(film.size, film.units);
-        panel.draw_still(&mut canvas, film.trajectory, &film.schedule, &film.note);
+        let (size, unit) = (film.size, film.size.unit());
+        let (trajectory, schedule) = (film.trajectory, &film.schedule);
+        panel.draw_still(&mut canvas, trajectory, schedule, &film.note);
         if film.camera.is_still() {
             let view = film.camera.view(&film.scene(0)?);
-            draw_plane(&mut canvas, &view, f64::from(film.size.width()), film.size.unit());
+            draw_plane(&mut canvas, &view, film.window().width, unit, film.units.as_ref());
         }
+        let pane = film.with.map(|with| {
+            let pane = Pane::new(with, trajectory, schedule, pane_of(size), unit, film.units);
+            pane.draw_still(&mut canvas, trajectory);
+            pane
+        });
+        let inset = (!film.camera.is_still()).then(|| {
+            let inset = Inset::new(trajectory, schedule, inset_of(size), unit);
+            inset.draw_still(&mut canvas);
+            inset
+        });
         let ground = canvas.data().to_vec();
-        Ok(Self { film, panel, canvas, trail: Trail::new(), ground })
+        Ok(Self { film, panel, canvas, trail: Trail::new(), pane, inset, ground })
     }
 
     fn draw(&mut self, index: u64) -> Result<&[u8], FilmError> {
-        let Self { film, panel, canvas, trail, ground } = self;
+        let Self { film, panel, canvas, trail, pane, inset, ground } = self;
         let (scene, unit) = (film.scene(index)?, film.size.unit());
         let view = film.camera.view(&scene);
         trail.extend(film.trajectory, &film.schedule, film.scale, scene.time());
         canvas.copy(ground);
         if !film.camera.is_still() {
-            draw_plane(canvas, &view, f64::from(film.size.width()), unit);
+            draw_plane(canvas, &view, film.window().width, unit, film.units.as_ref());
         }
         draw_trail(canvas, &view, trail, &scene, unit);
         draw_body(canvas, &view, &scene, film.trajectory.hoop(), unit);
         draw_contact(canvas, &view, &scene, &panel.gap(&scene), unit);
         draw_arrows(canvas, &view, &scene, unit);
         draw_impulse(canvas, &view, &scene, &panel.impulse(&scene), unit);
+        // What has gone out of the window is covered by what stands beside it.
+        cover(canvas, film, ground);
+        if let Some(pane) = pane {
+            pane.draw_moving(canvas, &scene.sample);
+        }
+        if let Some(inset) = inset {
+            inset.draw_moving(canvas, scene.time(), scene.centre, scene.mass_centre);
+        }
         if let (Some(parts), Some(energies)) = (film.energy(index)?, &film.energies) {
-            let Window { left, top, width, .. } = window_of(film.size, true);
+            let Window { left, top, width, .. } = film.window();
+            let top = if film.camera.is_still() { top } else { beside_inset(film.size) };
             let floor = view.place(Position { x: 0.0, y: 0.0 }).1.min(film.camera.floor());
             draw_bar(canvas, Column { left: left + width, top, bottom: floor }, &parts, energies.most, unit);
         }
@@ -262,13 +304,55 @@ impl<'a> Reel<'a> {
     }
 }
 
-/// Where the motion is seen, beside the bar if there is one.
-fn window_of(size: FrameSize, has_bar: bool) -> Window {
+/// Puts back what is not of the window: a trail or an arrow may have run into it.
+fn cover(canvas: &mut Canvas, film: &Film<'_>, ground: &[u8]) {
+    if film.with.is_some() {
+        let from = libm::round(film.window().width) as usize;
+        canvas.restore(ground, [from, libm::round(HEAD * film.size.unit()) as usize]);
+    }
+    if !film.camera.is_still() {
+        canvas.restore_box(ground, inset_of(film.size));
+    }
+    let foot = f64::from(film.size.height()) - FOOT * film.size.unit();
+    canvas.restore(ground, [0, libm::round(foot) as usize]);
+}
+
+/// Where the motion is seen, beside the bar or the pane if there is one.
+fn window_of(size: FrameSize, has_bar: bool, has_pane: bool) -> Window {
     let u = size.unit();
     let (width, height) = (f64::from(size.width()), f64::from(size.height()));
-    let column = if has_bar { COLUMN * u } else { 0.0 };
+    let column = u * if has_pane {
+        PANE
+    } else if has_bar {
+        COLUMN
+    } else {
+        0.0
+    };
     Window { left: 0.0, top: HEAD * u, width: width - column, height: height - (HEAD + FOOT) * u }
 }
+
+/// The upper end of what stands under the inset.
+fn beside_inset(size: FrameSize) -> f64 {
+    (INSET_TOP + inset::HEIGHT + 6.0) * size.unit()
+}
+
+/// The place of the pane.
+fn pane_of(size: FrameSize) -> [f64; 4] {
+    let u = size.unit();
+    let (width, height) = (f64::from(size.width()), f64::from(size.height()));
+    let top = beside_inset(size);
+    [width - PANE * u, top, PANE * u, height - FOOT * u - top]
+}
+
+/// The place of the whole path in small.
+fn inset_of(size: FrameSize) -> [f64; 4] {
+    let u = size.unit();
+    let width = inset::WIDTH * u;
+    [f64::from(size.width()) - width - 12.0 * u, INSET_TOP * u, width, inset::HEIGHT * u]
+}
+
+/// Upper end of the inset, under the clock.
+const INSET_TOP: f64 = 35.0;
 
 /// How much slower than the motion the film is.
 fn note(pace: &Pace) -> String {

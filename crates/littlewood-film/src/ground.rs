@@ -1,6 +1,6 @@
 //! The plane, the point of contact and the gap.
 
-use littlewood::{Dimension, Position, SampleColumn};
+use littlewood::{Dimension, Position, SampleColumn, Units};
 
 use crate::camera::{GROUND, View};
 use crate::canvas::Canvas;
@@ -8,58 +8,72 @@ use crate::colour::{self, INK, PAPER, SOFT};
 use crate::letters::Style;
 use crate::scene::Scene;
 
+/// Radius of the point of contact, in units of lettering.
+pub(crate) const CONTACT: f64 = 2.6;
+
 /// Closest that marks stand, in units of lettering.
 const CLOSEST: f64 = 2.0;
 
-/// The plane with a mark at every radius, or at so many radii that marks can be told apart.
-pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64) {
+/// The plane with a mark at every radius or metre, or at as many of them or such parts that marks can be told apart.
+/// `width` is that of the window, which begins at the left of the picture.
+pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64, units: Option<&Units>) {
     let (_, y) = view.place(Position { x: 0.0, y: 0.0 });
     canvas.rectangle((0.0, y), width, GROUND * unit, colour::GROUND);
     canvas.rectangle((0.0, y), width, (1.4 * unit).max(1.0), INK);
     let style = Style { size: 9.5 * unit, is_bold: false, anchor: 0.5 };
-    let (each, between) = steps(view.scale, unit);
-    let [first, last] = [view.x_at(0.0), view.x_at(width)].map(|x| x / between);
+    // One of what is printed, in radii.
+    let one = units.map_or(1.0, |units| 1.0 / units.unit(Dimension::Length));
+    let (each, between, digits) = steps(view.scale * one, unit);
+    let [first, last] = [view.x_at(0.0), view.x_at(width)].map(|x| x / (one * between));
     let marks = (libm::floor(last) - libm::ceil(first)).min(width / (CLOSEST * unit));
+    let per_label = libm::round(each / between);
     let mut mark = 0.0;
     while mark <= marks {
-        let x = (libm::ceil(first) + mark) * between;
-        let (place, _) = view.place(Position { x, y: 0.0 });
-        let is_labelled = libm::fmod(x, each) == 0.0;
+        let number = libm::ceil(first) + mark;
+        let (place, _) = view.place(Position { x: number * between * one, y: 0.0 });
+        let is_labelled = libm::fmod(number, per_label) == 0.0;
         let length = if is_labelled { 5.0 } else { 3.0 } * unit;
         canvas.line(&[(place, y), (place, y + length)], unit, INK);
-        if is_labelled && place > 8.0 * unit && place < width - 26.0 * unit {
-            let words = format!("{}", x as i64).replace('-', "−");
+        if is_labelled && place > 8.0 * unit && place < width - 46.0 * unit {
+            // Adding zero makes -0 a 0.
+            let words = format!("{:.digits$}", number * between + 0.0).replace('-', "−");
             canvas.words(&words, (place, y + (GROUND - 3.5) * unit), style, SOFT);
         }
         mark += 1.0;
     }
     let end = Style { anchor: 1.0, ..style };
     let place = (width - 4.0 * unit, y + (GROUND - 3.5) * unit);
-    let title = format!("{}/{}", SampleColumn::X.sign(), Dimension::Length.scale_sign());
-    canvas.words(&title, place, end, SOFT);
+    let length = Dimension::Length;
+    let unit_sign = if units.is_some() { length.si_sign() } else { length.scale_sign() };
+    canvas.words(&format!("{} / {unit_sign}", SampleColumn::X.sign()), place, end, SOFT);
 }
 
-/// Every how many radii there is room for a number, and for a mark.
-fn steps(scale: f64, unit: f64) -> (f64, f64) {
-    let (mut each, mut parts) = (1.0, 1.0);
-    // One, two, five, ten; marks divide the step of the numbers into fives or halves.
-    for (factor, finer) in [(2.0, 2.0), (2.5, 5.0), (2.0, 2.0)].into_iter().cycle() {
-        let is_close = each * scale < 30.0 * unit;
-        if !is_close {
-            break;
-        }
-        each *= factor;
-        parts = finer;
-    }
-    (each, if scale >= CLOSEST * unit { 1.0 } else { each / parts })
+/// Every how many units there is room for a number, and for a mark, and with how many decimals the numbers are written,
+/// if a unit has so many pixels.
+fn steps(scale: f64, unit: f64) -> (f64, f64, usize) {
+    let least = 46.0 * unit / scale;
+    let mut decade = libm::floor(libm::log10(least)) as i32;
+    let power = |decade: i32| {
+        if decade < 0 { 1.0 / libm::exp10(f64::from(-decade)) } else { libm::exp10(f64::from(decade)) }
+    };
+    let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| factor * power(decade) >= least);
+    let factor = factor.unwrap_or_else(|| {
+        decade += 1;
+        1.0
+    });
+    let each = factor * power(decade);
+    // A two is divided into halves, the others into fifths.
+    let parts = if factor == 2.0 { 2.0 } else { 5.0 };
+    let finer = if each / parts * scale >= 5.0 * unit { each / parts } else { each };
+    (each, finer, usize::try_from(-decade).unwrap_or(0))
 }
 
 /// The point of contact, or the lowest point of the rim over the plane and the gap between them.
 pub(crate) fn draw_contact(canvas: &mut Canvas, view: &View, scene: &Scene, gap: &str, unit: f64) {
     let lowest = view.place(scene.lowest);
     if scene.contact.is_some() {
-        canvas.disc(lowest, 3.8 * unit, PAPER);
-        canvas.disc(lowest, 2.8 * unit, INK);
+        canvas.disc(lowest, CONTACT * unit + unit, PAPER);
+        canvas.disc(lowest, CONTACT * unit, INK);
         return;
     }
     let below = view.place(Position { y: 0.0, ..scene.lowest });

@@ -3,7 +3,7 @@
 //! A [`Film`] shows a [`Trajectory`](littlewood::Trajectory): the hoop with its particle, the contact point and the gap,
 //! normal force, friction and slip velocity, the trails of the mass centre and of the centre C, the mode and the clock.
 //! Frames are drawn one by one and handed to an [`Encoder`]: [`GifFilm`] and [`ApngFilm`] need no other program and
-//! write to any [`std::io::Write`], [`Mp4Film`] needs ffmpeg.
+//! write to any [`std::io::Write`], [`FfmpegFilm`] needs ffmpeg.
 //!
 //! ```
 //! use littlewood::find_case;
@@ -20,7 +20,7 @@
 //!
 //! # What is drawn
 //!
-//! One scale for both directions. Arrows are proportional to what they show, with one scale for N and F and one for η′,
+//! One scale for both directions; where the hoop would be small the camera goes with it, and the whole path is shown in small. Arrows are proportional to what they show, with one scale for N and F and one for η′,
 //! chosen for the motion ([`ArrowScale`]); an arrow that would be longer than 1.7 R is cut and has two heads. The slip
 //! velocity is drawn below the plane, where F does not cover it. In flight the lowest point is joined to the plane, and
 //! there are no forces. Where the particle of a massless hoop reaches θ = ±π, θ′ (and, with the particle inside the rim,
@@ -41,14 +41,17 @@ mod canvas;
 mod colour;
 mod encoder;
 mod error;
+mod ffmpeg;
 mod film;
 mod gif;
 mod ground;
 mod impacts;
+mod inset;
 mod ledger;
 mod letters;
-mod mp4;
+mod pane;
 mod panel;
+mod plot;
 mod quantise;
 mod scene;
 mod schedule;
@@ -60,10 +63,11 @@ pub use apng::ApngFilm;
 pub use camera::Framing;
 pub use encoder::Encoder;
 pub use error::FilmError;
+pub use ffmpeg::{FfmpegFilm, Video};
 pub use film::{EnergyBar, Film};
 pub use gif::GifFilm;
 pub use ledger::EnergyParts;
-pub use mp4::Mp4Film;
+pub use pane::With;
 pub use scene::{ArrowScale, DrawnArrow, DrawnImpulse, Scene};
-pub use schedule::{Pace, Schedule, Shown};
+pub use schedule::{Pace, Part, Schedule, Shown};
 pub use size::{FrameSize, SizeError};

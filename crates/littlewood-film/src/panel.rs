@@ -4,7 +4,7 @@ use littlewood::{
     Dimension, Direction, Hoop, Mode, Outcome, Quantity, SampleColumn, Setup, Start, Trajectory, Units,
 };
 
-use crate::body::{draw_arrow, draw_mass_centre};
+use crate::body::{Shape, WEIGHT, draw_mass_centre};
 use crate::canvas::Canvas;
 use crate::colour::{FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode, on_mode};
 use crate::letters::Style;
@@ -77,6 +77,9 @@ impl Panel {
         }
         self.draw_impacts(canvas, trajectory, schedule);
         let style = self.style(10.0, false, 0.0);
+        if let Some(part) = schedule.part().label() {
+            canvas.words(part, (MARGIN * u, 66.0 * u), style, SOFT);
+        }
         let base = self.height - 9.0 * u;
         canvas.words(&parameters(trajectory.hoop()), (MARGIN * u, base), style, SOFT);
         let end = Style { anchor: 1.0, ..style };
@@ -130,43 +133,65 @@ impl Panel {
 
     /// The signs and what they stand for, in a row.
     fn draw_signs(&self, canvas: &mut Canvas, hoop: &Hoop) {
-        let u = self.unit;
-        let base = self.height - 23.0 * u;
-        let style = self.style(10.0, false, 0.0);
+        let room = self.width - 2.0 * MARGIN * self.unit;
+        let mut size = self.unit;
+        // Measured once, then drawn as large as there is room.
+        let wide = self.sign_row(canvas, hoop, size, false);
+        if wide > room {
+            size *= room / wide;
+        }
+        self.sign_row(canvas, hoop, size, true);
+    }
+
+    /// The row of signs in letters of this unit, drawn or only measured; returns its width.
+    fn sign_row(&self, canvas: &mut Canvas, hoop: &Hoop, u: f64, draws: bool) -> f64 {
+        let base = self.height - 23.0 * self.unit;
+        let style = Style { size: 10.0 * u, is_bold: false, anchor: 0.0 };
         let middle = base - 3.6 * u;
-        let mut x = MARGIN * u;
+        let left = MARGIN * self.unit;
+        let mut x = left;
         let mut word = |canvas: &mut Canvas, sign: f64, words: &str| {
             let place = x + sign;
-            canvas.words(words, (place + 4.0 * u, base), style, SOFT);
+            if draws {
+                canvas.words(words, (place + 4.0 * u, base), style, SOFT);
+            }
             let from = x;
-            x = place + 4.0 * u + canvas.width_of(words, style) + 13.0 * u;
+            x = place + 4.0 * u + canvas.width_of(words, style) + 11.0 * u;
             from
         };
-        let at = word(
-            canvas,
-            9.0 * u,
-            if hoop.mass_ratio() > 0.0 { "particle" } else { "particle = mass centre" },
-        );
-        canvas.disc((at + 4.5 * u, middle), 4.0 * u, INK);
-        if hoop.mass_ratio() > 0.0 {
+        let has_disc = hoop.mass_ratio() > 0.0;
+        let at = word(canvas, 9.0 * u, if has_disc { "particle" } else { "particle = mass centre" });
+        if draws {
+            canvas.disc((at + 4.5 * u, middle), 4.0 * u, INK);
+        }
+        if has_disc {
             let at = word(canvas, 9.0 * u, "mass centre");
-            draw_mass_centre(canvas, (at + 4.5 * u, middle), 4.2 * u);
+            if draws {
+                draw_mass_centre(canvas, (at + 4.5 * u, middle), 4.2 * u);
+            }
         }
         let at = word(canvas, 6.0 * u, "centre C");
-        canvas.disc((at + 3.0 * u, middle), 3.0 * u, SOFT);
-        canvas.disc((at + 3.0 * u, middle), 1.6 * u, PAPER);
-        for (words, column, colour) in [
-            (SampleColumn::Normal.long_name(), SampleColumn::Normal, NORMAL_FORCE),
-            ("friction", SampleColumn::Friction, FRICTION_FORCE),
-            ("slip velocity", SampleColumn::Slip, SLIP),
-        ] {
-            let at = word(canvas, 20.0 * u, &format!("{words} {}", column.sign()));
-            draw_arrow(canvas, (at, middle), (at + 19.0 * u, middle), false, colour, 0.8 * u);
+        if draws {
+            canvas.disc((at + 3.0 * u, middle), 3.0 * u, SOFT);
+            canvas.disc((at + 3.0 * u, middle), 1.6 * u, PAPER);
         }
+        let arrow = |words: &str, column: SampleColumn| format!("{words} {}", column.sign());
+        let mut arrows = vec![
+            (arrow(SampleColumn::Normal.long_name(), SampleColumn::Normal), Shape::Solid, NORMAL_FORCE),
+            (arrow("friction", SampleColumn::Friction), Shape::Hollow, FRICTION_FORCE),
+            (format!("weight {WEIGHT}"), Shape::Open, SOFT),
+            (arrow("slip velocity", SampleColumn::Slip), Shape::Thin, SLIP),
+        ];
         if hoop.restitution().is_some() {
-            let at = word(canvas, 20.0 * u, "impulse (J, P)");
-            draw_arrow(canvas, (at, middle), (at + 19.0 * u, middle), false, IMPULSE, 0.8 * u);
+            arrows.push(("impulse (J, P)".to_owned(), Shape::Solid, IMPULSE));
         }
+        for (words, shape, colour) in arrows {
+            let at = word(canvas, 20.0 * u, &words);
+            if draws {
+                shape.draw(canvas, (at, middle), (at + 19.0 * u, middle), colour, 0.8 * u);
+            }
+        }
+        x - left
     }
 
     /// What changes from frame to frame.
@@ -195,8 +220,9 @@ impl Panel {
         }
         let clock = self.style(18.0, false, 1.0);
         canvas.words(&self.clock(scene.time()), (self.width - left, 26.5 * u), clock, INK);
-        for (i, (name, value, colour)) in self.values(scene).into_iter().enumerate() {
-            let x = left + 118.0 * u * i as f64;
+        // The inset begins to the right of them.
+        for (at, (name, value, colour)) in [0.0, 98.0, 202.0, 324.0].into_iter().zip(self.values(scene)) {
+            let x = left + at * u;
             canvas.words(name, (x, 49.0 * u), self.style(12.0, true, 0.0), colour);
             let indent = canvas.width_of(name, self.style(12.0, true, 0.0));
             canvas.words(&value, (x + indent, 49.0 * u), self.style(12.0, false, 0.0), INK);
@@ -210,7 +236,7 @@ impl Panel {
     /// How much slower the film is than elsewhere.
     pub(crate) fn draw_slow(&self, canvas: &mut Canvas, factor: f64) {
         let u = self.unit;
-        let place = (self.width - MARGIN * u, 47.0 * u);
+        let place = (self.width - (MARGIN + 112.0) * u, 25.0 * u);
         canvas.words(&format!("{} × slower", short(factor)), place, self.style(11.0, true, 1.0), INK);
     }
 
@@ -256,7 +282,10 @@ impl Panel {
     }
 
     fn value(&self, value: f64, dimension: Dimension) -> String {
-        if self.units.is_some() { self.in_si(value, dimension, 2) } else { number(value, 2) }
+        match self.units {
+            Some(_) => self.in_si(value, dimension, 2),
+            None => format!("{} {}", number(value, 2), dimension.scale_sign()),
+        }
     }
 
     /// A value in SI units, to so many decimals of the unit of (2.9).

@@ -20,6 +20,8 @@ const IMPULSE: f64 = 1.3;
 pub struct ArrowScale {
     /// Radii for the force m2 g.
     pub force: f64,
+    /// The weight (m1 + m2) g, over m2 g.
+    pub weight: f64,
     /// Radii for the velocity √(gR).
     pub velocity: f64,
     /// Radii for the impulse m2 √(gR).
@@ -43,6 +45,7 @@ impl ArrowScale {
         let weight = LONGEST * hoop.mass() / force;
         Self {
             force: weight.clamp(WEIGHT[0], WEIGHT[1]) / hoop.mass(),
+            weight: hoop.mass(),
             velocity: (LONGEST / velocity).clamp(VELOCITY[0], VELOCITY[1]),
             impulse: impulse_scale(impacts),
         }
@@ -125,6 +128,8 @@ pub struct Scene {
     pub normal: Option<DrawnArrow>,
     /// Friction F, from the contact point along the plane.
     pub friction: Option<DrawnArrow>,
+    /// Weight (m1 + m2) g, from the mass centre downwards; on the scale of N and F.
+    pub weight: Option<DrawnArrow>,
     /// Slip velocity η′ of the contact point; none in flight.
     pub slip: Option<DrawnArrow>,
     /// Impulse of an impact that is past by no more than a moment, or that is being replayed.
@@ -149,6 +154,7 @@ impl Scene {
             contact,
             normal: arrow((0.0, 1.0), sample.normal, scale.force),
             friction: arrow((1.0, 0.0), sample.friction, scale.force),
+            weight: DrawnArrow::along((0.0, -1.0), sample.mass_centre, scale.weight, scale.force),
             slip: arrow((1.0, 0.0), sample.state.slip, scale.velocity),
             impulse: None,
         }

@@ -24,6 +24,38 @@ const STAYS_S: f64 = 0.8;
 /// Time shown of a motion that lasts for ever and has no period.
 const HORIZON: f64 = 10.0;
 
+/// Time after which a motion that lasts for ever is not waited for to come to its last phase, or to the end of a period.
+const PATIENCE: f64 = 30.0;
+
+/// What a film shows of a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    Whole,
+    /// An oscillation, at whose end it is where it began.
+    Period,
+    /// Two periods of what lasts for ever.
+    TwoPeriods,
+    /// A while of what lasts for ever.
+    While,
+    /// Some bounces of a motion that bounces until it is stopped.
+    Bounces,
+}
+
+impl Part {
+    /// In words; none for the whole.
+    #[must_use]
+    pub const fn label(self) -> Option<&'static str> {
+        match self {
+            Self::Whole => None,
+            Self::Period => Some("one period of a motion without end"),
+            Self::TwoPeriods => Some("two periods of a motion without end"),
+            Self::While => Some("the beginning of a motion without end"),
+            Self::Bounces => Some("the first bounces of many"),
+        }
+    }
+}
+
 /// How a film runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pace {
@@ -57,7 +89,7 @@ pub struct Schedule {
     fps: u32,
     frames: u64,
     hold_ms: u32,
-    closes: bool,
+    part: Part,
     /// Where the film is slower about impacts.
     timeline: Option<Timeline>,
 }
@@ -91,7 +123,8 @@ impl Schedule {
             return Err(FilmError::NoMotion { outcome: trajectory.outcome().kind() });
         }
         let start = trajectory.start().time;
-        let (end, closes) = shown_until(trajectory);
+        let (end, part) = shown_until(trajectory);
+        let closes = part == Part::Period;
         let timeline = pace
             .slow_impacts
             .map(|factor| slowed(trajectory, [start, end], pace.seconds(), factor))
@@ -114,7 +147,7 @@ impl Schedule {
             fps,
             frames: frames.max(1.0) as u64,
             hold_ms: libm::round(1e3 * hold_s) as u32,
-            closes,
+            part,
             timeline,
         })
     }
@@ -152,7 +185,13 @@ impl Schedule {
     /// Whether the film goes on with its first frame after the last, because the motion comes back to its start.
     #[must_use]
     pub const fn closes(&self) -> bool {
-        self.closes
+        matches!(self.part, Part::Period)
+    }
+
+    /// What the film shows of the motion.
+    #[must_use]
+    pub const fn part(&self) -> Part {
+        self.part
     }
 
     /// The instant that a frame shows. The last is the end of the motion, to the last bit; it comes less than a frame
@@ -165,7 +204,7 @@ impl Schedule {
     /// What a frame shows.
     pub(crate) fn moment(&self, index: u64) -> Moment {
         let evenly = |time: f64| Moment { time, is_slow: false, impact: None };
-        if index + 1 >= self.frames && !self.closes {
+        if index + 1 >= self.frames && !self.closes() {
             return evenly(self.end);
         }
         let slowed = self.timeline.as_ref().and_then(|timeline| timeline.moment(self.second(index)));
@@ -246,27 +285,34 @@ fn slowed(
     Ok((!impacts.is_empty()).then(|| Timeline::new(times, pace, factor, &impacts)))
 }
 
-/// Up to when a motion is shown, and whether it is back at its start then.
-fn shown_until(trajectory: &Trajectory) -> (f64, bool) {
+/// Up to when a motion is shown, and what that is of it.
+fn shown_until(trajectory: &Trajectory) -> (f64, Part) {
     let end = trajectory.end_time();
     let outcome = trajectory.outcome();
     if outcome.kind() == OutcomeKind::TransitionLimit && trajectory.hoop().restitution().is_some() {
-        let stopped = trajectory.transitions().get(BOUNCES).map_or(end, Transition::time);
-        return (stopped, false);
+        let stopped = trajectory.transitions().get(BOUNCES).map(Transition::time);
+        return stopped.map_or((end, Part::Whole), |stopped| (stopped, Part::Bounces));
     }
     if end.is_finite() {
-        return (end, false);
+        return (end, Part::Whole);
     }
+    let start = trajectory.start().time;
     let since = outcome.state().time;
-    let Some((recurrence, period)) = outcome.recurrence().and_then(|recurrence| {
+    let period = outcome.recurrence().and_then(|recurrence| {
         Some((recurrence.kind(), recurrence.period().filter(|period| period.is_finite())?))
-    }) else {
-        return (since + HORIZON, false);
+    });
+    let (until, part) = match period {
+        None => (since + HORIZON, Part::While),
+        // The hoop that rolls back and forth is back at its place; the one that slides has moved on.
+        Some((RecurrenceKind::Libration, period))
+            if outcome.kind() == OutcomeKind::RollsForever && trajectory.phases().len() == 1 =>
+        {
+            (since + period, Part::Period)
+        }
+        Some((_, period)) => (since + 2.0 * period, Part::TwoPeriods),
     };
-    // The hoop that rolls back and forth is back at its place; the one that slides has moved on.
-    let comes_back = outcome.kind() == OutcomeKind::RollsForever && recurrence == RecurrenceKind::Libration;
-    if comes_back && trajectory.phases().len() == 1 {
-        return (since + period, true);
+    if until - start > PATIENCE && part != Part::Period {
+        return (start + PATIENCE, Part::While);
     }
-    (since + 2.0 * period, false)
+    (until, part)
 }

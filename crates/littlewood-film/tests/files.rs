@@ -6,7 +6,7 @@ use std::path::Path;
 
 use littlewood::{Hoop, Limits, Setup, Trajectory, find_case};
 use littlewood_film::{
-    ApngFilm, Encoder, Film, FilmError, FrameSize, Framing, GifFilm, Mp4Film, Pace, SizeError,
+    ApngFilm, Encoder, FfmpegFilm, Film, FilmError, FrameSize, Framing, GifFilm, Pace, SizeError, Video,
 };
 
 fn motion(name: &str) -> Trajectory {
@@ -70,7 +70,8 @@ fn an_apng_has_all_frames_their_durations_and_their_pixels() {
     let motion = motion("figure-7");
     let film = film(&motion, 12, (320, 180));
     let bytes = apng(&film);
-    let decoder = png::Decoder::new(io::Cursor::new(&bytes));
+    let mut decoder = png::Decoder::new(io::Cursor::new(&bytes));
+    decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::ALPHA);
     let mut reader = decoder.read_info().unwrap();
     let control = *reader.info().animation_control().unwrap();
     assert_eq!(u64::from(control.num_frames), film.schedule().frames());
@@ -92,7 +93,10 @@ fn an_apng_has_all_frames_their_durations_and_their_pixels() {
             }
         }
         if index % 10 == 0 || is_last {
-            assert!(screen == film.still(index).unwrap(), "frame {index}");
+            // The colours are those of a GIF.
+            let drawn = film.still(index).unwrap();
+            let worst = screen.iter().zip(&drawn).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+            assert!(worst <= 60, "{worst} in frame {index}");
         }
     }
 }
@@ -104,16 +108,16 @@ fn the_committed_films_are_what_is_drawn() {
         ("figure-3", "figure-3", 3.0, None),
         ("figure-7", "figure-7", 4.0, None),
         ("libration", "figure-2-libration", 1.25, None),
-        ("bounces", "figure-3-bounces", 1.5, Some((6.0, 8.0))),
+        ("bounces", "figure-3-bounces", 1.2, Some((6.0, 8.0))),
     ] {
         let Setup { hoop, start, .. } = find_case(case).unwrap().setup;
         let limits = Limits::default().with_until(impacts.map(|(_, until)| until));
         let motion = Hoop::new(hoop).unwrap().simulate(start, limits).unwrap();
         let slow_impacts = impacts.map(|(factor, _)| factor);
-        let pace = Pace { fps: 25, slow, units: None, hold_s: None, slow_impacts };
+        let pace = Pace { fps: 20, slow, units: None, hold_s: None, slow_impacts };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto).unwrap();
         let committed = fs::read(folder.join(file).with_extension("gif")).unwrap();
-        assert!(committed.len() < 1_500_000);
+        assert!(committed.len() < 2_000_000);
         assert!(
             gif(&film) == committed,
             "{file}: cargo run --release -p littlewood-film --example films docs/films"
@@ -193,9 +197,12 @@ fn an_mp4_needs_even_sides_and_ffmpeg() {
     let path = folder.path().join("film.mp4");
     let motion = motion("figure-3");
     let odd = film(&motion, 10, (161, 160));
-    assert!(matches!(Mp4Film::start("ffmpeg".as_ref(), &path, &odd), Err(FilmError::OddSize { .. })));
+    assert!(matches!(
+        FfmpegFilm::start("ffmpeg".as_ref(), &path, &odd, Video::Mp4),
+        Err(FilmError::OddSize { .. })
+    ));
     let even = film(&motion, 10, (160, 160));
-    let error = Mp4Film::start("ffmpeg-that-is-not-there".as_ref(), &path, &even).unwrap_err();
+    let error = FfmpegFilm::start("ffmpeg-that-is-not-there".as_ref(), &path, &even, Video::Mp4).unwrap_err();
     assert!(
         matches!(&error, FilmError::NoFfmpeg { .. }) && error.hint().contains("install ffmpeg"),
         "{error}"
@@ -221,7 +228,7 @@ fn ffmpeg_receives_every_frame_and_repeats_of_the_last() {
     let program = stand_in(folder.path(), "for last; do :; done; cat > \"$last\"");
     let motion = motion("figure-3");
     let film = film(&motion, 10, (160, 170));
-    let mut encoder = Mp4Film::start(program.as_ref(), &path, &film).unwrap();
+    let mut encoder = FfmpegFilm::start(program.as_ref(), &path, &film, Video::Mp4).unwrap();
     film.play(&mut encoder, |_| true).unwrap();
     encoder.finish().unwrap();
     let mut received = BufReader::new(File::open(&path).unwrap());
@@ -249,7 +256,7 @@ fn what_ffmpeg_says_is_passed_on() {
         "cat > /dev/null; echo 'Unknown encoder libx264' >&2; exit 3",
     ] {
         let program = stand_in(folder.path(), script);
-        let mut encoder = Mp4Film::start(program.as_ref(), &path, &film).unwrap();
+        let mut encoder = FfmpegFilm::start(program.as_ref(), &path, &film, Video::Mp4).unwrap();
         let played = film.play(&mut encoder, |_| true);
         let error = played.and_then(|()| encoder.finish()).unwrap_err();
         assert!(error.to_string().contains("Unknown encoder libx264"), "{error}");

@@ -1,7 +1,7 @@
 //! Scenes against the geometry of the body and the forces of the motion.
 
 use littlewood::{CASES, Mode, Trajectory, find_case};
-use littlewood_film::{DrawnArrow, Film, FrameSize, Framing, Pace, Scene};
+use littlewood_film::{DrawnArrow, Film, FrameSize, Framing, Pace, Part, Scene, With};
 
 fn motion(name: &str) -> Trajectory {
     find_case(name).expect("a named case").simulate().expect("it can be simulated")
@@ -121,4 +121,73 @@ fn an_infinite_slip_is_cut() {
     assert!(slip.value.is_infinite() && slip.is_cut);
     assert!((slip.head.x - slip.tail.x).abs() < 2.0);
     assert!(!film.still(film.schedule().frames() - 1).unwrap().is_empty());
+}
+
+#[test]
+fn the_weight_hangs_from_the_mass_centre_on_the_scale_of_the_forces() {
+    for name in ["figure-3", "figure-7"] {
+        let motion = motion(name);
+        let film = film(&motion);
+        for scene in scenes(&film) {
+            let weight = scene.weight.expect("it is never without weight");
+            assert_eq!(weight.tail, scene.mass_centre);
+            let length = weight.tail.y - weight.head.y;
+            assert!((length - film.scale().force * motion.hoop().mass()).abs() < 1e-13, "{name}: {length}");
+        }
+    }
+}
+
+#[test]
+fn a_motion_without_end_is_shown_in_part_and_says_so() {
+    let periods = |name: &str| {
+        let motion = motion(name);
+        let schedule = film(&motion).schedule().clone();
+        let period = motion.outcome().recurrence().and_then(|recurrence| recurrence.period());
+        let since = motion.outcome().state().time;
+        (schedule.part(), (schedule.end() - since) / period.expect("a period"))
+    };
+    let (part, number) = periods("figure-2-libration");
+    assert!(part == Part::Period && (number - 1.0).abs() < 1e-12, "{part:?} {number}");
+    let (part, number) = periods("stick-slip-no-jump");
+    assert!(part == Part::TwoPeriods && (number - 2.0).abs() < 1e-12, "{part:?} {number}");
+    assert_eq!(film(&motion("figure-3")).schedule().part(), Part::Whole);
+    for case in CASES.iter().filter(|case| case.name != "painleve") {
+        let motion = motion(case.name);
+        let schedule = film(&motion).schedule().clone();
+        assert!(schedule.end() - schedule.start() < 60.0, "{}", case.name);
+    }
+}
+
+#[test]
+fn a_pane_shows_the_motion_and_the_inset_the_path() {
+    let motion = motion("figure-3");
+    let plain = film(&motion);
+    let last = plain.schedule().frames() - 1;
+    let mut pictures = vec![plain.still(last).unwrap()];
+    for with in With::ALL {
+        let shown = film(&motion).with_pane(with);
+        let (first, end) = (shown.still(0).unwrap(), shown.still(last).unwrap());
+        // The pane is the right part of the picture, under the inset: 640 − 236 pixels from the left.
+        let pane = |picture: &[u8]| -> Vec<u8> {
+            picture.chunks_exact(4 * 640).skip(96).take(200).flat_map(|row| row[4 * 404..].to_vec()).collect()
+        };
+        assert!(pane(&first) != pane(&end), "{with:?} does not run along");
+        pictures.push(end);
+    }
+    for (i, picture) in pictures.iter().enumerate() {
+        assert!(pictures[..i].iter().all(|other| other != picture));
+    }
+}
+
+#[test]
+fn every_case_has_every_pane() {
+    for case in CASES.iter().filter(|case| case.name != "painleve") {
+        let motion = motion(case.name);
+        for with in With::ALL {
+            let film = film(&motion).with_pane(with);
+            for index in [0, film.schedule().frames() / 2, film.schedule().frames() - 1] {
+                assert!(!film.still(index).unwrap().is_empty(), "{} {with:?}", case.name);
+            }
+        }
+    }
 }

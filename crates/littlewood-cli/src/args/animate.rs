@@ -10,16 +10,17 @@ pub(super) const ANIMATE: &str = "\
 Make a film of a motion: hoop, particle, contact point, gap, forces, impulses of impacts, slip velocity, mode and clock.
 
 The motion is given as in `simulate`; `libration` is short for figure-2-libration. A motion that lasts for ever is shown \
-for one oscillation, two turns, or 10 units of time, unless --until says otherwise.
+for one oscillation, two periods, or 10 units of time, unless --until says otherwise; the film says so.
 
-The ending of --out says what the film is: .gif, .png or .apng, or .mp4, which needs ffmpeg. A GIF or an APNG has the \
-same bytes on every machine.";
+The ending of --out says what the film is: .gif, .png or .apng, or .mp4 (H.264) and .webm (VP9), which need ffmpeg. A GIF or \
+an APNG has the same bytes on every machine. For a slide an .mp4 of 1280x720 is a megabyte or less.";
 
 pub(super) const ANIMATE_EXAMPLES: &str = "\
 Examples:
   littlewood animate figure-3 --out figure-3.gif
   littlewood animate figure-7 --slow 6 --fps 50 --size 1280x720 --out figure-7.png
   littlewood animate libration --fps 60 --size 1920x1080 --out libration.mp4
+  littlewood animate figure-3 --with plane --size 1280x720 --out plane.gif
   littlewood animate figure-3-bounces --slow-impacts 8 --out bounces.gif
   littlewood animate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --slow 10 --out hula-hoop.gif";
 
@@ -30,7 +31,7 @@ pub(crate) struct AnimateArgs {
     pub(crate) problem: ProblemArgs<true>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
-    /// File of the film, .gif, .png, .apng or .mp4; it is replaced only once everything has been written
+    /// File of the film, .gif, .png, .apng, .mp4 or .webm; it is replaced only once everything has been written
     #[arg(long, value_name = "FILE", help_heading = "Film")]
     pub(crate) out: PathBuf,
     /// Seconds of film for a unit of time sqrt(R/g) [default: 3]; in SI units, how many times slower than real the
@@ -53,9 +54,23 @@ pub(crate) struct AnimateArgs {
     /// Show where the energy of the start has gone: kinetic, potential, lost to friction, lost in impacts
     #[arg(long, value_enum, default_value_t = Bar::Auto, help_heading = "Film")]
     pub(crate) energy_bar: Bar,
+    /// Show a second picture beside the hoop, in which the motion runs along; in place of the bar of the energy
+    #[arg(long, value_enum, help_heading = "Film", conflicts_with = "energy_bar")]
+    pub(crate) with: Option<Beside>,
     /// Seconds for which the last picture stays [default: 1.5, and 0 for an oscillation, which goes on where it began]
     #[arg(long, value_name = "S", value_parser = number, help_heading = "Film")]
     pub(crate) hold: Option<f64>,
+}
+
+/// What is shown beside the hoop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Beside {
+    /// The plane of theta and theta' with the curves f, n and that of lift-off
+    Plane,
+    /// |F|/N with mu_s and mu_k against the time
+    Friction,
+    /// Kinetic and potential energy, and what is lost, against the time
+    Energy,
 }
 
 /// When the energy is shown.
@@ -72,10 +87,10 @@ pub(crate) enum Bar {
 /// What the picture shows of the path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Camera {
-    /// The whole path if the hoop is large enough then, else the camera goes with the hoop
+    /// The whole path if the hoop is large all the same, else the camera goes with the hoop
     Auto,
     /// The whole path, however small the hoop is
     Whole,
-    /// The camera goes with the mass centre
+    /// The camera goes with the mass centre; the whole path is shown in small
     Follow,
 }

@@ -13,7 +13,7 @@ mod quantity;
 mod sweep;
 
 #[cfg(feature = "film")]
-pub(crate) use animate::{AnimateArgs, Bar, Camera};
+pub(crate) use animate::{AnimateArgs, Bar, Beside, Camera};
 #[cfg(feature = "figures")]
 pub(crate) use figures::{FigureFormat, FiguresArgs};
 #[cfg(feature = "lab")]

@@ -1,4 +1,4 @@
-//! MP4 (H.264), which ffmpeg writes: frames go to it through a pipe.
+//! MP4 (H.264) and WebM (VP9), which ffmpeg writes: frames go to it through a pipe.
 
 use std::ffi::OsStr;
 use std::io::{BufRead as _, BufReader, ErrorKind, Write as _};
@@ -14,21 +14,68 @@ use crate::schedule::Shown;
 /// Lines of ffmpeg's messages that are kept.
 const KEPT: usize = 4;
 
-/// Writes an MP4 by way of ffmpeg.
+/// What ffmpeg writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Video {
+    /// H.264 in MP4, which everything plays.
+    Mp4,
+    /// VP9 in WebM, for browsers and what has no licence for H.264.
+    WebM,
+}
+
+impl Video {
+    /// Codec, quality and container, as ffmpeg takes them.
+    const fn arguments(self) -> &'static [&'static str] {
+        match self {
+            Self::Mp4 => &[
+                "-c:v",
+                "libx264",
+                "-preset",
+                "slow",
+                "-tune",
+                "animation",
+                "-crf",
+                "20",
+                "-movflags",
+                "+faststart",
+                "-f",
+                "mp4",
+            ],
+            Self::WebM => &[
+                "-c:v",
+                "libvpx-vp9",
+                "-deadline",
+                "good",
+                "-cpu-used",
+                "2",
+                "-crf",
+                "30",
+                "-b:v",
+                "0",
+                "-row-mt",
+                "0",
+                "-f",
+                "webm",
+            ],
+        }
+    }
+}
+
+/// Writes a video by way of ffmpeg.
 #[derive(Debug)]
-pub struct Mp4Film {
+pub struct FfmpegFilm {
     ffmpeg: Child,
     frames: Option<ChildStdin>,
     messages: Option<JoinHandle<Vec<String>>>,
     row: Vec<u8>,
 }
 
-impl Mp4Film {
+impl FfmpegFilm {
     /// Starts ffmpeg, which writes to a file that may be there already. `program` is its name or path.
     ///
     /// # Errors
     /// A side that is odd, or ffmpeg cannot be started.
-    pub fn start(program: &OsStr, path: &Path, film: &Film<'_>) -> Result<Self, FilmError> {
+    pub fn start(program: &OsStr, path: &Path, film: &Film<'_>, video: Video) -> Result<Self, FilmError> {
         let size = film.size();
         if size.width() % 2 + size.height() % 2 != 0 {
             return Err(FilmError::OddSize { size });
@@ -37,10 +84,10 @@ impl Mp4Film {
             .args(["-hide_banner", "-loglevel", "error", "-nostats", "-y"])
             .args(["-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", &size.to_string()])
             .args(["-framerate", &film.schedule().fps().to_string(), "-i", "pipe:0"])
-            .args(["-an", "-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p"])
+            .args(["-an", "-pix_fmt", "yuv420p"])
             // The same bytes from one version of ffmpeg, whatever the number of cores.
             .args(["-threads", "2", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"])
-            .args(["-movflags", "+faststart", "-f", "mp4"])
+            .args(video.arguments())
             .arg(path)
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
@@ -86,7 +133,7 @@ impl Mp4Film {
     }
 }
 
-impl Encoder for Mp4Film {
+impl Encoder for FfmpegFilm {
     fn frame(&mut self, pixels: &[u8], shown: Shown) -> Result<(), FilmError> {
         self.row.clear();
         for [red, green, blue, _] in pixels.as_chunks::<4>().0 {
@@ -108,7 +155,7 @@ impl Encoder for Mp4Film {
     }
 }
 
-impl Drop for Mp4Film {
+impl Drop for FfmpegFilm {
     fn drop(&mut self) {
         // Nobody waits for the rest of a film that is given up. Of one that is finished nothing is left to end.
         self.frames = None;
