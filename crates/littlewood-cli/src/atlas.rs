@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 use std::path::Path;
 
 use littlewood::{Limits, Quantity, Setup};
-use littlewood_sweep::{Atlas, Axis, Grid, Options, Progress, StartList, Workers};
+use littlewood_sweep::{Atlas, Grid, Options, Progress, StartList, Workers};
 
 use crate::args::{AtlasArgs, ShortFormat};
 use crate::axis::TypedAxis;
@@ -72,7 +72,8 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     }
     drop(bar);
     let points = whole.points;
-    let shown = axes.iter().map(Axis::quantity).chain(listed.iter().copied()).collect();
+    let shown =
+        axes.iter().flat_map(|axis| axis.varies().quantities()).chain(listed.iter().copied()).collect();
     let hoops = if args.hoops.is_some() { of_hoops } else { Vec::new() };
     let page = Page { atlas: whole, total, shown, listed, hoops };
     let output = Output::open(None)?;

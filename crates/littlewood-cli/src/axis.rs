@@ -1,9 +1,9 @@
-//! An axis as it is typed: `theta=-pi:pi:200`, or in SI units `theta_rate_rad_per_s=0:20:200`.
+//! An axis as it is typed: `theta=-pi:pi:200`, `mu=0.01:1:200:log`, or in SI units `theta_rate_rad_per_s=0:20:200`.
 
 use core::f64::consts::PI;
 
 use littlewood::{Quantity, Units};
-use littlewood_sweep::{Axis, AxisError};
+use littlewood_sweep::{Axis, AxisError, Spacing, Varies};
 
 use crate::nearest;
 
@@ -11,27 +11,39 @@ use crate::nearest;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TypedAxis {
     /// With the unit of its ends.
-    quantity: Quantity,
+    varies: Varies,
     from: f64,
     to: f64,
     count: usize,
+    spacing: Spacing,
 }
 
 impl TypedAxis {
     /// An axis without dimension.
     #[cfg(feature = "sweep")]
     pub(crate) const fn plain(quantity: Quantity, from: f64, to: f64, count: usize) -> Self {
-        Self { quantity, from, to, count }
+        Self { varies: Varies::One(quantity), from, to, count, spacing: Spacing::Even }
     }
 
     /// What varies along it, dimensionless.
-    pub(crate) const fn quantity(&self) -> Quantity {
-        self.quantity.dimensionless()
+    pub(crate) const fn varies(&self) -> Varies {
+        match self.varies {
+            Varies::One(quantity) => Varies::One(quantity.dimensionless()),
+            Varies::Friction => Varies::Friction,
+        }
+    }
+
+    /// The quantities that have its value, dimensionless.
+    pub(crate) fn quantities(&self) -> impl Iterator<Item = Quantity> + use<> {
+        self.varies().quantities()
     }
 
     /// Whether its ends have a unit that has to be taken off.
     pub(crate) const fn is_si(&self) -> bool {
-        self.quantity.is_si()
+        match self.varies {
+            Varies::One(quantity) => quantity.is_si(),
+            Varies::Friction => false,
+        }
     }
 
     /// The axis without dimension. Ends that were given so are taken as they are, to the last bit.
@@ -40,37 +52,47 @@ impl TypedAxis {
     /// As [`Axis::new`].
     pub(crate) fn resolve(&self, units: Option<&Units>) -> Result<Axis, AxisError> {
         let end = |value| match units {
-            Some(units) if self.is_si() => units.from_si(self.quantity.dimension(), value),
+            Some(units) if self.is_si() => units.from_si(self.varies.dimension(), value),
             Some(_) | None => value,
         };
-        Axis::new(self.quantity(), end(self.from), end(self.to), self.count)
+        Axis::new(self.varies(), end(self.from), end(self.to), self.count)?.with_spacing(self.spacing)
     }
 }
 
 /// An axis after a flag.
 pub(crate) fn parse_axis(text: &str) -> Result<TypedAxis, String> {
-    const FORM: &str = "hint: an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200";
+    const FORM: &str = "hint: an axis is NAME=FROM:TO:COUNT, such as theta=-pi:pi:200, or NAME=FROM:TO:COUNT:log, such as mu=0.01:1:200:log";
     let (name, range) = text.split_once('=').ok_or(FORM)?;
     let plain = name.trim().replace('-', "_");
-    let quantity = quantities().find(|quantity| quantity.name() == plain).ok_or_else(|| {
-        let known: Vec<&str> = quantities().map(Quantity::name).collect();
+    let varies = varied().find(|varies| varies.name() == plain).ok_or_else(|| {
+        let known: Vec<&str> = varied().map(Varies::name).collect();
         let all = format!("axes are {}", known.join(", "));
         format!("there is no axis '{name}'\n\nhint: {}", nearest::hint(name, known, &all))
     })?;
-    let [from, to, count] = range.split(':').map(str::trim).collect::<Vec<_>>()[..] else {
-        return Err(FORM.to_owned());
+    let parts: Vec<&str> = range.split(':').map(str::trim).collect();
+    let (from, to, count, spacing) = match parts[..] {
+        [from, to, count] => (from, to, count, Spacing::Even),
+        [from, to, count, spacing] => {
+            let spacing = [Spacing::Even, Spacing::Log].into_iter().find(|known| known.name() == spacing);
+            (from, to, count, spacing.ok_or(FORM)?)
+        }
+        _ => return Err(FORM.to_owned()),
     };
     let end = |text| parse_number(text).ok_or_else(|| format!("'{text}' is not a number\n\n{FORM}"));
     let (from, to) = (end(from)?, end(to)?);
     let count = count.parse().map_err(|_| format!("'{count}' is not a number of points\n\n{FORM}"))?;
-    let axis = TypedAxis { quantity, from, to, count };
-    Axis::new(axis.quantity(), from, to, count).map_err(|error| format!("{error}\n\n{FORM}"))?;
+    let axis = TypedAxis { varies, from, to, count, spacing };
+    Axis::new(axis.varies(), from, to, count)
+        .and_then(|axis| axis.with_spacing(spacing))
+        .map_err(|error| format!("{error}\n\n{FORM}"))?;
     Ok(axis)
 }
 
-/// Quantities that an axis can vary: those of a motion, then those of them that have a unit, in SI units.
-pub(crate) fn quantities() -> impl Iterator<Item = Quantity> {
-    Quantity::AXES.into_iter().chain(si_quantities())
+/// What an axis can vary: the quantities of a motion, friction as one number, then those of them that have a unit, in SI
+/// units.
+pub(crate) fn varied() -> impl Iterator<Item = Varies> {
+    let of = |quantity| Varies::One(quantity);
+    Quantity::AXES.into_iter().map(of).chain([Varies::Friction]).chain(si_quantities().map(of))
 }
 
 /// Quantities that an axis in SI units can vary.
@@ -101,6 +123,7 @@ mod tests {
     use super::{parse_axis, parse_number};
     use core::f64::consts::{FRAC_PI_2, PI};
     use littlewood::{Quantity, Units};
+    use littlewood_sweep::Varies;
 
     #[test]
     fn numbers_may_have_pi_in_them() {
@@ -141,7 +164,7 @@ mod tests {
             ("mu_s=0:0.25:3", Quantity::MuS, 0.25),
         ] {
             let axis = parse_axis(text).expect("an axis").resolve(Some(&units)).expect("an axis");
-            assert_eq!((axis.quantity(), axis.from(), axis.to()), (quantity, 0.0, to), "{text}");
+            assert_eq!((axis.varies(), axis.from(), axis.to()), (Varies::One(quantity), 0.0, to), "{text}");
         }
     }
 }

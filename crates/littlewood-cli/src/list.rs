@@ -36,7 +36,7 @@ pub(crate) fn hoop_columns(
         .map(|column| {
             if !Quantity::HOOP.contains(&column) {
                 Err(bad(column, "is of the start, not of the hoop"))
-            } else if axes.iter().any(|axis| axis.quantity() == column) {
+            } else if axes.iter().any(|axis| axis.quantities().any(|varied| varied == column)) {
                 Err(bad(column, "is an axis, too"))
             } else if first_turn && column == Quantity::MuK {
                 Err(bad(column, "follows mu_s with --first-turn"))

@@ -1,10 +1,8 @@
 //! `littlewood map`: a plane of two quantities.
 
-use std::iter;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use littlewood::SummaryColumn;
 use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Progress, Shade, sweep_grid};
 
 use crate::args::MapArgs;
@@ -16,7 +14,7 @@ use crate::plane::Plane;
 use crate::progress::Bar;
 use crate::report::sweep::{self, Run};
 use crate::store::{self, Kind};
-use crate::work;
+use crate::work::{self, Base};
 
 /// Runs the command.
 ///
@@ -27,7 +25,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let size = PictureSize { width: args.size.0, height: args.size.1 };
     let kinds =
         store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet, Kind::Csv, Kind::Json, Kind::Picture])?;
-    let (grid, limits) = work::grid(&args.base, &args.run, &[args.x, args.y])?;
+    let (grid, Base { limits, units, .. }) = work::grid(&args.base, &args.run, &[args.x, args.y])?;
     let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, grid.len())).collect();
     let at_the_end: Vec<(Kind, &Path)> =
         kinds.iter().copied().filter(|(kind, _)| kind.is_written_at_the_end()).collect();
@@ -40,7 +38,13 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
             hint: "leave out --resume; with a second --out NAME.zarr a picture can be resumed".to_owned(),
         });
     }
-    let mut picture = Picture::new(&grid, limits, shade, size)?;
+    let mut picture = Picture::new(&grid, limits, shade, size)?.with_units(units);
+    if args.curves {
+        picture = picture.with_curves()?;
+    }
+    if args.contours {
+        picture = picture.with_contours()?;
+    }
     let mut plane = match at_the_end.iter().find(|(kind, _)| *kind != Kind::Picture) {
         Some((_, path)) => Some(Plane::new(&grid, path)?),
         None => None,
@@ -53,7 +57,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let show = |progress: Progress| bar.show(work::STARTS, work::count(progress));
     let options = work::options(&args.work, args.store.resume, cancel, &show);
     let began = Instant::now();
-    let report = if at_the_end.is_empty() {
+    let mut report = if at_the_end.is_empty() {
         sweep_grid(&grid, limits, &targets, None, &workers, &options)?
     } else {
         let mut add = |chunk: &Chunk, columns: &Columns| {
@@ -64,6 +68,9 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         };
         sweep_grid(&grid, limits, &targets, Some(&mut add), &workers, &options)?
     };
+    if report.complete && at_the_end.iter().any(|(kind, _)| *kind == Kind::Picture) {
+        report.complete = picture.refine(limits, &workers, &options)?;
+    }
     let time = began.elapsed();
     drop(bar);
 
@@ -102,12 +109,9 @@ fn partial(path: &Path) -> PathBuf {
 
 fn shade_of(name: &str) -> Result<Shade, Error> {
     let plain = name.replace('-', "_");
-    if plain == SummaryColumn::Outcome.name() {
-        return Ok(Shade::Class);
-    }
-    let known = || SummaryColumn::numbers().map(SummaryColumn::name);
-    SummaryColumn::numbers().find(|column| column.name() == plain).map(Shade::Column).ok_or_else(|| {
-        let all: Vec<&str> = iter::once(SummaryColumn::Outcome.name()).chain(known()).collect();
+    let known = || Shade::all().map(Shade::name);
+    Shade::all().find(|shade| shade.name() == plain).ok_or_else(|| {
+        let all: Vec<&str> = known().collect();
         Error::UnknownShade {
             name: name.to_owned(),
             hint: nearest::hint(name, known(), &format!("the columns are {}", all.join(", "))),

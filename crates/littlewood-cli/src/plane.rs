@@ -44,7 +44,7 @@ impl<'a> Plane<'a> {
 
     /// One row a start: its place on the axes, then the columns. What has no value is an empty cell.
     pub(crate) fn csv(&self, writer: &mut dyn Write) -> io::Result<()> {
-        let names = self.axes.iter().map(|axis| axis.quantity().name());
+        let names = self.axes.iter().map(|axis| axis.varies().name());
         let names: Vec<&str> = names.chain(SummaryColumn::ALL.into_iter().map(SummaryColumn::name)).collect();
         writeln!(writer, "{}", names.join(","))?;
         for (place, summary) in self.summaries.iter().enumerate() {
@@ -73,7 +73,7 @@ impl Serialize for Plane<'_> {
         let axes: Vec<Values> = self
             .axes
             .iter()
-            .map(|axis| Values { name: axis.quantity().name(), values: axis.values().collect() })
+            .map(|axis| Values { name: axis.varies().name(), values: axis.values().collect() })
             .collect();
         map.serialize_entry("axes", &axes)?;
         map.serialize_entry("columns", &Lists(&self.summaries))?;

@@ -14,7 +14,7 @@ use crate::list;
 use crate::progress::Bar;
 use crate::report::sweep::{self, Run};
 use crate::store::{self, Kind};
-use crate::work::{self, Varied};
+use crate::work::{self, Base, Varied};
 
 /// Runs the command.
 ///
@@ -29,7 +29,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Error> {
 
 fn follow_grid(args: &SweepArgs) -> Result<(), Error> {
     let kinds = store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet])?;
-    let (grid, limits) = work::grid(&args.base, &args.run, &args.axis)?;
+    let (grid, Base { limits, .. }) = work::grid(&args.base, &args.run, &args.axis)?;
     follow(args, grid.len(), &kinds, |targets, workers, options| {
         sweep_grid(&grid, limits, targets, None, workers, options)
     })

@@ -48,7 +48,7 @@ impl Varied {
     /// Quantities that the axes vary.
     pub(crate) fn by(axes: &[TypedAxis]) -> Self {
         Self {
-            quantities: axes.iter().map(TypedAxis::quantity).collect(),
+            quantities: axes.iter().flat_map(TypedAxis::quantities).collect(),
             si: axes.iter().any(TypedAxis::is_si),
             fixed: Vec::new(),
         }
@@ -78,9 +78,9 @@ pub(crate) fn grid(
     args: &ProblemArgs<false>,
     run: &RunArgs,
     axes: &[TypedAxis],
-) -> Result<(Grid, Limits), Error> {
+) -> Result<(Grid, Base), Error> {
     let base = base(args, run, Varied::by(axes))?;
-    Ok((Grid::new(base.setup, resolve(axes, &base)?)?, base.limits))
+    Ok((Grid::new(base.setup, resolve(axes, &base)?)?, base))
 }
 
 /// Axes without dimension.

@@ -288,3 +288,59 @@ fn axes_in_si_units_are_those_without_dimension() {
     text(&until);
     assert!(tree(Path::new(&out)) == plain);
 }
+
+#[test]
+fn friction_is_an_axis_of_its_own_and_axes_may_be_logarithmic() {
+    let folder = folder();
+    let out = path(&folder, "friction.csv");
+    let axes = ["--x", "mu=0.01:1:3:log", "--y", "theta_rate=1:2:2"];
+    // The case has friction of its own, which the axis takes the place of.
+    text(&[&["map", "figure-3"], &axes[..], &["--until", "5", "--out", &out]].concat());
+    let table = fs::read_to_string(&out).expect("a text");
+    let values: Vec<&str> = table.lines().map(|line| line.split(',').next().unwrap_or_default()).collect();
+    assert_eq!(values, ["mu", "0.01", "0.01", "0.1", "0.1", "1", "1"]);
+    let one = json(&[
+        "simulate",
+        "figure-3",
+        "--mu-s",
+        "0.1",
+        "--mu-k",
+        "0.1",
+        "--theta-rate",
+        "2",
+        "--until",
+        "5",
+    ]);
+    let row: Vec<&str> = table.lines().nth(4).expect("a row").split(',').collect();
+    let header: Vec<&str> = table.lines().next().expect("a header").split(',').collect();
+    let end = header.iter().position(|name| *name == "end_theta").expect("a column");
+    assert_close(row[end].parse().expect("a number"), number(&one["outcome"]["theta"]), 1e-12);
+
+    let refused = |x: &str, y: &str| complaint(&["map", "figure-3", "--x", x, "--y", y, "--out", &out], 2);
+    assert!(refused("mu=0:1:3:log", SMALL[3]).contains("equal factors cannot lead from 0 to 1"));
+    assert!(refused("mu=0.1:1:3:cubic", SMALL[3]).contains("NAME=FROM:TO:COUNT:log"));
+    assert!(refused("mu=0.1:1:3", "mu_k=0:0.1:3").contains("mu_k is given twice"));
+}
+
+#[test]
+fn a_picture_may_show_phases_energy_and_curves() {
+    let folder = folder();
+    let out = path(&folder, "plane.png");
+    let map = |more: &[&'static str]| {
+        let all = [&["map", "figure-3"], &SMALL[..], &["--size", "600x400", "--out", &out], more].concat();
+        text(&all);
+        fs::read(&out).expect("a picture")
+    };
+    let plain = map(&[]);
+    for more in [&["--shade", "sequence"][..], &["--shade", "energy_lost", "--contours"], &["--curves"]] {
+        assert!(map(more) != plain, "{more:?}");
+    }
+    let refused = |more: &[&'static str]| complaint(&[&["map", "figure-3", "--out", &out], more].concat(), 2);
+    let plane = |more: &[&'static str]| refused(&[&SMALL[..], more].concat());
+    assert!(plane(&["--contours"]).contains("hint: leave out --contours"));
+    assert!(plane(&["--curves", "--slip", "0.1"]).contains("its starts have slip"));
+    assert!(refused(&["--x", "theta=-1:1:3", "--y", "mu=0:1:3", "--curves"]).contains("its axes are others"));
+    // In SI units the picture has them, and so is another.
+    let si = map(&["--particle-mass-kg", "2", "--radius-m", "0.5"]);
+    assert!(si != plain);
+}

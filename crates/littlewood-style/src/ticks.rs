@@ -37,6 +37,73 @@ pub fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
         .collect()
 }
 
+/// Ticks of a logarithmic axis from `a` to `b` > `a` > 0, at most about `most` of them: at 1, 2 and 5 of each decade, at 1
+/// and 3, at its beginning, or at the beginning of some. Within a decade they are those of [`round`].
+#[must_use]
+pub fn logarithmic(a: f64, b: f64, most: usize) -> Vec<Tick> {
+    let slack = 1e-9;
+    let (low, high) = (libm::log10(a), libm::log10(b));
+    let decades = |every: i32| {
+        let (first, last) = (libm::floor(low) as i32, libm::floor(high + slack) as i32);
+        (first..=last).filter(move |decade| decade.rem_euclid(every) == 0)
+    };
+    let within = |value: f64| value >= a * (1.0 - slack) && value <= b * (1.0 + slack);
+    let of = |factors: &[f64], every: i32| -> Vec<Tick> {
+        decades(every)
+            .flat_map(|decade| factors.iter().map(move |factor| (*factor, decade)))
+            .filter_map(|(factor, decade)| {
+                let value = if decade < 0 {
+                    factor / libm::exp10(f64::from(-decade))
+                } else {
+                    factor * libm::exp10(f64::from(decade))
+                };
+                within(value).then(|| Tick { value, label: of_decade(factor, decade) })
+            })
+            .collect()
+    };
+    for factors in [&[1.0, 2.0, 5.0][..], &[1.0, 3.0], &[1.0]] {
+        let ticks = of(factors, 1);
+        if (3..=most).contains(&ticks.len()) {
+            return ticks;
+        }
+    }
+    if high - low < 2.0 {
+        return round(a, b, most).into_iter().filter(|tick| tick.value > 0.0).collect();
+    }
+    (2..).map(|every| of(&[1.0], every)).find(|ticks| ticks.len() <= most.max(1)).unwrap_or_default()
+}
+
+/// A number of one digit and its decade: `0.02`, `500`, `10⁻⁷`, `3·10⁶`.
+fn of_decade(factor: f64, decade: i32) -> String {
+    match decade {
+        -4..0 => {
+            let digits = decade.unsigned_abs() as usize;
+            format!("{:.digits$}", factor / libm::exp10(f64::from(-decade)))
+        }
+        0..5 => format!("{}", factor * libm::exp10(f64::from(decade))),
+        _ => {
+            let power: String = decade.to_string().chars().map(superscript).collect();
+            if factor == 1.0 { format!("10{power}") } else { format!("{factor}·10{power}") }
+        }
+    }
+}
+
+const fn superscript(letter: char) -> char {
+    match letter {
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4' => '⁴',
+        '5' => '⁵',
+        '6' => '⁶',
+        '7' => '⁷',
+        '8' => '⁸',
+        '9' => '⁹',
+        _ => '⁻',
+    }
+}
+
 /// Ticks at multiples of a fraction of π, for angles.
 #[must_use]
 pub fn angular(a: f64, b: f64, most: usize) -> Vec<Tick> {
@@ -116,6 +183,15 @@ mod tests {
         assert_eq!(labels(&angular(0.0, 4.0 * PI, 6)), ["0", "π", "2π", "3π", "4π"]);
         assert_eq!(labels(&angular(0.0, PI, 4)), ["0", "π/4", "π/2", "3π/4", "π"]);
         assert_eq!(labels(&angular(0.0, 0.2, 4)), ["0.00", "0.05", "0.10", "0.15", "0.20"]);
+    }
+
+    #[test]
+    fn logarithmic_axes_have_decades() {
+        assert_eq!(labels(&logarithmic(0.01, 1.0, 8)), ["0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1"]);
+        assert_eq!(labels(&logarithmic(1e-3, 1.0, 7)), ["0.001", "0.003", "0.01", "0.03", "0.1", "0.3", "1"]);
+        assert_eq!(labels(&logarithmic(1e-7, 1e6, 6)), ["10⁻⁶", "0.001", "1", "1000", "10⁶"]);
+        assert_eq!(labels(&logarithmic(2.0, 3.0, 6)), ["2.0", "2.2", "2.4", "2.6", "2.8", "3.0"]);
+        assert_eq!(logarithmic(0.01, 1.0, 8)[0].value, 0.01);
     }
 
     #[test]

@@ -3,6 +3,8 @@
 use littlewood::{ColumnType, Dimension, OutcomeKind, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
 use serde_json::{Map, Value, json};
 
+use crate::axis::Varies;
+
 /// The conventions that the attributes follow.
 pub(crate) const CONVENTIONS: &str = "CF-1.11";
 
@@ -13,6 +15,13 @@ pub(crate) type Attributes = Map<String, Value>;
 pub(crate) fn of_quantity(quantity: Quantity) -> Attributes {
     let mut attributes = named(quantity.long_name());
     attributes.extend(units(quantity.dimension()));
+    attributes
+}
+
+/// Of an axis.
+pub(crate) fn of_axis(varies: Varies) -> Attributes {
+    let mut attributes = named(varies.long_name());
+    attributes.extend(units(varies.dimension()));
     attributes
 }
 

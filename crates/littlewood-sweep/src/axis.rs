@@ -1,50 +1,156 @@
-//! An axis of a sweep: one quantity, evenly spaced.
+//! An axis of a sweep: one quantity, or both coefficients of friction together, evenly spaced or by equal factors.
 
-use littlewood::{Group, ParameterError, Quantity};
+use core::fmt;
+
+use littlewood::{Dimension, Group, ParameterError, Quantity, Setup};
 use thiserror::Error;
+
+/// What an axis varies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Varies {
+    /// A quantity of [`Quantity::AXES`].
+    One(Quantity),
+    /// μ = μs = μk.
+    Friction,
+}
+
+impl Varies {
+    /// Lower-case name, as files and flags have it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::One(quantity) => quantity.name(),
+            Self::Friction => "mu",
+        }
+    }
+
+    /// Symbol as it is printed.
+    #[must_use]
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::One(quantity) => quantity.sign(),
+            Self::Friction => "μ",
+        }
+    }
+
+    /// What it is, in words.
+    #[must_use]
+    pub const fn long_name(self) -> &'static str {
+        match self {
+            Self::One(quantity) => quantity.row().long_name,
+            Self::Friction => "coefficient of static and kinetic friction",
+        }
+    }
+
+    /// Dimension.
+    #[must_use]
+    pub const fn dimension(self) -> Dimension {
+        match self {
+            Self::One(quantity) => quantity.dimension(),
+            Self::Friction => Dimension::Ratio,
+        }
+    }
+
+    /// The quantities that have the value of the axis.
+    pub fn quantities(self) -> impl Iterator<Item = Quantity> {
+        let (first, second) = match self {
+            Self::One(quantity) => (quantity, None),
+            Self::Friction => (Quantity::MuS, Some(Quantity::MuK)),
+        };
+        core::iter::once(first).chain(second)
+    }
+
+    /// Sets them.
+    pub(crate) fn set(self, setup: &mut Setup, value: f64) {
+        self.quantities().for_each(|quantity| setup.set(quantity, value));
+    }
+}
+
+impl fmt::Display for Varies {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl From<Quantity> for Varies {
+    fn from(quantity: Quantity) -> Self {
+        Self::One(quantity)
+    }
+}
+
+/// How the values of an axis are spaced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spacing {
+    /// By equal differences.
+    #[default]
+    Even,
+    /// By equal factors.
+    Log,
+}
+
+impl Spacing {
+    /// Lower-case name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Even => "even",
+            Self::Log => "log",
+        }
+    }
+}
 
 /// What is wrong with the axes of a grid.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum AxisError {
     /// A quantity that no motion depends on, or a number in SI units.
-    #[error("a sweep cannot vary {quantity}; axes are {}", names(&Quantity::AXES))]
+    #[error("a sweep cannot vary {quantity}; axes are {}, {}", names(&Quantity::AXES), Varies::Friction)]
     NotAnAxis {
         /// The quantity.
         quantity: Quantity,
     },
     /// An end is NaN or infinite, or the ends are farther apart than a double can say.
-    #[error("axis {quantity}: {value} is not a finite number")]
+    #[error("axis {axis}: {value} is not a finite number")]
     NotFinite {
-        /// The quantity.
-        quantity: Quantity,
+        /// The axis.
+        axis: Varies,
         /// The end, or the distance of the ends.
         value: f64,
     },
     /// No points.
-    #[error("axis {quantity}: 0 points; at least 1 is needed")]
+    #[error("axis {axis}: 0 points; at least 1 is needed")]
     Empty {
-        /// The quantity.
-        quantity: Quantity,
+        /// The axis.
+        axis: Varies,
     },
     /// One point cannot have two ends.
-    #[error("axis {quantity}: 1 point cannot include both ends, {from} and {to}")]
+    #[error("axis {axis}: 1 point cannot include both ends, {from} and {to}")]
     OnePointTwoEnds {
-        /// The quantity.
-        quantity: Quantity,
+        /// The axis.
+        axis: Varies,
         /// First value.
         from: f64,
         /// Last value.
         to: f64,
     },
     /// Many points at one value.
-    #[error("axis {quantity}: {count} points from {from} to {from} are all the same")]
+    #[error("axis {axis}: {count} points from {from} to {from} are all the same")]
     NoExtent {
-        /// The quantity.
-        quantity: Quantity,
+        /// The axis.
+        axis: Varies,
         /// The value.
         from: f64,
         /// Number of points.
         count: usize,
+    },
+    /// Equal factors lead from a number to another of the same sign only.
+    #[error("axis {axis}: equal factors cannot lead from {from} to {to}")]
+    NoFactor {
+        /// The axis.
+        axis: Varies,
+        /// First value.
+        from: f64,
+        /// Last value.
+        to: f64,
     },
     /// No axis at all.
     #[error("a grid needs at least one axis")]
@@ -78,24 +184,27 @@ pub(crate) fn names(quantities: &[Quantity]) -> String {
     quantities.iter().map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ")
 }
 
-/// An axis: `count` values of one quantity of [`Quantity::AXES`], evenly spaced, both ends included.
+/// An axis: `count` values of one quantity of [`Quantity::AXES`], or of [`Varies::Friction`], both ends included.
 ///
 /// ```
 /// use littlewood::Quantity;
-/// use littlewood_sweep::{Axis, AxisError};
+/// use littlewood_sweep::{Axis, AxisError, Spacing, Varies};
 ///
 /// let axis = Axis::new(Quantity::ThetaRate, -4.0, 4.0, 5)?;
 /// assert_eq!(axis.values().collect::<Vec<_>>(), [-4.0, -2.0, 0.0, 2.0, 4.0]);
+/// let friction = Axis::new(Varies::Friction, 0.01, 1.0, 3)?.with_spacing(Spacing::Log)?;
+/// assert_eq!(friction.values().collect::<Vec<_>>(), [0.01, 0.1, 1.0]);
 /// let error = Axis::new(Quantity::Until, 0.0, 4.0, 5);
 /// assert_eq!(error, Err(AxisError::NotAnAxis { quantity: Quantity::Until }));
 /// # Ok::<(), AxisError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
-    quantity: Quantity,
+    varies: Varies,
     from: f64,
     to: f64,
     count: usize,
+    spacing: Spacing,
 }
 
 impl Axis {
@@ -104,33 +213,54 @@ impl Axis {
     ///
     /// # Errors
     /// Names what is wrong.
-    pub fn new(quantity: Quantity, from: f64, to: f64, count: usize) -> Result<Self, AxisError> {
-        if !Quantity::AXES.contains(&quantity) {
+    pub fn new(varies: impl Into<Varies>, from: f64, to: f64, count: usize) -> Result<Self, AxisError> {
+        let axis = varies.into();
+        if let Varies::One(quantity) = axis
+            && !Quantity::AXES.contains(&quantity)
+        {
             return Err(AxisError::NotAnAxis { quantity });
         }
         for value in [from, to] {
             if !value.is_finite() {
-                return Err(AxisError::NotFinite { quantity, value });
+                return Err(AxisError::NotFinite { axis, value });
             }
         }
         match count {
-            0 => Err(AxisError::Empty { quantity }),
-            1 if from != to => Err(AxisError::OnePointTwoEnds { quantity, from, to }),
-            2.. if from == to => Err(AxisError::NoExtent { quantity, from, count }),
-            _ if !(to - from).is_finite() => Err(AxisError::NotFinite { quantity, value: to - from }),
-            _ => Ok(Self { quantity, from, to, count }),
+            0 => Err(AxisError::Empty { axis }),
+            1 if from != to => Err(AxisError::OnePointTwoEnds { axis, from, to }),
+            2.. if from == to => Err(AxisError::NoExtent { axis, from, count }),
+            _ if !(to - from).is_finite() => Err(AxisError::NotFinite { axis, value: to - from }),
+            _ => Ok(Self { varies: axis, from, to, count, spacing: Spacing::Even }),
         }
     }
 
-    /// The quantity.
+    /// The same ends and number of values, spaced otherwise.
+    ///
+    /// # Errors
+    /// Equal factors between numbers of different signs, or from or to 0.
+    pub fn with_spacing(self, spacing: Spacing) -> Result<Self, AxisError> {
+        let Self { varies: axis, from, to, .. } = self;
+        if spacing == Spacing::Log && !(to / from > 0.0 && (to / from).is_finite()) {
+            return Err(AxisError::NoFactor { axis, from, to });
+        }
+        Ok(Self { spacing, ..self })
+    }
+
+    /// What it varies.
     #[must_use]
-    pub const fn quantity(&self) -> Quantity {
-        self.quantity
+    pub const fn varies(&self) -> Varies {
+        self.varies
+    }
+
+    /// How its values are spaced.
+    #[must_use]
+    pub const fn spacing(&self) -> Spacing {
+        self.spacing
     }
 
     /// Whether its values are hoops, not starts.
     pub(crate) fn is_of_the_hoop(&self) -> bool {
-        self.quantity.group() == Group::Hoop
+        self.varies.quantities().any(|quantity| quantity.group() == Group::Hoop)
     }
 
     /// First value.
@@ -151,7 +281,8 @@ impl Axis {
         self.count
     }
 
-    /// Value `i`: from + (to − from)·i/(count − 1), and the end itself for the last one and all beyond.
+    /// Value `i`: from + (to − from)·i/(count − 1), or from·(to/from)^(i/(count − 1)), and the end itself for the last one
+    /// and all beyond.
     #[must_use]
     pub fn value(&self, i: usize) -> f64 {
         let last = self.count - 1;
@@ -160,12 +291,70 @@ impl Axis {
         } else if i >= last {
             self.to
         } else {
-            self.from + (self.to - self.from) * i as f64 / last as f64
+            match self.spacing {
+                Spacing::Even => self.from + (self.to - self.from) * i as f64 / last as f64,
+                Spacing::Log => self.between(i as f64 / last as f64),
+            }
+        }
+    }
+
+    /// The value at a fraction from 0 to 1 of the way from the first to the last.
+    #[must_use]
+    pub fn between(&self, fraction: f64) -> f64 {
+        match self.spacing {
+            Spacing::Even if fraction == 1.0 => self.to,
+            Spacing::Even => self.from + (self.to - self.from) * fraction,
+            Spacing::Log => self.from * libm::pow(self.to / self.from, fraction),
+        }
+    }
+
+    /// The fraction of the way at which a value stands; the inverse of [`Axis::between`].
+    #[must_use]
+    pub fn fraction(&self, value: f64) -> f64 {
+        match self.spacing {
+            Spacing::Even => (value - self.from) / (self.to - self.from),
+            Spacing::Log => libm::log(value / self.from) / libm::log(self.to / self.from),
         }
     }
 
     /// All values in order.
     pub fn values(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
         (0..self.count).map(|i| self.value(i))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use littlewood::{HoopParameters, Start};
+
+    use super::*;
+
+    #[test]
+    fn equal_factors_lead_from_end_to_end() {
+        let axis = Axis::new(Quantity::MuS, 1e-3, 10.0, 9).and_then(|axis| axis.with_spacing(Spacing::Log));
+        let axis = axis.expect("an axis");
+        let values: Vec<f64> = axis.values().collect();
+        assert_eq!((values[0], values[8]), (1e-3, 10.0));
+        for pair in values.windows(2) {
+            assert!((pair[1] / pair[0] - libm::sqrt(10.0)).abs() < 1e-13, "{values:?}");
+        }
+        for (i, value) in values.into_iter().enumerate() {
+            assert!((axis.fraction(value) - i as f64 / 8.0).abs() < 1e-14);
+        }
+        for (from, to) in [(0.0, 1.0), (-1.0, 1.0), (1.0, 0.0)] {
+            let axis =
+                Axis::new(Quantity::Theta, from, to, 3).and_then(|axis| axis.with_spacing(Spacing::Log));
+            assert!(matches!(axis, Err(AxisError::NoFactor { .. })), "{axis:?}");
+        }
+        let negative =
+            Axis::new(Quantity::Theta, -1.0, -4.0, 3).and_then(|axis| axis.with_spacing(Spacing::Log));
+        assert_eq!(negative.expect("an axis").value(1), -2.0);
+    }
+
+    #[test]
+    fn friction_is_both_coefficients() {
+        let mut setup = Setup::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4), Start::at(0.0, 0.0));
+        Varies::Friction.set(&mut setup, 0.7);
+        assert_eq!((setup.hoop.mu_s, setup.hoop.mu_k), (0.7, 0.7));
     }
 }

@@ -154,7 +154,7 @@ impl Chunk {
                 if carries {
                     indices[k] = self.origin[k];
                 }
-                point.set(axis.quantity(), axis.value(indices[k]));
+                axis.varies().set(&mut point, axis.value(indices[k]));
                 if !carries {
                     break;
                 }

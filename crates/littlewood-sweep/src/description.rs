@@ -3,7 +3,7 @@
 use littlewood::{HoopParameters, Limits, PhaseSequence, Quantity, Setup, Start};
 use serde_json::{Map, Value, json};
 
-use crate::axis::Axis;
+use crate::axis::{Axis, Spacing, Varies};
 use crate::grid::Grid;
 use crate::setup::{RESTITUTION_LAW, given};
 use crate::starts::StartList;
@@ -11,6 +11,9 @@ use crate::starts::StartList;
 /// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and no version, version 2 no
 /// columns of impacts.
 pub const STORE_FORMAT: u32 = 4;
+
+/// The key of the spacing of an axis that is not evenly spaced.
+const SPACING: &str = "spacing";
 
 /// The version of stores that have none.
 const FIRST_FORMAT: u64 = 1;
@@ -69,12 +72,16 @@ impl Description {
             .axes()
             .iter()
             .map(|axis| {
-                json!({
-                    "quantity": axis.quantity().name(),
+                let mut axis_value = json!({
+                    "quantity": axis.varies().name(),
                     "from": axis.from(),
                     "to": axis.to(),
                     "count": axis.count(),
-                })
+                });
+                if axis.spacing() != Spacing::default() {
+                    axis_value[SPACING] = axis.spacing().name().into();
+                }
+                axis_value
             })
             .collect();
         Self(json!({
@@ -132,11 +139,19 @@ impl Description {
         }
         let mut axes = Vec::new();
         for axis in value.get("axes")?.as_array()? {
-            let quantity = axis.get("quantity")?.as_str()?.parse().ok()?;
+            let name = axis.get("quantity")?.as_str()?;
+            let varies = if name == Varies::Friction.name() {
+                Varies::Friction
+            } else {
+                Varies::One(name.parse().ok()?)
+            };
             let count = usize::try_from(axis.get("count")?.as_u64()?).ok()?;
-            axes.push(
-                Axis::new(quantity, axis.get("from")?.as_f64()?, axis.get("to")?.as_f64()?, count).ok()?,
-            );
+            let spacing = match axis.get(SPACING) {
+                None => Spacing::default(),
+                Some(name) => [Spacing::Even, Spacing::Log].into_iter().find(|s| name == s.name())?,
+            };
+            let [from, to] = ["from", "to"].map(|end| axis.get(end).and_then(Value::as_f64));
+            axes.push(Axis::new(varies, from?, to?, count).ok()?.with_spacing(spacing).ok()?);
         }
         let limits = value.get("limits")?;
         let limits = Limits::default()
@@ -176,5 +191,25 @@ fn compare(path: &str, there: Option<&Value>, here: Option<&Value>, differences:
             let show = |value: Option<&Value>| value.map_or_else(|| "nothing".to_owned(), Value::to_string);
             differences.push(format!("{path}: {} there, {} here", show(there), show(here)));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_grid_comes_back_from_its_description() {
+        let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
+        let friction =
+            Axis::new(Varies::Friction, 0.01, 1.0, 5).and_then(|axis| axis.with_spacing(Spacing::Log));
+        let theta = Axis::new(Quantity::Theta, -1.0, 1.0, 3);
+        let axes = vec![friction.expect("an axis"), theta.expect("an axis")];
+        let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 1.0)), axes).expect("a grid");
+        let description = Description::of_grid(&grid, Limits::default(), &[5, 3]);
+        let (again, limits, chunk) = Description::grid(&description.0).expect("a description of a grid");
+        assert_eq!((again, limits, chunk), (grid, Limits::default(), vec![5, 3]));
+        // Stores of evenly spaced axes are as they have always been.
+        assert!(description.0["axes"][1].get(SPACING).is_none());
     }
 }

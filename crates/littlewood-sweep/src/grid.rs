@@ -42,9 +42,10 @@ impl Grid {
         }
         let mut len = 1_u64;
         for (i, axis) in axes.iter().enumerate() {
-            let quantity = axis.quantity();
-            if axes[..i].iter().any(|other| other.quantity() == quantity) {
-                return Err(AxisError::Twice { quantity });
+            for quantity in axis.varies().quantities() {
+                if axes[..i].iter().any(|other| other.varies().quantities().any(|taken| taken == quantity)) {
+                    return Err(AxisError::Twice { quantity });
+                }
             }
             len = len
                 .checked_mul(axis.count() as u64)
@@ -53,7 +54,7 @@ impl Grid {
         }
         let mut base = base;
         for axis in &axes {
-            base.set(axis.quantity(), axis.from());
+            axis.varies().set(&mut base, axis.from());
         }
         let grid = Self { base, axes, len };
         grid.check_each()?;
@@ -103,7 +104,7 @@ impl Grid {
         for axis in self.axes.iter().rev() {
             let count = axis.count() as u64;
             let i = usize::try_from(rest % count).unwrap_or(usize::MAX);
-            point.set(axis.quantity(), axis.value(i));
+            axis.varies().set(&mut point, axis.value(i));
             rest /= count;
         }
         point
@@ -119,7 +120,7 @@ impl Grid {
     pub fn point_at(&self, indices: &[usize]) -> Setup {
         let mut point = self.base;
         for (axis, &i) in self.axes.iter().zip(indices) {
-            point.set(axis.quantity(), axis.value(i));
+            axis.varies().set(&mut point, axis.value(i));
         }
         point
     }
@@ -127,7 +128,7 @@ impl Grid {
     /// The axis of a quantity; none where it is fixed.
     #[must_use]
     pub fn axis(&self, quantity: Quantity) -> Option<&Axis> {
-        self.axes.iter().find(|axis| axis.quantity() == quantity)
+        self.axes.iter().find(|axis| axis.varies().quantities().any(|varied| varied == quantity))
     }
 
     /// The quantities of [`Quantity::AXES`] that have a value and no axis.
@@ -162,7 +163,7 @@ impl Grid {
     /// Checks quantities that can contradict each other: with one axis among them every value of the axis, with none
     /// the fixed values.
     fn check_together(&self, related: &[Quantity]) -> Result<(), AxisError> {
-        let mut axes = related.iter().filter_map(|&quantity| self.axis(quantity));
+        let mut axes = related.iter().filter_map(|&quantity| Some((quantity, self.axis(quantity)?)));
         let mut point = Setup { hoop: WITHOUT_CONTRADICTION, ..self.base };
         for &quantity in related {
             if let Some(value) = self.base.get(quantity) {
@@ -173,8 +174,7 @@ impl Grid {
             (None, _) => {
                 Hoop::new(point.hoop)?;
             }
-            (Some(axis), None) => {
-                let quantity = axis.quantity();
+            (Some((quantity, axis)), None) => {
                 for value in axis.values() {
                     point.set(quantity, value);
                     Hoop::new(point.hoop).map_err(|source| AxisError::Value { quantity, value, source })?;

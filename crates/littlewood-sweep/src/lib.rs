@@ -62,7 +62,7 @@ mod watch;
 mod zarr;
 
 pub use atlas::{Atlas, AtlasEntry};
-pub use axis::{Axis, AxisError};
+pub use axis::{Axis, AxisError, Spacing, Varies};
 pub use chunk::{Chunk, Chunks};
 pub use columns::{ColumnValues, Columns};
 pub use compute::{ThreadsError, Workers};

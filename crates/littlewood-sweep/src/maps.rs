@@ -14,8 +14,8 @@ use crate::sweep::sweep_grid;
 use crate::zarr::ZarrStore;
 
 impl Picture {
-    /// Computes a grid and draws it; nothing is kept but the picture. A cancelled picture is white where it is not
-    /// computed.
+    /// Computes a grid and draws it, boundaries to the pixel; nothing is kept but the picture. A cancelled picture is white
+    /// where it is not computed.
     ///
     /// # Errors
     /// As [`Picture::new`] and [`Workers::compute`].
@@ -30,10 +30,11 @@ impl Picture {
         let mut picture = Self::new(grid, limits, shade, size)?;
         let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
         sweep_grid(grid, limits, &[], Some(&mut add), workers, options)?;
+        picture.refine(limits, workers, options)?;
         Ok(picture)
     }
 
-    /// Draws a store.
+    /// Draws a store as it is, without the motions between its points.
     ///
     /// # Errors
     /// As [`Picture::new`]; a chunk that cannot be read.

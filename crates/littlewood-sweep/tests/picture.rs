@@ -68,7 +68,7 @@ fn every_shade_can_be_drawn_also_where_nothing_has_a_value() {
         Axis::new(Quantity::ThetaRate, -0.1, 0.1, 4).unwrap(),
     ];
     let grid = Grid::new(figure_2(), axes).unwrap();
-    for shade in SummaryColumn::numbers().map(Shade::Column).chain([Shade::Class]) {
+    for shade in Shade::all() {
         draw(&grid, shade, PictureSize { width: 300, height: 300 });
     }
 }

@@ -1,9 +1,11 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
+use crate::equations::energy;
 use crate::error::{ParameterError, within};
 use crate::law::RestitutionLaw;
 use crate::quantity::{Bound, Quantity};
 use crate::restitution::Restitution;
+use crate::state::Start;
 
 /// The numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
 ///
@@ -220,6 +222,12 @@ impl Hoop {
     #[must_use]
     pub fn mass(&self) -> f64 {
         1.0 + self.parameters.mass_ratio
+    }
+
+    /// Kinetic and potential energy of a start (2.8).
+    #[must_use]
+    pub fn energy_of(&self, start: &Start) -> f64 {
+        energy(self, &start.state(), 0.0, start.gap_rate)
     }
 
     /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).

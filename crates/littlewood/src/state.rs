@@ -59,6 +59,12 @@ impl Start {
         Self { x, ..self }
     }
 
+    /// The state without the rate of the gap.
+    pub(crate) const fn state(&self) -> State {
+        let Self { time, theta, theta_rate, slip, gap_rate: _, x } = *self;
+        State { time, theta, theta_rate, slip, x }
+    }
+
     /// Refuses what is not finite, and what a double no longer resolves.
     ///
     /// # Errors

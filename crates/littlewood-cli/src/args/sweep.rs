@@ -21,8 +21,8 @@ pub(super) fn map() -> String {
         "\
 Follow the starts of a plane of two quantities, and keep what becomes of each.
 
-An axis is NAME=FROM:TO:COUNT, both ends included; NAME is one of {}, and FROM and TO may be written with pi (-pi, pi/2, \
-2pi). With --particle-mass-kg and --radius-m it may be {} as well; results are dimensionless all the same. What no axis \
+An axis is NAME=FROM:TO:COUNT, both ends included; NAME is one of {}, or mu for static and kinetic friction together, and \
+FROM and TO may be written with pi (-pi, pi/2, 2pi). NAME=FROM:TO:COUNT:log has equal factors in place of equal steps. With --particle-mass-kg and --radius-m it may be {} as well; results are dimensionless all the same. What no axis \
 varies comes from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless a scenario says \
 otherwise.
 
@@ -40,6 +40,8 @@ pub(super) const MAP_EXAMPLES: &str = "\
 Examples:
   littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out plane.zarr --out plane.png
   littlewood map figure-3 --x theta=-pi:pi:500 --y mu_s=0.4:2:500 --out jumps.png --shade jump_length
+  littlewood map figure-3 --x theta=-pi:pi:500 --y theta_rate=-4:4:500 --shade sequence --curves --out phases.png
+  littlewood map figure-3 --x theta_rate=0:3:300 --y mu=0.01:2:300:log --shade energy_lost --contours --out lost.png
   littlewood map --scenario hoop.toml --x theta=-pi:pi:500 --y theta_rate_rad_per_s=0:20:500 --out hoop.png";
 
 #[cfg(feature = "sweep")]
@@ -95,9 +97,16 @@ pub(crate) struct MapArgs {
     pub(crate) work: WorkArgs,
     #[command(flatten)]
     pub(crate) store: StoreArgs,
-    /// What the colours of a picture show: outcome, or a column such as lift_off_time or jump_length
+    /// What the colours of a picture show: outcome, sequence, energy_lost, or a column such as transitions, landings (hops),
+    /// lift_off_time or jump_length
     #[arg(long, value_name = "COLUMN", default_value = "outcome", help_heading = "Output")]
     pub(crate) shade: String,
+    /// Draw the curves f (|F| = mu_s N in rolling), n (N = 0 in rolling) and that of lift-off over a map of theta and theta_rate
+    #[arg(long, help_heading = "Output")]
+    pub(crate) curves: bool,
+    /// Draw lines of constant value at the ticks of the scale
+    #[arg(long, help_heading = "Output")]
+    pub(crate) contours: bool,
     /// Size of a picture in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1500x1000", value_parser = size,
           help_heading = "Output")]

@@ -127,6 +127,10 @@ fn of_axis(error: &AxisError) -> String {
         AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().to_owned(),
         AxisError::TooMany => "take fewer points".to_owned(),
         AxisError::Twice { .. } => "take each quantity for one axis".to_owned(),
+        AxisError::NoFactor { .. } => {
+            "an axis of equal factors (log) begins and ends on the same side of 0, such as mu=0.01:1:200:log"
+                .to_owned()
+        }
         AxisError::NotAnAxis { .. }
         | AxisError::NotFinite { .. }
         | AxisError::Empty { .. }
@@ -141,6 +145,12 @@ const fn of_picture(error: &PictureError) -> &'static str {
         PictureError::Size { .. } => "give another --size, such as 1500x1000",
         PictureError::NotTwoAxes { .. } => "a map has one --x and one --y",
         PictureError::NoNumber { .. } => "give another --shade, such as lift_off_time",
+        PictureError::NoScale { .. } => {
+            "leave out --contours, or give a --shade of numbers, such as lift_off_time"
+        }
+        PictureError::NoCurves { .. } => {
+            "leave out --curves, or give --x theta=-pi:pi:400 --y theta_rate=-4:4:400 with --slip 0"
+        }
         PictureError::Drawing(_) => "this is a defect of the program: please report it",
     }
 }

@@ -3,6 +3,8 @@
 use littlewood::SummaryColumn;
 use thiserror::Error;
 
+use super::shade::Shade;
+
 /// What is wrong with a picture.
 #[derive(Debug, Error)]
 pub enum PictureError {
@@ -20,6 +22,20 @@ pub enum PictureError {
     NoNumber {
         /// The column.
         column: SummaryColumn,
+    },
+    /// Lines of constant value need a scale.
+    #[error("a map of {} has no scale, and so no lines of constant value", shade.name())]
+    NoScale {
+        /// What is shown.
+        shade: Shade,
+    },
+    /// The curves f and n belong to the phase plane of rolling.
+    #[error(
+        "the curves f and n are those of the plane of theta and theta_rate of one hoop without slip; of this map {reason}"
+    )]
+    NoCurves {
+        /// What stands in the way.
+        reason: &'static str,
     },
     /// Too small to draw in, or too large to hold.
     #[error("a picture of {width} x {height} pixels: each side must be from {least} to {most}")]

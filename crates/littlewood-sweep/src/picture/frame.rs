@@ -1,4 +1,4 @@
-//! The size of a picture, where the map lies in it, and its pixels as a PNG file.
+//! The size of a picture, and its pixels as a PNG file.
 
 use super::error::PictureError;
 
@@ -20,40 +20,33 @@ impl Default for PictureSize {
 /// Smallest and largest side of a picture.
 pub(super) const SIDES: [u32; 2] = [300, 10_000];
 
-/// Where the map lies in the picture, in pixels.
-#[derive(Clone, Copy, Debug)]
+impl PictureSize {
+    /// Size of letters.
+    pub(super) fn letter(self) -> f64 {
+        (f64::from(self.width) / 62.0).min(f64::from(self.height) / 40.0)
+    }
+
+    pub(super) const fn enlarged(self, factor: u32) -> Self {
+        Self { width: factor * self.width, height: factor * self.height }
+    }
+}
+
+/// Where the map lies in the drawing, in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Frame {
     pub(super) left: i32,
     pub(super) top: i32,
     pub(super) width: i32,
     pub(super) height: i32,
-    /// Size of letters.
-    pub(super) letter: f64,
 }
 
 impl Frame {
-    pub(super) fn new(size: PictureSize) -> Self {
-        let letter = (f64::from(size.width) / 62.0).min(f64::from(size.height) / 40.0);
-        let letters = |count: f64| libm::round(count * letter) as i32;
-        let (left, top) = (letters(4.5), letters(5.6));
-        Self {
-            left,
-            top,
-            width: size.width as i32 - left - letters(16.5),
-            height: size.height as i32 - top - letters(4.6),
-            letter,
-        }
+    pub(super) const fn right(self) -> i32 {
+        self.left + self.width
     }
 
-    pub(super) fn enlarged(self, factor: u32) -> Self {
-        let times = |length: i32| length * factor as i32;
-        Self {
-            left: times(self.left),
-            top: times(self.top),
-            width: times(self.width),
-            height: times(self.height),
-            letter: self.letter * f64::from(factor),
-        }
+    pub(super) const fn bottom(self) -> i32 {
+        self.top + self.height
     }
 }
 

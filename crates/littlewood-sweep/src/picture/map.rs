@@ -1,24 +1,18 @@
 //! The map of a grid with two axes.
 
-use littlewood::{Class, Limits, Quantity, SummaryColumn, SummaryValue};
-use littlewood_style::ticks::minus;
+use std::collections::HashMap;
 
-use super::cells::{Cells, cell};
+use littlewood::{Class, Limits, Setup, Summary, SummaryColumn, SummaryValue, Units};
+
+use super::cells::{Cell, cell, class_of, of_class};
 use super::error::PictureError;
-use super::frame::{Frame, PictureSize, SIDES};
+use super::frame::{PictureSize, SIDES};
+use super::refine::Refined;
+use super::shade::Shade;
 use crate::chunk::Chunk;
 use crate::columns::Columns;
 use crate::grid::Grid;
 use crate::tally::Tally;
-
-/// What the colours show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shade {
-    /// The class of the outcome.
-    Class,
-    /// A column of real numbers, on a scale; grey where it has no value.
-    Column(SummaryColumn),
-}
 
 /// A map of a grid with two axes: the first runs to the right, the second upwards.
 ///
@@ -27,24 +21,24 @@ pub enum Shade {
 #[derive(Clone, Debug)]
 pub struct Picture {
     pub(super) grid: Grid,
-    limits: Limits,
+    pub(super) limits: Limits,
     pub(super) shade: Shade,
     pub(super) size: PictureSize,
-    pub(super) frame: Frame,
+    /// Units of what is printed; none where it is dimensionless.
+    pub(super) units: Option<Units>,
+    pub(super) has_curves: bool,
+    pub(super) has_contours: bool,
     /// Cells to the right and upwards.
     pub(super) counts: [usize; 2],
-    pub(super) cells: Cells,
+    pub(super) cells: Vec<Cell>,
+    pub(super) refined: Refined,
     /// Points that have been added.
     tally: Tally,
-}
-
-/// A value as a number; none for a code.
-fn number(value: SummaryValue) -> Option<f64> {
-    match value {
-        SummaryValue::F64(value) => Some(value),
-        SummaryValue::U32(count) => Some(f64::from(count)),
-        SummaryValue::U8(_) | SummaryValue::U64(_) => None,
-    }
+    /// Points of each sequence, for a map of sequences.
+    pub(super) sequences: HashMap<u64, u64>,
+    /// The sequences in the order of their numbers of points, then of their codes.
+    pub(super) ranking: Vec<u64>,
+    ranks: HashMap<u64, usize>,
 }
 
 impl Picture {
@@ -60,38 +54,110 @@ impl Picture {
         if [size.width, size.height].iter().any(|side| !(least..=most).contains(side)) {
             return Err(PictureError::Size { width: size.width, height: size.height, least, most });
         }
-        let frame = Frame::new(size);
-        let pixels = |length: i32| usize::try_from(length).unwrap_or(1).max(1);
-        let counts = [x.count().min(pixels(frame.width)), y.count().min(pixels(frame.height))];
-        let cells = match shade {
-            Shade::Class => Cells::Class(vec![Class::NotComputed; counts[0] * counts[1]]),
-            Shade::Column(column) if SummaryColumn::numbers().any(|other| other == column) => {
-                Cells::Real(vec![None; counts[0] * counts[1]])
-            }
-            Shade::Column(column) => return Err(PictureError::NoNumber { column }),
-        };
-        let tally = Tally::default();
-        Ok(Self { grid: grid.clone(), limits, shade, size, frame, counts, cells, tally })
+        if let Shade::Column(column) = shade
+            && !SummaryColumn::numbers().any(|other| other == column)
+        {
+            return Err(PictureError::NoNumber { column });
+        }
+        let counts = [x.count().min(size.width as usize), y.count().min(size.height as usize)];
+        Ok(Self {
+            grid: grid.clone(),
+            limits,
+            shade,
+            size,
+            units: None,
+            has_curves: false,
+            has_contours: false,
+            counts,
+            cells: vec![Cell::NOT_COMPUTED; counts[0] * counts[1]],
+            refined: Refined::default(),
+            tally: Tally::default(),
+            sequences: HashMap::new(),
+            ranking: Vec::new(),
+            ranks: HashMap::new(),
+        })
+    }
+
+    /// With numbers in SI units.
+    #[must_use]
+    pub const fn with_units(mut self, units: Option<Units>) -> Self {
+        self.units = units;
+        self
+    }
+
+    /// With the curves f and n of rolling (2.13, 2.14) and that of lift-off (2.18).
+    ///
+    /// # Errors
+    /// Unless the map is one of θ and θ′ of a single hoop without slip, whose curves they are.
+    pub fn with_curves(mut self) -> Result<Self, PictureError> {
+        self.check_curves()?;
+        self.has_curves = true;
+        Ok(self)
+    }
+
+    /// With lines at the ticks of the scale.
+    ///
+    /// # Errors
+    /// If what is shown is not on a scale.
+    pub fn with_contours(mut self) -> Result<Self, PictureError> {
+        match self.shade {
+            Shade::Class | Shade::Sequence => return Err(PictureError::NoScale { shade: self.shade }),
+            Shade::EnergyLost | Shade::Column(_) => {}
+        }
+        self.has_contours = true;
+        Ok(self)
     }
 
     /// Adds the results of a chunk of the grid.
     pub fn add(&mut self, chunk: &Chunk, columns: &Columns) {
         let axes = [self.grid.axes()[0].count(), self.grid.axes()[1].count()];
-        let values = match self.shade {
-            Shade::Class => None,
-            Shade::Column(column) => Some(columns.column(column)),
-        };
         for ((i, indices), &class) in chunk.indices().enumerate().zip(columns.classes()) {
             self.tally.add(class, 1);
+            if self.shade == Shade::Sequence
+                && let SummaryValue::U64(bits) = columns.column(SummaryColumn::Sequence).get(i)
+            {
+                *self.sequences.entry(key_of_sequence(bits, class)).or_default() += 1;
+            }
             let [Some(x), Some(y)] = [0, 1].map(|k| cell(indices[k], axes[k], self.counts[k])) else {
                 continue;
             };
-            let place = y * self.counts[0] + x;
-            match &mut self.cells {
-                Cells::Class(cells) => cells[place] = class,
-                Cells::Real(cells) => cells[place] = values.and_then(|values| number(values.get(i))),
-            }
+            let point = self.grid.point_at(&indices);
+            self.cells[y * self.counts[0] + x] = self.cell_of(&point, &columns.summary(i), class);
         }
+        if self.shade == Shade::Sequence {
+            self.rank_sequences();
+        }
+    }
+
+    fn rank_sequences(&mut self) {
+        let mut ranking: Vec<(u64, u64)> = self.sequences.iter().map(|(key, count)| (*key, *count)).collect();
+        ranking.sort_by_key(|&(key, count)| (core::cmp::Reverse(count), key));
+        self.ranking =
+            ranking.into_iter().map(|(key, _)| key).filter(|key| class_of(*key).is_none()).collect();
+        self.ranks = self.ranking.iter().enumerate().map(|(rank, key)| (*key, rank)).collect();
+    }
+
+    /// What the map keeps of a point.
+    pub(super) fn cell_of(&self, point: &Setup, summary: &Summary, class: Class) -> Cell {
+        let key = match self.shade {
+            Shade::Sequence => key_of_sequence(summary.sequence.bits(), class),
+            Shade::Class | Shade::EnergyLost | Shade::Column(_) => of_class(class),
+        };
+        Cell { key, number: self.shade.number(point, summary) }
+    }
+
+    /// The rank of a sequence.
+    pub(super) fn rank(&self, key: u64) -> usize {
+        self.ranks.get(&key).copied().unwrap_or(usize::MAX)
+    }
+
+    /// Whether there is no boundary between two cells.
+    pub(super) fn colours_alike(&self, a: Cell, b: Cell) -> bool {
+        a.key == b.key
+            || (matches!(self.shade, Shade::Sequence)
+                && [a, b]
+                    .iter()
+                    .all(|cell| cell.class().is_none() && self.rank(cell.key) >= littlewood_style::RANKS))
     }
 
     /// Number of points of a class.
@@ -106,25 +172,11 @@ impl Picture {
     pub fn is_complete(&self) -> bool {
         self.count(Class::NotComputed) == 0
     }
+}
 
-    /// What is fixed, in signs.
-    pub(super) fn fixed(&self) -> String {
-        let mut parts: Vec<String> = self
-            .grid
-            .fixed()
-            // A start that does not leave the plane is the rule.
-            .filter(|&(quantity, value)| quantity != Quantity::GapRate || value != 0.0)
-            .map(|(quantity, value)| {
-                let rounded = libm::round(value * 1e6) / 1e6;
-                format!("{} {} {rounded}", quantity.sign(), if rounded == value { '=' } else { '≈' })
-            })
-            .collect();
-        if let Some(law) = self.grid.base().hoop.restitution_law {
-            parts.push(format!("restitution of {}", law.label()));
-        }
-        if let Some(until) = self.limits.until {
-            parts.push(format!("{} ≤ {until}", Quantity::Until.sign()));
-        }
-        minus(&parts.join(",  "))
+fn key_of_sequence(bits: u64, class: Class) -> u64 {
+    match class {
+        Class::Invalid | Class::NotComputed => of_class(class),
+        _ => bits,
     }
 }

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::array::Array;
 use super::data_type::DataType;
 use super::variable;
-use crate::attributes::{Attributes, CONVENTIONS, of_column, of_quantity};
+use crate::attributes::{Attributes, CONVENTIONS, of_axis, of_column};
 use crate::axis::Axis;
 use crate::chunk::{Chunk, Chunks};
 use crate::columns::{Columns, not_computed};
@@ -31,15 +31,15 @@ pub(crate) struct Layout {
 
 impl Layout {
     pub(crate) fn new(grid: &Grid, chunks: Chunks, description: Description) -> Self {
-        let names: Vec<&'static str> = grid.axes().iter().map(|axis| axis.quantity().name()).collect();
+        let names: Vec<&'static str> = grid.axes().iter().map(|axis| axis.varies().name()).collect();
         let coordinate = |axis: &Axis| Array {
-            name: axis.quantity().name(),
+            name: axis.varies().name(),
             shape: vec![axis.count()],
             // The whole axis is one chunk: it is read with the metadata, and small beside a column.
             chunk: vec![axis.count()],
             data_type: DataType(SummaryValue::F64(f64::NAN)),
-            dimensions: vec![axis.quantity().name()],
-            attributes: of_quantity(axis.quantity()),
+            dimensions: vec![axis.varies().name()],
+            attributes: of_axis(axis.varies()),
         };
         let variable = |column: SummaryColumn| Array {
             name: column.name(),
