@@ -13,6 +13,7 @@ _EXTRA_OF = {
     "scipy": "fit",
     "tqdm": "progress",
     "anywidget": "lab",
+    "flint": "certify",
 }
 """The extra that brings a package."""
 

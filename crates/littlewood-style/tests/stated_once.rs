@@ -65,6 +65,16 @@ const LISTINGS: &[Listing] = &[
         reason: "arguments of functions by name; python/tests/test_tables.py holds their signatures against the table",
     },
     Listing {
+        file: "python/littlewood/certify/case.py",
+        table: QUANTITIES,
+        reason: "each number enters the exact fractions of the certifier by name",
+    },
+    Listing {
+        file: "python/littlewood/certify/check.py",
+        table: QUANTITIES,
+        reason: "the checker takes nothing over from the package whose certificates it checks",
+    },
+    Listing {
         file: "python/littlewood/plot/plane.py",
         table: CURVES,
         reason: "each curve is computed by a function of its own",

@@ -1,0 +1,28 @@
+"""Certificates of motions: every number a ball, every event proved, and none missed.
+
+:func:`certify` follows a motion with arithmetic that encloses rounding and truncation (Arb, by python-flint: the
+extra `certify`); :func:`check` follows it again by other means, without any package, and refuses a certificate of which
+a digit has been changed.
+``python -m littlewood.certify`` does both from the command line.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .case import Case, CaseError
+from .check import Refused, check
+
+if TYPE_CHECKING:
+    from .certificate import certify, dump
+
+__all__ = ["Case", "CaseError", "Refused", "certify", "check", "dump"]
+
+
+def __getattr__(name: str) -> Any:
+    # The maker needs python-flint; the checker does not.
+    if name in ("certify", "dump"):
+        from . import certificate
+
+        return getattr(certificate, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

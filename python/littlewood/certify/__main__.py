@@ -1,0 +1,100 @@
+"""The command ``python -m littlewood.certify``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+from . import Case, CaseError, Refused, check
+from .case import HOOP, HOOP_SI, LAWS, START
+
+EXAMPLE = (
+    "python -m littlewood.certify --mass-ratio 1 --offset 1 --inertia 1 --mu-s 0.5 --mu-k 0.4"
+    " --theta 1.5707963267948966 --theta-rate 2"
+)
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser of the command line."""
+    found = argparse.ArgumentParser(
+        prog="python -m littlewood.certify",
+        description="Certificate of a motion, as JSON: each event with 30 digits and a bound on their error.",
+        epilog=f"example: {EXAMPLE}",
+    )
+    found.add_argument("--check", metavar="FILE", type=Path, help="check this certificate")
+    found.add_argument(
+        "--case", metavar="FILE", type=Path, help="a case in JSON, as a certificate has it, in place of numbers"
+    )
+    found.add_argument("--out", metavar="FILE", type=Path, help="write to this file")
+    found.add_argument("--most-bits", metavar="BITS", type=int, default=1000, help="precision at which to give up")
+    found.add_argument("--until", metavar="TIME", type=float, help="stop at this time")
+    found.add_argument("--restitution", metavar="E", type=float, help="coefficient of restitution")
+    found.add_argument("--restitution-law", choices=LAWS, default=LAWS[0], help="law of restitution")
+    for name in dict.fromkeys(HOOP + HOOP_SI):
+        found.add_argument("--" + name.replace("_", "-"), metavar="X", type=float, help="of the hoop")
+    for name in START:
+        found.add_argument("--" + name.replace("_", "-"), metavar="X", type=float, default=0.0, help="of the start")
+    return found
+
+
+def case_of(given: argparse.Namespace) -> Case:
+    """Return the case of the command line."""
+    if given.case is not None:
+        read = json.loads(given.case.read_text(encoding="utf-8"))
+        return Case.read(read.get("case", read))
+    si = given.disc_mass_kg is not None
+    names = HOOP_SI if si else HOOP
+    hoop: dict[str, Any] = {name: getattr(given, name) for name in names}
+    missing = ["--" + name.replace("_", "-") for name, value in hoop.items() if value is None]
+    if missing:
+        raise CaseError(f"a hoop needs {', '.join(missing)}")
+    hoop |= {"restitution": given.restitution, "restitution_law": given.restitution_law}
+    start = {name: getattr(given, name) for name in START}
+    return Case.read({"units": "si" if si else "dimensionless", "hoop": hoop, "start": start, "until": given.until})
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line.
+
+    Returns
+    -------
+    int
+        0; 1 where something is not certified or a certificate is refused; 2 where the input is not right.
+    """
+    given = parser().parse_args(arguments)
+    try:
+        if given.check is not None:
+            found = check(json.loads(given.check.read_text(encoding="utf-8")))
+            print(f"{given.check}: {found['numbers']} numbers of {found['events']} events are right")
+            return 0
+        from .certificate import certify, dump
+
+        certificate = certify(case_of(given), given.most_bits)
+        text = dump(certificate)
+        if given.out is None:
+            sys.stdout.write(text)
+        else:
+            given.out.write_text(text, encoding="utf-8")
+    except Refused as refused:
+        print(f"refused: {refused}", file=sys.stderr)
+        return 1
+    except CaseError as error:
+        print(f"error: {error}\nhint: {EXAMPLE}", file=sys.stderr)
+        return 2
+    except ImportError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    except (OSError, json.JSONDecodeError) as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    if not certificate["certified"]:
+        print(f"not certified: {certificate['reason']}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

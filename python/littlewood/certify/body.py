@@ -1,0 +1,166 @@
+"""The hoop in balls, and the equations of its contact (docs/theory)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, TypeAlias
+
+from .balls import Ball, Beyond, Undecided, arb, ball, sign
+from .case import Case
+
+Value: TypeAlias = Any
+"""A ball, a series or a model."""
+
+
+@dataclass(frozen=True)
+class State:
+    """A state, the rim at the plane where the gap is 0."""
+
+    time: Ball
+    theta: Ball
+    rate: Ball
+    slip: Ball
+    x: Ball
+    gap: Ball
+    gap_rate: Ball
+
+    def at_rest(self) -> State:
+        """Return the same with no slip."""
+        return replace(self, slip=arb(0))
+
+
+class Body:
+    """Mass, mass centre, inertia and friction."""
+
+    def __init__(self, case: Case) -> None:
+        hoop = case.dimensionless()
+        self.offset = ball(hoop.offset)
+        self.mass = ball(1 + hoop.mass_ratio)
+        self.h = ball(hoop.offset / (1 + hoop.mass_ratio))
+        self.inertia = ball(hoop.inertia + hoop.mass_ratio * hoop.offset**2 / (1 + hoop.mass_ratio))
+        self.mu_s, self.mu_k = ball(hoop.mu_s), ball(hoop.mu_k)
+        self.is_massless = hoop.inertia == 0 and hoop.mass_ratio == 0
+        self.is_balanced = hoop.offset == 0
+        self.same_friction = hoop.mu_s == hoop.mu_k
+        self.constant = self.inertia + self.mass * (1 + self.h * self.h)
+
+    def denominator(self, cos: Value) -> Value:
+        """Return D."""
+        return cos * (2 * self.offset) + self.constant
+
+    def solvability(self, sin: Value, cos: Value, sigma: int) -> Value:
+        """Return P."""
+        return sin * self.q(sin, cos, sigma) * (self.mass * self.h) + self.inertia
+
+    def q(self, sin: Value, cos: Value, sigma: int) -> Value:
+        """Return q."""
+        return sin * self.h - (cos * self.h + 1) * (self.mu_k * sigma)
+
+    def contact(self, theta: Ball, rate: Ball) -> Ball:
+        """Return w."""
+        return 1 - self.h * theta.cos() * rate * rate
+
+    def orbit(self, theta: Ball, rate: Ball) -> Ball:
+        """Return K of rolling."""
+        return self.denominator(theta.cos()) * (rate * rate + 1)
+
+    def margin(self, sin: Value, cos: Value, orbit: Ball, side: int) -> Value:
+        """Return (μs N − side F) D² on an orbit of rolling."""
+        d, ell, mu = self.denominator(cos), self.offset, self.mu_s
+        level = cos * ell + (self.inertia + self.mass * self.h * self.h)
+        a = (cos * ell + self.mass) * mu + sin * (ell * side)
+        b = (sin * sin * ell + cos * d) * mu + sin * level * side
+        return a * d * d - b * (ell * orbit)
+
+    def rolling_forces(self, theta: Ball, rate: Ball) -> tuple[Ball, Ball]:
+        """Return N and F of rolling."""
+        sin, cos, u = theta.sin(), theta.cos(), rate * rate
+        acceleration = self.offset * sin * (1 + u) / self.denominator(cos)
+        normal = self.mass - self.offset * (sin * acceleration + cos * u)
+        return normal, self.offset * sin * u - (self.mass + self.offset * cos) * acceleration
+
+    def sliding_forces(self, theta: Ball, rate: Ball, sigma: int) -> tuple[Ball, Ball]:
+        """Return N and F of sliding."""
+        p = self.solvability(theta.sin(), theta.cos(), sigma)
+        normal = self.mass * self.inertia * self.contact(theta, rate) / p
+        return normal, -self.mu_k * sigma * normal
+
+    def energy(self, state: State) -> Ball:
+        """Return the energy."""
+        sin, cos, rate = state.theta.sin(), state.theta.cos(), state.rate
+        along = state.slip - (1 + self.h * cos) * rate
+        up = state.gap_rate - self.h * sin * rate
+        kinetic = (self.mass * (along * along + up * up) + self.inertia * rate * rate) / 2
+        return kinetic + self.mass * state.gap + self.offset * cos
+
+    def compliance(self, theta: Ball) -> tuple[Ball, Ball, Ball]:
+        """Return A, B and C."""
+        arm, lever = self.h * theta.sin(), 1 + self.h * theta.cos()
+        return (
+            1 / self.mass + lever * lever / self.inertia,
+            arm * lever / self.inertia,
+            1 / self.mass + arm * arm / self.inertia,
+        )
+
+
+@dataclass(frozen=True)
+class Next:
+    """What follows, and the numbers that decide it."""
+
+    mode: str
+    direction: int
+    evidence: dict[str, Ball]
+    order: int = 0
+    """Order of the zero of what the phase begins with: of the slip, or of the gap."""
+
+
+def decide(body: Body, state: State, gives_way: int = 0) -> Next:
+    """Decide which motion follows; static friction has just given way to this direction, if it is not 0."""
+    sin, cos = state.theta.sin(), state.theta.cos()
+    contact = body.contact(state.theta, state.rate)
+    evidence = {"contact": contact}
+    w = sign(contact, "1 − h cos θ θ′²")
+    if w == 0:
+        raise Undecided("1 − h cos θ θ′² vanishes where a motion begins")
+    slips = sign(state.slip, "the slip velocity")
+    if slips != 0:
+        p = evidence["solvability"] = body.solvability(sin, cos, slips)
+        match (w, sign(p, "P")):
+            case (1, 1):
+                return Next("sliding", slips, evidence)
+            case (-1, 1):
+                return Next("flight", 0, evidence, 2)
+            case (1, -1):
+                return Next("inconsistent", slips, evidence)
+            case (-1, -1):
+                return Next("ambiguous", 0, evidence)
+        raise Undecided("P vanishes where a motion begins")
+    normal, friction = body.rolling_forces(state.theta, state.rate)
+    evidence["rolling_normal"], evidence["rolling_friction"] = normal, friction
+    if gives_way:
+        holds = False
+    elif normal > 0 and body.mu_s * normal > abs(friction):
+        holds = True
+    elif normal < 0 or body.mu_s * normal < abs(friction):
+        holds = False
+    elif body.is_balanced and normal > 0:
+        holds = True
+    else:
+        raise Undecided("whether static friction holds is not decided")
+    if w > 0 and holds:
+        return Next("rolling", 0, evidence)
+    negative, positive = (body.solvability(sin, cos, sigma) for sigma in (-1, 1))
+    evidence["solvability_negative"], evidence["solvability_positive"] = negative, positive
+    if w < 0:
+        if not (negative > 0 and positive > 0):
+            raise Beyond("a flight begins where P is not positive (Painlevé)")
+        return Next("flight", 0, evidence, 2)
+    direction = gives_way or -sign(friction, "the friction of rolling")
+    if not (positive if direction > 0 else negative) > 0:
+        raise Beyond("the hoop is at rest against the plane where P is not positive (Painlevé)")
+    if gives_way and body.same_friction:
+        return Next("sliding", direction, evidence, 2)
+    drive = abs(friction) - body.mu_k * normal
+    if not drive > 0:
+        raise Undecided("no motion is seen to be consistent")
+    return Next("sliding", direction, evidence, 1)

@@ -1,0 +1,63 @@
+"""What every phase of a motion is: pieces in a parameter, on each of which state and guards are analytic functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from .balls import Ball, Undecided
+from .body import State
+from .model import Cleared, Model, crossing_of, first_crossing
+
+TIME = "time_limit"
+"""The guard that falls through zero where time is up."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece of a phase between two values of its parameter."""
+
+    low: Ball
+    high: Ball
+    elapsed: Model
+    guards: dict[str, Model]
+    state: Callable[[Ball], State]
+    """The state, from the parameter."""
+
+
+@dataclass
+class Followed:
+    """A phase that has been followed to its end."""
+
+    end: State
+    guard: str
+    """What vanishes there."""
+    pieces: list[tuple[Piece, Ball, list[Cleared]]]
+    """The pieces with their ends, and the intervals that cover them."""
+
+    def at(self, start: Ball, time: Ball) -> State:
+        """Return the state at a time."""
+        for piece, end, _ in self.pieces:
+            if not piece.state(end).time < time:
+                # A little beyond the end where the time may be that of the end.
+                last = end if piece.state(end).time > time else end + (end - piece.low) / 8
+                return piece.state(crossing_of(piece.elapsed - (time - start), piece.low, last))
+        raise Undecided("a sample is not within its phase")
+
+
+def follow(start: Ball, pieces: Iterator[Piece], until: Ball | None, most: int = 20000) -> Followed:
+    """Follow pieces to the first zero of a guard."""
+    passed: list[tuple[Piece, Ball, list[Cleared]]] = []
+    for piece in pieces:
+        if len(passed) >= most:
+            break
+        guards = dict(piece.guards)
+        if until is not None:
+            guards[TIME] = (until - start) - piece.elapsed
+        cover: list[Cleared] = []
+        crossing = first_crossing(guards, piece.low, piece.high, cover)
+        end = piece.high if crossing is None else crossing.at
+        passed.append((piece, end, cover))
+        if crossing is not None:
+            return Followed(piece.state(end), crossing.guard, passed)
+    raise Undecided(f"the phase is longer than {most} pieces")

@@ -1,0 +1,201 @@
+"""Sliding: the linear equation of u = θ′² in the angle, by Taylor series.
+
+du/dθ = 2 m q (1 − h c u)/P has coefficients that are analytic where P ≠ 0. On a disc |z − θ| ≤ r of the complex plane
+on which |2 m q/P| ≤ a and |2 m h q c/P| ≤ b, Gronwall's lemma gives |u| ≤ (|u0| + a r) exp(b r), which bounds every
+coefficient of the series. Time is the integral of dθ/√u where u ≠ 0. Near a turning point θt, where u has a simple
+zero, the parameter is ξ with θ = θt − d ξ²: there u = ξ² V with V ≠ 0, and dτ = 2 dξ/√V is regular. Slip and place
+follow from two first integrals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .balls import Ball, Undecided, acb, arb, arb_series, flint, sign
+from .body import Body, State
+from .model import Model, first_crossing, polynomial, sine_and_cosine
+from .phase import Piece
+
+SLIP, CONTACT, SOLVABLE = "slip", "contact", "solvability"
+
+
+class Slide:
+    """A slide from a state in a direction; the slip begins with a zero of this order."""
+
+    def __init__(self, body: Body, start: State, sigma: int, order: int) -> None:
+        self.body, self.start, self.sigma, self.order = body, start, sigma, order
+        self.friction = body.mu_k * sigma
+        sin, cos = start.theta.sin(), start.theta.cos()
+        self.slip_constant = start.slip - start.rate * self._arm(sin, cos)
+        # x̄ + f (ȳ + τ²/2) = a + b τ
+        self.place = start.x - body.h * sin + self.friction * (1 + body.h * cos)
+        self.place_rate = start.slip - (1 + body.h * cos) * start.rate - self.friction * body.h * sin * start.rate
+
+    def pieces(self) -> Iterator[Piece]:
+        """Yield the slide piece by piece."""
+        theta, rate, elapsed = self.start.theta, self.start.rate, arb(0)
+        order = self.order
+        direction = sign(rate, "θ′")
+        if direction == 0:
+            # From rest it turns at once.
+            direction = -sign(
+                self.body.q(theta.sin(), theta.cos(), self.sigma)
+                * self.body.solvability(theta.sin(), theta.cos(), self.sigma),
+                "θ″ at rest",
+            )
+            if direction == 0:
+                raise Undecided("the slide begins in an equilibrium of θ")
+            piece, theta, u, elapsed = self._turning(theta, direction, arb(0), elapsed, order)
+            yield piece
+            direction, order = -direction, 0
+        else:
+            u = rate * rate
+        while True:
+            family = self._family(theta, u, direction)
+            radius, smallest, largest = self._free_of_zeros(family, u)
+            turn = None
+            if order == 0 and radius < family.radius / 3:
+                turn = self._turning_point(family)
+            if turn is not None:
+                at_turn = theta + direction * turn
+                made = self._try_turning(at_turn, direction, turn, elapsed)
+                if made is not None:
+                    piece, theta, u, elapsed = made
+                    yield piece
+                    direction = -direction
+                    continue
+            piece, theta, u, elapsed = self._regular(
+                family, theta, direction, (radius, smallest, largest), elapsed, order
+            )
+            yield piece
+            order = 0
+
+    def _arm(self, sin: Ball, cos: Ball) -> Ball:
+        return 1 + self.body.h * cos + self.friction * self.body.h * sin
+
+    def _family(self, theta: Ball, u: Ball, direction: int) -> Model:
+        """Return u(θ + direction s) with this value at s = 0."""
+        body, n = self.body, flint.ctx.cap
+        angle = arb_series([theta, direction], n)
+        sin, cos = angle.sin(), angle.cos()
+        p = body.solvability(sin, cos, self.sigma)
+        a = body.q(sin, cos, self.sigma) * (2 * body.mass * direction) / p
+        b = a * cos * body.h
+        factor = (-b.integral()).exp()
+        series = factor * (u + (a / factor).integral())
+        radius = arb(1)
+        for _ in range(60):
+            around = acb(theta + arb(0, 1) * radius, arb(0, 1) * radius)
+            near = body.solvability(around.sin(), around.cos(), self.sigma)
+            least = abs(near).lower()
+            if least > 0:
+                size = (2 * body.mass * abs(body.q(around.sin(), around.cos(), self.sigma))).abs_upper() / least
+                growth = size * (body.h * abs(around.cos())).abs_upper() * radius
+                if growth < 12:
+                    bound = (u.abs_upper() + size * radius) * growth.exp()
+                    return Model(arb_series([series[k] for k in range(n)], n), arb(bound.abs_upper()), radius)
+            radius = (radius * 3 / 4).mid()
+        raise Undecided("the slide runs into P = 0, where its force is unbounded")
+
+    @staticmethod
+    def _free_of_zeros(family: Model, first: Ball) -> tuple[Ball, Ball, Ball]:
+        """Return a radius within which |u| stays away from 0, with its least and its largest value there."""
+        radius = (family.radius * 3 / 4).mid()
+        for _ in range(400):
+            spread = _spread(family, radius)
+            if spread < 0.9375 * first:
+                return radius, (first - spread).lower(), (first + spread).upper()
+            radius = (radius * 3 / 4).mid()
+        raise Undecided("θ′ is not told apart from 0")
+
+    @staticmethod
+    def _turning_point(family: Model) -> Ball | None:
+        try:
+            found = first_crossing({"u": family}, arb(0), family.radius / 4, [], 24)
+        except Undecided:
+            return None
+        return None if found is None else found.at
+
+    def _regular(
+        self, family: Model, theta: Ball, direction: int, free: tuple[Ball, Ball, Ball], elapsed: Ball, order: int
+    ) -> tuple[Piece, Ball, Ball, Ball]:
+        radius, smallest, largest = free
+        u = Model(family.series, largest, radius)
+        root = Model(u.series.rsqrt(), 1 / smallest.sqrt(), radius)
+        rate = Model(u.series.sqrt() * direction, largest.sqrt(), radius)
+        time = root.integral(elapsed)
+        sin, cos = sine_and_cosine(theta, direction, radius)
+        high = (radius / 4).mid()
+
+        def state(at: Ball) -> State:
+            return self._state(theta + direction * at, rate.value(at, at), time.value(at, at))
+
+        piece = Piece(arb(0), high, time, self._guards(sin, cos, u, rate, time, order), state)
+        return piece, theta + direction * high, u.value(high, high), time.value(high, high)
+
+    def _try_turning(
+        self, theta: Ball, direction: int, distance: Ball, elapsed: Ball
+    ) -> tuple[Piece, Ball, Ball, Ball] | None:
+        try:
+            return self._turning(theta, direction, distance, elapsed, 0)
+        except Undecided:
+            return None
+
+    def _turning(
+        self, theta: Ball, direction: int, distance: Ball, elapsed: Ball, order: int
+    ) -> tuple[Piece, Ball, Ball, Ball]:
+        """Return the piece around a turning point, which is at this distance ahead."""
+        family = self._family(theta, arb(0), -direction)
+        v = family.without_zero(1)
+        first = v.series[0]
+        if not first > 0:
+            raise Undecided("θ′ and θ″ vanish together")
+        square, smallest, largest = self._free_of_zeros(v, first)
+        radius = square.sqrt()
+        v = Model(v.series, largest, square)
+        root = Model(v.series.rsqrt() * 2, 2 / smallest.sqrt(), square).of_square(radius)
+        speed = Model(v.series.sqrt(), largest.sqrt(), square).of_square(radius)
+        xi = polynomial([arb(0), arb(1)], radius)
+        rate = speed * xi * (-direction)
+        u = v.of_square(radius) * polynomial([arb(0), arb(0), arb(1)], radius)
+        low = -distance.sqrt() if not distance.is_zero() else arb(0)
+        if not abs(low) < radius / 2:
+            raise Undecided("the turning point is too far")
+        time = root.integral(arb(0))
+        time = time + (elapsed - time.value(low, low))
+        sin, cos = (one.of_square(radius) for one in sine_and_cosine(theta, -direction, square))
+
+        def state(at: Ball) -> State:
+            return self._state(theta - direction * at * at, rate.value(at, at), time.value(at, at))
+
+        high = (radius / 4).mid()
+        piece = Piece(low, high, time, self._guards(sin, cos, u, rate, time, order), state)
+        return piece, theta - direction * high * high, u.value(high, high), time.value(high, high)
+
+    def _guards(self, sin: Model, cos: Model, u: Model, rate: Model, time: Model, order: int) -> dict[str, Model]:
+        body = self.body
+        arm = cos * body.h + sin * (self.friction * body.h) + 1
+        slip = (rate * arm - time * self.friction + self.slip_constant) * self.sigma
+        return {
+            SLIP: slip.without_zero(order),
+            CONTACT: 1 - cos * u * body.h,
+            SOLVABLE: body.solvability(sin, cos, self.sigma),
+        }
+
+    def _state(self, theta: Ball, rate: Ball, elapsed: Ball) -> State:
+        sin, cos = theta.sin(), theta.cos()
+        slip = self.slip_constant + rate * self._arm(sin, cos) - self.friction * elapsed
+        h = self.body.h
+        x = self.place + self.place_rate * elapsed + h * sin
+        x -= self.friction * (1 + h * cos + elapsed * elapsed / 2)
+        return State(self.start.time + elapsed, theta, rate, slip, x, arb(0), arb(0))
+
+
+def _spread(function: Model, radius: Ball) -> Ball:
+    """Bound |f(s) − f(0)| where |s| ≤ radius."""
+    total, power, n = arb(0), arb(1), int(function.series.prec)
+    for k in range(1, n):
+        power = power * radius
+        total += abs(function.series[k]) * power
+    part = radius / function.radius
+    return (total + function.size * part**n / (1 - part)).upper()

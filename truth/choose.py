@@ -1,0 +1,351 @@
+"""Chooses the cases of the data set, with a fixed seed, and writes cases.json.
+
+    python3 choose.py
+
+Hoops and starts are drawn with few decimals, followed by the library, and sorted into families by the events that
+they have.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import littlewood as lw
+
+HERE = Path(__file__).parent
+SEED = 20260815
+
+Draw = dict[str, Any]
+
+
+def hoops(rng: random.Random) -> Draw:
+    """Draw a hoop: thin with the particle on the rim, or inside, or a disc."""
+    ratio = rng.choice([0.1, 0.25, 0.5, 1.0, 1.0, 2.0, 4.0])
+    offset = rng.choice([1.0, 1.0, 1.0, 0.9, 0.75, 0.5])
+    inertia = ratio * rng.choice([1.0, 1.0, 0.75, 0.5])
+    mu_s = round(rng.uniform(0.1, 0.9), 2)
+    mu_k = round(mu_s * rng.choice([1.0, 0.9, 0.8, 0.6]), 3)
+    return dict(mass_ratio=ratio, offset=offset, inertia=inertia, mu_s=mu_s, mu_k=mu_k)
+
+
+def starts(rng: random.Random, slips: bool, fastest: float = 3.0) -> Draw:
+    """Draw a start."""
+    slip = round(rng.uniform(-1.5, 1.5), 2) if slips else 0.0
+    return dict(theta=round(rng.uniform(-3.1, 3.1), 2), theta_rate=round(rng.uniform(-fastest, fastest), 2), slip=slip)
+
+
+def follow(hoop: Draw, start: Draw, until: float | None) -> Any:
+    """Follow a motion with the library."""
+    return lw.Hoop(**hoop).simulate(**start, until=until)
+
+
+def causes(motion: Any) -> list[str]:
+    """Return the causes of its events."""
+    return [one.cause for one in motion.transitions]
+
+
+def case(family: str, number: int, hoop: Draw, start: Draw, until: float | None) -> Draw:
+    """Return a case as the certifier reads it."""
+    given = dict(hoop)
+    if "restitution" in given:
+        given["restitution_law"] = given.pop("law", "energetic")
+    return dict(
+        name=f"{family}-{number:02d}",
+        family=family,
+        units="dimensionless",
+        hoop=given,
+        start={"gap_rate": 0.0} | start,
+        until=until,
+    )
+
+
+def searched(
+    family: str,
+    count: int,
+    draw: Callable[[random.Random], tuple[Draw, Draw, float | None]],
+    fits: Callable[[Any], bool],
+) -> Iterator[Draw]:
+    """Draw until so many motions fit."""
+    rng = random.Random(f"{SEED} {family}")
+    found = 0
+    for _ in range(30_000):
+        if found == count:
+            return
+        hoop, start, until = draw(rng)
+        try:
+            motion = follow(hoop, start, until)
+        except ValueError:
+            continue
+        if motion.outcome.kind in ("unresolved", "ambiguous", "inconsistent", "singular") or not fits(motion):
+            continue
+        found += 1
+        yield case(family, found, hoop, start, until)
+    raise RuntimeError(f"too few motions of {family}")
+
+
+def within(
+    times: float, slips: bool = True, fastest: float = 3.0
+) -> Callable[[random.Random], tuple[Draw, Draw, float | None]]:
+    """Draw any hoop and start, followed up to a time."""
+    return lambda rng: (hoops(rng), starts(rng, slips, fastest), times)
+
+
+def in_order(found: list[str], wanted: list[str]) -> bool:
+    """Whether events occur in this order, others between them."""
+    rest = iter(found)
+    return all(any(one == cause for one in rest) for cause in wanted)
+
+
+def slide_roll_slip() -> Iterator[Draw]:
+    """Stick and slip, the rim at the plane."""
+    yield from searched(
+        "slide-roll-slip",
+        40,
+        within(6.0),
+        lambda m: in_order(causes(m), ["stick", "slip"]) and "lift_off" not in causes(m),
+    )
+
+
+def lift_off() -> Iterator[Draw]:
+    """A slide that leaves the plane, up to the landing."""
+    yield from searched("lift-off", 30, within(12.0), lambda m: "lift_off" in causes(m) and m.outcome.kind == "landing")
+
+
+def landing() -> Iterator[Draw]:
+    """Each coefficient of restitution by each law: twice, followed through the first impacts."""
+    number = 0
+    for e in (0.0, 0.5, 0.8, 1.0):
+        for law in ("energetic", "poisson", "newton"):
+            rng = random.Random(f"{SEED} landing {e} {law}")
+            found = 0
+            while found < 4:
+                hoop, start = hoops(rng), starts(rng, True)
+                if found % 2:
+                    start["gap_rate"] = round(rng.uniform(0.2, 1.0), 2)
+                hoop |= dict(restitution=e, law=law)
+                motion = follow(hoop, start, 12.0)
+                times = [one.state.time for one in motion.transitions if one.impact is not None]
+                if not times or motion.outcome.kind in ("unresolved", "ambiguous", "inconsistent", "singular"):
+                    continue
+                # Up to the third impact, and a little more.
+                until = round((times[3] + times[2]) / 2 if len(times) > 3 else times[-1] + 0.5, 2)
+                if until >= 12 or "settle" in causes(follow(hoop, start, until)):
+                    continue
+                found += 1
+                number += 1
+                yield case("landing", number, hoop, start, until)
+
+
+def settlement() -> Iterator[Draw]:
+    """Bounces that accumulate, and what follows."""
+    for family, sticks, count in (("settles-sticking", True, 14), ("settles-sliding", False, 14)):
+
+        def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
+            hoop = hoops(rng) | dict(
+                restitution=rng.choice([0.3, 0.5, 0.5, 0.8]), law=rng.choice(["energetic", "poisson", "newton"])
+            )
+            return hoop, starts(rng, True, 1.0) | dict(gap_rate=round(rng.uniform(0.1, 0.6), 2)), 4.0
+
+        def fits(motion: Any, sticks: bool = sticks) -> bool:
+            settled = [one for one in motion.transitions if one.cause == "settle"]
+            return len(settled) == 1 and (settled[0].to_mode == "rolling") == sticks
+
+        yield from searched(family, count, draw, fits)
+
+
+def jam() -> Iterator[Draw]:
+    """Painlevé: no motion is consistent, and an impact without a collision resolves it."""
+
+    def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
+        ratio = rng.choice([0.05, 0.1, 0.125, 0.2])
+        mu = round(rng.uniform(0.6, 1.2), 2)
+        hoop = dict(
+            mass_ratio=ratio,
+            offset=1.0,
+            inertia=ratio,
+            mu_s=mu,
+            mu_k=mu,
+            restitution=rng.choice([0.0, 0.0, 0.5]),
+            law="energetic",
+        )
+        return hoop, starts(rng, True, 1.0), 1.5
+
+    yield from searched("jam", 20, draw, lambda m: causes(m)[:1] == ["jam"])
+
+
+def reversals() -> Iterator[Draw]:
+    """Slides that reverse their direction without sticking."""
+
+    def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
+        hoop = hoops(rng)
+        hoop["mu_s"] = round(rng.uniform(0.02, 0.15), 3)
+        hoop["mu_k"] = round(hoop["mu_s"] * rng.choice([0.5, 0.8, 0.9]), 4)
+        return hoop, starts(rng, True), 4.0
+
+    yield from searched("reversal-chain", 20, draw, lambda m: causes(m).count("reversal") >= 2)
+
+
+def near_ties() -> Iterator[Draw]:
+    """Rolling that just slips, and just does not: μs beside the largest demand of the orbit."""
+    rng = random.Random(f"{SEED} near-tie")
+    number = 0
+    while number < 30:
+        hoop, start = hoops(rng), starts(rng, False, 1.5)
+
+        def rolls(mu: float, hoop: Draw = hoop, start: Draw = start) -> bool:
+            motion = follow(hoop | dict(mu_s=mu, mu_k=round(0.5 * mu, 4)), start, None)
+            return motion.outcome.kind == "rolls_forever" and not motion.transitions
+
+        low, high = 0.02, 3.0
+        if rolls(low) or not rolls(high) or start["theta_rate"] == 0:
+            continue
+        while math.nextafter(low, 4) < high:
+            middle = (low + high) / 2
+            low, high = (low, middle) if rolls(middle) else (middle, high)
+        for distance in (1e-3, 1e-6, 1e-9, 1e-12, 1e-14):
+            for mu in (high * (1 + distance), low * (1 - distance)):
+                number += 1
+                until = None if mu > high else 8.0
+                yield case("near-tie", number, hoop | dict(mu_s=mu, mu_k=round(0.5 * mu, 4)), start, until)
+
+
+def periodic() -> Iterator[Draw]:
+    """Restitution 1: the energy stays but for friction, and bounces do not end."""
+
+    def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
+        hoop = hoops(rng) | dict(restitution=1.0, law=rng.choice(["energetic", "poisson", "newton"]))
+        return hoop, starts(rng, True, 1.0) | dict(gap_rate=round(rng.uniform(0.3, 1.2), 2)), 5.0
+
+    yield from searched("elastic", 12, draw, lambda m: 2 <= causes(m).count("landing") <= 12)
+
+
+def long_rolling() -> Iterator[Draw]:
+    """Rolling for ever, which is proved, or for a long time."""
+    yield from searched(
+        "long-rolling",
+        10,
+        lambda rng: (hoops(rng), starts(rng, True, 1.5), None),
+        lambda m: m.outcome.kind == "rolls_forever" and len(m.transitions) < 6,
+    )
+    for count, one in enumerate(
+        searched(
+            "long-rolling",
+            8,
+            lambda rng: (hoops(rng), starts(rng, False, 1.5), 1000.0),
+            lambda m: not m.transitions and m.phases[0].mode == "rolling",
+        )
+    ):
+        yield one | dict(name=f"long-rolling-{11 + count}")
+
+
+def thrown() -> Iterator[Draw]:
+    """Starts in flight."""
+
+    def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
+        return hoops(rng), starts(rng, True) | dict(gap_rate=round(rng.uniform(0.1, 2.0), 2)), None
+
+    yield from searched("thrown", 12, draw, lambda m: m.outcome.kind == "landing")
+
+
+def unloaded() -> Iterator[Draw]:
+    """Starts at which the plane cannot hold the rim."""
+    yield from searched(
+        "leaves-at-once",
+        12,
+        lambda rng: (hoops(rng), starts(rng, True, 5.0), None),
+        lambda m: m.sequence.startswith("F"),
+    )
+
+
+def massless() -> Iterator[Draw]:
+    """Littlewood's own hoop: rolling, then gliding without any force."""
+
+    def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
+        mu_s = round(rng.uniform(0.1, 1.5), 2)
+        hoop = dict(mass_ratio=0.0, offset=1.0, inertia=0.0, mu_s=mu_s, mu_k=round(0.8 * mu_s, 3))
+        return hoop, starts(rng, rng.random() < 0.4, 1.2), 6.0
+
+    yield from searched("massless", 28, draw, lambda m: any(phase.mode == "gliding" for phase in m.phases))
+
+
+def si() -> Iterator[Draw]:
+    """The same kinds of motion in kilograms, metres and seconds."""
+    rng = random.Random(f"{SEED} si")
+    number = 0
+    while number < 24:
+        disc, particle = rng.choice([0.124, 0.0244, 0.186, 0.14]), rng.choice([0.051, 0.066, 0.0355, 0.14])
+        radius, inside = rng.choice([0.14, 0.3, 0.45]), rng.choice([0.0, 0.0, 0.02])
+        hoop = dict(
+            disc_mass_kg=disc,
+            particle_mass_kg=particle,
+            radius_m=radius,
+            offset_m=radius - inside,
+            inertia_kg_m2=float(f"{disc * radius**2:.6g}"),
+            mu_s=round(rng.uniform(0.2, 0.7), 2),
+            mu_k=0.2,
+            gravity_m_per_s2=9.80665,
+        )
+        rate = round(rng.uniform(-15, 15), 1)
+        start = dict(
+            theta=round(rng.uniform(-3.1, 3.1), 2),
+            theta_rate=rate,
+            slip=round(rng.uniform(-1, 1), 2) if number % 2 else 0.0,
+        )
+        body = lw.Hoop.from_si(**hoop)
+        units = body.units
+        motion = body.simulate(
+            theta=start["theta"],
+            theta_rate=start["theta_rate"] * units.time_s,
+            slip=start["slip"] * units.time_s / units.length_m,
+            until=2.0 / units.time_s,
+        )
+        if len(motion.transitions) < 2 or motion.outcome.kind in (
+            "ambiguous",
+            "inconsistent",
+            "singular",
+            "unresolved",
+        ):
+            continue
+        number += 1
+        yield case("si", number, hoop, start, 2.0) | dict(units="si")
+
+
+def paper() -> Iterator[Draw]:
+    """Figure 3, and the motions of the reference data that are certified there."""
+    thin = dict(mass_ratio=1.0, offset=1.0, inertia=1.0, mu_s=0.5, mu_k=0.4)
+    start = dict(theta=math.pi / 2, theta_rate=2.0, slip=0.0)
+    yield case("paper", 1, thin, start, None)
+    yield case(
+        "paper",
+        2,
+        dict(mass_ratio=0.0, offset=1.0, inertia=0.0, mu_s=0.5, mu_k=0.4),
+        dict(theta=0.0, theta_rate=0.5, slip=0.0),
+        None,
+    )
+    for number, (e, law) in enumerate(
+        [(0.0, "energetic"), (0.5, "energetic"), (0.5, "poisson"), (0.5, "newton"), (0.8, "energetic")]
+    ):
+        yield case("paper", 3 + number, thin | dict(restitution=e, law=law), start, None)
+
+
+FAMILIES = (
+    paper, slide_roll_slip, lift_off, landing, settlement, jam, reversals, near_ties, periodic, long_rolling, thrown,
+    unloaded, massless, si, )  # fmt: skip
+
+
+def main() -> None:
+    """Write the list."""
+    cases = [one for family in FAMILIES for one in family()]
+    assert len({one["name"] for one in cases}) == len(cases)
+    lines = ",\n".join(json.dumps(one) for one in cases)
+    (HERE / "cases.json").write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+    print(len(cases), "cases")
+
+
+if __name__ == "__main__":
+    main()
