@@ -40,6 +40,7 @@ from .motion import (
 )
 from .phase_plane import Equilibrium, PhasePlane
 from .samples import Samples
+from .scoring import Convergence, EventScore, Record, RecordError, Score, Tolerances, convergence, score
 from .tables import CAUSES, CLASSES, IMPACT_CASES, MODES, OUTCOMES, PROOFS, REGIONS, RESTITUTION_LAWS
 from .track import Track
 from .trajectory import Trajectory
@@ -61,9 +62,11 @@ __all__ = [
     "Case",
     "Classification",
     "ContactVelocities",
+    "Convergence",
     "Edge",
     "Equilibrium",
     "Estimate",
+    "EventScore",
     "FitResult",
     "Hoop",
     "IdentifiabilityWarning",
@@ -73,9 +76,13 @@ __all__ = [
     "ParameterError",
     "Phase",
     "PhasePlane",
+    "Record",
+    "RecordError",
     "Samples",
+    "Score",
     "Start",
     "State",
+    "Tolerances",
     "Track",
     "Trajectory",
     "Transition",
@@ -83,9 +90,11 @@ __all__ = [
     "__version__",
     "case",
     "closed_form",
+    "convergence",
     "fit",
     "outcome_map",
     "plot",
+    "score",
     "sequence_names",
     "simulate_many",
 ]

@@ -3,6 +3,11 @@
 import sys
 
 from ._core import run_program
+from .certify import __main__ as certify
+from .scoring import command as scoring
+
+_OF_THE_PACKAGE = {"certify": certify.main, "score": scoring.main}
+"""Commands that the package adds to those of the program."""
 
 
 def main() -> int:
@@ -13,6 +18,9 @@ def main() -> int:
     int
         Its exit code.
     """
+    name, *rest = sys.argv[1:] or [""]
+    if name in _OF_THE_PACKAGE:
+        return _OF_THE_PACKAGE[name](rest)
     return run_program(["littlewood", *sys.argv[1:]])
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from ..hoop import Hoop
 from ..motion import Transition
+from ..trajectory import Trajectory
 
 QUANTITIES = ("time", "theta", "theta_rate", "slip", "x")
 
@@ -25,6 +26,38 @@ class Difference:
 
 class OtherSequence(Exception):
     """The library has other events than the certificate."""
+
+
+def simulated(case: Mapping[str, Any]) -> Trajectory:
+    """Follow the motion of a case, as a certificate has it, with the library.
+
+    Parameters
+    ----------
+    case : mapping
+        What a certificate has under `case`.
+
+    Returns
+    -------
+    Trajectory
+        Dimensionless; a hoop that is given in SI units has them.
+    """
+    given, start = dict(case["hoop"]), case["start"]
+    given["law"] = given.pop("restitution_law", None)
+    hoop = Hoop.from_si(**given) if case["units"] == "si" else Hoop(**given)
+    clock, speed, _ = _scales(hoop)
+    return hoop.simulate(
+        theta=start["theta"],
+        theta_rate=start["theta_rate"] * clock,
+        slip=start["slip"] / speed,
+        gap_rate=start["gap_rate"] / speed,
+        until=None if case["until"] is None else case["until"] / clock,
+    )
+
+
+def _scales(hoop: Hoop) -> tuple[float, float, float]:
+    """Units of time, velocity and length of the case of a hoop."""
+    units = hoop.units
+    return (1.0, 1.0, 1.0) if units is None else (units.time_s, units.velocity_m_per_s, units.length_m)
 
 
 def differences(certificate: Mapping[str, Any]) -> list[Difference]:
@@ -45,23 +78,8 @@ def differences(certificate: Mapping[str, Any]) -> list[Difference]:
     OtherSequence
         If the events are others.
     """
-    case = certificate["case"]
-    given, start = dict(case["hoop"]), case["start"]
-    given["law"] = given.pop("restitution_law", None)
-    if case["units"] == "si":
-        hoop = Hoop.from_si(**given)
-        units = hoop.units
-        assert units is not None
-        clock, speed, length = units.time_s, units.velocity_m_per_s, units.length_m
-    else:
-        hoop, clock, speed, length = Hoop(**given), 1.0, 1.0, 1.0
-    motion = hoop.simulate(
-        theta=start["theta"],
-        theta_rate=start["theta_rate"] * clock,
-        slip=start["slip"] / speed,
-        gap_rate=start["gap_rate"] / speed,
-        until=None if case["until"] is None else case["until"] / clock,
-    )
+    motion = simulated(certificate["case"])
+    clock, speed, length = _scales(motion.hoop)
     scale = {"time": clock, "theta": 1.0, "theta_rate": 1 / clock, "slip": speed, "x": length}
     found = []
     for number, (event, mine) in enumerate(_pairs(certificate["events"], motion.transitions)):

@@ -1,0 +1,213 @@
+"""What a hoop does from when to when, as far as positions tell: rolling, sliding either way, flight.
+
+The same rule is applied to the exact motion and to that of a solver, so that the limits within which a hoop counts as
+in contact, or as rolling, shift an event of both by the same.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from ..trajectory import Trajectory
+    from .record import Record
+
+__all__ = ["Episode", "Event", "Tolerances", "events", "exact_episodes", "recorded_episodes"]
+
+_Reals = npt.NDArray[np.float64]
+
+FLIGHT, ROLLING, FORWARD, BACKWARD = "flight", "rolling", "sliding +", "sliding -"
+_OF_SIGN = {0: ROLLING, 1: FORWARD, -1: BACKWARD}
+
+_SHORT = 3.0
+"""What is shorter than so many steps of a record is not told from an instant."""
+
+_HALVINGS = 50
+
+
+@dataclass(frozen=True)
+class Tolerances:
+    """Within which a hoop counts as in contact, or as rolling.
+
+    Attributes
+    ----------
+    gap : float
+        Height of the rim over the plane, R.
+    slip : float
+        Slip velocity, √(gR).
+    time : float
+        An event farther from the exact one is not the same, √(R/g).
+    """
+
+    gap: float = 1e-3
+    slip: float = 1e-2
+    time: float = 0.25
+
+    def __post_init__(self) -> None:
+        for name, unit in (("gap", "R"), ("slip", "sqrt(g R)"), ("time", "sqrt(R/g)")):
+            value = getattr(self, name)
+            if not 0.0 < value < np.inf:
+                raise ValueError(f"{name} = {value} {unit} must be positive and finite")
+
+
+class Episode(NamedTuple):
+    """A time in which a hoop does one thing."""
+
+    what: str
+    start: float
+    end: float
+
+
+class Event(NamedTuple):
+    """A change from one to another, or an impact between two flights."""
+
+    kind: str
+    time: float
+
+
+def _state(gap: _Reals, slip: _Reals, within: Tolerances) -> npt.NDArray[np.int8]:
+    """2 in flight, otherwise the sign of the slip velocity."""
+    sliding = np.where(np.abs(slip) > within.slip, np.sign(slip), 0.0)
+    return np.where(gap > within.gap, 2.0, sliding).astype(np.int8)
+
+
+def _episodes(codes: npt.NDArray[np.int8], cuts: _Reals, first: float, last: float) -> list[Episode]:
+    """Runs of equal codes; `cuts` are the times at which the code changes."""
+    changes = np.flatnonzero(np.diff(codes))
+    edges = [first, *cuts.tolist(), last]
+    starts = [0, *(changes + 1).tolist()]
+    return [
+        Episode(FLIGHT if codes[at] == 2 else _OF_SIGN[int(codes[at])], a, b)
+        for at, a, b in zip(starts, edges[:-1], edges[1:], strict=True)
+    ]
+
+
+def exact_episodes(motion: Trajectory, until: float, within: Tolerances) -> list[Episode]:
+    """Return the episodes of an exact motion up to a time."""
+    phases = [phase for phase in motion.phases if phase.start_time < until]
+    grid = np.unique(
+        np.concatenate([np.linspace(phase.start_time, min(phase.end_time, until), 401) for phase in phases])
+    )
+
+    def codes(times: _Reals) -> npt.NDArray[np.int8]:
+        samples = motion.at(times)
+        return _state(np.asarray(samples.gap), np.asarray(samples.slip), within)
+
+    found = codes(grid)
+    at = np.flatnonzero(np.diff(found))
+    low, high = grid[at], grid[at + 1]
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        is_before = codes(middle) == found[at]
+        low, high = np.where(is_before, middle, low), np.where(is_before, high, middle)
+    return _episodes(found, high, float(grid[0]), float(grid[-1]))
+
+
+def recorded_episodes(record: Record, within: Tolerances) -> list[Episode]:
+    """Return the episodes of a record, its slip velocity being that of the middle between two instants."""
+    time = record.time
+    middle = 0.5 * (time[1:] + time[:-1])
+    slip = np.diff(record.x + record.theta) / np.diff(time)
+    gap = record.y - 1.0 if record.contact is None else np.where(record.contact, 0.0, np.inf)
+    # An interval is in flight if the rim is above at both of its ends; a touch between them is found below.
+    codes = _state(np.minimum(gap[1:], gap[:-1]), slip, within)
+    cuts = []
+    for i in np.flatnonzero(np.diff(codes)).tolist():
+        a, b = codes[i], codes[i + 1]
+        if 2 in (a, b):
+            # The interval in contact has the limit in it: it is low at its other end.
+            cuts.append(_crossing(time, gap, i if b == 2 else i + 1, within.gap))
+        else:
+            bound = within.slip * (np.sign(slip[i + 1]) if a == 0 else np.sign(slip[i]))
+            cuts.append(_between(middle[i], slip[i], middle[i + 1], slip[i + 1], bound))
+    found = _episodes(codes, np.array(cuts), float(time[0]), float(time[-1]))
+    if record.contact is None:
+        found = [part for episode in found for part in _parted(episode, record, within)]
+    return found
+
+
+def _between(a: float, at_a: float, b: float, at_b: float, bound: float) -> float:
+    """Where a line through two values meets a bound between them."""
+    share = (bound - at_a) / (at_b - at_a) if at_b != at_a else 0.5
+    return float(a + np.clip(share, 0.0, 1.0) * (b - a))
+
+
+def _crossing(time: _Reals, gap: _Reals, i: int, bound: float) -> float:
+    if not np.all(np.isfinite(gap[i : i + 2])):
+        # The solver says which instants are in contact, and not what is between them.
+        return float(0.5 * (time[i] + time[i + 1]))
+    return _between(time[i], gap[i], time[i + 1], gap[i + 1], bound)
+
+
+def _parted(episode: Episode, record: Record, within: Tolerances) -> list[Episode]:
+    """A flight, parted where lines through the heights before and behind meet on the plane, between two instants."""
+    if episode.what != FLIGHT:
+        return [episode]
+    time, gap = record.time, record.y - 1.0
+    at = np.flatnonzero((time > episode.start) & (time < episode.end))
+    touches = []
+    for i in at[1:-2]:
+        before = (gap[i] - gap[i - 1]) / (time[i] - time[i - 1])
+        behind = (gap[i + 2] - gap[i + 1]) / (time[i + 2] - time[i + 1])
+        if before < 0.0 < behind:
+            touch = (gap[i + 1] - gap[i] + before * time[i] - behind * time[i + 1]) / (before - behind)
+            is_between = time[i] <= touch <= time[i + 1]
+            if is_between and gap[i] + before * (touch - time[i]) <= within.gap:
+                touches.append(float(touch))
+    parts = []
+    start = episode.start
+    for touch in touches:
+        parts += [Episode(FLIGHT, start, touch), Episode(ROLLING, touch, touch)]
+        start = touch
+    return [*parts, Episode(FLIGHT, start, episode.end)]
+
+
+def events(episodes: list[Episode], step: float) -> list[Event]:
+    """Return what happens between episodes; what is shorter than a few steps of the record is an instant.
+
+    A contact between two flights is an impact, and a passage of the slip velocity through zero a reversal, or nothing.
+    """
+    shortest = _SHORT * step
+    found: list[Event] = []
+    # A short contact between flights is one episode, whatever the hoop does in it.
+    merged: list[Episode] = []
+    for episode in episodes:
+        if merged and episode.what != FLIGHT and merged[-1].what != FLIGHT and _is_short(merged, episode, shortest):
+            merged[-1] = Episode(merged[-1].what, merged[-1].start, episode.end)
+        else:
+            merged.append(episode)
+    before = merged[0]
+    for at, episode in enumerate(merged[1:], start=1):
+        behind = merged[at + 1] if at + 1 < len(merged) else None
+        is_short = episode.end - episode.start < shortest
+        if is_short and behind is not None and episode.what != FLIGHT and before.what == FLIGHT == behind.what:
+            found.append(Event("impact", 0.5 * (episode.start + episode.end)))
+            continue
+        if is_short and behind is not None and episode.what == ROLLING and FLIGHT not in (before.what, behind.what):
+            if before.what != behind.what:
+                found.append(Event("reversal", 0.5 * (episode.start + episode.end)))
+            before = behind
+            continue
+        if episode.what != before.what:
+            found.append(Event(_kind(before.what, episode.what), episode.start))
+        before = episode
+    return found
+
+
+def _is_short(merged: list[Episode], episode: Episode, shortest: float) -> bool:
+    after_flight = len(merged) > 1 and merged[-2].what == FLIGHT
+    return after_flight and episode.end - merged[-1].start < shortest
+
+
+def _kind(before: str, behind: str) -> str:
+    if behind == FLIGHT:
+        return "lift_off"
+    if before == FLIGHT:
+        return "landing"
+    if behind == ROLLING:
+        return "stick"
+    return "slip" if before == ROLLING else "reversal"

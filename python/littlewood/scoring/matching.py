@@ -1,0 +1,57 @@
+"""Which event of a solver is which of the exact motion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .episodes import Event
+
+__all__ = ["match"]
+
+
+def match(exact: Sequence[Event], found: Sequence[Event], farthest: float) -> list[tuple[Event | None, Event | None]]:
+    """Pair the events of two motions in their order.
+
+    Parameters
+    ----------
+    exact, found : sequence of Event
+        The events of the exact motion and of the solver.
+    farthest : float
+        Events of one kind are the same if they are not farther apart, √(R/g).
+
+    Returns
+    -------
+    list of tuple
+        Pairs in order: both, an exact event that was missed and None, or None and an event that is none. Of all
+        pairings that with the least sum of distances, one without a partner counting as `farthest`.
+    """
+    rows, columns = len(exact), len(found)
+    cost = np.empty((rows + 1, columns + 1))
+    cost[:, 0] = farthest * np.arange(rows + 1)
+    cost[0, :] = farthest * np.arange(columns + 1)
+    for i, one in enumerate(exact, start=1):
+        for j, other in enumerate(found, start=1):
+            cost[i, j] = min(cost[i - 1, j] + farthest, cost[i, j - 1] + farthest)
+            distance = abs(other.time - one.time)
+            if one.kind == other.kind and distance <= farthest:
+                cost[i, j] = min(cost[i, j], cost[i - 1, j - 1] + distance)
+    pairs: list[tuple[Event | None, Event | None]] = []
+    i, j = rows, columns
+    while i > 0 or j > 0:
+        if i > 0 and j > 0:
+            one, other = exact[i - 1], found[j - 1]
+            distance = abs(other.time - one.time)
+            is_pair = one.kind == other.kind and distance <= farthest
+            if is_pair and cost[i, j] == cost[i - 1, j - 1] + distance:
+                pairs.append((one, other))
+                i, j = i - 1, j - 1
+                continue
+        if i > 0 and cost[i, j] == cost[i - 1, j] + farthest:
+            pairs.append((exact[i - 1], None))
+            i -= 1
+        else:
+            pairs.append((None, found[j - 1]))
+            j -= 1
+    return pairs[::-1]

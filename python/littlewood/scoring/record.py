@@ -1,0 +1,221 @@
+"""What a solver has computed: times, positions of the centre, the angle."""
+
+from __future__ import annotations
+
+import csv
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from ..units import Units
+
+__all__ = ["Record", "RecordError"]
+
+_Reals = npt.NDArray[np.float64]
+
+_FEWEST = 3
+"""Instants from which velocities can be told."""
+
+_COLUMNS = ("time", "x", "y", "theta")
+_SI_COLUMNS = ("time_s", "x_m", "y_m", "theta_rad")
+_CONTACT = "contact"
+
+
+class RecordError(ValueError):
+    """A record cannot be read.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    line : int or None
+        Line of the file, from 1; None where the whole file is meant.
+    column : str or None
+        Name of the column; None where a whole line is meant.
+    """
+
+    def __init__(self, path: Path, line: int | None, column: str | None, reason: str) -> None:
+        place = "".join((f", line {line}" if line else "", f", column {column}" if column else ""))
+        super().__init__(f"{path}{place}: {reason}")
+        self.path = path
+        self.line = line
+        self.column = column
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """A motion as a solver has computed it, dimensionless as everything else.
+
+    Parameters
+    ----------
+    time : array_like
+        Times τ, √(R/g), of shape (n,), growing, at least three.
+    x : array_like
+        Horizontal position of the geometric centre, to the right, R, shape (n,).
+    y : array_like
+        Height of the geometric centre over the plane, R, shape (n,): 1 in contact.
+    theta : array_like
+        Angle θ of the particle from the upward vertical, counterclockwise, rad, shape (n,). A turn is 2π more.
+    contact : array_like of bool, optional
+        Whether the solver says that the rim touches the plane, shape (n,). Without it the height tells.
+
+    Raises
+    ------
+    ValueError
+        If a value is not finite, times do not grow, or shapes differ.
+    """
+
+    time: _Reals
+    x: _Reals
+    y: _Reals
+    theta: _Reals
+    contact: npt.NDArray[np.bool_] | None = None
+
+    def __post_init__(self) -> None:
+        for name in _COLUMNS:
+            object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
+        if self.contact is not None:
+            object.__setattr__(self, _CONTACT, np.array(self.contact, dtype=np.bool_))
+        if self.time.ndim != 1 or self.time.size < _FEWEST:
+            raise ValueError(f"time has shape {self.time.shape}: a record needs at least {_FEWEST} instants")
+        for name in (*_COLUMNS, *([_CONTACT] if self.contact is not None else [])):
+            values = getattr(self, name)
+            if values.shape != self.time.shape:
+                raise ValueError(f"{name} has shape {values.shape}, time has {self.time.shape}: they must be the same")
+            bad = np.flatnonzero(~np.isfinite(values))
+            if bad.size:
+                raise ValueError(f"{name}[{bad[0]}] = {values[bad[0]]} must be finite")
+        falls = np.flatnonzero(np.diff(self.time) <= 0.0)
+        if falls.size:
+            i = int(falls[0])
+            raise ValueError(
+                f"time[{i + 1}] = {self.time[i + 1]} must be greater than time[{i}] = {self.time[i]} sqrt(R/g)"
+            )
+
+    @property
+    def step(self) -> float:
+        """Median distance of two instants, √(R/g)."""
+        return float(np.median(np.diff(self.time)))
+
+    @classmethod
+    def from_si(
+        cls,
+        units: Units,
+        *,
+        time_s: npt.ArrayLike,
+        x_m: npt.ArrayLike,
+        y_m: npt.ArrayLike,
+        theta_rad: npt.ArrayLike,
+        contact: npt.ArrayLike | None = None,
+    ) -> Record:
+        """Make a record from SI units.
+
+        Parameters
+        ----------
+        units : Units
+            Those of the hoop, `hoop.units`.
+        time_s, x_m, y_m, theta_rad : array_like
+            As those of :class:`Record`, in s, m, m and rad.
+        contact : array_like of bool, optional
+            As that of :class:`Record`.
+
+        Returns
+        -------
+        Record
+        """
+        return cls(
+            np.asarray(time_s, dtype=np.float64) / units.time_s,
+            np.asarray(x_m, dtype=np.float64) / units.length_m,
+            np.asarray(y_m, dtype=np.float64) / units.length_m,
+            np.asarray(theta_rad, dtype=np.float64),
+            None if contact is None else np.asarray(contact, dtype=np.bool_),
+        )
+
+    @classmethod
+    def from_csv(cls, path: str | Path, units: Units | None = None) -> Record:
+        """Read a record from a table of comma-separated values with a line of names.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file. Its columns are `time`, `x`, `y`, `theta`, or in SI units `time_s`, `x_m`, `y_m`, `theta_rad`;
+            `contact`, 0 or 1, may be there; others are passed over.
+        units : Units, optional
+            Those of the hoop; SI columns need them.
+
+        Returns
+        -------
+        Record
+
+        Raises
+        ------
+        RecordError
+            With the line and the column of what cannot be read.
+        """
+        file = Path(path)
+        with file.open(encoding="utf-8", newline="") as lines:
+            rows = csv.reader(lines)
+            names = [name.strip() for name in next(rows, [])]
+            wanted = _header(file, names, units)
+            table: list[list[float]] = []
+            for row in rows:
+                if row:
+                    table.append(_numbers(file, rows.line_num, names, row, wanted, table))
+        if len(table) < _FEWEST:
+            raise RecordError(file, None, None, f"{len(table)} instants: a record needs at least {_FEWEST}")
+        columns = [np.array(column) for column in zip(*table, strict=True)]
+        contact = columns[len(_COLUMNS)] == 1.0 if len(columns) > len(_COLUMNS) else None
+        time, x, y, theta = columns[: len(_COLUMNS)]
+        if units is None or wanted[0] == _COLUMNS[0]:
+            return cls(time, x, y, theta, contact)
+        return cls.from_si(units, time_s=time, x_m=x, y_m=y, theta_rad=theta, contact=contact)
+
+
+def _header(file: Path, names: list[str], units: Units | None) -> list[str]:
+    """Names of the columns that are read."""
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise RecordError(file, 1, twice, "stands twice")
+    has_plain = [name for name in _COLUMNS if name in names]
+    has_si = [name for name in _SI_COLUMNS if name in names]
+    if has_plain and has_si:
+        raise RecordError(
+            file, 1, has_si[0], f"is in SI units, {has_plain[0]} has no dimension: all must be of one kind"
+        )
+    wanted = _SI_COLUMNS if has_si else _COLUMNS
+    missing = next((name for name in wanted if name not in names), None)
+    if missing is not None:
+        raise RecordError(file, 1, missing, f"is missing among {', '.join(names) or 'none'}")
+    if has_si and units is None:
+        raise RecordError(file, 1, has_si[0], "is in SI units, and the hoop has none: make it by Hoop.from_si")
+    return [*wanted, *([_CONTACT] if _CONTACT in names else [])]
+
+
+def _numbers(
+    file: Path, line: int, names: list[str], row: list[str], wanted: list[str], before: list[list[float]]
+) -> list[float]:
+    """The numbers of a line."""
+    if len(row) != len(names):
+        raise RecordError(file, line, None, f"{len(row)} fields, the first line has {len(names)}")
+    numbers = []
+    for name in wanted:
+        field = row[names.index(name)].strip()
+        try:
+            number = float(field)
+        except ValueError:
+            raise RecordError(file, line, name, f"{field!r} is not a number") from None
+        if not math.isfinite(number):
+            raise RecordError(file, line, name, f"{field} must be finite")
+        if name == _CONTACT and number not in (0.0, 1.0):
+            raise RecordError(file, line, name, f"{field} must be 0 or 1")
+        numbers.append(number)
+    if before and numbers[0] <= before[-1][0]:
+        raise RecordError(
+            file, line, wanted[0], f"{numbers[0]} must be greater than {before[-1][0]} of the line before"
+        )
+    return numbers

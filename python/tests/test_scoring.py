@@ -1,0 +1,298 @@
+"""The scorer finds errors that were planted, and says how large they are."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import littlewood as lw
+from littlewood.certify.compare import simulated
+from littlewood.scoring.command import main
+from littlewood.scoring.episodes import Event
+from littlewood.scoring.matching import match
+
+STEP = 1e-3
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def motion():
+    """Slides, sticks, rolls, slips, lifts off, lands."""
+    return lw.case("figure-3").simulate()
+
+
+@pytest.fixture(scope="module")
+def instants(motion):
+    return np.arange(0.0, motion.end_time, STEP)
+
+
+@pytest.fixture(scope="module")
+def columns(motion, instants):
+    samples = motion.at(instants)
+    return {"x": samples.x, "y": samples.centre_y, "theta": samples.theta}
+
+
+def scored(motion, instants, columns, **changed):
+    return lw.score(motion, lw.Record(instants, **{**columns, **changed}))
+
+
+def times(motion):
+    return {transition.cause: transition.time for transition in motion.transitions}
+
+
+def test_the_exact_motion_has_no_error(motion, instants, columns):
+    score = scored(motion, instants, columns)
+    assert [event.kind for event in score.events] == ["slip", "stick", "slip", "lift_off", "landing"]
+    assert not score.missed and not score.spurious
+    # A line through velocities, and through heights, leaves out the second order of the step.
+    assert max(abs(event.error) for event in score.events) < 5.0 * STEP**2
+    assert score.largest_error == score.energy_gained == score.penetration == 0.0
+    assert score.slip_while_rolling < 1e-14
+
+
+def test_the_events_are_those_of_the_motion(motion, instants, columns):
+    score = scored(motion, instants, columns)
+    exact = times(motion)
+    for event in score.events[1:]:
+        # The limits of slip velocity and height shift them, a lift-off the most: the gap begins with τ³.
+        assert abs(event.exact - exact[event.kind]) < (0.15 if event.kind == "lift_off" else 0.03)
+
+
+@pytest.mark.parametrize("late", [0.02, 0.1])
+def test_events_that_come_late_are_found_and_sized(motion, instants, columns, late):
+    stick = times(motion)["stick"]
+    warped = np.where(instants < stick + 0.05, instants, np.maximum(stick + 0.05, instants - late))
+    samples = motion.at(warped)
+    score = scored(motion, instants, {"x": samples.x, "y": samples.centre_y, "theta": samples.theta})
+    errors = {event.kind: event.error for event in score.events[2:] if event.error is not None}
+    assert errors["slip"] == pytest.approx(late, abs=1e-4)
+    assert errors["lift_off"] == pytest.approx(late, abs=1e-4)
+
+
+def test_a_missed_stick_is_found_and_its_slip_measured(motion, instants, columns):
+    stick, slip = times(motion)["stick"], times(motion)["slip"]
+    creep = 0.05 * np.maximum(instants - stick + 0.2, 0.0)
+    score = scored(motion, instants, columns, x=columns["x"] - creep)
+    assert [event.kind for event in score.missed] == ["stick"]
+    # It comes to rest where the hoop slips, for a moment.
+    assert [event.kind for event in score.spurious] == ["stick"] and 0.0 < score.spurious[0].found - slip < 0.1
+    assert score.slip_while_rolling == pytest.approx(0.05 * (slip - stick), rel=0.01)
+    assert score.largest_error == pytest.approx(creep[-1], rel=1e-12)
+
+
+def test_a_lift_off_that_is_none_and_a_rim_in_the_plane_are_found(motion, instants, columns):
+    stick = times(motion)["stick"]
+    bump = 0.01 * np.where(np.abs(instants - stick - 0.2) < 0.1, np.cos(5.0 * np.pi * (instants - stick - 0.2)), 0.0)
+    score = scored(motion, instants, columns, y=columns["y"] + bump)
+    assert [event.kind for event in score.spurious][:1] == ["lift_off"] and not score.missed
+    assert abs(score.spurious[0].found - (stick + 0.1)) < 0.02
+    score = scored(motion, instants, columns, y=columns["y"] - 0.004 * np.exp(-((instants - 0.3) ** 2)))
+    assert score.penetration == pytest.approx(0.004, rel=1e-5) and not score.spurious
+
+
+def test_energy_that_is_gained_is_sized(motion, instants, columns):
+    lift_off = times(motion)["lift_off"]
+    push = 0.1
+    score = scored(motion, instants, columns, x=columns["x"] + push * np.maximum(instants - lift_off, 0.0))
+    # In flight the mass centre keeps its horizontal velocity v: m ((v + push)² − v²)/2.
+    centre = motion.at(np.array([lift_off + 0.5, lift_off + 1.5])).mass_centre_x
+    velocity = float(np.diff(centre)[0])
+    expected = motion.hoop.mass * (velocity * push + 0.5 * push**2)
+    assert score.energy_error[-1] == pytest.approx(expected, rel=1e-6)
+    assert score.energy_gained == pytest.approx(max(expected, 0.0), rel=1e-6)
+
+
+def test_errors_are_told_from_event_to_event(motion, instants, columns):
+    lift_off = times(motion)["lift_off"]
+    score = scored(motion, instants, columns, theta=columns["theta"] + 0.01 * (instants > lift_off + 0.2))
+    errors = [error for _, _, error in score.between]
+    assert errors[:-1] == [0.0] * (len(errors) - 1) or errors[-1] == pytest.approx(0.01)
+    assert score.between[0][0] == 0.0 and score.between[-1][1] == instants[-1]
+    assert all(a[1] == b[0] for a, b in zip(score.between[:-1], score.between[1:], strict=True))
+
+
+def test_bounces_are_impacts(columns):
+    motion = lw.case("figure-3-bounces").simulate()
+    instants = np.arange(0.0, 5.0, STEP)
+    samples = motion.at(instants)
+    record = lw.Record(instants, samples.x, samples.centre_y, samples.theta)
+    (impact,) = [event for event in lw.score(motion, record).events if event.kind == "impact"]
+    landing = next(one.time for one in motion.transitions if one.impact is not None)
+    # The hoop is lower than the limit for two thousandths after it.
+    assert abs(impact.exact - landing) < 2e-3 and abs(impact.error) < 1e-5
+    # Steps so long that no instant is near the plane: the lines before and behind meet there.
+    coarse = slice(None, None, 37)
+    record = lw.Record(instants[coarse], samples.x[coarse], samples.centre_y[coarse], samples.theta[coarse])
+    (impact,) = [event for event in lw.score(motion, record).events if event.kind == "impact"]
+    assert abs(impact.found - landing) < 37 * STEP
+
+
+def test_flags_of_contact_are_believed(motion, instants, columns):
+    samples = motion.at(instants)
+    record = lw.Record(instants, **columns, contact=~samples.is_in("flight"))
+    score = lw.score(motion, record)
+    found = {event.kind: event.found for event in score.events if event.found is not None}
+    assert found["lift_off"] == pytest.approx(times(motion)["lift_off"], abs=STEP)
+
+
+@pytest.mark.parametrize("order", [1, 2, 4])
+def test_the_order_of_convergence(motion, order):
+    scores = []
+    for step in (0.04, 0.02, 0.01, 0.005):
+        instants = np.arange(0.0, 3.8, step)
+        samples = motion.at(instants)
+        theta = samples.theta + step**order * np.sin(instants / instants[-1] * math.pi / 2)
+        scores.append(lw.score(motion, lw.Record(instants, samples.x, samples.centre_y, theta)))
+    assert lw.convergence(scores).order == pytest.approx(order, abs=1e-5)
+    with pytest.raises(ValueError, match="1 different steps"):
+        lw.convergence(scores[:1])
+
+
+def test_what_ends_later_than_the_motion_is_left_out(motion, columns, instants):
+    longer = np.append(instants, [10.0, 11.0])
+    record = lw.Record(longer, *(np.append(columns[name], [0.0, 0.0]) for name in ("x", "y", "theta")))
+    assert lw.score(motion, record).largest_error == 0.0
+    with pytest.raises(ValueError, match="fewer than three instants"):
+        lw.score(motion, lw.Record([20.0, 21.0, 22.0], *np.ones((3, 3))))
+
+
+def test_pairs_are_in_order_and_the_nearest():
+    def event(kind, time):
+        return Event(kind, time)
+
+    exact = [event("stick", 1.0), event("slip", 2.0), event("stick", 3.0)]
+    found = [event("stick", 0.9), event("stick", 3.1), event("lift_off", 3.2)]
+    assert match(exact, found, 0.25) == [
+        (exact[0], found[0]),
+        (exact[1], None),
+        (exact[2], found[1]),
+        (None, found[2]),
+    ]
+    # Nearer than farther, and never across.
+    assert match([event("slip", 1.0)], [event("slip", 0.8), event("slip", 1.1)], 0.25)[1] == (
+        event("slip", 1.0),
+        event("slip", 1.1),
+    )
+    assert match(exact, [], 0.25) == [(one, None) for one in exact]
+
+
+def write(path, header, rows):
+    path.write_text("\n".join([header, *rows]) + "\n", encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("header", "rows", "line", "column", "reason"),
+    [
+        ("time,x,y,theta", ["0,0,1,0", "1,0,1,zero", "2,0,1,0"], 3, "theta", "'zero' is not a number"),
+        ("time,x,y,theta", ["0,0,1,0", "1,nan,1,0", "2,0,1,0"], 3, "x", "must be finite"),
+        ("time,x,y,theta", ["0,0,1,0", "", "1,0,1", "2,0,1,0"], 4, None, "3 fields, the first line has 4"),
+        ("time,x,y,theta", ["0,0,1,0", "1,0,1,0", "1,0,1,0"], 4, "time", "must be greater than 1.0"),
+        ("time,x,theta", ["0,0,0"], 1, "y", "is missing among time, x, theta"),
+        ("time,x,y,theta,x", ["0,0,1,0,0"], 1, "x", "stands twice"),
+        ("time_s,x,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "x has no dimension"),
+        ("time_s,x_m,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "the hoop has none"),
+        ("time,x,y,theta,contact", ["0,0,1,0,1", "1,0,1,0,2", "2,0,1,0,1"], 3, "contact", "must be 0 or 1"),
+        ("time,x,y,theta", ["0,0,1,0"], None, None, "at least 3"),
+        ("", [], 1, "time", "is missing among none"),
+    ],
+)
+def test_a_bad_file_is_refused_with_line_and_column(tmp_path, header, rows, line, column, reason):
+    path = write(tmp_path / "bad.csv", header, rows)
+    with pytest.raises(lw.RecordError) as caught:
+        lw.Record.from_csv(path)
+    assert (caught.value.line, caught.value.column) == (line, column)
+    assert reason in str(caught.value) and str(path) in str(caught.value)
+
+
+def test_bad_records_are_refused():
+    with pytest.raises(ValueError, match="at least 3 instants"):
+        lw.Record([0.0, 1.0], [0.0, 0.0], [1.0, 1.0], [0.0, 0.0])
+    with pytest.raises(ValueError, match=r"x has shape \(2,\)"):
+        lw.Record([0.0, 1.0, 2.0], [0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 0.0, 0.0])
+    with pytest.raises(ValueError, match=r"y\[1\] = inf must be finite"):
+        lw.Record([0.0, 1.0, 2.0], np.zeros(3), [1.0, math.inf, 1.0], np.zeros(3))
+    with pytest.raises(ValueError, match=r"time\[2\] = 1.0 must be greater"):
+        lw.Record([0.0, 1.0, 1.0], np.zeros(3), np.ones(3), np.zeros(3))
+    with pytest.raises(ValueError, match=r"gap = -1.0 R must be positive"):
+        lw.Tolerances(gap=-1.0)
+
+
+def test_a_file_in_si_units_is_the_same(tmp_path):
+    hoop = lw.Hoop.from_si(
+        disc_mass_kg=0.3, particle_mass_kg=0.2, radius_m=0.4, offset_m=0.38, inertia_kg_m2=0.05, mu_s=0.4, mu_k=0.3
+    )
+    motion = hoop.simulate(theta=1.0, theta_rate=1.5, until=2.0)
+    instants = np.linspace(0.0, 2.0, 801)
+    samples = motion.at(instants)
+    rows = np.column_stack(
+        [
+            instants * hoop.units.time_s,
+            samples.x * hoop.units.length_m,
+            samples.centre_y * hoop.units.length_m,
+            samples.theta,
+        ]
+    )
+    path = tmp_path / "si.csv"
+    np.savetxt(path, rows, fmt="%.17g", delimiter=",", header="time_s,x_m,y_m,theta_rad", comments="")
+    score = lw.score(motion, lw.Record.from_csv(path, hoop.units))
+    assert score.largest_error < 1e-14
+
+
+def test_the_command_prints_and_draws(motion, columns, instants, tmp_path, capsys):
+    files = []
+    for stride in (2, 4):
+        table = np.column_stack([instants, columns["x"], columns["y"], columns["theta"] + 1e-6 * stride])[::stride]
+        path = tmp_path / f"{stride}.csv"
+        np.savetxt(path, table, fmt="%.17g", delimiter=",", header="time,x,y,theta", comments="")
+        files.append(str(path))
+    assert main(["figure-3", files[0], "--plot", str(tmp_path / "one.png")]) == 0
+    printed = capsys.readouterr().out
+    assert "lift_off" in printed and "theta 2.00e-06" in printed
+    assert main(["figure-3", *files, "--plot", str(tmp_path / "two.svg")]) == 0
+    assert "order of convergence  1.00" in capsys.readouterr().out
+    assert (tmp_path / "one.png").stat().st_size > 10_000 and (tmp_path / "two.svg").stat().st_size > 5_000
+    assert main(["figure-3", *files, "--json"]) == 0
+    whole = json.loads(capsys.readouterr().out)
+    assert whole["case"] == "figure-3" and whole["scores"][0]["largest_error"]["theta"] == pytest.approx(2e-6)
+    assert whole["order"] == pytest.approx(1.0)
+
+
+def test_a_certificate_names_a_case(tmp_path, capsys):
+    certificate = sorted((ROOT / "truth" / "certificates").glob("si-*.json"))[0]
+    motion = simulated(json.loads(certificate.read_text(encoding="utf-8"))["case"])
+    units = motion.hoop.require_units()
+    instants = np.linspace(0.0, min(3.0, motion.end_time), 400)
+    samples = motion.at(instants)
+    lengths = units.length_m
+    rows = [instants * units.time_s, samples.x * lengths, samples.centre_y * lengths, samples.theta]
+    path = tmp_path / "si.csv"
+    np.savetxt(path, np.column_stack(rows), fmt="%.17g", delimiter=",", header="time_s,x_m,y_m,theta_rad", comments="")
+    assert main([str(certificate), str(path), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["scores"][0]["largest_error"]["state"] < 1e-13
+    other = write(tmp_path / "other.json", "{}", [])
+    assert main([str(other), str(path)]) == 2
+    assert "is no certificate" in capsys.readouterr().err
+
+
+def test_the_command_refuses_with_the_reason(tmp_path, capsys):
+    path = write(tmp_path / "bad.csv", "time,x,y,theta", ["0,0,1,0", "1,0,1,?"])
+    assert main(["figure-3", str(path)]) == 2
+    assert "line 3, column theta: '?' is not a number" in capsys.readouterr().err
+    assert main(["figure-33", str(path)]) == 2
+    assert "did you mean 'figure-3'" in capsys.readouterr().err
+    assert main(["figure-3", str(tmp_path / "none.csv")]) == 2
+    assert "none.csv" in capsys.readouterr().err
+    assert main(["figure-3", str(path), "--gap", "0"]) == 2
+    assert "gap = 0.0 R must be positive" in capsys.readouterr().err
+
+
+def test_the_program_of_the_package_has_the_command(monkeypatch, capsys):
+    from littlewood import __main__
+
+    monkeypatch.setattr("sys.argv", ["littlewood", "score", "--help"])
+    with pytest.raises(SystemExit) as stopped:
+        __main__.main()
+    assert stopped.value.code == 0 and "littlewood score" in capsys.readouterr().out
