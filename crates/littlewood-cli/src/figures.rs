@@ -5,10 +5,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use littlewood_figures::{
-    FIGURES, Figure, FigureEntry, FigureError, FigureInput, LEAST_SCALE, MOST_SCALE, find_figure, plain,
+    FIGURES, Figure, FigureEntry, FigureError, FigureInput, LEAST_SCALE, Letters, MOST_SCALE, find_figure,
 };
 
-use crate::args::{FigureFormat, FiguresArgs};
+use crate::args::{FigureFormat, FigureLetters, FiguresArgs};
 use crate::error::Error;
 use crate::nearest;
 use crate::output::Output;
@@ -51,10 +51,7 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
         match entry.figure_with(&input, &mut watch) {
             Ok(figure) => {
                 for format in &args.format {
-                    files.push((
-                        folder.join(file_name(entry, *format)),
-                        content(&figure, *format, args.scale)?,
-                    ));
+                    files.push((folder.join(file_name(entry, *format)), content(&figure, *format, args)?));
                 }
             }
             // Without names all figures are meant that this hoop has.
@@ -149,7 +146,7 @@ fn prepare(folder: &Path) -> Result<(), Error> {
 fn subject(args: &FiguresArgs, entry: &FigureEntry) -> Result<FigureInput, Error> {
     let problem = Problem::resolve(Request::new(&args.problem(entry.case), Some(&args.run))?)?;
     let input = FigureInput::new(problem.hoop, problem.start, problem.limits);
-    Ok(FigureInput { impact: args.impact, ..input })
+    Ok(FigureInput { impact: args.impact, units: problem.units, width_mm: args.width_mm, ..input })
 }
 
 const fn is_about_the_hoop(error: &FigureError) -> bool {
@@ -173,15 +170,28 @@ fn file_name(entry: &FigureEntry, format: FigureFormat) -> String {
         FigureFormat::Png => "png",
         FigureFormat::Csv => "csv",
         FigureFormat::Txt => "txt",
+        FigureFormat::Pdf => "pdf",
+        FigureFormat::Eps => "eps",
+        FigureFormat::Md => "md",
+        FigureFormat::Tex => "tex",
     };
     format!("{}.{ending}", entry.name)
 }
 
-fn content(figure: &Figure, format: FigureFormat, scale: f64) -> Result<Vec<u8>, Error> {
-    Ok(match format {
-        FigureFormat::Svg => figure.svg().map_err(Error::of_figure)?.into_bytes(),
-        FigureFormat::Png => figure.png(scale).map_err(Error::of_figure)?,
-        FigureFormat::Csv => figure.csv().into_bytes(),
-        FigureFormat::Txt => format!("{}\n\n{}\n", plain(&figure.title), plain(&figure.caption)).into_bytes(),
-    })
+fn content(figure: &Figure, format: FigureFormat, args: &FiguresArgs) -> Result<Vec<u8>, Error> {
+    let letters = match args.letters {
+        FigureLetters::Paths => Letters::Paths,
+        FigureLetters::Text => Letters::Text,
+    };
+    let drawn = match format {
+        FigureFormat::Svg => figure.svg_with(letters).map(String::into_bytes),
+        FigureFormat::Png => figure.png(args.scale),
+        FigureFormat::Pdf => figure.pdf(),
+        FigureFormat::Eps => figure.eps().map(String::into_bytes),
+        FigureFormat::Csv => Ok(figure.csv().into_bytes()),
+        FigureFormat::Txt => Ok(figure.caption_txt().into_bytes()),
+        FigureFormat::Md => Ok(figure.caption_md().into_bytes()),
+        FigureFormat::Tex => Ok(figure.caption_tex().into_bytes()),
+    };
+    drawn.map_err(Error::of_figure)
 }

@@ -28,7 +28,7 @@ fn a_figure_is_written_as_drawing_picture_data_and_caption() {
     let printed = text(&["figures", "figure-3b", "figure-1", "--out", out.to_str().expect("UTF-8")]);
     let wanted: Vec<String> = ["figure-1", "figure-3b"]
         .iter()
-        .flat_map(|name| ["csv", "png", "svg", "txt"].map(|ending| format!("{name}.{ending}")))
+        .flat_map(|name| ["csv", "pdf", "png", "svg", "txt"].map(|ending| format!("{name}.{ending}")))
         .collect();
     assert_eq!(files(&out), wanted);
     for name in &wanted {

@@ -1,53 +1,81 @@
 //! Axes of the quantities that figures show.
 
 use core::f64::consts::PI;
+use std::borrow::Cow;
 
-use littlewood::{Dimension, Hoop, PhasePlane, Quantity};
-use littlewood_style::ticks;
+use littlewood::{Hoop, PhasePlane, Quantity};
+use littlewood_style::ticks::Tick;
 
-use crate::figure::PlotAxis;
+use crate::columns::dimension;
+use crate::figure::{PlotAxis, Scale};
 use crate::trace::Window;
+use crate::wording::Wording;
 use crate::words::marked;
 
-/// A quantity of a start along a motion, with its unit.
-fn of_quantity(quantity: Quantity, range: [f64; 2]) -> PlotAxis {
-    let unit = quantity.unit_sign();
-    // The sign of the radian is a word.
-    let unit = if quantity.dimension() == Dimension::Angle { unit.to_owned() } else { marked(unit) };
-    plain(quantity.name(), &format!("{}  ({unit})", marked(quantity.sign())), range)
-}
+impl Wording {
+    /// θ.
+    pub(crate) fn angle(self, range: [f64; 2]) -> PlotAxis {
+        self.angle_with(range, Vec::new())
+    }
 
-/// θ.
-pub(crate) fn angle([from, to]: [f64; 2]) -> PlotAxis {
-    PlotAxis { ticks: ticks::angular(from, to, 7), ..of_quantity(Quantity::Theta, [from, to]) }
-}
+    /// θ, with ticks of its own.
+    pub(crate) fn angle_with(self, range: [f64; 2], own: Vec<Tick>) -> PlotAxis {
+        PlotAxis { scale: Scale::Angle(own), ..self.of_quantity(Quantity::Theta, range) }
+    }
 
-/// θ′.
-pub(crate) fn rate(range: [f64; 2]) -> PlotAxis {
-    of_quantity(Quantity::ThetaRate, range)
-}
+    /// θ′.
+    pub(crate) fn rate(self, range: [f64; 2]) -> PlotAxis {
+        self.of_quantity(Quantity::ThetaRate, range)
+    }
 
-/// η′.
-pub(crate) fn slip(range: [f64; 2]) -> PlotAxis {
-    of_quantity(Quantity::Slip, range)
-}
+    /// η′.
+    pub(crate) fn slip(self, range: [f64; 2]) -> PlotAxis {
+        self.of_quantity(Quantity::Slip, range)
+    }
 
-/// τ.
-pub(crate) fn time(range: [f64; 2]) -> PlotAxis {
-    of_quantity(Quantity::Time, range)
-}
+    /// τ.
+    pub(crate) fn clock(self, range: [f64; 2]) -> PlotAxis {
+        self.axis(Quantity::Time.name(), &self.time(), range)
+    }
 
-/// Any quantity, with round ticks.
-pub(crate) fn plain(column: &'static str, title: &str, [from, to]: [f64; 2]) -> PlotAxis {
-    PlotAxis { column, title: title.to_owned(), range: [from, to], ticks: ticks::round(from, to, 7) }
+    fn of_quantity(self, quantity: Quantity, range: [f64; 2]) -> PlotAxis {
+        self.axis(quantity.name(), &marked(quantity.sign()), range)
+    }
+
+    /// Any column, with its symbol and round ticks.
+    pub(crate) fn axis(self, column: &'static str, symbol: &str, range: [f64; 2]) -> PlotAxis {
+        let title = self.title(symbol, dimension(column));
+        PlotAxis { column: Cow::Borrowed(column), title, range, scale: Scale::Round, ticks: Vec::new() }
+    }
 }
 
 /// The window of the plane of rolling: a turn about the stable equilibrium, half a quarter more on either side; rates
-/// to well above the separatrix and the least rate at which N = 0.
+/// to well above the separatrix and, where that is not far above it, the least rate at which N = 0.
 pub(crate) fn plane_window(hoop: &Hoop) -> Window {
     let plane = PhasePlane::new(hoop);
-    let unloading = plane.normal_force_rate(0.0).unwrap_or(0.0);
-    let needed = 2.4 * f64::max(plane.separatrix_rate(PI), f64::min(unloading, 4.0));
-    let most = (0.5 * libm::ceil(2.0 * needed)).clamp(0.5, 8.0);
+    let separatrix = plane.separatrix_rate(PI);
+    let unloading = plane.normal_force_rate(0.0).filter(|rate| *rate <= FAR * separatrix);
+    // A light hoop is fast at the bottom, and loses the plane long before.
+    let most = unloading.map_or(f64::INFINITY, |rate| f64::max(FASTEST, rate));
+    window_to(f64::max(f64::min(separatrix, most), unloading.unwrap_or(0.0)))
+}
+
+/// The same with the least rate at which N = 0 in any case.
+pub(crate) fn outcome_window(hoop: &Hoop) -> Window {
+    let unloading = PhasePlane::new(hoop).normal_force_rate(0.0);
+    let narrow = plane_window(hoop);
+    unloading.map(window_to).filter(|wide| wide.y[1] > narrow.y[1]).unwrap_or(narrow)
+}
+
+/// How far above the separatrix N = 0 is still shown.
+const FAR: f64 = 8.0;
+/// Separatrices up to this rate are shown whole.
+const FASTEST: f64 = 10.0 / 3.0;
+
+/// Rates to 2.4 times this one, rounded up.
+fn window_to(rate: f64) -> Window {
+    let needed = 2.4 * rate;
+    let step = 0.5 * libm::pow(10.0, libm::floor(libm::log10(needed)));
+    let most = step * libm::ceil(needed / step);
     Window { x: [-0.5 * PI, 2.5 * PI], y: [-most, most] }
 }

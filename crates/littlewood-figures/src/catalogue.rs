@@ -43,10 +43,12 @@ impl FigureEntry {
     /// # Errors
     /// As [`FigureEntry::figure`].
     pub fn figure_with(&self, input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
-        match self.make {
+        let mut figure = match self.make {
             Make::Soon(make) => make(input),
             Make::OfStarts(make) => make(input, watch),
-        }
+        }?;
+        figure.caption += input.wording().note();
+        Ok(figure.finished(input.units.as_ref()))
     }
 
     /// The figure as the paper has it.
@@ -127,8 +129,10 @@ rolling hoop* (Proc. R. Soc. A 475, 2019), and six that it does not have, made f
 littlewood figures --out figures
 ```
 
-Beside each drawing come a picture, the data drawn (CSV) and the caption. With `--mass-ratio` and its like the same
-figures show any other hoop; `littlewood figures --help` has examples. Lengths are in *R*, masses in *m*<sub>2</sub>,
+Beside each drawing come a PDF, a picture, the data drawn (CSV) and the caption. With `--mass-ratio` and its like the same
+figures show any other hoop, in SI units if they are given in SI units; `--width-mm 84` lays them out for the column of a
+journal, with letters of 7 to 8 points, and `--format pdf,tex` brings a file for `\\input`. `littlewood figures --help` has
+examples. Lengths are in *R*, masses in *m*<sub>2</sub>,
 times in √(*R*/*g*). This page and its images are made by
 `cargo run -p littlewood-figures --example gallery -- docs`; a test compares them.
 ";

@@ -1,6 +1,8 @@
 //! Names of the columns of tables and axes: those of the core.
 
-use littlewood::{Quantity, SampleColumn};
+use std::borrow::Cow;
+
+use littlewood::{Dimension, Quantity, SampleColumn};
 
 pub(crate) const TIME: &str = SampleColumn::Time.name();
 pub(crate) const THETA: &str = SampleColumn::Theta.name();
@@ -19,3 +21,29 @@ pub(crate) const FRICTION_IMPULSE: &str = "friction_impulse";
 
 /// Columns of a curve in the plane (θ, θ′).
 pub(crate) const PLANE: [&str; 2] = [THETA, THETA_RATE];
+
+/// The coordinates of a point, which may be that of the centre, the mass centre or the particle.
+pub(crate) const Y: &str = "y";
+/// |F|/N.
+pub(crate) const DEMAND: &str = "demand";
+/// The constant of gliding, an energy of the particle.
+pub(crate) const W: &str = "w";
+/// The logarithm of a rate of the gap.
+pub(crate) const LOG_GAP_RATE: &str = "log10_gap_rate";
+
+/// Dimension of the numbers of a column; a ratio, if they are counts or codes.
+pub(crate) fn dimension(column: &str) -> Dimension {
+    let own = match column {
+        Y => Some(Dimension::Length),
+        W => Some(Dimension::Energy),
+        NORMAL_IMPULSE | FRICTION_IMPULSE => Some(Dimension::Impulse),
+        _ => None,
+    };
+    let of_sample = || column.parse().ok().and_then(SampleColumn::dimension);
+    own.or_else(of_sample).unwrap_or(Dimension::Ratio)
+}
+
+/// Name of a column in SI units.
+pub(crate) fn si_name(column: &str) -> Cow<'static, str> {
+    Cow::Owned(format!("{column}{}", dimension(column).si_suffix()))
+}

@@ -14,7 +14,7 @@ impl Figure {
             || self.panels.iter().flat_map(|panel| panel.layers.iter().map(move |layer| (panel, layer)));
         for (_, layer) in layers() {
             for column in &layer.series.columns {
-                if !columns.contains(column) {
+                if !columns.contains(&column.as_ref()) {
                     columns.push(column);
                 }
             }

@@ -102,6 +102,16 @@ pub enum FigureError {
         /// Most.
         most: f64,
     },
+    /// A width out of bounds.
+    #[error("width in print is {mm} mm, but must be from {least} to {most} mm")]
+    Width {
+        /// The width in millimetres.
+        mm: f64,
+        /// Least.
+        least: f64,
+        /// Most.
+        most: f64,
+    },
     /// The plotting library has failed.
     #[error("drawing failed: {0}")]
     Drawing(String),

@@ -1,5 +1,7 @@
 //! What a figure is: panels with series of data, and how each is drawn.
 
+use std::borrow::Cow;
+
 use littlewood_style::Rgb;
 use littlewood_style::ticks::Tick;
 
@@ -14,10 +16,12 @@ pub struct Figure {
     pub title: String,
     /// Caption; with marks.
     pub caption: String,
-    /// Width in pixels (1/96 inch).
+    /// Width in pixels, on a screen 1/96 inch each.
     pub width: f64,
     /// Height in pixels.
     pub height: f64,
+    /// Width in print, in millimetres, if it is made for print: lines and letters then have the same size at any width.
+    pub print_mm: Option<f64>,
     /// The panels.
     pub panels: Vec<Panel>,
 }
@@ -70,13 +74,34 @@ pub enum View {
 #[derive(Clone, Debug)]
 pub struct PlotAxis {
     /// Name of the column.
-    pub column: &'static str,
+    pub column: Cow<'static, str>,
     /// Symbol and unit, with marks.
     pub title: String,
     /// Lowest and highest value.
     pub range: [f64; 2],
+    /// Which ticks it has.
+    pub scale: Scale,
     /// Ticks.
     pub ticks: Vec<Tick>,
+}
+
+/// Which ticks an axis has, as many as there is room for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Scale {
+    /// Round numbers.
+    Round,
+    /// Round numbers from zero on.
+    NotNegative,
+    /// Whole numbers.
+    Whole,
+    /// Multiples of a fraction of π, and others that stand in any case.
+    Angle(Vec<Tick>),
+    /// Powers of ten; the values of the axis are their logarithms.
+    Decades,
+    /// Round numbers, without labels: another panel below has them.
+    Bare,
+    /// None.
+    Nothing,
 }
 
 /// Data and how they are drawn.
@@ -93,8 +118,8 @@ pub struct Layer {
 pub struct Series {
     /// Name.
     pub name: String,
-    /// Names of the columns. Angles are in radians, all else in the units of (2.9).
-    pub columns: Vec<&'static str>,
+    /// Names of the columns. Angles are in radians, all else in the units of (2.9), or in those that the names end with.
+    pub columns: Vec<Cow<'static, str>>,
     /// Pieces of rows.
     pub pieces: Vec<Vec<Vec<f64>>>,
 }
@@ -118,13 +143,15 @@ pub enum Mark {
     Ring(Rgb, f64),
     /// A cross on each row.
     Cross(Rgb, f64),
-    /// A hoop of radius 1 on each row, whose last column is the angle of its particle: offset of the particle and of
-    /// the mass centre.
+    /// A hoop on each row, whose last column is the angle of its particle: offset of the particle and of
+    /// the mass centre in radii.
     Hoop {
         /// ℓ̂.
         offset: f64,
         /// h.
         h: f64,
+        /// Radius in units of the axes.
+        radius: f64,
         /// Colour of the rim.
         rim: Stroke,
     },
@@ -181,7 +208,7 @@ impl Series {
     /// A series.
     #[must_use]
     pub fn new(name: impl Into<String>, columns: &[&'static str], pieces: Vec<Vec<Vec<f64>>>) -> Self {
-        Self { name: name.into(), columns: columns.to_vec(), pieces }
+        Self { name: name.into(), columns: columns.iter().copied().map(Cow::Borrowed).collect(), pieces }
     }
 
     /// Place of a column.

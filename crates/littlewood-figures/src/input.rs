@@ -1,8 +1,10 @@
 //! What a figure is made of: a hoop, a start, limits.
 
-use littlewood::{Body, Hoop, Limits, Start, Trajectory};
+use littlewood::{Body, Hoop, Limits, Start, Trajectory, Units};
 
 use crate::error::FigureError;
+use crate::sheet::Sheet;
+use crate::wording::Wording;
 
 /// A hoop and a motion of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +17,11 @@ pub struct FigureInput {
     pub limits: Limits,
     /// Which impact of the motion is shown, from 1, by the figure that shows one.
     pub impact: usize,
+    /// Units, if axes and values are in seconds, metres and newtons.
+    pub units: Option<Units>,
+    /// Width in print, in millimetres, from [`crate::LEAST_WIDTH_MM`] to [`crate::MOST_WIDTH_MM`]; for a screen if there is
+    /// none.
+    pub width_mm: Option<f64>,
 }
 
 impl FigureInput {
@@ -31,7 +38,17 @@ impl FigureInput {
     /// A hoop and a start; of the impacts the first.
     #[must_use]
     pub const fn new(hoop: Hoop, start: Start, limits: Limits) -> Self {
-        Self { hoop, start, limits, impact: 1 }
+        Self { hoop, start, limits, impact: 1, units: None, width_mm: None }
+    }
+
+    /// How numbers are said.
+    pub(crate) const fn wording(&self) -> Wording {
+        Wording::new(self.units)
+    }
+
+    /// The sheet, so wide on a screen.
+    pub(crate) fn sheet(&self, width: f64) -> Result<Sheet, FigureError> {
+        Sheet::new(self.width_mm, width)
     }
 
     /// The motion.

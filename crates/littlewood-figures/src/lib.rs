@@ -1,9 +1,9 @@
-//! The figures of the loaded hoop: as SVG, as PNG, and as the data that they show.
+//! The figures of the loaded hoop: as SVG, PDF, EPS and PNG, and as the data that they show.
 //!
 //! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. It is made by name from
 //! [`FIGURES`], of a hoop and a start ([`FigureInput`]), by functions that take all numbers from the library `littlewood`;
-//! nothing is drawn by hand or from stored data. [`Figure::svg`] and [`Figure::png`] draw it, [`Figure::csv`] writes the
-//! rows that are drawn. No file is touched here.
+//! nothing is drawn by hand or from stored data. [`Figure::svg`], [`Figure::pdf`], [`Figure::eps`] and [`Figure::png`] draw it,
+//! [`Figure::csv`] writes the rows that are drawn. No file is touched here.
 //!
 //! ```
 //! use littlewood_figures::{find_figure, plain};
@@ -28,30 +28,36 @@
 //! # Ok::<(), littlewood_figures::FigureError>(())
 //! ```
 //!
-//! Texts carry marks, `*θ*` for a symbol, `_{s}` below and `^{2}` above the line: [`plain`] takes them off,
-//! [`markdown`] translates them. Every SVG carries its two faces along, so that it looks the same everywhere, and the
-//! PNG is that SVG drawn by resvg with the same faces.
+//! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the line: [`plain`] takes
+//! them off, [`markdown`] and [`latex`] translate them. Letters are drawn as outlines, so that a figure looks the same
+//! everywhere. With [`FigureInput::width_mm`] a figure is laid out for print, with [`FigureInput::units`] it is in SI units.
 
 mod axes;
+mod caption;
 mod catalogue;
 mod columns;
 mod csv;
 mod draw;
 mod error;
 mod figure;
+mod finish;
 mod impacts;
 mod input;
 mod motion;
 mod paper;
 mod plane;
+mod sheet;
 mod style;
 mod trace;
+mod wording;
 mod words;
 
+pub use caption::latex;
 pub use catalogue::{FIGURES, FigureEntry, GALLERY_SCALE, Watch, find_figure, gallery_page};
-pub use draw::{LEAST_SCALE, MOST_SCALE, markdown, plain};
+pub use draw::{LEAST_SCALE, Letters, MOST_SCALE, markdown, plain};
 pub use error::FigureError;
-pub use figure::{Anchor, Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Series, View};
+pub use figure::{Anchor, Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
 pub use input::FigureInput;
 pub use littlewood_style::{Dash, Rgb, ticks::Tick};
+pub use sheet::{LEAST_WIDTH_MM, MOST_WIDTH_MM};
 pub use style::Stroke;

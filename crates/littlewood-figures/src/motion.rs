@@ -92,6 +92,28 @@ pub(crate) fn by_mode(
         .collect()
 }
 
+/// Arrows of time: a place on each phase that is shown, by its row, with one a little later.
+pub(crate) fn heads(
+    motion: &Trajectory,
+    share: f64,
+    row: &dyn Fn(&Sample) -> Vec<f64>,
+) -> Vec<(Mode, Vec<Vec<f64>>)> {
+    let until = horizon(motion);
+    motion
+        .phases()
+        .iter()
+        .filter_map(|phase| {
+            let duration = f64::min(phase.duration(), until - phase.start().time);
+            let at = |share: f64| phase.sample(share * duration);
+            (duration > 0.0).then(|| (phase.mode(), vec![row(&at(share)), row(&at(share + SOON))]))
+        })
+        .filter(|(_, rows)| rows.iter().flatten().all(|value| value.is_finite()))
+        .collect()
+}
+
+/// How much of a phase passes along an arrow.
+const SOON: f64 = 0.03;
+
 /// The lowest and the highest of some values, a share of the span added on either side.
 pub(crate) fn bounds(values: impl IntoIterator<Item = f64>, share: f64) -> [f64; 2] {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);

@@ -23,6 +23,10 @@ pub(crate) struct Portrait {
     pub(crate) window: Window,
 }
 
+/// Of a heavy hoop.
+pub(crate) const BEYOND: &str =
+    " What is not seen of *f* and *n* lies beyond the window, at far greater rates.";
+
 /// Rows of the two coordinates.
 pub(crate) fn rows(pieces: Vec<Vec<[f64; 2]>>) -> Vec<Vec<Vec<f64>>> {
     pieces.into_iter().map(|piece| piece.into_iter().map(Vec::from).collect()).collect()
@@ -216,7 +220,7 @@ impl Portrait {
 
     /// Arrows of the flow: places on the orbits of these energies over an angle, each with the next place.
     pub(crate) fn flow(&self, energies: &[f64], theta: f64) -> Series {
-        let step = 0.01;
+        let step = 0.04;
         let pieces = energies
             .iter()
             .filter_map(|energy| {

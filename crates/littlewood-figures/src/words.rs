@@ -1,57 +1,6 @@
-//! Quantities, hoops and starts in captions and on axes.
+//! Symbols and numbers as they are printed.
 
-use core::f64::consts::PI;
-
-use littlewood::{Dimension, Group, Hoop, Quantity, Setup, Start};
 use littlewood_style::ticks;
-
-/// Parameters on which rolling depends.
-const ROLLING: [Quantity; 4] = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::MuS];
-
-/// The parameters of a hoop, with marks; with the law, if it has a coefficient of restitution.
-pub(crate) fn hoop_in_words(hoop: &Hoop) -> String {
-    let law = hoop.restitution().map_or_else(String::new, |e| format!(", law: {}", e.law().label()));
-    listed(hoop, Quantity::HOOP) + &law
-}
-
-/// Those parameters of a hoop on which rolling depends, with marks.
-pub(crate) fn rolling_in_words(hoop: &Hoop) -> String {
-    listed(hoop, ROLLING)
-}
-
-/// Those parameters of a hoop that do not concern friction, with marks.
-pub(crate) fn body_in_words(hoop: &Hoop) -> String {
-    listed(hoop, ROLLING.into_iter().filter(|quantity| *quantity != Quantity::MuS))
-}
-
-fn listed(hoop: &Hoop, quantities: impl IntoIterator<Item = Quantity>) -> String {
-    let setup = Setup::new(hoop.parameters(), Start::default());
-    let words: Vec<String> = quantities
-        .into_iter()
-        .filter_map(|quantity| Some(format!("{} = {}", marked(quantity.sign()), short(setup.get(quantity)?))))
-        .collect();
-    words.join(", ")
-}
-
-/// A start, with marks.
-pub(crate) fn start_in_words(hoop: &Hoop, start: &Start) -> String {
-    let setup = Setup::new(hoop.parameters(), *start);
-    let words: Vec<String> = Quantity::START
-        .into_iter()
-        .filter(|quantity| quantity.group() == Group::Start)
-        .filter_map(|quantity| {
-            let value = setup.get(quantity)?;
-            // Only a hoop that is thrown has a rate of the gap to speak of.
-            if quantity == Quantity::GapRate && value == 0.0 {
-                return None;
-            }
-            let angle = Some(value).filter(|_| quantity.dimension() == Dimension::Angle);
-            let number = angle.and_then(fraction_of_pi).unwrap_or_else(|| short(value));
-            Some(format!("{}(0) = {number}", marked(quantity.sign())))
-        })
-        .collect();
-    words.join(", ")
-}
 
 /// A symbol or a unit as it is printed, with marks: letters are italic, an index stands below the line, an exponent
 /// above it. Small letters after a capital one are its index.
@@ -100,16 +49,9 @@ pub(crate) fn short(value: f64) -> String {
     ticks::minus(if text == "-0" { "0" } else { text })
 }
 
-/// A multiple of π/12, if it is one.
-fn fraction_of_pi(value: f64) -> Option<String> {
-    let twelfths = libm::round(12.0 * value / PI);
-    let is_one = twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;
-    is_one.then(|| ticks::of_pi(twelfths as i64, 12))
-}
-
 #[cfg(test)]
 mod tests {
-    use littlewood::{Cause, Class, Mode, OutcomeKind, SampleColumn};
+    use littlewood::{Cause, Class, Dimension, Mode, OutcomeKind, Quantity, SampleColumn};
 
     use super::*;
     use crate::draw::missing;

@@ -5,4 +5,7 @@ mod gallery;
 mod impacts;
 mod motions;
 mod plane;
+mod print;
+mod random;
+mod si;
 mod support;

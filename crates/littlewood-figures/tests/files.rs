@@ -2,7 +2,7 @@
 
 use crate::support;
 use littlewood::{Class, Hoop, HoopParameters, Limits, Start};
-use littlewood_figures::{FIGURES, Figure, FigureError, FigureInput, View, find_figure, plain};
+use littlewood_figures::{FIGURES, Figure, FigureError, FigureInput, Letters, View, find_figure, plain};
 use roxmltree::Document;
 
 /// Texts of a drawing, one for each `text` element.
@@ -34,7 +34,7 @@ fn wanted(figure: &Figure) -> Vec<String> {
 fn every_drawing_parses_and_has_its_labels() {
     for entry in FIGURES {
         let figure = entry.of_the_paper().expect("the figure can be made");
-        let svg = figure.svg().expect("a drawing");
+        let svg = figure.svg_with(Letters::Text).expect("a drawing");
         let found = texts(&svg);
         for text in wanted(&figure) {
             assert!(found.contains(&text), "{}: no '{text}' among {found:?}", entry.name);
@@ -59,7 +59,7 @@ fn the_labels_of_the_paper_are_there() {
         ("figure-7a", &["τs = 1.6094", "rolling", "gliding"]),
         ("figure-7b", &["rolling: a cycloid", "gliding: a parabola"]),
     ] {
-        let found = texts(&support::figure(name).svg().expect("a drawing"));
+        let found = texts(&support::figure(name).svg_with(Letters::Text).expect("a drawing"));
         for label in labels {
             assert!(found.iter().any(|text| text == label), "{name}: no '{label}' among {found:?}");
         }

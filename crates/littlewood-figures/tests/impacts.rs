@@ -198,7 +198,7 @@ fn energy_falls_in_steps_at_impacts() {
         let is_end = |row: &[f64; 2]| row[0] == time && (row[1] - energy).abs() < 1e-11;
         assert!(rows.iter().any(is_end), "{time} {energy}");
     }
-    assert!(plain(&figure.caption).contains("Sliding costs 0.1777, the impacts 3.7973"));
+    assert!(plain(&figure.caption).contains("Sliding costs 0.1777 m2gR, the impacts 3.7973 m2gR"));
 }
 
 #[test]

@@ -15,7 +15,7 @@ mod sweep;
 #[cfg(feature = "film")]
 pub(crate) use animate::{AnimateArgs, Bar, Beside, Camera};
 #[cfg(feature = "figures")]
-pub(crate) use figures::{FigureFormat, FiguresArgs};
+pub(crate) use figures::{FigureFormat, FigureLetters, FiguresArgs};
 #[cfg(feature = "lab")]
 pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;

@@ -79,6 +79,7 @@ fn of_figure(error: &FigureError) -> String {
         }
         FigureError::ImpactNumber { .. } => "give another --impact; `littlewood simulate` lists the landings",
         FigureError::Scale { .. } => "give another --scale, such as 2",
+        FigureError::Width { .. } => "give another --width-mm, such as 84 or 178",
         FigureError::Parameter(error) => error.hint(),
         FigureError::UnknownCase { .. } => "`littlewood cases` lists the names",
         FigureError::Drawing(_) => "this is a defect of the program: please report it",

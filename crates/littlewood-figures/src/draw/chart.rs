@@ -9,26 +9,85 @@ use plotters::style::Color as _;
 use plotters::style::text_anchor::HPos;
 
 use super::canvas::{Canvas, Ink, PLAIN, steps};
+use super::item::Item;
 use super::library::{Area, letters, line, rgb};
 use super::marks::Pen;
+use super::markup::plain;
+use super::raster::POINTS;
 use super::ruler::Ruler;
+use super::svg::Letters;
+use super::{eps, pdf, raster, svg};
 use crate::error::FigureError;
 use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, Series, View};
+use crate::sheet::PRINT_POINTS;
 use crate::style::{GRID, INK, LETTER, PAPER, SMALL, Stroke};
 use littlewood_style::width::FINE;
 
 impl Figure {
-    /// The figure as SVG: text as text, in two faces that the file carries.
+    /// The figure as SVG, its letters as outlines.
     ///
     /// # Errors
     /// None is known; the plotting library may have its reasons.
     pub fn svg(&self) -> Result<String, FigureError> {
+        self.svg_with(Letters::Paths)
+    }
+
+    /// The figure as SVG.
+    ///
+    /// # Errors
+    /// As [`Figure::svg`].
+    pub fn svg_with(&self, letters: Letters) -> Result<String, FigureError> {
+        Ok(svg::document(self, &self.items()?, letters))
+    }
+
+    /// The figure as PDF of one page, its letters as outlines.
+    ///
+    /// # Errors
+    /// As [`Figure::svg`].
+    pub fn pdf(&self) -> Result<Vec<u8>, FigureError> {
+        Ok(pdf::document(self, &self.items()?))
+    }
+
+    /// The figure as Encapsulated PostScript, its letters as outlines.
+    ///
+    /// # Errors
+    /// As [`Figure::svg`].
+    pub fn eps(&self) -> Result<String, FigureError> {
+        Ok(eps::document(self, &self.items()?))
+    }
+
+    /// The figure as PNG, with `scale` pixels to 1/96 inch: 2 for a screen, 3.125 for 300 dpi in print.
+    ///
+    /// # Errors
+    /// A scale out of bounds.
+    pub fn png(&self, scale: f64) -> Result<Vec<u8>, FigureError> {
+        raster::picture(self, &self.items()?, scale)
+    }
+
+    /// All texts, with the boxes of their letters: left, top, right and bottom in pixels.
+    ///
+    /// # Errors
+    /// As [`Figure::svg`].
+    pub fn texts(&self) -> Result<Vec<(String, [f64; 4])>, FigureError> {
+        let texts = self.items()?.into_iter().filter_map(|item| match item {
+            Item::Words(words) => Some((plain(&words.text), words.frame())),
+            Item::Path { .. } | Item::Rectangle { .. } | Item::Circle { .. } => None,
+        });
+        Ok(texts.collect())
+    }
+
+    /// Points of print to a pixel.
+    pub(crate) fn points(&self) -> f64 {
+        self.print_mm.map_or(POINTS, |_| PRINT_POINTS)
+    }
+
+    fn items(&self) -> Result<Vec<Item>, FigureError> {
         let canvas = Canvas::new(self.width, self.height);
         let root = canvas.clone().into_drawing_area();
         for panel in &self.panels {
             draw_panel(&root, &canvas, panel)?;
         }
-        Ok(canvas.finish(self))
+        Ok(canvas.finish())
     }
 }
 
@@ -90,11 +149,11 @@ fn draw_plane(
         / (x.range[1] - x.range[0]);
     let pen = Pen::new(root, canvas);
     for layer in &panel.layers {
-        let columns = [x.column, y.column].map(|name| layer.series.column(name));
+        let columns = [&x.column, &y.column].map(|name| layer.series.column(name));
         let [Some(a), Some(b)] = columns else { continue };
-        if let Mark::Hoop { offset, h, rim } = layer.mark {
+        if let Mark::Hoop { offset, h, radius, rim } = layer.mark {
             for row in layer.series.rows() {
-                pen.hoop(place(&[row[a], row[b]]), row[row.len() - 1], unit, [offset, h], rim)?;
+                pen.hoop(place(&[row[a], row[b]]), row[row.len() - 1], radius * unit, [offset, h], rim)?;
             }
             continue;
         }
@@ -206,7 +265,7 @@ fn draw_space(
     let place = |at: &[f64]| chart.plotting_area().map_coordinate(&(at[0], at[1], at[2]));
     let pen = Pen::new(root, canvas);
     for layer in &panel.layers {
-        let columns = [x.column, y.column, z.column].map(|name| layer.series.column(name));
+        let columns = [&x.column, &y.column, &z.column].map(|name| layer.series.column(name));
         let [Some(a), Some(b), Some(c)] = columns else { continue };
         let pieces: Vec<Vec<(i32, i32)>> = layer
             .series

@@ -64,9 +64,9 @@ impl<'a> Pen<'a> {
                         self.path(&[(x - r, y + r), (x + r, y - r)], stroke)?;
                     }
                 }
-                Mark::Hoop { offset, h, rim } => {
+                Mark::Hoop { offset, h, radius, rim } => {
                     for point in piece {
-                        self.hoop(*point, 0.0, unit, [offset, h], rim)?;
+                        self.hoop(*point, 0.0, radius * unit, [offset, h], rim)?;
                     }
                 }
             }

@@ -1,4 +1,4 @@
-//! Text with symbols: `*θ*` is italic, `_{s}` below the line, `^{2}` above it.
+//! Text with symbols: `*θ*` is italic, `` `E` `` bold, `_{s}` below the line, `^{2}` above it.
 
 /// Where a run stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,36 +16,39 @@ pub(crate) enum Script {
 pub(crate) struct Run<'a> {
     pub(crate) text: &'a str,
     pub(crate) italic: bool,
+    pub(crate) bold: bool,
     pub(crate) script: Script,
 }
 
 /// The runs of a text.
 pub(crate) fn runs(text: &str) -> Vec<Run<'_>> {
     let mut runs = Vec::new();
-    let (mut italic, mut script, mut begin, mut at) = (false, Script::Line, 0, 0);
+    let (mut italic, mut bold, mut script, mut begin, mut at) = (false, false, Script::Line, 0, 0);
     while at < text.len() {
         let rest = &text[at..];
-        let (marks, next_italic, next_script) = if rest.starts_with('*') {
-            (1, !italic, script)
+        let (marks, next_script) = if rest.starts_with(['*', '`']) {
+            (1, script)
         } else if rest.starts_with("_{") {
-            (2, italic, Script::Sub)
+            (2, Script::Sub)
         } else if rest.starts_with("^{") {
-            (2, italic, Script::Super)
+            (2, Script::Super)
         } else if rest.starts_with('}') && script != Script::Line {
-            (1, italic, Script::Line)
+            (1, Script::Line)
         } else {
             at += rest.chars().next().map_or(1, char::len_utf8);
             continue;
         };
         if begin < at {
-            runs.push(Run { text: &text[begin..at], italic, script });
+            runs.push(Run { text: &text[begin..at], italic, bold, script });
         }
-        (italic, script) = (next_italic, next_script);
+        italic ^= rest.starts_with('*');
+        bold ^= rest.starts_with('`');
+        script = next_script;
         at += marks;
         begin = at;
     }
     if begin < text.len() {
-        runs.push(Run { text: &text[begin..], italic, script });
+        runs.push(Run { text: &text[begin..], italic, bold, script });
     }
     runs
 }
@@ -60,13 +63,18 @@ pub fn plain(text: &str) -> String {
 #[must_use]
 pub fn markdown(text: &str) -> String {
     let mut out = String::new();
-    for Run { text, italic, script } in runs(text) {
+    for Run { text, italic, bold, script } in runs(text) {
         let (open, close) = match script {
             Script::Line => ("", ""),
             Script::Sub => ("<sub>", "</sub>"),
             Script::Super => ("<sup>", "</sup>"),
         };
-        let star = if italic { "*" } else { "" };
+        let star = match (italic, bold) {
+            (false, false) => "",
+            (true, false) => "*",
+            (false, true) => "**",
+            (true, true) => "***",
+        };
         out.extend([open, star, text, star, close]);
     }
     out
@@ -81,6 +89,10 @@ mod tests {
         assert_eq!(plain("|*F*| = *μ*_{s}*N*, *θ*′^{2}"), "|F| = μsN, θ′2");
         assert_eq!(markdown("*μ*_{s} = ½"), "*μ*<sub>s</sub> = ½");
         assert_eq!(plain("{x}"), "{x}");
+        assert_eq!(
+            (plain("`E`_{1}"), markdown("`E`_{1}")),
+            ("E1".to_owned(), "**E**<sub>1</sub>".to_owned())
+        );
     }
 
     #[test]
@@ -89,9 +101,9 @@ mod tests {
         assert_eq!(
             found,
             [
-                Run { text: "m", italic: true, script: Script::Line },
-                Run { text: "1", italic: false, script: Script::Sub },
-                Run { text: "R", italic: true, script: Script::Line },
+                Run { text: "m", italic: true, bold: false, script: Script::Line },
+                Run { text: "1", italic: false, bold: false, script: Script::Sub },
+                Run { text: "R", italic: true, bold: false, script: Script::Line },
             ]
         );
     }

@@ -1,12 +1,13 @@
-//! A figure as PNG: the SVG itself, drawn by resvg with the faces of the figure and no others.
+//! A sheet as PNG.
 
-use std::sync::{Arc, OnceLock};
+use littlewood_style::{Dash, Rgb};
+use tiny_skia::{
+    Color, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, Shader, Stroke, StrokeDash,
+    Transform,
+};
 
-use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::fontdb::Database;
-use resvg::usvg::{Options, Tree};
-
-use super::face::{FACES, FAMILY};
+use super::item::Item;
+use super::pencil::{Edge, Path, Pencil, Segment, draw};
 use crate::error::FigureError;
 use crate::figure::Figure;
 
@@ -15,33 +16,111 @@ pub const LEAST_SCALE: f64 = 0.25;
 /// Most.
 pub const MOST_SCALE: f64 = 16.0;
 
-fn faces() -> Arc<Database> {
-    static DATABASE: OnceLock<Arc<Database>> = OnceLock::new();
-    Arc::clone(DATABASE.get_or_init(|| {
-        let mut database = Database::new();
-        for face in FACES {
-            database.load_font_data(face.to_vec());
-        }
-        Arc::new(database)
-    }))
+struct Picture {
+    pixels: Pixmap,
+    transform: Transform,
+    mask: Option<Mask>,
 }
 
-impl Figure {
-    /// The figure as PNG, with `scale` pixels to a pixel of the SVG: 2 for a screen, 3.125 for 300 dpi in print.
-    ///
-    /// # Errors
-    /// A scale out of bounds.
-    pub fn png(&self, scale: f64) -> Result<Vec<u8>, FigureError> {
-        if !(LEAST_SCALE..=MOST_SCALE).contains(&scale) {
-            return Err(FigureError::Scale { scale, least: LEAST_SCALE, most: MOST_SCALE });
+fn skia(path: &Path) -> Option<tiny_skia::Path> {
+    let mut builder = PathBuilder::new();
+    for segment in path {
+        match *segment {
+            Segment::Move(to) => {
+                let [x, y] = single(to);
+                builder.move_to(x, y);
+            }
+            Segment::Line(to) => {
+                let [x, y] = single(to);
+                builder.line_to(x, y);
+            }
+            Segment::Curve(a, b, to) => {
+                let [[a, b], [c, d], [x, y]] = [a, b, to].map(single);
+                builder.cubic_to(a, b, c, d, x, y);
+            }
+            Segment::Close => builder.close(),
         }
-        let failed = |message: &dyn core::fmt::Display| FigureError::Drawing(message.to_string());
-        let options = Options { font_family: FAMILY.to_owned(), fontdb: faces(), ..Options::default() };
-        let tree = Tree::from_str(&self.svg()?, &options).map_err(|error| failed(&error))?;
-        let side = |length: f64| libm::ceil(length * scale) as u32;
-        let mut pixels = Pixmap::new(side(self.width), side(self.height))
-            .ok_or_else(|| failed(&"no room for the picture"))?;
-        resvg::render(&tree, Transform::from_scale(scale as f32, scale as f32), &mut pixels.as_mut());
-        pixels.encode_png().map_err(|error| failed(&error))
+    }
+    builder.finish()
+}
+
+fn single(point: [f64; 2]) -> [f32; 2] {
+    point.map(|value| value as f32)
+}
+
+fn paint(Rgb([r, g, b]): Rgb, anti_alias: bool) -> Paint<'static> {
+    Paint { shader: Shader::SolidColor(Color::from_rgba8(r, g, b, 255)), anti_alias, ..Paint::default() }
+}
+
+impl Pencil for Picture {
+    fn fill(&mut self, path: &Path, colour: Rgb, crisp: bool) {
+        if let Some(path) = skia(path) {
+            let paint = paint(colour, !crisp);
+            let mask = self.mask.as_ref();
+            self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
+        }
+    }
+
+    fn stroke(&mut self, path: &Path, edge: Edge) {
+        let line_cap = if edge.dash == Dash::Solid { LineCap::Round } else { LineCap::Butt };
+        let dash = StrokeDash::new(edge.pattern().map(|part| part as f32).collect(), 0.0);
+        let stroke = Stroke {
+            width: edge.width as f32,
+            line_cap,
+            line_join: LineJoin::Round,
+            dash,
+            ..Stroke::default()
+        };
+        if let Some(path) = skia(path) {
+            let mask = self.mask.as_ref();
+            self.pixels.stroke_path(&path, &paint(edge.colour, true), &stroke, self.transform, mask);
+        }
+    }
+
+    fn clip(&mut self, path: &Path) {
+        let mut mask = Mask::new(self.pixels.width(), self.pixels.height());
+        if let (Some(mask), Some(path)) = (&mut mask, skia(path)) {
+            mask.fill_path(&path, FillRule::Winding, true, self.transform);
+        }
+        self.mask = mask;
+    }
+
+    fn unclip(&mut self) {
+        self.mask = None;
     }
 }
+
+/// A picture with so many pixels to one of the drawing as it is printed.
+pub(crate) fn picture(figure: &Figure, items: &[Item], scale: f64) -> Result<Vec<u8>, FigureError> {
+    if !(LEAST_SCALE..=MOST_SCALE).contains(&scale) {
+        return Err(FigureError::Scale { scale, least: LEAST_SCALE, most: MOST_SCALE });
+    }
+    let scale = scale * figure.points() / POINTS;
+    let failed = |message: String| FigureError::Drawing(message);
+    let [width, height] = [figure.width, figure.height].map(|side| libm::ceil(side * scale) as u32);
+    let pixels = Pixmap::new(width, height).ok_or_else(|| failed("no room for the picture".to_owned()))?;
+    let transform = Transform::from_scale(scale as f32, scale as f32);
+    let mut picture = Picture { pixels, transform, mask: None };
+    // To the last pixel, which is not always covered whole.
+    let sides = [width, height].map(|side| f64::from(side) / scale);
+    draw(items, sides, &mut picture);
+    encoded(&picture.pixels).map_err(|error| failed(error.to_string()))
+}
+
+/// Pixels as PNG; paper covers all, so that there is nothing to see through.
+fn encoded(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Balanced);
+    let colours: Vec<u8> =
+        pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&colours)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// Points to a pixel: 72 and 96 to the inch.
+pub(crate) const POINTS: f64 = 0.75;

@@ -1,35 +1,31 @@
 //! The bounces of a motion: the gap against time, and how the rates of the gap shrink from one to the next.
 
-use littlewood::{Cause, Impact, Mode, Phase, PhaseSolution, SampleColumn, Trajectory, Transition};
+use littlewood::{
+    Cause, Dimension, Impact, Mode, Phase, PhaseSolution, SampleColumn, Trajectory, Transition,
+};
 use littlewood_style::Dash;
-use littlewood_style::ticks::Tick;
 use littlewood_style::width::{CURVE, FINE};
 
-use crate::axes::{plain, time};
-use crate::columns::TIME;
+use crate::columns::{LOG_GAP_RATE, TIME};
 use crate::error::FigureError;
-use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Series, View};
+use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::impacts;
 use crate::input::FigureInput;
 use crate::motion::{bounds, horizon, instants};
+use crate::sheet::{Content, Sheet};
 use crate::style::{FAINT, IMPULSE, INK, SMALL, SOFT, Stroke};
-use crate::words::{hoop_in_words, marked, short, start_in_words};
+use crate::wording::Wording;
+use crate::words::short;
 
 const NAME: &str = "bounces";
 const GAP: &str = SampleColumn::Gap.name();
 const NUMBER: &str = "landing";
 const RATE: &str = SampleColumn::GapRate.name();
-/// The column along the axis of the rates, which is logarithmic.
-const LOGARITHM: &str = "log10_gap_rate";
-const WIDTH: f64 = 640.0;
-const INNER: f64 = WIDTH - 26.0;
 /// Fewest landings and decades that the axes show.
 const FEWEST: f64 = 3.0;
 const DECADES: f64 = 1.0;
 /// Landings that are shown by smaller marks.
 const MANY: usize = 60;
-/// Most ticks of the decades.
-const TICKS: usize = 8;
 
 /// An end of bouncing: after which landing, and by which ratio the rates shrink in the end.
 struct Settled<'a> {
@@ -86,7 +82,7 @@ fn landings(motion: &Trajectory) -> Vec<(f64, Impact)> {
 }
 
 /// The gap against time.
-fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>]) -> Panel {
+fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>], say: Wording) -> Content {
     let until = range[1];
     let pieces: Vec<Vec<Vec<f64>>> = motion
         .phases()
@@ -98,7 +94,7 @@ fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>]) -> P
         .collect();
     let gap = Series::new(GAP, &[TIME, GAP], pieces);
     let highest = bounds(gap.rows().map(|row| row[1]), 0.0)[1].max(f64::MIN_POSITIVE);
-    let y = plain(GAP, "gap/*R*", [0.0, 1.12 * highest]);
+    let y = say.axis(GAP, "gap", [0.0, 1.12 * highest]);
     let mut layers: Vec<Layer> = Vec::new();
     let mut labels = Vec::new();
     for end in settled.iter().filter(|end| end.transition.time() <= until) {
@@ -108,7 +104,8 @@ fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>]) -> P
             Series::of_rows(end.transition.cause.label(), &[TIME, GAP], vertical)
                 .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
         );
-        let text = format!("{}, *τ* = {}", end.transition.cause.label(), short(at));
+        let time = say.value(at, Dimension::Time);
+        let text = format!("{}, {} = {time}", end.transition.cause.label(), say.time());
         let label = Label::new(text, &[at, y.range[1]]).sized(SMALL);
         let is_early = at < range[0] + 0.25 * (range[1] - range[0]);
         labels.push(if is_early {
@@ -120,40 +117,16 @@ fn gap_panel(motion: &Trajectory, range: [f64; 2], settled: &[Settled<'_>]) -> P
     layers.push(gap.drawn(Mark::Line(Stroke::of_mode(Mode::Flight).dashed(Dash::Solid).wide(2.0))));
     let dots = landings(motion).iter().map(|(at, _)| vec![*at, 0.0]).collect();
     layers.push(Series::of_rows("landing", &[TIME, GAP], dots).drawn(Mark::Dot(IMPULSE, 3.0)));
-    Panel {
-        name: "gap",
-        frame: [6.0, 10.0, INNER, 250.0],
-        view: View::Plane { x: time(range), y, axes: true },
-        layers,
-        labels,
-        keys: Vec::new(),
-    }
-}
-
-/// Powers of ten; within few of them their double and five times as much, too.
-fn decades([from, to]: [f64; 2]) -> Vec<Tick> {
-    let (first, last) = (libm::ceil(from) as i32, libm::floor(to) as i32);
-    if last - first < 2 {
-        return (first - 1..=last)
-            .flat_map(|power| [1.0, 2.0, 5.0].map(|factor| factor * libm::pow(10.0, f64::from(power))))
-            .map(|rate| Tick { value: libm::log10(rate), label: short(rate) })
-            .filter(|tick| (from..=to).contains(&tick.value))
-            .collect();
-    }
-    let each = (last - first).max(0) as usize / TICKS + 1;
-    (first..=last)
-        .rev()
-        .step_by(each)
-        .map(|power| {
-            let label = format!("10^{{{}}}", littlewood_style::ticks::minus(&power.to_string()));
-            Tick { value: f64::from(power), label }
-        })
-        .collect()
+    Content { name: "gap", x: say.clock(range), y, layers, labels }
 }
 
 /// The rates of the gap before and after each landing.
-fn rate_panel(landings: &[(f64, Impact)], settled: &[Settled<'_>]) -> Panel {
-    let columns = [NUMBER, LOGARITHM, RATE];
+fn rate_panel(
+    landings: &[(f64, Impact)],
+    settled: &[Settled<'_>],
+    say: Wording,
+) -> (Content, Vec<(Mark, String)>) {
+    let columns = [NUMBER, LOG_GAP_RATE, RATE];
     let row =
         |(i, rate): (usize, f64)| (rate != 0.0).then(|| vec![(i + 1) as f64, libm::log10(rate.abs()), rate]);
     let side = |rate: fn(&Impact) -> f64| -> Vec<Vec<f64>> {
@@ -188,36 +161,25 @@ fn rate_panel(landings: &[(f64, Impact)], settled: &[Settled<'_>]) -> Panel {
     let marks = [Mark::Dot(INK, 2.4 * size), Mark::Ring(IMPULSE, 4.4 * size)];
     layers.push(Series::of_rows("after the impact", &columns, after).drawn(marks[1]));
     layers.push(Series::of_rows("before the impact", &columns, before).drawn(marks[0]));
-    let title = format!("rate of the gap/({})", marked(littlewood::Dimension::Velocity.scale_sign()));
-    let whole = littlewood_style::ticks::round(x_range[0], x_range[1], (x_range[1] as usize).min(TICKS));
-    let x = PlotAxis { ticks: whole, ..plain(NUMBER, "number of the landing", x_range) };
-    let y = PlotAxis { ticks: decades(y_range), ..plain(LOGARITHM, &title, y_range) };
-    let keys = ["before the impact, closing", "after the impact, opening"]
-        .into_iter()
-        .zip(marks)
-        .enumerate()
-        .map(|(i, (text, mark))| Key { mark, text: text.to_owned(), at: [70.0 + 220.0 * i as f64, 278.0] })
-        .collect();
-    Panel {
-        name: "rates",
-        frame: [6.0, 294.0, INNER, 270.0],
-        view: View::Plane { x, y, axes: true },
-        layers,
-        labels,
-        keys,
-    }
+    let title = say.title(SampleColumn::GapRate.long_name(), Dimension::Velocity);
+    let x = PlotAxis { scale: Scale::Whole, ..say.axis(NUMBER, "number of the landing", x_range) };
+    let y = PlotAxis { title, scale: Scale::Decades, ..say.axis(LOG_GAP_RATE, "", y_range) };
+    let keys = ["before the impact, closing", "after the impact, opening"];
+    let keys = keys.into_iter().zip(marks).map(|(text, mark)| (mark, text.to_owned())).collect();
+    (Content { name: "rates", x, y, layers, labels }, keys)
 }
 
-fn in_words(settled: &[Settled<'_>], landings: usize) -> String {
+fn in_words(settled: &[Settled<'_>], landings: usize, say: Wording) -> String {
     match settled {
         [] if landings == 1 => "There is one landing.".to_owned(),
         [] => format!("There are {landings} landings, and they do not accumulate."),
         [end, ..] => format!(
             "After {} landings those that remain, without number, take less than 10^{{−7}}; they are completed as one. The \
-             hoop {} at *τ* = {}.",
+             hoop {} at {} = {}.",
             end.landings,
             end.transition.cause.label(),
-            short(end.transition.time())
+            say.time(),
+            say.value(end.transition.time(), Dimension::Time)
         ),
     }
 }
@@ -236,27 +198,35 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         return Err(FigureError::NoImpact { figure: NAME, outcome: motion.outcome().kind() });
     };
     let settled = settled(&motion, input);
-    let mut panels = vec![gap_panel(&motion, range, &settled)];
+    let say = input.wording();
+    let sheet = input.sheet(640.0)?;
+    let [left, inner] = sheet.span();
+    let mut bottom = 10.0 + sheet.height(250.0);
+    let frame = [left, 10.0, inner, bottom - 10.0];
+    let mut panels = vec![Sheet::panel(frame, gap_panel(&motion, range, &settled, say))];
     let bounces = found.iter().any(|(_, impact)| impact.after.gap_rate > 0.0);
     if bounces {
-        panels.push(rate_panel(&found, &settled));
+        let (content, entries) = rate_panel(&found, &settled, say);
+        let (keys, room) = sheet.keys(entries, bottom + 8.0);
+        let top = bottom + 14.0 + room;
+        bottom = top + sheet.height(270.0);
+        panels.push(Panel { keys, ..Sheet::panel([left, top, inner, bottom - top], content) });
     }
     let below = if bounces {
         " Below: the rate of the gap just before and just after each landing."
     } else {
         " No landing rebounds."
     };
-    Ok(Figure {
-        name: NAME,
-        title: "The bounces of a motion".to_owned(),
-        caption: format!(
+    Ok(sheet.figure(
+        NAME,
+        "The bounces of a motion",
+        format!(
             "The gap under the rim against time; dots: landings.{below} {} {}; {}.",
-            in_words(&settled, found.len()),
-            hoop_in_words(&input.hoop),
-            start_in_words(&input.hoop, &input.start)
+            in_words(&settled, found.len(), say),
+            say.hoop(&input.hoop),
+            say.start(&input.hoop, &input.start)
         ),
-        width: WIDTH,
-        height: if bounces { 570.0 } else { 266.0 },
+        bottom + 6.0,
         panels,
-    })
+    ))
 }

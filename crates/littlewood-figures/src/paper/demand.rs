@@ -2,19 +2,19 @@
 
 use core::f64::consts::{PI, TAU};
 
-use littlewood::{PhasePlane, RollingLaw};
+use littlewood::{Dimension, PhasePlane, RollingLaw};
 
-use crate::axes::{angle, plain};
-use crate::columns::{ENERGY, MU_S, THETA};
+use crate::columns::{DEMAND, ENERGY, MU_S, THETA};
 use crate::error::FigureError;
-use crate::figure::{Figure, Key, Label, Mark, Panel, PlotAxis, Series, View};
+use crate::figure::{Figure, Label, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::rows;
+use crate::sheet::Content;
 use crate::style::{FIRST, FRICTION_FORCE, INK, SOFT, Stroke};
 use crate::trace::Window;
-use crate::words::{rolling_in_words, short, start_in_words};
+use crate::words::short;
 use littlewood_style::width::{BOLD, CURVE};
-use littlewood_style::{Curve, Dash, ticks};
+use littlewood_style::{Curve, Dash};
 
 const NAME: &str = "friction-demand";
 
@@ -31,14 +31,25 @@ fn demand_on(plane: &PhasePlane, energy: f64, window: Window) -> Vec<Vec<Vec<f64
         .collect()
 }
 
+/// The demand is shown larger where it is less than this part of the usual window.
+const SMALL_SHARE: f64 = 0.08;
+
+/// The greatest share on the orbit of an energy where N > 0.
+fn highest_on(plane: &PhasePlane, energy: f64, [from, to]: [f64; 2]) -> f64 {
+    (0..=720)
+        .map(|i| from + (to - from) * f64::from(i) / 720.0)
+        .filter_map(|theta| Some(plane.forces(theta, plane.level_rate(theta, energy)?)))
+        .map(|forces| if forces.normal > 0.0 { forces.friction.abs() / forces.normal } else { f64::INFINITY })
+        .fold(0.0, f64::max)
+}
+
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let hoop = &input.hoop;
+    let say = input.wording();
     let (plane, law) = (PhasePlane::new(hoop), RollingLaw::new(hoop));
     let mu_s = hoop.mu_s();
     let turn = if input.is_massless() { [-PI + 1e-3, PI - 1e-3] } else { [0.0, TAU] };
-    let most = f64::max(2.4 * mu_s, 0.1);
-    let window = Window { x: turn, y: [0.0, most] };
     let separatrix = law.separatrix_energy();
     let start = law.energy(input.start.theta, input.start.theta_rate);
     let (first, second) = if input.is_massless() {
@@ -52,69 +63,70 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         ("libration", first, Stroke::solid(SOFT, CURVE).dashed(Dash::DashDot)),
         ("rotation", second, Stroke::solid(SOFT, CURVE).dashed(Dash::Short)),
     ];
+    // A heavy hoop demands so little that beside μs nothing of it would be seen.
+    let highest = orbits.iter().map(|(_, energy, _)| highest_on(&plane, *energy, turn)).fold(0.0, f64::max);
+    let usual = f64::max(2.4 * mu_s, 0.1);
+    let is_far = !input.is_massless() && highest < SMALL_SHARE * usual && highest > 0.0;
+    let most = if is_far { 1.3 * highest } else { usual };
+    let window = Window { x: turn, y: [0.0, most] };
     let mut layers = Vec::new();
     let mut keys = Vec::new();
     // N and F of a massless hoop vanish together, and their ratio is the same on all orbits.
     let orbits = if input.is_massless() { &orbits[..0] } else { &orbits[..] };
     if input.is_massless() {
         let demand = window.pieces(window.x, 1440, &|theta| Some([theta, plane.forces(theta, 0.0).demand()]));
-        let series = Series::new("every orbit", &[THETA, "demand"], rows(demand));
+        let series = Series::new("every orbit", &[THETA, DEMAND], rows(demand));
         layers.push(series.drawn(Mark::Line(Stroke::solid(FIRST, BOLD))));
     }
-    for (i, (name, energy, stroke)) in orbits.iter().copied().enumerate() {
-        let series = Series::new(name, &[THETA, "demand", ENERGY], demand_on(&plane, energy, window));
+    for (name, energy, stroke) in orbits.iter().copied() {
+        let series = Series::new(name, &[THETA, DEMAND, ENERGY], demand_on(&plane, energy, window));
         layers.push(series.drawn(Mark::Line(stroke)));
         let what = if name == "start" { "orbit of the start" } else { name };
-        let text = format!("{what}, *E* = {}", short(libm::round(energy * 100.0) / 100.0));
-        keys.push(Key {
-            mark: Mark::Line(stroke),
-            text,
-            at: [70.0 + 260.0 * (i % 2) as f64, 15.0 + 19.0 * (i / 2) as f64],
-        });
+        let shown = if input.units.is_some() { energy } else { libm::round(energy * 100.0) / 100.0 };
+        let text = format!("{what}, *E* = {}", say.value(shown, Dimension::Energy));
+        keys.push((Mark::Line(stroke), text));
     }
     layers.reverse();
-    let limit = Series::of_rows(MU_S, &[THETA, "demand"], turn.map(|theta| vec![theta, mu_s]).to_vec());
-    layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE))));
+    let label = if is_far {
+        let text = format!("*μ*_{{s}} = {} is above", short(mu_s));
+        Label::new(text, &[turn[1], most]).shifted(-10.0, 14.0).right()
+    } else {
+        let limit = Series::of_rows(MU_S, &[THETA, DEMAND], turn.map(|theta| vec![theta, mu_s]).to_vec());
+        layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE))));
+        Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0)
+    };
     let at = libm::remainder(input.start.theta, TAU);
     let at = if at < turn[0] { at + TAU } else { at };
     let here_rate = if input.is_massless() { 0.0 } else { input.start.theta_rate };
     let here = plane.forces(input.start.theta, here_rate).demand();
     if here <= most {
         let row = vec![at, here, start];
-        layers.push(
-            Series::of_rows("start", &[THETA, "demand", ENERGY], vec![row]).drawn(Mark::Ring(INK, 3.6)),
-        );
+        layers
+            .push(Series::of_rows("start", &[THETA, DEMAND, ENERGY], vec![row]).drawn(Mark::Ring(INK, 3.6)));
     }
-    let label = Label::new("*μ*_{s}", &[turn[1], mu_s]).shifted(-14.0, -11.0).coloured(FRICTION_FORCE);
-    let y = PlotAxis { ticks: ticks::round(0.0, most, 6), ..plain("demand", "|*F*|/*N*", [0.0, most]) };
-    Ok(Figure {
-        name: NAME,
-        title: "Friction that rolling demands".to_owned(),
-        caption: if input.is_massless() {
+    let label = label.coloured(FRICTION_FORCE);
+    let y = say.axis(DEMAND, "|*F*|/*N*", [0.0, most]);
+    Ok(input.sheet(620.0)?.plot(
+        NAME,
+        "Friction that rolling demands",
+        if input.is_massless() {
             format!(
                 "The share |*F*|/*N* that rolling of a massless hoop demands: *F* and *N* vanish together, and their ratio is \
                  the same on all orbits and at all rates (3.9). Where the curve rises above *μ*_{{s}} the hoop slips. {}; {}.",
-                rolling_in_words(hoop),
-                start_in_words(hoop, &input.start)
+                say.rolling(hoop),
+                say.start(hoop, &input.start)
             )
         } else {
             format!(
                 "The share |*F*|/*N* that rolling demands along four orbits of constant energy *E* (2.12). Where a curve rises \
              above *μ*_{{s}} the hoop slips; a curve that ends goes up to where *N* = 0 or beyond the frame, or the orbit \
              turns there. |*F*|/*N* does not depend on the direction of motion. {}; {}.",
-                rolling_in_words(hoop),
-                start_in_words(hoop, &input.start)
+                say.rolling(hoop),
+                say.start(hoop, &input.start)
             )
         },
-        width: 620.0,
-        height: 430.0,
-        panels: vec![Panel {
-            name: "demand",
-            frame: [6.0, 48.0, 592.0, 376.0],
-            view: View::Plane { x: angle(turn), y, axes: true },
-            layers,
-            labels: vec![label],
-            keys,
-        }],
-    })
+        376.0,
+        Content { name: "demand", x: say.angle(turn), y, layers, labels: vec![label] },
+        keys,
+    ))
 }

@@ -5,12 +5,12 @@ use core::f64::consts::PI;
 use littlewood::{Body, GlidingIntegrals, Limits, Massless, Mode, Start};
 
 use super::portrait::massless_limit;
-use crate::axes::{angle, rate};
-use crate::columns::{PLANE, THETA, THETA_RATE};
+use crate::columns::{PLANE, THETA, THETA_RATE, W};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, Series, View};
+use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::Portrait;
+use crate::sheet::Content;
 use crate::style::{FAINT, INK, REGION, SOFT, Stroke};
 use crate::trace::Window;
 use crate::words::short;
@@ -20,7 +20,9 @@ use littlewood_style::{Curve, Dash};
 const WINDOW: Window = Window { x: [-PI, PI], y: [-2.6, 2.6] };
 /// Many lines side by side, told from rolling by where they are: dashes would only disturb.
 const GLIDING: Stroke = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
-const COLUMNS: [&str; 3] = [THETA, THETA_RATE, "w"];
+/// Lines that run side by side.
+const THIN: f64 = 1.2;
+const COLUMNS: [&str; 3] = [THETA, THETA_RATE, W];
 
 /// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical velocity V as the
 /// parameter, ℓ̂ cos θ = w − ½ V² and θ′ = −V/(ℓ̂ sin θ).
@@ -74,7 +76,8 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
     let Some(body) = massless(input) else { return Err(needs(input, NAME)) };
     let mut layers: Vec<Layer> = Vec::new();
     let mut flow = Vec::new();
-    for w in [-0.75, -0.4, 0.0, 0.4, 0.75, 1.25, 1.75, 2.5, 3.5, 5.0] {
+    // Just below 1 they come closest to the top.
+    for w in [-0.75, -0.4, 0.0, 0.4, 0.75, 0.9, 0.98, 1.25, 1.75, 2.5, 3.5, 5.0] {
         let v = fastest(&body, w);
         for side in [1.0, -1.0] {
             let pieces = line_of(&body, w, side, [-v, v]);
@@ -110,7 +113,7 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
                    is not conserved by (3.17), and its lines are not the orbits.) On the black lines *w* = 1: they alone \
                    pass through *θ* = 0, with *θ*′ = ±1. *θ*′ is unbounded as *θ* → ±π, which is reached in a finite time."
         .to_owned();
-    Ok(figure(NAME, "Figure 6(a): phase portrait of gliding", caption, layers, labels))
+    figure(input, [NAME, "Figure 6(a): phase portrait of gliding"], caption, layers, labels)
 }
 
 /// The place on each piece over an angle, pointing along the flow.
@@ -131,27 +134,15 @@ fn needs(input: &FigureInput, figure: &'static str) -> FigureError {
 }
 
 fn figure(
-    name: &'static str,
-    title: &str,
+    input: &FigureInput,
+    [name, title]: [&'static str; 2],
     caption: String,
     layers: Vec<Layer>,
     labels: Vec<Label>,
-) -> Figure {
-    Figure {
-        name,
-        title: title.to_owned(),
-        caption,
-        width: 580.0,
-        height: 420.0,
-        panels: vec![Panel {
-            name: "plane",
-            frame: [6.0, 12.0, 552.0, 402.0],
-            view: View::Plane { x: angle(WINDOW.x), y: rate(WINDOW.y), axes: true },
-            layers,
-            labels,
-            keys: Vec::new(),
-        }],
-    }
+) -> Result<Figure, FigureError> {
+    let say = input.wording();
+    let content = Content { name: "plane", x: say.angle(WINDOW.x), y: say.rate(WINDOW.y), layers, labels };
+    Ok(input.sheet(580.0)?.plot(name, title, caption, 402.0, content, Vec::new()))
 }
 
 /// Figure 6(b).
@@ -164,9 +155,9 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     let (mut rolling, mut gliding, mut changes) = (Vec::new(), Vec::new(), Vec::new());
     // Starts in 𝓡: over the top by their rate there, and at rest at an angle.
-    let over = [0.25, 0.5, 0.75, 0.92].map(|rate| Start::at(0.0, rate));
-    let resting = [0.4, 0.75].map(|share| Start::at(share * theta_s, 0.0));
-    for start in over.into_iter().chain(resting) {
+    // Few, since gliding lines converge towards θ = ±π.
+    let starts = [Start::at(0.0, 0.5), Start::at(0.0, 0.92), Start::at(0.75 * theta_s, 0.0)];
+    for start in starts {
         let motion = input.hoop.simulate(start, Limits::default())?;
         let Some(phase) = motion.phases().first().filter(|phase| phase.mode() == Mode::Rolling) else {
             continue;
@@ -205,7 +196,7 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     // Gliding elsewhere: the lines of Figure 6(a), as far as they run outside 𝓡.
     let outside = |row: &Vec<f64>| row[0].abs() > theta_s || row[1].abs() > 1.0;
     let mut elsewhere = Vec::new();
-    for w in [-0.75, -0.4, 0.0, 0.4, 0.75, 1.25, 1.75, 2.5, 3.5] {
+    for w in [-0.75, -0.4, 0.0, 0.35, 1.4, 1.9, 2.6, 3.6] {
         let v = fastest(&body, w);
         for side in [1.0, -1.0] {
             for piece in line_of(&body, w, side, [-v, v]) {
@@ -218,8 +209,10 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(
         Series::new("gliding elsewhere", &COLUMNS, elsewhere).drawn(Mark::Line(Stroke::solid(FAINT, FINE))),
     );
-    layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(Mark::Line(GLIDING)));
-    layers.push(Series::new("rolling", &PLANE, rolling).drawn(Mark::Line(Stroke::of_mode(Mode::Rolling))));
+    layers.push(Series::new("gliding", &COLUMNS, gliding).drawn(Mark::Line(GLIDING.wide(THIN))));
+    layers.push(
+        Series::new("rolling", &PLANE, rolling).drawn(Mark::Line(Stroke::of_mode(Mode::Rolling).wide(THIN))),
+    );
     let manifolds =
         Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
     layers.push(manifolds.drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
@@ -244,5 +237,5 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
          the equilibrium. *μ*_{{s}} = {}. Gliding by the corrected integral, see Figure 6(a); grey: other gliding motions, outside 𝓡.",
         short(input.hoop.mu_s())
     );
-    Ok(figure(NAME, "Figure 6(b): combined phase portrait", caption, layers, labels))
+    figure(input, [NAME, "Figure 6(b): combined phase portrait"], caption, layers, labels)
 }

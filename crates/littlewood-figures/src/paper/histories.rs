@@ -2,20 +2,19 @@
 
 use littlewood::{Cause, Dimension, Hoop, Impulse, Phase, Sample, SampleColumn, Trajectory, Transition};
 
-use crate::axes::{plain, time};
-use crate::columns::{ENERGY, FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
+use crate::columns::{DEMAND, ENERGY, FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
+use crate::draw::ROOM;
 use crate::error::FigureError;
-use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PlotAxis, Series, View};
+use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::impacts;
 use crate::input::FigureInput;
 use crate::motion::{bounds, horizon, instants};
+use crate::sheet::{Content, Sheet};
 use crate::style::{FAINT, FIRST, FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, SECOND, SMALL, SOFT, Stroke};
-use crate::words::{hoop_in_words, marked, short, start_in_words};
+use crate::wording::Wording;
+use crate::words::{marked, short};
 use littlewood_style::width::{BOLD, CURVE, FINE};
-use littlewood_style::{
-    Curve, Dash, EnergyPart,
-    ticks::{self, Tick},
-};
+use littlewood_style::{Curve, Dash, EnergyPart};
 
 /// A quantity along a motion, a piece for each phase where it is defined.
 fn history(
@@ -39,17 +38,9 @@ fn history(
     Series::new(name, &[TIME, column], pieces)
 }
 
-fn axis_of(column: &'static str, title: &str, series: &[&Series], also: &[f64]) -> PlotAxis {
+fn range_of(series: &[&Series], also: &[f64]) -> [f64; 2] {
     let values = series.iter().flat_map(|series| series.rows().map(|row| row[1]));
-    let mut axis = plain(column, title, bounds(values.chain(also.iter().copied()), 0.12));
-    axis.ticks = ticks::round(axis.range[0], axis.range[1], 5);
-    axis
-}
-
-/// A quantity over its unit.
-fn quotient(column: SampleColumn) -> String {
-    let unit = column.dimension().map_or("1", Dimension::scale_sign);
-    format!("{}/({})", marked(column.sign()), marked(unit))
+    bounds(values.chain(also.iter().copied()), 0.12)
 }
 
 /// Whether a landing is one of those that may be many and close together.
@@ -58,9 +49,9 @@ fn is_bounce(transition: &Transition) -> bool {
 }
 
 /// Verticals at the transitions; of bounces that are closer together than can be seen only the first.
-fn transitions(motion: &Trajectory, axis: &PlotAxis) -> Layer {
+fn transitions(motion: &Trajectory, axis: &PlotAxis, name: &'static str) -> Layer {
     let until = horizon(motion);
-    let apart = 4.0 / INNER * (until - motion.start().time);
+    let apart = APART * (until - motion.start().time);
     let mut last = f64::NEG_INFINITY;
     let pieces = motion
         .transitions()
@@ -76,7 +67,7 @@ fn transitions(motion: &Trajectory, axis: &PlotAxis) -> Layer {
         .filter(|time| *time < until)
         .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
         .collect();
-    Series::new("transition", &[TIME, axis.column], pieces)
+    Series::new("transition", &[TIME, name], pieces)
         .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)))
 }
 
@@ -145,7 +136,8 @@ impl Names {
 }
 
 fn in_words(input: &FigureInput, hoop: &Hoop) -> String {
-    format!("{}; {}", hoop_in_words(hoop), start_in_words(hoop, &input.start))
+    let say = input.wording();
+    format!("{}; {}", say.hoop(hoop), say.start(hoop, &input.start))
 }
 
 /// Energy that an impact takes.
@@ -154,19 +146,12 @@ const DROP: Stroke = Stroke::solid(IMPULSE, BOLD);
 const WIDTH: f64 = 640.0;
 /// Room for the name of a transition.
 const NAME: f64 = 40.0;
-const LEFT: f64 = 6.0;
-const INNER: f64 = WIDTH - LEFT - 20.0;
-
-fn panel(name: &'static str, top: f64, height: f64, x: PlotAxis, y: PlotAxis, layers: Vec<Layer>) -> Panel {
-    Panel {
-        name,
-        frame: [LEFT, top, INNER, height],
-        view: View::Plane { x, y, axes: true },
-        layers,
-        labels: Vec::new(),
-        keys: Vec::new(),
-    }
-}
+/// Verticals that are closer together than this part of the time are one.
+const APART: f64 = 1.0 / 150.0;
+/// The demand for friction is shown larger where it is less than this part of μk.
+const SMALL_SHARE: f64 = 0.1;
+/// Distance of panels that share the axis below them.
+const CLOSE: f64 = 14.0;
 
 /// The impulses of a motion, and how long they are drawn on an axis of forces.
 struct Spikes {
@@ -218,52 +203,51 @@ impl Spikes {
         ]
     }
 
-    /// |J|/P as dots, which lie where |F|/N would.
+    /// |J|/P of each.
+    fn shares(&self) -> impl Iterator<Item = f64> {
+        self.impulses.iter().map(|(_, impulse)| impulse.friction.abs() / impulse.normal)
+    }
+
+    /// The same as dots, which lie where |F|/N would.
     fn demands(&self) -> Option<Layer> {
-        let rows: Vec<Vec<f64>> = self
-            .impulses
-            .iter()
-            .map(|(time, impulse)| vec![*time, impulse.friction.abs() / impulse.normal])
-            .collect();
+        let rows: Vec<Vec<f64>> =
+            self.impulses.iter().zip(self.shares()).map(|((time, _), share)| vec![*time, share]).collect();
         (!rows.is_empty()).then(|| {
-            Series::of_rows("friction over normal impulse", &[TIME, "demand"], rows)
+            Series::of_rows("friction over normal impulse", &[TIME, DEMAND], rows)
                 .drawn(Mark::Dot(IMPULSE, 2.6))
         })
     }
 
     /// The name and the value of the largest.
-    fn label(&self, sign: &str, end: f64, part: impl Fn(&Impulse) -> f64) -> Option<Label> {
+    fn label(&self, sign: &str, end: f64, say: Wording, part: impl Fn(&Impulse) -> f64) -> Option<Label> {
         let size = |impulse: &Impulse| part(impulse).abs();
         let (time, largest) =
             self.impulses.iter().rev().max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)))?;
         let value = part(largest);
-        let label = Label::new(format!("{sign} = {}", short(value)), &[*time, self.scale * value]);
+        let text = format!("{sign} = {}", say.value(value, Dimension::Impulse));
+        let label = Label::new(text, &[*time, self.scale * value]);
         let down = if value < 0.0 { -4.0 } else { 4.0 };
         let is_late = *time > self.impulses[0].0 + 0.8 * (end - self.impulses[0].0);
         let label = if is_late { label.right().shifted(-7.0, down) } else { label.left().shifted(7.0, down) };
         Some(label.sized(SMALL).coloured(IMPULSE))
     }
 
-    fn in_words(&self) -> String {
+    fn in_words(&self, say: Wording) -> String {
         if self.impulses.is_empty() {
             return String::new();
         }
-        let unit = |dimension: Dimension| marked(dimension.scale_sign());
         format!(
-            " Spikes: the impulses (*J*, *P*) of the impacts, in which the velocities jump; {} as long as {} {}, with dots at \
+            " Spikes: the impulses (*J*, *P*) of the impacts, in which the velocities jump; {} as long as {}, with dots at \
              |*J*|/*P* below.",
-            unit(Dimension::Impulse),
-            short(self.scale),
-            unit(Dimension::Force)
+            say.quantity(1.0, Dimension::Impulse),
+            say.quantity(self.scale, Dimension::Force)
         )
     }
 }
 
 /// An axis of times without words, for a panel above another.
-fn bare(range: [f64; 2]) -> PlotAxis {
-    let axis = time(range);
-    let ticks = axis.ticks.iter().map(|tick| Tick { label: String::new(), value: tick.value }).collect();
-    PlotAxis { title: String::new(), ticks, ..axis }
+fn bare(say: Wording, range: [f64; 2]) -> PlotAxis {
+    PlotAxis { title: String::new(), scale: Scale::Bare, ..say.clock(range) }
 }
 
 /// A horizontal line.
@@ -282,77 +266,86 @@ fn normal_panel(
     range: [f64; 2],
     normal: Series,
     spikes: &Spikes,
-) -> (Panel, f64, &'static str) {
+    (say, wide): (Wording, f64),
+) -> (Content, f64, &'static str) {
     let weight = motion.hoop().mass();
     let part = |impulse: &Impulse| impulse.normal;
     let mut heights = [vec![0.0], spikes.heights(part)].concat();
     // A motion that only bounces has no other force to compare with.
     heights.extend(Some(weight).filter(|_| !spikes.impulses.is_empty()));
-    let axis = axis_of(NORMAL, &quotient(SampleColumn::Normal), &[&normal], &heights);
+    let axis = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), range_of(&[&normal], &heights));
     let mut layers = vec![
-        transitions(motion, &axis),
+        transitions(motion, &axis, NORMAL),
         zero(range, NORMAL),
         level(range, "weight", NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
         normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
     ];
     layers.extend(spikes.layers([TIME, NORMAL, NORMAL_IMPULSE], part));
-    let names = names(motion, axis.range[1], INNER - 62.0);
-    let mut panel =
-        panel(SampleColumn::Normal.long_name(), 38.0 + names.height, 190.0, bare(range), axis, layers);
+    let names = names(motion, axis.range[1], wide);
     let (height, words) = (names.height, names.in_words());
-    panel.labels = names.labels;
-    panel.labels.push(
+    let mut labels = names.labels;
+    labels.push(
         Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
     );
-    panel.labels.extend(spikes.label("*P*", range[1], part));
-    (panel, height, words)
+    labels.extend(spikes.label("*P*", range[1], say, part));
+    let name = SampleColumn::Normal.long_name();
+    (Content { name, x: bare(say, range), y: axis, layers, labels }, height, words)
 }
 
 /// Friction force and friction impulses.
-fn friction_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes) -> Panel {
+fn friction_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes, say: Wording) -> Content {
     let part = |impulse: &Impulse| impulse.friction;
     let friction =
         history(motion, SampleColumn::Friction.long_name(), FRICTION, &|_, sample| Some(sample.friction));
     let heights = [vec![0.0], spikes.heights(part)].concat();
-    let axis = axis_of(FRICTION, &quotient(SampleColumn::Friction), &[&friction], &heights);
+    let axis = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), range_of(&[&friction], &heights));
     let mut layers = vec![
-        transitions(motion, &axis),
+        transitions(motion, &axis, FRICTION),
         zero(range, FRICTION),
         friction.drawn(Mark::Line(Stroke::solid(FRICTION_FORCE, 2.0))),
     ];
     layers.extend(spikes.layers([TIME, FRICTION, FRICTION_IMPULSE], part));
-    let mut panel = panel(SampleColumn::Friction.long_name(), 196.0, 190.0, bare(range), axis, layers);
-    panel.labels.extend(spikes.label("*J*", range[1], part));
-    panel
+    let labels = spikes.label("*J*", range[1], say, part).into_iter().collect();
+    Content { name: SampleColumn::Friction.long_name(), x: bare(say, range), y: axis, layers, labels }
 }
 
 /// |F|/N, and |J|/P of impacts.
-fn demand_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes) -> Panel {
+fn demand_panel(motion: &Trajectory, range: [f64; 2], spikes: &Spikes, say: Wording) -> Content {
     let hoop = motion.hoop();
-    let demand = history(motion, "friction over normal force", "demand", &|phase, sample| {
+    let demand = history(motion, "friction over normal force", DEMAND, &|phase, sample| {
         let in_contact = phase.mode().has_normal_force();
         (in_contact && sample.normal > 1e-9).then(|| sample.friction.abs() / sample.normal)
     });
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
-    let highest = bounds(demand.rows().map(|row| row[1]).chain([mu_s]), 0.0)[1];
+    let demanded = demand.rows().map(|row| row[1]).chain(spikes.shares()).fold(0.0, f64::max);
+    // Of a heavy hoop nothing would be seen beside μs.
+    let is_far = demanded > 0.0 && demanded < SMALL_SHARE * mu_k;
+    let is_empty = demand.pieces.is_empty() && spikes.impulses.is_empty();
+    let highest = if is_far { demanded } else { f64::max(demanded, mu_s) };
     // Without friction the axis has a length all the same.
     let highest = if highest > 0.0 { highest } else { 0.1 };
-    let axis =
-        PlotAxis { range: [0.0, 1.25 * highest], ..axis_of("demand", "|*F*|/*N*", &[&demand], &[0.0, mu_s]) };
-    let axis = PlotAxis { ticks: ticks::round(0.0, axis.range[1], 5), ..axis };
-    let mut layers = vec![
-        transitions(motion, &axis),
-        level(range, MU_S, "demand", mu_s, Stroke::of_curve(Curve::SlipLimit).wide(1.2)),
-        level(range, MU_K, "demand", mu_k, Stroke::of_curve(Curve::SlipLimit).wide(1.2).dashed(Dash::Dotted)),
-        demand.drawn(Mark::Line(Stroke::solid(INK, 2.0))),
-    ];
-    layers.extend(spikes.demands());
-    let mut panel = panel("friction over normal force", 354.0, 190.0, time(range), axis, layers);
-    panel.labels.push(Label::new("*μ*_{s}", &[range[1], mu_s]).shifted(-14.0, -11.0));
-    if mu_k < mu_s {
-        panel.labels.push(Label::new("*μ*_{k}", &[range[1], mu_k]).shifted(-14.0, 11.0));
+    let axis = say.axis(DEMAND, "|*F*|/*N*", [0.0, 1.25 * highest]);
+    let mut layers =
+        vec![transitions(motion, &axis, DEMAND), demand.drawn(Mark::Line(Stroke::solid(INK, 2.0)))];
+    let limit = Stroke::of_curve(Curve::SlipLimit).wide(1.2);
+    let mut labels = Vec::new();
+    if is_empty {
+        let middle = [0.5 * (range[0] + range[1]), 0.5 * mu_k];
+        labels.push(Label::new("nothing to show: *N* = 0", &middle).sized(SMALL).coloured(SOFT));
     }
-    panel
+    if is_far {
+        let text = format!("*μ*_{{k}} = {} is above", short(mu_k));
+        labels.push(Label::new(text, &[range[1], 1.25 * highest]).shifted(-8.0, 11.0).right().sized(SMALL));
+    } else {
+        layers.insert(1, level(range, MU_S, DEMAND, mu_s, limit));
+        layers.insert(2, level(range, MU_K, DEMAND, mu_k, limit.dashed(Dash::Dotted)));
+        labels.push(Label::new("*μ*_{s}", &[range[1], mu_s]).shifted(-14.0, -11.0));
+    }
+    layers.extend(spikes.demands());
+    if mu_k < mu_s && !is_far {
+        labels.push(Label::new("*μ*_{k}", &[range[1], mu_k]).shifted(-14.0, 11.0));
+    }
+    Content { name: "friction over normal force", x: say.clock(range), y: axis, layers, labels }
 }
 
 /// Forces and the share of friction against time.
@@ -363,25 +356,30 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     let range = [motion.start().time, horizon(&motion)];
     let normal = history(&motion, SampleColumn::Normal.long_name(), NORMAL, &|_, sample| Some(sample.normal));
     let spikes = Spikes::new(&motion, normal.rows().map(|row| row[1]).fold(hoop.mass(), f64::max));
-    let (first, down, verticals) = normal_panel(&motion, range, normal, &spikes);
-    let mut panels =
-        vec![first, friction_panel(&motion, range, &spikes), demand_panel(&motion, range, &spikes)];
-    for panel in &mut panels[1..] {
-        panel.frame[1] += down;
-    }
-    Ok(Figure {
-        name: NAME,
-        title: "Forces of a motion".to_owned(),
-        caption: format!(
-            "Normal force *N*, friction force *F* (positive along *E*_{{1}}) and |*F*|/*N* against time; {verticals}. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
+    let say = input.wording();
+    let sheet = input.sheet(WIDTH)?;
+    let [left, inner] = sheet.span();
+    let (first, down, verticals) = normal_panel(&motion, range, normal, &spikes, (say, inner - ROOM[0]));
+    let contents =
+        [first, friction_panel(&motion, range, &spikes, say), demand_panel(&motion, range, &spikes, say)];
+    // Panels share one axis of times, so that they may be close.
+    let height = sheet.height(190.0);
+    let tops = |i: usize| 38.0 + down + (height - ROOM[1] + CLOSE) * i as f64;
+    let frame = |i: usize| [left, tops(i), inner, height];
+    let panels =
+        contents.into_iter().enumerate().map(|(i, content)| Sheet::panel(frame(i), content)).collect();
+    Ok(sheet.figure(
+        NAME,
+        "Forces of a motion",
+        format!(
+            "Normal force *N*, friction force *F* (positive along `E`_{{1}}) and |*F*|/*N* against time; {verticals}. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
              jump where a slide begins or ends.{} {}.",
-            spikes.in_words(),
+            spikes.in_words(say),
             in_words(input, hoop)
         ),
-        width: WIDTH,
-        height: 550.0 + down,
+        tops(2) + height + 6.0,
         panels,
-    })
+    ))
 }
 
 /// Where the energy falls in impacts: from before to after.
@@ -417,12 +415,8 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     let kinetic =
         history(&motion, "kinetic energy", ENERGY, &|_, sample| Some(sample.energy - potential_of(sample)));
     let potential = history(&motion, "potential energy", ENERGY, &|_, sample| Some(potential_of(sample)));
-    let axis = axis_of(
-        ENERGY,
-        &format!("energy/({})", marked(Dimension::Energy.scale_sign())),
-        &[&total, &kinetic, &potential],
-        &[0.0],
-    );
+    let say = input.wording();
+    let axis = say.axis(ENERGY, "energy", range_of(&[&total, &kinetic, &potential], &[0.0]));
     let drops = drops(&motion);
     let marks = [
         Mark::Line(Stroke::solid(INK, 2.2)),
@@ -430,51 +424,45 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         Mark::Line(Stroke::solid(SECOND, CURVE).dashed(Dash::DashDot)),
     ];
     let words = ["total *E*", "kinetic *T*", "potential *U*"];
-    let mut keys: Vec<(&str, Mark)> = words.into_iter().zip(marks).collect();
-    keys.extend(drops.as_ref().map(|drops| (EnergyPart::Impacts.label(), drops.mark)));
-    let names = names(&motion, axis.range[1], INNER - 62.0);
-    let (down, verticals) = (names.height, names.in_words());
-    let mut panel = panel(
-        "energy",
-        62.0 + down,
-        340.0,
-        time(range),
-        axis.clone(),
-        vec![
-            transitions(&motion, &axis),
-            zero(range, ENERGY),
-            potential.drawn(marks[2]),
-            kinetic.drawn(marks[1]),
-            total.drawn(marks[0]),
-        ],
-    );
-    panel.layers.extend(drops);
-    panel.labels = names.labels;
-    panel.keys = keys
-        .into_iter()
-        .enumerate()
-        .map(|(i, (text, mark))| Key { mark, text: text.to_owned(), at: [70.0 + 130.0 * i as f64, 15.0] })
-        .collect();
-    Ok(Figure {
-        name: NAME,
-        title: "Energy of a motion".to_owned(),
-        caption: format!(
+    let mut entries: Vec<(Mark, String)> =
+        words.into_iter().zip(marks).map(|(text, mark)| (mark, text.to_owned())).collect();
+    entries.extend(drops.as_ref().map(|drops| (drops.mark, EnergyPart::Impacts.label().to_owned())));
+    let sheet = input.sheet(WIDTH)?;
+    let [left, inner] = sheet.span();
+    let names = names(&motion, axis.range[1], inner - ROOM[0]);
+    let verticals = names.in_words();
+    let mut layers = vec![
+        transitions(&motion, &axis, ENERGY),
+        zero(range, ENERGY),
+        potential.drawn(marks[2]),
+        kinetic.drawn(marks[1]),
+        total.drawn(marks[0]),
+    ];
+    layers.extend(drops);
+    let (keys, room) = sheet.keys(entries, 6.0);
+    let (top, height) = (room + 42.0 + names.height, sheet.height(340.0));
+    let content = Content { name: "energy", x: say.clock(range), y: axis, layers, labels: names.labels };
+    let panel = Panel { keys, ..Sheet::panel([left, top, inner, height], content) };
+    Ok(sheet.figure(
+        NAME,
+        "Energy of a motion",
+        format!(
             "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
              against time; {verticals}. {}. {}.",
-            losses(&motion),
+            losses(&motion, say),
             in_words(input, hoop)
         ),
-        width: WIDTH,
-        height: 410.0 + down,
-        panels: vec![panel],
-    })
+        top + height + 6.0,
+        vec![panel],
+    ))
 }
 
 /// What has cost energy.
-fn losses(motion: &Trajectory) -> String {
+fn losses(motion: &Trajectory, say: Wording) -> String {
     let all = motion.energy_lost();
+    let energy = |value: f64| say.quantity(value, Dimension::Energy);
     if motion.hoop().restitution().is_none() {
-        return format!("Only sliding costs energy: {} in all", short(all));
+        return format!("Only sliding costs energy: {} in all", energy(all));
     }
     let until = horizon(motion);
     let in_impacts: f64 = impacts::all(motion)
@@ -487,5 +475,5 @@ fn losses(motion: &Trajectory) -> String {
         .filter(|phase| phase.start().time < until)
         .map(littlewood::Phase::energy_lost)
         .sum();
-    format!("Sliding costs {}, the impacts {}", short(sliding), short(in_impacts))
+    format!("Sliding costs {}, the impacts {}", energy(sliding), energy(in_impacts))
 }

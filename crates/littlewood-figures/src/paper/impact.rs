@@ -4,15 +4,16 @@ use littlewood::{Dimension, Hoop, Impact, ImpactCase, Mode, Restitution, Restitu
 use littlewood_style::ImpulseLine;
 use littlewood_style::width::BOLD;
 
-use crate::axes::plain;
 use crate::columns::{FRICTION_IMPULSE, NORMAL_IMPULSE};
 use crate::error::FigureError;
-use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, Series, View};
+use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::impacts;
 use crate::input::FigureInput;
+use crate::sheet::Content;
 use crate::style::{INK, PAPER, Stroke};
 use crate::trace::Window;
-use crate::words::{hoop_in_words, marked, short, start_in_words};
+use crate::wording::Wording;
+use crate::words::short;
 
 const NAME: &str = "impact";
 const COLUMNS: [&str; 2] = [FRICTION_IMPULSE, NORMAL_IMPULSE];
@@ -198,7 +199,7 @@ impl Diagram {
         labels
     }
 
-    fn keys(&self) -> Vec<Key> {
+    fn keys(&self) -> Vec<(Mark, String)> {
         let mut legend: Vec<(Mark, String)> = Vec::new();
         for (mode, words) in [(Mode::Sliding, "it slips"), (Mode::Rolling, "it sticks")] {
             if self.parts().iter().any(|(other, _)| *other == mode) {
@@ -214,14 +215,6 @@ impl Diagram {
             legend.push((line(cone), format!("|*J*| = *μ*_{{{index}}} *P*: friction cone")));
         }
         legend
-            .into_iter()
-            .enumerate()
-            .map(|(n, (mark, text))| Key {
-                mark,
-                text,
-                at: [66.0 + 250.0 * (n % 2) as f64, 16.0 + 20.0 * (n / 2) as f64],
-            })
-            .collect()
     }
 
     /// What is the same on the line of termination.
@@ -280,12 +273,12 @@ fn chosen(input: &FigureInput) -> Result<(Restitution, Transition, Impact), Figu
 }
 
 /// What an impact has done to the energy.
-fn in_words(impact: &Impact) -> String {
-    let energy = marked(Dimension::Energy.scale_sign());
+fn in_words(impact: &Impact, say: Wording) -> String {
+    let lost = impact.energy_lost();
     if impact.gains_energy() {
-        return format!("The law gains {} {energy} here.", short(-impact.energy_lost()));
+        return format!("The law gains {} here.", say.quantity(-lost, Dimension::Energy));
     }
-    format!("It takes {} {energy}.", short(impact.energy_lost()))
+    format!("It takes {}.", say.quantity(lost, Dimension::Energy))
 }
 
 /// Routh's diagram.
@@ -296,48 +289,50 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         return Err(FigureError::NeedsInertia { figure: NAME });
     };
     let [a, b, c] = diagram.compliance;
+    let say = input.wording();
+    let velocity = |value: f64| say.value(value, Dimension::Velocity);
+    let impulse = |value: f64| say.value(value, Dimension::Impulse);
+    // A compliance is the inverse of a mass.
+    let compliance = |value: f64| match input.units {
+        Some(units) => format!("{}/{}", short(value / units.mass_kg), Dimension::Mass.si_sign()),
+        None => short(value),
+    };
     let caption = format!(
-        "Impact {} of the motion, at *τ* = {}, *θ* = {}: {}. Its course in the plane of the impulses *J* along the plane and \
+        "Impact {} of the motion, at {} = {}, *θ* = {}: {}. Its course in the plane of the impulses *J* along the plane and \
          *P* upwards (Routh), with the slip velocity *u* = *u*_{{0}} + *AJ* + *BP* and the rate of the gap *w* = *w*_{{0}} + \
          *BJ* + *CP*. *A* = {}, *B* = {}, *C* = {}; *u* from {} to {}, *w* from {} to {}, *J* = {}, *P* = {}. {} {}; {}.",
         input.impact,
-        short(state.time),
+        say.time(),
+        say.value(state.time, Dimension::Time),
         short(state.theta),
         impact.case.label(),
-        short(a),
-        short(b),
-        short(c),
-        short(impact.before.slip),
-        short(impact.after.slip),
-        short(impact.before.gap_rate),
-        short(impact.after.gap_rate),
-        short(impact.impulse.friction),
-        short(impact.impulse.normal),
-        in_words(&impact),
-        hoop_in_words(&input.hoop),
-        start_in_words(&input.hoop, &input.start)
+        compliance(a),
+        compliance(b),
+        compliance(c),
+        velocity(impact.before.slip),
+        velocity(impact.after.slip),
+        velocity(impact.before.gap_rate),
+        velocity(impact.after.gap_rate),
+        impulse(impact.impulse.friction),
+        impulse(impact.impulse.normal),
+        in_words(&impact, say),
+        say.hoop(&input.hoop),
+        say.start(&input.hoop, &input.start)
     );
     let keys = diagram.keys();
-    let room = 14.0 + 20.0 * keys.len().div_ceil(2) as f64;
-    let unit = marked(Dimension::Impulse.scale_sign());
     let Window { x, y } = diagram.window;
-    Ok(Figure {
-        name: NAME,
-        title: "An impact in the plane of impulses".to_owned(),
+    Ok(input.sheet(600.0)?.plot(
+        NAME,
+        "An impact in the plane of impulses",
         caption,
-        width: 600.0,
-        height: 456.0 + room,
-        panels: vec![Panel {
+        450.0,
+        Content {
             name: "plane of impulses",
-            frame: [6.0, room, 572.0, 450.0],
-            view: View::Plane {
-                x: plain(FRICTION_IMPULSE, &format!("*J*/({unit})"), x),
-                y: plain(NORMAL_IMPULSE, &format!("*P*/({unit})"), y),
-                axes: true,
-            },
+            x: say.axis(FRICTION_IMPULSE, "*J*", x),
+            y: say.axis(NORMAL_IMPULSE, "*P*", y),
             layers: diagram.layers(),
             labels: diagram.labels(),
-            keys,
-        }],
-    })
+        },
+        keys,
+    ))
 }

@@ -2,14 +2,15 @@
 
 use core::f64::consts::PI;
 
-use crate::axes::{angle, plane_window, rate};
+use crate::axes::plane_window;
 use crate::columns::PLANE;
 use crate::error::FigureError;
-use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
+use crate::figure::{Figure, Label, Mark, Series};
 use crate::input::FigureInput;
-use crate::plane::Portrait;
+use crate::plane::{BEYOND, Portrait};
+use crate::sheet::Content;
 use crate::style::{HATCH, INK, Stroke};
-use crate::words::{body_in_words, marked, short};
+use crate::words::{marked, short};
 use littlewood::Quantity;
 use littlewood_style::width::CURVE;
 use littlewood_style::{Curve, Dash};
@@ -30,17 +31,21 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix).wide(1.2))));
     let (mut keys, mut loci) = (Vec::new(), Vec::new());
-    for (i, (mu_s, dash)) in COEFFICIENTS.into_iter().enumerate() {
+    for (mu_s, dash) in COEFFICIENTS {
         let mark = Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE).dashed(dash));
         let text = format!("{} = {}", marked(Quantity::MuS.sign()), short(mu_s));
-        keys.push(Key { mark, text, at: [62.0 + 108.0 * i as f64, 17.0] });
         let locus = portrait.slip_locus(mu_s)?;
+        if !locus.pieces.is_empty() {
+            keys.push((mark, text));
+        }
         loci.push(locus.clone());
         layers.push(locus.drawn(mark));
     }
     let unloading = portrait.unloading_locus();
     let mark = Mark::Line(Stroke::of_curve(Curve::NormalForceZero));
-    keys.push(Key { mark, text: "*n*: *N* = 0".to_owned(), at: [62.0 + 4.0 * 108.0, 17.0] });
+    if !unloading.pieces.is_empty() {
+        keys.push((mark, "*n*: *N* = 0".to_owned()));
+    }
 
     // The arrow crosses the curves at one height, from the least coefficient to the greatest.
     let height = 0.78 * window.y[1];
@@ -61,28 +66,23 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         layers.push(arrow.drawn(Mark::Arrow(Stroke::solid(INK, 1.2))));
         labels.push(Label::new("*μ*_{s}", &[ends[0], height]).shifted(5.0, 0.0).left());
     }
+    let beyond = if unloading.pieces.is_empty() { BEYOND } else { "" };
     layers.push(unloading.drawn(mark));
     layers.extend(portrait.equilibria());
-    Ok(Figure {
-        name: NAME,
-        title: "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling".to_owned(),
-        caption: format!(
+    let say = input.wording();
+    Ok(input.sheet(580.0)?.plot(
+        NAME,
+        "Figure 2(a): loci |*F*| = *μ*_{s}*N* of rolling",
+        format!(
             "Where static friction gives way in rolling: loci |*F*| = *μ*_{{s}}*N* (2.13) for four coefficients. As \
              *μ*_{{s}} grows (arrow) they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
              < 0. Grey: orbits of constant energy; black: the separatrix; ring and dot: unstable and stable \
              equilibrium. The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
-             rest. {}.",
-            body_in_words(&input.hoop)
+             rest.{beyond} {}.",
+            say.body(&input.hoop)
         ),
-        width: 580.0,
-        height: 440.0,
-        panels: vec![Panel {
-            name: "plane",
-            frame: [6.0, 32.0, 552.0, 402.0],
-            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
-            layers,
-            labels,
-            keys,
-        }],
-    })
+        402.0,
+        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels },
+        keys,
+    ))
 }

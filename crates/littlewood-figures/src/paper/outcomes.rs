@@ -2,19 +2,20 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Engine, Limits, Start};
+use littlewood::{Class, Dimension, Engine, Start};
 use littlewood_style::{Curve, of_class};
 
-use crate::axes::{angle, plane_window, rate};
+use crate::axes::outcome_window;
 use crate::catalogue::Watch;
 use crate::columns::PLANE;
 use crate::error::FigureError;
-use crate::figure::{Figure, Key, Mark, Panel, Series, View};
+use crate::figure::{Figure, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::Portrait;
+use crate::sheet::Content;
 use crate::style::{PAPER, Stroke, THEME};
 use crate::trace::Window;
-use crate::words::{hoop_in_words, short};
+use crate::words::short;
 
 const NAME: &str = "outcomes";
 /// Cells to the right and upwards.
@@ -58,15 +59,17 @@ fn class_of(engine: &Engine, input: &FigureInput, start: Start) -> Result<Class,
 }
 
 /// How long the motions are followed.
-fn followed(limits: Limits) -> String {
-    limits.until.map_or_else(|| "to its end".to_owned(), |until| format!("to *τ* = {}", short(until)))
+fn followed(input: &FigureInput) -> String {
+    let say = input.wording();
+    let until = |until| format!("to {} = {}", say.time(), say.value(until, Dimension::Time));
+    input.limits.until.map_or_else(|| "to its end".to_owned(), until)
 }
 
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     input.loaded(NAME)?;
     let hoop = &input.hoop;
     let window =
-        if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { plane_window(hoop) };
+        if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { outcome_window(hoop) };
     let side = |range: [f64; 2], cells: u32| (range[1] - range[0]) / f64::from(cells);
     let cell = [side(window.x, CELLS[0]), side(window.y, CELLS[1])];
     let cells = cells_by_class(input, window, cell, watch)?;
@@ -97,35 +100,19 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         remark = " The body leaves the plane at once only beyond *h* cos *θ* *θ*′^{2} = 1, not, as the paper has it, \
                   beyond *n*: between the two it slides first.";
     }
-    let keys: Vec<Key> = legend
-        .into_iter()
-        .enumerate()
-        .map(|(n, (mark, text))| Key {
-            mark,
-            text,
-            at: [70.0 + 260.0 * (n % 2) as f64, 16.0 + 20.0 * (n / 2) as f64],
-        })
-        .collect();
-    let room = 14.0 + 20.0 * keys.len().div_ceil(2) as f64;
-    Ok(Figure {
-        name: NAME,
-        title: "What becomes of the motion".to_owned(),
-        caption: format!(
+    let say = input.wording();
+    Ok(input.sheet(620.0)?.plot(
+        NAME,
+        "What becomes of the motion",
+        format!(
             "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}: {} by {} starts.{remark} {}.",
-            followed(input.limits),
+            followed(input),
             CELLS[0],
             CELLS[1],
-            hoop_in_words(hoop)
+            say.hoop(hoop)
         ),
-        width: 620.0,
-        height: 436.0 + room,
-        panels: vec![Panel {
-            name: "plane",
-            frame: [6.0, room, 592.0, 430.0],
-            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
-            layers,
-            labels: Vec::new(),
-            keys,
-        }],
-    })
+        430.0,
+        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels: Vec::new() },
+        legend,
+    ))
 }

@@ -1,19 +1,22 @@
 //! Figures 3(b) and 7(b): where the centre, the mass centre or the particle go, with the hoop at each transition.
 
-use littlewood::{Cause, Mode, Sample, Trajectory};
+use littlewood::{Cause, Dimension, Mode, Sample, Trajectory};
 
-use crate::axes::plain;
-use crate::columns::{THETA, TIME, X};
+use crate::columns::{THETA, TIME, X, Y};
 use crate::draw::ROOM;
 use crate::error::FigureError;
-use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, Series, View};
+use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
-use crate::motion::{bounds, by_mode, horizon};
+use crate::motion::{bounds, by_mode, heads, horizon};
+use crate::sheet::{Content, Sheet};
 use crate::style::{HATCH, INK, SMALL, SOFT, Stroke};
-use crate::words::{hoop_in_words, short, start_in_words};
+use crate::wording::Wording;
+use crate::words::short;
 use littlewood_style::width::{BOLD, FINE};
 
-const COLUMNS: [&str; 3] = [TIME, X, "y"];
+/// Arrows of time stand where the motion goes this part of the picture.
+const LEAST_STEP: f64 = 0.0015;
+const COLUMNS: [&str; 3] = [TIME, X, Y];
 /// Most hoops of a picture.
 const HOOPS: usize = 8;
 /// Width of the picture in pixels.
@@ -60,6 +63,8 @@ fn transitions(motion: &Trajectory, apart: f64) -> Vec<(String, Sample)> {
 
 /// What a picture shows: the hoops, their labels, the ground.
 struct Picture {
+    sheet: Sheet,
+    say: Wording,
     x: [f64; 2],
     y: [f64; 2],
     layers: Vec<Layer>,
@@ -67,7 +72,9 @@ struct Picture {
 }
 
 impl Picture {
-    fn new(motion: &Trajectory) -> Self {
+    fn new(motion: &Trajectory, input: &FigureInput) -> Result<Self, FigureError> {
+        let (sheet, say) = (input.sheet(WIDTH)?, input.wording());
+        let [_, inner] = sheet.span();
         let until = horizon(motion);
         let samples: Vec<Sample> = motion.sample_evenly(400, until).collect();
         let [left, right] = bounds(samples.iter().map(|sample| sample.centre.x), 0.0);
@@ -77,11 +84,11 @@ impl Picture {
         let beside = if goes_on { f64::max(1.2, 0.06 * (right - left)) } else { 1.2 };
         let x = [left - beside, right + beside];
         let mut y = [0.0, top + 1.15];
-        let depth = 8.0 * (x[1] - x[0]) / WIDTH;
+        let depth = 8.0 * (x[1] - x[0]) / sheet.width;
         let ground = [[x[0], 0.0], [x[1], 0.0], [x[1], -depth], [x[0], -depth]];
         let mut layers = vec![
-            Series::of_rows("ground", &["x", "y"], ground.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
-            Series::of_rows("ground", &["x", "y"], vec![vec![x[0], 0.0], vec![x[1], 0.0]])
+            Series::of_rows("ground", &[X, Y], ground.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
+            Series::of_rows("ground", &[X, Y], vec![vec![x[0], 0.0], vec![x[1], 0.0]])
                 .drawn(Mark::Line(Stroke::solid(INK, 1.4))),
         ];
         let instants = instants(motion);
@@ -93,13 +100,14 @@ impl Picture {
                 vec![sample.state.time, centre.x, centre.y, sample.state.theta]
             })
             .collect();
-        layers.push(Series::of_rows("hoop", &[TIME, X, "y", THETA], rows).drawn(Mark::Hoop {
+        layers.push(Series::of_rows("hoop", &[TIME, X, Y, THETA], rows).drawn(Mark::Hoop {
             offset: hoop.offset(),
             h: hoop.h(),
+            radius: 1.0,
             rim: Stroke::solid(SOFT, 1.2),
         }));
         // Names under the hoops; one that is close to another stands further down.
-        let unit = (WIDTH - 24.0 - ROOM[0]) / (x[1] - x[0]);
+        let unit = (inner - ROOM[0]) / (x[1] - x[0]);
         let mut labels: Vec<Label> = Vec::new();
         let mut taken: Vec<(f64, usize)> = Vec::new();
         for (name, sample) in &instants {
@@ -109,50 +117,38 @@ impl Picture {
             taken.push((at, row));
             let down = 21.0 + 34.0 * row as f64;
             labels.push(Label::new(name.clone(), &[at, 0.0]).shifted(0.0, down).sized(SMALL));
-            let time = format!("*τ* = {}", short(sample.state.time));
+            let time = format!("{} = {}", say.time(), say.value(sample.state.time, Dimension::Time));
             labels.push(Label::new(time, &[at, 0.0]).shifted(0.0, down + 15.0).sized(SMALL));
         }
         let rows = 1 + taken.iter().map(|(_, row)| *row).max().unwrap_or(0);
         y[0] = -(14.0 + 34.0 * rows as f64) / unit;
-        Self { x, y, layers, labels }
+        Ok(Self { sheet, say, x, y, layers, labels })
     }
 
-    fn figure(self, name: &'static str, title: &str, caption: String, keys: Vec<Key>) -> Figure {
-        let Self { x, y, layers, labels } = self;
-        let inner = WIDTH - 24.0 - ROOM[0];
-        let mut upwards = plain("y", "*y*/*R*", y);
-        upwards.ticks.retain(|tick| tick.value >= 0.0);
-        let height = inner * (y[1] - y[0]) / (x[1] - x[0]);
-        let top = 34.0;
-        Figure {
-            name,
-            title: title.to_owned(),
-            caption,
-            width: WIDTH,
-            height: height + top + 52.0,
-            panels: vec![Panel {
-                name: "plane of motion",
-                frame: [8.0, top, inner + ROOM[0], height + ROOM[1]],
-                view: View::Plane { x: plain("x", "*x*/*R*", x), y: upwards, axes: true },
-                layers,
-                labels,
-                keys,
-            }],
-        }
+    fn figure(
+        self,
+        name: &'static str,
+        title: &str,
+        caption: String,
+        entries: Vec<(Mark, String)>,
+    ) -> Figure {
+        let Self { sheet, say, x, y, layers, labels } = self;
+        let [left, inner] = sheet.span();
+        // One scale for both axes.
+        let height = (inner - ROOM[0]) * (y[1] - y[0]) / (x[1] - x[0]) + ROOM[1];
+        let upwards = PlotAxis { scale: Scale::NotNegative, ..say.axis(Y, "*y*", y) };
+        let content =
+            Content { name: "plane of motion", x: say.axis(X, "*x*", x), y: upwards, layers, labels };
+        let (keys, room) = sheet.keys(entries, 6.0);
+        let top = 14.0 + room;
+        let panel = Panel { keys, ..Sheet::panel([left, top, inner, height], content) };
+        sheet.figure(name, title, caption, top + height + 6.0, vec![panel])
     }
 }
 
-/// What the lines of the modes mean, a key every so many pixels.
-fn path_keys(modes: &[(Mode, Series)], each: f64, words: impl Fn(Mode) -> String) -> Vec<Key> {
-    modes
-        .iter()
-        .enumerate()
-        .map(|(i, (mode, _))| Key {
-            mark: Mark::Line(Stroke::of_mode(*mode).wide(BOLD)),
-            text: words(*mode),
-            at: [70.0 + each * i as f64, 17.0],
-        })
-        .collect()
+/// What the lines of the modes mean.
+fn path_keys(modes: &[(Mode, Series)], words: impl Fn(Mode) -> String) -> Vec<(Mark, String)> {
+    modes.iter().map(|(mode, _)| (Mark::Line(Stroke::of_mode(*mode).wide(BOLD)), words(*mode))).collect()
 }
 
 /// Figure 3(b).
@@ -160,7 +156,8 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-3b";
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
-    let mut picture = Picture::new(&motion);
+    let say = input.wording();
+    let mut picture = Picture::new(&motion, input)?;
     let of_centre = by_mode(&motion, "centre, ", &COLUMNS, &|sample| {
         let centre = sample.centre;
         vec![sample.state.time, centre.x, centre.y]
@@ -169,32 +166,32 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
         let centre = sample.mass_centre;
         vec![sample.state.time, centre.x, centre.y]
     });
-    let mut keys = path_keys(&of_centre, 95.0, |mode| mode.to_string());
-    let next = 70.0 + 95.0 * keys.len() as f64;
-    keys.push(Key {
-        mark: Mark::Line(Stroke::solid(INK, BOLD)),
-        text: "thick: mass centre *X̄*".to_owned(),
-        at: [next, 17.0],
-    });
-    keys.push(Key {
-        mark: Mark::Line(Stroke::solid(INK, FINE)),
-        text: "thin: centre *C*".to_owned(),
-        at: [next + 175.0, 17.0],
-    });
+    let mut keys = path_keys(&of_centre, |mode| mode.to_string());
+    keys.push((Mark::Line(Stroke::solid(INK, BOLD)), "thick: mass centre *X̄*".to_owned()));
+    keys.push((Mark::Line(Stroke::solid(INK, FINE)), "thin: centre *C*".to_owned()));
     for (mode, series) in of_centre {
         picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(1.2))));
     }
     for (mode, series) in of_mass_centre {
         picture.layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
     }
+    let across = picture.x[1] - picture.x[0];
+    let rows = |sample: &Sample| vec![sample.state.time, sample.mass_centre.x, sample.mass_centre.y];
+    for (mode, rows) in heads(&motion, 0.5, &rows) {
+        let step = libm::hypot(rows[1][1] - rows[0][1], rows[1][2] - rows[0][2]);
+        if step > LEAST_STEP * across {
+            let head = Mark::Head(Stroke::of_mode(mode).colour);
+            picture.layers.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(head));
+        }
+    }
     let flight = motion.phases().iter().any(|phase| !phase.mode().touches_plane());
     let caption = format!(
         "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at each \
-         transition. Black dot: particle; ring: mass centre.{} {}; {}. *m*_{{2}} = \
-         *R* = *g* = 1.",
+         transition. Black dot: particle; ring: mass centre; arrows: time.{} {}; {}.{}",
         if flight { " In flight the mass centre follows a parabola." } else { "" },
-        hoop_in_words(hoop),
-        start_in_words(hoop, &input.start)
+        say.hoop(hoop),
+        say.start(hoop, &input.start),
+        if input.units.is_some() { "" } else { " *m*_{2} = *R* = *g* = 1." }
     );
     let title = "Figure 3(b): paths of the centre and of the mass centre";
     Ok(picture.figure(NAME, title, caption, keys))
@@ -206,12 +203,13 @@ pub(crate) fn particle(input: &FigureInput) -> Result<Figure, FigureError> {
     input.littlewood(NAME)?;
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
-    let mut picture = Picture::new(&motion);
+    let say = input.wording();
+    let mut picture = Picture::new(&motion, input)?;
     let paths = by_mode(&motion, "", &COLUMNS, &|sample| {
         let particle = sample.particle;
         vec![sample.state.time, particle.x, particle.y]
     });
-    let keys = path_keys(&paths, 175.0, |mode| match mode {
+    let keys = path_keys(&paths, |mode| match mode {
         Mode::Rolling => format!("{mode}: a cycloid"),
         Mode::Gliding => format!("{mode}: a parabola"),
         Mode::Sliding | Mode::Flight => mode.to_string(),
@@ -225,7 +223,7 @@ pub(crate) fn particle(input: &FigureInput) -> Result<Figure, FigureError> {
          *N* = 0.{} *μ*_{{s}} = {}; {}.",
         if reaches { " At the end the particle reaches the plane, *θ* = ±π." } else { "" },
         short(hoop.mu_s()),
-        start_in_words(hoop, &input.start)
+        say.start(hoop, &input.start)
     );
     Ok(picture.figure(NAME, "Figure 7(b): path of the particle", caption, keys))
 }

@@ -1,19 +1,20 @@
 //! Figures 2(b) and 4: phase portraits of rolling, with inertia and without.
 
-use core::f64::consts::PI;
+use core::f64::consts::{FRAC_PI_2, PI};
 
 use littlewood::Body;
 use littlewood::closed_form::slip_angle;
 
-use crate::axes::{angle, plane_window, rate};
+use crate::axes::plane_window;
 use crate::columns::PLANE;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Mark, Panel, Series, View};
+use crate::figure::{Figure, Label, Mark, Series};
 use crate::input::FigureInput;
-use crate::plane::{Portrait, nearest};
+use crate::plane::{BEYOND, Portrait, nearest};
+use crate::sheet::Content;
 use crate::style::{FAINT, FRICTION_FORCE, HATCH, INK, NORMAL_FORCE, REGION, SMALL, Stroke};
 use crate::trace::Window;
-use crate::words::{rolling_in_words, short};
+use crate::words::short;
 use littlewood_style::Curve;
 
 /// Figure 2(b).
@@ -43,7 +44,7 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     );
     labels.extend(
         nearest(&unloading, [0.45 * PI, high], window)
-            .map(|at| Label::new("*n*", &at).shifted(-10.0, 0.0).coloured(NORMAL_FORCE)),
+            .map(|at| Label::new("*n*", &at).shifted(10.0, 0.0).coloured(NORMAL_FORCE)),
     );
     labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
     let lift_off = portrait.lift_off_locus();
@@ -54,6 +55,7 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
             .sized(SMALL)
             .coloured(NORMAL_FORCE)
     }));
+    let is_beyond = unloading.pieces.is_empty();
     layers.push(slip.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
     layers.push(lift_off.drawn(Mark::Line(Stroke::of_curve(Curve::LiftOff))));
     layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
@@ -61,29 +63,24 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 0.62 * PI).drawn(Mark::Head(INK)));
     layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 1.38 * PI).drawn(Mark::Head(INK)));
     layers.extend(portrait.equilibria());
-    Ok(Figure {
-        name: NAME,
-        title: "Figure 2(b): phase portrait of rolling".to_owned(),
-        caption: format!(
+    let say = input.wording();
+    Ok(input.sheet(580.0)?.plot(
+        NAME,
+        "Figure 2(b): phase portrait of rolling",
+        format!(
             "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium, the \
              particle on top, with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
              gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
              where the hoop can roll. Hatched: *N* < 0. The paper has the hoop lose contact there at once; in truth it \
-             only cannot roll: between *n* and the curve *h* cos *θ* *θ*′^{{2}} = 1 it slides. {}{}.",
+             only cannot roll: between *n* and the curve *h* cos *θ* *θ*′^{{2}} = 1 it slides.{} {}{}.",
+            if is_beyond { BEYOND } else { "" },
             if hoop.mu_s() == 0.0 { "Without friction 𝓡 has no area. " } else { "" },
-            rolling_in_words(hoop)
+            say.rolling(hoop)
         ),
-        width: 580.0,
-        height: 420.0,
-        panels: vec![Panel {
-            name: "plane",
-            frame: [6.0, 12.0, 552.0, 402.0],
-            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
-            layers,
-            labels,
-            keys: Vec::new(),
-        }],
-    })
+        402.0,
+        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels },
+        Vec::new(),
+    ))
 }
 
 /// The locus |F| = μs N of a massless hoop: the verticals ±θ_s between the lines N = 0.
@@ -102,6 +99,9 @@ pub(crate) fn massless_energies(rates: &[f64], angles: &[f64]) -> Vec<f64> {
     over.chain(angles.iter().map(|theta| libm::cos(*theta))).collect()
 }
 
+/// Where arrows stand on the manifolds, away from the lines n, which they cross at ±π/2.
+const HEADS: f64 = 0.63 * PI;
+
 /// Figure 4.
 pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-4";
@@ -109,7 +109,7 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     let window = Window { x: [-PI, PI], y: [-2.0, 2.0] };
     let portrait = Portrait::new(&input.hoop, window);
     let energies =
-        massless_energies(&[0.3, 0.6, 0.9, 1.2, 1.5, 1.8], &[0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI]);
+        massless_energies(&[0.25, 0.5, 0.75, 1.2, 1.5, 1.8], &[0.2 * PI, 0.4 * PI, 0.6 * PI, 0.8 * PI]);
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     for energy in &energies {
         layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
@@ -128,15 +128,23 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
         labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0));
     }
     let separatrix = [portrait.law.separatrix_energy()];
-    for theta in [-0.5 * PI, 0.5 * PI] {
+    for theta in [-HEADS, HEADS] {
         layers.push(portrait.flow(&separatrix, theta).drawn(Mark::Head(INK)));
+    }
+    // In 𝓡, halfway to its boundary.
+    if let Some((limit, _)) = massless_limit(&portrait) {
+        let inside = 0.5 * f64::min(limit, FRAC_PI_2);
+        for theta in [-inside, inside] {
+            layers.push(portrait.flow(&separatrix, theta).drawn(Mark::Head(INK)));
+        }
     }
     layers.push(portrait.flow(&energies[..6], 0.0).drawn(Mark::Head(FAINT)));
     layers.extend(portrait.equilibria());
-    Ok(Figure {
-        name: NAME,
-        title: "Figure 4: phase portrait of the rolling massless hoop".to_owned(),
-        caption: format!(
+    let say = input.wording();
+    Ok(input.sheet(580.0)?.plot(
+        NAME,
+        "Figure 4: phase portrait of the rolling massless hoop",
+        format!(
             "Phase portrait of the rolling massless hoop (3.1), lines of constant *e* (3.2). There is no equilibrium at \
              *θ* = ±π, where the equation is singular. Shaded: region 𝓡 (3.10), bounded by *f*, where static friction \
              gives way (*θ* = ±*θ*_{{s}}, *θ*_{{s}} = 2 atan *μ*_{{s}}), and by *n*, where the normal force vanishes \
@@ -144,15 +152,8 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
              equilibrium. *μ*_{{s}} = {}.",
             short(input.hoop.mu_s())
         ),
-        width: 580.0,
-        height: 420.0,
-        panels: vec![Panel {
-            name: "plane",
-            frame: [6.0, 12.0, 552.0, 402.0],
-            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
-            layers,
-            labels,
-            keys: Vec::new(),
-        }],
-    })
+        402.0,
+        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels },
+        Vec::new(),
+    ))
 }

@@ -2,16 +2,18 @@
 
 use core::f64::consts::PI;
 
+use crate::columns::{X as X_COLUMN, Y};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Mark, Panel, PlotAxis, Series, View};
+use crate::figure::{Figure, Label, Mark, Panel, PlotAxis, Scale, Series, View};
 use crate::input::FigureInput;
 use crate::style::{HATCH, INK, SOFT, Stroke};
-use crate::words::body_in_words;
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 
 const NAME: &str = "figure-1";
-const COLUMNS: [&str; 2] = ["x", "y"];
+const COLUMNS: [&str; 2] = [X_COLUMN, Y];
+/// Pixels of a radius on a screen.
+const SCALE: f64 = 118.0;
 /// Intervals of an arc.
 const ARC: u32 = 180;
 /// The angle at which the body is shown.
@@ -38,6 +40,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         |name: &str, a: [f64; 2], b: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec(), b.to_vec()]);
     let point = |name: &str, a: [f64; 2]| Series::of_rows(name, &COLUMNS, vec![a.to_vec()]);
     let thin = Mark::Line(Stroke::solid(INK, FINE));
+    let witness = Mark::Line(Stroke::solid(SOFT, 0.6));
     let axis = Mark::Arrow(Stroke::solid(INK, CURVE));
     let dotted = Mark::Line(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed));
 
@@ -70,10 +73,15 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     // Lengths beside the radius, on the side away from the angle.
     let beside = |distance: f64, away: f64| across(along(distance), -away);
     let length = |name: &str, to: f64, away: f64| {
+        let end = away + 0.05;
+        // Where there is room for two heads.
+        let line = Stroke::solid(INK, 0.8);
+        let line = if to > 0.2 { Mark::Arrow(line) } else { Mark::Line(line) };
         vec![
-            segment(name, beside(0.0, away), beside(to, away)).drawn(Mark::Line(Stroke::solid(INK, 0.8))),
-            segment(name, beside(0.0, away - 0.05), beside(0.0, away + 0.05)).drawn(thin),
-            segment(name, beside(to, away - 0.05), beside(to, away + 0.05)).drawn(thin),
+            segment(name, beside(0.0, away), beside(to, away)).drawn(line),
+            segment(name, beside(to, away), beside(0.0, away)).drawn(line),
+            segment("witness", beside(0.0, 0.06), beside(0.0, end)).drawn(witness),
+            segment("witness", beside(to, 0.06), beside(to, end)).drawn(witness),
         ]
     };
     let has_two = hoop.h() < hoop.offset();
@@ -98,12 +106,12 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new("*m*_{1}, *I*_{zz}", &[X + 0.73, 1.0 + 0.73]).shifted(8.0, -6.0).left().coloured(SOFT),
         Label::new("*X*_{P}", &[X, 0.0]).shifted(14.0, 17.0),
         Label::new("*θ*", &half[0]).shifted(-3.0, -11.0),
-        Label::new("*e*_{2}", &tip).shifted(-4.0, -10.0),
-        Label::new("*e*_{1}", &across(centre, 0.62)).shifted(12.0, -5.0),
-        Label::new("*E*_{1}", &[0.62, 0.0]).shifted(4.0, -13.0),
-        Label::new("*E*_{2}", &[0.0, 0.62]).shifted(0.0, -12.0),
+        Label::new("`e`_{2}", &tip).shifted(-4.0, -10.0),
+        Label::new("`e`_{1}", &across(centre, 0.62)).shifted(12.0, -5.0),
+        Label::new("`E`_{1}", &[0.62, 0.0]).shifted(4.0, -13.0),
+        Label::new("`E`_{2}", &[0.0, 0.62]).shifted(0.0, -12.0),
         Label::new("*O*", &[0.0, 0.0]).shifted(-12.0, 12.0),
-        Label::new("*g*", &[3.45, 1.8]).shifted(11.0, 0.0),
+        Label::new("`g`", &[3.45, 1.8]).shifted(11.0, 0.0),
         Label::new("*x*", &[0.5 * X, -0.36]),
         Label::new("*ℓ*", &middle(hoop.offset(), 0.4)).shifted(-9.0, 7.0),
         Label::new("*R*", &[X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)]).shifted(6.0, -10.0),
@@ -112,34 +120,32 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         labels.push(Label::new("*X̄*", &mass_centre).shifted(14.0, 2.0));
         labels.push(Label::new("*h*", &middle(hoop.h(), 0.18)).shifted(-7.0, 7.0));
     }
-    let scale = 118.0;
-    let (width, height) = (scale * (x_range[1] - x_range[0]), scale * (y_range[1] - y_range[0]));
+    let sheet = input.sheet(SCALE * (x_range[1] - x_range[0]))?;
+    let (width, height) = (sheet.width, sheet.width * (y_range[1] - y_range[0]) / (x_range[1] - x_range[0]));
     let bare = |column: &'static str, range: [f64; 2]| PlotAxis {
-        column,
-        title: String::new(),
-        range,
-        ticks: Vec::new(),
+        scale: Scale::Nothing,
+        ..input.wording().axis(column, "", range)
     };
-    Ok(Figure {
-        name: NAME,
-        title: "Figure 1: the body".to_owned(),
-        caption: format!(
+    let panel = Panel {
+        name: "body",
+        frame: [0.0, 0.0, width, height],
+        view: View::Plane { x: bare(X_COLUMN, x_range), y: bare(Y, y_range), axes: false },
+        layers,
+        labels,
+        keys: Vec::new(),
+    };
+    Ok(sheet.figure(
+        NAME,
+        "Figure 1: the body",
+        format!(
             "A hoop or disc of mass *m*_{{1}}, radius *R* and moment of inertia *I*_{{zz}} about its centre *C* carries a \
              particle of mass *m*_{{2}} at the distance *ℓ*. The mass centre *X̄* of the whole lies at *h* = \
              *m*_{{2}}*ℓ*/(*m*_{{1}} + *m*_{{2}}) from *C* (2.4). *θ* is the angle of the particle from the upward \
-             vertical, counterclockwise; *X*_{{P}} is the point of contact, whose velocity is *η*′ *E*_{{1}} with *η* = \
+             vertical, counterclockwise; *X*_{{P}} is the point of contact, whose velocity is *η*′ `E`_{{1}} with *η* = \
              *x* + *Rθ* (2.6, 2.7). Drawn to scale for {}.",
-            body_in_words(hoop)
+            input.wording().body(hoop)
         ),
-        width,
         height,
-        panels: vec![Panel {
-            name: "body",
-            frame: [0.0, 0.0, width, height],
-            view: View::Plane { x: bare("x", x_range), y: bare("y", y_range), axes: false },
-            layers,
-            labels,
-            keys: Vec::new(),
-        }],
-    })
+        vec![panel],
+    ))
 }

@@ -2,22 +2,25 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Cause, Mode, Sample, State, Transition};
+use littlewood::{Cause, Dimension, Mode, Sample, State, Transition};
 
 use super::portrait::massless_limit;
-use crate::axes::{angle, plain, rate, slip, time};
 use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
-use crate::motion::{all_instants, bounds, by_mode, horizon};
+use crate::motion::{all_instants, bounds, by_mode, heads, horizon};
 use crate::plane::Portrait;
+use crate::sheet::{Content, Sheet};
 use crate::style::{FAINT, IMPULSE, INK, PAPER, REGION, SMALL, SOFT, Stroke};
 use crate::trace::Window;
-use crate::words::{hoop_in_words, short, start_in_words};
+use crate::wording::Wording;
+use crate::words::short;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
+/// Arrows of time stand where the motion goes this part of the axes.
+const LEAST_STEP: f64 = 0.006;
 const COLUMNS: [&str; 4] = [TIME, THETA, THETA_RATE, SLIP];
 
 fn of_state(state: State) -> Vec<f64> {
@@ -86,6 +89,20 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
                 .coloured(Stroke::of_mode(phase.mode()).colour),
         );
     }
+    // Arrows of time where the motion is seen to move.
+    let far = |rows: &[Vec<f64>]| {
+        let steps = [x, z, y]
+            .into_iter()
+            .zip(1..)
+            .map(|(range, i)| (rows[1][i] - rows[0][i]) / (range[1] - range[0]));
+        steps.map(|step: f64| step * step).sum::<f64>() > LEAST_STEP * LEAST_STEP
+    };
+    for (mode, rows) in heads(&motion, 0.62, &row) {
+        if (mode.touches_plane() || goes_on) && far(&rows) {
+            let colour = Stroke::of_mode(mode).colour;
+            layers.push(Series::new("arrow of time", &COLUMNS, vec![rows]).drawn(Mark::Head(colour)));
+        }
+    }
     let (mut changes, mut jumps) = (Vec::new(), Vec::new());
     for transition in motion.transitions() {
         let state = transition.before;
@@ -109,12 +126,15 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(Series::of_rows("transition", &COLUMNS, changes).drawn(Mark::Dot(INK, dot)));
     layers
         .push(Series::of_rows("start", &COLUMNS, vec![of_state(motion.start())]).drawn(Mark::Ring(INK, 3.6)));
-    labels.push(Label::new("*θ*  (rad)", &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0));
-    labels.push(Label::new("*θ*′  (√(*g*/*R*))", &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0));
-    labels.push(Label::new("*η*′  (√(*gR*))", &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
+    let say = input.wording();
+    let axes = [say.angle(x), say.slip(y), say.rate(z)];
+    let [across, upwards, back] = &axes;
+    labels.push(Label::new(&across.title, &[0.5 * (x[0] + x[1]), y[0], z[1]]).shifted(-16.0, 38.0));
+    labels.push(Label::new(&back.title, &[x[1], y[0], 0.5 * (z[0] + z[1])]).shifted(52.0, 26.0));
+    labels.push(Label::new(&upwards.title, &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
     let caption = format!(
         "The motion in the space of *θ*, *θ*′ and the slip velocity *η*′: sliding (*s*), rolling (*r*) in the plane \
-         *η*′ = 0, lift-off (*L*).{} Ring: start; dots: transitions; grey: shadow of the sliding parts on the plane of \
+         *η*′ = 0, lift-off (*L*).{} Arrows: time; ring: start; dots: transitions; grey: shadow of the sliding parts on the plane of \
          rolling. {}; {}. The zeros of *η*′ are located, not found by a threshold of \
          10^{{−9}} as in §2(c) of the paper.",
         if has_jumps {
@@ -123,41 +143,35 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
         } else {
             ""
         },
-        hoop_in_words(motion.hoop()),
-        start_in_words(motion.hoop(), &input.start)
+        say.hoop(motion.hoop()),
+        say.start(motion.hoop(), &input.start)
     );
-    Ok(Figure {
-        name: NAME,
-        title: "Figure 3(a): the motion in the space of states".to_owned(),
-        caption,
-        width: 620.0,
-        height: 480.0,
-        panels: vec![Panel {
-            name: "space of states",
-            frame: [0.0, 0.0, 620.0, 480.0],
-            view: View::Space {
-                x: angle(x),
-                y: plain(SLIP, "*η*′", y),
-                z: plain(THETA_RATE, "*θ*′", z),
-                yaw: 0.55,
-                pitch: 0.32,
-            },
-            layers,
-            labels,
-            keys: Vec::new(),
-        }],
-    })
+    let sheet = input.sheet(620.0)?;
+    let height = sheet.height(480.0);
+    let [x, y, z] = axes;
+    let panel = Panel {
+        name: "space of states",
+        frame: [0.0, 0.0, sheet.width, height],
+        view: View::Space { x, y, z, yaw: 0.55, pitch: 0.32 },
+        layers,
+        labels,
+        keys: Vec::new(),
+    };
+    Ok(sheet.figure(NAME, "Figure 3(a): the motion in the space of states", caption, height, vec![panel]))
 }
 
 /// Rows of the names of transitions.
 const ROWS: u32 = 3;
+/// Least width of panels that stand beside each other.
+const NARROWEST: f64 = 300.0;
 
 /// A transition and its time, with the symbols of §3: τ_s where static friction gives way, τ_g where the particle reaches the plane.
-fn instant(transition: &Transition) -> String {
-    let time = short(transition.time());
+fn instant(transition: &Transition, say: Wording) -> String {
+    let time = say.value(transition.time(), Dimension::Time);
+    let clock = say.time();
     match transition.cause {
-        Cause::Slip => format!("*τ*_{{s}} = {time}"),
-        Cause::ParticleAtPlane => format!("*τ*_{{g}} = {time}"),
+        Cause::Slip => format!("{clock}_{{s}} = {time}"),
+        Cause::ParticleAtPlane => format!("{clock}_{{g}} = {time}"),
         Cause::NormalForceZero
         | Cause::Stick
         | Cause::Reversal
@@ -168,7 +182,7 @@ fn instant(transition: &Transition) -> String {
         | Cause::ParticleAtTop
         | Cause::Singularity
         | Cause::Settle
-        | Cause::Jam => format!("{} at *τ* = {time}", transition.cause.label()),
+        | Cause::Jam => format!("{} at {clock} = {time}", transition.cause.label()),
     }
 }
 
@@ -233,6 +247,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
         let stroke = Stroke::of_mode(mode).wide(BOLD);
         trace.push(Series::of_rows(mode.name(), &[TIME, SLIP], rows).drawn(Mark::Line(stroke)));
     }
+    let say = input.wording();
     let mut trace_labels = Vec::new();
     for (transition, row) in motion.transitions().iter().zip((0..ROWS).cycle()) {
         let time = transition.time();
@@ -242,7 +257,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
                 .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed))),
         );
         // Above the panel, where no curve is, in rows.
-        let label = Label::new(instant(transition), &[time, range[1]]).sized(SMALL);
+        let label = Label::new(instant(transition, say), &[time, range[1]]).sized(SMALL);
         let label = label.shifted(0.0, -10.0 - 16.0 * f64::from(row));
         let part = (time - motion.start().time) / (until - motion.start().time);
         trace_labels.push(match part {
@@ -271,38 +286,34 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
     };
     let modes: Vec<&str> = motion.phases().iter().map(|phase| phase.mode().name()).collect();
     let caption = format!(
-        "A massless hoop: {}. Left: in the phase plane, with 𝓡 shaded. Right: slip velocity *η*′, zero while \
+        "A massless hoop: {}. First: in the phase plane, with 𝓡 shaded. Second: slip velocity *η*′, zero while \
          the hoop rolls; dashed verticals: transitions.{times} *μ*_{{s}} = {}; {}. Gliding follows (3.17) with \
          the corrected integral.",
         modes.join(", then "),
         short(input.hoop.mu_s()),
-        start_in_words(motion.hoop(), &input.start)
+        say.start(motion.hoop(), &input.start)
     );
     let from = motion.start().time;
-    let above = 16.0 * f64::from(ROWS.min(motion.transitions().len() as u32));
-    Ok(Figure {
-        name: NAME,
-        title: "Figure 7(a): rolling, then gliding".to_owned(),
-        caption,
-        width: 860.0,
-        height: 380.0 + above,
-        panels: vec![
-            Panel {
-                name: "phase plane",
-                frame: [6.0, 12.0 + above, 420.0, 362.0],
-                view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
-                layers: plane,
-                labels,
-                keys: Vec::new(),
-            },
-            Panel {
-                name: "slip velocity",
-                frame: [440.0, 12.0 + above, 400.0, 362.0],
-                view: View::Plane { x: time([from, horizon(&motion)]), y: slip(range), axes: true },
-                layers: trace,
-                labels: trace_labels,
-                keys: Vec::new(),
-            },
-        ],
-    })
+    let above = 12.0 + 16.0 * f64::from(ROWS.min(motion.transitions().len() as u32));
+    let contents = [
+        Content { name: "phase plane", x: say.angle(window.x), y: say.rate(window.y), layers: plane, labels },
+        Content {
+            name: "slip velocity",
+            x: say.clock([from, horizon(&motion)]),
+            y: say.slip(range),
+            layers: trace,
+            labels: trace_labels,
+        },
+    ];
+    let sheet = input.sheet(860.0)?;
+    let [left, inner] = sheet.span();
+    let height = sheet.height(362.0);
+    let frames = match sheet.columns::<2>(NARROWEST) {
+        Some((lefts, each)) => lefts.map(|left| [left, above, each, height]),
+        None => [12.0, 12.0 + height + above].map(|top| [left, top, inner, height]),
+    };
+    let bottom = frames[1][1] + height + 6.0;
+    let panels =
+        frames.into_iter().zip(contents).map(|(frame, content)| Sheet::panel(frame, content)).collect();
+    Ok(sheet.figure(NAME, "Figure 7(a): rolling, then gliding", caption, bottom, panels))
 }

@@ -3,15 +3,16 @@
 use littlewood::closed_form::{rolling_energy, stable_manifold_rate, unstable_manifold_rate};
 
 use super::portrait::massless_limit;
-use crate::axes::{angle, rate};
 use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};
 use crate::error::FigureError;
-use crate::figure::{Figure, Key, Label, Mark, Panel, Series, View};
+use crate::figure::{Figure, Label, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::{Portrait, rows};
+use crate::sheet::Content;
 use crate::style::{FIRST, FRICTION_FORCE, INK, NORMAL_FORCE, PAPER, REGION, SECOND, Stroke};
 use crate::trace::Window;
 use crate::words::short;
+use littlewood_style::ticks::Tick;
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash, Rgb};
 
@@ -52,31 +53,22 @@ fn frame(portrait: &Portrait, theta_s: f64) -> Vec<crate::figure::Layer> {
 const NOTE: &str = "The caption of the paper has *θ*_{s} = 26.5651°, which is half of *θ*_{s} by (3.9).";
 
 fn figure(
-    name: &'static str,
-    title: &str,
+    input: &FigureInput,
+    [name, title]: [&'static str; 2],
     caption: String,
-    portrait: &Portrait,
     layers: Vec<crate::figure::Layer>,
     labels: Vec<Label>,
-    keys: Vec<Key>,
-) -> Figure {
-    let key_room = if keys.is_empty() { 0.0 } else { 20.0 };
-    let window = portrait.window;
-    Figure {
-        name,
-        title: title.to_owned(),
-        caption,
-        width: 580.0,
-        height: 420.0 + key_room,
-        panels: vec![Panel {
-            name: "plane",
-            frame: [6.0, 12.0 + key_room, 552.0, 402.0],
-            view: View::Plane { x: angle(window.x), y: rate(window.y), axes: true },
-            layers,
-            labels,
-            keys,
-        }],
-    }
+    keys: Vec<(Mark, String)>,
+) -> Result<Figure, FigureError> {
+    let (portrait, theta_s) = portrait_of(input);
+    let (say, Window { x, y }) = (input.wording(), portrait.window);
+    let own = [1.0, -1.0].map(|sign: f64| Tick {
+        value: sign * theta_s,
+        label: format!("{}*θ*_{{s}}", if sign < 0.0 { "−" } else { "" }),
+    });
+    let x = say.angle_with(x, own.to_vec());
+    let content = Content { name: "plane", x, y: say.rate(y), layers, labels };
+    Ok(input.sheet(580.0)?.plot(name, title, caption, 402.0, content, keys))
 }
 
 /// Figure 5(a).
@@ -143,13 +135,10 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
         .sized(12.5),
         Label::new("*W*^{s}", &[-0.8 * theta_s, stable_manifold_rate(-0.8 * theta_s)]).shifted(8.0, -10.0),
         Label::new("*W*^{u}", &[0.8 * theta_s, unstable_manifold_rate(0.8 * theta_s)]).shifted(-8.0, -10.0),
-        Label::new("*n*: *N* = 0, *θ*′ = 1", &[0.0, 1.0]).shifted(0.0, -14.0).coloured(NORMAL_FORCE),
-        Label::new("*n*: *N* = 0, *θ*′ = −1", &[0.0, -1.0]).shifted(0.0, 14.0).coloured(NORMAL_FORCE),
-        Label::new("*f*: *θ* = *θ*_{s}", &[theta_s, 0.0]).shifted(10.0, 0.0).left().coloured(FRICTION_FORCE),
-        Label::new("*f*: *θ* = −*θ*_{s}", &[-theta_s, 0.0])
-            .shifted(-10.0, 0.0)
-            .right()
-            .coloured(FRICTION_FORCE),
+        Label::new("*n*: *N* = 0", &[0.0, 1.0]).shifted(0.0, -14.0).coloured(NORMAL_FORCE),
+        Label::new("*n*: *N* = 0", &[0.0, -1.0]).shifted(0.0, 14.0).coloured(NORMAL_FORCE),
+        Label::new("*f*", &[theta_s, 0.0]).shifted(10.0, 0.0).left().coloured(FRICTION_FORCE),
+        Label::new("*f*", &[-theta_s, 0.0]).shifted(-10.0, 0.0).right().coloured(FRICTION_FORCE),
         Label::new("𝓡", &[-0.88 * theta_s, -0.86]).sized(20.0),
     ];
     let caption = format!(
@@ -160,15 +149,7 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
         short(theta_s.to_degrees()),
         short(input.hoop.mu_s())
     );
-    Ok(figure(
-        NAME,
-        "Figure 5(a): the region 𝓡 and its boundaries",
-        caption,
-        &portrait,
-        layers,
-        labels,
-        Vec::new(),
-    ))
+    figure(input, [NAME, "Figure 5(a): the region 𝓡 and its boundaries"], caption, layers, labels, Vec::new())
 }
 
 /// Figure 5(b).
@@ -197,8 +178,7 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
     ];
     let (mut exits, mut heads, mut keys) = (Vec::new(), Vec::new(), Vec::new());
     for (name, energies, stroke) in kinds {
-        let at = [150.0 + 130.0 * keys.len() as f64, 17.0];
-        keys.push(Key { mark: Mark::Line(stroke), text: name.to_owned(), at });
+        keys.push((Mark::Line(stroke), name.to_owned()));
         for energy in energies {
             let orbit: Vec<Vec<[f64; 2]>> = in_region(&portrait, theta_s, energy);
             for piece in &orbit {
@@ -239,7 +219,7 @@ pub(crate) fn motions(input: &FigureInput) -> Result<Figure, FigureError> {
         short(input.hoop.mu_s()),
         short(theta_s.to_degrees())
     );
-    Ok(figure(NAME, "Figure 5(b): motions of Types I, II and III", caption, &portrait, layers, labels, keys))
+    figure(input, [NAME, "Figure 5(b): motions of Types I, II and III"], caption, layers, labels, keys)
 }
 
 /// Direction of an orbit, along it.

@@ -1,0 +1,103 @@
+//! A sheet as PDF of one page, its letters as outlines: no face has to be embedded.
+
+use littlewood_style::{Dash, Rgb};
+use miniz_oxide::deflate::compress_to_vec_zlib;
+use pdf_writer::types::{LineCapStyle, LineJoinStyle};
+use pdf_writer::{Content, Filter, Finish as _, Pdf, Rect, Ref, TextStr};
+
+use super::item::Item;
+use super::markup::plain;
+use super::pencil::{Edge, Path, Pencil, Segment, draw};
+use crate::figure::Figure;
+
+/// Level of compression.
+const LEVEL: u8 = 8;
+
+struct Page(Content);
+
+/// To a thousandth of a pixel, which keeps the file small.
+fn fine(point: [f64; 2]) -> [f32; 2] {
+    point.map(|value| (libm::round(1e3 * value) / 1e3) as f32)
+}
+
+/// A colour as PDF and EPS take it.
+pub(crate) fn shares(Rgb(colour): Rgb) -> [f32; 3] {
+    colour.map(|value| (libm::round(f64::from(value) / 255.0 * 1e4) / 1e4) as f32)
+}
+
+impl Page {
+    fn path(&mut self, path: &Path) {
+        for segment in path {
+            match *segment {
+                Segment::Move(to) => {
+                    let [x, y] = fine(to);
+                    self.0.move_to(x, y);
+                }
+                Segment::Line(to) => {
+                    let [x, y] = fine(to);
+                    self.0.line_to(x, y);
+                }
+                Segment::Curve(a, b, to) => {
+                    let [[a, b], [c, d], [x, y]] = [a, b, to].map(fine);
+                    self.0.cubic_to(a, b, c, d, x, y);
+                }
+                Segment::Close => {
+                    self.0.close_path();
+                }
+            }
+        }
+    }
+}
+
+impl Pencil for Page {
+    fn fill(&mut self, path: &Path, colour: Rgb, _crisp: bool) {
+        let [r, g, b] = shares(colour);
+        self.0.set_fill_rgb(r, g, b);
+        self.path(path);
+        self.0.fill_nonzero();
+    }
+
+    fn stroke(&mut self, path: &Path, edge: Edge) {
+        let [r, g, b] = shares(edge.colour);
+        let cap = if edge.dash == Dash::Solid { LineCapStyle::RoundCap } else { LineCapStyle::ButtCap };
+        self.0.set_stroke_rgb(r, g, b).set_line_width(edge.width as f32).set_line_cap(cap);
+        self.0.set_dash_pattern(edge.pattern().map(|part| part as f32), 0.0);
+        self.path(path);
+        self.0.stroke();
+    }
+
+    fn clip(&mut self, path: &Path) {
+        self.0.save_state();
+        self.path(path);
+        self.0.clip_nonzero().end_path();
+    }
+
+    fn unclip(&mut self) {
+        self.0.restore_state();
+    }
+}
+
+/// A document of one page.
+pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
+    let scale = figure.points();
+    let [width, height] = [figure.width, figure.height].map(|side| (side * scale) as f32);
+    let mut page = Page(Content::new());
+    page.0.transform([scale as f32, 0.0, 0.0, -scale as f32, 0.0, height]);
+    page.0.set_line_join(LineJoinStyle::RoundJoin);
+    draw(items, [figure.width, figure.height], &mut page);
+
+    let [catalog, pages, sheet, content, about] = [1, 2, 3, 4, 5].map(Ref::new);
+    let mut pdf = Pdf::new();
+    pdf.catalog(catalog).pages(pages);
+    pdf.pages(pages).kids([sheet]).count(1);
+    let mut described = pdf.page(sheet);
+    described.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(content);
+    described.resources();
+    described.finish();
+    pdf.stream(content, &compress_to_vec_zlib(&page.0.finish(), LEVEL)).filter(Filter::FlateDecode);
+    pdf.document_info(about)
+        .title(TextStr(&plain(&figure.title)))
+        .subject(TextStr(&plain(&figure.caption)))
+        .creator(TextStr("littlewood"));
+    pdf.finish()
+}

@@ -1,0 +1,211 @@
+//! The last step of a figure: numbers in its units, ticks as many as there is room for, labels beside each other.
+
+use littlewood::{Dimension, Units};
+use littlewood_style::ticks::{self, Tick};
+
+use crate::columns::{LOG_GAP_RATE, dimension, si_name};
+use crate::draw::{ROOM, width};
+use crate::figure::{Anchor, Figure, Label, Mark, Panel, PlotAxis, Scale, View};
+use crate::style::SMALL;
+use crate::words::short;
+
+/// Most ticks of an axis, and the least room between their labels in pixels.
+const MOST: usize = 9;
+const BESIDE: f64 = 12.0;
+const ABOVE: f64 = 12.0;
+/// Pixels to a tick of an axis to the right, and of one upwards.
+const EACH: [f64; 2] = [60.0, 30.0];
+
+impl Figure {
+    /// Completes a figure.
+    pub(crate) fn finished(mut self, units: Option<&Units>) -> Self {
+        let sheet = [self.width, self.height];
+        for panel in &mut self.panels {
+            if let Some(units) = units {
+                convert(panel, units);
+            }
+            let [_, _, across, upwards] = panel.frame;
+            match &mut panel.view {
+                View::Plane { x, y, axes } => {
+                    let room = if *axes { ROOM } else { [0.0; 2] };
+                    fit(x, across - room[0], true);
+                    fit(y, upwards - room[1], false);
+                }
+                View::Space { x, y, z, .. } => {
+                    fit(x, 0.6 * across, true);
+                    fit(y, 0.5 * upwards, false);
+                    fit(z, 0.25 * across, true);
+                }
+            }
+            arrange(panel, sheet);
+        }
+        self
+    }
+}
+
+/// A value of a column in SI units.
+fn in_si(units: &Units, column: &str, value: f64) -> f64 {
+    if column == LOG_GAP_RATE {
+        return value + libm::log10(units.unit(Dimension::Velocity));
+    }
+    units.to_si(dimension(column), value)
+}
+
+/// Numbers in SI units, and columns named so.
+fn convert(panel: &mut Panel, units: &Units) {
+    let axes = match &mut panel.view {
+        View::Plane { x, y, .. } => vec![x, y],
+        View::Space { x, y, z, .. } => vec![x, y, z],
+    };
+    for label in &mut panel.labels {
+        for (value, axis) in label.at.iter_mut().zip(&axes) {
+            *value = in_si(units, &axis.column, *value);
+        }
+    }
+    let radius = units.unit(Dimension::Length);
+    let sides = [&axes[0].column, &axes[1].column].map(|column| units.unit(dimension(column)));
+    for axis in axes {
+        axis.range = axis.range.map(|value| in_si(units, &axis.column, value));
+        axis.column = si_name(&axis.column);
+    }
+    for layer in &mut panel.layers {
+        for row in layer.series.pieces.iter_mut().flatten() {
+            for (value, column) in row.iter_mut().zip(&layer.series.columns) {
+                *value = in_si(units, column, *value);
+            }
+        }
+        for column in &mut layer.series.columns {
+            *column = si_name(column);
+        }
+        match &mut layer.mark {
+            Mark::Hoop { radius: own, .. } => *own *= radius,
+            Mark::Cell(_, own) => *own = [own[0] * sides[0], own[1] * sides[1]],
+            Mark::Line(_)
+            | Mark::Arrow(_)
+            | Mark::Head(_)
+            | Mark::Fill(_)
+            | Mark::Hatch(_)
+            | Mark::Dot(..)
+            | Mark::Ring(..)
+            | Mark::Cross(..) => {}
+        }
+    }
+}
+
+/// As many ticks as an axis of so many pixels has room for.
+fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool) {
+    let [from, to] = axis.range;
+    let each = EACH[usize::from(!to_the_right)];
+    let most = (libm::floor(pixels / each) as usize).clamp(2, MOST);
+    let apart = |a: &Tick, b: &Tick| {
+        let distance = (b.value - a.value) / (to - from) * pixels;
+        let needed = if to_the_right {
+            0.5 * (width(&a.label, SMALL) + width(&b.label, SMALL)) + BESIDE
+        } else {
+            SMALL + ABOVE
+        };
+        distance.abs() >= needed
+    };
+    let fits = |ticks: &[Tick]| ticks.windows(2).all(|pair| apart(&pair[0], &pair[1]));
+    let candidates = (1..=most).rev().map(|count| choices(axis, count));
+    let Some(mut found) = candidates.into_iter().find(|ticks| fits(ticks)) else { return };
+    if let Scale::Angle(own) = &axis.scale {
+        found.retain(|tick| own.iter().all(|other| apart(tick, other)));
+        found.extend(own.iter().cloned());
+        found.sort_by(|a, b| a.value.total_cmp(&b.value));
+    }
+    axis.ticks = found;
+}
+
+/// At most about so many ticks.
+fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
+    let [from, to] = axis.range;
+    match &axis.scale {
+        Scale::Round => ticks::round(from, to, count),
+        Scale::NotNegative => {
+            let mut ticks = ticks::round(from, to, count);
+            ticks.retain(|tick| tick.value >= 0.0);
+            ticks
+        }
+        Scale::Whole => ticks::round(from, to, count.min((to - from) as usize).max(1)),
+        Scale::Angle(_) => ticks::angular(from, to, count),
+        Scale::Decades => decades([from, to], count),
+        Scale::Bare => ticks::round(from, to, count)
+            .into_iter()
+            .map(|tick| Tick { label: String::new(), value: tick.value })
+            .collect(),
+        Scale::Nothing => Vec::new(),
+    }
+}
+
+/// Powers of ten; within few of them their double and five times as much, too.
+fn decades([from, to]: [f64; 2], most: usize) -> Vec<Tick> {
+    let (first, last) = (libm::ceil(from) as i32, libm::floor(to) as i32);
+    if last - first < 2 && most > 3 {
+        return (first - 1..=last)
+            .flat_map(|power| [1.0, 2.0, 5.0].map(|factor| factor * libm::pow(10.0, f64::from(power))))
+            .map(|rate| Tick { value: libm::log10(rate), label: short(rate) })
+            .filter(|tick| (from..=to).contains(&tick.value))
+            .collect();
+    }
+    let each = (last - first).max(0) as usize / most + 1;
+    (first..=last)
+        .rev()
+        .step_by(each)
+        .map(|power| {
+            let label = format!("10^{{{}}}", ticks::minus(&power.to_string()));
+            Tick { value: f64::from(power), label }
+        })
+        .collect()
+}
+
+type Frame = [f64; 4];
+
+/// Least distance of a label from the edge of the sheet and from others.
+const EDGE: f64 = 3.0;
+
+/// The box of a label whose place is known.
+fn frame(label: &Label, [x, y]: [f64; 2]) -> Frame {
+    let wide = width(&label.text, label.size);
+    let left = x + label.shift[0]
+        - match label.anchor {
+            Anchor::Left => 0.0,
+            Anchor::Middle => 0.5 * wide,
+            Anchor::Right => wide,
+        };
+    let middle = y + label.shift[1];
+    [left, middle - 0.45 * label.size, left + wide, middle + 0.45 * label.size]
+}
+
+fn overlap(a: Frame, b: Frame) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
+
+/// Moves labels of a plane onto the sheet, and up or down where another one stands.
+fn arrange(panel: &mut Panel, [sheet, _]: [f64; 2]) {
+    let View::Plane { x, y, axes } = &panel.view else { return };
+    let room = if *axes { ROOM } else { [0.0; 2] };
+    let [left, top, across, upwards] = panel.frame;
+    let share = |axis: &PlotAxis, value: f64| (value - axis.range[0]) / (axis.range[1] - axis.range[0]);
+    let place = |at: &[f64]| {
+        [
+            left + room[0] + share(x, at[0]) * (across - room[0]),
+            top + (1.0 - share(y, at[1])) * (upwards - room[1]),
+        ]
+    };
+    let mut taken: Vec<Frame> = Vec::new();
+    for label in &mut panel.labels {
+        let at = place(&label.at);
+        let there = frame(label, at);
+        label.shift[0] += (EDGE - there[0]).max(0.0) - (there[2] - (sheet - EDGE)).max(0.0);
+        let own = label.shift;
+        let step = label.size;
+        let tries = [0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0].map(|count| own[1] + count * step);
+        let free = tries.into_iter().find(|down| {
+            let moved = Label { shift: [own[0], *down], ..label.clone() };
+            taken.iter().all(|other| !overlap(frame(&moved, at), *other))
+        });
+        label.shift[1] = free.unwrap_or(own[1]);
+        taken.push(frame(label, at));
+    }
+}

@@ -1,0 +1,182 @@
+//! Numbers, units and symbols in the system of units of a figure.
+
+use core::f64::consts::PI;
+
+use littlewood::{Dimension, Group, Hoop, Quantity, Setup, SiSetup, Start, Units};
+use littlewood_style::ticks;
+
+use crate::words::{marked, short};
+
+/// Parameters on which rolling depends.
+const ROLLING: [Quantity; 4] = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::MuS];
+
+/// How a figure says numbers: in the units of (2.9), or in SI units.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wording {
+    units: Option<Units>,
+}
+
+impl Wording {
+    pub(crate) const fn new(units: Option<Units>) -> Self {
+        Self { units }
+    }
+
+    /// The unit of a dimension, with marks; empty for a ratio.
+    pub(crate) fn unit(self, dimension: Dimension) -> String {
+        match (self.units, dimension) {
+            // The sign of the radian is a word.
+            (Some(_), _) | (None, Dimension::Angle) => dimension.si_sign().replace('²', "^{2}"),
+            (None, _) => marked(dimension.scale_sign()),
+        }
+    }
+
+    /// Title of an axis: a symbol, with marks, and its unit.
+    pub(crate) fn title(self, symbol: &str, dimension: Dimension) -> String {
+        let unit = self.unit(dimension);
+        if unit.is_empty() { symbol.to_owned() } else { format!("{symbol}  ({unit})") }
+    }
+
+    /// Symbol of the time, with marks.
+    pub(crate) fn time(self) -> String {
+        let quantity = Quantity::Time;
+        marked(self.units.and(quantity.si_twin()).unwrap_or(quantity).sign())
+    }
+
+    /// A number for print, in the unit of a dimension, without it.
+    pub(crate) fn number(self, value: f64, dimension: Dimension) -> String {
+        self.units.map_or_else(|| short(value), |units| significant(units.to_si(dimension, value)))
+    }
+
+    /// A number as it stands in a picture: with its unit in SI units, the axes tell the others.
+    pub(crate) fn value(self, value: f64, dimension: Dimension) -> String {
+        if self.units.is_some() { self.quantity(value, dimension) } else { short(value) }
+    }
+
+    /// A number with its unit.
+    pub(crate) fn quantity(self, value: f64, dimension: Dimension) -> String {
+        let unit = self.unit(dimension);
+        let number = self.number(value, dimension);
+        if unit.is_empty() { number } else { format!("{number} {unit}") }
+    }
+
+    /// The parameters of a hoop; with the law, if it has a coefficient of restitution.
+    pub(crate) fn hoop(self, hoop: &Hoop) -> String {
+        let law = hoop.restitution().map_or_else(String::new, |e| format!(", law: {}", e.law().label()));
+        self.parameters(hoop, &Quantity::HOOP) + &law
+    }
+
+    /// Those parameters of a hoop on which rolling depends.
+    pub(crate) fn rolling(self, hoop: &Hoop) -> String {
+        self.parameters(hoop, &ROLLING)
+    }
+
+    /// Those parameters of a hoop that do not concern friction.
+    pub(crate) fn body(self, hoop: &Hoop) -> String {
+        self.parameters(hoop, &ROLLING[..3])
+    }
+
+    fn parameters(self, hoop: &Hoop, quantities: &[Quantity]) -> String {
+        let setup = Setup::new(hoop.parameters(), Start::default());
+        let Some(units) = self.units else {
+            let words = quantities.iter().filter_map(|quantity| {
+                Some(format!("{} = {}", marked(quantity.sign()), short(setup.get(*quantity)?)))
+            });
+            return words.collect::<Vec<_>>().join(", ");
+        };
+        let si = SiSetup::new(&setup, &units);
+        let twins = quantities.iter().map(|quantity| quantity.si_twin().unwrap_or(*quantity));
+        let of_units = Quantity::SI_HOOP.into_iter().filter(|quantity| quantity.group() == Group::Units);
+        let words = twins.chain(of_units).filter_map(|quantity| {
+            let value = significant(si.get(quantity)?);
+            let unit = quantity.unit_sign().replace('²', "^{2}");
+            Some(format!("{} = {value} {unit}", marked(quantity.sign())).trim_end().to_owned())
+        });
+        words.collect::<Vec<_>>().join(", ")
+    }
+
+    /// A start.
+    pub(crate) fn start(self, hoop: &Hoop, start: &Start) -> String {
+        let setup = Setup::new(hoop.parameters(), *start);
+        let words: Vec<String> = Quantity::START
+            .into_iter()
+            .filter(|quantity| quantity.group() == Group::Start)
+            .filter_map(|quantity| {
+                let value = setup.get(quantity)?;
+                // Only a hoop that is thrown has a rate of the gap to speak of.
+                if quantity == Quantity::GapRate && value == 0.0 {
+                    return None;
+                }
+                let dimension = quantity.dimension();
+                let angle = Some(value).filter(|_| dimension == Dimension::Angle);
+                let number = angle.and_then(fraction_of_pi).unwrap_or_else(|| match dimension {
+                    Dimension::Angle => short(value),
+                    _ => self.value(value, dimension),
+                });
+                Some(format!("{}(0) = {number}", marked(quantity.sign())))
+            })
+            .collect();
+        words.join(", ")
+    }
+
+    /// What a caption has to say of the units.
+    pub(crate) fn note(self) -> &'static str {
+        if self.units.is_some() {
+            " Axes and values in SI units, primes for derivatives with respect to the time *t*; formulas in the units of \
+             (2.9), *m*_{2} = *R* = *g* = 1."
+        } else {
+            ""
+        }
+    }
+}
+
+/// Digits of a number in SI units.
+const DIGITS: i32 = 5;
+
+/// A number with its first digits, and the minus sign of print.
+fn significant(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return short(value);
+    }
+    let decade = libm::floor(libm::log10(value.abs())) as i32;
+    if !(-5..7).contains(&decade) {
+        let text = format!("{value:.3e}");
+        let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+        let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+        return ticks::minus(&format!("{mantissa}×10^{{{power}}}"));
+    }
+    let digits = usize::try_from(DIGITS - 1 - decade).unwrap_or(0);
+    let text = format!("{value:.digits$}");
+    let text = if digits > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    ticks::minus(text)
+}
+
+/// A multiple of π/12, if it is one.
+fn fraction_of_pi(value: f64) -> Option<String> {
+    let twelfths = libm::round(12.0 * value / PI);
+    let is_one = twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;
+    is_one.then(|| ticks::of_pi(twelfths as i64, 12))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_in_si_units_have_five_digits() {
+        assert_eq!(significant(0.000_123_456_7), "0.00012346");
+        assert_eq!(significant(-12.5), "−12.5");
+        assert_eq!(significant(123_456.7), "123457");
+        assert_eq!(significant(1.5e-9), "1.5×10^{−9}");
+    }
+
+    #[test]
+    fn a_time_is_converted_and_has_its_unit() {
+        let units = Units::new(0.5, 0.4, 10.0).expect("units");
+        let (si, own) = (Wording::new(Some(units)), Wording::new(None));
+        // √(R/g) = 0.2 s.
+        assert_eq!(si.quantity(2.0, Dimension::Time), "0.4 s");
+        assert_eq!(own.quantity(2.0, Dimension::Time), "2 √(*R*/*g*)");
+        assert_eq!(si.title("*N*", Dimension::Force), "*N*  (N)");
+        assert_eq!((si.time(), own.time()), ("*t*".to_owned(), "*τ*".to_owned()));
+    }
+}

@@ -1,0 +1,175 @@
+//! Figures for print: letters and lines of one size at any width, texts beside each other, and the same drawing in every
+//! format.
+
+use crate::support;
+use littlewood_figures::{
+    FIGURES, Figure, FigureError, FigureInput, LEAST_WIDTH_MM, Letters, MOST_WIDTH_MM, Mark, plain,
+};
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
+
+fn printed(name: &str, width_mm: f64) -> Result<Figure, FigureError> {
+    let entry = littlewood_figures::find_figure(name).expect("a figure");
+    let input = FigureInput::of_case(entry.case).expect("a case");
+    entry.figure(&FigureInput { width_mm: Some(width_mm), ..input })
+}
+
+/// Numbers after each place of a text in a drawing.
+fn numbers(svg: &str, before: &str) -> Vec<f64> {
+    svg.split(before).skip(1).filter_map(|rest| rest.split('"').next()?.parse().ok()).collect()
+}
+
+#[test]
+fn letters_are_seven_to_eight_points_and_lines_the_same_at_any_width() {
+    for entry in FIGURES {
+        let mut seen: Vec<Vec<f64>> = Vec::new();
+        for mm in [84.0, 178.0] {
+            let figure = printed(entry.name, mm).expect("it can be drawn");
+            let svg = figure.svg_with(Letters::Text).expect("a drawing");
+            assert!(svg.contains(&format!("width=\"{mm}mm\"")), "{}", entry.name);
+            let points = mm / 25.4 * 72.0 / figure.width;
+            // All letters but those of indices and the one large 𝓡.
+            let sizes: Vec<f64> = svg
+                .split("<text ")
+                .skip(1)
+                .flat_map(|rest| numbers(rest, "font-size=\"").first().copied())
+                .map(|size| size * points)
+                .collect();
+            assert!(
+                sizes.iter().all(|size| (6.99..8.0).contains(size) || *size > 11.0),
+                "{}: {sizes:?}",
+                entry.name
+            );
+            let mut widths: Vec<f64> =
+                numbers(&svg, "stroke-width=\"").into_iter().map(|width| width * points).collect();
+            widths.sort_by(f64::total_cmp);
+            widths.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
+            assert!(widths[0] >= 0.25, "{}: {widths:?}", entry.name);
+            seen.push(widths);
+        }
+        assert_eq!(seen[0].len(), seen[1].len(), "{}: {seen:?}", entry.name);
+        for (narrow, wide) in seen[0].iter().zip(&seen[1]) {
+            assert!((narrow - wide).abs() < 1e-2, "{}: {narrow} and {wide} points", entry.name);
+        }
+    }
+}
+
+#[test]
+fn no_text_hides_another_or_leaves_the_sheet() {
+    for entry in FIGURES {
+        for mm in [None, Some(84.0), Some(178.0)] {
+            let input = FigureInput { width_mm: mm, ..FigureInput::of_case(entry.case).expect("a case") };
+            let figure = entry.figure(&input).expect("it can be drawn");
+            let texts = figure.texts().expect("texts");
+            for (i, (text, [left, top, right, bottom])) in texts.iter().enumerate() {
+                let name = entry.name;
+                assert!(
+                    *left >= 0.0 && *top >= 0.0 && *right <= figure.width && *bottom <= figure.height,
+                    "{name}, {mm:?} mm: '{text}' leaves the sheet"
+                );
+                for (other, [l, t, r, b]) in &texts[..i] {
+                    let apart = right <= l || r <= left || bottom <= t || b <= top;
+                    assert!(apart, "{name}, {mm:?} mm: '{text}' and '{other}'");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_width_out_of_bounds_is_refused() {
+    for mm in [LEAST_WIDTH_MM - 1.0, MOST_WIDTH_MM + 1.0, f64::NAN, -84.0] {
+        let error = printed("figure-2b", mm).expect_err("out of bounds");
+        assert!(matches!(error, FigureError::Width { .. }) && error.to_string().contains("60 to 420 mm"));
+    }
+}
+
+/// Bytes of the pixels of a PNG, as red, green and blue.
+fn pixels(png: &[u8]) -> (u32, u32, Vec<u8>) {
+    let pixmap = Pixmap::decode_png(png).expect("a picture");
+    let colours = pixmap.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
+    (pixmap.width(), pixmap.height(), colours)
+}
+
+#[test]
+fn another_program_shows_the_drawing_as_the_picture_has_it() {
+    // resvg reads the SVG; without any face, so that letters must be outlines.
+    for entry in FIGURES {
+        let figure = entry.of_the_paper().expect("it can be drawn");
+        let (width, height, ours) = pixels(&figure.png(1.0).expect("a picture"));
+        let tree = Tree::from_str(&figure.svg().expect("a drawing"), &Options::default()).expect("an SVG");
+        let mut theirs = Pixmap::new(width, height).expect("room");
+        resvg::render(&tree, Transform::identity(), &mut theirs.as_mut());
+        let (_, _, theirs) = pixels(&theirs.encode_png().expect("a picture"));
+        let differences = ours.iter().zip(&theirs).map(|(a, b)| f64::from(a.abs_diff(*b)));
+        let mean = differences.sum::<f64>() / ours.len() as f64;
+        // Hatches are smoothed twice there. A wrong letter or a missing line makes more.
+        let hatched = figure
+            .panels
+            .iter()
+            .flat_map(|panel| &panel.layers)
+            .any(|layer| matches!(layer.mark, Mark::Hatch(_)));
+        let most = if hatched { 1.2 } else { 0.3 };
+        assert!(mean < most, "{}: {mean} of 255 in the mean", entry.name);
+    }
+}
+
+/// What a PDF draws, from its one compressed stream.
+fn content(pdf: &[u8]) -> String {
+    let find = |wanted: &[u8]| {
+        pdf.windows(wanted.len()).position(|part| part == wanted).expect("a part of the file")
+    };
+    let (from, to) = (find(b"stream\n") + 7, find(b"\nendstream"));
+    let bytes = miniz_oxide::inflate::decompress_to_vec_zlib(&pdf[from..to]).expect("a stream");
+    String::from_utf8(bytes).expect("text")
+}
+
+#[test]
+fn pdf_and_eps_have_the_size_of_the_print_and_all_that_is_drawn() {
+    let figure = printed("figure-2b", 84.0).expect("it can be drawn");
+    let pdf = figure.pdf().expect("a drawing");
+    assert!(pdf.starts_with(b"%PDF-1.") && pdf.ends_with(b"%%EOF"));
+    let text = String::from_utf8_lossy(&pdf);
+    // 84 mm are 238.11 points.
+    assert!(text.contains("/MediaBox [0 0 238.11"), "{text}");
+    assert!(!text.contains("/Font"), "letters are outlines");
+    let eps = figure.eps().expect("a drawing");
+    assert!(eps.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n") && eps.contains("%%BoundingBox: 0 0 239 "));
+    assert!(eps.is_ascii());
+    let drawn = content(&pdf);
+    let fills =
+        |text: &str, operator: &str| text.lines().filter(|line| line.trim_end().ends_with(operator)).count();
+    assert_eq!(fills(&drawn, "f"), fills(&eps, " f"));
+    assert_eq!(fills(&drawn, "S"), fills(&eps, " s"));
+    assert!(fills(&drawn, "f") > 30);
+    assert!(pdf == figure.pdf().expect("a drawing"), "the same bytes again");
+}
+
+#[test]
+fn letters_of_an_svg_are_outlines_and_are_read_aloud_all_the_same() {
+    let figure = support::figure("figure-2b");
+    let svg = figure.svg().expect("a drawing");
+    assert!(!svg.contains("<text") && !svg.contains("font"));
+    assert!(
+        svg.contains("aria-label=\"N &lt; 0\"") && svg.contains("<desc>") && svg.contains("role=\"img\"")
+    );
+    let with_text = figure.svg_with(Letters::Text).expect("a drawing");
+    assert!(with_text.contains("@font-face") && with_text.contains("base64,"), "the letters are in the file");
+}
+
+#[test]
+fn captions_are_files_of_markdown_and_latex() {
+    let figure = printed("figure-2b", 84.0).expect("it can be drawn");
+    let markdown = figure.caption_md();
+    assert!(
+        markdown.starts_with("![Figure 2(b): phase portrait of rolling](figure-2b.svg)\n\n**Figure 2(b): ")
+    );
+    assert!(markdown.contains("*μ*<sub>s</sub>*N*"));
+    let tex = figure.caption_tex();
+    assert!(
+        tex.contains("\\includegraphics[width=84mm]{figure-2b.pdf}")
+            && tex.contains("\\label{fig:figure-2b}")
+    );
+    assert!(tex.contains("$|F| = \\mu_{\\mathrm{s}}N$"), "{tex}");
+    assert!(figure.caption_txt().contains(&plain(&figure.caption)));
+}
