@@ -1,8 +1,13 @@
 import copy
+import csv
+import hashlib
+import importlib.util
+import io
 import json
 import math
 import subprocess
 import sys
+import tarfile
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -262,3 +267,44 @@ def test_the_arithmetic_of_the_checker_encloses() -> None:
     assert third.ends()[0] < Fraction(1, 3) < third.ends()[1]
     root = Range.of(Fraction(2)).sqrt()
     assert root.ends()[0] ** 2 < 2 < root.ends()[1] ** 2
+
+
+def test_certificates_follow_their_schema() -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    schema = json.loads((TRUTH / "certificate.schema.json").read_text())
+    validator = jsonschema.Draft202012Validator(schema)
+    validator.check_schema(schema)
+    families = set()
+    for path in sorted((TRUTH / "certificates").glob("*.json")):
+        certificate = json.loads(path.read_text())
+        family = certificate["case"]["family"]
+        if family in families and certificate["certified"]:
+            continue
+        families.add(family)
+        validator.validate(certificate)
+        with pytest.raises(jsonschema.ValidationError):
+            validator.validate(certificate | {"version": 2})
+    text = (TRUTH / "families.md").read_text()
+    assert all(family in text for family in families)
+
+
+def test_the_archive_has_the_same_bytes_and_its_package_describes_it() -> None:
+    spec = importlib.util.spec_from_file_location("archive", TRUTH / "archive.py")
+    assert spec is not None and spec.loader is not None
+    archive = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(archive)
+    files = archive.contents()
+    one = archive.archive(files)
+    assert one == archive.archive(dict(reversed(files.items())))
+    with tarfile.open(fileobj=io.BytesIO(one)) as tar:
+        assert {entry.mtime for entry in tar} == {0}
+        assert len(tar.getnames()) == len(files)
+    described = json.loads(files["datapackage.json"])
+    for resource in described["resources"]:
+        data = files[resource["path"]]
+        assert resource["hash"] == f"sha256:{hashlib.sha256(data).hexdigest()}"
+        header = data.split(b"\n", 1)[0].decode().split(",")
+        assert header == [field["name"] for field in resource["schema"]["fields"]]
+    rows = list(csv.DictReader(io.StringIO(files["tables/events.csv"].decode())))
+    slip = next(row for row in rows if row["motion"] == "paper-01" and row["cause"] == "slip")
+    assert slip["time"].startswith("0.97322307477240541")

@@ -115,6 +115,7 @@ class Checker:
         # About the mass centre: the hoop at the distance h, the particle at the distance ℓ − h.
         inertia = own + ratio * h**2 + (offset - h) ** 2
         self.hoop = Hoop(of(m), of(h), of(inertia), of(offset), of(Fraction(hoop["mu_s"])), of(Fraction(hoop["mu_k"])))
+        self.massless = ratio == 0 and own == 0
         self.balanced, self.equal = offset == 0, hoop["mu_s"] == hoop["mu_k"]
         self.clock = of(length / gravity).sqrt()
         self.speed = of(length * gravity).sqrt()
@@ -196,20 +197,29 @@ class Checker:
                 event = events.pop(0)
                 state, (mode, direction, evidence, order) = self.settle(state, event, lost)
                 continue
-            run = self.phase(state, mode, direction, order)
+            times = [Range.of(Fraction(one["time"][0])) / self.clock for one in phase["samples"]]
+            run = self.phase(state, mode, direction, order, times[-1] if times else state.time)
             self.samples(run, phase)
             if run.end is None:
                 self.same_endless(run)
                 break
             before, state = state, run.end
+            if run.guard == "slip":
+                state = replace(state, slip=Range(0))
             if mode == "sliding":
-                if run.guard == "slip":
-                    state = replace(state, slip=Range(0))
                 lost["sliding"] += self.energy(before) - self.energy(state)
             if run.guard == "time_limit":
                 self.same_end("time_limit", state)
                 break
             event = events.pop(0)
+            if run.guard == "plane":
+                self.same_choice("at the plane", (None, 0, {}), event, "to")
+                self.same_cause("particle_at_plane", event)
+                self.same_plane(state, event["state"])
+                self.same_plane(state, certificate["end"]["state"])
+                if certificate["end"]["kind"] != "particle_at_plane":
+                    raise Refused("the motion ends with the particle at the plane")
+                break
             if run.guard == "gap":
                 if self.e is None:
                     self.same_choice("at the landing", (None, 0, {"gap_rate": state.gap_rate}), event, "to")
@@ -240,10 +250,18 @@ class Checker:
             return "lift_off", ("flight", 0, {"gap_third_derivative": opens}, 3)
         if run.guard == "slip":
             following = self.decide(state)
-            return ("reversal" if following[0] == "sliding" else "stick"), following
+            return ("stick" if following[0] == "rolling" else "reversal"), following
         if run.guard == "solvability":
             raise Refused("the slide runs into P = 0")
+        if run.guard == "normal":
+            return "normal_force_zero", ("gliding", -state.rate.sign(), {}, 2)
         return "slip", self.decide(state, -1 if run.guard == "margin_positive" else 1)
+
+    def same_plane(self, state: State, claimed: Mapping[str, Any]) -> None:
+        """Compare the state with the particle at the plane, which has an infinite rate."""
+        if set(claimed) != {"time", "theta", "slip", "x", "gap", "gap_rate"}:
+            raise Refused("the state with the particle at the plane has other numbers")
+        self.same_state("at the plane", state, claimed, some=True)
 
     def same_cause(self, cause: str, event: Mapping[str, Any]) -> None:
         """Compare the name of an event."""
@@ -306,6 +324,8 @@ class Checker:
 
     def decide(self, state: State, gives_way: int = 0) -> tuple[str, int, dict[str, Range], int]:
         """Return mode, direction, the numbers that decide, and the order of the zero with which the phase begins."""
+        if self.massless:
+            return self.decide_massless(state, gives_way)
         hoop = self.hoop
         sin, cos = sine_and_cosine(state.theta)
         _, b, c = hoop.compliances(sin, cos)
@@ -340,7 +360,44 @@ class Checker:
             raise Refused("no slide begins")
         return "sliding", direction, evidence, 2 if gives_way and self.equal else 1
 
-    def phase(self, start: State, mode: str, sigma: int, order: int) -> Run:
+    def decide_massless(self, state: State, gives_way: int) -> tuple[str, int, dict[str, Range], int]:
+        """Return the same for a massless hoop: it rolls, or glides without any force."""
+        moving = state.slip.sign()
+        if moving:
+            return "gliding", moving, {}, 0
+        sin, cos = sine_and_cosine(state.theta)
+        normal, friction = self.forces(state, "rolling", 0)
+        evidence = {"rolling_normal": normal, "rolling_friction": friction}
+        presses = (1 - state.rate * state.rate).sign()
+        if not gives_way and presses > 0 and (self.hoop.mu_s * (1 + cos) - abs(sin)).sign() > 0:
+            return "rolling", 0, evidence, 0
+        # η″ = (1 + c)(1 − θ′²)/s.
+        direction = sin.sign() * presses
+        if direction == 0:
+            raise Refused("no glide begins")
+        return "gliding", direction, evidence, 1
+
+    def plane(self, start: State, sigma: int) -> State | None:
+        """Return the end of a glide in which the particle falls to the plane, where its slip is seen not to come to rest.
+
+        Y = cos θ falls freely with V = Y′, and η′ = v − side V √((1 + Y)/(1 − Y)), whose last term is at most
+        r √((1 + Y0)/(1 − Y0)) from here on, r the speed at the plane.
+        """
+        sin, cos = sine_and_cosine(start.theta)
+        fall = sin * start.rate
+        if not exceeds(fall, 0) or float(cos) > -0.5:
+            return None
+        r = (fall * fall + 2 * (1 + cos)).sqrt()
+        drift = start.slip - (1 + cos) * start.rate
+        if not exceeds(drift * sigma, r * ((1 + cos) / (1 - cos)).sqrt()):
+            return None
+        time = r - fall
+        turns = round(float(start.theta) / 6.283185307179586)
+        theta = pi() * (2 * turns + sin.sign())
+        x = start.x + drift * time - sin
+        return State(start.time + time, theta, Range(0), drift, x, Range(0), Range(0))
+
+    def phase(self, start: State, mode: str, sigma: int, order: int, last: Range | None = None) -> Run:
         """Follow a phase, all guards enclosed and positive, to the zero of one of them."""
         run = Run()
         if mode == "rolling" and start.rate.is_zero() and (self.balanced or start.theta.is_zero()):
@@ -366,6 +423,11 @@ class Checker:
                     run.end = replace(run.end, gap=Range(0), gap_rate=rate)
                 return run
             ahead = step.state(step.length)
+            if mode == "gliding" and (last is None or exceeds(ahead.time, last)):
+                plane = self.plane(ahead, sigma)
+                if plane is not None and (self.until is None or exceeds(self.until, plane.time)):
+                    run.guard, run.end = "plane", plane
+                    return run
             if self.until is not None and not exceeds(self.until, ahead.time) and run.turn is None:
                 run.guard, run.end = "time_limit", step.state(self.until - state.time)
                 return run
@@ -500,7 +562,7 @@ class Checker:
             bend = abs(before.slip) / slowing if slowing.sign() > 0 else None
         # Where the gap stops closing: on the first stretch, or else on the second.
         jams = sigma != 0 and k1.sign() < 0
-        on_first = bend is None or (sigma != 0 and not jams and exceeds(bend * k1 + v0, 0))
+        on_first = bend is None or (sigma != 0 and not jams and (bend * k1 + v0).sign() > 0)
         if bend is None and jams:
             raise Refused("an impact jams for ever")
         v1 = None if bend is None else v0 + k1 * bend

@@ -183,6 +183,7 @@ class Step:
             if flight:
                 gap.append(self._gap(k + 1, up, c))
         self.series = {"theta": theta, "theta_rate": omega, "slip": slip, "x": x, "gap": gap}
+        self.half_turn = (s, c, u)
         self._bounds(f, normal, force, w, p, slip, gap, order)
 
     def _slip(self, k: int, along: Range, f: Range, c: Series, s: Series, omega: Series) -> Range:
@@ -220,6 +221,20 @@ class Step:
         pressed = m + ell * turn * (largest + rate**2)
         rubbed = ell * turn * rate**2 + (m + ell * turn) * largest
         self.guards: dict[str, Guard] = {}
+        if self.mode == "rolling" and hoop.inertia.is_zero():
+            # F/N = −tan(θ/2), and N has the sign of 1 − θ′²: where N vanishes F does, too.
+            unloads, up, down = Series(), Series(), Series()
+            for k in range(self.terms):
+                one = Range(1 << Range.bits if k == 0 else 0)
+                grip = hoop.mu_s * (one + self.half_turn[1][k])
+                unloads.append(one - self.half_turn[2][k])
+                up.append(grip + self.half_turn[0][k])
+                down.append(grip - self.half_turn[0][k])
+            most = (1 + float(hoop.mu_s)) * (1 + turn)
+            self.guards["normal"] = Guard(unloads, 1 + rate**2, 0)
+            self.guards["margin_positive"] = Guard(up, most, 0)
+            self.guards["margin_negative"] = Guard(down, most, 0)
+            return
         if self.mode == "rolling":
             for name, side in (("margin_positive", 1), ("margin_negative", -1)):
                 margin = Series()
