@@ -378,7 +378,7 @@ class Checker:
         return "gliding", direction, evidence, 1
 
     def plane(self, start: State, sigma: int) -> State | None:
-        """Return the end of a glide in which the particle falls to the plane, where its slip is seen not to come to rest.
+        """Return the end of a glide in which the particle falls to the plane, if its slip does not come to rest.
 
         Y = cos θ falls freely with V = Y′, and η′ = v − side V √((1 + Y)/(1 − Y)), whose last term is at most
         r √((1 + Y0)/(1 − Y0)) from here on, r the speed at the plane.
