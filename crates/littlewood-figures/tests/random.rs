@@ -42,7 +42,8 @@ impl Draw {
         };
         let offset = match self.unit() {
             share if share < 0.5 => 1.0,
-            share if share < 0.55 => 0.0,
+            // Nothing determines the motion of a massless hoop that is not loaded.
+            share if share < 0.55 && mass_ratio > 0.0 => 0.0,
             _ => self.between(0.01, 1.0),
         };
         let mu_s = if self.comes(0.1) { 0.0 } else { self.between(0.0, 1.5) };
@@ -80,7 +81,10 @@ fn share(axis: &PlotAxis, value: f64) -> f64 {
     (value - axis.range[0]) / (axis.range[1] - axis.range[0])
 }
 
-/// Whether something of a layer is seen: a mark in the window, or a line that is longer than a hundredth of it.
+/// Two pixels of a panel: the contact before a long flight may be as short.
+const SHORTEST: f64 = 0.004;
+
+/// Whether something of a layer is seen: a mark in the window, or a line that is long enough.
 fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
     let series = &layer.series;
     let Some(places) = axes.iter().map(|axis| series.column(&axis.column)).collect::<Option<Vec<usize>>>()
@@ -100,7 +104,7 @@ fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
                 .iter()
                 .map(|place| place[i])
                 .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
-            high - low > 0.01
+            high - low > SHORTEST
         }),
         Mark::Head(_)
         | Mark::Dot(..)

@@ -7,6 +7,9 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 use crate::figure::PlotAxis;
 use littlewood_style::ticks::Tick;
 
+/// How far off the sheet places are told apart, in lengths of the axis.
+const FAR: f64 = 1e3;
+
 /// A linear scale with given ticks.
 #[derive(Clone, Debug)]
 pub(crate) struct Ruler {
@@ -26,7 +29,9 @@ impl Ranged for Ruler {
 
     fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
         let [low, high] = self.range;
-        from + libm::round(f64::from(to - from) * ((value - low) / (high - low))) as i32
+        // What lies far off the sheet need not be told from what lies farther off.
+        let share = ((value - low) / (high - low)).clamp(-FAR, FAR);
+        from + libm::round(f64::from(to - from) * share) as i32
     }
 
     fn key_points<H: KeyPointHint>(&self, hint: H) -> Vec<f64> {
