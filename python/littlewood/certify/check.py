@@ -501,17 +501,25 @@ class Checker:
                 high = middle
             if (high - low).m < 1 << (Range.bits // 4):
                 raise Inconclusive("a zero is not simple")
-        width = None
         while True:
+            width = high.m - low.m
             middle = Range(((low + high) / 2).m)
-            at = middle - step.value(guard, middle) / step.slope(guard, low, high)
+            value = step.value(guard, middle)
+            at = middle - value / step.slope(guard, low, high)
             first, last = max(at.m - at.r, low.m), min(at.m + at.r, high.m)
             if first > last:
                 raise Refused("a zero is not where it has to be")
             low, high = Range(first), Range(last)
-            if width is not None and 2 * (last - first) > width:
-                return Range((first + last) // 2, (last - first) // 2 + 1)
-            width = last - first
+            if 2 * (last - first) > width:
+                # As narrow as the radius of the guard allows, or not yet: then the middle tells a half.
+                middle = Range((first + last) // 2)
+                value = step.value(guard, middle) * side
+                if exceeds(value, 0):
+                    low = middle
+                elif exceeds(-value, 0):
+                    high = middle
+                else:
+                    return Range(middle.m, (last - first) // 2 + 1)
 
     def hit(
         self, cause: str, before: State, event: Mapping[str, Any], lost: dict[str, Range]
