@@ -8,7 +8,7 @@ use core::fmt;
 pub(crate) enum Feature {
     /// `sweep`, `atlas`, Zarr stores and Parquet tables.
     Sweep,
-    /// `figures`.
+    /// `figures` and `poster`.
     Figures,
     /// `animate`.
     Film,

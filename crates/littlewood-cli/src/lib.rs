@@ -22,6 +22,8 @@ mod map;
 mod nearest;
 mod output;
 mod plane;
+#[cfg(feature = "figures")]
+mod poster;
 mod problem;
 mod progress;
 mod report;
@@ -83,6 +85,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Figures(args) => figures::run(&args),
         #[cfg(not(feature = "figures"))]
         Command::Figures(_) => Err(not_built("littlewood figures", Feature::Figures)),
+        #[cfg(feature = "figures")]
+        Command::Poster(args) => poster::run(&args),
+        #[cfg(not(feature = "figures"))]
+        Command::Poster(_) => Err(not_built("littlewood poster", Feature::Figures)),
     };
     match result {
         Ok(()) => 0,

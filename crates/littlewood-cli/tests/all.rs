@@ -22,6 +22,8 @@ mod map;
 mod output;
 mod page;
 mod plane;
+#[cfg(feature = "figures")]
+mod poster;
 #[cfg(feature = "sweep")]
 mod restitution;
 mod scenario;

@@ -3,10 +3,11 @@
 use crate::support::{complaint, text};
 
 /// The commands of each feature, and whether this program has them.
-const COMMANDS: [(&str, &str, bool); 5] = [
+const COMMANDS: [(&str, &str, bool); 6] = [
     ("sweep", "sweep", cfg!(feature = "sweep")),
     ("atlas", "sweep", cfg!(feature = "sweep")),
     ("figures", "figures", cfg!(feature = "figures")),
+    ("poster", "figures", cfg!(feature = "figures")),
     ("animate", "film", cfg!(feature = "film")),
     ("lab", "lab", cfg!(feature = "lab")),
 ];

@@ -192,7 +192,7 @@ fn every_quantity_has_a_flag_with_its_help_and_default() {
     }
     assert!(help.contains("[alias: --theta-rad]"), "{help}");
     // Every command that takes a hoop takes the law of its impacts.
-    for command in ["simulate", "classify", "map", "sweep", "atlas", "figures", "animate"] {
+    for command in ["simulate", "classify", "map", "sweep", "atlas", "figures", "poster", "animate"] {
         let help = text(&[command, "--help"]);
         assert!(help.contains("--restitution <RATIO>") && help.contains("--restitution-law <LAW>"), "{help}");
         for law in RestitutionLaw::NAMES {

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use crate::support::littlewood;
 
 /// Each command with all its flags.
-const HELP: [&str; 10] = [
+const HELP: [&str; 11] = [
     "--help",
     "simulate --help",
     "classify --help",
@@ -20,6 +20,7 @@ const HELP: [&str; 10] = [
     "sweep --help",
     "atlas --help",
     "figures --help",
+    "poster --help",
     "animate --help",
     "lab --help",
 ];

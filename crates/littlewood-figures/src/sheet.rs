@@ -12,7 +12,7 @@ pub const MOST_WIDTH_MM: f64 = 420.0;
 
 /// Points to a pixel of a drawing: in print letters are smaller than on a screen, those of ticks 7 points.
 pub(crate) const PRINT_POINTS: f64 = 7.0 / SMALL;
-const POINTS_TO_A_MM: f64 = 72.0 / 25.4;
+pub(crate) const POINTS_TO_A_MM: f64 = 72.0 / 25.4;
 
 /// Room on the left and on the right of the panels.
 const LEFT: f64 = 6.0;

@@ -5,6 +5,7 @@ mod gallery;
 mod impacts;
 mod motions;
 mod plane;
+mod poster;
 mod print;
 mod random;
 mod si;

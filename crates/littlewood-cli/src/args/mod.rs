@@ -8,6 +8,8 @@ mod figures;
 mod lab;
 mod negative;
 mod not_built;
+#[cfg(feature = "figures")]
+mod poster;
 mod problem;
 mod quantity;
 mod sweep;
@@ -21,6 +23,8 @@ pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;
 #[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
 pub(crate) use not_built::NotBuiltArgs;
+#[cfg(feature = "figures")]
+pub(crate) use poster::PosterArgs;
 pub(crate) use problem::{MAX_TRANSITIONS, ProblemArgs, RunArgs, number};
 #[cfg(feature = "film")]
 pub(crate) use sweep::size;
@@ -39,6 +43,8 @@ use self::animate::{ANIMATE, ANIMATE_EXAMPLES};
 use self::figures::{FIGURES, FIGURES_EXAMPLES};
 #[cfg(feature = "lab")]
 use self::lab::LAB;
+#[cfg(feature = "figures")]
+use self::poster::{POSTER, POSTER_EXAMPLES};
 use self::sweep::MAP_EXAMPLES;
 #[cfg(feature = "sweep")]
 use self::sweep::{ATLAS, ATLAS_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
@@ -104,11 +110,19 @@ pub(crate) enum Command {
     #[cfg(not(feature = "figures"))]
     #[command(disable_help_flag = true)]
     Figures(NotBuiltArgs),
-    /// Make a film of a motion: GIF, APNG or MP4
+    /// Draw a poster of a hoop, its motion and its laws
+    #[cfg(feature = "figures")]
+    #[command(long_about = POSTER, after_help = POSTER_EXAMPLES)]
+    Poster(Box<PosterArgs>),
+    /// Draw a poster of a hoop, its motion and its laws (not in this program: feature `figures`)
+    #[cfg(not(feature = "figures"))]
+    #[command(disable_help_flag = true)]
+    Poster(NotBuiltArgs),
+    /// Make a film of a motion: GIF, APNG, MP4 or WebM
     #[cfg(feature = "film")]
     #[command(long_about = ANIMATE, after_help = ANIMATE_EXAMPLES)]
     Animate(Box<AnimateArgs>),
-    /// Make a film of a motion: GIF, APNG or MP4 (not in this program: feature `film`)
+    /// Make a film of a motion: GIF, APNG, MP4 or WebM (not in this program: feature `film`)
     #[cfg(not(feature = "film"))]
     #[command(disable_help_flag = true)]
     Animate(NotBuiltArgs),

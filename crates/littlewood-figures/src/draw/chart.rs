@@ -19,7 +19,7 @@ use super::svg::Letters;
 use super::{eps, pdf, raster, svg};
 use crate::error::FigureError;
 use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, Series, View};
-use crate::sheet::PRINT_POINTS;
+use crate::sheet::{POINTS_TO_A_MM, PRINT_POINTS};
 use crate::style::{GRID, INK, LETTER, PAPER, SMALL, Stroke};
 use littlewood_style::width::FINE;
 
@@ -78,7 +78,10 @@ impl Figure {
 
     /// Points of print to a pixel.
     pub(crate) fn points(&self) -> f64 {
-        self.print_mm.map_or(POINTS, |_| PRINT_POINTS)
+        let Some(mm) = self.print_mm else { return POINTS };
+        // A poster is drawn larger than it is printed.
+        let own = mm * POINTS_TO_A_MM / self.width;
+        if (own - PRINT_POINTS).abs() < 1e-9 { PRINT_POINTS } else { own }
     }
 
     fn items(&self) -> Result<Vec<Item>, FigureError> {

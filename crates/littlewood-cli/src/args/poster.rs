@@ -1,0 +1,35 @@
+//! Arguments of `littlewood poster`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::{ProblemArgs, RunArgs, number};
+
+pub(super) const POSTER: &str = "\
+Draw a poster of a hoop on a page of A3: its body, the path, the phase portrait, what becomes of other starts, forces, \
+friction, energy and the laws, each with a sentence.
+
+The motion is given as in `simulate`. What does not apply to a hoop is replaced by another picture, or by the reason in \
+words. The ending of --out says what the poster is: .pdf, .svg or .png.";
+
+pub(super) const POSTER_EXAMPLES: &str = "\
+Examples:
+  littlewood poster figure-3 --out poster.pdf
+  littlewood poster figure-7 --out massless.png --scale 3
+  littlewood poster --mass-ratio 2 --offset 0.8 --inertia 2 --mu-s 0.7 --mu-k 0.5 --theta 1 --theta-rate 2 --out mine.svg";
+
+/// Arguments of `littlewood poster`.
+#[derive(Debug, Args)]
+pub(crate) struct PosterArgs {
+    #[command(flatten)]
+    pub(crate) problem: ProblemArgs<true>,
+    #[command(flatten)]
+    pub(crate) run: RunArgs,
+    /// File of the poster, .pdf, .svg or .png; it is replaced only once everything has been drawn
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub(crate) out: PathBuf,
+    /// Pixels of a PNG to one of the drawing, which has 1600 across: 2 makes 270 dpi
+    #[arg(long, value_name = "FACTOR", value_parser = number, default_value_t = 2.0, help_heading = "Output")]
+    pub(crate) scale: f64,
+}

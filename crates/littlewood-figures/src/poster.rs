@@ -1,0 +1,401 @@
+//! A poster: the story of one hoop on a page, of figures of the catalogue, with equations and plain sentences.
+
+use core::f64::consts::PI;
+
+use littlewood::{Quantity, Setup, Trajectory};
+use littlewood_style::ticks;
+
+use crate::catalogue::{FigureEntry, Watch, find_figure};
+use crate::draw::plain;
+use crate::error::FigureError;
+use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
+use crate::input::FigureInput;
+use crate::style::{GRID, SOFT, Stroke};
+use crate::words::{marked, short};
+
+/// Sides of a poster in millimetres: A3.
+pub const POSTER_MM: [f64; 2] = [297.0, 420.0];
+
+/// Lengths of the page, in pixels of the drawing.
+const NARROWEST: f64 = 1600.0;
+const MARGIN: f64 = 40.0;
+const BETWEEN: f64 = 24.0;
+const GAP: f64 = 20.0;
+const HEADING: f64 = 21.0;
+const LINE: f64 = 19.0;
+
+/// Widest figure of a column, in pixels.
+const WIDEST: f64 = 760.0;
+
+/// Letters of the usual size for a pixel, such that they fit whatever they are.
+const DENSITY: f64 = 0.146;
+
+/// Lines of a caption.
+const LINES: usize = 3;
+
+/// A part of the page: the figures that may stand there, the first that the hoop has is taken.
+type Slot = &'static [&'static str];
+
+/// The figures of a poster in rows, from top to bottom.
+const ROWS: [[Slot; 2]; 3] = [
+    [&["figure-1", "figure-2a"], &["figure-3b", "figure-7b"]],
+    [&["figure-2b", "figure-4", "figure-2a"], &["outcomes", "figure-6a"]],
+    [&["forces", "figure-6b", "figure-5b"], &["friction-demand", "figure-5a", "figure-2a"]],
+];
+
+/// Beside the equations, at the bottom.
+const LAST: Slot = &["bounces", "energy", "figure-7b", "figure-5b"];
+
+/// What may stand where nothing else does.
+const OTHERS: Slot = &["energy", "figure-3a", "figure-2a", "impact", "bounces"];
+
+/// A poster of a hoop and a motion: body, path, phase portrait, outcomes, forces, friction, energy, equations. What does not
+/// apply to the hoop is replaced by another figure, or by the reason in words.
+///
+/// # Errors
+/// A start that is out of bounds; none is known otherwise.
+pub fn poster(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
+    let motion = input.hoop.simulate(input.start, input.limits)?;
+    let mut taken: Vec<&'static str> = Vec::new();
+    let rows = ROWS.map(|row| row.map(|slot| choose(slot, input, &mut taken, watch)));
+    let last = choose(LAST, input, &mut taken, watch);
+    let content = Content { input, motion, rows, last };
+    // The page has the proportions of A3. A full one is larger, and all on it smaller in print.
+    let height = content.on_page(NARROWEST).1;
+    let width = NARROWEST.max(height * POSTER_MM[0] / POSTER_MM[1]);
+    let (page, height) = content.on_page(width);
+    page.finish([width, width * POSTER_MM[1] / POSTER_MM[0]], height)
+}
+
+/// What stands on a page.
+struct Content<'a> {
+    input: &'a FigureInput,
+    motion: Trajectory,
+    rows: [[Result<Figure, String>; 2]; 3],
+    last: Result<Figure, String>,
+}
+
+impl Content<'_> {
+    /// The page of a width, and how high it is.
+    fn on_page(&self, width: f64) -> (Page, f64) {
+        let mut page =
+            Page { width, panels: Vec::new(), labels: Vec::new(), lines: Vec::new(), template: None };
+        let top = page.head(self.input, &self.motion);
+        // Each part goes where there is more room, so that no place stays blank for a figure that this hoop has not.
+        let mut ends = [top; 2];
+        let next = |ends: &[f64; 2]| usize::from(ends[1] < ends[0]);
+        let all = || self.rows.iter().flatten().chain([&self.last]);
+        for figure in all().filter_map(|figure| figure.as_ref().ok()) {
+            let column = next(&ends);
+            ends[column] = page.block(figure, [page.left(column), ends[column]]) + GAP;
+        }
+        let column = next(&ends);
+        ends[column] = page.equations(self.input, [page.left(column), ends[column]]);
+        for reason in self.rows.iter().flatten().filter_map(|figure| figure.as_ref().err()) {
+            ends[column] = page.note(reason, [page.left(column), ends[column]]);
+        }
+        (page, f64::max(ends[0] - GAP, ends[1]) + MARGIN)
+    }
+}
+
+/// A figure of a slot, or why there is none.
+fn choose(
+    slot: Slot,
+    input: &FigureInput,
+    taken: &mut Vec<&'static str>,
+    watch: &mut Watch<'_>,
+) -> Result<Figure, String> {
+    let mut reason = None;
+    let entries = slot.iter().chain(OTHERS).filter_map(|name| find_figure(name));
+    for entry in entries {
+        if taken.contains(&entry.name) {
+            continue;
+        }
+        match entry.figure_with(input, watch) {
+            Ok(figure) if figure.width <= WIDEST => {
+                taken.push(entry.name);
+                return Ok(figure);
+            }
+            Ok(_) => {}
+            Err(error) => {
+                reason.get_or_insert(sentence(entry, &error));
+            }
+        }
+    }
+    Err(reason.unwrap_or_else(|| "There is nothing more to show of this hoop.".to_owned()))
+}
+
+/// Why there is no such figure.
+fn sentence(entry: &FigureEntry, error: &FigureError) -> String {
+    format!("There is no picture of {}: {error}.", entry.title)
+}
+
+struct Page {
+    width: f64,
+    panels: Vec<Panel>,
+    labels: Vec<Label>,
+    lines: Vec<Vec<Vec<f64>>>,
+    /// The axes of some figure, as which those of the page are made.
+    template: Option<View>,
+}
+
+impl Page {
+    /// Width of a column.
+    fn column(&self) -> f64 {
+        0.5 * (self.width - 2.0 * MARGIN - BETWEEN)
+    }
+
+    /// Letters of a caption in a line of a column.
+    fn letters(&self) -> usize {
+        (DENSITY * self.column()) as usize
+    }
+
+    fn text(&mut self, text: impl Into<String>, [x, y]: [f64; 2], size: f64) {
+        self.labels.push(Label::new(text, &[x, -y]).left().sized(size));
+    }
+
+    /// Title, the numbers of the hoop, and what happens; returns where the rest begins.
+    fn head(&mut self, input: &FigureInput, motion: &Trajectory) -> f64 {
+        self.text("Littlewood's hoop", [MARGIN, 58.0], 54.0);
+        let subtitle = if input.is_massless() {
+            "A hoop without mass, and a particle on it, on a rough plane: it rolls, then glides without any force."
+        } else if input.hoop.offset() == 0.0 {
+            "A hoop with a particle at its centre, on a rough plane: balanced, it never jumps by itself."
+        } else {
+            "A hoop with a particle on it, on a rough plane: it rolls, slides, and jumps by itself."
+        };
+        self.text(subtitle, [MARGIN, 108.0], 24.0);
+        let hoop = format!("This hoop: {}.", numbers(input, &Quantity::HOOP));
+        self.text(hoop, [MARGIN, 142.0], 18.0);
+        let story = format!("It starts with {}. {}", numbers(input, &START), story(motion));
+        let mut y = 168.0;
+        for line in wrapped(&story, (1.5 * self.letters() as f64) as usize, 2) {
+            self.text(line, [MARGIN, y], 18.0);
+            y += 24.0;
+        }
+        self.lines.push(vec![vec![MARGIN, -y], vec![self.width - MARGIN, -y]]);
+        y + 16.0
+    }
+
+    /// The left end of a column, 0 or 1.
+    fn left(&self, column: usize) -> f64 {
+        MARGIN + (self.column() + BETWEEN) * column as f64
+    }
+
+    /// A sentence; returns its lower end.
+    fn note(&mut self, text: &str, [left, top]: [f64; 2]) -> f64 {
+        let mut y = top + 0.5 * LINE;
+        for line in wrapped(text, self.letters(), LINES) {
+            self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
+            y += LINE;
+        }
+        y
+    }
+
+    /// A figure with its title above and its caption below; returns its lower end.
+    fn block(&mut self, figure: &Figure, [left, top]: [f64; 2]) -> f64 {
+        let heading = figure.title.split_once(": ").map_or(&*figure.title, |(_, title)| title);
+        self.text(capitalised(heading), [left, top + 0.5 * HEADING], 20.0);
+        let from = [left + 0.5 * (self.column() - figure.width).max(0.0), top + HEADING + 6.0];
+        for panel in &figure.panels {
+            let mut panel = panel.clone();
+            panel.frame[0] += from[0];
+            panel.frame[1] += from[1];
+            for key in &mut panel.keys {
+                key.at = [key.at[0] + from[0], key.at[1] + from[1]];
+            }
+            if self.template.is_none() && matches!(panel.view, View::Plane { .. }) {
+                self.template = Some(panel.view.clone());
+            }
+            self.panels.push(panel);
+        }
+        let mut y = from[1] + figure.height + 16.0;
+        for line in wrapped(&figure.caption, self.letters(), LINES) {
+            self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
+            y += LINE;
+        }
+        y
+    }
+
+    /// The laws of motion; returns their lower end.
+    fn equations(&mut self, input: &FigureInput, [left, top]: [f64; 2]) -> f64 {
+        self.text("The laws", [left, top + 0.5 * HEADING], 20.0);
+        let mut y = top + HEADING + 22.0;
+        for (name, equation) in laws(input) {
+            self.labels.push(Label::new(*name, &[left, -y]).left().coloured(SOFT).sized(16.0));
+            for line in *equation {
+                self.text(*line, [left + 120.0, y], 17.0);
+                y += 27.0;
+            }
+            y += 9.0;
+        }
+        let units = "Lengths in radii *R*, times in √(*R*/*g*), masses in that of the particle; ′ is the rate; *m*, *h*: mass \
+                     and distance of the mass centre; *I*: moment of inertia about it; *σ* = ±1: direction of the slip.";
+        for line in wrapped(units, self.letters(), LINES) {
+            self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
+            y += LINE;
+        }
+        let source =
+            "After A. Bronars and O. M. O'Reilly, Proc. R. Soc. A 475 (2019), computed by littlewood.";
+        self.labels.push(Label::new(source, &[left, -(y + 8.0)]).left().coloured(SOFT));
+        y + 8.0 + LINE
+    }
+
+    /// The figure of a page of these sides of which so much is used.
+    fn finish(self, [width, height]: [f64; 2], used: f64) -> Result<Figure, FigureError> {
+        let Self { mut panels, labels, lines, template, .. } = self;
+        let view = template.ok_or_else(|| FigureError::Drawing("a page without pictures".to_owned()))?;
+        let down = (0.1 * (height - used)).max(0.0);
+        for panel in &mut panels {
+            panel.frame[1] += down;
+            for key in &mut panel.keys {
+                key.at[1] += down;
+            }
+        }
+        let View::Plane { x, y, .. } = view else {
+            return Err(FigureError::Drawing("the axes of a page".to_owned()));
+        };
+        let bare = |axis: PlotAxis, range: [f64; 2]| PlotAxis {
+            title: String::new(),
+            range,
+            ticks: Vec::new(),
+            scale: Scale::Nothing,
+            ..axis
+        };
+        let view = View::Plane { x: bare(x, [0.0, width]), y: bare(y, [down - height, down]), axes: false };
+        let rules: Vec<Layer> = match &view {
+            View::Plane { x, y, .. } => {
+                let mut rule = Series::new("rule", &[], lines);
+                rule.columns = vec![x.column.clone(), y.column.clone()];
+                vec![rule.drawn(Mark::Line(Stroke::solid(GRID, 1.6)))]
+            }
+            View::Space { .. } => Vec::new(),
+        };
+        panels.push(Panel {
+            name: "page",
+            frame: [0.0, 0.0, width, height],
+            view,
+            layers: rules,
+            labels,
+            keys: Vec::new(),
+        });
+        Ok(Figure {
+            name: "poster",
+            title: "Littlewood's hoop".to_owned(),
+            caption: "A hoop with a particle on it, on a rough plane: the body, its path, phase portrait, outcomes, forces, \
+                      friction, energy and laws."
+                .to_owned(),
+            width,
+            print_mm: Some(POSTER_MM[0]),
+            height,
+            panels,
+        })
+    }
+}
+
+/// What a motion starts with.
+const START: [Quantity; 3] = [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip];
+
+/// Some numbers of a hoop or a start, those that it has.
+fn numbers(input: &FigureInput, quantities: &[Quantity]) -> String {
+    let setup = Setup::new(input.hoop.parameters(), input.start);
+    let words: Vec<String> = quantities
+        .iter()
+        .filter_map(|quantity| {
+            let value = setup.get(*quantity)?;
+            let twelfths = libm::round(12.0 * value / PI);
+            let is_fraction = *quantity == Quantity::Theta
+                && twelfths != 0.0
+                && (value - twelfths * PI / 12.0).abs() < 1e-12
+                && twelfths.abs() < 100.0;
+            let number = if is_fraction { ticks::of_pi(twelfths as i64, 12) } else { short(value) };
+            Some(format!("{} = {number}", marked(quantity.sign())))
+        })
+        .collect();
+    words.join(", ")
+}
+
+/// What happens, in a sentence.
+fn story(motion: &Trajectory) -> String {
+    let mut modes: Vec<String> = Vec::new();
+    let phases = motion.phases();
+    for phase in phases.iter().take(6) {
+        modes.push(phase.mode().name().to_owned());
+    }
+    let outcome = motion.outcome();
+    let label = outcome.kind().label();
+    if modes.is_empty() {
+        return format!("No motion follows: {label}.");
+    }
+    if phases.len() > 6 {
+        modes.push(format!("{} phases more", phases.len() - 6));
+    }
+    format!("Then: {}; in the end: {label}.", modes.join(", "))
+}
+
+/// The laws that a hoop obeys, each in lines.
+fn laws(input: &FigureInput) -> &'static [(&'static str, &'static [&'static str])] {
+    if input.is_massless() {
+        &[
+            ("Rolling", &["*D* (*θ*′^{2} + 1) = constant,  *D* = 1 + *ℓ*^{2} + 2*ℓ* cos *θ*"]),
+            ("holds while", &["|*F*| ≤ *μ*_{s} *N*,  *N* > 0"]),
+            (
+                "Gliding",
+                &["*N* = *F* = 0: the particle falls freely,", "and the hoop without mass follows it"],
+            ),
+            ("On the rim", &["the slip begins where tan |*θ*/2| = *μ*_{s}"]),
+        ]
+    } else {
+        &[
+            ("Rolling", &["*D* (*θ*′^{2} + 1) = constant,  *D* = *I* + *m*(1 + *h*^{2}) + 2*mh* cos *θ*"]),
+            ("holds while", &["|*F*| ≤ *μ*_{s} *N*,  *N* > 0"]),
+            (
+                "Sliding",
+                &[
+                    "*F* = −*μ*_{k} *σN*,  *I θ*″ = *qN*,  *q* = *h* sin *θ* − *μ*_{k} *σ*(1 + *h* cos *θ*)",
+                    "*N* = *I m* (1 − *h* cos *θ* *θ*′^{2})/(*I* + *mh* sin *θ* *q*)",
+                ],
+            ),
+            ("Lift-off", &["where *h* cos *θ* *θ*′^{2} = 1, whatever the friction"]),
+            ("Flight", &["*θ*″ = 0, and the mass centre falls freely"]),
+        ]
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// A text in lines of so many letters; what does not fit in them ends with its last whole sentence.
+fn wrapped(text: &str, letters: usize, lines: usize) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    let mut begins = 0;
+    // Sentences are taken as long as they fit.
+    let mut ends: Vec<usize> = text.match_indices(". ").map(|(at, _)| at + 1).collect();
+    ends.push(text.len());
+    for end in ends {
+        let all = fill(&text[..end], letters);
+        if all.len() > lines && begins > 0 {
+            break;
+        }
+        found = all;
+        begins = end;
+    }
+    found.truncate(lines);
+    found
+}
+
+fn fill(text: &str, letters: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if plain(line).chars().count() + 1 + plain(word).chars().count() <= letters => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}

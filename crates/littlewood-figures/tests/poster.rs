@@ -1,0 +1,65 @@
+//! The poster: nothing is left blank, whatever the hoop.
+
+use littlewood::{Hoop, HoopParameters, Limits, Start, find_case};
+use littlewood_figures::{Figure, FigureInput, POSTER_MM, poster};
+
+fn made(parameters: HoopParameters, start: Start) -> Figure {
+    let hoop = Hoop::new(parameters).expect("a hoop");
+    let input = FigureInput::new(hoop, start, Limits::default());
+    poster(&input, &mut |_, _| {}).expect("a poster")
+}
+
+/// The texts of the page itself.
+fn texts(page: &Figure) -> Vec<&str> {
+    let own = page.panels.iter().find(|panel| panel.name == "page").expect("the page");
+    own.labels.iter().map(|label| &*label.text).collect()
+}
+
+#[test]
+fn a_poster_has_the_proportions_of_a3_and_says_what_happens() {
+    let case = find_case("figure-3").expect("a named case");
+    let page = made(case.setup.hoop, case.setup.start);
+    assert!((page.height / page.width - POSTER_MM[1] / POSTER_MM[0]).abs() < 1e-12);
+    let texts = texts(&page);
+    for said in ["*θ* = π/2", "sliding, rolling, sliding, flight", "Lift-off"] {
+        assert!(texts.iter().any(|text| text.contains(said)), "{said}");
+    }
+    let svg = page.svg().expect("a drawing");
+    assert!(svg[..600].contains("width=\"297mm\" height=\"420mm\""), "{}", &svg[..600]);
+    // 297 mm are 841.89 points.
+    let pdf = page.pdf().expect("a document");
+    let text = String::from_utf8_lossy(&pdf);
+    let (_, sides) = text.split_once("/MediaBox").expect("a page");
+    let sides: String = sides.chars().take(40).collect();
+    assert!(sides.contains("841.") && sides.contains("1190."), "{sides}");
+}
+
+#[test]
+fn what_does_not_apply_is_replaced() {
+    let at = Start::at;
+    for (name, parameters, start) in [
+        ("Littlewood's hoop", HoopParameters::new(0.0, 1.0, 0.0).with_friction(0.5, 0.4), at(0.0, 0.5)),
+        ("massless inside", HoopParameters::new(0.0, 0.6, 0.0).with_friction(0.5, 0.4), at(1.0, 0.5)),
+        ("not loaded", HoopParameters::new(1.0, 0.0, 1.0).with_friction(0.5, 0.4), at(1.0, 2.0)),
+        ("without friction", HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.0, 0.0), at(1.0, 1.0)),
+        ("leaves at once", HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4), at(0.0, 4.0)),
+        ("heavy", HoopParameters::new(1000.0, 1.0, 1000.0).with_friction(0.5, 0.4), at(1.0, 1.0)),
+    ] {
+        let page = made(parameters, start);
+        // Each of the six first places has a picture of its own, or a sentence.
+        let pictures = page.panels.iter().filter(|panel| panel.name != "page").count();
+        let reasons = texts(&page).into_iter().filter(|text| text.starts_with("There is ")).count();
+        assert!(pictures + reasons >= 6, "{name}: {pictures} pictures, {reasons} reasons");
+        assert!(pictures >= 2, "{name}: {pictures}");
+        for panel in &page.panels {
+            let [left, top, width, height] = panel.frame;
+            assert!(left >= 0.0 && top >= 0.0, "{name}: {} {:?}", panel.name, panel.frame);
+            assert!(
+                left + width <= page.width + 1e-9 && top + height <= page.height + 1e-9,
+                "{name}: {}",
+                panel.name
+            );
+        }
+        assert!(page.svg().expect("a drawing").len() > 20_000, "{name}");
+    }
+}
