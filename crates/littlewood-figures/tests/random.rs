@@ -156,7 +156,7 @@ fn no_figure_of_a_random_hoop_is_empty() {
     for hoop in 0..hoops {
         let input = draw.input();
         for entry in FIGURES {
-            // The figure of 54,000 motions of some hoops only, none of which slides for thousands of turns.
+            // The figure of thousands of motions of some hoops only, none of which slides for thousands of turns.
             if entry.name == "outcomes" && (hoop % 20 != 1 || input.hoop.mu_k() < 0.05) {
                 continue;
             }

@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from ..tables import QUANTITIES
 from . import Case, CaseError, Refused, check
 from .case import HOOP, HOOP_SI, LAWS, START
 
@@ -31,7 +32,7 @@ def parser() -> argparse.ArgumentParser:
     found.add_argument("--out", metavar="FILE", type=Path, help="write to this file")
     found.add_argument("--most-bits", metavar="BITS", type=int, default=1000, help="precision at which to give up")
     found.add_argument("--until", metavar="TIME", type=float, help="stop at this time")
-    found.add_argument("--restitution", metavar="E", type=float, help="coefficient of restitution")
+    found.add_argument("--restitution", metavar="E", type=float, help=QUANTITIES["restitution"].help)
     found.add_argument("--restitution-law", choices=LAWS, default=LAWS[0], help="law of restitution")
     for name in dict.fromkeys(HOOP + HOOP_SI):
         found.add_argument("--" + name.replace("_", "-"), metavar="X", type=float, help="of the hoop")

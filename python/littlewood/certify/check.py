@@ -237,7 +237,7 @@ class Checker:
             raise Refused("the certificate has more phases or events than the motion")
         energy = certificate["energy"]
         self.same("energy lost in slides", lost["sliding"], energy["lost_in_slides"], "energy")
-        self.same("energy lost in impacts", lost["impacts"], energy["lost_in_impacts"], "energy")
+        self.same("energy of impacts", lost["impacts"], energy["lost_in_impacts"], "energy")
         return counts | {"numbers": self.numbers}
 
     def after(self, run: Run, state: State, direction: int) -> tuple[str, tuple[Any, ...]]:

@@ -208,7 +208,7 @@ fn atlas(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
 }
 
 fn figures(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
-    // The figure of 54,000 motions takes longer than all others together.
+    // The figure of thousands of motions takes longer than all others together.
     let names: Vec<&str> =
         FIGURES.iter().map(|entry| entry.name).filter(|name| *name != "outcomes").collect();
     let mut words = vec!["figures".to_owned(), draw.one_of(&names).to_owned()];

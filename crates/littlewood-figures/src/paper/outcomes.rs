@@ -19,31 +19,98 @@ use crate::words::short;
 
 const NAME: &str = "outcomes";
 /// Cells to the right and upwards.
-const CELLS: [u32; 2] = [270, 200];
+const CELLS: [usize; 2] = [272, 200];
+/// The same for hoops whose motions are simulated one by one, some hundred times as slowly.
+const EXACT_CELLS: [usize; 2] = [88, 64];
+/// Cells of a block to the right and upwards: where its corners and its middle have one class, so has the block.
+const BLOCK: usize = 4;
 /// Transitions within which most motions that bounce have lifted off for the first time.
 const FIRST: usize = 16;
 /// Pixels by which a curve stands out from what is below it on either side.
 const MARGIN: f64 = 1.0;
 
-/// The centres of the cells of each class of outcomes, by its code.
-fn cells_by_class(
-    input: &FigureInput,
+/// The classes of the cells of a plane.
+struct Cells<'a> {
+    input: &'a FigureInput,
+    engine: Engine,
     window: Window,
-    cell: [f64; 2],
-    watch: &mut Watch<'_>,
-) -> Result<[Vec<Vec<f64>>; Class::ALL.len()], FigureError> {
-    let engine = Engine::new(&input.hoop);
-    let mut cells: [Vec<Vec<f64>>; Class::ALL.len()] = Default::default();
-    for j in 0..CELLS[1] {
-        let theta_rate = window.y[0] + cell[1] * (f64::from(j) + 0.5);
-        for i in 0..CELLS[0] {
-            let theta = window.x[0] + cell[0] * (f64::from(i) + 0.5);
-            let class = class_of(&engine, input, Start::at(theta, theta_rate))?;
-            cells[usize::from(class.code())].push(vec![theta, theta_rate]);
-            watch(u64::from(j * CELLS[0] + i + 1), u64::from(CELLS[0] * CELLS[1]));
-        }
+    /// Cells to the right and upwards.
+    count: [usize; 2],
+    /// Row by row; none that has not been followed.
+    classes: Vec<Option<Class>>,
+}
+
+impl<'a> Cells<'a> {
+    fn new(input: &'a FigureInput, window: Window) -> Self {
+        let engine = Engine::new(&input.hoop);
+        let count = if engine.is_exact() && !input.is_massless() { EXACT_CELLS } else { CELLS };
+        Self { input, engine, window, count, classes: vec![None; count[0] * count[1]] }
     }
-    Ok(cells)
+
+    /// Width and height of a cell.
+    fn size(&self) -> [f64; 2] {
+        let side = |range: [f64; 2], cells: usize| (range[1] - range[0]) / cells as f64;
+        [side(self.window.x, self.count[0]), side(self.window.y, self.count[1])]
+    }
+
+    /// The start in the middle of a cell.
+    fn start(&self, [i, j]: [usize; 2]) -> Start {
+        let [width, height] = self.size();
+        Start::at(self.window.x[0] + width * (i as f64 + 0.5), self.window.y[0] + height * (j as f64 + 0.5))
+    }
+
+    /// The class of a cell, which is followed once.
+    fn class(&mut self, cell: [usize; 2]) -> Result<Class, FigureError> {
+        let place = cell[1] * self.count[0] + cell[0];
+        if let Some(class) = self.classes[place] {
+            return Ok(class);
+        }
+        let class = class_of(&self.engine, self.input, self.start(cell))?;
+        self.classes[place] = Some(class);
+        Ok(class)
+    }
+
+    /// Finds the classes of all cells. Blocks of one class are not followed cell by cell.
+    fn fill(&mut self, watch: &mut Watch<'_>) -> Result<(), FigureError> {
+        let total = (self.count[0] * self.count[1]) as u64;
+        for j in (0..self.count[1]).step_by(BLOCK) {
+            for i in (0..self.count[0]).step_by(BLOCK) {
+                let within = |from: usize, count: usize| (from + BLOCK).min(count - 1);
+                let [right, top] = [within(i, self.count[0]), within(j, self.count[1])];
+                let class = self.class([i, j])?;
+                let mut is_one = true;
+                for cell in
+                    [[right, j], [i, top], [right, top], [usize::midpoint(i, right), usize::midpoint(j, top)]]
+                {
+                    is_one = is_one && self.class(cell)? == class;
+                }
+                for y in j..(j + BLOCK).min(self.count[1]) {
+                    for x in i..(i + BLOCK).min(self.count[0]) {
+                        if is_one {
+                            self.classes[y * self.count[0] + x].get_or_insert(class);
+                        } else {
+                            self.class([x, y])?;
+                        }
+                    }
+                }
+                watch((j * self.count[0] + BLOCK * (i + 1)).min(self.count[0] * self.count[1]) as u64, total);
+            }
+        }
+        Ok(())
+    }
+
+    /// The middles of the cells of each class, by its code.
+    fn by_class(&self) -> [Vec<Vec<f64>>; Class::ALL.len()] {
+        let mut rows: [Vec<Vec<f64>>; Class::ALL.len()] = Default::default();
+        for (place, class) in self.classes.iter().enumerate() {
+            if let Some(class) = class {
+                let Start { theta, theta_rate, .. } =
+                    self.start([place % self.count[0], place / self.count[0]]);
+                rows[usize::from(class.code())].push(vec![theta, theta_rate]);
+            }
+        }
+        rows
+    }
 }
 
 /// The class of a start. It is settled with the first lift-off, so that bounces need not be followed to their end.
@@ -70,14 +137,13 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let hoop = &input.hoop;
     let window =
         if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { outcome_window(hoop) };
-    let side = |range: [f64; 2], cells: u32| (range[1] - range[0]) / f64::from(cells);
-    let cell = [side(window.x, CELLS[0]), side(window.y, CELLS[1])];
-    let cells = cells_by_class(input, window, cell, watch)?;
-
-    let total = f64::from(CELLS[0] * CELLS[1]);
+    let mut cells = Cells::new(input, window);
+    cells.fill(watch)?;
+    let ([columns, rows], cell) = (cells.count, cells.size());
+    let total = (columns * rows) as f64;
     let mut layers = Vec::new();
     let mut legend: Vec<(Mark, String)> = Vec::new();
-    for (class, rows) in Class::ALL.into_iter().zip(cells).filter(|(_, rows)| !rows.is_empty()) {
+    for (class, rows) in Class::ALL.into_iter().zip(cells.by_class()).filter(|(_, rows)| !rows.is_empty()) {
         let colour = of_class(class, THEME);
         let share = libm::round(1000.0 * rows.len() as f64 / total) / 10.0;
         legend.push((Mark::Fill(colour), format!("{}, {}%", class.label(), short(share))));
@@ -107,12 +173,36 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         format!(
             "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}: {} by {} starts.{remark} {}.",
             followed(input),
-            CELLS[0],
-            CELLS[1],
+            columns,
+            rows,
             say.hoop(hoop)
         ),
         430.0,
         Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels: Vec::new() },
         legend,
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use littlewood::{Hoop, HoopParameters, Limits};
+
+    use super::*;
+
+    /// Blocks that are not followed cell by cell have the classes of their cells.
+    #[test]
+    fn every_cell_has_its_own_class() {
+        for (mass_ratio, mu_s, mu_k) in [(1.0, 0.5, 0.4), (0.0, 0.5, 0.4), (0.3, 1.0, 0.7), (1.0, 0.2, 0.15)]
+        {
+            let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_friction(mu_s, mu_k)).unwrap();
+            let input = FigureInput::new(hoop, Start::at(0.0, 0.0), Limits::default());
+            let mut cells = Cells::new(&input, Window { x: [-PI, PI], y: [-4.0, 4.0] });
+            cells.fill(&mut |_, _| {}).unwrap();
+            for place in (0..cells.classes.len()).step_by(7) {
+                let cell = [place % cells.count[0], place / cells.count[0]];
+                let class = class_of(&cells.engine, &input, cells.start(cell)).unwrap();
+                assert_eq!(cells.classes[place], Some(class), "{mass_ratio} {mu_s}: {:?}", cells.start(cell));
+            }
+        }
+    }
 }
