@@ -129,6 +129,16 @@ def test_bounces_are_impacts(columns):
     assert abs(impact.found - landing) < 37 * STEP
 
 
+def test_a_landing_that_sticks_is_one_event():
+    hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.5, restitution=0.0)
+    motion = hoop.simulate(theta=math.pi / 2, theta_rate=2.0, until=5.0)
+    for step in (1e-2, 1e-3, 1e-4):
+        instants = np.arange(0.0, 5.0, step)
+        samples = motion.at(instants)
+        score = lw.score(motion, lw.Record(instants, samples.x, samples.centre_y, samples.theta))
+        assert score.events[-1].kind == "landing" and not score.missed and not score.spurious
+
+
 def test_flags_of_contact_are_believed(motion, instants, columns):
     samples = motion.at(instants)
     record = lw.Record(instants, **columns, contact=~samples.is_in("flight"))

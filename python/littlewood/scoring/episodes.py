@@ -166,18 +166,23 @@ def _parted(episode: Episode, record: Record, within: Tolerances) -> list[Episod
     return [*parts, Episode(FLIGHT, start, episode.end)]
 
 
-def events(episodes: list[Episode], step: float) -> list[Event]:
+def events(episodes: list[Episode], step: float, within: Tolerances) -> list[Event]:
     """Return what happens between episodes; what is shorter than a few steps of the record is an instant.
 
     A contact between two flights is an impact, and a passage of the slip velocity through zero a reversal, or nothing.
     """
     shortest = _SHORT * step
+    # A rim that counts as in contact may still fall, with a velocity of about 1 √(gR).
+    falling = shortest + within.gap
     found: list[Event] = []
     # A short contact between flights is one episode, whatever the hoop does in it.
     merged: list[Episode] = []
     for episode in episodes:
         if merged and episode.what != FLIGHT and merged[-1].what != FLIGHT and _is_short(merged, episode, shortest):
             merged[-1] = Episode(merged[-1].what, merged[-1].start, episode.end)
+        elif episode.what == ROLLING and len(merged) > 1 and _is_short(merged, merged[-1], falling):
+            # At a landing that sticks the slip velocity of the flight is no sliding.
+            merged[-1] = Episode(ROLLING, merged[-1].start, episode.end)
         else:
             merged.append(episode)
     before = merged[0]

@@ -221,8 +221,8 @@ def score(motion: Trajectory, record: Record, tolerances: Tolerances | None = No
     samples = motion.at(part.time)
     exact = {"x": samples.x, "y": samples.centre_y, "theta": samples.theta}
     pairs = match(
-        events(exact_episodes(motion, float(part.time[-1]), within), part.step),
-        events(recorded_episodes(part, within), part.step),
+        events(exact_episodes(motion, float(part.time[-1]), within), part.step, within),
+        events(recorded_episodes(part, within), part.step, within),
         within.time,
     )
     return Score(
