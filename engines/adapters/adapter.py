@@ -1,0 +1,93 @@
+"""What every adapter shares: the case it reads, the record it writes, its cost.
+
+An adapter is run as ``python NAME_adapter.py CASE.json STEP SETTING RECORD.csv`` in an environment that has its
+engine. It writes the columns time, x, y, theta, and prints one line of JSON: ``cpu_s``, the processor time of the
+loop over the steps (all threads), and ``steps``. Lengths are in R, times in sqrt(R/g), masses in m2. x and y are
+those of the geometric centre of the hoop, theta is the angle of the particle from the upward vertical,
+counterclockwise.
+"""
+
+import json
+import math
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+SHORTEST = 1e-4
+"""Time between two rows, at least: finer steps are taken, and not all of them written."""
+
+REFUSED = 3
+"""Exit code of an adapter whose engine cannot express the case."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A hoop and its start, as the case file has them."""
+
+    mass: float
+    h: float
+    inertia: float
+    mu_s: float
+    mu_k: float
+    theta: float
+    theta_rate: float
+    slip: float
+    gap_rate: float
+    until: float
+
+    @property
+    def x_rate(self):
+        """Velocity of the geometric centre along the plane: slip = x' + theta'."""
+        return self.slip - self.theta_rate
+
+    def mass_centre(self):
+        """Its place at the start, the hoop touching the plane at x = 0."""
+        return -self.h * math.sin(self.theta), 1.0 + self.h * math.cos(self.theta)
+
+    def mass_centre_rates(self):
+        """Its velocity at the start."""
+        c, s = math.cos(self.theta), math.sin(self.theta)
+        return self.x_rate - self.h * c * self.theta_rate, self.gap_rate - self.h * s * self.theta_rate
+
+    def row(self, time, x, y, theta):
+        """A row of the record from the place of the mass centre."""
+        return time, x + self.h * math.sin(theta), y - self.h * math.cos(theta), theta
+
+    def one_coefficient(self):
+        """The coefficient of friction, for an engine that has one."""
+        if self.mu_s != self.mu_k:
+            refuse(f"the engine has one coefficient of friction, the case mu_s = {self.mu_s}, mu_k = {self.mu_k}")
+        return self.mu_k
+
+
+def refuse(reason):
+    """End: the engine cannot express the case."""
+    print(reason, file=sys.stderr)
+    sys.exit(REFUSED)
+
+
+def stepped(case, step, advance, row):
+    """Yield the rows of an engine that is asked for one step after the other."""
+    count = round(case.until / step)
+    each = max(1, round(SHORTEST / step))
+    yield row(0.0)
+    for i in range(1, count + 1):
+        advance()
+        if i % each == 0:
+            yield row(i * step)
+
+
+def main(simulate):
+    """Run one case: `simulate(case, step, setting)` yields rows, and prepares the engine before the first."""
+    file, step, setting, out = sys.argv[1:]
+    case, step = Case(**json.loads(Path(file).read_text(encoding="utf-8"))), float(step)
+    rows = simulate(case, step, setting)
+    kept = [next(rows)]
+    start = time.process_time()
+    kept += rows
+    cost = time.process_time() - start
+    with Path(out).open("w", encoding="utf-8") as table:
+        table.write("time,x,y,theta\n")
+        table.writelines(f"{t:.17g},{x:.17g},{y:.17g},{theta:.17g}\n" for t, x, y, theta in kept)
+    print(json.dumps({"cpu_s": cost, "steps": round(case.until / step)}))

@@ -1,0 +1,62 @@
+"""Bullet (pybullet): a sphere on a plane, its inertial frame off the geometric centre.
+
+The motion stays plane by symmetry.
+default: as the package comes, but for damping and rolling friction, which are none.
+careful: 1000 iterations of the solver, to a residual of 0, and no slop.
+Cannot express: mu_s and mu_k (one coefficient, the product of those of two bodies: the plane has 1). Restitution acts
+above a speed; here it is 0.
+"""
+
+import math
+
+import pybullet as bullet
+from adapter import main, stepped
+
+
+def simulate(case, step, setting):
+    """Yield rows."""
+    bullet.connect(bullet.DIRECT)
+    bullet.setGravity(0.0, 0.0, -1.0)
+    bullet.setPhysicsEngineParameter(fixedTimeStep=step, numSubSteps=0)
+    if setting == "careful":
+        bullet.setPhysicsEngineParameter(
+            numSolverIterations=1000, solverResidualThreshold=0.0, contactSlop=0.0, restitutionVelocityThreshold=0.0
+        )
+    plane = bullet.createMultiBody(0.0, bullet.createCollisionShape(bullet.GEOM_PLANE))
+    bullet.changeDynamics(plane, -1, lateralFriction=1.0, restitution=0.0)
+    hoop = bullet.createMultiBody(
+        case.mass,
+        bullet.createCollisionShape(bullet.GEOM_SPHERE, radius=1.0),
+        baseInertialFramePosition=(0.0, 0.0, case.h),
+    )
+    bullet.changeDynamics(
+        hoop,
+        -1,
+        lateralFriction=case.one_coefficient(),
+        rollingFriction=0.0,
+        spinningFriction=0.0,
+        restitution=0.0,
+        linearDamping=0.0,
+        angularDamping=0.0,
+        localInertiaDiagonal=(case.inertia,) * 3,
+        activationState=bullet.ACTIVATION_STATE_DISABLE_SLEEPING,
+    )
+    # Counterclockwise, with x to the right and z upwards, is about -y. Bullet takes the place of the mass centre.
+    (x, y), (vx, vy) = case.mass_centre(), case.mass_centre_rates()
+    turn = bullet.getQuaternionFromAxisAngle((0.0, -1.0, 0.0), case.theta)
+    bullet.resetBasePositionAndOrientation(hoop, (x, 0.0, y), turn)
+    bullet.resetBaseVelocity(hoop, (vx, 0.0, vy), (0.0, -case.theta_rate, 0.0))
+    theta = case.theta
+
+    def row(time):
+        nonlocal theta
+        (x, _, y), (_, b, _, d) = bullet.getBasePositionAndOrientation(hoop)
+        turned = 2.0 * math.atan2(-b, d)
+        theta += math.remainder(turned - theta, math.tau)
+        return case.row(time, x, y, theta)
+
+    yield from stepped(case, step, bullet.stepSimulation, row)
+
+
+if __name__ == "__main__":
+    main(simulate)

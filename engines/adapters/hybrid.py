@@ -1,0 +1,127 @@
+"""The hoop as a hybrid system, for integrators of differential equations with events.
+
+The state is (x, y, theta, slip, gap rate, theta rate). With J and P the forces along the plane and upwards, at the
+point of contact, slip' = A J + B P - h s theta'^2 and gap'' = B J + C P - 1 + h c theta'^2.
+"""
+
+import math
+
+ROLL, FLIGHT = "roll", "flight"
+SLIDES = {1: "slide +", -1: "slide -"}
+SIGN = {name: sign for sign, name in SLIDES.items()}
+MODES = (ROLL, *SIGN, FLIGHT)
+
+
+class Hoop:
+    """Equations of motion, what ends them, and what follows; `lib` has cos and sin."""
+
+    def __init__(self, case):
+        self.case = case
+
+    def coefficients(self, theta, lib=math):
+        """A, B and C."""
+        m, h, inertia = self.case.mass, self.case.h, self.case.inertia
+        c, s = 1.0 + h * lib.cos(theta), h * lib.sin(theta)
+        return 1.0 / m + c * c / inertia, c * s / inertia, 1.0 / m + s * s / inertia
+
+    def forces(self, mode, theta, rate, lib=math):
+        """J and P."""
+        h = self.case.h
+        slipping, falling = h * lib.sin(theta) * rate * rate, 1.0 - h * lib.cos(theta) * rate * rate
+        a, b, c = self.coefficients(theta, lib)
+        if mode == ROLL:
+            d = a * c - b * b
+            return (c * slipping - b * falling) / d, (a * falling - b * slipping) / d
+        if mode == FLIGHT:
+            return 0.0, 0.0
+        mu = self.case.mu_k * SIGN[mode]
+        normal = falling / (c - mu * b)
+        return -mu * normal, normal
+
+    def rates(self, mode, state, lib=math):
+        """Right-hand sides."""
+        _, _, theta, slip, gap_rate, rate = state
+        h = self.case.h
+        a, b, _ = self.coefficients(theta, lib)
+        along, up = self.forces(mode, theta, rate, lib)
+        slip_rate = a * along + b * up - h * lib.sin(theta) * rate * rate
+        turning = ((1.0 + h * lib.cos(theta)) * along + h * lib.sin(theta) * up) / self.case.inertia
+        gap = h * lib.cos(theta) * rate * rate - 1.0
+        return (
+            slip - rate,
+            gap_rate,
+            rate,
+            0.0 if mode == ROLL else slip_rate,
+            gap if mode == FLIGHT else 0.0,
+            turning,
+        )
+
+    def ends(self, mode, state, lib=math):
+        """Functions of the state that fall through zero where the mode ends."""
+        _, y, theta, slip, _, rate = state
+        if mode == FLIGHT:
+            return [y - 1.0]
+        along, up = self.forces(mode, theta, rate, lib)
+        if mode == ROLL:
+            return [self.case.mu_s * up - along, self.case.mu_s * up + along]
+        return [slip * SIGN[mode], 1.0 - self.case.h * lib.cos(theta) * rate * rate]
+
+    def follows(self, state):
+        """The mode in which a hoop in contact goes on, from its accelerations."""
+        _, _, theta, slip, _, rate = state
+        if slip != 0.0:
+            mode = SLIDES[int(math.copysign(1, slip))]
+            return mode if self.forces(mode, theta, rate)[1] > 0.0 else FLIGHT
+        along, up = self.forces(ROLL, theta, rate)
+        if up > 0.0 and abs(along) <= self.case.mu_s * up:
+            return ROLL
+        mode = SLIDES[-int(math.copysign(1, along))]
+        return mode if self.forces(mode, theta, rate)[1] > 0.0 else FLIGHT
+
+    def impact(self, state):
+        """The state after a landing that does not bounce, the normal impulse being the time in it."""
+        x, _, theta, slip, gap_rate, rate = state
+        mu, h = self.case.mu_k, self.case.h
+        a, b, c = self.coefficients(theta)
+        sign = math.copysign(1.0, slip)
+        to_stick = abs(slip) / (mu * a - sign * b) if mu * a > sign * b else math.inf
+        opening = c - mu * sign * b
+        sticks = False
+        if opening > 0.0 and to_stick >= -gap_rate / opening:
+            up = -gap_rate / opening
+            along = -mu * sign * up
+        else:
+            sticks = abs(b) <= self.case.mu_s * a
+            later = -b / a if sticks else -math.copysign(mu, b)
+            up = to_stick - (gap_rate + opening * to_stick) / (c + b * later)
+            along = -mu * sign * to_stick + later * (up - to_stick)
+        turning = ((1.0 + h * math.cos(theta)) * along + h * math.sin(theta) * up) / self.case.inertia
+        return x, 1.0, theta, 0.0 if sticks else slip + a * along + b * up, 0.0, rate + turning
+
+    def follow(self, advance, step):
+        """Yield rows; `advance(mode, time, state, until)` returns the end, its state, which event, a dense output."""
+        case = self.case
+        state, time = (0.0, 1.0, case.theta, case.slip, case.gap_rate, case.theta_rate), 0.0
+        mode = FLIGHT if case.gap_rate > 0.0 else self.follows(state)
+        instants = (i * step for i in range(round(case.until / step) + 1))
+        at = next(instants)
+        while True:
+            end, state, event, dense = advance(mode, time, state, case.until)
+            while at is not None and at <= end:
+                yield (at, *dense(at)[:3])
+                at = next(instants, None)
+            if event is None or at is None:
+                return
+            time = end
+            x, y, theta, _, _, rate = state
+            if mode == FLIGHT:
+                state = self.impact(state)
+                mode = self.follows(state)
+            elif mode == ROLL:
+                # Slip begins against the friction that would be needed.
+                mode = SLIDES[-1 if event == 0 else 1]
+            elif event == 1:
+                mode = FLIGHT
+            else:
+                state = (x, y, theta, 0.0, 0.0, rate)
+                mode = self.follows(state)

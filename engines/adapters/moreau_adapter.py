@@ -1,0 +1,47 @@
+"""Moreau's time stepping in a few lines: contact by impulses, after a half step of the positions.
+
+The scheme of python/docs/score.md, with sweeps of projected Gauss-Seidel until nothing changes. There is one setting,
+default.
+Can express: one coefficient of friction, no rebound (an inelastic landing is that of Moreau's rule, not of the theory
+of impacts with friction).
+"""
+
+import math
+
+from adapter import main, stepped
+
+MOST_SWEEPS = 1000
+ENOUGH = 1e-15
+
+
+def simulate(case, step, _):
+    """Yield rows."""
+    m, h, inertia, mu = case.mass, case.h, case.inertia, case.one_coefficient()
+    x, y = case.mass_centre()
+    vx, vy = case.mass_centre_rates()
+    theta, rate = case.theta, case.theta_rate
+
+    def advance():
+        nonlocal x, y, theta, vx, vy, rate
+        x, y, theta = x + 0.5 * step * vx, y + 0.5 * step * vy, theta + 0.5 * step * rate
+        vy -= step
+        c, s = math.cos(theta), math.sin(theta)
+        if y - h * c <= 1.0:
+            arm = 1.0 + h * c
+            a, b, d = 1.0 / m + arm * arm / inertia, arm * h * s / inertia, 1.0 / m + (h * s) ** 2 / inertia
+            slip, closing = vx + arm * rate, vy + h * s * rate
+            along = up = 0.0
+            for _ in range(MOST_SWEEPS):
+                before = along, up
+                up = max(0.0, -(closing + b * along) / d)
+                along = min(mu * up, max(-mu * up, -(slip + b * up) / a))
+                if abs(along - before[0]) + abs(up - before[1]) < ENOUGH:
+                    break
+            vx, vy, rate = vx + along / m, vy + up / m, rate + (arm * along + h * s * up) / inertia
+        x, y, theta = x + 0.5 * step * vx, y + 0.5 * step * vy, theta + 0.5 * step * rate
+
+    yield from stepped(case, step, advance, lambda time: case.row(time, x, y, theta))
+
+
+if __name__ == "__main__":
+    main(simulate)

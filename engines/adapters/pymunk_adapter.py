@@ -1,0 +1,41 @@
+"""pymunk (Chipmunk): a body with its mass centre at the origin, and a circle beside it.
+
+default: as the package comes, ten iterations and a collision slop of 0.1, which is a tenth of the radius here:
+Chipmunk is made for lengths of many units. An overlap that large is not corrected.
+careful: R is 100 units, which suits its defaults, 100 iterations, no slop.
+Cannot express: mu_s and mu_k (one coefficient). Restitution is a product of two coefficients, here 0. Mass, inertia
+and an offset mass centre are as wanted.
+Chipmunk's friction of two shapes is the product of theirs: the plane has 1.
+"""
+
+import pymunk
+from adapter import main, stepped
+
+
+def simulate(case, step, setting):
+    """Yield rows."""
+    size = 1.0 if setting == "default" else 100.0
+    space = pymunk.Space()
+    space.gravity = (0.0, -size)
+    if setting == "careful":
+        space.iterations, space.collision_slop = 100, 0.0
+    plane = pymunk.Segment(space.static_body, (-1e3 * size, -size), (1e3 * size, -size), size)
+    plane.friction = 1.0
+    hoop = pymunk.Body(case.mass, case.inertia * size * size)
+    x, y = case.mass_centre()
+    hoop.position, hoop.angle = (x * size, y * size), case.theta
+    vx, vy = case.mass_centre_rates()
+    hoop.velocity, hoop.angular_velocity = (vx * size, vy * size), case.theta_rate
+    rim = pymunk.Circle(hoop, size, (0.0, -case.h * size))
+    rim.friction = case.one_coefficient()
+    space.add(hoop, rim, plane)
+
+    def row(time):
+        x, y = hoop.position
+        return case.row(time, x / size, y / size, hoop.angle)
+
+    yield from stepped(case, step, lambda: space.step(step), row)
+
+
+if __name__ == "__main__":
+    main(simulate)

@@ -1,0 +1,258 @@
+"""Runs the engines, each in its own virtual environment, and scores what they compute.
+
+python engines/run.py [NAME ...] [--step STEP ...] [--case CASE ...] [--setting SETTING ...] [--out FILE]
+
+The Python that runs this has the package of this repository; environments are made under target/engines, or where
+LITTLEWOOD_ENGINES says. Results of the engines named replace theirs in results.json, all others stay.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import platform
+import re
+import subprocess
+import sys
+import tempfile
+import venv
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).resolve().parent
+ENVIRONMENTS = Path(os.environ.get("LITTLEWOOD_ENGINES", HERE.parent / "target" / "engines"))
+RESULTS = HERE / "results.json"
+
+REFUSED = 3
+"""Exit code of an adapter whose engine cannot express the case; adapters/adapter.py has it, too."""
+
+PATIENCE = 120.0
+"""Seconds that an adapter may take."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A hoop (mass ratio, offset and inertia 1) and its start; landings do not bounce."""
+
+    what: str
+    until: float
+    theta: float
+    theta_rate: float
+    slip: float = 0.0
+    gap_rate: float = 0.0
+    mu_s: float = 0.5
+    mu_k: float = 0.5
+
+    def motion(self) -> Any:
+        """The exact motion."""
+        import littlewood as lw
+
+        hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=self.mu_s, mu_k=self.mu_k, restitution=0.0)
+        start = {"theta": self.theta, "theta_rate": self.theta_rate, "slip": self.slip, "gap_rate": self.gap_rate}
+        return hoop.simulate(**start, until=self.until)
+
+    def file(self, hoop: Any) -> dict[str, float]:
+        """What an adapter reads."""
+        return {
+            "mass": hoop.mass,
+            "h": hoop.h,
+            "inertia": hoop.inertia_about_mass_centre,
+            "mu_s": self.mu_s,
+            "mu_k": self.mu_k,
+            "theta": self.theta,
+            "theta_rate": self.theta_rate,
+            "slip": self.slip,
+            "gap_rate": self.gap_rate,
+            "until": self.until,
+        }
+
+
+CASES = {
+    "figure-3": Case("Figure 3 with μs = μk: slides, rolls, slides, jumps, lands", 5.0, math.pi / 2, 2.0),
+    "two-coefficients": Case("Figure 3: μs = 0.5, μk = 0.4", 5.0, math.pi / 2, 2.0, mu_k=0.4),
+    "slides-and-sticks": Case("slides and sticks", 3.0, 2.0, 0.5, slip=1.0),
+    "rolls": Case("rolls", 3.0, 3.0, 1.0),
+    "lands": Case("is thrown, lands sliding, sticks", 2.0, 2.5, 0.5, slip=0.5, gap_rate=0.5),
+}
+
+STEPS = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5)
+COARSE = (1e-2, 1e-3, 1e-4)
+"""Steps of every case but the first, which has all."""
+
+
+@dataclass(frozen=True)
+class Engine:
+    """A solver: its name for people, its settings, and whether it chooses its steps itself."""
+
+    title: str
+    settings: tuple[str, ...] = ("default", "careful")
+    is_adaptive: bool = False
+
+    @property
+    def least_step(self) -> float:
+        """An engine that chooses its steps itself only writes more rows with a smaller one."""
+        return 1e-4 if self.is_adaptive else 0.0
+
+
+ENGINES = {
+    "scipy": Engine("SciPy solve_ivp", is_adaptive=True),
+    "heyoka": Engine("heyoka", is_adaptive=True),
+    "moreau": Engine("Moreau time stepping (ours)", ("default",)),
+    "pymunk": Engine("pymunk (Chipmunk)"),
+    "box2d": Engine("Box2D 2.3"),
+    "bullet": Engine("Bullet"),
+    "mujoco": Engine("MuJoCo"),
+    "drake": Engine("Drake", ("default", "careful", "continuous")),
+}
+
+
+def requirements(name: str) -> Path:
+    """The file with the versions of an engine; an engine of ours has none."""
+    return HERE / "requirements" / f"{name}.txt"
+
+
+def versions(text: str) -> dict[str, str]:
+    """Packages and their versions in a file of requirements."""
+    return dict(
+        re.fullmatch(r"([\w.-]+)==([\w.]+)", line.strip()).groups() for line in text.splitlines() if line.strip()
+    )
+
+
+def python_of(name: str) -> Path:
+    """The interpreter of an engine's environment, which is made if it is not there or has other versions."""
+    file = requirements(name)
+    if not file.exists():
+        return Path(sys.executable)
+    folder = ENVIRONMENTS / name
+    python, made = folder / "bin" / "python", folder / "requirements.txt"
+    if not made.exists() or made.read_bytes() != file.read_bytes():
+        venv.create(folder, clear=True, with_pip=True)
+        install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement", str(file)]
+        subprocess.run([python, *install], check=True)
+        made.write_bytes(file.read_bytes())
+    return python
+
+
+def steps_of(case: str, engine: Engine) -> list[float]:
+    """The steps with which an engine runs a case."""
+    return [step for step in (STEPS if case == next(iter(CASES)) else COARSE) if step >= engine.least_step]
+
+
+def outcome(code: int | None, message: str) -> dict[str, str]:
+    """What became of an adapter that wrote no record."""
+    last = message.strip().splitlines()[-1:] or [""]
+    if code is None:
+        return {"status": "timeout", "reason": f"longer than {PATIENCE:g} s"}
+    return {"status": "refused" if code == REFUSED else "failed", "reason": last[0]}
+
+
+def run_adapter(python: Path, name: str, case: Path, step: float, setting: str, record: Path) -> dict[str, Any]:
+    """Run one adapter once: its status, and its cost."""
+    adapter = HERE / "adapters" / f"{name}_adapter.py"
+    command = [str(python), str(adapter), str(case), repr(step), setting, str(record)]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
+    except subprocess.TimeoutExpired:
+        return outcome(None, "")
+    if done.returncode != 0:
+        return outcome(done.returncode, done.stderr)
+    return {"status": "scored", **json.loads(done.stdout.strip().splitlines()[-1])}
+
+
+def kept(score: dict[str, Any]) -> dict[str, Any]:
+    """What of a score goes into the results, with eight digits."""
+    names = ("events", "missed", "spurious", "largest_error", "energy", "slip_while_rolling", "penetration")
+    whole: dict[str, Any] = rounded({name: score[name] for name in names})
+    return whole
+
+
+def rounded(value: Any) -> Any:
+    """The same with eight digits."""
+    if isinstance(value, float):
+        return float(f"{value:.8g}")
+    if isinstance(value, dict):
+        return {key: rounded(one) for key, one in value.items()}
+    return [rounded(one) for one in value] if isinstance(value, list) else value
+
+
+def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
+    """Run an engine with all its cases, settings and steps."""
+    import littlewood as lw
+
+    engine, python = ENGINES[name], python_of(name)
+    with tempfile.TemporaryDirectory() as folder:
+        file, record = Path(folder) / "case.json", Path(folder) / "record.csv"
+        for label in options.case or CASES:
+            motion = CASES[label].motion()
+            file.write_text(json.dumps(CASES[label].file(motion.hoop)), encoding="utf-8")
+            for setting in engine.settings:
+                if options.setting and setting not in options.setting:
+                    continue
+                for step in options.step or steps_of(label, engine):
+                    run = {"case": label, "setting": setting, "step": step}
+                    run |= run_adapter(python, name, file, step, setting, record)
+                    if run["status"] == "scored":
+                        try:
+                            run |= kept(lw.score(motion, lw.Record.from_csv(record)).as_dict())
+                        except ValueError as error:
+                            run |= {"status": "failed", "reason": str(error).replace(str(record), "the record")}
+                    print(
+                        name,
+                        label,
+                        setting,
+                        step,
+                        run["status"],
+                        run.get("largest_error", run.get("reason")),
+                        flush=True,
+                    )
+                    yield run
+                    if run["status"] in ("refused", "timeout"):
+                        break
+
+
+def machine() -> dict[str, Any]:
+    """The machine in general words."""
+    info = Path("/proc/cpuinfo")
+    text = info.read_text(encoding="utf-8") if info.exists() else ""
+    model = re.search(r"model name\s*: (.*)", text)
+    return {
+        "processor": model[1] if model else platform.machine(),
+        "cores": os.cpu_count(),
+        "system": platform.system(),
+        "python": platform.python_version(),
+    }
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run engines and write their results."""
+    parser = argparse.ArgumentParser(description="Run engines and score them.")
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"engines, by default all: {', '.join(ENGINES)}")
+    parser.add_argument("--case", action="append", choices=CASES)
+    parser.add_argument("--setting", action="append")
+    parser.add_argument("--step", action="append", type=float)
+    parser.add_argument("--out", type=Path, default=RESULTS)
+    options = parser.parse_args(arguments)
+    for name in options.names:
+        if name not in ENGINES:
+            parser.error(f"no engine {name}: there are {', '.join(ENGINES)}")
+    whole = (
+        json.loads(options.out.read_text(encoding="utf-8")) if options.out.exists() else {"version": 1, "engines": {}}
+    )
+    for name in options.names or ENGINES:
+        found = list(runs(name, options))
+        file = requirements(name)
+        packages = versions(file.read_text(encoding="utf-8")) if file.exists() else {}
+        whole["engines"][name] = {
+            "title": ENGINES[name].title, "packages": packages, "machine": machine(), "runs": found,
+        }  # fmt: skip
+        whole["engines"] = {key: whole["engines"][key] for key in ENGINES if key in whole["engines"]}
+        options.out.write_text(json.dumps(whole, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

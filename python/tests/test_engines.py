@@ -1,0 +1,85 @@
+"""The parts of engines/run.py that need no engine."""
+
+import importlib.util
+import json
+import math
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+import littlewood as lw
+
+FOLDER = Path(__file__).resolve().parents[2] / "engines"
+
+
+@pytest.fixture(scope="module")
+def run():
+    specification = importlib.util.spec_from_file_location("engines_run", FOLDER / "run.py")
+    module = importlib.util.module_from_spec(specification)
+    sys.modules[specification.name] = module
+    specification.loader.exec_module(module)
+    return module
+
+
+def test_the_cases_have_the_events_that_they_are_for(run):
+    assert [t.cause for t in run.CASES["figure-3"].motion().transitions][:4] == ["stick", "slip", "lift-off", "landing"]
+    assert [t.cause for t in run.CASES["slides-and-sticks"].motion().transitions] == ["stick"]
+    assert not run.CASES["rolls"].motion().transitions
+    assert [t.cause for t in run.CASES["lands"].motion().transitions] == ["landing", "stick"]
+
+
+def test_two_coefficients_is_the_motion_of_the_paper(run):
+    mine = run.CASES["two-coefficients"].motion()
+    paper = lw.case("figure-3").simulate()
+    assert [t.time for t in mine.transitions[:3]] == [t.time for t in paper.transitions[:3]]
+
+
+def test_an_adapter_reads_what_is_written(run):
+    case = run.CASES["lands"]
+    hoop = case.motion().hoop
+    text = (FOLDER / "adapters" / "adapter.py").read_text(encoding="utf-8")
+    fields = re.search(r"class Case:(.*?)@property", text, re.DOTALL)[1]
+    assert list(case.file(hoop)) == re.findall(r"^    (\w+): float$", fields, re.MULTILINE)
+    assert case.file(hoop)["mass"] == 2.0
+
+
+def test_adapters_are_short_and_say_what_they_cannot(run):
+    names = {path.name.removesuffix("_adapter.py") for path in (FOLDER / "adapters").glob("*_adapter.py")}
+    assert names == set(run.ENGINES)
+    for name in names:
+        text = (FOLDER / "adapters" / f"{name}_adapter.py").read_text(encoding="utf-8")
+        assert len(text.splitlines()) <= 150
+        assert re.search(r"^(Cannot|Can) express:", text, re.MULTILINE), name
+        assert all(f"{setting}" in text for setting in run.ENGINES[name].settings)
+
+
+def test_versions_are_exact(run):
+    assert run.versions("numpy==2.4.6\nscipy==1.17.1\n") == {"numpy": "2.4.6", "scipy": "1.17.1"}
+    for path in (FOLDER / "requirements").glob("*.txt"):
+        assert path.stem in run.ENGINES
+        assert run.versions(path.read_text(encoding="utf-8"))
+
+
+def test_outcomes_without_a_record(run):
+    assert run.outcome(None, "")["status"] == "timeout"
+    assert run.outcome(run.REFUSED, "one\nthe engine has one coefficient\n") == {
+        "status": "refused",
+        "reason": "the engine has one coefficient",
+    }
+    assert run.outcome(1, "")["status"] == "failed"
+
+
+def test_scores_are_kept_with_eight_digits(run):
+    assert run.rounded({"a": [math.pi, None, "word"], "b": 3}) == {"a": [3.1415927, None, "word"], "b": 3}
+
+
+def test_the_results_have_every_engine_and_no_path(run):
+    text = run.RESULTS.read_text(encoding="utf-8")
+    whole = json.loads(text)
+    assert list(whole["engines"]) == list(run.ENGINES)
+    for name, engine in whole["engines"].items():
+        assert {one["setting"] for one in engine["runs"]} == set(run.ENGINES[name].settings)
+        assert {one["case"] for one in engine["runs"]} == set(run.CASES)
+    assert not re.search(r"/(work|home|tmp|usr)/", text)
