@@ -104,6 +104,7 @@ ENGINES = {
     "moreau": Engine("Moreau time stepping (ours)", ("default",)),
     "pymunk": Engine("pymunk (Chipmunk)"),
     "box2d": Engine("Box2D 2.3"),
+    "planck": Engine("planck (Box2D, double precision)"),
     "bullet": Engine("Bullet"),
     "mujoco": Engine("MuJoCo"),
     "drake": Engine("Drake", ("default", "careful", "continuous")),
@@ -122,19 +123,34 @@ def versions(text: str) -> dict[str, str]:
     )
 
 
-def python_of(name: str) -> Path:
-    """The interpreter of an engine's environment, which is made if it is not there or has other versions."""
-    file = requirements(name)
+def adapter_of(name: str) -> Path:
+    """The adapter of an engine, for Python or for node."""
+    return next((HERE / "adapters").glob(f"{name}_adapter.*"))
+
+
+def prepared(name: str) -> list[str]:
+    """The command that runs an adapter; its environment is made if it is not there or has other versions."""
+    file, adapter = requirements(name), adapter_of(name)
     if not file.exists():
-        return Path(sys.executable)
+        return [sys.executable, str(adapter)]
     folder = ENVIRONMENTS / name
     python, made = folder / "bin" / "python", folder / "requirements.txt"
+    is_node = adapter.suffix == ".cjs"
     if not made.exists() or made.read_bytes() != file.read_bytes():
-        venv.create(folder, clear=True, with_pip=True)
-        install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement", str(file)]
-        subprocess.run([python, *install], check=True)
+        if is_node:
+            packages = [
+                f"{package}@{version}" for package, version in versions(file.read_text(encoding="utf-8")).items()
+            ]
+            folder.mkdir(parents=True, exist_ok=True)
+            subprocess.run(["npm", "install", "--silent", "--no-save", "--prefix", str(folder), *packages], check=True)
+        else:
+            venv.create(folder, clear=True, with_pip=True)
+            install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement", str(file)]
+            subprocess.run([python, *install], check=True)
         made.write_bytes(file.read_bytes())
-    return python
+    if is_node:
+        return ["env", f"NODE_PATH={folder / 'node_modules'}", "node", str(adapter)]
+    return [str(python), str(adapter)]
 
 
 def steps_of(case: str, engine: Engine) -> list[float]:
@@ -150,10 +166,9 @@ def outcome(code: int | None, message: str) -> dict[str, str]:
     return {"status": "refused" if code == REFUSED else "failed", "reason": last[0]}
 
 
-def run_adapter(python: Path, name: str, case: Path, step: float, setting: str, record: Path) -> dict[str, Any]:
+def run_adapter(prefix: list[str], case: Path, step: float, setting: str, record: Path) -> dict[str, Any]:
     """Run one adapter once: its status, and its cost."""
-    adapter = HERE / "adapters" / f"{name}_adapter.py"
-    command = [str(python), str(adapter), str(case), repr(step), setting, str(record)]
+    command = [*prefix, str(case), repr(step), setting, str(record)]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
     except subprocess.TimeoutExpired:
@@ -183,7 +198,7 @@ def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
     """Run an engine with all its cases, settings and steps."""
     import littlewood as lw
 
-    engine, python = ENGINES[name], python_of(name)
+    engine, prefix = ENGINES[name], prepared(name)
     with tempfile.TemporaryDirectory() as folder:
         file, record = Path(folder) / "case.json", Path(folder) / "record.csv"
         for label in options.case or CASES:
@@ -194,7 +209,7 @@ def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
                     continue
                 for step in options.step or steps_of(label, engine):
                     run = {"case": label, "setting": setting, "step": step}
-                    run |= run_adapter(python, name, file, step, setting, record)
+                    run |= run_adapter(prefix, file, step, setting, record)
                     if run["status"] == "scored":
                         try:
                             run |= kept(lw.score(motion, lw.Record.from_csv(record)).as_dict())
@@ -239,11 +254,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for name in options.names:
         if name not in ENGINES:
             parser.error(f"no engine {name}: there are {', '.join(ENGINES)}")
-    whole = (
-        json.loads(options.out.read_text(encoding="utf-8")) if options.out.exists() else {"version": 1, "engines": {}}
-    )
     for name in options.names or ENGINES:
         found = list(runs(name, options))
+        whole: dict[str, Any] = {"version": 1, "engines": {}}
+        if options.out.exists():
+            whole = json.loads(options.out.read_text(encoding="utf-8"))
         file = requirements(name)
         packages = versions(file.read_text(encoding="utf-8")) if file.exists() else {}
         whole["engines"][name] = {

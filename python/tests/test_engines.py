@@ -46,13 +46,12 @@ def test_an_adapter_reads_what_is_written(run):
 
 
 def test_adapters_are_short_and_say_what_they_cannot(run):
-    names = {path.name.removesuffix("_adapter.py") for path in (FOLDER / "adapters").glob("*_adapter.py")}
-    assert names == set(run.ENGINES)
-    for name in names:
-        text = (FOLDER / "adapters" / f"{name}_adapter.py").read_text(encoding="utf-8")
+    assert len(list((FOLDER / "adapters").glob("*_adapter.*"))) == len(run.ENGINES)
+    for name in run.ENGINES:
+        text = run.adapter_of(name).read_text(encoding="utf-8")
         assert len(text.splitlines()) <= 150
         assert re.search(r"^(Cannot|Can) express:", text, re.MULTILINE), name
-        assert all(f"{setting}" in text for setting in run.ENGINES[name].settings)
+        assert all(setting in text for setting in run.ENGINES[name].settings)
 
 
 def test_versions_are_exact(run):
