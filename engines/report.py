@@ -175,7 +175,10 @@ def summary(engines: dict[str, Any]) -> list[str]:
             law = order(runs)
             cells = [engine["title"], setting, *(number(event(at, kind)) for kind in ("stick", "lift_off", "landing"))]
             cells += [number(state(at)), number(at["energy"]["error_at_end"]), str(at["missed"]), str(at["spurious"])]
-            cells += ["–" if engine["title"] in ADAPTIVE or law is None else f"{law:.1f}", number(cost(at))]
+            cells += [
+                "–" if engine["title"] in ADAPTIVE or setting == "continuous" or law is None else f"{law:.1f}",
+                number(cost(at)),
+            ]
             rows.append(f"| {' | '.join(cells)} |")
     return rows
 

@@ -56,6 +56,7 @@ def simulate(case, step, setting):
     plant.SetVelocities(context, [case.x_rate, case.gap_rate, case.theta_rate])
     if continuous:
         simulator.get_mutable_integrator().set_maximum_step_size(step)
+        simulator.get_mutable_integrator().request_initial_step_size_target(step)
         simulator.get_mutable_integrator().set_target_accuracy(1e-6)
     simulator.Initialize()
     done = 0

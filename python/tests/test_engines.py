@@ -24,7 +24,7 @@ def run():
 
 
 def test_the_cases_have_the_events_that_they_are_for(run):
-    assert [t.cause for t in run.CASES["figure-3"].motion().transitions][:4] == ["stick", "slip", "lift-off", "landing"]
+    assert [t.cause for t in run.CASES["figure-3"].motion().transitions][:4] == ["stick", "slip", "lift_off", "landing"]
     assert [t.cause for t in run.CASES["slides-and-sticks"].motion().transitions] == ["stick"]
     assert not run.CASES["rolls"].motion().transitions
     assert [t.cause for t in run.CASES["lands"].motion().transitions] == ["landing", "stick"]
