@@ -133,7 +133,7 @@ def figure(engines: dict[str, Any], parts: list[tuple[str, Quantity, str]]) -> F
         for name, engine in engines.items()
     ]
     keys += [Line2D([], [], color=INK, linestyle=dash, label=name) for name, dash in DASHES.items()]
-    drawn.legend(handles=keys, loc="outside lower center", ncols=6 if len(parts) > 1 else 3, frameon=False, fontsize=9)
+    drawn.legend(handles=keys, loc="outside lower center", ncols=2 * len(parts), frameon=False, fontsize=9)
     return drawn
 
 

@@ -182,6 +182,8 @@ def kept(score: dict[str, Any]) -> dict[str, Any]:
     """What of a score goes into the results, with eight digits."""
     names = ("events", "missed", "spurious", "largest_error", "energy", "slip_while_rolling", "penetration")
     whole: dict[str, Any] = rounded({name: score[name] for name in names})
+    # Of events that are none, of which there may be hundreds, the number says enough.
+    whole["events"] = [event for event in whole["events"] if event["exact"] is not None]
     return whole
 
 
