@@ -41,6 +41,7 @@ include_patterns = [
     "python/docs/*.md",
     "bench/README.md",
     "reference/README.md",
+    "truth/families.md",
 ]
 exclude_patterns = [
     "target",

@@ -28,7 +28,7 @@ NOT_RUN = {
 SMALLER = (
     (re.compile(r":\d{2,}\b(?!:)"), ":8"),
     (re.compile(r"--fps \d+"), "--fps 5"),
-    (re.compile(r"--size \w+"), "--size 96x54"),
+    (re.compile(r"--size \w+"), "--size 160x160"),
 )
 
 
