@@ -62,11 +62,11 @@ const REGIMES = {
   light: 'mass_ratio=0&offset=1&inertia=0.01&mu_s=0.5&mu_k=0.4',
 };
 
-/** Times of the levels of the outcome map of a hoop, of the worker's own clock. */
-async function map(browser, hoop) {
+/** Times of the levels of the outcome map of a hoop, of the worker's own clock, up to one of them. What takes half a minute is left out. */
+async function map(browser, hoop, last) {
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
   await page.goto(`${ADDRESS}#${hoop}`);
-  await page.waitForFunction(() => document.documentElement.dataset.map === 'done');
+  await page.waitForFunction((name) => performance.getEntriesByName(name).length > 0, last).catch(() => {});
   const levels = await page.evaluate(() =>
     Object.fromEntries(performance.getEntriesByType('mark').filter((it) => it.name.startsWith('map-'))
       .map((it) => [it.name, it.detail])));
@@ -149,9 +149,9 @@ try {
   const starts = [];
   for (let run = 0; run < RUNS; run++) starts.push(await startUp(browser));
   const maps = [];
-  for (let run = 0; run < RUNS; run++) maps.push(await map(browser, 'case=figure-3'));
+  for (let run = 0; run < RUNS; run++) maps.push(await map(browser, 'case=figure-3', 'map-1'));
   const regimes = {};
-  for (const [name, hoop] of Object.entries(REGIMES)) regimes[name] = await map(browser, hoop);
+  for (const [name, hoop] of Object.entries(REGIMES)) regimes[name] = await map(browser, hoop, 'map-2');
   const { gaps, work } = await drag(browser);
   const plots = await plot(browser, 100_000);
   const ms = (value) => `${Math.round(value)} ms`;
@@ -170,7 +170,7 @@ try {
 | outcome map, first picture (32 × 32) | | ${range(levels(16))} |
 | outcome map, 256 × 256 | < 200 ms | ${range(levels(2))} |
 | outcome map, 512 × 512 | | ${range(levels(1))} |
-${Object.entries(regimes).map(([name, levels]) => `| outcome map, 256 × 256, ${name} | < 500 ms | ${ms(levels['map-2'])} |`).join('\n')}`);
+${Object.entries(regimes).map(([name, levels]) => `| outcome map, 256 × 256, ${name} | < 500 ms | ${levels['map-2'] === undefined ? '> 30 s' : ms(levels['map-2'])} |`).join('\n')}`);
 } finally {
   await browser.close();
   server.kill();
