@@ -167,12 +167,7 @@ impl Shape {
         colour: Rgb,
         unit: f64,
     ) -> (f64, f64) {
-        let along = (head.0 - tail.0, head.1 - tail.1);
-        let length = libm::hypot(along.0, along.1);
-        if length == 0.0 {
-            return (0.0, 0.0);
-        }
-        let (x, y) = (along.0 / length, along.1 / length);
+        let Some(((x, y), length)) = direction(tail, head) else { return (0.0, 0.0) };
         let at = |back: f64, aside: f64| (head.0 - back * x - aside * y, head.1 - back * y + aside * x);
         match self {
             Self::Solid => return draw_arrow(canvas, tail, head, false, colour, unit),
@@ -233,6 +228,13 @@ fn ends(view: &View, arrow: &DrawnArrow) -> (Place, Place) {
     (view.place(arrow.tail), view.place(arrow.head))
 }
 
+/// Direction and length from one place to another; none between places that are the same.
+fn direction(tail: Place, head: Place) -> Option<((f64, f64), f64)> {
+    let along = (head.0 - tail.0, head.1 - tail.1);
+    let length = libm::hypot(along.0, along.1);
+    (length != 0.0).then_some(((along.0 / length, along.1 / length), length))
+}
+
 /// An arrow; returns its direction. One that is cut has two heads.
 pub(crate) fn draw_arrow(
     canvas: &mut Canvas,
@@ -242,12 +244,7 @@ pub(crate) fn draw_arrow(
     colour: Rgb,
     unit: f64,
 ) -> (f64, f64) {
-    let along = (head.0 - tail.0, head.1 - tail.1);
-    let length = libm::hypot(along.0, along.1);
-    if length == 0.0 {
-        return (0.0, 0.0);
-    }
-    let (x, y) = (along.0 / length, along.1 / length);
+    let Some(((x, y), length)) = direction(tail, head) else { return (0.0, 0.0) };
     let tip = (9.0 * unit).min(length);
     let half = 0.42 * tip;
     let shaft = (head.0 - 0.8 * tip * x, head.1 - 0.8 * tip * y);

@@ -84,9 +84,10 @@ impl Canvas {
         }
     }
 
-    fn stroke(&mut self, path: Option<Path>, colour: Rgb, width: f64, dash: Option<f64>) {
+    /// Draws a line in dashes and gaps of these lengths by turns; unbroken if there are none.
+    fn stroke(&mut self, path: Option<Path>, colour: Rgb, width: f64, pattern: &[f64]) {
         let Some(path) = path else { return };
-        let dash = dash.and_then(|dash| StrokeDash::new(vec![dash as f32, dash as f32], 0.0));
+        let dash = StrokeDash::new(pattern.iter().map(|part| *part as f32).collect(), 0.0);
         let stroke = Stroke {
             // A thinner line would be drawn by another method, with less contrast.
             width: width.max(1.0) as f32,
@@ -117,32 +118,20 @@ impl Canvas {
 
     /// A circle; its line lies half inside and half outside.
     pub(crate) fn ring(&mut self, centre: Place, radius: f64, width: f64, colour: Rgb) {
-        self.stroke(circle(centre, radius), colour, width, None);
+        self.stroke(circle(centre, radius), colour, width, &[]);
     }
 
     pub(crate) fn line(&mut self, points: &[Place], width: f64, colour: Rgb) {
-        self.stroke(polyline(points, false), colour, width, None);
+        self.stroke(polyline(points, false), colour, width, &[]);
     }
 
     pub(crate) fn dashes(&mut self, points: &[Place], width: f64, dash: f64, colour: Rgb) {
-        self.stroke(polyline(points, false), colour, width, Some(dash));
+        self.stroke(polyline(points, false), colour, width, &[dash, dash]);
     }
 
     /// A line in dashes and gaps of these lengths by turns; unbroken if there are none.
     pub(crate) fn pattern(&mut self, points: &[Place], width: f64, pattern: &[f64], colour: Rgb) {
-        if pattern.is_empty() {
-            return self.line(points, width, colour);
-        }
-        let Some(path) = polyline(points, false) else { return };
-        let dash = StrokeDash::new(pattern.iter().map(|part| *part as f32).collect(), 0.0);
-        let stroke = Stroke {
-            width: width.max(1.0) as f32,
-            line_cap: LineCap::Butt,
-            line_join: LineJoin::Round,
-            dash,
-            ..Stroke::default()
-        };
-        self.pixels.stroke_path(&path, &paint(colour), &stroke, Transform::identity(), None);
+        self.stroke(polyline(points, false), colour, width, pattern);
     }
 
     pub(crate) fn polygon(&mut self, points: &[Place], colour: Rgb) {
@@ -157,7 +146,7 @@ impl Canvas {
     /// Words with a border that sets them off against what is behind them.
     pub(crate) fn label(&mut self, words: &str, place: Place, style: Style, colour: Rgb) {
         let outline = self.letters.outline(words, place, style);
-        self.stroke(outline.clone(), PAPER, 0.3 * style.size, None);
+        self.stroke(outline.clone(), PAPER, 0.3 * style.size, &[]);
         self.fill(outline, colour);
     }
 }

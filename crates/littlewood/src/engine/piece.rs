@@ -43,6 +43,17 @@ pub(super) struct Waypoint {
     pub(super) direction: (f64, f64),
 }
 
+/// How a part of a slide ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// The slide goes on.
+    Open,
+    /// η′ = 0.
+    Rest,
+    /// w = 0.
+    LiftOff,
+}
+
 /// The way of a slide through a piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way<'a, P> {

@@ -9,7 +9,7 @@
 
 use crate::equations::{SlidingLaw, contact};
 
-use super::super::piece::{Piece, Way, Waypoint};
+use super::super::piece::{End, Piece, Way, Waypoint};
 use super::super::slide::SlideEvent;
 use super::expansion::{Expansion, Signs};
 use super::step::{Step, rotated};
@@ -59,17 +59,6 @@ impl Frame<'_> {
 
 fn mirrored((sin, cos): (f64, f64)) -> (f64, f64) {
     (-sin, cos)
-}
-
-/// How a piece ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum End {
-    /// The slide goes on.
-    Open,
-    /// η′ = 0.
-    Rest,
-    /// w = 0.
-    LiftOff,
 }
 
 /// Follows a slide from a place to its event. None where a sign is in doubt, P comes close to zero, or the slide takes more pieces, or

@@ -2,7 +2,7 @@
 
 use crate::equations::contact;
 
-use super::super::piece::{Piece, Way, Waypoint};
+use super::super::piece::{End, Piece, Way, Waypoint};
 use super::super::polynomial::value;
 use super::super::solver::MIN_RATE;
 use super::cell::{Cell, Polynomial};
@@ -95,17 +95,6 @@ impl Piece for Crossing<'_> {
         let slowness = 0.5 * (1.0 / u.sqrt() + 1.0 / self.u(z + step).sqrt());
         step * self.travel * self.cell.half * slowness
     }
-}
-
-/// How a part of a slide ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum End {
-    /// The slide goes on.
-    Open,
-    /// η′ = 0.
-    Rest,
-    /// w = 0.
-    LiftOff,
 }
 
 /// The end of a way on which η″ changes its sign at most once, from a place to another, at which contact ends or not.
