@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Passes all tests on a fresh machine that has Rust, Python 3.11 and node 20: format, lints, documentation, tests of the
-# crates, of the Python package, of the solvers that are scored, of the web page and of the documentation. On Debian, as
+# crates, of the Python package, of the solvers that are scored, of the studies, of the web page and of the documentation. On Debian, as
 # root, it installs Chromium. At its end it counts.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -27,6 +27,7 @@ built="${CARGO_TARGET_DIR:-$PWD/target}/debug"
 export LITTLEWOOD_BIN="$built/littlewood" LITTLEWOOD_BITS="$built/examples/bits"
 python/test.sh 2>&1 | tee -a "$log"
 engines/test.sh
+studies/test.sh 2>&1 | tee -a "$log"
 web/test.sh 2>&1 | tee -a "$log"
 docs/test.sh
 echo

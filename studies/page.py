@@ -1,0 +1,28 @@
+"""Pages with computed places: text between a mark `<!-- label -->` and its end `<!-- /label -->`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+
+def table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return the lines of a table."""
+    lines = [heads, ["---"] * len(heads), *rows]
+    return [f"| {' | '.join(cells)} |" for cells in lines]
+
+
+def put(text: str, label: str, content: list[str] | str) -> str:
+    """Return a page with the content of a place: lines of their own, or a part of a sentence.
+
+    Raises
+    ------
+    ValueError
+        If the page does not have the place exactly once.
+    """
+    begin, end = f"<!-- {label} -->", f"<!-- /{label} -->"
+    if text.count(begin) != 1 or text.count(end) != 1:
+        raise ValueError(f"the page has {text.count(begin)} places {begin} and {text.count(end)} ends of it, not one")
+    before, rest = text.split(begin)
+    after = rest.split(end)[1]
+    body = content if isinstance(content, str) else "\n" + "\n".join(content) + "\n"
+    return f"{before}{begin}{body}{end}{after}"
