@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 
@@ -16,23 +16,11 @@ from matplotlib.figure import Figure
 from .axes import panels
 from .page import table
 from .random_hoops import random_hoops
+from .roots import zero
 from .study import Study
 
 DEGREE = math.pi / 180.0
 COLOURS = [*ACCENTS.values(), INK]
-
-
-def zero(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return a zero between two signs, to the last digit, by halving."""
-    sign = math.copysign(1.0, function(low))
-    while True:
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            return middle
-        if function(middle) * sign > 0.0:
-            low = middle
-        else:
-            high = middle
 
 
 def rise(angle: float, turned: float) -> float:

@@ -1,0 +1,590 @@
+"""Bouncing for ever: the motions with e = 1 and two symmetric flights a turn, their stability, and what losses do."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import littlewood as lw
+import numpy as np
+from littlewood.style import ACCENTS, FAINT, INK
+from matplotlib.figure import Figure
+
+from .axes import panels
+from .page import table
+from .random_hoops import random_hoops
+from .roots import zero
+from .study import Study
+
+DEGREE = math.pi / 180.0
+COLOURS = [*ACCENTS.values(), INK]
+
+Matrix = list[list[Any]]
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """A motion that bounces for ever; everything is for a unit of the total mass.
+
+    The numbers may be of any kind that has arithmetic: floats, arrays, fractions, balls.
+
+    Parameters
+    ----------
+    arm : number
+        a = h sin φ.
+    lever : number
+        L = 1 + h cos φ.
+    alpha : number
+        α = 1 − κa, κ the jump of the rate over that of the gap.
+    rate : number
+        ω1, the rate of the flight over the top.
+    gap_rate : number
+        v, the rate of the gap after each impact.
+    rough : bool
+        Whether the impacts stick; if not, there is no friction at all.
+    """
+
+    arm: Any
+    lever: Any
+    alpha: Any
+    rate: Any
+    gap_rate: Any
+    rough: bool = True
+
+    @property
+    def kappa(self) -> Any:
+        """κ: an impact that meets the plane at the rate v turns ω into ω + κv."""
+        return (1 - self.alpha) / self.arm
+
+    @property
+    def inertia(self) -> Any:
+        """Inertia about the point that an impact holds: D/m, or Î/m + a² without friction."""
+        return 2 * self.arm / self.kappa
+
+    @property
+    def second_rate(self) -> Any:
+        """ω2, the rate of the flight under the bottom."""
+        return self.rate + self.kappa * self.gap_rate
+
+    @property
+    def friction(self) -> Any:
+        """Coefficient of friction that sticking in the impacts needs."""
+        return self.arm * self.lever / (self.inertia - self.arm * self.arm)
+
+    @property
+    def halves(self) -> tuple[Any, Any]:
+        """Half the angles of the two flights, φ and π − φ, by the equations of the motion."""
+        first = self.rate * (self.gap_rate + self.arm * self.rate)
+        return first, self.second_rate * (self.gap_rate - self.arm * self.second_rate)
+
+    @property
+    def energy(self) -> Any:
+        """Energy after an impact over m g R."""
+        kinetic = self.inertia * self.rate * self.rate + self.gap_rate * self.gap_rate
+        return kinetic / 2 + self.arm * self.rate * self.gap_rate + self.lever - 1
+
+    @property
+    def slope_of_kappa(self) -> Any:
+        """dκ/dφ."""
+        c = self.lever - 1
+        square = self.kappa * self.kappa
+        return self.kappa * c / self.arm + (square if self.rough else -square * c)
+
+    @property
+    def tangent(self) -> tuple[Any, Any]:
+        """dω1/dφ and dv/dφ along the family of the hoop."""
+        a, c, w, v = self.arm, self.lever - 1, self.rate, self.gap_rate
+        w2, k, slope = self.second_rate, self.kappa, self.slope_of_kappa
+        # The derivatives of ω1 (v + a ω1) = φ and of ω2 (v − a ω2) = π − φ, two linear equations.
+        p, q, r = v + 2 * a * w, w, 1 - c * w * w
+        s = v - 2 * a * w2
+        t, u = s * k + w2, c * w2 * w2 - 1 - s * slope * v
+        determinant = p * t - q * s
+        return (r * t - q * u) / determinant, (p * u - s * r) / determinant
+
+    @property
+    def energy_slope(self) -> Any:
+        """dE/dφ over m g R along the family."""
+        a, c, w, v = self.arm, self.lever - 1, self.rate, self.gap_rate
+        dw, dv = self.tangent
+        # Of the inertia: D has 2h cos φ in it, and the smooth one a².
+        change = -2 * a if self.rough else 2 * a * c
+        return change * w * w / 2 + self.inertia * w * dw + c * w * v + a * (dw * v + w * dv) + v * dv - a
+
+    @property
+    def tilt(self) -> Any:
+        """G: what becomes zero where impacts that are not opposite to each other fit, too, in the first order."""
+        c = self.lever - 1
+        share = (1 - self.alpha + 2 * c) / (1 + self.alpha) if self.rough else c
+        first, second = self.halves
+        return self.arm * self.arm + share * first * second / (self.rate * self.second_rate)
+
+    @property
+    def determinant(self) -> Any:
+        """λ1 λ2."""
+        if not self.rough:
+            return 1
+        pull = 2 * self.friction
+        first, second = self.halves
+        over = 1 - pull * first * first / (self.rate * self.gap_rate)
+        return over * (1 + pull * second * second / (self.second_rate * self.gap_rate))
+
+    @property
+    def product(self) -> Any:
+        """(1 − λ1)(1 − λ2)."""
+        a, alpha, v = self.arm, self.alpha, self.gap_rate
+        squares = self.rate * self.rate + self.second_rate * self.second_rate
+        size = a * a * squares + alpha * (1 - alpha) * v * v
+        return 8 * alpha * (1 - alpha) * size / (a * a * a * v * v) * self.tilt * self.energy_slope
+
+    @property
+    def margin(self) -> Any:
+        """Positive where both multipliers are inside the unit circle, or on it without friction, and not at ±1."""
+        q, d = self.product, self.determinant
+        inner = np.minimum(q, 2 * (1 + d) - q)
+        return np.minimum(inner, 1 - d) if self.rough else inner
+
+    @property
+    def multipliers(self) -> tuple[complex, complex]:
+        """λ1 and λ2: what a disturbance is multiplied by in a turn, beside the 1 of the family itself."""
+        d = self.determinant
+        half = 0.5 * (1.0 + d - self.product)
+        root = cmath.sqrt(half * half - d)
+        return half + root, half - root
+
+    @property
+    def decay(self) -> Any:
+        """Energy over m g R that a turn loses, over 1 − e, for small losses."""
+        return (1 + self.alpha) * self.gap_rate * self.gap_rate
+
+    @property
+    def rubbing(self) -> Any:
+        """1 − e over μ: the restitution that loses as much as small friction does."""
+        return self.kappa * self.lever / 2
+
+    def turn(self) -> Matrix:
+        """Return the derivative of a turn: from (θ, θ′, v) after an impact at −φ to that after the next there."""
+        top, bottom = self.flight(first=True), self.flight(first=False)
+        return product(self.impact(-1), product(bottom, product(self.impact(1), top)))
+
+    def flight(self, *, first: bool) -> Matrix:
+        """Return the derivative of a flight, and of the loss of slip at its end, over the top or under the bottom."""
+        c, v = self.lever - 1, self.gap_rate
+        begin, w = (-self.arm, self.rate) if first else (self.arm, self.second_rate)
+        end = -begin
+        time = 2 * (v + end * w)
+        arms = end - begin
+        # The end of the flight, from the gap, which is zero there, and closes with v.
+        late = [(arms - c * w * time) / v, arms * time / v, time / v]
+        angle = [1 + w * late[0], time + w * late[1], w * late[2]]
+        opening = [c * w * (angle[0] - 1) - late[0], arms + c * w * angle[1] - late[1], 1 + c * w * angle[2] - late[2]]
+        slip = [-w * (end * angle[0] - begin), -w * end * angle[1], -w * end * angle[2]]
+        pull = self.friction / self.arm if self.rough else 0
+        rate = [-pull * slip[0], 1 - pull * slip[1], -pull * slip[2]]
+        return [angle, rate, [one - end * pull * other for one, other in zip(opening, slip, strict=True)]]
+
+    def impact(self, side: int) -> Matrix:
+        """Return the derivative of an impact without slip, at φ (side 1) or −φ."""
+        return [[1, 0, 0], [self.slope_of_kappa * self.gap_rate, 1, -side * self.kappa], [0, 0, -1]]
+
+
+def product(left: Matrix, right: Matrix) -> Matrix:
+    """Return the product of two matrices of any numbers."""
+    columns = list(zip(*right, strict=True))
+    return [[sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in left]
+
+
+def family(h: Any, gyration: Any, angle: Any, *, rough: bool = True) -> Orbit:
+    """Return the motions of hoops with impacts at ±φ, NaN where there are none.
+
+    Parameters
+    ----------
+    h : float or ndarray
+        Distance of the mass centre from the centre.
+    gyration : float or ndarray
+        Î/m, the square of the radius of gyration about the mass centre.
+    angle : float or ndarray
+        φ.
+    rough : bool, optional
+        Whether the impacts stick; if not, there is no friction.
+    """
+    arm, lever = h * np.sin(angle), 1.0 + h * np.cos(angle)
+    inertia = gyration + arm * arm + (lever * lever if rough else 0.0)
+    kappa = 2.0 * arm / inertia
+    alpha = 1.0 - kappa * arm
+    square, linear = arm * alpha * (1.0 + alpha), math.pi - 2.0 * alpha * alpha * angle
+    constant = alpha * kappa * angle * angle
+    with np.errstate(invalid="ignore", divide="ignore"):
+        root = np.sqrt(linear * linear + 4.0 * square * constant)
+        top = np.sqrt(np.where(linear > 0.0, 2.0 * constant / (linear + root), (root - linear) / (2.0 * square)))
+        fits = (alpha > 0.0) & (angle / top > 2.0 * np.sqrt(h) * np.sin(0.5 * angle))
+        rate = np.where(fits, top, np.nan)
+        return Orbit(arm, lever, alpha, rate, angle / rate - arm * rate, rough)
+
+
+def orbit(h: float, gyration: float, angle: float, *, rough: bool = True) -> Orbit | None:
+    """Return one motion of the family in floats, or None."""
+    found = family(h, gyration, angle, rough=rough)
+    if not math.isfinite(found.rate):
+        return None
+    arm, lever, alpha = float(found.arm), float(found.lever), float(found.alpha)
+    return Orbit(arm, lever, alpha, float(found.rate), float(found.gap_rate), rough)
+
+
+def thin(h: Any) -> Any:
+    """Return Î/m of a thin hoop with the particle on its rim."""
+    return 1.0 - h * h
+
+
+def thin_hoop(h: float, mu: float, restitution: float) -> lw.Hoop:
+    """Return a thin hoop with the particle on its rim."""
+    ratio = 1.0 / h - 1.0
+    return lw.Hoop(mass_ratio=ratio, offset=1.0, inertia=ratio, mu_s=mu, mu_k=mu, restitution=restitution)
+
+
+@cache
+def stable(h: float, *, rough: bool = True) -> tuple[tuple[float, float], ...]:
+    """Return the intervals of φ whose motions are stable for a thin hoop, to the last digits."""
+    angles = np.linspace(0.02, math.pi - 0.02, 4000)
+    margins = family(h, thin(h), angles, rough=rough).margin
+    inside = np.nan_to_num(margins, nan=-1.0) > 0.0
+
+    def margin(angle: float) -> float:
+        found = orbit(h, thin(h), angle, rough=rough)
+        return -1.0 if found is None else float(found.margin)
+
+    steps = np.nonzero(inside[1:] != inside[:-1])[0]
+    ends = [zero(margin, float(angles[step]), float(angles[step + 1])) for step in steps]
+    return tuple(zip(ends[::2], ends[1::2], strict=True))
+
+
+def life(h: float, low: float, high: float) -> float:
+    """Return the turns times 1 − e in which small losses take a thin hoop from one angle to another."""
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    angles = 0.5 * (low + high) + 0.5 * (high - low) * nodes
+    orbits = family(h, thin(h), angles)
+    return float(abs(0.5 * (high - low) * np.sum(weights * orbits.energy_slope / orbits.decay)))
+
+
+def random_orbits(seed: int, count: int) -> Iterator[tuple[lw.Hoop, Orbit, float]]:
+    """Yield random hoops, rough enough and with e = 1, with a motion that bounces for ever and its angle."""
+    for drawn, random in random_hoops(seed, count):
+        angle = random.uniform(0.3, 2.9)
+        found = orbit(drawn.h, drawn.inertia_about_mass_centre / drawn.mass, angle)
+        if found is None or abs(found.friction) > 5.0:
+            continue
+        mu = found.friction + 0.2
+        yield replace(drawn, mu_s=mu, mu_k=mu, restitution=1.0, law="energetic"), found, angle
+
+
+def after_turn(hoop: lw.Hoop, theta: float, rate: float, gap_rate: float, slip: float = 0.0) -> list[float]:
+    """Return θ, θ′ and the rate of the gap after two impacts, as the library simulates them."""
+    motion = hoop.simulate(theta=theta, theta_rate=rate, gap_rate=gap_rate, slip=slip, max_transitions=2)
+    last = motion.transitions[1]
+    assert last.impact is not None
+    return [last.after.theta - 2.0 * math.pi, last.impact.after.theta_rate, last.impact.after.gap_rate]
+
+
+def differences(hoop: lw.Hoop, motion: Orbit, angle: float, step: float = 1e-7) -> Matrix:
+    """Return the derivative of a turn by central differences of simulated motions.
+
+    The step is small because the second derivatives of an impact jump where the slip changes its sign.
+    """
+    start = [-angle, motion.rate, motion.gap_rate]
+    columns = []
+    for i in range(3):
+        ahead, back = list(start), list(start)
+        size = step * (1.0 if i == 0 else start[i])
+        ahead[i] += size
+        back[i] -= size
+        pairs = zip(after_turn(hoop, *ahead), after_turn(hoop, *back), strict=True)
+        columns.append([(x - y) / (2.0 * size) for x, y in pairs])
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def derivative_error(seed: int, count: int) -> list[float]:
+    """Return by how much derivatives of random motions differ from differences, over their largest element."""
+    found = []
+    for hoop, motion, angle in random_orbits(seed, count):
+        exact: Any = np.array(motion.turn())
+        measured: Any = np.array(differences(hoop, motion, angle))
+        found.append(float(np.max(np.abs(exact - measured)) / np.max(np.abs(exact))))
+    return found
+
+
+@dataclass(frozen=True)
+class Drift:
+    """What a motion with small losses does: the turns, and the mean angle of the impacts of each.
+
+    Parameters
+    ----------
+    turns, angles : ndarray
+        Of each turn, its number and half the angle between its impacts.
+    """
+
+    turns: Any
+    angles: Any
+
+    def at(self, turn: float) -> float:
+        """Return the angle after a number of turns."""
+        return float(np.interp(turn, self.turns, self.angles))
+
+
+@cache
+def drift(h: float, angle: float, loss: float, turns: int) -> Drift:
+    """Return the simulated motion of a thin hoop with e = 1 − loss from the start of a motion that bounces for ever."""
+    hoop = thin_hoop(h, 0.5, 1.0 - loss)
+    begin = orbit(h, thin(h), angle)
+    assert begin is not None
+    motion = hoop.simulate(theta=-angle, theta_rate=begin.rate, gap_rate=begin.gap_rate, max_transitions=2 * turns + 2)
+    places = np.array([one.state.theta for one in motion.transitions if one.cause == "landing"])
+    # Half of what the hoop turns over the top: also right where the two impacts are not opposite.
+    tops = 0.5 * (places[2::2] - places[1:-1:2])
+    return Drift(np.arange(1, len(tops) + 1), tops)
+
+
+def expected_turns(h: float, begin: float, end: float) -> Callable[[float], float]:
+    """Return the function from an angle to the turns times 1 − e until the losses have brought a motion there."""
+    angles = np.linspace(begin, end, 400)
+    orbits = family(h, thin(h), angles)
+    rates = np.abs(orbits.energy_slope / orbits.decay)
+    steps = 0.5 * (rates[1:] + rates[:-1]) * np.abs(np.diff(angles))
+    sums = np.concatenate([[0.0], np.cumsum(steps)])
+    order = np.argsort(angles)
+    return lambda angle: float(np.interp(angle, angles[order], sums[order]))
+
+
+def balanced(gyration: float) -> tuple[float, float]:
+    """Return (φ − 90°)/h at the upper end of the stable interval, and its life, both as h → 0."""
+    inertia = 1.0 + gyration
+    first = 0.5 * math.pi / math.sqrt(inertia)
+    # G = 0 in the leading order, for the square of the rate.
+    square, constant = 1.0 - 4.0 / math.pi**2, 0.25 * math.pi**2 / inertia
+    last = (1.0 / inertia + math.sqrt(inertia**-2 + 4.0 * square * constant)) / (2.0 * square)
+    span = 4.0 * last / math.pi**2 + 1.0 / inertia
+    return span, inertia * (last**2 - first**2) / (2.0 * math.pi**2) - 0.25 * math.log(last / first)
+
+
+@dataclass(frozen=True)
+class Kicked:
+    """What a motion that bounces for ever does after a kick, with e = 1.
+
+    Parameters
+    ----------
+    lost : float
+        Energy that has been lost, over m g R.
+    angle : float
+        Half the angle between the last impacts.
+    slip : float
+        Largest slip at the last ten impacts.
+    """
+
+    lost: float
+    angle: float
+    slip: float
+
+
+def kicked(h: float, angle: float, kick: float, turns: int = 150) -> Kicked:
+    """Return what a kick to θ′ does to a motion of a thin hoop."""
+    hoop = thin_hoop(h, 0.5, 1.0)
+    begin = orbit(h, thin(h), angle)
+    assert begin is not None
+    motion = hoop.simulate(
+        theta=-angle, theta_rate=begin.rate + kick, gap_rate=begin.gap_rate, max_transitions=2 * turns
+    )
+    impacts = [one.impact for one in motion.transitions[-10:] if one.impact is not None]
+    over_top = motion.transitions[-2].state.theta - motion.transitions[-3].state.theta
+    return Kicked(
+        motion.impact_energy_lost / hoop.mass, 0.5 * over_top, max(abs(impact.before.slip) for impact in impacts)
+    )
+
+
+def agreement() -> str:
+    """How well the derivative agrees with differences of simulated motions."""
+    errors = np.sort(derivative_error(2026, 400))
+    return (
+        f"{len(errors)} random hoops and motions: half of them to {errors[len(errors) // 2]:.0e} of the largest "
+        f"element, all to {errors[-1]:.0e}"
+    )
+
+
+def bands() -> list[str]:
+    """Where motions of thin hoops are stable: by h, the intervals with friction and life."""
+    rows = []
+    for h in (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9):
+        smooth = "; ".join(f"{low / DEGREE:.1f}–{high / DEGREE:.1f}" for low, high in stable(h, rough=False))
+        for place, (low, high) in enumerate(stable(h)):
+            friction = float(np.max(family(h, thin(h), np.linspace(low, high, 200)).friction))
+            rows.append(
+                [
+                    f"{h:g}" if place == 0 else "",
+                    f"{low / DEGREE:.2f}–{high / DEGREE:.2f}",
+                    f"{friction:.3f}",
+                    f"{life(h, low, high):.2g}",
+                    smooth if place == 0 else "",
+                ]
+            )
+    return table(["h", "stable, rough: φ, °", "friction needed", "turns × (1 − e)", "stable, smooth: φ, °"], rows)
+
+
+def limit() -> list[str]:
+    """The stable interval of nearly balanced hoops, in the limit."""
+    rows = []
+    for name, gyration in (("thin hoop", 1.0), ("disc", 0.5), ("all mass at the centre", 0.0)):
+        span, turns = balanced(gyration)
+        rows.append([name, f"{gyration:g}", f"90° to 90° + {span / DEGREE:.2f}° h", f"{turns:.4f}"])
+    return table(["h → 0", "Î/m", "stable: φ", "turns × (1 − e)"], rows)
+
+
+def example() -> list[str]:
+    """Multipliers of some motions of the hoop of Figure 2, with their rates."""
+    rows = []
+    for angle in (0.5, 1.0, 1.6, 2.0, 2.2, 2.3, 2.4):
+        found = orbit(0.5, 0.75, angle)
+        assert found is not None
+        one, two = sorted(found.multipliers, key=abs, reverse=True)
+        numbers = [found.rate, found.second_rate, found.gap_rate, found.friction, found.energy, one.real, two.real]
+        rows.append([f"{angle:g}", *(f"{number:.4g}" for number in numbers)])
+    return table(["φ", "ω1", "ω2", "v", "friction", "E/m", "λ1", "λ2"], rows)
+
+
+def kicks() -> list[str]:
+    """What kicks of several sizes do to a stable motion."""
+    rows = []
+    for kick in (1e-4, 1e-3, 1e-2):
+        after = kicked(0.5, 2.25, kick)
+        rows.append([f"{kick:g}", f"{after.lost:.2e}", f"{after.angle:.6f}", f"{after.slip:.0e}"])
+    return table(["kick to θ′", "energy lost, m g R", "φ in the end", "slip in the end"], rows)
+
+
+ENDS = {0.5: (2.22, 1), 0.3: (1.85, 0)}
+"""For some h: an angle within the stable interval, and to which of its ends losses drive it."""
+
+LOSSES = (1e-3, 1e-4, 1e-5)
+
+
+def followed(h: float, loss: float) -> tuple[Drift, Callable[[float], float], float, float]:
+    """Return a drift, the law for it, and the angles between which it goes."""
+    begin, side = ENDS[h]
+    end = stable(h)[0][side]
+    law = expected_turns(h, begin, end)
+    return drift(h, begin, loss, int(1.25 * law(end) / loss) + 2), law, begin, end
+
+
+def losses() -> list[str]:
+    """How far the angle has come at a part of the life, in the simulation and by the law."""
+    rows = []
+    for h in ENDS:
+        for loss in LOSSES:
+            found, law, begin, end = followed(h, loss)
+            whole = law(end) / loss
+            cells = [f"{h:g}", f"{begin:g} to {end:.4f}", f"{loss:g}", f"{whole:.1f}"]
+            for part in (0.25, 0.5, 0.75):
+                angle = zero(lambda phi: law(phi) / loss - part * whole, begin, end)  # noqa: B023
+                cells.append(f"{found.at(part * whole):.4f} ({angle:.4f})")
+            rows.append(cells)
+    return table(["h", "φ", "1 − e", "turns", "φ after 25 %", "50 %", "75 % of them"], rows)
+
+
+def rubbed(h: float, angle: float, mu: float) -> tuple[float, float]:
+    """Return the energy over m g R that the first turn loses to little friction: simulated, and by its formula."""
+    found = orbit(h, thin(h), angle, rough=False)
+    assert found is not None
+    # The slip changes its sign in the middle of each impact.
+    slip = -0.5 * found.lever * (found.second_rate - found.rate)
+    hoop = thin_hoop(h, mu, 1.0)
+    motion = hoop.simulate(theta=-angle, theta_rate=found.rate, gap_rate=found.gap_rate, slip=slip, max_transitions=2)
+    return motion.impact_energy_lost / hoop.mass, float(found.decay * found.rubbing) * mu
+
+
+def rubbing() -> list[str]:
+    """The energy that little friction takes off a smooth hoop in a turn."""
+    rows = []
+    for h, angle in ((0.3, 1.84), (0.5, 2.2), (0.7, 2.32)):
+        for mu in (1e-2, 1e-3, 1e-4):
+            measured, told = rubbed(h, angle, mu)
+            rows.append([f"{h:g}", f"{angle:g}", f"{mu:g}", f"{measured:.5e}", f"{told:.5e}"])
+    return table(["h", "φ", "μ", "lost in a turn, simulated", "by the formula"], rows)
+
+
+def regions_picture() -> Figure:
+    """Where motions are stable, for rough and for smooth thin hoops."""
+    figure, axes = panels(2, width=4.8, height=4.0)
+    h, angle = np.meshgrid(np.linspace(0.003, 0.997, 500), np.linspace(0.01, math.pi - 0.01, 700), indexing="ij")
+    degrees = angle / DEGREE
+    for ax, rough, name in zip(axes, (True, False), ("rough: impacts stick", "smooth: no friction"), strict=True):
+        orbits = family(h, thin(h), angle, rough=rough)
+        none = np.isnan(orbits.rate)
+        firm = (np.nan_to_num(orbits.margin, nan=-1.0) > 0.0).astype(float)
+        ax.contourf(degrees, h, none.astype(float), levels=[0.5, 1.5], colors=[FAINT], alpha=0.35)
+        ax.contourf(degrees, h, firm, levels=[0.5, 1.5], colors=[COLOURS[0]], alpha=0.75)
+        ax.contour(degrees, h, orbits.energy_slope, levels=[0.0], colors=[INK], linewidths=1.0)
+        ax.contour(degrees, h, orbits.tilt, levels=[0.0], colors=[INK], linewidths=1.0, linestyles="dashed")
+        flip = 2.0 * (1.0 + orbits.determinant) - orbits.product
+        ax.contour(degrees, h, flip, levels=[0.0], colors=[INK], linewidths=1.0, linestyles="dotted")
+        if rough:
+            friction = np.where(none, np.nan, orbits.friction)
+            lines = ax.contour(degrees, h, friction, levels=[0.1, 0.3, 0.6], colors=[COLOURS[1]], linewidths=0.8)
+            ax.clabel(lines, fontsize=8, fmt="μ = %g", manual=[(45, 0.25), (70, 0.55), (85, 0.8)])
+        ax.text(0.03, 0.03, name, transform=ax.transAxes, fontsize=9, color=INK)
+        ax.set(xlim=(0, 180), ylim=(0, 1), xlabel="angle of the impacts φ, degrees")
+        ax.set_xticks(range(0, 181, 30))
+    axes[0].set_ylabel("offset of the mass centre h, R")
+    for style, label in (("solid", "dE/dφ = 0"), ("dashed", "G = 0"), ("dotted", "λ = −1")):
+        axes[1].plot([], [], color=INK, linewidth=1.0, linestyle=style, label=label)
+    axes[1].fill_between([], [], color=COLOURS[0], alpha=0.75, label="stable")
+    axes[1].fill_between([], [], color=FAINT, alpha=0.35, label="no such motion")
+    axes[1].legend(fontsize=8, loc="upper left", framealpha=0.9, bbox_to_anchor=(0.0, 0.42))
+    return figure
+
+
+def losses_picture() -> Figure:
+    """Multipliers and energy along the family, and what losses do."""
+    figure, (left, middle, right) = panels(3)
+    angles = np.linspace(0.5, 2.7, 1200)
+    for h, colour, dash in zip((0.1, 0.3, 0.5, 0.6), COLOURS, ((), (6, 2), (3, 1.5), (1, 1.2)), strict=False):
+        orbits = family(h, thin(h), angles)
+        half = 0.5 * (1.0 + orbits.determinant - orbits.product)
+        root = np.sqrt(half * half - orbits.determinant + 0j)
+        largest = np.maximum(abs(half + root), abs(half - root))
+        style: dict[str, Any] = {"color": colour, "dashes": dash or (None, None)}
+        left.semilogy(angles / DEGREE, largest, label=f"h = {h:g}", **style)
+        middle.plot(angles / DEGREE, orbits.energy, **style)
+        for low, high in stable(h):
+            firm = np.linspace(low, high, 50)
+            middle.plot(firm / DEGREE, family(h, thin(h), firm).energy, color=colour, linewidth=4.5, alpha=0.45)
+    left.axhline(1.0, color=INK, linewidth=0.8)
+    left.set(xlim=(28, 150), ylim=(0.2, 200), xlabel="angle of the impacts φ, degrees", ylabel="largest multiplier |λ|")
+    left.legend(frameon=False, fontsize=8)
+    middle.set(xlim=(60, 150), ylim=(1, 8), xlabel="angle of the impacts φ, degrees", ylabel="energy E over m g R")
+    for loss, colour in zip(LOSSES, COLOURS, strict=False):
+        found, law, begin, end = followed(0.5, loss)
+        right.plot(
+            found.turns * loss, found.angles / DEGREE, ".", color=colour, markersize=3, label=f"1 − e = {loss:g}"
+        )
+    shown = np.linspace(begin, end, 200)
+    right.plot([law(angle) for angle in shown], shown / DEGREE, color=INK, linewidth=1.0, label="law")
+    right.set(
+        xlim=(0, 1.25 * law(end)), ylim=(126, 138), xlabel="turns × (1 − e)", ylabel="angle of the impacts φ, degrees"
+    )
+    right.legend(frameon=False, fontsize=8, loc="upper left")
+    return figure
+
+
+STUDY = Study(
+    name="bouncing-for-ever",
+    texts={
+        "agreement": agreement,
+        "example": example,
+        "bands": bands,
+        "limit": limit,
+        "kicks": kicks,
+        "losses": losses,
+        "rubbing": rubbing,
+    },
+    pictures={"regions": regions_picture, "losses": losses_picture},
+)
