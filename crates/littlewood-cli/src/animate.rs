@@ -22,9 +22,6 @@ use crate::request::Request;
 const SLOW: f64 = 3.0;
 const SLOW_SI: f64 = 10.0;
 
-/// The name of the third film of the paper, and of its case.
-const LIBRATION: [&str; 2] = ["libration", "figure-2-libration"];
-
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Gif,
@@ -52,11 +49,7 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
     } = args;
     let kind = kind_of(&out)?;
     let size = FrameSize::new(width, height).map_err(|error| Error::Film(error.into()))?;
-    let mut request = Request::new(&problem, Some(&run))?;
-    if request.case.as_deref() == Some(LIBRATION[0]) {
-        request.case = Some(LIBRATION[1].to_owned());
-    }
-    let problem = Problem::resolve(request)?;
+    let problem = Problem::resolve(Request::new(&problem, Some(&run))?)?;
     let units = problem.units;
     let slow = slow.unwrap_or(if units.is_some() { SLOW_SI } else { SLOW });
     let framing = match camera {

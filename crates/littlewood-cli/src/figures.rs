@@ -76,10 +76,10 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
         for (path, _) in &files {
             writeln!(writer, "{}", path.display())?;
         }
-        for (reason, names) in &left_out.reasons {
-            writeln!(writer, "left out {}: {reason}", names.join(", "))?;
+        match left_out.line() {
+            Some(line) => writeln!(writer, "{line}"),
+            None => Ok(()),
         }
-        Ok(())
     })
 }
 
@@ -98,6 +98,13 @@ impl LeftOut {
             Some((_, names)) => names.push(entry.name),
             None => self.reasons.push((reason, vec![entry.name])),
         }
+    }
+
+    /// All of it in a line.
+    fn line(&self) -> Option<String> {
+        let parts: Vec<String> =
+            self.reasons.iter().map(|(reason, names)| format!("{} ({reason})", names.join(", "))).collect();
+        (!parts.is_empty()).then(|| format!("left out {}", parts.join(", ")))
     }
 }
 

@@ -3,6 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use littlewood::CASES;
+use littlewood_figures::FIGURES;
+
 use crate::support::{littlewood, text};
 
 /// Names of the files in a folder.
@@ -49,7 +52,7 @@ fn without_names_a_hoop_has_all_figures_that_can_show_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");
     let printed = text(&["figures", "--out", out, "--format", "txt", "--mass-ratio", "2"]);
-    let massless = "left out figure-4, figure-5a, figure-5b, figure-6a, figure-6b, figure-7a, figure-7b: shows the massless hoop";
+    let massless = "left out figure-4, figure-5a, figure-5b, figure-6a, figure-6b, figure-7a, figure-7b (shows the massless hoop";
     assert!(printed.contains(massless), "{printed}");
     let found = files(folder.path());
     assert!(found.contains(&"figure-2a.txt".to_owned()) && found.contains(&"forces.txt".to_owned()));
@@ -129,7 +132,38 @@ fn without_restitution_the_figures_of_impacts_are_left_out() {
     let out = folder.path().to_str().expect("UTF-8");
     let printed = text(&["figures", "--case", "figure-3", "--out", out, "--format", "txt"]);
     // The one of each also says what else it lacks.
-    assert!(printed.contains("left out impact, bounces: shows what follows a landing"), "{printed}");
+    assert!(printed.contains(", impact, bounces (shows what follows a landing"), "{printed}");
+}
+
+#[test]
+fn every_named_motion_has_figures_and_a_line_tells_what_is_left_out() {
+    let names = CASES.iter().map(|case| case.name).chain(["libration"]);
+    for name in names {
+        let folder = tempfile::tempdir().expect("a folder");
+        let out = folder.path().to_str().expect("UTF-8");
+        let printed = text(&["figures", "--case", name, "--until", "20", "--out", out, "--format", "txt"]);
+        let (left_out, written): (Vec<&str>, Vec<&str>) =
+            printed.lines().partition(|line| line.starts_with("left out "));
+        assert_eq!(written.len(), files(folder.path()).len(), "{name}");
+        assert!(written.len() > 4, "{name}: {printed}");
+        assert_eq!(left_out.len(), 1, "{name}: {printed}");
+        let about_all = FIGURES.iter().all(|entry| {
+            folder.path().join(format!("{}.txt", entry.name)).exists() != left_out[0].contains(entry.name)
+        });
+        assert!(about_all, "{name}: {printed}");
+    }
+}
+
+#[test]
+fn a_short_name_means_the_same_motion_everywhere() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let energy = |case: &str| {
+        text(&["figures", "energy", "--case", case, "--out", out, "--format", "csv"]);
+        fs::read(folder.path().join("energy.csv")).expect("data")
+    };
+    assert_eq!(energy("libration"), energy("figure-2-libration"));
+    assert_eq!(text(&["simulate", "libration"]), text(&["simulate", "figure-2-libration"]));
 }
 
 #[test]

@@ -13,6 +13,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use crate::support::{complaint, tree};
+use littlewood_figures::FIGURES;
 use littlewood_sweep::ZarrStore;
 
 /// A plane of 180 chunks.
@@ -382,9 +383,10 @@ fn progress_is_shown_on_a_terminal() {
     let path = folder.path().to_str().expect("a path");
     // Motions of a second and more, told of before the first of them is in a finished chunk.
     let plane = "map figure-3 --x theta=-3:3:4000 --y theta_rate=-4:4:4000 --chunk 1000000 --threads 1";
+    let figures = format!("of {} figures", FIGURES.len());
     for (words, unit) in [
         (format!("{plane} --out {path}/a.png"), "of 16,000,000 starts"),
-        (format!("figures --scale 16 --format png --out {path}"), "of 18 figures"),
+        (format!("figures --scale 16 --format png --out {path}"), &*figures),
         (format!("animate figure-3 --size 4096x4096 --out {path}/film.gif"), "frames"),
     ] {
         let shown = on_a_terminal("3", &words);

@@ -9,8 +9,8 @@ use super::{ProblemArgs, RunArgs, number, size};
 pub(super) const ANIMATE: &str = "\
 Make a film of a motion: hoop, particle, contact point, gap, forces, impulses of impacts, slip velocity, mode and clock.
 
-The motion is given as in `simulate`; `libration` is short for figure-2-libration. A motion that lasts for ever is shown \
-for one oscillation, two periods, or 10 units of time, unless --until says otherwise; the film says so.
+The motion is given as in `simulate`. A motion that lasts for ever is shown for one oscillation, two periods, or 10 units \
+of time, unless --until says otherwise; the film says so.
 
 The ending of --out says what the film is: .gif, .png or .apng, or .mp4 (H.264) and .webm (VP9), which need ffmpeg. A GIF or \
 an APNG has the same bytes on every machine. For a slide an .mp4 of 1280x720 is a megabyte or less.";

@@ -22,6 +22,7 @@ pub(super) const FIGURES_EXAMPLES: &str = "\
 Examples:
   littlewood figures --out figures
   littlewood figures figure-3b outcomes --out figures --format svg,csv
+  littlewood figures --case libration --out libration
   littlewood figures --mass-ratio 2 --inertia 2 --mu-s 0.7 --out heavier
   littlewood figures impact bounces energy --case figure-3 --restitution 0.8 --impact 2 --out bounces
   littlewood figures figure-2b --out print --format png --scale 6.25";
@@ -35,7 +36,7 @@ pub(crate) struct FiguresArgs {
     /// List the figures: name, the case each is made of, what it shows
     #[arg(long, exclusive = true)]
     pub(crate) list: bool,
-    /// Named case to take instead of each figure's own, see `littlewood cases`
+    /// Named case to take instead of each figure's own, see `littlewood cases`; `libration` is short for figure-2-libration
     #[arg(long, value_name = "CASE", conflicts_with = "scenario")]
     case: Option<String>,
     /// Scenario file (TOML): case, [hoop], [start], [run], or [si.hoop] and [si.start]

@@ -13,7 +13,7 @@ use super::quantity::{LimitArgs, SetupArgs};
 /// otherwise.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct ProblemArgs<const PLACE: bool> {
-    /// Named case, see `littlewood cases`
+    /// Named case, see `littlewood cases`; `libration` is short for figure-2-libration
     #[arg(value_name = "CASE", conflicts_with = "scenario")]
     pub(crate) case: Option<String>,
     /// Scenario file (TOML): case, [hoop], [start], [run], or [si.hoop] and [si.start]
