@@ -167,6 +167,7 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
             | FigureError::NeedsStaticFriction { .. }
             | FigureError::NoMotion { .. }
             | FigureError::NoContact { .. }
+            | FigureError::NoForce { .. }
             | FigureError::NoImpact { .. }
     )
 }

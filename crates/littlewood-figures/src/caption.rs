@@ -98,6 +98,7 @@ impl Writer {
             }
             ('%' | '&' | '#' | '$' | '_' | '{' | '}', None) => self.text(&format!("\\{letter}")),
             ('\\', None) => self.text("\\textbackslash{}"),
+            ('é', None) => self.text("\\'e"),
             ('§', None) => self.text("\\S{}"),
             ('~', None) => self.text("\\textasciitilde{}"),
             ('^', None) => self.text("\\textasciicircum{}"),
@@ -142,6 +143,7 @@ const fn symbol(letter: char) -> Option<&'static str> {
     Some(match letter {
         'θ' => "\\theta",
         'τ' => "\\tau",
+        'γ' => "\\gamma",
         'η' => "\\eta",
         'μ' => "\\mu",
         'π' => "\\pi",

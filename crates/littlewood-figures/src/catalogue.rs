@@ -105,7 +105,10 @@ pub const FIGURES: &[FigureEntry] = &[
         paper::histories::forces,
     ),
     entry("energy", "energies of a motion against time", "figure-3", paper::histories::energy),
+    entry("sheet", "all quantities of a motion against time", "figure-3", paper::overview::figure),
     entry("friction-demand", "friction that rolling demands along orbits", "figure-3", paper::demand::figure),
+    entry("hodograph", "friction against normal force, in the cone", "figure-3", paper::hodograph::figure),
+    entry("painleve", "where sliding has no solution", "painleve", paper::painleve::figure),
     entry("impact", "an impact in the plane of impulses", "figure-3-bounces", paper::impact::figure),
     entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", paper::bounces::figure),
     FigureEntry {
@@ -123,7 +126,7 @@ const PREFACE: &str = "\
 # Gallery
 
 Every figure of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of Littlewood's
-rolling hoop* (Proc. R. Soc. A 475, 2019), and six that it does not have, made from the library's results:
+rolling hoop* (Proc. R. Soc. A 475, 2019), and others that it does not have, made from the library's results:
 
 ```sh
 littlewood figures --out figures

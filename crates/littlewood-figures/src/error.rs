@@ -66,6 +66,14 @@ pub enum FigureError {
         /// What there is instead.
         outcome: OutcomeKind,
     },
+    /// A figure of forces asked for a motion in which the plane exerts none.
+    #[error("{figure} shows the forces of the plane, but in this motion there are none: {}", outcome.label())]
+    NoForce {
+        /// Name of the figure.
+        figure: &'static str,
+        /// How the motion ends.
+        outcome: OutcomeKind,
+    },
     /// A figure of impacts asked for a hoop whose motion ends at the landing.
     #[error(
         "{figure} shows what follows a landing; without a coefficient of restitution the motion ends there"

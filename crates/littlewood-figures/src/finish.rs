@@ -96,7 +96,9 @@ fn convert(panel: &mut Panel, units: &Units) {
 fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool) {
     let [from, to] = axis.range;
     let each = EACH[usize::from(!to_the_right)];
-    let most = (libm::floor(pixels / each) as usize).clamp(2, MOST);
+    // A low panel may have room for more than one beside its end.
+    let fewest = if to_the_right { 2 } else { 4 };
+    let most = (libm::floor(pixels / each) as usize).clamp(fewest, MOST);
     let apart = |a: &Tick, b: &Tick| {
         let distance = (b.value - a.value) / (to - from) * pixels;
         let needed = if to_the_right {

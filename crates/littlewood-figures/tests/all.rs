@@ -1,7 +1,9 @@
 //! The tests of the figures: one program, a module for each subject.
 
+mod beyond;
 mod files;
 mod gallery;
+mod grey;
 mod impacts;
 mod motions;
 mod plane;

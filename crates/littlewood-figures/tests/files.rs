@@ -140,6 +140,7 @@ fn other_hoops_have_the_same_figures() {
                     FigureError::NeedsInertia { .. }
                     | FigureError::NeedsMassless { .. }
                     | FigureError::NeedsRestitution { .. }
+                    | FigureError::NoForce { .. }
                     | FigureError::NoMotion { .. },
                 ) => {}
                 Err(other) => panic!("{}: {other}", entry.name),

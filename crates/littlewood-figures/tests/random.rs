@@ -64,7 +64,7 @@ impl Draw {
 }
 
 /// Series that are there whatever the hoop does.
-const FRAME: [&str; 9] = [
+const FRAME: [&str; 10] = [
     "ground",
     "zero",
     "weight",
@@ -74,6 +74,7 @@ const FRAME: [&str; 9] = [
     "singular",
     "mu_s",
     "mu_k",
+    "inside of the cone",
 ];
 
 /// Place of a value between the ends of an axis, 0 to 1.

@@ -67,7 +67,7 @@ fn of_figure(error: &FigureError) -> String {
         FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
         FigureError::NeedsOffset { .. } => "give --offset above 0",
         FigureError::NeedsStaticFriction { .. } => "give --mu-s above 0, or leave the figure out",
-        FigureError::NoContact { .. } => {
+        FigureError::NoContact { .. } | FigureError::NoForce { .. } => {
             "give a start at which the hoop stays on the plane, or leave the figure out"
         }
         FigureError::NoMotion { .. } => {

@@ -1,139 +1,22 @@
 //! Forces and energy of a motion against time, with its transitions.
 
-use littlewood::{Cause, Dimension, Hoop, Impulse, Phase, Sample, SampleColumn, Trajectory, Transition};
+use littlewood::{Dimension, Hoop, Impulse, Sample, SampleColumn, Trajectory};
 
 use crate::columns::{DEMAND, ENERGY, FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
 use crate::draw::ROOM;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
+use crate::figure::{Figure, Label, Layer, Mark, Panel, Series};
 use crate::impacts;
 use crate::input::FigureInput;
-use crate::motion::{bounds, horizon, instants};
+use crate::motion::horizon;
 use crate::sheet::{Content, Sheet};
-use crate::style::{FAINT, FIRST, FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, SECOND, SMALL, SOFT, Stroke};
+use crate::spikes::Spikes;
+use crate::style::{FIRST, FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, SECOND, SMALL, SOFT, Stroke};
+use crate::timeline::{CLOSE, bare, history, level, names, range_of, transitions, zero};
 use crate::wording::Wording;
 use crate::words::{marked, short};
-use littlewood_style::width::{BOLD, CURVE, FINE};
+use littlewood_style::width::{BOLD, CURVE};
 use littlewood_style::{Curve, Dash, EnergyPart};
-
-/// A quantity along a motion, a piece for each phase where it is defined.
-fn history(
-    motion: &Trajectory,
-    name: &str,
-    column: &'static str,
-    value: &dyn Fn(&Phase, &Sample) -> Option<f64>,
-) -> Series {
-    let until = horizon(motion);
-    let pieces = motion
-        .phases()
-        .iter()
-        .map(|phase| {
-            instants(motion, phase, until)
-                .iter()
-                .filter_map(|sample| Some(vec![sample.state.time, value(phase, sample)?]))
-                .collect::<Vec<_>>()
-        })
-        .filter(|piece| piece.len() > 1)
-        .collect();
-    Series::new(name, &[TIME, column], pieces)
-}
-
-fn range_of(series: &[&Series], also: &[f64]) -> [f64; 2] {
-    let values = series.iter().flat_map(|series| series.rows().map(|row| row[1]));
-    bounds(values.chain(also.iter().copied()), 0.12)
-}
-
-/// Whether a landing is one of those that may be many and close together.
-fn is_bounce(transition: &Transition) -> bool {
-    transition.cause == Cause::Landing && transition.to.is_some()
-}
-
-/// Verticals at the transitions; of bounces that are closer together than can be seen only the first.
-fn transitions(motion: &Trajectory, axis: &PlotAxis, name: &'static str) -> Layer {
-    let until = horizon(motion);
-    let apart = APART * (until - motion.start().time);
-    let mut last = f64::NEG_INFINITY;
-    let pieces = motion
-        .transitions()
-        .iter()
-        .filter(|transition| {
-            let is_drawn = !is_bounce(transition) || transition.time() - last > apart;
-            if is_drawn {
-                last = transition.time();
-            }
-            is_drawn
-        })
-        .map(Transition::time)
-        .filter(|time| *time < until)
-        .map(|time| axis.range.map(|value| vec![time, value]).to_vec())
-        .collect();
-    Series::new("transition", &[TIME, name], pieces)
-        .drawn(Mark::Line(Stroke::solid(FAINT, FINE).dashed(Dash::Dashed)))
-}
-
-/// Names over a panel.
-struct Names {
-    labels: Vec<Label>,
-    /// Room that they take beyond one row of transitions.
-    height: f64,
-    /// Whether there was no room for some.
-    are_all: bool,
-}
-
-/// Rows of names of transitions above each other, and their distance.
-const ROWS: usize = 3;
-const ROW: f64 = 13.0;
-
-/// The names of the phases over a panel, and of the transitions above them, in as many rows as it takes.
-fn names(motion: &Trajectory, top: f64, width: f64) -> Names {
-    let (from, until) = (motion.start().time, horizon(motion));
-    let pixels = |time: f64| (time - from) / (until - from) * width;
-    let mut labels: Vec<Label> = Vec::new();
-    for phase in motion.phases() {
-        let (begin, end) = (phase.start().time, f64::min(phase.end_time(), until));
-        if pixels(end) - pixels(begin) > 46.0 {
-            labels.push(
-                Label::new(phase.mode().name(), &[0.5 * (begin + end), top]).shifted(0.0, -11.0).sized(SMALL),
-            );
-        }
-    }
-    // Bounces have a name only where there is room beside all others.
-    let (bounces, others): (Vec<&Transition>, Vec<&Transition>) =
-        motion.transitions().iter().partition(|transition| is_bounce(transition));
-    // More than these cannot be told apart in any number of rows.
-    let count = motion.transitions().iter().filter(|transition| transition.time() <= until).count();
-    let rows = if count as f64 > ROWS as f64 * width / NAME { 1 } else { ROWS };
-    let mut taken = vec![Vec::new(); rows];
-    let mut are_all = true;
-    for transition in others.into_iter().chain(bounces) {
-        let at = transition.time();
-        let room = if is_bounce(transition) { 1.4 * NAME } else { NAME };
-        if at > until {
-            continue;
-        }
-        let is_free = |row: &Vec<f64>| row.iter().all(|place| (pixels(at) - place).abs() > room);
-        let Some(row) = taken.iter().position(is_free) else {
-            are_all = false;
-            continue;
-        };
-        taken[row].push(pixels(at));
-        let label = Label::new(transition.cause.label(), &[at, top]).sized(SMALL).coloured(SOFT);
-        let label = label.shifted(0.0, -27.0 - ROW * row as f64);
-        labels.push(if width - pixels(at) < 24.0 { label.right() } else { label });
-    }
-    let rows = taken.iter().filter(|row| !row.is_empty()).count();
-    Names { labels, height: ROW * rows.saturating_sub(1) as f64, are_all }
-}
-
-impl Names {
-    fn in_words(&self) -> &'static str {
-        if self.are_all {
-            "dashed verticals: transitions"
-        } else {
-            "dashed verticals: transitions, named where there is room"
-        }
-    }
-}
 
 fn in_words(input: &FigureInput, hoop: &Hoop) -> String {
     let say = input.wording();
@@ -144,121 +27,8 @@ fn in_words(input: &FigureInput, hoop: &Hoop) -> String {
 const DROP: Stroke = Stroke::solid(IMPULSE, BOLD);
 
 const WIDTH: f64 = 640.0;
-/// Room for the name of a transition.
-const NAME: f64 = 40.0;
-/// Verticals that are closer together than this part of the time are one.
-const APART: f64 = 1.0 / 150.0;
 /// The demand for friction is shown larger where it is less than this part of μk.
 const SMALL_SHARE: f64 = 0.1;
-/// Distance of panels that share the axis below them.
-const CLOSE: f64 = 14.0;
-
-/// The impulses of a motion, and how long they are drawn on an axis of forces.
-struct Spikes {
-    impulses: Vec<(f64, Impulse)>,
-    /// Length of the impulse m2 √(gR), in units of m2 g.
-    scale: f64,
-}
-
-impl Spikes {
-    /// The scale is one, two or five times a power of ten; the largest impulse is at most as long as a force.
-    fn new(motion: &Trajectory, force: f64) -> Self {
-        let until = horizon(motion);
-        let impulses: Vec<(f64, Impulse)> = impacts::all(motion)
-            .map(|(transition, impact)| (transition.time(), impact.impulse))
-            .filter(|(time, _)| *time <= until)
-            .collect();
-        let largest = impulses.iter().map(|(_, impulse)| impulse.normal).fold(0.0, f64::max);
-        let ratio = if largest > 0.0 { force / largest } else { 1.0 };
-        let decade = libm::pow(10.0, libm::floor(libm::log10(ratio)));
-        let factor = [5.0, 2.0].into_iter().find(|factor| factor * decade <= ratio).unwrap_or(1.0);
-        Self { impulses, scale: factor * decade }
-    }
-
-    fn heights(&self, part: impl Fn(&Impulse) -> f64) -> Vec<f64> {
-        self.impulses.iter().map(|(_, impulse)| self.scale * part(impulse)).collect()
-    }
-
-    /// Lines from zero, with a dot at the end.
-    fn layers(&self, columns: [&'static str; 3], part: impl Fn(&Impulse) -> f64) -> Vec<Layer> {
-        if self.impulses.is_empty() {
-            return Vec::new();
-        }
-        let row = |time: f64, value: f64, height: f64| vec![time, height, value];
-        let pieces = self
-            .impulses
-            .iter()
-            .map(|(time, impulse)| {
-                let value = part(impulse);
-                vec![row(*time, value, 0.0), row(*time, value, self.scale * value)]
-            })
-            .collect();
-        let tips = self.impulses.iter().map(|(time, impulse)| {
-            let value = part(impulse);
-            row(*time, value, self.scale * value)
-        });
-        vec![
-            Series::new("impulse", &columns, pieces).drawn(Mark::Line(Stroke::solid(IMPULSE, CURVE))),
-            Series::of_rows("tip of an impulse", &columns, tips.collect()).drawn(Mark::Dot(IMPULSE, 2.6)),
-        ]
-    }
-
-    /// |J|/P of each.
-    fn shares(&self) -> impl Iterator<Item = f64> {
-        self.impulses.iter().map(|(_, impulse)| impulse.friction.abs() / impulse.normal)
-    }
-
-    /// The same as dots, which lie where |F|/N would.
-    fn demands(&self) -> Option<Layer> {
-        let rows: Vec<Vec<f64>> =
-            self.impulses.iter().zip(self.shares()).map(|((time, _), share)| vec![*time, share]).collect();
-        (!rows.is_empty()).then(|| {
-            Series::of_rows("friction over normal impulse", &[TIME, DEMAND], rows)
-                .drawn(Mark::Dot(IMPULSE, 2.6))
-        })
-    }
-
-    /// The name and the value of the largest.
-    fn label(&self, sign: &str, end: f64, say: Wording, part: impl Fn(&Impulse) -> f64) -> Option<Label> {
-        let size = |impulse: &Impulse| part(impulse).abs();
-        let (time, largest) =
-            self.impulses.iter().rev().max_by(|(_, a), (_, b)| size(a).total_cmp(&size(b)))?;
-        let value = part(largest);
-        let text = format!("{sign} = {}", say.value(value, Dimension::Impulse));
-        let label = Label::new(text, &[*time, self.scale * value]);
-        let down = if value < 0.0 { -4.0 } else { 4.0 };
-        let is_late = *time > self.impulses[0].0 + 0.8 * (end - self.impulses[0].0);
-        let label = if is_late { label.right().shifted(-7.0, down) } else { label.left().shifted(7.0, down) };
-        Some(label.sized(SMALL).coloured(IMPULSE))
-    }
-
-    fn in_words(&self, say: Wording) -> String {
-        if self.impulses.is_empty() {
-            return String::new();
-        }
-        format!(
-            " Spikes: the impulses (*J*, *P*) of the impacts, in which the velocities jump; {} as long as {}, with dots at \
-             |*J*|/*P* below.",
-            say.quantity(1.0, Dimension::Impulse),
-            say.quantity(self.scale, Dimension::Force)
-        )
-    }
-}
-
-/// An axis of times without words, for a panel above another.
-fn bare(say: Wording, range: [f64; 2]) -> PlotAxis {
-    PlotAxis { title: String::new(), scale: Scale::Bare, ..say.clock(range) }
-}
-
-/// A horizontal line.
-fn level(range: [f64; 2], name: &str, column: &'static str, value: f64, stroke: Stroke) -> Layer {
-    Series::of_rows(name, &[TIME, column], range.map(|time| vec![time, value]).to_vec())
-        .drawn(Mark::Line(stroke))
-}
-
-fn zero(range: [f64; 2], column: &'static str) -> Layer {
-    level(range, "zero", column, 0.0, Stroke::solid(FAINT, FINE))
-}
 
 /// Normal force and normal impulses, with the room that names take above, and what the verticals are.
 fn normal_panel(
@@ -374,7 +144,10 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         format!(
             "Normal force *N*, friction force *F* (positive along `E`_{{1}}) and |*F*|/*N* against time; {verticals}. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
              jump where a slide begins or ends.{} {}.",
-            spikes.in_words(say),
+            match spikes.in_words(say) {
+                words if words.is_empty() => words,
+                words => words + ", with dots at |*J*|/*P* below.",
+            },
             in_words(input, hoop)
         ),
         tops(2) + height + 6.0,

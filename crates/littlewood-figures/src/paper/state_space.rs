@@ -62,9 +62,8 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
         if *mode == Mode::Sliding {
             let pieces =
                 series.pieces.iter().map(|piece| piece.iter().map(|row| vec![row[1], row[2], 0.0]).collect());
-            layers.push(
-                Series::new("shadow", &names, pieces.collect()).drawn(Mark::Line(Stroke::solid(FAINT, 1.0))),
-            );
+            let stroke = Stroke::solid(FAINT, 1.0).dashed(Dash::Short);
+            layers.push(Series::new("shadow", &names, pieces.collect()).drawn(Mark::Line(stroke)));
         }
     }
     let mut labels = vec![Label::new("*η*′ = 0", &[x[1], 0.0, z[1]]).shifted(-34.0, 14.0).coloured(SOFT)];

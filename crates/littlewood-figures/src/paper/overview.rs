@@ -1,0 +1,267 @@
+//! All quantities of a motion against time, on one sheet.
+
+use littlewood::{Impulse, Mode, Sample, SampleColumn, Trajectory};
+
+use crate::columns::{FRICTION, FRICTION_IMPULSE, NORMAL, NORMAL_IMPULSE, TIME, X, Y};
+use crate::draw::ROOM;
+use crate::error::FigureError;
+use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
+use crate::input::FigureInput;
+use crate::motion::{all_instants, bounds, horizon};
+use crate::sheet::{Content, Sheet};
+use crate::spikes::{SPIKE, Spikes};
+use crate::style::{SMALL, SOFT, Stroke};
+use crate::timeline::{CLOSE, bare, level, names, transitions, zero};
+use crate::wording::Wording;
+use crate::words::marked;
+use littlewood_style::Dash;
+use littlewood_style::width::FINE;
+
+const NAME: &str = "sheet";
+const WIDTH: f64 = 640.0;
+/// Height of all panels to the width of the sheet: with what stands above them the proportion of A4.
+const TALL: f64 = 1.27;
+/// Least height of a panel, with which the titles of the axes do not meet.
+const LEAST: f64 = 96.0;
+
+/// The quantities, from top to bottom.
+const ROWS: [SampleColumn; 8] = [
+    SampleColumn::Theta,
+    SampleColumn::ThetaRate,
+    SampleColumn::Slip,
+    SampleColumn::X,
+    SampleColumn::CentreY,
+    SampleColumn::Gap,
+    SampleColumn::Normal,
+    SampleColumn::Friction,
+];
+
+/// The mass centre, beside the geometric centre.
+const OF_MASS_CENTRE: Stroke = Stroke::solid(SOFT, FINE);
+
+/// What a rate that grows without bound at the end of a phase has been in the first part of it, its axis shows.
+const BOUNDED: f64 = 0.85;
+
+/// Part of a value, or of one, that is rounding.
+const NOISE: f64 = 1e-6;
+
+/// The weight has its name below the line where it is so far up.
+const HIGH: f64 = 0.8;
+
+/// A curve that is as long as its axis, from some instants of all phases.
+struct History {
+    by_mode: Vec<(Mode, Series)>,
+    range: [f64; 2],
+}
+
+/// Whether its axis has a zero in any case.
+const fn has_zero(column: SampleColumn) -> bool {
+    matches!(column, SampleColumn::Slip | SampleColumn::Gap | SampleColumn::Normal | SampleColumn::Friction)
+}
+
+/// The instants of each phase that is shown.
+struct Samples(Vec<(Mode, Vec<Sample>)>);
+
+impl Samples {
+    fn new(motion: &Trajectory) -> Self {
+        let until = horizon(motion);
+        let phases = motion.phases().iter();
+        Self(phases.map(|phase| (phase.mode(), all_instants(motion, phase, until))).collect())
+    }
+}
+
+impl History {
+    fn new(samples: &Samples, column: SampleColumn, name: &'static str, others: &[f64]) -> Self {
+        let value = |sample: &Sample| column.of(sample).number();
+        let mut by_mode: Vec<(Mode, Vec<Vec<Vec<f64>>>)> = Vec::new();
+        let mut values: Vec<f64> = others.to_vec();
+        values.extend(Some(0.0).filter(|_| has_zero(column)));
+        for (mode, samples) in &samples.0 {
+            let is_bounded = samples.iter().all(|sample| value(sample).is_finite());
+            let shown = if is_bounded { samples.len() } else { (BOUNDED * samples.len() as f64) as usize };
+            values.extend(samples.iter().take(shown).map(value));
+            let rows: Vec<Vec<f64>> = samples
+                .iter()
+                .map(|sample| vec![sample.state.time, value(sample)])
+                .filter(|row| row[1].is_finite())
+                .collect();
+            match by_mode.iter_mut().find(|(known, _)| known == mode) {
+                Some((_, pieces)) => pieces.push(rows),
+                None => by_mode.push((*mode, vec![rows])),
+            }
+        }
+        let range = span(values);
+        let by_mode = by_mode
+            .into_iter()
+            .map(|(mode, mut pieces)| {
+                // The end of a phase may be out of sight.
+                for piece in &mut pieces {
+                    piece.retain(|row| (range[0]..=range[1]).contains(&row[1]));
+                }
+                (mode, Series::new(mode.name(), &[TIME, name], pieces))
+            })
+            .collect();
+        Self { by_mode, range }
+    }
+}
+
+/// The axis of some values; one that changes by rounding alone has one all the same.
+fn span(values: Vec<f64>) -> [f64; 2] {
+    let [low, high] = bounds(values, 0.0);
+    let size = f64::max(low.abs(), high.abs());
+    let pad = if high - low > NOISE * size.max(1.0) { 0.1 * (high - low) } else { 0.5 * size.max(1.0) };
+    [low - pad, high + pad]
+}
+
+/// The mass centre against time.
+fn of_mass_centre(samples: &Samples, column: SampleColumn, name: &'static str) -> Option<Series> {
+    let place = match column {
+        SampleColumn::X => SampleColumn::MassCentreX,
+        SampleColumn::CentreY => SampleColumn::MassCentreY,
+        _ => return None,
+    };
+    let pieces = samples.0.iter().map(|(_, samples)| {
+        samples
+            .iter()
+            .map(|sample| vec![sample.state.time, place.of(sample).number()])
+            .filter(|row| row[1].is_finite())
+            .collect()
+    });
+    Some(Series::new("mass centre", &[TIME, name], pieces.collect()))
+}
+
+/// Name of the column in tables, which those of a point share.
+const fn column_name(column: SampleColumn) -> &'static str {
+    match column {
+        SampleColumn::X => X,
+        SampleColumn::CentreY => Y,
+        _ => column.name(),
+    }
+}
+
+fn axis_of(column: SampleColumn, name: &'static str, range: [f64; 2], say: Wording) -> PlotAxis {
+    match column {
+        SampleColumn::Theta => say.angle(range),
+        // The name of the gap is a word.
+        SampleColumn::Gap => PlotAxis { scale: Scale::NotNegative, ..say.axis(name, column.sign(), range) },
+        _ => say.axis(name, &marked(column.sign()), range),
+    }
+}
+
+/// Which part of an impulse belongs to a force.
+type Part = fn(&Impulse) -> f64;
+
+/// The impulses beside a force: their columns, and the letter.
+const fn impulses_of(column: SampleColumn) -> Option<([&'static str; 3], &'static str, Part)> {
+    match column {
+        SampleColumn::Normal => Some(([TIME, NORMAL, NORMAL_IMPULSE], "*P*", |impulse| impulse.normal)),
+        SampleColumn::Friction => {
+            Some(([TIME, FRICTION, FRICTION_IMPULSE], "*J*", |impulse| impulse.friction))
+        }
+        _ => None,
+    }
+}
+
+/// A panel, with the modes that are in it.
+fn panel(
+    (motion, samples): (&Trajectory, &Samples),
+    column: SampleColumn,
+    times: [f64; 2],
+    spikes: &Spikes,
+    say: Wording,
+) -> (Content, Vec<Mode>) {
+    let name = column_name(column);
+    // It is the geometric centre of a hoop that is balanced.
+    let beside = of_mass_centre(samples, column, name).filter(|_| motion.hoop().h() > 0.0);
+    let mut others: Vec<f64> = beside.iter().flat_map(|series| series.rows().map(|row| row[1])).collect();
+    if let Some((_, _, part)) = impulses_of(column) {
+        others.extend(spikes.heights(part));
+    }
+    let weight = Some(motion.hoop().mass()).filter(|_| column == SampleColumn::Normal);
+    others.extend(weight);
+    let History { by_mode, range } = History::new(samples, column, name, &others);
+    let axis = axis_of(column, name, range, say);
+    let mut layers: Vec<Layer> = vec![transitions(motion, &axis, name)];
+    if range[0] < 0.0 && range[1] > 0.0 {
+        layers.push(zero(times, name));
+    }
+    let mut labels = Vec::new();
+    if let Some(weight) = weight {
+        layers.push(level(times, "weight", name, weight, Stroke::solid(SOFT, FINE).dashed(Dash::Dotted)));
+        let is_high = weight > range[0] + HIGH * (range[1] - range[0]);
+        let label = Label::new("weight", &[times[1], weight]).shifted(-6.0, if is_high { 9.0 } else { -8.0 });
+        labels.push(label.right().sized(SMALL).coloured(SOFT));
+    }
+    layers.extend(beside.map(|series| series.drawn(Mark::Line(OF_MASS_CENTRE))));
+    let modes = by_mode.iter().map(|(mode, _)| *mode).collect();
+    for (mode, series) in by_mode {
+        layers.push(series.drawn(Mark::Line(Stroke::of_mode(mode))));
+    }
+    if let Some((columns, letter, part)) = impulses_of(column) {
+        layers.extend(spikes.layers(columns, part));
+        labels.extend(spikes.label(letter, times[1], say, part));
+    }
+    (Content { name, x: bare(say, times), y: axis, layers, labels }, modes)
+}
+
+/// All quantities of a motion against time.
+pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    let motion = input.motion(NAME)?;
+    let hoop = motion.hoop();
+    let times = [motion.start().time, horizon(&motion)];
+    let say = input.wording();
+    let samples = Samples::new(&motion);
+    let normals = samples.0.iter().flat_map(|(_, samples)| samples).map(|sample| sample.normal);
+    let spikes = Spikes::new(&motion, normals.fold(hoop.mass(), f64::max));
+    let sheet = input.sheet(WIDTH)?;
+    let [left, inner] = sheet.span();
+
+    let mut modes: Vec<Mode> = Vec::new();
+    let mut contents: Vec<Content> = Vec::new();
+    for column in ROWS {
+        let (content, own) = panel((&motion, &samples), column, times, &spikes, say);
+        modes.extend(own);
+        contents.push(content);
+    }
+    let mut entries: Vec<(Mark, String)> = Mode::ALL
+        .into_iter()
+        .filter(|mode| modes.contains(mode))
+        .map(|mode| (Mark::Line(Stroke::of_mode(mode)), mode.to_string()))
+        .collect();
+    if hoop.h() > 0.0 {
+        entries.push((Mark::Line(OF_MASS_CENTRE), "mass centre *X̄*".to_owned()));
+    }
+    if !spikes.impulses.is_empty() {
+        entries.push((Mark::Line(SPIKE), "impulse".to_owned()));
+    }
+    let (keys, room) = sheet.keys(entries, 6.0);
+    let over = names(&motion, contents[0].y.range[1], inner - ROOM[0]);
+    let verticals = over.in_words();
+    contents[0].labels.extend(over.labels);
+    if let Some(last) = contents.last_mut() {
+        last.x = say.clock(times);
+    }
+    let top = room + 42.0 + over.height;
+    let step = f64::max(LEAST, libm::round(TALL * sheet.width / ROWS.len() as f64));
+    let height = step + ROOM[1] - CLOSE;
+    let count = contents.len() as f64;
+    let mut panels: Vec<Panel> = contents
+        .into_iter()
+        .zip(0_u8..)
+        .map(|(content, i)| Sheet::panel([left, top + step * f64::from(i), inner, height], content))
+        .collect();
+    panels[0].keys = keys;
+    let words = match spikes.in_words(say) {
+        words if words.is_empty() => words,
+        words => words + ".",
+    };
+    let caption = format!(
+        "All of a motion against time: angle *θ* and its rate, slip velocity *η*′, place (*x*, *y*) of the geometric centre \
+         *C*, with the mass centre *X̄*, gap under the rim, normal force *N* and friction force *F*; {verticals}.{words} {}; \
+         {}.",
+        say.hoop(hoop),
+        say.start(hoop, &input.start)
+    );
+    let bottom = top + step * (count - 1.0) + height + 6.0;
+    Ok(sheet.figure(NAME, "A motion on one sheet", caption, bottom, panels))
+}

@@ -1,0 +1,160 @@
+//! Figures that the paper does not have: all of a motion on a sheet, the cone of friction, Painlevé's paradox.
+
+use core::f64::consts::FRAC_PI_4;
+
+use crate::support::{THIN, assert_near, columns, figure, series};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, Start};
+use littlewood_figures::{Figure, FigureInput, Panel, Series, find_figure};
+
+fn panel<'a>(figure: &'a Figure, name: &str) -> &'a Panel {
+    figure.panels.iter().find(|panel| panel.name == name).expect("a panel")
+}
+
+fn of_panel<'a>(figure: &'a Figure, name: &str, series: &str) -> &'a Series {
+    let layers = &panel(figure, name).layers;
+    layers.iter().map(|layer| &layer.series).find(|found| found.name == series).expect("a series")
+}
+
+#[test]
+fn a_sheet_has_all_quantities_at_the_same_times() {
+    let figure = figure("sheet");
+    let names: Vec<&str> = figure.panels.iter().map(|panel| panel.name).collect();
+    assert_eq!(names, ["theta", "theta_rate", "slip", "x", "y", "gap", "normal", "friction"]);
+    let frames: Vec<[f64; 4]> = figure.panels.iter().map(|panel| panel.frame).collect();
+    assert!(frames.windows(2).all(|pair| pair[0][0] == pair[1][0] && pair[0][2] == pair[1][2]));
+    let value = |name| columns(of_panel(&figure, name, Mode::Rolling.name()), ["time", name]);
+    let [theta, rate, normal, friction] = ["theta", "theta_rate", "normal", "friction"].map(value);
+    for i in 0..theta.len() {
+        let (n, f) = THIN.rolling_forces(theta[i][1], rate[i][1]);
+        assert_near(normal[i][1], n, 1e-10, "N by (2.12)");
+        assert_near(friction[i][1], f, 1e-10, "F by (2.12)");
+        assert!([rate[i], normal[i], friction[i]].iter().all(|row| row[0] == theta[i][0]));
+    }
+}
+
+#[test]
+fn the_mass_centre_of_a_sheet_lies_on_the_line_to_the_particle() {
+    let figure = figure("sheet");
+    let h = 0.5;
+    for mode in [Mode::Rolling, Mode::Flight] {
+        let value = |name| columns(of_panel(&figure, name, mode.name()), [name]);
+        let [theta, x, y, gap] = ["theta", "x", "y", "gap"].map(value);
+        let centre = |name| columns(of_panel(&figure, name, "mass centre"), ["time", name]);
+        let times = columns(of_panel(&figure, "theta", mode.name()), ["time"]);
+        for i in (0..theta.len()).step_by(7) {
+            let (sin, cos) = libm::sincos(theta[i][0]);
+            assert_near(y[i][0], 1.0 + gap[i][0], 1e-12, "the centre is a radius above the lowest point");
+            for (name, wanted) in [("x", x[i][0] - h * sin), ("y", y[i][0] + h * cos)] {
+                let is_there = centre(name)
+                    .iter()
+                    .any(|[time, found]| *time == times[i][0] && (found - wanted).abs() < 1e-11);
+                assert!(is_there, "{mode}, {name} at {}", times[i][0]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_rate_without_bound_does_not_hide_the_rest_of_a_sheet() {
+    let input = FigureInput::of_case("figure-7").expect("a case");
+    let figure = find_figure("sheet").expect("a figure").figure(&input).expect("it can be drawn");
+    let rates = columns(of_panel(&figure, "theta_rate", Mode::Gliding.name()), ["theta_rate"]);
+    assert!(rates.iter().all(|[rate]| (0.4..10.0).contains(rate)));
+    // η′ is finite at the end, −6/5.
+    let slips = columns(of_panel(&figure, "slip", Mode::Gliding.name()), ["slip"]);
+    assert_near(slips[slips.len() - 1][0], -1.2, 1e-12, "η′");
+}
+
+#[test]
+fn forces_stay_in_the_cone() {
+    let figure = figure("hodograph");
+    for [n, f] in columns(series(&figure, Mode::Rolling.name())[0], ["normal", "friction"]) {
+        assert!(f.abs() <= 0.5 * n * (1.0 + 1e-12));
+    }
+    let sliding = series(&figure, Mode::Sliding.name())[0];
+    assert_eq!(sliding.pieces.len(), 2);
+    for [n, f] in columns(sliding, ["normal", "friction"]) {
+        assert_near(f.abs(), 0.4 * n, 1e-12, "|F| = μk N");
+    }
+    // Rolling ends on the cone, the slide that follows begins on the inner one and ends at its point.
+    let changes = columns(series(&figure, "transition")[0], ["normal", "friction"]);
+    assert_eq!(changes.len(), 3, "stick, slip, lift-off");
+    assert_near(changes[1][1].abs(), 0.5 * changes[1][0], 1e-12, "slip");
+    assert!(changes[2].iter().all(|force| force.abs() < 1e-12), "lift-off: {:?}", changes[2]);
+    for (name, mu) in [("mu_s", 0.5), ("mu_k", 0.4)] {
+        for [n, f] in columns(series(&figure, name)[0], ["normal", "friction"]) {
+            assert_near(f.abs(), mu * n, 1e-12, name);
+        }
+    }
+}
+
+#[test]
+fn impulses_lie_in_the_cone_too() {
+    let input = FigureInput::of_case("figure-3-bounces").expect("a case");
+    let figure = find_figure("hodograph").expect("a figure").figure(&input).expect("it can be drawn");
+    let impulses = columns(series(&figure, "impulse")[0], ["normal", "friction"]);
+    assert!(impulses.len() > 20);
+    assert!(impulses.iter().all(|[p, j]| *p > 0.0 && j.abs() <= 0.5 * p * (1.0 + 1e-9)));
+}
+
+#[test]
+fn a_motion_without_force_has_no_cone() {
+    // It glides from the start: N = F = 0.
+    let hoop = Hoop::littlewood(0.5, 0.4).expect("a hoop");
+    let input = FigureInput::new(hoop, Start::at(2.0, 0.5), Limits::default());
+    let error = find_figure("hodograph").expect("a figure").figure(&input).expect_err("no force");
+    assert!(error.to_string().contains("there are none"), "{error}");
+}
+
+/// Where P = 0 for a thin hoop with the particle on the rim, by hand: with m = 1/γ, h = γ and I = (1 − γ²)/γ,
+/// I + m h s (h s − μ (1 + h c)) = (1 − γ² c²)/γ − μ s (1 + γ c).
+fn threshold(share: f64, theta: f64) -> f64 {
+    let (sin, cos) = libm::sincos(theta);
+    (1.0 - share * cos) / (share * sin)
+}
+
+#[test]
+fn sliding_has_no_solution_above_the_curve_of_a_hoop() {
+    let figure = figure("painleve");
+    let mut shares = Vec::new();
+    for found in series(&figure, "gamma=") {
+        let share: f64 = found.name.trim_start_matches("gamma=").parse().expect("a number");
+        shares.push(share);
+        for [theta, mu] in columns(found, ["theta", "mu_k"]) {
+            assert!(
+                (mu - threshold(share, theta)).abs() <= 1e-9 * mu.max(1.0),
+                "γ = {share} at {theta}: {mu}"
+            );
+        }
+    }
+    assert_eq!(shares, [1.0, 0.9, 0.6, 0.5]);
+    for ([theta, mu], share) in
+        columns(series(&figure, "least of a hoop")[0], ["theta", "mu_k"]).into_iter().zip(&shares[1..])
+    {
+        assert_near(mu, (1.0 - share * share).sqrt() / share, 1e-12, "least μk");
+        assert_near(libm::cos(theta), *share, 1e-6, "there cos θ = γ");
+    }
+    let own = columns(series(&figure, "least of this hoop")[0], ["theta", "mu_k"]);
+    assert_near(own[0][1], 7.0_f64.sqrt() / 3.0, 1e-12, "γ = ¾");
+    // γ (sin θ + cos θ) = 1 at μk = 1.
+    let ends = columns(series(&figure, "ends")[0], ["theta"]);
+    let half = libm::acos(1.0 / (0.75 * 2.0_f64.sqrt()));
+    assert_near(ends[0][0], FRAC_PI_4 - half, 1e-12, "from");
+    assert_near(ends[1][0], FRAC_PI_4 + half, 1e-12, "to");
+}
+
+#[test]
+fn a_light_hoop_may_have_two_intervals_without_a_solution() {
+    let hoop = Hoop::new(HoopParameters::new(0.02, 0.7, 0.02).with_friction(1.03, 1.03)).expect("a hoop");
+    let input = FigureInput::new(hoop, Start::at(1.0, 0.0), Limits::default());
+    let figure = find_figure("painleve").expect("a figure").figure(&input).expect("it can be drawn");
+    let ends = columns(series(&figure, "ends")[0], ["theta"]);
+    assert_eq!(ends.len(), 4);
+    let (m, i) = (1.02, 0.02 + 0.02 * 0.49 / 1.02);
+    let h = 0.7 / m;
+    for [theta] in ends {
+        let (sin, cos) = libm::sincos(theta);
+        let p = i + m * h * sin * (h * sin - 1.03 * (1.0 + h * cos));
+        assert!(p.abs() < 1e-12, "{p} at {theta}");
+    }
+}
