@@ -3,7 +3,8 @@
 python engines/run.py [NAME ...] [--step STEP ...] [--case CASE ...] [--setting SETTING ...] [--out FILE]
 
 The Python that runs this has the package of this repository; environments are made under target/engines, or where
-LITTLEWOOD_ENGINES says. Results of the engines named replace theirs in results.json, all others stay.
+LITTLEWOOD_ENGINES says. What is run replaces the results of the same engine, case and setting in results.json; all
+others stay.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ PATIENCE = 120.0
 
 @dataclass(frozen=True)
 class Case:
-    """A hoop (mass ratio, offset and inertia 1) and its start; landings do not bounce."""
+    """A hoop (mass ratio, offset and inertia 1) and its start."""
 
     what: str
     until: float
@@ -46,12 +47,14 @@ class Case:
     gap_rate: float = 0.0
     mu_s: float = 0.5
     mu_k: float = 0.5
+    restitution: float = 0.0
 
-    def motion(self) -> Any:
-        """The exact motion."""
+    def motion(self, law: str | None = None) -> Any:
+        """The exact motion; all laws of restitution agree on it, as slip does not end within an impact that bounces."""
         import littlewood as lw
 
-        hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=self.mu_s, mu_k=self.mu_k, restitution=0.0)
+        parameters = {"mu_s": self.mu_s, "mu_k": self.mu_k, "restitution": self.restitution}
+        hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, law=law, **parameters)
         start = {"theta": self.theta, "theta_rate": self.theta_rate, "slip": self.slip, "gap_rate": self.gap_rate}
         return hoop.simulate(**start, until=self.until)
 
@@ -63,6 +66,7 @@ class Case:
             "inertia": hoop.inertia_about_mass_centre,
             "mu_s": self.mu_s,
             "mu_k": self.mu_k,
+            "restitution": self.restitution,
             "theta": self.theta,
             "theta_rate": self.theta_rate,
             "slip": self.slip,
@@ -77,6 +81,8 @@ CASES = {
     "slides-and-sticks": Case("slides and sticks", 3.0, 2.0, 0.5, slip=1.0),
     "rolls": Case("rolls", 3.0, 3.0, 1.0),
     "lands": Case("is thrown, lands sliding, sticks", 2.0, 2.5, 0.5, slip=0.5, gap_rate=0.5),
+    "bounces": Case("bounces three times, e = 0.5", 2.9, 1.7, -0.4, slip=3.5, gap_rate=0.7, restitution=0.5),
+    "bounces-high": Case("bounces five times, e = 0.8", 4.6, -2.4, -1.5, slip=3.5, gap_rate=0.5, restitution=0.8),
 }
 
 STEPS = (1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5)
@@ -231,6 +237,16 @@ def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
                         break
 
 
+def merged(old: list[dict[str, Any]], new: list[dict[str, Any]], settings: Sequence[str]) -> list[dict[str, Any]]:
+    """Runs of which new ones replace those of the same case and setting, in the order of cases, settings, falling steps."""
+    again = {(run["case"], run["setting"]) for run in new}
+    kept_runs = [run for run in old if (run["case"], run["setting"]) not in again and run["case"] in CASES]
+    order = {label: at for at, label in enumerate(CASES)}
+    return sorted(
+        [*kept_runs, *new], key=lambda run: (order[run["case"]], settings.index(run["setting"]), -run["step"])
+    )
+
+
 def machine() -> dict[str, Any]:
     """The machine in general words."""
     info = Path("/proc/cpuinfo")
@@ -263,9 +279,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
             whole = json.loads(options.out.read_text(encoding="utf-8"))
         file = requirements(name)
         packages = versions(file.read_text(encoding="utf-8")) if file.exists() else {}
+        known = whole["engines"].get(name, {}).get("runs", [])
         whole["engines"][name] = {
-            "title": ENGINES[name].title, "packages": packages, "machine": machine(), "runs": found,
-        }  # fmt: skip
+            "title": ENGINES[name].title,
+            "packages": packages,
+            "machine": machine(),
+            "runs": merged(known, found, ENGINES[name].settings),
+        }
         whole["engines"] = {key: whole["engines"][key] for key in ENGINES if key in whole["engines"]}
         options.out.write_text(json.dumps(whole, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     return 0

@@ -6,6 +6,6 @@ cd "$(dirname "$0")/.."
 python="${PYTHON:-${CARGO_TARGET_DIR:-target}/python/venv/bin/python}"
 results="$(mktemp -d)"
 trap 'rm -rf "$results"' EXIT
-"$python" engines/run.py scipy moreau pymunk --case figure-3 --case two-coefficients --case lands \
+"$python" engines/run.py scipy moreau pymunk --case figure-3 --case two-coefficients --case lands --case bounces \
     --step 4e-3 --step 1e-3 --out "$results/results.json"
 "$python" engines/expected.py "$results/results.json"

@@ -30,6 +30,7 @@ class Case:
     inertia: float
     mu_s: float
     mu_k: float
+    restitution: float
     theta: float
     theta_rate: float
     slip: float
@@ -59,6 +60,11 @@ class Case:
         if self.mu_s != self.mu_k:
             refuse(f"the engine has one coefficient of friction, the case mu_s = {self.mu_s}, mu_k = {self.mu_k}")
         return self.mu_k
+
+    def without_restitution(self):
+        """Refuse a case that bounces, for an engine that has no coefficient of restitution."""
+        if self.restitution != 0.0:
+            refuse(f"the engine has no coefficient of restitution, the case e = {self.restitution}")
 
 
 def refuse(reason):

@@ -2,9 +2,11 @@
 
 The motion stays plane by symmetry.
 default: as the package comes, but for damping and rolling friction, which are none.
-careful: 1000 iterations of the solver, to a residual of 0, and no slop.
-Cannot express: mu_s and mu_k (one coefficient, the product of those of two bodies: the plane has 1). Restitution acts
-above a speed; here it is 0.
+careful: 1000 iterations of the solver, to a residual of 0, no slop, restitution at any speed. A hoop that bounces has no
+contact before it touches, as that would brake it and leave nothing to restore, and no overlap is corrected, as the
+correction would be added to the bounce.
+Cannot express: mu_s and mu_k (one coefficient, the product of those of two bodies: the plane has 1; so is that of
+restitution). Restitution acts above a speed, by default 0.2 m/s.
 """
 
 import math
@@ -23,7 +25,7 @@ def simulate(case, step, setting):
             numSolverIterations=1000, solverResidualThreshold=0.0, contactSlop=0.0, restitutionVelocityThreshold=0.0
         )
     plane = bullet.createMultiBody(0.0, bullet.createCollisionShape(bullet.GEOM_PLANE))
-    bullet.changeDynamics(plane, -1, lateralFriction=1.0, restitution=0.0)
+    bullet.changeDynamics(plane, -1, lateralFriction=1.0, restitution=1.0)
     hoop = bullet.createMultiBody(
         case.mass,
         bullet.createCollisionShape(bullet.GEOM_SPHERE, radius=1.0),
@@ -35,12 +37,15 @@ def simulate(case, step, setting):
         lateralFriction=case.one_coefficient(),
         rollingFriction=0.0,
         spinningFriction=0.0,
-        restitution=0.0,
+        restitution=case.restitution,
         linearDamping=0.0,
         angularDamping=0.0,
         localInertiaDiagonal=(case.inertia,) * 3,
         activationState=bullet.ACTIVATION_STATE_DISABLE_SLEEPING,
     )
+    if setting == "careful" and case.restitution > 0.0:
+        bullet.setPhysicsEngineParameter(erp=0.0, contactERP=0.0)
+        bullet.changeDynamics(hoop, -1, contactProcessingThreshold=0.0)
     # Counterclockwise, with x to the right and z upwards, is about -y. Bullet takes the place of the mass centre.
     (x, y), (vx, vy) = case.mass_centre(), case.mass_centre_rates()
     turn = bullet.getQuaternionFromAxisAngle((0.0, -1.0, 0.0), case.theta)

@@ -4,7 +4,7 @@ default: the discrete plant as it comes (its step is that of the case).
 careful: discrete, a stiff contact (1e8 N/m), a stiction tolerance of 1e-5 m/s.
 continuous: the penalty model of the continuous plant with both coefficients (1e6 N/m, dissipation 300 s/m),
 integrated at an accuracy of 1e-6; the step is that of the record and the largest of the integrator.
-Cannot express: in discrete plants mu_s and mu_k (one coefficient); e anywhere. Contact is compliant.
+Cannot express: in discrete plants mu_s and mu_k (one coefficient); restitution anywhere. Contact is compliant.
 """
 
 import numpy as np
@@ -25,6 +25,7 @@ MATERIALS = {
 
 def simulate(case, step, setting):
     """Yield rows."""
+    case.without_restitution()
     continuous = setting == "continuous"
     if not continuous:
         case.one_coefficient()

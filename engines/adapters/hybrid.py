@@ -79,24 +79,31 @@ class Hoop:
         return mode if self.forces(mode, theta, rate)[1] > 0.0 else FLIGHT
 
     def impact(self, state):
-        """The state after a landing that does not bounce, the normal impulse being the time in it."""
+        """The state after a landing, the normal impulse being the time in it.
+
+        Restitution is Poisson's; in an impact in which slip does not end, all laws agree.
+        """
         x, _, theta, slip, gap_rate, rate = state
         mu, h = self.case.mu_k, self.case.h
         a, b, c = self.coefficients(theta)
         sign = math.copysign(1.0, slip)
         to_stick = abs(slip) / (mu * a - sign * b) if mu * a > sign * b else math.inf
         opening = c - mu * sign * b
-        sticks = False
+        can_stick = abs(b) <= self.case.mu_s * a
+        later = -b / a if can_stick else -math.copysign(mu, b)
         if opening > 0.0 and to_stick >= -gap_rate / opening:
-            up = -gap_rate / opening
-            along = -mu * sign * up
+            compression = -gap_rate / opening
         else:
-            sticks = abs(b) <= self.case.mu_s * a
-            later = -b / a if sticks else -math.copysign(mu, b)
-            up = to_stick - (gap_rate + opening * to_stick) / (c + b * later)
-            along = -mu * sign * to_stick + later * (up - to_stick)
+            compression = to_stick - (gap_rate + opening * to_stick) / (c + b * later)
+        up = (1.0 + self.case.restitution) * compression
+        sliding = min(up, to_stick)
+        along = -mu * sign * sliding + later * (up - sliding)
+        sticks = can_stick and up > to_stick
         turning = ((1.0 + h * math.cos(theta)) * along + h * math.sin(theta) * up) / self.case.inertia
-        return x, 1.0, theta, 0.0 if sticks else slip + a * along + b * up, 0.0, rate + turning
+        bounces = self.case.restitution > 0.0
+        slip_after = 0.0 if sticks else slip + a * along + b * up
+        gap_rate_after = gap_rate + b * along + c * up if bounces else 0.0
+        return x, 1.0, theta, slip_after, gap_rate_after, rate + turning
 
     def follow(self, advance, step):
         """Yield rows; `advance(mode, time, state, until)` returns the end, its state, which event, a dense output."""
@@ -116,7 +123,7 @@ class Hoop:
             x, y, theta, _, _, rate = state
             if mode == FLIGHT:
                 state = self.impact(state)
-                mode = self.follows(state)
+                mode = FLIGHT if state[4] > 0.0 else self.follows(state)
             elif mode == ROLL:
                 # Slip begins against the friction that would be needed.
                 mode = SLIDES[-1 if event == 0 else 1]

@@ -2,8 +2,8 @@
 
 The scheme of python/docs/score.md, with sweeps of projected Gauss-Seidel until nothing changes. There is one setting,
 default.
-Can express: one coefficient of friction, no rebound (an inelastic landing is that of Moreau's rule, not of the theory
-of impacts with friction).
+Can express: one coefficient of friction, Newton's restitution at any speed. An impact is that of Moreau's rule, one
+impulse with friction by the slip velocity at its end, not that of the theory of impacts with friction.
 """
 
 import math
@@ -24,8 +24,9 @@ def simulate(case, step, _):
     def advance():
         nonlocal x, y, theta, vx, vy, rate
         x, y, theta = x + 0.5 * step * vx, y + 0.5 * step * vy, theta + 0.5 * step * rate
-        vy -= step
         c, s = math.cos(theta), math.sin(theta)
+        rebound = case.restitution * (vy + h * s * rate)
+        vy -= step
         if y - h * c <= 1.0:
             arm = 1.0 + h * c
             a, b, d = 1.0 / m + arm * arm / inertia, arm * h * s / inertia, 1.0 / m + (h * s) ** 2 / inertia
@@ -33,7 +34,7 @@ def simulate(case, step, _):
             along = up = 0.0
             for _ in range(MOST_SWEEPS):
                 before = along, up
-                up = max(0.0, -(closing + b * along) / d)
+                up = max(0.0, -(closing + rebound + b * along) / d)
                 along = min(mu * up, max(-mu * up, -(slip + b * up) / a))
                 if abs(along - before[0]) + abs(up - before[1]) < ENOUGH:
                     break

@@ -3,9 +3,9 @@
 default: as the package comes, ten iterations and a collision slop of 0.1, which is a tenth of the radius here:
 Chipmunk is made for lengths of many units. An overlap that large is not corrected.
 careful: R is 100 units, which suits its defaults, 100 iterations, no slop.
-Cannot express: mu_s and mu_k (one coefficient). Restitution is a product of two coefficients, here 0. Mass, inertia
-and an offset mass centre are as wanted.
-Chipmunk's friction of two shapes is the product of theirs: the plane has 1.
+Cannot express: mu_s and mu_k (one coefficient). Restitution acts at any speed. Mass, inertia and an offset mass centre
+are as wanted.
+Chipmunk's friction, and restitution, of two shapes are the products of theirs: the plane has 1.
 """
 
 import pymunk
@@ -20,14 +20,14 @@ def simulate(case, step, setting):
     if setting == "careful":
         space.iterations, space.collision_slop = 100, 0.0
     plane = pymunk.Segment(space.static_body, (-1e3 * size, -size), (1e3 * size, -size), size)
-    plane.friction = 1.0
+    plane.friction = plane.elasticity = 1.0
     hoop = pymunk.Body(case.mass, case.inertia * size * size)
     x, y = case.mass_centre()
     hoop.position, hoop.angle = (x * size, y * size), case.theta
     vx, vy = case.mass_centre_rates()
     hoop.velocity, hoop.angular_velocity = (vx * size, vy * size), case.theta_rate
     rim = pymunk.Circle(hoop, size, (0.0, -case.h * size))
-    rim.friction = case.one_coefficient()
+    rim.friction, rim.elasticity = case.one_coefficient(), case.restitution
     space.add(hoop, rim, plane)
 
     def row(time):

@@ -4,7 +4,7 @@ The modes, what follows each, and the landing are ours (hybrid.py); SciPy integr
 its steps itself: the step of the case is only that of the record, and errors do not fall with it.
 default: RK45 with the tolerances that SciPy has (rtol 1e-3, atol 1e-6).
 careful: DOP853, rtol 1e-12, atol 1e-13.
-Can express: mu_s and mu_k, landing without rebound.
+Can express: mu_s and mu_k, and, by our equations, Poisson's restitution.
 """
 
 import numpy as np

@@ -30,6 +30,30 @@ def test_the_cases_have_the_events_that_they_are_for(run):
     assert [t.cause for t in run.CASES["lands"].motion().transitions] == ["landing", "stick"]
 
 
+def test_all_laws_of_restitution_agree_on_the_cases_that_bounce(run):
+    bouncing = {label: case for label, case in run.CASES.items() if case.restitution > 0.0}
+    assert {label: case.restitution for label, case in bouncing.items()} == {"bounces": 0.5, "bounces-high": 0.8}
+    for label, case in bouncing.items():
+        motions = [case.motion(law) for law in ("newton", "poisson", "energetic")]
+        times = [[t.time for t in motion.transitions] for motion in motions]
+        assert len(times[0]) == {"bounces": 3, "bounces-high": 5}[label]
+        assert times[1] == pytest.approx(times[0], abs=1e-9)
+        assert times[2] == pytest.approx(times[0], abs=1e-9)
+        for transition in motions[0].transitions:
+            assert transition.impact.after.slip * transition.impact.before.slip > 0.0
+            ratio = transition.impact.after.gap_rate / transition.impact.before.gap_rate
+            assert ratio == pytest.approx(-case.restitution, abs=1e-9)
+
+
+def test_new_runs_replace_those_of_their_case_and_setting(run):
+    def one(case, setting, step, status="scored"):
+        return {"case": case, "setting": setting, "step": step, "status": status}
+
+    old = [one("figure-3", "default", 1e-2), one("rolls", "default", 1e-2), one("rolls", "careful", 1e-2)]
+    new = [one("rolls", "default", 1e-3), one("rolls", "default", 1e-1, "failed")]
+    assert run.merged(old, new, ("default", "careful")) == [old[0], new[1], new[0], old[2]]
+
+
 def test_two_coefficients_is_the_motion_of_the_paper(run):
     mine = run.CASES["two-coefficients"].motion()
     paper = lw.case("figure-3").simulate()
