@@ -106,6 +106,8 @@ pub const FIGURES: &[FigureEntry] = &[
     ),
     entry("energy", "energies of a motion against time", "figure-3", paper::histories::energy),
     entry("sheet", "all quantities of a motion against time", "figure-3", paper::overview::figure),
+    entry("stroboscope", "the hoop at equal times, with its forces", "figure-3", paper::stroboscope::figure),
+    entry("phase-path", "a motion in the phase portrait of rolling", "figure-3", paper::phase_path::figure),
     entry("friction-demand", "friction that rolling demands along orbits", "figure-3", paper::demand::figure),
     entry("hodograph", "friction against normal force, in the cone", "figure-3", paper::hodograph::figure),
     entry("painleve", "where sliding has no solution", "painleve", paper::painleve::figure),

@@ -94,15 +94,21 @@ impl FigureInput {
         if self.hoop.mu_s() > 0.0 { Ok(()) } else { Err(FigureError::NeedsStaticFriction { figure }) }
     }
 
+    /// Refuses a hoop with inertia.
+    pub(crate) fn massless(&self, figure: &'static str) -> Result<(), FigureError> {
+        if self.is_massless() {
+            return Ok(());
+        }
+        Err(FigureError::NeedsMassless {
+            figure,
+            mass_ratio: self.hoop.mass_ratio(),
+            inertia: self.hoop.inertia(),
+        })
+    }
+
     /// Refuses all but Littlewood's hoop.
     pub(crate) fn littlewood(&self, figure: &'static str) -> Result<(), FigureError> {
-        if !self.is_massless() {
-            return Err(FigureError::NeedsMassless {
-                figure,
-                mass_ratio: self.hoop.mass_ratio(),
-                inertia: self.hoop.inertia(),
-            });
-        }
+        self.massless(figure)?;
         let offset = self.hoop.offset();
         if offset == 1.0 { Ok(()) } else { Err(FigureError::NeedsRim { figure, offset }) }
     }

@@ -106,6 +106,14 @@ impl Portrait {
 
     /// The rates |θ′| between which static friction holds at an angle, at most `most`.
     fn holding(&self, theta: f64, most: f64) -> Option<[f64; 2]> {
+        if let Body::Massless(body) = self.hoop.body()
+            && body.offset < 1.0
+        {
+            let holds = self.plane.forces(theta, 0.0).demand() <= self.hoop.mu_s();
+            // Towards the bottom N grows with the rate.
+            return holds
+                .then(|| [0.0, self.plane.normal_force_rate(theta).map_or(most, |rate| rate.min(most))]);
+        }
         if let Body::Massless(body) = self.hoop.body() {
             // N and F vanish together, at one rate: the angle alone decides.
             let holds = slip_angle(&body, self.hoop.mu_s()).is_none_or(|limit| theta.abs() <= limit);
@@ -136,11 +144,11 @@ impl Portrait {
         let top = |theta: f64| self.holding(theta, most).map(|[_, high]| [theta, high]);
         let mut pieces = Vec::new();
         for upper in self.window.pieces(self.window.x, CELLS, &top) {
-            let lower: Vec<[f64; 2]> = upper
-                .iter()
-                .rev()
-                .map(|[theta, _]| [*theta, self.holding(*theta, most).map_or(0.0, |[low, _]| low)])
-                .collect();
+            // The lower edge bends where the upper one may be straight.
+            let ends = [upper.first(), upper.last()].map(|end| end.map_or(0.0, |[theta, _]| *theta));
+            let bottom = |theta: f64| Some([theta, self.holding(theta, most)?[0]]);
+            let mut lower = self.window.pieces(ends, CELLS, &bottom).concat();
+            lower.reverse();
             let mirrored = |points: &[[f64; 2]]| points.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
             if lower.iter().all(|[_, low]| *low == 0.0) {
                 let mut below = mirrored(&upper);
@@ -160,7 +168,7 @@ impl Portrait {
         let offset = self.hoop.offset();
         let pieces = if energy >= offset {
             self.graph(&|theta| self.plane.level_rate(theta, energy))
-        } else if matches!(self.hoop.body(), Body::Massless(_)) {
+        } else if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) {
             self.massless_orbit(energy)
         } else {
             // Libration: θ = π + a sin s, so that θ′, which vanishes with cos s, is smooth.
@@ -186,7 +194,7 @@ impl Portrait {
         )
     }
 
-    /// An orbit of a massless hoop below the energy of the separatrix. It turns once and runs out to θ = ±π; with
+    /// An orbit of Littlewood's hoop below the energy of the separatrix. It turns once and runs out to θ = ±π; with
     /// ½ D(θ) r² + ℓ̂ cos θ = E it is a function of the rate r.
     fn massless_orbit(&self, energy: f64) -> Vec<Vec<[f64; 2]>> {
         let offset = self.hoop.offset();

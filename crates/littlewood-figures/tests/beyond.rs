@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_PI_4;
 
-use crate::support::{THIN, assert_near, columns, figure, series};
+use crate::support::{Body, THIN, assert_near, columns, figure, series};
 use littlewood::{Hoop, HoopParameters, Limits, Mode, Start};
 use littlewood_figures::{Figure, FigureInput, Panel, Series, find_figure};
 
@@ -157,4 +157,128 @@ fn a_light_hoop_may_have_two_intervals_without_a_solution() {
         let p = i + m * h * sin * (h * sin - 1.03 * (1.0 + h * cos));
         assert!(p.abs() < 1e-12, "{p} at {theta}");
     }
+}
+
+#[test]
+fn a_stroboscope_shows_the_hoop_at_equal_times_with_the_forces_there() {
+    let figure = figure("stroboscope");
+    let mut hoops: Vec<[f64; 2]> =
+        series(&figure, "hoop, ").into_iter().flat_map(|found| columns(found, ["time", "x"])).collect();
+    hoops.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    assert!(hoops.len() >= 5 && hoops[0] == [0.0, 0.0]);
+    let step = hoops[1][0];
+    for pair in hoops.windows(2) {
+        assert_near(pair[1][0] - pair[0][0], step, 1e-12, "a step of time");
+    }
+    let motion = littlewood::find_case("figure-3").expect("a case").simulate().expect("a motion");
+    let mut units = Vec::new();
+    for (name, column, axis) in [("normal force at", "normal", "y"), ("friction force at", "friction", "x")] {
+        for found in series(&figure, name) {
+            for rows in
+                columns(found, ["time", "x", "y", column]).chunks(2).zip(columns(found, [axis]).chunks(2))
+            {
+                let ([from, _], [a, b]) = (rows.0, rows.1) else { panic!("an arrow has two ends") };
+                let sample = motion.at(from[0]).expect("an instant of the motion");
+                assert!(from[1] == sample.centre.x && from[2] == 0.0, "from the point of contact");
+                let force = if column == "normal" { sample.normal } else { sample.friction };
+                assert_eq!(from[3], force);
+                units.push(force / (b[0] - a[0]));
+            }
+        }
+    }
+    assert!(units.len() > 4);
+    for unit in &units {
+        assert_near(*unit, units[0], 1e-9, "one scale for all arrows");
+    }
+}
+
+#[test]
+fn a_motion_back_and_forth_is_shown_once() {
+    let input = FigureInput::of_case("figure-2-libration").expect("a case");
+    let figure = find_figure("stroboscope").expect("a figure").figure(&input).expect("it can be drawn");
+    let mut places: Vec<[f64; 2]> =
+        series(&figure, "hoop, ").into_iter().flat_map(|found| columns(found, ["time", "x"])).collect();
+    places.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    // To the left, as θ grows, with the one at the turn at most.
+    assert!(places.windows(2).rev().skip(1).all(|pair| pair[1][1] < pair[0][1]));
+    assert!(figure.caption.contains("beginning"));
+}
+
+#[test]
+fn rolling_follows_an_orbit_in_the_phase_portrait() {
+    let figure = figure("phase-path");
+    let energies: Vec<f64> = columns(series(&figure, Mode::Rolling.name())[0], ["theta", "theta_rate"])
+        .into_iter()
+        .map(|[theta, rate]| THIN.energy(theta, rate))
+        .collect();
+    for energy in &energies {
+        assert_near(*energy, energies[0], 1e-12, "E");
+    }
+    let changes = columns(series(&figure, "transition")[0], ["theta", "theta_rate"]);
+    // Stick, slip, lift-off as computed elsewhere; the rate does not change in flight.
+    let wanted = [
+        [2.917_225_656_789_249, 2.936_443_261_445_296_5],
+        [4.066_332_874_239_296, 2.460_879_504_634_977],
+        [5.236_735_770_878_168, 1.998_705_937_114_14],
+        [9.891_172_939_575_516, 1.998_705_937_114_14],
+    ];
+    assert_eq!(changes.len(), wanted.len());
+    for (found, wanted) in changes.iter().flatten().zip(wanted.iter().flatten()) {
+        assert_near(*found, *wanted, 1e-12, "a transition");
+    }
+}
+
+#[test]
+fn what_is_drawn_of_a_phase_path_is_in_its_window() {
+    let fast = Hoop::littlewood(0.5, 0.4).expect("a hoop");
+    let inputs = [
+        FigureInput::of_case("figure-3-bounces").expect("a case"),
+        FigureInput::of_case("figure-7").expect("a case"),
+        FigureInput::new(fast, Start::at(7.0, 4.0), Limits::default()),
+    ];
+    for input in inputs {
+        let figure = find_figure("phase-path").expect("a figure").figure(&input).expect("it can be drawn");
+        let littlewood_figures::View::Plane { x, y, .. } = &figure.panels[0].view else { panic!("a plane") };
+        for layer in &figure.panels[0].layers {
+            for [theta, rate] in columns(&layer.series, ["theta", "theta_rate"]) {
+                let is_head = layer.series.name == "arrow of time" || layer.series.name == "flow";
+                let inside = (x.range[0] - 1e-9..=x.range[1] + 1e-9).contains(&theta)
+                    && (y.range[0] - 1e-9..=y.range[1] + 1e-9).contains(&rate);
+                assert!(is_head || inside, "{}: {theta}, {rate}", layer.series.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_massless_hoop_with_its_particle_inside_has_a_portrait() {
+    let l = 0.6;
+    let body = Body { m1: 0.0, l, izz: 0.0 };
+    let of = |mu: f64| {
+        let hoop = Hoop::new(HoopParameters::new(0.0, l, 0.0).with_friction(mu, mu)).expect("a hoop");
+        let input = FigureInput::new(hoop, Start::at(0.5, 0.3), Limits::default());
+        find_figure("figure-4").expect("a figure").figure(&input).expect("it can be drawn")
+    };
+    let figure = of(0.5);
+    for orbit in series(&figure, "orbit") {
+        for [theta, rate, energy] in columns(orbit, ["theta", "theta_rate", "energy"]) {
+            assert_near(body.energy(theta, rate), energy, 1e-9, "E of (2.8)");
+        }
+    }
+    for [theta, rate] in columns(series(&figure, "n")[0], ["theta", "theta_rate"]) {
+        assert!(body.rolling_forces(theta, rate).0.abs() < 1e-8 * (1.0 + rate * rate), "N = 0 at {theta}");
+    }
+    let slip = columns(series(&figure, "f")[0], ["theta"]);
+    // Two about each bottom and two about each top, seen once and twice.
+    assert_eq!(slip.len(), 2 * 6);
+    for [theta] in slip {
+        let (sin, cos) = libm::sincos(theta);
+        assert_near(l * sin.abs() / (1.0 + l * cos), 0.5, 1e-12, "|F|/N");
+    }
+    for [theta, rate] in columns(series(&figure, "R")[0], ["theta", "theta_rate"]) {
+        let (n, f) = body.rolling_forces(theta, 0.999 * rate);
+        assert!(n >= -1e-9 && f.abs() <= 0.5 * n * (1.0 + 1e-6) + 1e-9, "𝓡 at {theta}, {rate}: {n}, {f}");
+    }
+    // ℓ/√(1 − ℓ²) = 3/4: with more friction than that it never slips.
+    assert!(of(0.76).series("f").is_none() && of(0.74).series("f").is_some());
 }

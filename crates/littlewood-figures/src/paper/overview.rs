@@ -7,7 +7,7 @@ use crate::draw::ROOM;
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
-use crate::motion::{all_instants, bounds, horizon};
+use crate::motion::{all_instants, horizon};
 use crate::sheet::{Content, Sheet};
 use crate::spikes::{SPIKE, Spikes};
 use crate::style::{SMALL, SOFT, Stroke};
@@ -90,7 +90,7 @@ impl History {
                 None => by_mode.push((*mode, vec![rows])),
             }
         }
-        let range = span(values);
+        let range = span(&values);
         let by_mode = by_mode
             .into_iter()
             .map(|(mode, mut pieces)| {
@@ -106,9 +106,13 @@ impl History {
 }
 
 /// The axis of some values; one that changes by rounding alone has one all the same.
-fn span(values: Vec<f64>) -> [f64; 2] {
-    let [low, high] = bounds(values, 0.0);
+fn span(values: &[f64]) -> [f64; 2] {
+    let finite = || values.iter().copied().filter(|value| value.is_finite());
+    let (low, high) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
     let size = f64::max(low.abs(), high.abs());
+    if low > high {
+        return [-1.0, 1.0];
+    }
     let pad = if high - low > NOISE * size.max(1.0) { 0.1 * (high - low) } else { 0.5 * size.max(1.0) };
     [low - pad, high + pad]
 }

@@ -61,6 +61,22 @@ fn transitions(motion: &Trajectory, apart: f64) -> Vec<(String, Sample)> {
     found
 }
 
+/// The plane from side to side of a sheet of this width.
+pub(super) fn ground(x: [f64; 2], width: f64) -> Vec<Layer> {
+    let depth = 8.0 * (x[1] - x[0]) / width;
+    let below = [[x[0], 0.0], [x[1], 0.0], [x[1], -depth], [x[0], -depth]];
+    vec![
+        Series::of_rows("ground", &[X, Y], below.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
+        Series::of_rows("ground", &[X, Y], vec![vec![x[0], 0.0], vec![x[1], 0.0]])
+            .drawn(Mark::Line(Stroke::solid(INK, 1.4))),
+    ]
+}
+
+/// The axis of heights above the plane.
+pub(super) fn upright(say: Wording, y: [f64; 2]) -> PlotAxis {
+    PlotAxis { scale: Scale::NotNegative, ..say.axis(Y, "*y*", y) }
+}
+
 /// What a picture shows: the hoops, their labels, the ground.
 struct Picture {
     sheet: Sheet,
@@ -84,13 +100,7 @@ impl Picture {
         let beside = if goes_on { f64::max(1.2, 0.06 * (right - left)) } else { 1.2 };
         let x = [left - beside, right + beside];
         let mut y = [0.0, top + 1.15];
-        let depth = 8.0 * (x[1] - x[0]) / sheet.width;
-        let ground = [[x[0], 0.0], [x[1], 0.0], [x[1], -depth], [x[0], -depth]];
-        let mut layers = vec![
-            Series::of_rows("ground", &[X, Y], ground.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
-            Series::of_rows("ground", &[X, Y], vec![vec![x[0], 0.0], vec![x[1], 0.0]])
-                .drawn(Mark::Line(Stroke::solid(INK, 1.4))),
-        ];
+        let mut layers = ground(x, sheet.width);
         let instants = instants(motion);
         let hoop = motion.hoop();
         let rows = instants
@@ -136,9 +146,8 @@ impl Picture {
         let [left, inner] = sheet.span();
         // One scale for both axes.
         let height = (inner - ROOM[0]) * (y[1] - y[0]) / (x[1] - x[0]) + ROOM[1];
-        let upwards = PlotAxis { scale: Scale::NotNegative, ..say.axis(Y, "*y*", y) };
-        let content =
-            Content { name: "plane of motion", x: say.axis(X, "*x*", x), y: upwards, layers, labels };
+        let x = say.axis(X, "*x*", x);
+        let content = Content { name: "plane of motion", x, y: upright(say, y), layers, labels };
         let (keys, room) = sheet.keys(entries, 6.0);
         let top = 14.0 + room;
         let panel = Panel { keys, ..Sheet::panel([left, top, inner, height], content) };

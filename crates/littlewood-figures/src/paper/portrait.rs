@@ -1,6 +1,6 @@
 //! Figures 2(b) and 4: phase portraits of rolling, with inertia and without.
 
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use littlewood::Body;
 use littlewood::closed_form::slip_angle;
@@ -83,13 +83,29 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     ))
 }
 
-/// The locus |F| = μs N of a massless hoop: the verticals ±θ_s between the lines N = 0.
+/// The locus |F| = μs N of a massless hoop: verticals between the lines N = 0, for the angle alone decides.
 pub(crate) fn massless_limit(portrait: &Portrait) -> Option<(f64, Series)> {
     let Body::Massless(body) = portrait.hoop.body() else { return None };
     let theta = slip_angle(&body, portrait.hoop.mu_s())?;
-    let most = portrait.plane.normal_force_rate(theta)?;
-    let pieces = [-theta, theta].map(|at| vec![vec![at, -most], vec![at, most]]);
-    Some((theta, Series::new("f", &PLANE, pieces.to_vec())))
+    let mut angles = vec![-theta, theta];
+    if body.offset < 1.0 {
+        // The demand falls again towards the bottom, where it is zero; and all is repeated with each turn.
+        let again = PI + 2.0 * libm::atan(portrait.hoop.mu_s()) - theta;
+        let Window { x: [from, to], .. } = portrait.window;
+        let turns = (libm::floor(from / TAU) as i32 - 1)..=(libm::ceil(to / TAU) as i32 + 1);
+        angles = turns
+            .flat_map(|turn| [-theta, theta, -again, again].map(|angle| angle + TAU * f64::from(turn)))
+            .filter(|angle| (from..=to).contains(angle))
+            .collect();
+        angles.sort_by(f64::total_cmp);
+        angles.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
+    }
+    let highest = portrait.window.y[1];
+    let pieces = angles.into_iter().map(|at| {
+        let most = portrait.plane.normal_force_rate(at).map_or(highest, |rate| rate.min(highest));
+        vec![vec![at, -most], vec![at, most]]
+    });
+    Some((theta, Series::new("f", &PLANE, pieces.collect())))
 }
 
 /// Energies of orbits of Littlewood's hoop that fill the plane: those that pass over the top by their rate there, those
@@ -102,10 +118,72 @@ pub(crate) fn massless_energies(rates: &[f64], angles: &[f64]) -> Vec<f64> {
 /// Where arrows stand on the manifolds, away from the lines n, which they cross at ±π/2.
 const HEADS: f64 = 0.63 * PI;
 
+const FIGURE_4: &str = "figure-4";
+
+/// Figure 4 with the particle inside the rim: the portrait of footnote 7, which has a stable equilibrium.
+fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
+    let hoop = &input.hoop;
+    let portrait = Portrait::new(hoop, plane_window(hoop));
+    let window = portrait.window;
+    let energies = portrait.energies(3, 6);
+    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
+    for energy in &energies {
+        layers.push(portrait.orbit(*energy).drawn(Mark::Line(Stroke::of_curve(Curve::Level))));
+    }
+    layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
+    let unloading = portrait.unloading_locus();
+    let mut labels = Vec::new();
+    labels.extend(
+        nearest(&unloading, [0.3 * PI, 0.7 * window.y[1]], window)
+            .map(|at| Label::new("*n*", &at).shifted(10.0, -4.0).coloured(NORMAL_FORCE)),
+    );
+    let limit = massless_limit(&portrait);
+    if let Some((_, series)) = &limit {
+        // Beside each vertical of half a turn, outside of 𝓡.
+        let verticals = series.pieces.iter().filter_map(|piece| piece.first());
+        for (row, right) in verticals.filter(|row| (0.0..PI).contains(&row[0])).zip([10.0, -10.0]) {
+            let label = Label::new("*f*", &[row[0], 0.7 * row[1]]).shifted(right, 0.0);
+            labels.push(label.coloured(FRICTION_FORCE));
+        }
+    }
+    labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
+    layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
+    let always = limit.is_none();
+    layers.extend(limit.map(|(_, series)| series.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit)))));
+    layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
+    for theta in [0.62 * PI, 1.38 * PI] {
+        layers.push(portrait.flow(&[portrait.law.separatrix_energy()], theta).drawn(Mark::Head(INK)));
+    }
+    layers.extend(portrait.equilibria());
+    let say = input.wording();
+    let friction = if always {
+        "Static friction always holds, for *μ*_{s} is not less than *ℓ*/√(1 − *ℓ*^{2}); *ℓ* in radii."
+    } else {
+        "On *f* static friction gives way, |*F*|/*N* = *ℓ* |sin *θ*|/(1 + *ℓ* cos *θ*) = *μ*_{s}, whatever the rate; *ℓ* in radii. \
+         Towards the bottom it holds again."
+    };
+    Ok(input.sheet(580.0)?.plot(
+        FIGURE_4,
+        "Figure 4 with the particle inside the rim",
+        format!(
+            "Phase portrait of a rolling massless hoop with the particle inside the rim (footnote 7): lines of constant energy. \
+             Unlike Littlewood's hoop it has a stable equilibrium (dot), about which it can roll for ever. {friction} On *n* \
+             the normal force vanishes. Shaded: 𝓡, where the hoop can roll; black: separatrix. {}.",
+            say.rolling(hoop)
+        ),
+        402.0,
+        Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels },
+        Vec::new(),
+    ))
+}
+
 /// Figure 4.
 pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
-    const NAME: &str = "figure-4";
-    input.littlewood(NAME)?;
+    const NAME: &str = FIGURE_4;
+    input.massless(NAME)?;
+    if input.hoop.offset() < 1.0 {
+        return massless_inside(input);
+    }
     let window = Window { x: [-PI, PI], y: [-2.0, 2.0] };
     let portrait = Portrait::new(&input.hoop, window);
     let energies =
