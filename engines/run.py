@@ -97,6 +97,8 @@ class Engine:
     title: str
     settings: tuple[str, ...] = ("default", "careful")
     is_adaptive: bool = False
+    interpreter: str = ""
+    """A Python that has the engine, where no registry has it; LITTLEWOOD_SYSTEM_PYTHON names another."""
 
     @property
     def least_step(self) -> float:
@@ -111,26 +113,33 @@ ENGINES = {
     "pymunk": Engine("pymunk (Chipmunk)"),
     "box2d": Engine("Box2D 2.3"),
     "planck": Engine("planck (Box2D, double precision)"),
+    "rapier": Engine("Rapier"),
     "bullet": Engine("Bullet"),
+    "dart": Engine("DART"),
     "mujoco": Engine("MuJoCo"),
     "drake": Engine("Drake", ("default", "careful", "continuous")),
+    "exudyn": Engine("Exudyn"),
+    "siconos": Engine("Siconos", interpreter="/usr/bin/python3"),
 }
 
 
 def requirements(name: str) -> Path:
-    """The file with the versions of an engine; an engine of ours has none."""
-    return HERE / "requirements" / f"{name}.txt"
+    """The file with the versions of an engine: of packages, or the manifest of a crate; an engine of ours has none."""
+    manifest = HERE / "requirements" / name / "Cargo.toml"
+    return manifest if manifest.exists() else HERE / "requirements" / f"{name}.txt"
 
 
 def versions(text: str) -> dict[str, str]:
-    """Packages and their versions in a file of requirements."""
+    """Packages and their versions in a file of requirements, or in a manifest, which names those that are exact."""
+    if "[dependencies]" in text:
+        return dict(re.findall(r'^([\w-]+) = "=([\w.]+)"$', text, re.MULTILINE))
     return dict(
         re.fullmatch(r"([\w.-]+)==([\w.]+)", line.strip()).groups() for line in text.splitlines() if line.strip()
     )
 
 
 def adapter_of(name: str) -> Path:
-    """The adapter of an engine, for Python or for node."""
+    """The adapter of an engine, for Python, node or in Rust."""
     return next((HERE / "adapters").glob(f"{name}_adapter.*"))
 
 
@@ -139,7 +148,13 @@ def prepared(name: str) -> list[str]:
     file, adapter = requirements(name), adapter_of(name)
     if not file.exists():
         return [sys.executable, str(adapter)]
+    if ENGINES[name].interpreter:
+        return [os.environ.get("LITTLEWOOD_SYSTEM_PYTHON", ENGINES[name].interpreter), str(adapter)]
     folder = ENVIRONMENTS / name
+    if adapter.suffix == ".rs":
+        options = ["--quiet", "--release", "--locked", "--manifest-path", str(file), "--target-dir", str(folder)]
+        subprocess.run(["cargo", "build", *options], check=True)
+        return [str(folder / "release" / adapter.stem)]
     python, made = folder / "bin" / "python", folder / "requirements.txt"
     is_node = adapter.suffix == ".cjs"
     if not made.exists() or made.read_bytes() != file.read_bytes():
@@ -238,7 +253,7 @@ def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
 
 
 def merged(old: list[dict[str, Any]], new: list[dict[str, Any]], settings: Sequence[str]) -> list[dict[str, Any]]:
-    """Runs of which new ones replace those of the same case and setting, in the order of cases, settings, falling steps."""
+    """Runs, of which new ones replace those of the same case and setting; by case, setting and falling step."""
     again = {(run["case"], run["setting"]) for run in new}
     kept_runs = [run for run in old if (run["case"], run["setting"]) not in again and run["case"] in CASES]
     order = {label: at for at, label in enumerate(CASES)}

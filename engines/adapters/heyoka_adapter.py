@@ -4,8 +4,8 @@ The modes, what follows each, and the landing are ours (hybrid.py); heyoka integ
 its steps itself: the step of the case is only that of the record, and errors do not fall with it.
 default: tolerance 2.2e-16.
 careful: the same, with compensated sums.
-Can express: mu_s and mu_k, and, by our equations, Poisson's restitution. An event function that is zero at the start of a mode to a high
-order (the height at lift-off) is left alone for a short while.
+Can express: mu_s and mu_k, and, by our equations, Poisson's restitution. An event function that is zero at the start
+of a mode to a high order (the height at lift-off) is left alone for a short while.
 """
 
 import heyoka as hy
