@@ -17,7 +17,7 @@ Examples
 ['stick', 'slip', 'lift_off', 'landing']
 """
 
-from . import closed_form, plot
+from . import closed_form, plot, video
 from ._core import ParameterError, __version__
 from .bouncing import BouncingOrbit
 from .cases import CASES, Case, case
@@ -45,6 +45,7 @@ from .tables import CAUSES, CLASSES, IMPACT_CASES, MODES, OUTCOMES, PROOFS, REGI
 from .track import Track
 from .trajectory import Trajectory
 from .units import Units
+from .video.tracking import track_video
 
 __all__ = [
     "CASES",
@@ -97,4 +98,6 @@ __all__ = [
     "score",
     "sequence_names",
     "simulate_many",
+    "track_video",
+    "video",
 ]

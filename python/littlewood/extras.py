@@ -14,6 +14,7 @@ _EXTRA_OF = {
     "tqdm": "progress",
     "anywidget": "lab",
     "flint": "certify",
+    "cv2": "video",
 }
 """The extra that brings a package."""
 

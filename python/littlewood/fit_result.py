@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -58,6 +59,26 @@ class Estimate:
     std_error: float
     identifiable: bool
 
+    def interval(self, confidence: float = 0.95) -> tuple[float, float]:
+        """Return the interval that contains the true value with a probability, for normal errors.
+
+        Parameters
+        ----------
+        confidence : float, optional
+            The probability, between 0 and 1.
+
+        Returns
+        -------
+        tuple of float
+            Its ends; infinite where the parameter is not identifiable.
+        """
+        if not 0.0 < confidence < 1.0:
+            raise ValueError(f"confidence = {confidence} must lie between 0 and 1")
+        if not self.identifiable:
+            return -math.inf, math.inf
+        half = NormalDist().inv_cdf(0.5 + 0.5 * confidence) * self.std_error
+        return self.value - half, self.value + half
+
     def __str__(self) -> str:
         if not self.identifiable:
             return "not identifiable from this motion"
@@ -88,7 +109,8 @@ class FitResult:
     residuals : mapping of str to ndarray
         Measured minus fitted, by channel: rad, R, R.
     sigma : mapping of str to float
-        Standard deviation of a measurement, given or estimated, by channel.
+        Standard deviation of a measurement, given or estimated, by channel; where the track has errors, of one whose
+        error is the median.
     mu_s_at_least : float
         Largest friction |F|/N that rolling needed in the fitted motion: μs is at least that, whatever else is known.
     message : str
@@ -109,7 +131,9 @@ class FitResult:
     @property
     def reduced_chi_square(self) -> float:
         """Sum of (residual/σ)² over the number of measurements less that of free parameters; 1 for a good fit."""
-        scaled = [self.residuals[name] / self.sigma[name] for name in self.residuals]
+        scaled = [
+            self.residuals[name] / (self.sigma[name] * self.track.relative_errors(name)) for name in self.residuals
+        ]
         values = np.concatenate([one[np.isfinite(one)] for one in scaled])
         return float(values @ values) / max(1, values.size - len(self.estimates))
 

@@ -28,6 +28,9 @@ _OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution")
 _BY_DEFAULT = ("mu_s", "mu_k", "inertia")
 # Least inertia that is tried: without any, a hoop without mass is another body, with other equations.
 _LEAST_INERTIA = 1e-6
+# Largest coefficient of friction and inertia that are tried: beyond them a motion no longer depends on them.
+_LARGEST_FRICTION = 1e3
+_LARGEST_INERTIA = 1e6
 # Coefficients and inertias that are tried first, because a motion depends smoothly on them only as long as the sequence
 # of its phases is the same.
 _TRY_MU_K = (0.05, 0.12, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0)
@@ -51,6 +54,7 @@ def fit(
     sigma: Mapping[str, float] | None = None,
     until: float | None = None,
     loss: str = "linear",
+    search: bool = True,
 ) -> FitResult:
     """Estimate friction, inertia and restitution of a hoop from a tracked motion.
 
@@ -73,12 +77,16 @@ def fit(
         First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not tell them.
     sigma : mapping, optional
         Standard deviations of the measurements of `theta` (rad), `x` and `y` (R). By default they are estimated from
-        the residuals, each channel for itself.
+        the residuals, each channel for itself. Where the track has errors of single pictures, they are those of a
+        picture whose error is the median.
     until : float, optional
         Last time τ, √(R/g), that is used. Without a coefficient of restitution leave out what comes after the landing,
         which is not simulated then.
     loss : {"linear", "soft_l1", "huber", "cauchy", "arctan"}, optional
         As :func:`scipy.optimize.least_squares` has it; all but the first bear outliers.
+    search : bool, optional
+        Whether to begin at many places. Without it the fit begins at the values of `hoop` and `start` alone, which is
+        many times as fast, and finds the sequence of phases only if they have it.
 
     Returns
     -------
@@ -137,12 +145,16 @@ def fit(
     problem = _Problem(track, hoop, tuple(names), first, dict.fromkeys(track.channels, 1.0), slips_at_start)
     if sigma is not None:
         problem.sigma.update(sigma)
-    best = _search(problem, loss, "theta" not in track.channels and "theta" not in (start or {}))
+    if search:
+        best = _search(problem, loss, "theta" not in track.channels and "theta" not in (start or {}))
+    else:
+        best = problem.refine(problem.guess(), loss)
     # Weights from residuals, and again with those weights.
     for _ in range(0 if sigma is not None and len(sigma) == len(track.channels) else 3):
         for name, residual in problem.residuals(best.x).items():
             if sigma is None or name not in sigma:
-                seen = residual[np.isfinite(residual)]
+                scaled = residual / track.relative_errors(name)
+                seen = scaled[np.isfinite(scaled)]
                 problem.sigma[name] = max(float(np.sqrt(np.mean(seen**2))), 1e-12)
         best = problem.refine(best.x, loss)
     return _result(problem, best)
@@ -183,7 +195,9 @@ class _Problem:
     def bounds(self) -> tuple[list[float], list[float]]:
         low = {"mu_s": 0.0 if "mu_k" in self.names else self.hoop.mu_k, "mu_k": 0.0, "inertia": _LEAST_INERTIA}
         low["restitution"] = 0.0
-        high = {"restitution": 1.0, **({"mu_k": self.hoop.mu_s} if "mu_s" not in self.names else {})}
+        high = {"mu_s": _LARGEST_FRICTION, "mu_k": _LARGEST_FRICTION, "inertia": _LARGEST_INERTIA, "restitution": 1.0}
+        if "mu_s" not in self.names:
+            high["mu_k"] = self.hoop.mu_s
         return (
             [low.get(name, -math.inf) for name in self.names],
             [high.get(name, math.inf) for name in self.names],
@@ -227,7 +241,7 @@ class _Problem:
 
     def scaled(self, unknowns: _Reals) -> _Reals:
         residuals = self.residuals(unknowns)
-        parts = [residuals[name] / self.sigma[name] for name in residuals]
+        parts = [residuals[name] / (self.sigma[name] * self.track.relative_errors(name)) for name in residuals]
         return np.concatenate([part[np.isfinite(part)] for part in parts])
 
     def refine(self, unknowns: _Reals, loss: str, tolerance: float = 1e-12) -> Any:

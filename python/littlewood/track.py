@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -41,16 +42,22 @@ class Track:
     y : array_like, optional
         Height of the geometric centre over the plane, R, shape (n,): 1 in contact.
 
+    errors : mapping, optional
+        Standard errors of `theta`, `x`, `y`, picture by picture, where the tracker knows them. A fit takes what they
+        say of one picture against another, and finds by the residuals how large they are.
+
     Raises
     ------
     ValueError
-        If times do not grow, shapes differ, or there is neither `theta` nor `x`.
+        If times do not grow, shapes differ, there is neither `theta` nor `x`, or an error is not positive where
+        something was seen.
     """
 
     time: _Reals
     theta: _Reals | None = None
     x: _Reals | None = None
     y: _Reals | None = None
+    errors: Mapping[str, _Reals] | None = None
 
     def __post_init__(self) -> None:
         time = np.array(self.time, dtype=np.float64)
@@ -68,6 +75,28 @@ class Track:
         if self.theta is not None:
             seen = np.isfinite(self.theta)
             self.theta[seen] = np.unwrap(self.theta[seen])
+        if self.errors is not None:
+            object.__setattr__(self, "errors", self._checked(self.errors))
+
+    def _checked(self, errors: Mapping[str, npt.ArrayLike]) -> Mapping[str, _Reals]:
+        unknown = [name for name in errors if name not in self.channels]
+        if unknown:
+            raise ValueError(f"errors has {', '.join(unknown)}, the track has {', '.join(self.channels)}")
+        found = {}
+        for name, values in errors.items():
+            column = _column(f"errors of {name}", values, self.time.size)
+            assert column is not None
+            if np.any(~(column > 0.0) & np.isfinite(self.channels[name])):
+                raise ValueError(f"an error of {name} is not positive where {name} was seen")
+            found[name] = column
+        return found
+
+    def relative_errors(self, name: str) -> _Reals:
+        """Return the errors of a channel over their median; 1 without errors."""
+        if self.errors is None or name not in self.errors:
+            return np.ones(self.time.size)
+        seen = np.isfinite(self.channels[name])
+        return self.errors[name] / float(np.median(self.errors[name][seen]))
 
     @classmethod
     def from_si(
@@ -157,4 +186,6 @@ class Track:
     def until(self, time: float) -> Track:
         """Return the part up to a time τ, √(R/g)."""
         kept = self.time <= time
-        return Track(self.time[kept], **{name: values[kept] for name, values in self.channels.items()})
+        errors = None if self.errors is None else {name: values[kept] for name, values in self.errors.items()}
+        channels = {name: values[kept] for name, values in self.channels.items()}
+        return Track(self.time[kept], channels.get("theta"), channels.get("x"), channels.get("y"), errors)

@@ -13,7 +13,10 @@ from littlewood import laboratory
 PYTHON = Path(__file__).parents[1]
 PAGES = [
     PYTHON / "README.md",
-    *(PYTHON / "docs" / name for name in ("own-hoop.md", "jumps.md", "landing.md", "fit.md", "lab.md", "score.md")),
+    *(
+        PYTHON / "docs" / name
+        for name in ("own-hoop.md", "jumps.md", "landing.md", "fit.md", "video.md", "lab.md", "score.md")
+    ),
     PYTHON.parent / "docs" / "start.md",
 ]
 

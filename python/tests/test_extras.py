@@ -12,6 +12,7 @@ CALLS = [
     ("matplotlib", "plot", "motion.plot()"),
     ("matplotlib", "plot", "motion.animate().to_matplotlib()"),
     ("scipy", "fit", "lw.fit(lw.Track(np.arange(9.0), theta=np.arange(9.0) / 9), hoop)"),
+    ("cv2", "video", "lw.video.rate_of('film.avi')"),
     ("tqdm", "progress", "lw.simulate_many(hoop, theta=[0.0], theta_rate=1.0, progress=True)"),
 ]
 
@@ -40,7 +41,7 @@ def test_a_missing_extra_is_named(module, extra, call):
 
 
 def test_numpy_is_enough():
-    heavy = "xarray pandas dask distributed zarr matplotlib scipy tqdm"
+    heavy = "xarray pandas dask distributed zarr matplotlib scipy tqdm cv2"
     script = f"import sys, littlewood; print(*[m for m in {heavy.split()!r} if m in sys.modules])"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert done.stdout.split() == []

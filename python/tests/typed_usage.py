@@ -34,3 +34,8 @@ error: float = result.estimates["mu_k"].std_error
 motion.plot().savefig("motion.png")
 plot.outcomes(plane).set_title("outcomes")
 motion.animate(frames=10).save("motion.gif")
+camera: lw.video.Camera = lw.video.Camera((0.0, 1.0, 4.0), (0.0, 0.5, 0.0), focal_px=1000.0)
+plane_of_motion: lw.video.Plane = lw.video.Plane.from_camera(camera)
+filmed: lw.Track = lw.track_video("film.mp4", si, plane=plane_of_motion, pictures_per_second=240.0, marker="green")
+interval: tuple[float, float] = result.estimates["mu_k"].interval(0.9)
+written: int = lw.video.overlay_video("film.mp4", result, "both.mp4", plane=plane_of_motion, pictures_per_second=240.0)

@@ -1,0 +1,71 @@
+"""What can be wrong with a film."""
+
+from __future__ import annotations
+
+__all__ = ["NoHoopError", "TooFewPicturesError", "UnreadableVideoError", "UnwritableVideoError", "VideoError"]
+
+
+class VideoError(ValueError):
+    """A film that cannot be used."""
+
+
+class UnreadableVideoError(VideoError):
+    """A file that is missing, or that OpenCV cannot decode.
+
+    Attributes
+    ----------
+    path : str
+        The file.
+    """
+
+    def __init__(self, path: str, reason: str) -> None:
+        super().__init__(f"{path}: {reason}")
+        self.path = path
+
+
+class UnwritableVideoError(VideoError):
+    """A file that cannot be written: an unknown ending, a codec that this OpenCV does not have, or a missing folder.
+
+    Attributes
+    ----------
+    path : str
+        The file.
+    """
+
+    def __init__(self, path: str, reason: str) -> None:
+        super().__init__(f"{path}: {reason}")
+        self.path = path
+
+
+class TooFewPicturesError(VideoError):
+    """A film, or a part of it, that is too short to see what moves.
+
+    Attributes
+    ----------
+    pictures : int
+        How many there are.
+    least : int
+        How many are needed.
+    """
+
+    def __init__(self, pictures: int, least: int) -> None:
+        super().__init__(f"{pictures} pictures are too few: at least {least} are needed")
+        self.pictures = pictures
+        self.least = least
+
+
+class NoHoopError(VideoError):
+    """A film in which the hoop is not to be seen in enough pictures.
+
+    Attributes
+    ----------
+    pictures : int
+        How many pictures were searched.
+    found : int
+        In how many of them the hoop was found.
+    """
+
+    def __init__(self, pictures: int, found: int, least: int, reason: str) -> None:
+        super().__init__(f"the hoop was found in {found} of {pictures} pictures, {least} are needed: {reason}")
+        self.pictures = pictures
+        self.found = found

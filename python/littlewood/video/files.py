@@ -1,0 +1,116 @@
+"""Films as files: reading and writing by OpenCV."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..extras import require
+from .errors import UnreadableVideoError, UnwritableVideoError
+
+__all__ = ["Picture", "PictureWriter", "codecs", "pictures", "rate_of"]
+
+Picture = npt.NDArray[np.uint8]
+"""A picture: rows, columns, and blue, green, red, as OpenCV has them."""
+
+_CODECS = {".mp4": "mp4v", ".mov": "mp4v", ".avi": "MJPG"}
+"""Codecs by the ending of a file: both are in every build of OpenCV, and play almost everywhere."""
+
+
+def codecs() -> dict[str, str]:
+    """Return the endings of films that are written, and their codecs."""
+    return dict(_CODECS)
+
+
+def _open(path: str | Path) -> Any:
+    cv2 = require("cv2")
+    if not Path(path).is_file():
+        raise UnreadableVideoError(str(path), "there is no such file")
+    capture = cv2.VideoCapture(str(path))
+    if not capture.isOpened():
+        raise UnreadableVideoError(str(path), "OpenCV cannot decode it: is it a film?")
+    return capture
+
+
+def rate_of(path: str | Path) -> float:
+    """Return the pictures per second that a file says it is to be played with.
+
+    Slow motion is played slower than it was taken: the rate at which it was taken is not in the file.
+    """
+    capture = _open(path)
+    rate = float(capture.get(require("cv2").CAP_PROP_FPS))
+    capture.release()
+    return rate
+
+
+def pictures(path: str | Path) -> Iterator[Picture]:
+    """Yield the pictures of a film.
+
+    Raises
+    ------
+    UnreadableVideoError
+        If there is no such file, or OpenCV cannot decode it.
+    """
+    capture = _open(path)
+    try:
+        while True:
+            found, picture = capture.read()
+            if not found:
+                return
+            yield picture
+    finally:
+        capture.release()
+
+
+class PictureWriter:
+    """Writes pictures into a film.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file: `.mp4` or `.mov` (MPEG-4), or `.avi` (Motion JPEG).
+    size : tuple of int
+        Width and height, pixels.
+    pictures_per_second : float
+        Rate at which it is played.
+
+    Raises
+    ------
+    UnwritableVideoError
+        If OpenCV cannot write it.
+    """
+
+    def __init__(self, path: str | Path, size: tuple[int, int], pictures_per_second: float) -> None:
+        cv2 = require("cv2")
+        ending = Path(path).suffix.lower()
+        if ending not in _CODECS:
+            raise UnwritableVideoError(str(path), f"the ending must be one of {', '.join(_CODECS)}")
+        if not Path(path).parent.is_dir():
+            raise UnwritableVideoError(str(path), "there is no such folder")
+        code = cv2.VideoWriter.fourcc(*_CODECS[ending])
+        # OpenCV's own writer of Motion JPEG has a quality, that of FFmpeg has not.
+        backend = cv2.CAP_OPENCV_MJPEG if ending == ".avi" else cv2.CAP_ANY
+        self._writer = cv2.VideoWriter(str(path), backend, code, pictures_per_second, size)
+        if not self._writer.isOpened():
+            raise UnwritableVideoError(str(path), f"this OpenCV cannot write {_CODECS[ending]}")
+        if ending == ".avi":
+            self._writer.set(cv2.VIDEOWRITER_PROP_QUALITY, 95.0)
+
+    def write(self, picture: Picture) -> None:
+        """Append a picture."""
+        self._writer.write(picture)
+
+    def close(self) -> None:
+        """Finish the file."""
+        self._writer.release()
+
+    def __enter__(self) -> PictureWriter:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        self.close()

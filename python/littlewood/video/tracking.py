@@ -1,0 +1,202 @@
+"""The track of a hoop in a film."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ..extras import require
+from ..hoop import Hoop
+from ..track import Track
+from .errors import NoHoopError, TooFewPicturesError, UnreadableVideoError
+from .files import Picture, pictures
+from .finder import MARKERS, Finder
+from .plane import Plane
+
+__all__ = ["background_of", "finder_of", "track_video"]
+
+_LEAST_PICTURES = 10
+# Pictures of which the background is the median.
+_MOST_OF_BACKGROUND = 41
+
+
+def track_video(
+    path: str | Path,
+    hoop: Hoop,
+    *,
+    plane: Plane,
+    pictures_per_second: float,
+    marker: str | tuple[int, int, int] = "red",
+    marker_offset: float | None = None,
+    marker_angle: float = 0.0,
+    first: int = 0,
+    last: int | None = None,
+    background: npt.ArrayLike | None = None,
+) -> Track:
+    """Find the hoop and its marker in every picture of a film.
+
+    The camera must stand still. The rim is the outermost edge of what differs from the background; a circle is fitted
+    to it in the plane of the motion, so that the perspective is corrected. The marker is what has its colour near the
+    rim. Each picture is searched for itself: nothing is smoothed, and errors of different pictures are independent.
+
+    Parameters
+    ----------
+    path : str or Path
+        The film, in any format that OpenCV decodes.
+    hoop : Hoop
+        The hoop, made by :meth:`Hoop.from_si`: its radius is taken, and its offset for the place of the marker.
+    plane : Plane
+        Where the picture shows the plane of the motion.
+    pictures_per_second : float
+        Rate at which the pictures were taken. In slow motion it is not the rate at which the file is played.
+    marker : str or tuple of int, optional
+        Colour of the marker: red, orange, yellow, green, blue, magenta, or red, green, blue from 0 to 255.
+    marker_offset : float, optional
+        Distance of the marker from the centre, R; the offset of the particle by default.
+    marker_angle : float, optional
+        Angle from the particle to the marker, counterclockwise, rad; π for a marker opposite to the particle.
+    first, last : int, optional
+        First picture that is used, and the one after the last. The time counts from the first picture of the film.
+    background : array_like, optional
+        A picture without the hoop. By default the median of up to 41 pictures, for which the hoop has to move by more
+        than its width.
+
+    Returns
+    -------
+    Track
+        Dimensionless, with the standard errors of every picture; NaN where hoop or marker were not found.
+
+    Raises
+    ------
+    ValueError
+        If the hoop has no units, or a rate, a colour or a range of pictures makes no sense.
+    UnreadableVideoError
+        If the file is missing or cannot be decoded.
+    TooFewPicturesError
+        If there are fewer than ten pictures.
+    NoHoopError
+        If the hoop is found in fewer than ten.
+
+    Notes
+    -----
+    The time of a picture is its number over the rate: that of the middle of its exposure, up to a constant that no
+    coefficient depends on.
+    """
+    units = hoop.require_units()
+    if not (pictures_per_second > 0.0 and math.isfinite(pictures_per_second)):
+        raise ValueError(f"pictures_per_second = {pictures_per_second} must be positive")
+    if first < 0 or (last is not None and last <= first):
+        raise ValueError(f"pictures from {first} to {last} are none")
+    finder = finder_of(
+        path,
+        hoop,
+        plane=plane,
+        marker=marker,
+        marker_offset=marker_offset,
+        first=first,
+        last=last,
+        background=background,
+    )
+    rows = []
+    for number, picture in enumerate(pictures(path)):
+        if number < first or (last is not None and number >= last):
+            continue
+        rows.append((number, *_in_picture(finder, picture)))
+    found = np.array(rows)
+    theta = np.mod(found[:, 3] - marker_angle + math.pi, math.tau) - math.pi
+    count = int(np.isfinite(found[:, 1]).sum())
+    if count < _LEAST_PICTURES:
+        reason = "is its radius right, does it move, and does it differ from the background?"
+        raise NoHoopError(len(rows), count, _LEAST_PICTURES, reason)
+    length = units.length_m
+    return Track(
+        found[:, 0] / pictures_per_second / units.time_s,
+        theta=theta,
+        x=found[:, 1] / length,
+        y=found[:, 2] / length,
+        errors={"theta": found[:, 5], "x": found[:, 4] / length, "y": found[:, 4] / length},
+    )
+
+
+def _in_picture(finder: Finder, picture: Picture) -> tuple[float, float, float, float, float]:
+    """Return x, y, θ of the marker, and the errors of a coordinate and of θ; NaN for what is not found."""
+    circle = finder.circle(picture)
+    if circle is None:
+        return (math.nan,) * 5
+    marker = finder.marker(picture, circle)
+    if marker is None:
+        return circle.x_m, circle.y_m, math.nan, circle.error_m, math.nan
+    x, y = marker.x_m - circle.x_m, marker.y_m - circle.y_m
+    error = math.hypot(marker.error_m, circle.error_m) / math.hypot(x, y)
+    return circle.x_m, circle.y_m, math.atan2(-x, y), circle.error_m, error
+
+
+def finder_of(
+    path: str | Path,
+    hoop: Hoop,
+    *,
+    plane: Plane,
+    marker: str | tuple[int, int, int] = "red",
+    marker_offset: float | None = None,
+    first: int = 0,
+    last: int | None = None,
+    background: npt.ArrayLike | None = None,
+) -> Finder:
+    """Return what finds the hoop in single pictures of a film; arguments are those of :func:`track_video`.
+
+    Returns
+    -------
+    Finder
+    """
+    if isinstance(marker, str):
+        if marker not in MARKERS:
+            raise ValueError(f"marker = {marker!r} must be one of {', '.join(MARKERS)}, or three numbers")
+        marker = MARKERS[marker]
+    still, noise = background_of(path, first, last)
+    if background is not None:
+        given = np.asarray(background)
+        if given.shape != still.shape:
+            raise ValueError(f"the background has shape {given.shape}, a picture {still.shape}")
+        still = given
+    radius = hoop.require_units().length_m
+    offset = hoop.offset if marker_offset is None else marker_offset
+    return Finder(plane, still, noise, radius, offset * radius, marker)
+
+
+def background_of(path: str | Path, first: int = 0, last: int | None = None) -> tuple[npt.NDArray[Any], float]:
+    """Return the median of pictures of a film, and the standard deviation of the noise of a pixel.
+
+    Parameters
+    ----------
+    path : str or Path
+        The film.
+    first, last : int, optional
+        First picture that is used, and the one after the last.
+
+    Raises
+    ------
+    UnreadableVideoError
+        If the file is missing or cannot be decoded.
+    TooFewPicturesError
+        If there are fewer than ten pictures.
+    """
+    require("cv2")
+    count = 0
+    for _ in pictures(path):
+        count += 1
+    if count == 0:
+        raise UnreadableVideoError(str(path), "it has no pictures")
+    end = count if last is None else min(count, last)
+    if end - first < _LEAST_PICTURES:
+        raise TooFewPicturesError(max(0, end - first), _LEAST_PICTURES)
+    wanted = set(np.unique(np.linspace(first, end - 1, _MOST_OF_BACKGROUND).round().astype(int)).tolist())
+    kept = np.stack([picture for number, picture in enumerate(pictures(path)) if number in wanted])
+    still = np.median(kept, axis=0)
+    distance = np.abs(kept[:: max(1, len(kept) // 5)] - still)
+    # Of normal errors half are within 0.6745 standard deviations; rounding to whole levels leaves 0.3 at least.
+    noise = max(0.3, float(np.mean(distance)) * 1.2533)
+    return still, noise

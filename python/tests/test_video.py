@@ -1,0 +1,191 @@
+import math
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import littlewood as lw
+from littlewood import video
+
+RATE, EXPOSURE = 120.0, 1 / 400
+CAMERA = video.Camera((-0.9, 0.9, 3.2), (-1.2, 0.3, 0.0), focal_px=430.0, width=480, height=270, roll_rad=0.02)
+
+
+@pytest.fixture(scope="module")
+def hoop():
+    return lw.Hoop.from_si(
+        disc_mass_kg=0.25,
+        particle_mass_kg=0.25,
+        radius_m=0.3,
+        offset_m=0.27,
+        inertia_kg_m2=0.25 * 0.29**2,
+        mu_s=0.5,
+        mu_k=0.4,
+        restitution=0.5,
+    )
+
+
+@pytest.fixture(scope="module")
+def motion(hoop):
+    return hoop.simulate(theta=math.pi / 2, theta_rate=2.0)
+
+
+@pytest.fixture(scope="module")
+def film(motion, tmp_path_factory):
+    path = tmp_path_factory.mktemp("films") / "film.avi"
+    plane = video.synthetic_film(path, motion, CAMERA, pictures_per_second=RATE, exposure_s=EXPOSURE, seconds=0.8)
+    return path, plane
+
+
+@pytest.fixture(scope="module")
+def track(film, hoop):
+    path, plane = film
+    return lw.track_video(path, hoop, plane=plane, pictures_per_second=RATE)
+
+
+def exact(motion, track):
+    return motion.at(track.time + 0.5 * EXPOSURE / motion.hoop.units.time_s)
+
+
+def test_a_track_is_the_motion_that_was_filmed(track, motion):
+    assert track.time.size == 97
+    np.testing.assert_allclose(np.diff(track.time) * motion.hoop.units.time_s, 1 / RATE, rtol=1e-12)
+    true = exact(motion, track)
+    # A rim of 42 pixels radius: a tenth of a pixel is 0.0025 R.
+    assert np.max(np.abs(track.x - true.x)) < 0.01
+    assert np.sqrt(np.mean((track.x - true.x) ** 2)) < 0.002
+    assert np.sqrt(np.mean((track.y - true.centre_y) ** 2)) < 0.003
+    turned = np.mod(track.theta - true.theta + math.pi, math.tau) - math.pi
+    assert np.sqrt(np.mean(turned**2)) < 0.006
+    assert set(track.errors) == {"theta", "x", "y"}
+    assert np.all(track.errors["x"] > 0.0)
+
+
+def test_a_film_tells_what_was_put_in(track, hoop, motion):
+    true = exact(motion, track)
+    start = {"theta": float(true.theta[0]), "theta_rate": float(true.theta_rate[0]), "slip": float(true.slip[0])}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
+        result = lw.fit(
+            track, hoop, free=("mu_s", "mu_k", "inertia", "restitution"), slips_at_start=True, start=start, search=False
+        )
+    for name in ("mu_k", "inertia", "restitution"):
+        low, high = result.estimates[name].interval(0.99999)
+        assert low < getattr(hoop, name) < high
+    assert result.estimates["mu_k"].std_error < 0.02
+
+
+def test_the_same_seed_makes_the_same_film(motion):
+    def first(seed):
+        return next(iter(video.synthetic_pictures(motion, CAMERA, seed=seed)))
+
+    np.testing.assert_array_equal(first(3), first(3))
+    assert np.any(first(3) != first(4))
+
+
+def test_a_long_exposure_blurs_and_does_not_shift(hoop, motion, tmp_path):
+    path = tmp_path / "blurred.avi"
+    plane = video.synthetic_film(path, motion, CAMERA, exposure_s=1 / RATE, seconds=0.4)
+    track = lw.track_video(path, hoop, plane=plane, pictures_per_second=RATE)
+    true = motion.at(track.time + 0.5 / RATE / hoop.units.time_s)
+    # The hoop moves by a tenth of its radius meanwhile.
+    assert np.max(np.abs(np.diff(true.x))) > 0.1
+    assert abs(np.median(track.x - true.x)) < 0.003
+
+
+def test_points_and_a_camera_agree_on_the_plane():
+    plane = video.Plane.from_camera(CAMERA)
+    corners = np.array([(-2.0, 0.0), (0.0, 0.0), (0.0, 1.0), (-2.0, 1.0), (-1.0, 0.4)])
+    pixels = np.column_stack(plane.to_pixels(*corners.T))
+    again = video.Plane.from_points(pixels, corners)
+    np.testing.assert_allclose(np.column_stack(again.to_metres(*pixels.T)), corners, atol=1e-9)
+    np.testing.assert_allclose(abs(again.matrix), abs(plane.matrix), atol=1e-9)
+
+
+def test_a_pinhole_projects_by_similar_triangles():
+    camera = video.Camera((0.0, 1.0, 4.0), (0.0, 1.0, 0.0), focal_px=800.0, width=641, height=481)
+    u, v = video.Plane.from_camera(camera).to_pixels(0.5, 0.0)
+    assert (float(u), float(v)) == pytest.approx((320.0 + 800.0 * 0.5 / 4.0, 240.0 + 800.0 / 4.0))
+
+
+def test_a_ground_line_gives_scale_and_tilt():
+    plane = video.Plane.from_ground_line((100.0, 400.0), (500.0, 430.0), 2.0)
+    assert [float(value) for value in plane.to_metres(500.0, 430.0)] == pytest.approx([2.0, 0.0])
+    # A turn by a right angle, counterclockwise: upward in the picture.
+    assert [float(value) for value in plane.to_pixels(0.0, 2.0)] == pytest.approx([130.0, 0.0])
+    assert plane.pixels_per_metre(1.0, 1.0) == pytest.approx(math.hypot(400.0, 30.0) / 2.0)
+
+
+def test_the_overlay_has_film_and_simulation(film, motion, tmp_path):
+    path, plane = film
+    for name in ("both.avi", "both.mp4"):
+        count = video.overlay_video(path, motion, tmp_path / name, plane=plane, pictures_per_second=RATE)
+        drawn = list(video.pictures(tmp_path / name))
+        assert count == len(drawn) == 97
+    picture = next(iter(video.pictures(path)))
+    drawn = video.draw_motion(picture, motion, plane, 0.0)
+    assert drawn.shape == picture.shape
+    u, v = plane.to_pixels(0.0, 0.6)
+    changed = np.any(drawn != picture, axis=2)
+    # The top of the rim is drawn over, the wall beside the hoop is not.
+    assert changed[round(float(v)) - 1 : round(float(v)) + 2, round(float(u))].any()
+    assert not changed[:, : round(float(u)) - 100][60:].any()
+    assert not np.any(video.draw_motion(picture, motion, plane, -1.0) != picture)
+
+
+def test_a_marker_may_be_anywhere_on_the_rim(film, hoop, track):
+    path, plane = film
+    shifted = lw.track_video(path, hoop, plane=plane, pictures_per_second=RATE, marker=(220, 40, 30), marker_angle=0.5)
+    turned = np.mod(track.theta - shifted.theta - 0.5 + math.pi, math.tau) - math.pi
+    assert np.max(np.abs(turned)) < 0.01
+
+
+def test_bad_films_are_refused(film, hoop, motion, tmp_path):
+    path, plane = film
+    given = {"plane": plane, "pictures_per_second": RATE}
+    with pytest.raises(video.UnreadableVideoError, match="no such file"):
+        lw.track_video(tmp_path / "none.avi", hoop, **given)
+    broken = tmp_path / "broken.avi"
+    broken.write_bytes(b"no film" * 100)
+    with pytest.raises(video.UnreadableVideoError, match="cannot decode"):
+        lw.track_video(broken, hoop, **given)
+    with pytest.raises(video.TooFewPicturesError, match="5 pictures are too few: at least 10") as short:
+        lw.track_video(path, hoop, last=5, **given)
+    assert (short.value.pictures, short.value.least) == (5, 10)
+    empty = tmp_path / "empty.avi"
+    with video.files.PictureWriter(empty, (480, 270), 30.0) as writer:
+        for _ in range(12):
+            writer.write(np.full((270, 480, 3), 128, dtype=np.uint8))
+    with pytest.raises(video.NoHoopError, match="found in 0 of 12 pictures") as nothing:
+        lw.track_video(empty, hoop, **given)
+    assert nothing.value.found == 0
+    with pytest.raises(ValueError, match="must be one of red"):
+        lw.track_video(path, hoop, marker="beige", **given)
+    with pytest.raises(ValueError, match="is grey"):
+        lw.track_video(path, hoop, marker=(9, 9, 9), **given)
+    with pytest.raises(ValueError, match="from_si"):
+        lw.track_video(path, lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4), **given)
+    with pytest.raises(video.UnwritableVideoError, match=r"ending must be one of \.mp4"):
+        video.synthetic_film(tmp_path / "film.gif", motion, CAMERA)
+    with pytest.raises(video.UnwritableVideoError, match="no such folder"):
+        video.synthetic_film(tmp_path / "nowhere" / "film.avi", motion, CAMERA)
+    with pytest.raises(ValueError, match=r"exposure_s = 0\.01"):
+        next(iter(video.synthetic_pictures(motion, CAMERA, exposure_s=0.01)))
+    assert issubclass(video.VideoError, ValueError)
+
+
+def test_bad_planes_and_cameras_are_refused():
+    with pytest.raises(ValueError, match="on a line"):
+        video.Plane.from_points([(0, 0), (1, 0), (2, 0), (3, 1)], [(0, 0), (1, 0), (2, 0), (3, 1)])
+    with pytest.raises(ValueError, match="at least 4 pairs"):
+        video.Plane.from_points([(0, 0)], [(0, 0)])
+    with pytest.raises(ValueError, match="must have a length"):
+        video.Plane.from_ground_line((100.0, 0.0), (0.0, 0.0), 1.0)
+    with pytest.raises(ValueError, match="in front of the plane"):
+        video.Camera((0.0, 1.0, -1.0), (0.0, 0.0, 0.0), 500.0)
+
+
+def test_codecs_are_those_that_are_written():
+    assert video.codecs() == {".mp4": "mp4v", ".mov": "mp4v", ".avi": "MJPG"}
+    assert Path("film.avi").suffix in video.codecs()
