@@ -49,7 +49,11 @@ def turned_at_top(angle: float) -> float:
     def rate(turned: float) -> float:
         return math.sin(angle) * (1.0 - math.cos(turned)) - math.cos(angle) * (turned - math.sin(turned))
 
-    return zero(rate, 1.5 * angle, 4.0 * math.pi)
+    # In a jump of more than a turn the gap has several maxima, at least a turn apart or so.
+    end = turned_in_air(angle)
+    steps = 40 + int(20.0 * end)
+    best = max(range(1, steps), key=lambda step: rise(angle, end * step / steps))
+    return zero(rate, end * (best - 1) / steps, end * (best + 1) / steps)
 
 
 @dataclass(frozen=True)
