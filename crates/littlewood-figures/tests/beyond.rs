@@ -1,9 +1,9 @@
 //! Figures that the paper does not have: all of a motion on a sheet, the cone of friction, Painlevé's paradox.
 
-use core::f64::consts::FRAC_PI_4;
+use core::f64::consts::{FRAC_PI_4, PI};
 
 use crate::support::{Body, THIN, assert_near, columns, figure, series};
-use littlewood::{Hoop, HoopParameters, Limits, Mode, Start};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, PhasePlane, Start};
 use littlewood_figures::{Figure, FigureInput, Panel, Series, find_figure};
 
 fn panel<'a>(figure: &'a Figure, name: &str) -> &'a Panel {
@@ -281,4 +281,46 @@ fn a_massless_hoop_with_its_particle_inside_has_a_portrait() {
     }
     // ℓ/√(1 − ℓ²) = 3/4: with more friction than that it never slips.
     assert!(of(0.76).series("f").is_none() && of(0.74).series("f").is_some());
+}
+
+/// Whether a place lies in a polygon, by the edges that a ray to the right crosses.
+fn is_inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let edges = polygon.iter().zip(polygon.iter().cycle().skip(1));
+    let crossed = edges
+        .filter(|([ax, ay], [bx, by])| (*ay > y) != (*by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax));
+    crossed.count() % 2 == 1
+}
+
+#[test]
+fn the_region_of_rolling_is_filled_up_to_its_edge() {
+    for hoop in
+        [HoopParameters::new(0.02, 0.7, 0.02), HoopParameters::thin(1.0), HoopParameters::new(0.0, 0.6, 0.0)]
+    {
+        let hoop = Hoop::new(hoop.with_friction(0.4, 0.3)).expect("a hoop");
+        let input = FigureInput::new(hoop, Start::at(1.0, 0.5), Limits::default());
+        let name = if hoop.mass_ratio() == 0.0 { "figure-4" } else { "figure-2b" };
+        let figure = find_figure(name).expect("a figure").figure(&input).expect("it can be drawn");
+        let polygons: Vec<Vec<[f64; 2]>> = series(&figure, "R")[0]
+            .pieces
+            .iter()
+            .map(|piece| piece.iter().map(|row| [row[0], row[1]]).collect())
+            .collect();
+        let littlewood_figures::View::Plane { y, .. } = &figure.panels[0].view else { panic!("a plane") };
+        let plane = PhasePlane::new(&hoop);
+        let (mut inside, mut wrong) = (0, 0);
+        for i in 0..200 {
+            for j in 0..100 {
+                let place = [
+                    2.0 * PI * (f64::from(i) + 0.31) / 200.0,
+                    0.99 * y.range[1] * (f64::from(j) + 0.37) / 50.0 - 0.99 * y.range[1],
+                ];
+                let wanted = plane.in_rolling_region(place[0], place[1]);
+                let found = polygons.iter().any(|polygon| is_inside(polygon, place));
+                inside += u32::from(wanted);
+                wrong += u32::from(wanted != found);
+            }
+        }
+        // Chords are flat to a part of 10,000 of the window.
+        assert!(inside > 1000 && wrong < 30, "{hoop:?}: {wrong} of {inside}");
+    }
 }
