@@ -1,0 +1,152 @@
+"""The band in which rolling would need a normal force below zero, and the plane still holds the rim."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import littlewood as lw
+import numpy as np
+from littlewood.style import ACCENTS, FAINT, INK
+from matplotlib.figure import Figure
+
+from .axes import panels
+from .page import table
+from .study import Study
+
+COLOURS = [*ACCENTS.values(), INK]
+
+
+def thickness(h: float, kappa: float, theta: float) -> float:
+    """Return the thickness of the band in 1/(hθ′²) where cos θ ≥ 0; κ = Î/m."""
+    lever = 1.0 + h * math.cos(theta)
+    return h * math.sin(theta) ** 2 * lever / (kappa + lever**2)
+
+
+def upper(h: float, kappa: float, theta: float) -> float:
+    """Return 1/(hθ′²) where the normal force of rolling vanishes."""
+    return math.cos(theta) + thickness(h, kappa, theta)
+
+
+def last_angle(h: float, kappa: float) -> float:
+    """Return the angle up to which there is a band."""
+    mean = (1.0 + h * h + kappa) / (2.0 * h)
+    return math.acos(-1.0 / (mean + math.sqrt(mean * mean - 1.0)))
+
+
+def area(h: float, kappa: float) -> float:
+    """Return the area of the band over θ and 1/(hθ′²), of a whole turn."""
+    end = last_angle(h, kappa)
+    # Gauss's rule for the half turn on both sides of π/2, where the lower border has a corner.
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    total = 0.0
+    for low, high in ((0.0, 0.5 * math.pi), (0.5 * math.pi, end)):
+        for node, weight in zip(nodes, weights, strict=True):
+            theta = 0.5 * (low + high) + 0.5 * (high - low) * float(node)
+            total += float(weight) * (high - low) * (upper(h, kappa, theta) - max(math.cos(theta), 0.0))
+    return total
+
+
+def rim(h: float) -> tuple[float, float]:
+    """Return m1/m2 and κ of a thin hoop with the particle on the rim."""
+    return 1.0 / h - 1.0, 1.0 - h * h
+
+
+OFFSETS = (0.1, 0.3, 0.5, 0.75, 0.9)
+
+
+def size_table() -> list[str]:
+    """The size of the band for thin hoops with the particle on the rim, and for bodies of other inertias."""
+    rows = []
+    for h in OFFSETS:
+        cells = [f"{h:g}"]
+        for kappa in (0.01, rim(h)[1], 10.0):
+            cells += [f"{math.degrees(last_angle(h, kappa)):.2f}", f"{area(h, kappa):.4f}"]
+        rows.append(cells)
+    heads = [f"{what}, κ = {kappa}" for kappa in ("0.01", "1 − h²", "10") for what in ("θb, °", "area")]
+    return table(["h", *heads], rows)
+
+
+STARTS = 2000
+
+
+@cache
+def starts(h: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return starts spread evenly over the band in θ and 1/(hθ′²)."""
+    random = np.random.default_rng(3)
+    kappa = rim(h)[1]
+    end = last_angle(h, kappa)
+    found: list[tuple[float, float]] = []
+    while len(found) < STARTS:
+        theta, inverse = random.uniform(-end, end), random.uniform(0.0, 1.0 + h)
+        if max(math.cos(theta), 0.0) < inverse < upper(h, kappa, theta):
+            found.append((theta, random.choice([-1.0, 1.0]) / math.sqrt(h * inverse)))
+    pairs = np.array(found)
+    return pairs[:, 0], pairs[:, 1]
+
+
+FRICTIONS = (0.1, 0.3, 0.6)
+
+
+@cache
+def shares(h: float, mu_k: float) -> dict[str, float]:
+    """Return the shares of what becomes of the starts."""
+    mass_ratio = rim(h)[0]
+    hoop = lw.Hoop(mass_ratio=mass_ratio, offset=1.0, inertia=mass_ratio, mu_s=1.25 * mu_k, mu_k=mu_k)
+    theta, rate = starts(h)
+    result = lw.simulate_many(hoop, theta=theta, theta_rate=rate, max_transitions=20_000, threads=1)
+    names = lw.sequence_names(result.sequence.values)
+    outcome = np.array([lw.OUTCOMES[int(code)] for code in result.outcome.values])
+    lifts = outcome == "landing"
+    return {
+        "at once": float(np.mean([name.startswith("F") for name in names])),
+        "first slide": float(np.mean(lifts & np.array([name in ("+F", "-F") for name in names]))),
+        "later": float(np.mean(lifts & np.array([name not in ("+F", "-F", "F") for name in names]))),
+        "rolls": float(np.mean(outcome == "rolls_forever")),
+        "other": float(np.mean(~lifts & (outcome != "rolls_forever"))),
+    }
+
+
+def share_table() -> list[str]:
+    """What becomes of the starts."""
+    rows = []
+    for h in OFFSETS:
+        for mu_k in FRICTIONS:
+            rows.append([f"{h:g}", f"{mu_k:g}", *(f"{100.0 * part:.1f} %" for part in shares(h, mu_k).values())])
+    heads = ["h", "μk", "off the plane at once", "out of the first slide", "later", "rolls for ever", "another end"]
+    return table(heads, rows)
+
+
+def picture() -> Figure:
+    """The band in the phase plane, its thickness, and its area."""
+    figure, (left, middle, right) = panels(3)
+    h, kappa = 0.5, 0.75
+    angles = np.linspace(-last_angle(h, kappa) + 1e-3, last_angle(h, kappa) - 1e-3, 600)
+    low = np.array([1.0 / math.sqrt(h * upper(h, kappa, float(angle))) for angle in angles])
+    cosine = np.cos(angles)
+    high = np.where(cosine > 1e-3, 1.0 / np.sqrt(h * np.maximum(cosine, 1e-3)), 99.0)
+    left.fill_between(np.degrees(angles), low, high, color=FAINT, alpha=0.5, linewidth=0)
+    left.plot(np.degrees(angles), low, color=COLOURS[0], label="N = 0 in rolling")
+    left.plot(np.degrees(angles), high, color=COLOURS[1], dashes=(5, 2), label="w = 0: lift-off")
+    left.set(ylim=(0, 6), xlim=(-130, 130), xlabel="θ, degrees", ylabel="θ′, √(g/R)")
+    left.text(0, 3.4, "off the plane", ha="center", fontsize=8)
+    left.text(0, 0.7, "rolls or slides", ha="center", fontsize=8)
+    left.legend(frameon=False, fontsize=8, loc="upper center")
+    degrees = np.linspace(0.0, 90.0, 200)
+    dashes: list[tuple[float, ...]] = [(6, 0.001), (6, 2), (3, 1.5), (1, 1.2)]
+    for ratio, colour, dash in zip((0.01, 0.3, 1.0, 10.0), COLOURS, dashes, strict=False):
+        values = [thickness(0.5, ratio, math.radians(float(degree))) for degree in degrees]
+        middle.plot(degrees, values, color=colour, dashes=dash, label=f"κ = {ratio:g}")
+        offsets = np.linspace(0.01, 0.99, 80)
+        sizes = [area(float(one), ratio) for one in offsets]
+        right.plot(offsets, sizes, color=colour, dashes=dash, label=f"κ = {ratio:g}")
+    middle.set(xlabel="θ, degrees", ylabel="thickness in 1/(hθ′²), h = 0.5", xlim=(0, 90))
+    middle.set_ylim(bottom=0)
+    middle.legend(frameon=False, fontsize=8, loc="upper left")
+    right.set(xlabel="h, R", ylabel="area over θ and 1/(hθ′²)", xlim=(0, 1))
+    right.set_ylim(bottom=0)
+    right.legend(frameon=False, fontsize=8, loc="upper left")
+    return figure
+
+
+STUDY = Study(name="band", texts={"size": size_table, "shares": share_table}, pictures={"band": picture})
