@@ -1,0 +1,55 @@
+import math
+
+import numpy as np
+import pytest
+
+from studies.film.coverage import line_of
+from studies.film.throws import FREE, throw
+from studies.film.videos import film_of
+from studies.real_film import part_within, pulls, rows_of
+
+
+def test_intervals_of_independent_noise_contain_the_truth_as_often_as_they_say():
+    rows = rows_of("coverage")
+    assert [int(row["film"]) for row in rows] == list(range(200))
+    for name in FREE:
+        values = pulls(rows, name)
+        assert len(values) >= 180
+        for level in (0.5, 0.6827, 0.9, 0.95, 0.99):
+            # Three standard deviations of a binomial number.
+            chance = 3.0 * math.sqrt(level * (1.0 - level) / len(values))
+            assert part_within(values, level) == pytest.approx(level, abs=chance)
+
+
+def test_intervals_of_whole_videos_are_too_narrow():
+    rows = rows_of("videos")
+    assert [int(row["film"]) for row in rows] == list(range(len(rows)))
+    # Of 20 true 95 % intervals 15 or fewer contain the truth once in 3000 times.
+    assert all(part_within(pulls(rows, name), 0.95) < 0.75 for name in FREE)
+
+
+def test_a_fit_of_the_table_comes_out_again():
+    row = rows_of("coverage")[111]
+    cells = dict(zip(row, map(float, line_of(111)), strict=True))
+    for name in FREE:
+        assert cells[f"{name}_true"] == row[f"{name}_true"]
+        assert cells[f"{name}_value"] == pytest.approx(row[f"{name}_value"], abs=0.01 * row[f"{name}_error"])
+
+
+@pytest.mark.parametrize("number", [31, 44])
+def test_the_path_of_a_random_throw_is_in_the_picture(number):
+    film = film_of(number)
+    radius = film.thrown.hoop.units.length_m
+    seen = film.thrown.motion.at(np.linspace(0.0, 1.0, 200) / film.thrown.hoop.units.time_s)
+    for a in np.linspace(0.0, math.tau, 16):
+        u, v = film.plane.to_pixels((seen.x + math.cos(a)) * radius, (seen.centre_y + math.sin(a)) * radius)
+        assert u.min() > 0.0 and u.max() < film.camera.width - 1
+        assert v.min() > 0.0 and v.max() < film.camera.height - 1
+
+
+def test_a_throw_slips_out_of_rolling_and_lands_twice():
+    for seed in range(5):
+        motion = throw(np.random.default_rng(seed)).motion
+        causes = [transition.cause for transition in motion.transitions]
+        assert "slip" in causes and "lift_off" in causes
+        assert sum(transition.impact is not None for transition in motion.transitions) >= 2
