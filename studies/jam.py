@@ -409,6 +409,16 @@ def comsol() -> list[str]:
     return table(["γ = 3/4", ""], rows)
 
 
+def comsol_zone() -> str:
+    """Width of the zone in which slides of the published example jam."""
+    return f"{zone(Body.rim(COMSOL), 1.0) / DEGREE:.1f}°"
+
+
+def comsol_margin() -> str:
+    """How far the friction of the published example is above the lower bound."""
+    return f"{100.0 * (1.0 / Body.rim(COMSOL).lower - 1.0):.1f} %"
+
+
 def lower_angle(body: Body, mu: float) -> float:
     """Return the angle at which P vanishes and falls."""
     return math.acos(zero(lambda cosine: body.friction_at(cosine) - mu, body.least, 1.0 - 1e-15))
@@ -604,6 +614,8 @@ STUDY = Study(
         "fates": fates,
         "thrown": thrown,
         "comsol": comsol,
+        "comsol zone": comsol_zone,
+        "comsol margin": comsol_margin,
         "comsol motions": comsol_motions,
         "rolling": rolling_starts,
     },
