@@ -1,4 +1,4 @@
-//! Ctrl-C and SIGTERM: the program ends within a second or two, and leaves no unfinished files.
+//! Ctrl-C and SIGTERM: the program ends at once, or within some seconds on a busy machine, and leaves no unfinished files.
 //!
 //! Work that looks at the flag of [`asked`] ends by itself, keeps what is finished and says so. All other work is ended
 //! at once, and so is work that does not get to the flag in time, or a program that is asked twice.
@@ -16,7 +16,7 @@ use crate::unfinished;
 pub(crate) const STOPPED: u8 = 130;
 
 /// How long work has to get to the flag, and to write what is finished.
-const PATIENCE: Duration = Duration::from_millis(1500);
+const PATIENCE: Duration = Duration::from_secs(5);
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 static LOOKS: AtomicBool = AtomicBool::new(false);

@@ -138,17 +138,26 @@ fn a_picture_that_is_not_complete_does_not_replace_one() {
     // So many starts that it cannot be over before the signal.
     let axes = ["map", "figure-3", "--x", "theta=-pi:pi:20000", "--y", "theta_rate=-4:4:20000"];
     let axes = [&axes[..], &["--chunk=2000", "--out"]].concat();
-    let child = littlewood(&axes).arg(&png).spawn().expect("it runs");
-    // The new picture is begun beside the old one before the work begins.
-    wait_until(|| fs::read_dir(folder.path()).expect("a folder").count() > 1);
-    sleep(Duration::from_millis(300));
-    signal(&child, "-INT");
-    let output = child.wait_with_output().expect("it ends");
-    assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
-    assert_eq!(fs::read_to_string(&png).expect("a file"), "an older picture");
     let partial = folder.path().join("map.partial.png");
+    // There is nothing to keep before the first starts are followed, which takes as long as the machine likes.
+    let mut patience = Duration::from_millis(300);
+    let message = loop {
+        let child = littlewood(&axes).arg(&png).spawn().expect("it runs");
+        // The new picture is begun beside the old one before the work begins.
+        wait_until(|| fs::read_dir(folder.path()).expect("a folder").count() > 1);
+        sleep(patience);
+        signal(&child, "-INT");
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+        assert_eq!(fs::read_to_string(&png).expect("a file"), "an older picture");
+        if partial.exists() {
+            break text(&output.stderr);
+        }
+        patience *= 2;
+        assert!(patience < Duration::from_secs(60), "{}", text(&output.stderr));
+    };
     assert_eq!(fs::read(&partial).expect("a picture")[..8], *b"\x89PNG\r\n\x1a\n");
-    assert!(text(&output.stderr).contains("map.partial.png"), "{}", text(&output.stderr));
+    assert!(message.contains("map.partial.png"), "{message}");
     assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 2);
 }
 
@@ -294,8 +303,8 @@ const LONG: [(&str, &str, &[&str]); 5] = [
     ),
 ];
 
-/// How long a program may take to end: two seconds, and what a machine with other work adds.
-const SOON: Duration = Duration::from_secs(6);
+/// How long a program may take to end: five seconds, and what a machine with other work adds.
+const SOON: Duration = Duration::from_secs(12);
 
 /// Tests that keep a core busy for seconds wait for one another: the others watch the clock, too.
 static BUSY: Mutex<()> = Mutex::new(());
@@ -335,7 +344,7 @@ fn names(folder: &Path) -> Vec<String> {
 #[test]
 fn work_that_does_not_look_is_ended_all_the_same() {
     // A reader that does not read: the program waits for it for ever.
-    for (signals, soonest) in [(1, 1400), (2, 0)] {
+    for (signals, soonest) in [(1, 4900), (2, 0)] {
         let folder = tempfile::tempdir().expect("a folder");
         let pipe = folder.path().join("pipe.png");
         assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo runs").success());
