@@ -6,7 +6,7 @@ from ._core import run_program
 from .certify import __main__ as certify
 from .scoring import command as scoring
 
-_OF_THE_PACKAGE = {"certify": certify.main, "score": scoring.main}
+OF_THE_PACKAGE = {"certify": certify.main, "score": scoring.main}
 """Commands that the package adds to those of the program."""
 
 
@@ -19,8 +19,8 @@ def main() -> int:
         Its exit code.
     """
     name, *rest = sys.argv[1:] or [""]
-    if name in _OF_THE_PACKAGE:
-        return _OF_THE_PACKAGE[name](rest)
+    if name in OF_THE_PACKAGE:
+        return OF_THE_PACKAGE[name](rest)
     return run_program(["littlewood", *sys.argv[1:]])
 
 

@@ -1,6 +1,7 @@
 """The package and the command line show the results of one core: they agree bit for bit."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import xarray
 from conftest import flags
 
 import littlewood as lw
+from littlewood.__main__ import OF_THE_PACKAGE
 
 
 def random_problems(count):
@@ -161,3 +163,8 @@ def test_an_axis_that_contradicts_a_fixed_value_is_refused_by_both(command, hoop
     with pytest.raises(lw.ParameterError) as caught:
         lw.outcome_map(hoop, theta=0.0, mu_k=np.linspace(0.1, 0.9, 9), theta_rate=np.linspace(0, 1, 5))
     assert str(caught.value) in " ".join(done.stderr.replace("│", " ").split())
+
+
+def test_the_program_knows_the_commands_of_the_package(command):
+    named = re.findall(r"^  (\w+) +.*\(in the Python package\)$", command("--help").stdout, re.MULTILINE)
+    assert sorted(named) == sorted(OF_THE_PACKAGE)

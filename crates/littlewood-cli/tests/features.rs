@@ -1,8 +1,10 @@
-//! What the program says of parts that it was built without.
+//! What a program says of parts that it was built without.
 
-use crate::support::{complaint, text};
+use assert_cmd::Command;
 
-/// The commands of each feature, and whether this program has them.
+use crate::support::littlewood;
+
+/// The commands of each feature, and whether the program of these tests has them.
 const COMMANDS: [(&str, &str, bool); 6] = [
     ("sweep", "sweep", cfg!(feature = "sweep")),
     ("atlas", "sweep", cfg!(feature = "sweep")),
@@ -12,36 +14,71 @@ const COMMANDS: [(&str, &str, bool); 6] = [
     ("lab", "lab", cfg!(feature = "lab")),
 ];
 
-#[test]
-fn a_command_that_is_not_there_names_its_feature() {
+/// Names a program that was built without any feature.
+const WITHOUT_FEATURES: &str = "LITTLEWOOD_WITHOUT_FEATURES";
+
+fn without_features() -> Command {
+    Command::new(std::env::var_os(WITHOUT_FEATURES).expect(WITHOUT_FEATURES))
+}
+
+fn help_of(mut program: Command, arguments: &[&str]) -> String {
+    String::from_utf8_lossy(&program.args(arguments).assert().success().get_output().stdout).into_owned()
+}
+
+/// The error of a call that is refused, which prints nothing.
+fn refusal(mut program: Command, arguments: &[&str]) -> String {
+    String::from_utf8_lossy(&program.args(arguments).assert().code(2).stdout("").get_output().stderr)
+        .into_owned()
+}
+
+fn check(program: fn() -> Command, has: impl Fn(bool) -> bool) {
     for (command, feature, is_there) in COMMANDS {
-        if is_there {
-            assert!(text(&[command, "--help"]).contains("Usage: "), "{command}");
+        if has(is_there) {
+            assert!(help_of(program(), &[command, "--help"]).contains("Usage: "), "{command}");
             continue;
         }
         for arguments in [&[command][..], &[command, "figure-3", "--out", "a.gif"], &[command, "--help"]] {
-            let message = complaint(arguments, 2);
+            let message = refusal(program(), arguments);
             let said = format!(
                 "`littlewood {command}` is not in this program: it was built without the feature `{feature}`"
             );
             assert!(message.contains(&said), "{message}");
-            assert!(
-                message
-                    .contains(&format!("hint: in the sources, `cargo run --release --features {feature} ")),
-                "{message}"
-            );
+            let hint = format!("hint: in the sources, `cargo run --release --features {feature} ");
+            assert!(message.contains(&hint), "{message}");
         }
-        let help = text(&["--help"]).split_whitespace().collect::<Vec<_>>().join(" ");
+        let help = help_of(program(), &["--help"]).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(help.contains(&format!("(not in this program: feature `{feature}`)")), "{help}");
+    }
+    if !has(cfg!(feature = "sweep")) {
+        for name in ["plane.zarr", "plane.parquet"] {
+            let message = refusal(
+                program(),
+                &["map", "figure-3", "--out", name, "--x", "theta=0:1:2", "--y", "theta_rate=0:1:2"],
+            );
+            assert!(message.contains(name) && message.contains("feature `sweep`"), "{message}");
+        }
     }
 }
 
-#[cfg(not(feature = "sweep"))]
 #[test]
-fn a_store_that_cannot_be_written_names_the_feature() {
-    for name in ["plane.zarr", "plane.parquet"] {
-        let axes = ["--x", "theta=0:1:2", "--y", "theta_rate=0:1:2"];
-        let message = complaint(&[&["map", "figure-3", "--out", name], &axes[..]].concat(), 2);
-        assert!(message.contains(name) && message.contains("feature `sweep`"), "{message}");
+fn a_command_is_there_or_names_its_feature() {
+    check(littlewood, |is_there| is_there);
+}
+
+#[test]
+fn commands_of_the_python_package_are_named_and_say_where_they_are() {
+    for command in ["score", "certify"] {
+        for arguments in [&[command][..], &[command, "figure-3", "a.csv"], &[command, "--help"]] {
+            let message = refusal(littlewood(), arguments);
+            assert!(message.contains(&format!("`littlewood {command}` is not in this program")), "{message}");
+            assert!(message.contains(&format!("python -m littlewood {command} --help")), "{message}");
+        }
     }
+}
+
+/// A program of its own, because Cargo builds one for all tests of a run.
+#[test]
+#[ignore = "LITTLEWOOD_WITHOUT_FEATURES has to name a program that was built without features"]
+fn a_program_without_features_names_them() {
+    check(without_features, |_| false);
 }

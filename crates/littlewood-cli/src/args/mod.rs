@@ -2,12 +2,12 @@
 
 #[cfg(feature = "film")]
 mod animate;
+mod elsewhere;
 #[cfg(feature = "figures")]
 mod figures;
 #[cfg(feature = "lab")]
 mod lab;
 mod negative;
-mod not_built;
 #[cfg(feature = "figures")]
 mod poster;
 mod problem;
@@ -16,13 +16,12 @@ mod sweep;
 
 #[cfg(feature = "film")]
 pub(crate) use animate::{AnimateArgs, Bar, Beside, Camera};
+pub(crate) use elsewhere::ElsewhereArgs;
 #[cfg(feature = "figures")]
 pub(crate) use figures::{FigureFormat, FigureLetters, FiguresArgs};
 #[cfg(feature = "lab")]
 pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;
-#[cfg(not(all(feature = "sweep", feature = "figures", feature = "film", feature = "lab")))]
-pub(crate) use not_built::NotBuiltArgs;
 #[cfg(feature = "figures")]
 pub(crate) use poster::PosterArgs;
 pub(crate) use problem::{MAX_TRANSITIONS, ProblemArgs, RunArgs, number};
@@ -93,7 +92,7 @@ pub(crate) enum Command {
     /// Follow the starts of a grid with any number of axes, or of a list (not in this program: feature `sweep`)
     #[cfg(not(feature = "sweep"))]
     #[command(disable_help_flag = true)]
-    Sweep(NotBuiltArgs),
+    Sweep(ElsewhereArgs),
     /// Count the sequences of phases that occur on a grid of starts, with an example of each
     #[cfg(feature = "sweep")]
     #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
@@ -101,7 +100,7 @@ pub(crate) enum Command {
     /// Count the sequences of phases that occur on a grid of starts, with an example of each (not in this program: feature `sweep`)
     #[cfg(not(feature = "sweep"))]
     #[command(disable_help_flag = true)]
-    Atlas(NotBuiltArgs),
+    Atlas(ElsewhereArgs),
     /// Draw the figures of the paper, and more, of its hoops or of any other
     #[cfg(feature = "figures")]
     #[command(long_about = FIGURES, after_help = FIGURES_EXAMPLES)]
@@ -109,7 +108,7 @@ pub(crate) enum Command {
     /// Draw the figures of the paper, and more, of its hoops or of any other (not in this program: feature `figures`)
     #[cfg(not(feature = "figures"))]
     #[command(disable_help_flag = true)]
-    Figures(NotBuiltArgs),
+    Figures(ElsewhereArgs),
     /// Draw a poster of a hoop, its motion and its laws
     #[cfg(feature = "figures")]
     #[command(long_about = POSTER, after_help = POSTER_EXAMPLES)]
@@ -117,7 +116,7 @@ pub(crate) enum Command {
     /// Draw a poster of a hoop, its motion and its laws (not in this program: feature `figures`)
     #[cfg(not(feature = "figures"))]
     #[command(disable_help_flag = true)]
-    Poster(NotBuiltArgs),
+    Poster(ElsewhereArgs),
     /// Make a film of a motion: GIF, APNG, MP4 or WebM
     #[cfg(feature = "film")]
     #[command(long_about = ANIMATE, after_help = ANIMATE_EXAMPLES)]
@@ -125,7 +124,7 @@ pub(crate) enum Command {
     /// Make a film of a motion: GIF, APNG, MP4 or WebM (not in this program: feature `film`)
     #[cfg(not(feature = "film"))]
     #[command(disable_help_flag = true)]
-    Animate(NotBuiltArgs),
+    Animate(ElsewhereArgs),
     /// Open the laboratory in the browser: drag a start and watch the hoop
     #[cfg(feature = "lab")]
     #[command(long_about = LAB)]
@@ -133,7 +132,13 @@ pub(crate) enum Command {
     /// Open the laboratory in the browser: drag a start and watch the hoop (not in this program: feature `lab`)
     #[cfg(not(feature = "lab"))]
     #[command(disable_help_flag = true)]
-    Lab(NotBuiltArgs),
+    Lab(ElsewhereArgs),
+    /// Score the motion that a solver has computed against the exact one (in the Python package)
+    #[command(disable_help_flag = true)]
+    Score(ElsewhereArgs),
+    /// Enclose a motion in balls, with a proof that no event was missed (in the Python package)
+    #[command(disable_help_flag = true)]
+    Certify(ElsewhereArgs),
 }
 
 const SIMULATE: &str = "\

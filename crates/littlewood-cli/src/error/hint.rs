@@ -49,6 +49,9 @@ pub(super) fn of(error: &Error) -> Option<String> {
             "in the sources, `cargo run --release --features {feature} -- …` builds it with the feature, and \
              `--all-features` with all of them; released programs have them all"
         ),
+        Error::InPackage { command } => {
+            format!("`pip install littlewood`, and then `python -m littlewood {command} --help`")
+        }
         #[cfg(feature = "lab")]
         Error::Port { .. } => "give another --port, or leave the flag out for a free one".to_owned(),
         #[cfg(feature = "film")]

@@ -187,6 +187,12 @@ pub(crate) enum Error {
         /// The feature.
         feature: Feature,
     },
+    /// A command that the Python package adds.
+    #[error("`littlewood {command}` is not in this program: the Python package has it")]
+    InPackage {
+        /// The command.
+        command: &'static str,
+    },
     /// There is no page to serve.
     #[cfg(feature = "lab")]
     #[error("{reason}")]
@@ -247,7 +253,8 @@ impl Error {
             | Self::Sweep(_)
             | Self::Out { .. }
             | Self::UnknownShade { .. }
-            | Self::NotBuilt { .. } => BAD_INPUT,
+            | Self::NotBuilt { .. }
+            | Self::InPackage { .. } => BAD_INPUT,
             #[cfg(feature = "sweep")]
             Self::Hoop { .. } | Self::HoopColumn { .. } => BAD_INPUT,
             #[cfg(feature = "figures")]
