@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Passes all tests on a fresh machine that has Rust, Python 3.11 and node 20: format, lints, documentation, tests of the
 # crates, of the Python package, of the solvers that are scored, of the studies, of the web page and of the documentation. On Debian, as
-# root, it installs Chromium. At its end it counts.
+# root, it installs Chromium. At its end it counts, and says what took how long.
 set -euo pipefail
 cd "$(dirname "$0")"
 export RUSTDOCFLAGS="-D warnings"
@@ -14,25 +14,53 @@ export LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-60}"
 # One set of features throughout, so that clippy, rustdoc and the tests share what they build; and the program that the tests
 # of Python and of the page compare with is that of the tests of Rust.
 everything=(--workspace --all-features --locked)
-
-cargo fmt --all --check
-cargo clippy "${everything[@]}" --all-targets -- -D warnings
-cargo doc "${everything[@]}" --no-deps
-log="$(mktemp)"
-trap 'rm -f "$log"' EXIT
-# The program of the README's first command has none of the features: it builds, and says what it lacks.
-cargo test --package littlewood-cli --locked features:: 2>&1 | tee "$log"
-cargo test "${everything[@]}" --no-fail-fast 2>&1 | tee -a "$log"
 built="${CARGO_TARGET_DIR:-$PWD/target}/debug"
+logs="$(mktemp -d)"
+python_side=
+trap 'rm -rf "$logs"; [ -z "$python_side" ] || kill "$python_side" 2>/dev/null' EXIT
+
+# stage NAME COMMAND…: runs it, keeps what it prints, and notes the seconds.
+stage() {
+  local name="$1" begin="$SECONDS"
+  shift
+  "$@" 2>&1 | tee "$logs/$name.log"
+  echo "  $name: $((SECONDS - begin)) s" >> "$logs/seconds"
+}
+
+# The program of the README's first command has none of the features: it builds, and says what it lacks.
+without_features() {
+  LITTLEWOOD_WITHOUT_FEATURES="$built/littlewood-without-features" \
+    cargo test "${everything[@]}" --test all -- --ignored --exact features::a_program_without_features_names_them
+}
+
+# Most of this is done by one core, which leaves the other to the browser.
+python_engines_studies() {
+  stage python python/test.sh
+  stage engines engines/test.sh
+  stage studies studies/test.sh
+}
+
+stage format cargo fmt --all --check
+stage first-command cargo build --package littlewood-cli --locked
+cp "$built/littlewood" "$built/littlewood-without-features"
+stage clippy cargo clippy "${everything[@]}" --all-targets -- -D warnings
+stage rustdoc cargo doc "${everything[@]}" --no-deps
+stage rust cargo test "${everything[@]}" --no-fail-fast
+stage without-features without_features
 export LITTLEWOOD_BIN="$built/littlewood" LITTLEWOOD_BITS="$built/examples/bits"
-python/test.sh 2>&1 | tee -a "$log"
-engines/test.sh
-studies/test.sh 2>&1 | tee -a "$log"
-web/test.sh 2>&1 | tee -a "$log"
-docs/test.sh
+python_engines_studies > "$logs/python-side" 2>&1 &
+python_side=$!
+stage page web/test.sh
+wait "$python_side" || { cat "$logs/python-side"; exit 1; }
+python_side=
+cat "$logs/python-side"
+stage documentation docs/test.sh
 echo
+echo "Seconds:"
+cat "$logs/seconds"
 echo "Passed:"
-awk '/^test result: ok/ { rust += $4 }
+cat "$logs"/*.log | awk '
+     /^test result: ok/ { rust += $4 }
      /^[0-9]+ passed.* in / { python += $1 }
      /^ +[0-9]+ passed \(/ { page += $1 }
-     END { print "  " rust " tests of the crates, " python " of the Python package, " page " of the page" }' "$log"
+     END { print "  " rust " tests of the crates, " python " of Python, " page " of pages" }'

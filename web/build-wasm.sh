@@ -30,6 +30,6 @@ MISSING
   exit 2
 fi
 
-CARGO_TARGET_DIR="$folder/bindgen" cargo build --release --locked --manifest-path bindgen/Cargo.toml
-"$folder/bindgen/release/bindgen" "$folder/$target/web/littlewood_web.wasm" src/wasm
+CARGO_TARGET_DIR="$folder/bindgen" cargo build --locked --manifest-path bindgen/Cargo.toml
+"$folder/bindgen/debug/bindgen" "$folder/$target/web/littlewood_web.wasm" src/wasm
 ls -l src/wasm/*.wasm

@@ -1,6 +1,6 @@
 // The laboratory as one file, for notebooks: `littlewood/laboratory.js` of the Python package, a module for anywidget.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 
@@ -35,7 +35,10 @@ function oneFile(): Plugin {
         .replace('</body>', () => `<script type="module">${safe}</script></body>`);
       const widget = readFileSync(place('./notebook/widget.js'), 'utf8');
       const text = widget.replace("'PAGE'", () => JSON.stringify(page));
-      writeFileSync(place('../python/littlewood/laboratory.js'), text);
+      // All of it at once: a wheel may be made meanwhile.
+      const module = place('../python/littlewood/laboratory.js');
+      writeFileSync(`${module}.part`, text);
+      renameSync(`${module}.part`, module);
       this.info(`python/littlewood/laboratory.js ${(text.length / 1000).toFixed(0)} kB`);
     },
   };
