@@ -13,7 +13,17 @@ if TYPE_CHECKING:
 
 PAGES = Path(__file__).parents[1] / "docs" / "studies"
 
-NAMES = ("one-angle", "best-hop", "bouncing-for-ever", "jam", "how-many-slips", "band", "massless-limit", "real-film", "sequences")
+NAMES = (
+    "one-angle",
+    "best-hop",
+    "bouncing-for-ever",
+    "jam",
+    "how-many-slips",
+    "band",
+    "massless-limit",
+    "real-film",
+    "sequences",
+)
 """All studies, in the order of their index; each is a module of this package."""
 
 
