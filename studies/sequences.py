@@ -193,15 +193,95 @@ def friction_table() -> list[str]:
     return table(["least μ", "sequences with stops", "sequences", "longest"], rows)
 
 
+STEPS = 4
+"""Steps of a curve from line to line."""
+
+
+def between(low: float, high: float, rate: float, sides: tuple[str, str], gamma: float = GAMMA) -> float | None:
+    """Return the friction at which one sequence passes into another, to 1e-6; None if the ends have others."""
+    if (first_turn(low, rate, gamma).name, first_turn(high, rate, gamma).name) != sides:
+        return None
+    while high - low > 1e-6 * high:
+        middle = 0.5 * (low + high)
+        name = first_turn(middle, rate, gamma).name
+        if name not in sides:
+            return None
+        low, high = (middle, high) if name == sides[0] else (low, middle)
+    return 0.5 * (low + high)
+
+
+def extrapolated(last: list[float]) -> float:
+    """Return the next of up to three numbers, as if their logarithms were a polynomial's."""
+    match last:
+        case [one]:
+            return one
+        case [before, one]:
+            return one * one / before
+        case _:
+            first, second, third = last
+            return third * (third / second) ** 2 * first / second
+
+
+def followed(start: Boundary, step: float) -> list[tuple[float, float]]:
+    """Return the points (θ′, μ) of the curve from a boundary on, as far as it parts the same two sequences.
+
+    The next point is looked for about the continuation of the last two, in an interval that grows: in the least that
+    has both sequences at its ends no third boundary is hidden.
+    """
+    points = [(start.rate, start.mu)]
+    sides = (start.below.name, start.above.name)
+    while RATES[0] <= points[-1][0] + step <= RATES[-1] * (1.0 + 1e-12):
+        rate = points[-1][0] + step
+        guess = extrapolated([one for _, one in points[-3:]])
+        tried = (between(guess / (1.0 + part), guess * (1.0 + part), rate, sides) for part in WIDTHS)
+        found = next((one for one in tried if one is not None), None)
+        if found is None or not LEAST <= found <= MOST:
+            break
+        points.append((rate, found))
+    return points
+
+
+WIDTHS = (1e-5, 1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3)
+
+
+@cache
+def curves() -> tuple[tuple[str, tuple[tuple[float, float], ...]], ...]:
+    """Return the curves through all boundaries, each with what coincides there."""
+    step = (RATES[1] - RATES[0]) / STEPS
+    found: list[tuple[str, tuple[str, str], tuple[tuple[float, float], ...]]] = []
+    for one in plane(SCAN):
+        sides = (one.below.name, one.above.name)
+        known = (points for _, others, points in found if others == sides)
+        if any(math.isclose(r, one.rate, rel_tol=1e-9) and math.isclose(mu, one.mu, rel_tol=1e-5)
+               for points in known for r, mu in points):  # fmt: skip
+            continue
+        found.append((one.kind, sides, (*followed(one, -step)[:0:-1], *followed(one, step))))
+    return tuple((kind, points) for kind, _, points in found)
+
+
+def curve_table() -> list[str]:
+    """How many boundaries lie on how many curves."""
+    long = [points for _, points in curves() if len(points) > STEPS]
+    rows = [[str(len(plane(SCAN))), str(len(curves())), str(len(long)), str(max(map(len, long)))]]
+    return table(["boundaries on lines", "curves", "longer than from line to line", "points of the longest"], rows)
+
+
 def picture() -> Figure:
-    """The boundaries in the plane, by what coincides."""
+    """Return the boundaries in the plane as curves, by what coincides."""
     figure, (left,) = panels(1, width=6.4, height=4.4)
-    found = plane(SCAN)
-    for kind, colour, mark in zip(sorted({one.kind for one in found}), [*COLOURS, INK, INK], "osv^Dxp", strict=False):
-        part = [one for one in found if one.kind == kind]
-        left.semilogx(
-            [one.mu for one in part], [one.rate for one in part], mark, color=colour, markersize=3.5, label=kind
-        )
+    kinds = sorted({one.kind for one in plane(SCAN)})
+    dashes: tuple[tuple[float, ...], ...] = ((), (1, 1.2), (6, 2), (3, 1.5), (6, 1.5, 1, 1.5))
+    looks = zip([*COLOURS, INK, INK], "osv^D", dashes, strict=False)
+    for kind, (colour, mark, dash) in zip(kinds, looks, strict=False):
+        label: str | None = kind
+        for points in (points for name, points in curves() if name == kind):
+            rates, frictions = zip(*points, strict=True)
+            (line,) = left.semilogx(frictions, rates, color=colour, linewidth=1.1, label=label)
+            if dash:
+                line.set_dashes(dash)
+            if len(points) == 1:
+                line.set(marker=mark, markersize=3.0)
+            label = None
     left.set(xlabel="μ", ylabel="θ′ at the top, √(g/R)", xlim=(LEAST, MOST), ylim=(0.0, 1.05 / math.sqrt(GAMMA)))
     figure.legend(*left.get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=8, frameon=False)
     return figure
@@ -209,6 +289,6 @@ def picture() -> Figure:
 
 STUDY = Study(
     name="sequences",
-    texts={"kinds": kind_table, "scan": scan_table, "friction": friction_table},
+    texts={"kinds": kind_table, "scan": scan_table, "curves": curve_table, "friction": friction_table},
     pictures={"plane": picture},
 )

@@ -7,7 +7,7 @@ import pytest
 from studies.contact import Contact
 from studies.grazing import Margin
 from studies.roots import zero
-from studies.sequences import boundaries, first_turn, hoop_of
+from studies.sequences import STEPS, boundaries, curves, first_turn, hoop_of
 
 
 def test_a_slip_comes_out_of_nothing_where_the_orbit_grazes_the_limit_of_friction():
@@ -62,3 +62,16 @@ def test_a_finer_scan_of_a_line_finds_the_same_boundaries():
     coarse = [one.mu for one in boundaries(0.8, 0.05, 2.0, 15)]
     assert coarse == pytest.approx([one.mu for one in boundaries(0.8, 0.05, 2.0, 90)], rel=1e-9)
     assert len(coarse) > 2
+
+
+def test_curves_go_through_the_boundaries_of_another_scan():
+    lines = curves()
+    assert max(len(points) for _, points in lines) > 6 * STEPS
+    whole = [(kind, points) for kind, points in lines if len(points) > 2 * STEPS]
+    found = 0
+    for kind, points in whole:
+        # Halfway along, which is between two lines as a rule.
+        rate, mu = points[len(points) // 2]
+        near = boundaries(rate, 0.8 * mu, 1.25 * mu, 9)
+        found += any(one.kind == kind and one.mu == pytest.approx(mu, rel=1e-5) for one in near)
+    assert found == len(whole)
