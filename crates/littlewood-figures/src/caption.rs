@@ -160,6 +160,7 @@ const fn symbol(letter: char) -> Option<&'static str> {
         '∞' => "\\infty",
         '≤' => "\\leq",
         '≥' => "\\geq",
+        '≠' => "\\neq",
         '≈' => "\\approx",
         '°' => "^{\\circ}",
         '½' => "\\tfrac12",
