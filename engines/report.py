@@ -116,9 +116,9 @@ def lines(axes: Axes, engines: dict[str, Any], across: Quantity, up: Quantity) -
                 [up(run) for run in runs],
                 color=COLOURS[name],
                 marker=MARKS[name],
-                markersize=4.5,
+                markersize=4.5 if setting == "careful" else 2.5,
                 linestyle=DASHES[setting],
-                linewidth=1.2,
+                linewidth=1.4 if setting == "careful" else 0.6,
             )
 
 
