@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 import re
 import subprocess
+import sys
 from typing import Any
 
 from docutils import nodes
+from littlewood.__main__ import OF_THE_PACKAGE
 from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
@@ -23,6 +25,13 @@ def _help(*command: str) -> list[str]:
         raise ExtensionError("LITTLEWOOD_BIN names no program")
     run = subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=True)
     return run.stdout.splitlines()
+
+
+def _help_of_the_package(command: str) -> list[str]:
+    """The help of a command that the package adds, in another form."""
+    words = [sys.executable, "-P", "-m", "littlewood", command, "--help"]
+    wide = {**os.environ, "COLUMNS": "100"}
+    return subprocess.run(words, capture_output=True, text=True, check=True, env=wide).stdout.splitlines()
 
 
 def _blocks(lines: list[str]) -> list[tuple[str, list[str]]]:
@@ -82,15 +91,19 @@ class ProgramHelp(SphinxDirective):
         commands = [match[1] for line in listed if (match := _COMMAND.match(line)) and match[1] != "help"]
         if not commands:
             raise self.error("the help of the program lists no commands")
-        sections = [self._section(name, _help(name)) for name in commands]
+        sections = [self._section(name) for name in commands]
         return [*self._body("littlewood", lines), *sections]
 
-    def _section(self, name: str, lines: list[str]) -> nodes.section:
+    def _section(self, name: str) -> nodes.section:
         title = f"littlewood {name}"
         section = nodes.section(
             "", nodes.title("", "", nodes.literal(title, title)), ids=[f"littlewood-{name}"], names=[title]
         )
-        section += self._body(name, lines)
+        if name in OF_THE_PACKAGE:
+            section += _paragraph("In the program of the Python package:")
+            section += _code(_help_of_the_package(name))
+        else:
+            section += self._body(name, _help(name))
         return section
 
     def _body(self, command: str, lines: list[str]) -> list[nodes.Node]:
