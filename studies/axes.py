@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
-from littlewood.style import FAINT, INK, LINE, PAPER
+from littlewood.style import ACCENTS, FAINT, INK, LINE, PAPER
 from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+
+DEGREE = math.pi / 180.0
+
+COLOURS = (*ACCENTS.values(), INK)
+"""Colours of the lines of a panel."""
+
+DASHES: tuple[tuple[float | None, float | None], ...] = ((None, None), (6, 2), (3, 1.5), (1, 1.2))
+"""Their dashes, by which they are told apart in grey; the first has none."""
 
 
 def panels(count: int, *, width: float = 4.3, height: float = 3.6) -> tuple[Figure, list[Axes]]:

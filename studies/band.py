@@ -7,14 +7,13 @@ from functools import cache
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import ACCENTS, FAINT, INK
+from littlewood.style import FAINT
 from matplotlib.figure import Figure
 
-from .axes import panels
+from .axes import COLOURS, DASHES, panels
+from .hoops import thin_hoop
 from .page import table
 from .study import Study
-
-COLOURS = [*ACCENTS.values(), INK]
 
 
 def thickness(h: float, kappa: float, theta: float) -> float:
@@ -47,9 +46,9 @@ def area(h: float, kappa: float) -> float:
     return total
 
 
-def rim(h: float) -> tuple[float, float]:
-    """Return m1/m2 and κ of a thin hoop with the particle on the rim."""
-    return 1.0 / h - 1.0, 1.0 - h * h
+def rim(h: float) -> float:
+    """Return κ of a thin hoop with the particle on the rim."""
+    return 1.0 - h * h
 
 
 OFFSETS = (0.1, 0.3, 0.5, 0.75, 0.9)
@@ -60,7 +59,7 @@ def size_table() -> list[str]:
     rows = []
     for h in OFFSETS:
         cells = [f"{h:g}"]
-        for kappa in (0.01, rim(h)[1], 10.0):
+        for kappa in (0.01, rim(h), 10.0):
             cells += [f"{math.degrees(last_angle(h, kappa)):.2f}", f"{area(h, kappa):.4f}"]
         rows.append(cells)
     heads = [f"{what}, κ = {kappa}" for kappa in ("0.01", "1 − h²", "10") for what in ("θb, °", "area")]
@@ -74,7 +73,7 @@ STARTS = 2000
 def starts(h: float) -> tuple[np.ndarray, np.ndarray]:
     """Return starts spread evenly over the band in θ and 1/(hθ′²)."""
     random = np.random.default_rng(3)
-    kappa = rim(h)[1]
+    kappa = rim(h)
     end = last_angle(h, kappa)
     found: list[tuple[float, float]] = []
     while len(found) < STARTS:
@@ -91,8 +90,7 @@ FRICTIONS = (0.1, 0.3, 0.6)
 @cache
 def shares(h: float, mu_k: float) -> dict[str, float]:
     """Return the shares of what becomes of the starts."""
-    mass_ratio = rim(h)[0]
-    hoop = lw.Hoop(mass_ratio=mass_ratio, offset=1.0, inertia=mass_ratio, mu_s=1.25 * mu_k, mu_k=mu_k)
+    hoop = thin_hoop(h, mu_k=mu_k, mu_s=1.25 * mu_k)
     theta, rate = starts(h)
     result = lw.simulate_many(hoop, theta=theta, theta_rate=rate, max_transitions=20_000, threads=1)
     names = lw.sequence_names(result.sequence.values)
@@ -133,8 +131,7 @@ def picture() -> Figure:
     left.text(0, 0.7, "rolls or slides", ha="center", fontsize=8)
     left.legend(frameon=False, fontsize=8, loc="upper center")
     degrees = np.linspace(0.0, 90.0, 200)
-    dashes: list[tuple[float, ...]] = [(6, 0.001), (6, 2), (3, 1.5), (1, 1.2)]
-    for ratio, colour, dash in zip((0.01, 0.3, 1.0, 10.0), COLOURS, dashes, strict=False):
+    for ratio, colour, dash in zip((0.01, 0.3, 1.0, 10.0), COLOURS, DASHES, strict=False):
         values = [thickness(0.5, ratio, math.radians(float(degree))) for degree in degrees]
         middle.plot(degrees, values, color=colour, dashes=dash, label=f"κ = {ratio:g}")
         offsets = np.linspace(0.01, 0.99, 80)

@@ -9,19 +9,15 @@ from typing import Any
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import ACCENTS, FAINT, INK
+from littlewood.style import FAINT, INK
 from matplotlib.figure import Figure
 
-from .axes import panels
+from .axes import COLOURS, DASHES, DEGREE, panels
+from .hoops import random_hoops, thin_hoop
 from .one_angle import rise, turned_at_top, turned_in_air
 from .page import table
-from .random_hoops import random_hoops
 from .roots import zero
 from .study import Study
-
-DEGREE = math.pi / 180.0
-COLOURS = [*ACCENTS.values(), INK]
-DASHES: tuple[tuple[float, ...], ...] = ((), (6, 2), (3, 1.5), (1, 1.2))
 
 FRICTIONS = (0.1, 0.3, 0.6, 1.0)
 ENERGIES = (1.2, 1.5, 2.0, 3.0, 5.0, 10.0)
@@ -168,9 +164,7 @@ def searched(energy: float, mu: float, share: float) -> tuple[Any, Rolled]:
 @cache
 def jump_from_top(h: float, mu: float, rate: float) -> lw.Trajectory:
     """Return the motion of a thin hoop that rolls over the top with a rate."""
-    ratio = 1.0 / h - 1.0
-    hoop = lw.Hoop(mass_ratio=ratio, offset=1.0, inertia=ratio, mu_s=mu, mu_k=mu)
-    return hoop.simulate(theta=0.0, theta_rate=rate, proof="contact", max_transitions=1000)
+    return thin_hoop(h, mu_k=mu).simulate(theta=0.0, theta_rate=rate, proof="contact", max_transitions=1000)
 
 
 @cache
@@ -513,7 +507,7 @@ def push_picture() -> Figure:
     offsets = [*np.arange(1, 20) / 20, 0.97]
     for mu, colour, dash in zip(FRICTIONS, COLOURS, DASHES, strict=False):
         line = [least_push(float(one), mu) * math.sqrt(one) for one in offsets]
-        left.plot(offsets, line, color=colour, dashes=dash or (None, None), label=f"μ = {mu:g}")
+        left.plot(offsets, line, color=colour, dashes=dash, label=f"μ = {mu:g}")
     left.axhline(1.0, color=FAINT, linewidth=1.2)
     left.text(0.03, 1.015, "flies at the top", fontsize=8, color=INK)
     left.set(xlim=(0, 1), ylim=(0, 1.1), xlabel="offset of the mass centre h, R")
@@ -552,12 +546,10 @@ def hops_picture() -> Figure:
     unit = math.sqrt(lw.STANDARD_GRAVITY * RADIUS)
     speeds = np.arange(2.7, 3.6, 0.02)
     for ax, (mu, restitution) in zip(axes, ((0.4, 0.3), (0.4, 0.6)), strict=True):
-        for weight, colour, dash in ((0.051, COLOURS[0], ()), (0.066, COLOURS[1], (4, 2))):
+        for weight, colour, dash in zip((0.051, 0.066), COLOURS, DASHES, strict=False):
             hoop = build(weight, mu, restitution)
             counts = [hops(hoop, speed / unit, 0.005 / RADIUS) for speed in speeds]
-            ax.step(
-                speeds, counts, where="mid", color=colour, dashes=dash or (None, None), label=f"{1000 * weight:.0f} g"
-            )
+            ax.step(speeds, counts, where="mid", color=colour, dashes=dash, label=f"{1000 * weight:.0f} g")
         found = window(mu, restitution, 0.005)
         if found:
             ax.axvspan(found[0] - 0.01, found[-1] + 0.01, color=FAINT, alpha=0.5, label="once and twice")

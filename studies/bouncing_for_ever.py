@@ -11,17 +11,14 @@ from typing import Any
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import ACCENTS, FAINT, INK
+from littlewood.style import FAINT, INK
 from matplotlib.figure import Figure
 
-from .axes import panels
+from .axes import COLOURS, DASHES, DEGREE, panels
+from .hoops import random_hoops, thin_hoop
 from .page import table
-from .random_hoops import random_hoops
 from .roots import zero
 from .study import Study
-
-DEGREE = math.pi / 180.0
-COLOURS = [*ACCENTS.values(), INK]
 
 Matrix = list[list[Any]]
 
@@ -240,12 +237,6 @@ def thin(h: Any) -> Any:
     return 1.0 - h * h
 
 
-def thin_hoop(h: float, mu: float, restitution: float) -> lw.Hoop:
-    """Return a thin hoop with the particle on its rim."""
-    ratio = 1.0 / h - 1.0
-    return lw.Hoop(mass_ratio=ratio, offset=1.0, inertia=ratio, mu_s=mu, mu_k=mu, restitution=restitution)
-
-
 @cache
 def stable(h: float, *, rough: bool = True) -> tuple[tuple[float, float], ...]:
     """Return the intervals of φ whose motions are stable for a thin hoop, to the last digits."""
@@ -337,7 +328,7 @@ class Drift:
 @cache
 def drift(h: float, angle: float, loss: float, turns: int) -> Drift:
     """Return the simulated motion of a thin hoop with e = 1 − loss from the start of a motion that bounces for ever."""
-    hoop = thin_hoop(h, 0.5, 1.0 - loss)
+    hoop = thin_hoop(h, mu_k=0.5, restitution=1.0 - loss)
     begin = orbit(h, thin(h), angle)
     assert begin is not None
     motion = hoop.simulate(theta=-angle, theta_rate=begin.rate, gap_rate=begin.gap_rate, max_transitions=2 * turns + 2)
@@ -390,7 +381,7 @@ class Kicked:
 
 def kicked(h: float, angle: float, kick: float, turns: int = 150) -> Kicked:
     """Return what a kick to θ′ does to a motion of a thin hoop."""
-    hoop = thin_hoop(h, 0.5, 1.0)
+    hoop = thin_hoop(h, mu_k=0.5, restitution=1.0)
     begin = orbit(h, thin(h), angle)
     assert begin is not None
     motion = hoop.simulate(
@@ -496,7 +487,7 @@ def rubbed(h: float, angle: float, mu: float) -> tuple[float, float]:
     assert found is not None
     # The slip changes its sign in the middle of each impact.
     slip = -0.5 * found.lever * (found.second_rate - found.rate)
-    hoop = thin_hoop(h, mu, 1.0)
+    hoop = thin_hoop(h, mu_k=mu, restitution=1.0)
     motion = hoop.simulate(theta=-angle, theta_rate=found.rate, gap_rate=found.gap_rate, slip=slip, max_transitions=2)
     return motion.impact_energy_lost / hoop.mass, float(found.decay * found.rubbing) * mu
 
@@ -546,12 +537,12 @@ def losses_picture() -> Figure:
     """Multipliers and energy along the family, and what losses do."""
     figure, (left, middle, right) = panels(3)
     angles = np.linspace(0.5, 2.7, 1200)
-    for h, colour, dash in zip((0.1, 0.3, 0.5, 0.6), COLOURS, ((), (6, 2), (3, 1.5), (1, 1.2)), strict=False):
+    for h, colour, dash in zip((0.1, 0.3, 0.5, 0.6), COLOURS, DASHES, strict=False):
         orbits = family(h, thin(h), angles)
         half = 0.5 * (1.0 + orbits.determinant - orbits.product)
         root = np.sqrt(half * half - orbits.determinant + 0j)
         largest = np.maximum(abs(half + root), abs(half - root))
-        style: dict[str, Any] = {"color": colour, "dashes": dash or (None, None)}
+        style: dict[str, Any] = {"color": colour, "dashes": dash}
         left.semilogy(angles / DEGREE, largest, label=f"h = {h:g}", **style)
         middle.plot(angles / DEGREE, orbits.energy, **style)
         for low, high in stable(h):

@@ -8,32 +8,21 @@ from functools import cache
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import ACCENTS, INK
+from littlewood.style import INK
 from matplotlib.figure import Figure
 
-from .axes import panels
+from .axes import COLOURS, DASHES, panels
 from .contact import Contact
 from .grazing import Grazing, grazing_orbits
+from .hoops import thin_hoop
 from .page import table
 from .study import Study
 
 ROLLS = next(code for code, name in lw.OUTCOMES.items() if name == "rolls_forever")
 
-COLOURS = [*ACCENTS.values(), INK]
-DASHES: list[tuple[float, ...]] = [(6, 0.001), (6, 2), (3, 1.5), (1, 1.2), (6, 1.5, 1, 1.5)]
 
 EXAMPLES = (("Figure 2", 0.5, 0.5), ("heavy hoop", 0.25, 0.2), ("light hoop", 0.75, 0.7), ("small offset", 0.1, 0.2))
 """Names, h and μ of thin hoops with the particle on the rim."""
-
-
-def rim_hoop(h: float, mu_k: float, gap: float = 0.0) -> lw.Hoop:
-    """Return a thin hoop with a particle on its rim."""
-    return lw.Hoop(mass_ratio=1.0 / h - 1.0, offset=1.0, inertia=1.0 / h - 1.0, mu_s=mu_k + gap, mu_k=mu_k)
-
-
-def figure_2(mu_k: float, gap: float) -> lw.Hoop:
-    """Return the hoop of Figure 2."""
-    return lw.Hoop(mass_ratio=1.0, offset=1.0, inertia=1.0, mu_s=mu_k + gap, mu_k=mu_k)
 
 
 def bottom_rate(hoop: lw.Hoop, energy: float) -> float:
@@ -136,7 +125,7 @@ def counted(hoop: lw.Hoop, energy: float) -> int:
 @cache
 def near(h: float, mu: float, gap: float, distance: float) -> tuple[int, float, float]:
     """Return the number of slips from a distance above E*, that of the formula, and Λ over the gap."""
-    hoop = rim_hoop(h, mu, gap) if h != 0.5 else figure_2(mu, gap)
+    hoop = thin_hoop(h, mu_k=mu, mu_s=mu + gap)
     orbit = grazing_orbits(Contact.of(hoop), hoop.mu_s, mu)[0]
     return (
         counted(hoop, orbit.energy + distance),
@@ -147,7 +136,7 @@ def near(h: float, mu: float, gap: float, distance: float) -> tuple[int, float, 
 
 def example(h: float, mu: float) -> tuple[lw.Hoop, Grazing]:
     """Return an example with equal coefficients, and its grazing orbit."""
-    hoop = rim_hoop(h, mu) if h != 0.5 else figure_2(mu, 0.0)
+    hoop = thin_hoop(h, mu_k=mu)
     return hoop, grazing_orbits(Contact.of(hoop), mu)[0]
 
 
@@ -241,7 +230,7 @@ def search() -> dict[float, tuple[np.ndarray, lw.Trajectory]]:
         numbers = result.transitions.values
         most = int(np.argmax(np.where(result.outcome.values == ROLLS, numbers, 0)))
         mu, h = float(starts["mu"][most]), float(starts["h"][most])
-        motion = rim_hoop(h, mu, ratio * mu).simulate(
+        motion = thin_hoop(h, mu_k=mu, mu_s=mu + ratio * mu).simulate(
             theta=float(starts["theta"][most]), theta_rate=float(starts["rate"][most]), max_transitions=200_000
         )
         found[ratio] = (numbers, motion)
@@ -297,9 +286,7 @@ def picture() -> Figure:
         fine = np.geomspace(1e-1, 1e-3, 60)
         law = []
         for gap in fine:
-            other = grazing_orbits(Contact.of(rim_hoop(h, mu) if h != 0.5 else figure_2(mu, 0.0)), mu * (1 + gap), mu)[
-                0
-            ]
+            other = grazing_orbits(Contact.of(thin_hoop(h, mu_k=mu)), mu * (1 + gap), mu)[0]
             law.append(other.slips_from(mu, float(gap) * mu, 0.02 * orbit.energy))
         middle.loglog(fine, law, color=colour, dashes=dash, linewidth=1.2)
         middle.loglog(gaps, counts, "o", color=colour, markersize=3.5)
@@ -315,7 +302,7 @@ def picture() -> Figure:
         most = min(1.0, 0.95 * math.sqrt(1.0 - h * h) / h)
         shown, values_of = [], []
         for mu in np.geomspace(0.01, most, 60):
-            contact = Contact.of(rim_hoop(h, float(mu)))
+            contact = Contact.of(thin_hoop(h, mu_k=float(mu)))
             orbits = grazing_orbits(contact, float(mu))
             if orbits:
                 shown.append(mu)

@@ -4,24 +4,21 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import littlewood as lw
 import numpy as np
 import numpy.typing as npt
-from littlewood.style import ACCENTS, FAINT, HATCH, INK
+from littlewood.style import FAINT, HATCH, INK
 from matplotlib.figure import Figure
 
-from .axes import panels
+from .axes import COLOURS, DASHES, DEGREE, panels
+from .hoops import random_hoops, thin_hoop
 from .page import table
-from .random_hoops import random_hoops
 from .roots import zero
 from .study import Study
 
-DEGREE = math.pi / 180.0
-COLOURS = [*ACCENTS.values(), INK]
-DASHES: tuple[tuple[float, ...], ...] = ((), (6, 2), (3, 1.5), (1, 1.2))
 Array = npt.NDArray[np.float64]
 
 COMSOL = 0.75
@@ -171,12 +168,6 @@ class Slides:
         return np.array([Body(float(h), float(k2)).exponent(float(c)) for h, k2, c in bodies])
 
 
-def thin(gamma: float, mu: float, restitution: float | None = None) -> lw.Hoop:
-    """Return the thin hoop with a particle on its rim that has the part `gamma` of the total mass, and μs = μk."""
-    ratio = (1.0 - gamma) / gamma
-    return lw.Hoop(mass_ratio=ratio, offset=1.0, inertia=ratio, mu_s=mu, mu_k=mu, restitution=restitution)
-
-
 def rim_one(gamma: float) -> float:
     """Return the cosine at which λ = 1 of a rim hoop, in closed form."""
     k2 = 1.0 - gamma**2
@@ -238,7 +229,7 @@ def exponents() -> list[str]:
     for exponent in (0.1, 0.25, 0.5, 0.75, 0.9):
         mu = body.friction_of(exponent)
         theta = body.angle(mu)
-        seen = approach(thin(0.9, mu))
+        seen = approach(thin_hoop(0.9, mu_k=mu))
         # The slide that is smooth at P = 0 has w = ξ tan θ/(1 − λ); what is left of w is a power.
         rest = seen["w"] - math.tan(theta) / (1.0 - exponent) * seen["theta"]
         window = (seen["theta"] > 1e-6) & (seen["theta"] < 1e-4)
@@ -278,9 +269,7 @@ def trials(seed: int, count: int) -> list[Trial]:
         mu = low + (body.upper - low) * random.uniform(0.02, 0.98)
         if body.k2 < 1e-4 or mu > 100.0:
             continue
-        hoop = lw.Hoop(
-            mass_ratio=base.mass_ratio, offset=base.offset, inertia=base.inertia, mu_s=mu, mu_k=mu, restitution=0.0
-        )
+        hoop = replace(base, mu_s=mu, mu_k=mu, restitution=0.0)
         drawn.append((hoop, body, body.angle(mu)))
     slides = Slides(
         np.array([body.h for _, body, _ in drawn]),
@@ -429,7 +418,7 @@ def comsol_motions() -> str:
     rates = np.linspace(0.002, 1.15, 600)
     slides = impacts = landings = 0
     for restitution in (0.0, 0.5):
-        hoop = thin(COMSOL, 1.0, restitution)
+        hoop = thin_hoop(COMSOL, mu_k=1.0, restitution=restitution)
         for rate in rates:
             motion = hoop.simulate(theta=0.0, theta_rate=-float(rate), until=60.0, max_transitions=200)
             slides += sum(one.cause == "jam" for one in motion.transitions)
@@ -488,14 +477,14 @@ def approach_picture() -> Figure:
     body = Body.rim(0.9)
     names = ("normal force N, m2 g", "θ′ − θ′ at P = 0, √(g/R)", "slip − slip at P = 0, √(gR)")
     for exponent, colour, dash in zip((0.2, 0.5, 0.8), COLOURS, DASHES, strict=False):
-        seen = approach(thin(0.9, body.friction_of(exponent)))
+        seen = approach(thin_hoop(0.9, mu_k=body.friction_of(exponent)))
         xi = seen["theta"]
         kept = xi > 1e-8
         for axis, name, power in zip(
             axes, ("normal", "rate", "slip"), (exponent - 1.0, exponent, exponent), strict=True
         ):
             values = np.abs(seen[name])
-            axis.loglog(xi[kept], values[kept], color=colour, dashes=dash or (None, None), label=f"λ = {exponent:g}")
+            axis.loglog(xi[kept], values[kept], color=colour, dashes=dash, label=f"λ = {exponent:g}")
             place = np.flatnonzero(kept)[-1]
             law = values[place] * (xi / xi[place]) ** power
             axis.loglog(xi[kept], law[kept], color=FAINT, linewidth=0.8, dashes=(1, 2), zorder=1)

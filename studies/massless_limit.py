@@ -8,15 +8,13 @@ from functools import cache
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import ACCENTS, FAINT, INK
+from littlewood.style import FAINT, INK
 from matplotlib.figure import Figure
 
-from .axes import panels
+from .axes import COLOURS, DASHES, DEGREE, panels
 from .page import table
 from .study import Study
 
-DEGREE = math.pi / 180.0
-COLOURS = [*ACCENTS.values(), INK]
 FAMILIES = {"thin hoop": 1.0, "no mass, only inertia": 0.0}
 """Light hoops by their m1/m2 over I_zz."""
 
@@ -208,28 +206,27 @@ def orders_picture() -> Figure:
             )
         )
     labels = ("θ in the glide", "θ, μs = μk", "time of the bottom", "θ′ √Î at the bottom")
-    styles: tuple[tuple[float, ...], ...] = ((), (6, 2), (3, 1.5), (1, 1.2))
-    for values, label, colour, dash in zip(zip(*rows, strict=True), labels, COLOURS, styles, strict=False):
-        left.loglog(sizes, values, color=colour, dashes=dash or (None, None), label=label)
+    for values, label, colour, dash in zip(zip(*rows, strict=True), labels, COLOURS, DASHES, strict=False):
+        left.loglog(sizes, values, color=colour, dashes=dash, label=label)
     left.set(xlabel="I_zz of the hoop, m2 R²", ylabel="distance from the massless hoop")
     left.legend(frameon=False, fontsize=8)
     angles = np.linspace(0.5, 150.0, 400) * DEGREE
     middle.fill_between(angles / DEGREE, np.tan(0.5 * angles), 3.0, color=COLOURS[0], alpha=0.15, linewidth=0)
     middle.plot(angles / DEGREE, np.tan(0.5 * angles), color=INK, label="massless: tan(θ/2)")
-    for gamma, colour, dash in zip((0.99, 0.9, 0.75), COLOURS, styles[1:], strict=False):
+    for gamma, colour, dash in zip((0.99, 0.9, 0.75), COLOURS, DASHES[1:], strict=False):
         edge = (1.0 - gamma * np.cos(angles)) / (gamma * np.sin(angles))
         middle.plot(angles / DEGREE, edge, color=colour, dashes=dash, label=f"thin hoop, γ = {gamma:g}")
     middle.set(xlim=(0, 150), ylim=(0, 2.5), xlabel="angle θ, degrees (slip to the right)", ylabel="friction μk")
     middle.text(30, 2.2, "no slide", fontsize=9, color=INK)
     middle.legend(frameon=True, framealpha=0.9, edgecolor="none", fontsize=8, loc="lower right")
-    for size, colour, dash in zip((1e-2, 1e-3, 1e-4), COLOURS, styles, strict=False):
+    for size, colour, dash in zip((1e-2, 1e-3, 1e-4), COLOURS, DASHES, strict=False):
         times = np.linspace(2.75, 3.05, 1500)
         seen = figure_7(light(size, "no mass, only inertia")).at(times)
         right.plot(
             times,
             1.0 + np.cos(seen.theta),
             color=colour,
-            dashes=dash or (None, None),
+            dashes=dash,
             label=f"Î = {size:g}",
             linewidth=1.3,
         )

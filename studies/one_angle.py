@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import ACCENTS, FAINT, INK
+from littlewood.style import FAINT, INK
 from littlewood.tables import IMPACT_LABELS
 from matplotlib.figure import Figure
 
-from .axes import panels
+from .axes import COLOURS, DASHES, DEGREE, panels
+from .hoops import random_hoops
 from .page import table
-from .random_hoops import random_hoops
 from .roots import zero
 from .study import Study
-
-DEGREE = math.pi / 180.0
-COLOURS = [*ACCENTS.values(), INK]
 
 
 def rise(angle: float, turned: float) -> float:
@@ -116,14 +113,7 @@ class Bounce:
 def jumps_of(seed: int, count: int, restitution: float | None = None) -> Iterator[tuple[lw.Hoop, lw.Trajectory, int]]:
     """Yield motions of random hoops with a lift-off out of a slide, and the place of its flight."""
     for drawn, random in random_hoops(seed, count):
-        hoop = lw.Hoop(
-            mass_ratio=drawn.mass_ratio,
-            offset=drawn.offset,
-            inertia=drawn.inertia,
-            mu_s=drawn.mu_s,
-            mu_k=drawn.mu_k,
-            restitution=restitution,
-        )
+        hoop = replace(drawn, restitution=restitution)
         # Fast enough that some of the starts leave the plane, and slow enough that they slide first.
         rate = random.uniform(0.5, 1.2) / math.sqrt(hoop.h)
         motion = hoop.simulate(
@@ -242,10 +232,10 @@ def law_picture() -> Figure:
     middle.set(xlim=(0, 90), ylim=(0, 5), xlabel="lift-off before the top |θ0|, degrees", ylabel="units √(R/g), R")
     middle.legend(frameon=False, fontsize=8, loc="upper left")
     shown = np.linspace(2.0, 77.0, 160) * DEGREE
-    for kappa, colour, dash in zip((0.3, 1.0, 3.0, 30.0), COLOURS, ((), (6, 2), (3, 1.5), (1, 1.2)), strict=False):
+    for kappa, colour, dash in zip((0.3, 1.0, 3.0, 30.0), COLOURS, DASHES, strict=False):
         values = [Bounce(0.5, kappa).second(float(angle)) for angle in shown]
         line = [math.nan if value is None else value / DEGREE for value in values]
-        right.plot(shown / DEGREE, line, color=colour, dashes=dash or (None, None), label=f"κ = {kappa:g}")
+        right.plot(shown / DEGREE, line, color=colour, dashes=dash, label=f"κ = {kappa:g}")
     right.set(xlim=(0, 90), xlabel="lift-off before the top |θ0|, degrees", ylabel="turned in the second hop, degrees")
     right.set_ylim(bottom=0)
     right.legend(frameon=False, fontsize=8, title="e = 0.5, no friction\nin the impact", title_fontsize=8)

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from littlewood import video
-from littlewood.style import ACCENTS, FAINT, INK
+from littlewood.style import FAINT, INK
 
-from .axes import panels
+from .axes import COLOURS, DASHES, panels
 from .film.coverage import line_of
 from .film.throws import FREE
 from .film.videos import Film, film_of
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     import littlewood as lw
     from matplotlib.figure import Figure
 
-COLOURS = [*ACCENTS.values(), INK]
 LEVELS = (0.5, 0.6827, 0.9, 0.95, 0.99)
 NAMES = {"mu_s": "μs", "mu_k": "μk", "inertia": "inertia", "restitution": "e"}
 SHOWN = 4
@@ -168,12 +167,12 @@ def calibration() -> Figure:
     """How often intervals contain the truth, against how often they say."""
     figure, (left, right) = panels(2, width=4.3, height=3.8)
     levels = np.linspace(0.02, 0.99, 98)
-    styles = zip(NAMES.items(), COLOURS, ((), (6, 2), (3, 1.5), (1, 1.2)), strict=False)
+    styles = zip(NAMES.items(), COLOURS, DASHES, strict=False)
     for (key, label), colour, dash in styles:
         for axis, name in ((left, "coverage"), (right, "videos")):
             values = pulls(rows_of(name), key)
             parts = [100.0 * part_within(values, float(level)) for level in levels]
-            axis.plot(100.0 * levels, parts, color=colour, dashes=dash or (None, None), lw=1.4, label=label)
+            axis.plot(100.0 * levels, parts, color=colour, dashes=dash, lw=1.4, label=label)
     count = len(rows_of("coverage"))
     spread = 200.0 * np.sqrt(levels * (1.0 - levels) / count)
     left.fill_between(

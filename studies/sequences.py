@@ -9,14 +9,12 @@ from functools import cache
 
 import littlewood as lw
 import numpy as np
-from littlewood.style import ACCENTS, INK
+from littlewood.style import INK
 from matplotlib.figure import Figure
 
-from .axes import panels
+from .axes import COLOURS, panels
 from .page import table
 from .study import Study
-
-COLOURS = [*ACCENTS.values(), INK]
 
 GAMMA = 0.5
 """Distance of the mass centre from the centre."""

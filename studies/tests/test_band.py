@@ -1,12 +1,12 @@
 import math
+from dataclasses import replace
 
-import littlewood as lw
 import numpy as np
 import pytest
 
 from studies.band import area, last_angle, shares, thickness, upper
 from studies.contact import Contact
-from studies.random_hoops import random_hoops
+from studies.hoops import random_hoops
 
 
 def inside(seed, count):
@@ -35,7 +35,7 @@ def test_in_the_band_rolling_would_need_a_negative_normal_force_and_the_plane_ho
 def test_every_start_in_the_band_slides_against_the_sine_for_every_friction():
     for drawn, random, theta, rate in inside(2, 500):
         mu = 10.0 ** random.uniform(-3.0, 2.0)
-        hoop = lw.Hoop(mass_ratio=drawn.mass_ratio, offset=drawn.offset, inertia=drawn.inertia, mu_s=1.5 * mu, mu_k=mu)
+        hoop = replace(drawn, mu_s=1.5 * mu, mu_k=mu)
         phase = hoop.simulate(theta=theta, theta_rate=rate, max_transitions=1, proof="none").phases[0]
         assert (phase.mode, phase.direction) == ("sliding", -math.copysign(1.0, math.sin(theta)))
 

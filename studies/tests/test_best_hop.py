@@ -23,8 +23,8 @@ from studies.best_hop import (
     thrown,
     too_hard,
 )
+from studies.hoops import random_hoops
 from studies.one_angle import before_top, jumps_of, rise, turned_at_top, turned_in_air
-from studies.random_hoops import random_hoops
 
 
 def test_the_body_of_two_numbers_has_them():

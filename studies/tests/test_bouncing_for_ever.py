@@ -3,7 +3,6 @@ import math
 from dataclasses import replace
 from fractions import Fraction
 
-import littlewood as lw
 import numpy as np
 import pytest
 from flint import arb, ctx
@@ -24,8 +23,8 @@ from studies.bouncing_for_ever import (
     rubbed,
     stable,
     thin,
-    thin_hoop,
 )
+from studies.hoops import thin_hoop
 
 
 def exact_orbits(rough, count=40):
@@ -177,7 +176,7 @@ def test_an_unstable_motion_is_left_at_the_pace_of_its_multiplier():
     for h, angle in ((0.5, 1.2), (0.3, 1.4), (0.7, 2.0)):
         one = orbit(h, thin(h), angle)
         largest = max(one.multipliers, key=abs)
-        hoop = thin_hoop(h, one.friction + 0.2, 1.0)
+        hoop = thin_hoop(h, mu_k=one.friction + 0.2, restitution=1.0)
         motion = hoop.simulate(theta=-angle, theta_rate=one.rate + 1e-8, gap_rate=one.gap_rate, max_transitions=12)
         undisturbed = hoop.simulate(theta=-angle, theta_rate=one.rate, gap_rate=one.gap_rate, max_transitions=12)
         turns = zip(motion.transitions[1::2], undisturbed.transitions[1::2], strict=False)
@@ -217,7 +216,7 @@ def test_impacts_lose_what_the_formula_says_in_a_turn():
 def test_smooth_motions_are_those_of_a_simulation_without_friction():
     for h, angle in ((0.3, 1.84), (0.5, 2.2), (0.6, 0.5)):
         one = orbit(h, thin(h), angle, rough=False)
-        hoop = lw.Hoop(mass_ratio=1 / h - 1, offset=1, inertia=1 / h - 1, mu_s=0, mu_k=0, restitution=1)
+        hoop = thin_hoop(h, mu_k=0, restitution=1)
         assert np.array(differences(hoop, one, angle)) == pytest.approx(np.array(one.turn()), rel=1e-5, abs=1e-5)
         assert one.determinant == 1
 

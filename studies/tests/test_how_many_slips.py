@@ -1,4 +1,5 @@
 import math
+from dataclasses import replace
 
 import littlewood as lw
 import numpy as np
@@ -6,18 +7,16 @@ import pytest
 
 from studies.contact import Contact
 from studies.grazing import Margin, grazing_orbits
+from studies.hoops import random_hoops
 from studies.how_many_slips import LeastLoss, bottom_rate, counted
-from studies.random_hoops import random_hoops
 
 
 def slips_of(seed, count):
     """Yield random hoops with μk < μs, the bound for their motions, and their slides out of rolling."""
     for drawn, random in random_hoops(seed, count):
         gap = drawn.mu_k * 10.0 ** random.uniform(-3.0, 0.0)
-        hoop = lw.Hoop(
-            mass_ratio=drawn.mass_ratio,
-            offset=drawn.offset,
-            inertia=drawn.inertia,
+        hoop = replace(
+            drawn,
             mu_s=drawn.mu_k + gap,
             mu_k=drawn.mu_k,
         )
@@ -92,13 +91,7 @@ def test_the_margin_and_its_derivatives_are_those_of_the_forces():
 def orbits(seed, count):
     """Yield random hoops with equal coefficients that lead to an orbit which grazes the limit, with the orbit."""
     for drawn, random in random_hoops(seed, count):
-        hoop = lw.Hoop(
-            mass_ratio=drawn.mass_ratio,
-            offset=drawn.offset,
-            inertia=drawn.inertia,
-            mu_s=drawn.mu_k,
-            mu_k=drawn.mu_k,
-        )
+        hoop = replace(drawn, mu_s=drawn.mu_k)
         contact = Contact.of(hoop)
         if not 0.05 < hoop.h < 0.9 or hoop.mu_k < 0.02:
             continue

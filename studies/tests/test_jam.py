@@ -1,12 +1,12 @@
 import math
+from dataclasses import replace
 from fractions import Fraction
 
-import littlewood as lw
 import numpy as np
 import pytest
 
-from studies.jam import Body, after_jam, rim_one, sample, thin, zone
-from studies.random_hoops import random_hoops
+from studies.hoops import random_hoops, thin_hoop
+from studies.jam import Body, after_jam, rim_one, sample, zone
 
 
 def bodies(count):
@@ -93,7 +93,7 @@ def test_no_slide_jams_outside_the_bounds():
         inside = body.lower + (body.upper - body.lower) * random.uniform(0.3, 0.8)
         outside = random.choice([body.painleve + 0.9 * (body.lower - body.painleve), 1.5 * body.upper])
         for mu in (inside, outside):
-            hoop = lw.Hoop(mass_ratio=base.mass_ratio, offset=base.offset, inertia=base.inertia, mu_s=mu, mu_k=mu)
+            hoop = replace(base, mu_s=mu, mu_k=mu)
             start = body.angle(min(mu, 0.999 * body.upper)) + 10.0 ** random.uniform(-2.5, 0.0)
             motion = hoop.simulate(theta=start, theta_rate=-0.3 / math.sqrt(body.h), slip=10.0, max_transitions=0)
             ended = motion.outcome.kind == "singular"
@@ -122,7 +122,7 @@ def test_a_jam_conserves_the_angular_momentum_about_the_contact_and_throws_the_h
 
 
 def test_comsols_hoop_jams_in_its_zone_only():
-    body, hoop = Body.rim(0.75), thin(0.75, 1.0)
+    body, hoop = Body.rim(0.75), thin_hoop(0.75, mu_k=1.0)
     # sin(θ + 45°) = 2√2/3
     theta = math.pi - math.asin(2.0 * math.sqrt(2.0) / 3.0) - 0.25 * math.pi
     assert body.angle(1.0) == pytest.approx(theta, rel=1e-12)

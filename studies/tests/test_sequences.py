@@ -36,9 +36,10 @@ def test_a_slip_comes_out_of_nothing_where_the_orbit_grazes_the_limit_of_frictio
     assert found >= 7
 
 
-def test_without_friction_reversals_are_the_roots_of_a_cubic_equation():
+def turns_with_next_to_no_friction(count):
+    """Yield the reversals of the frictionless turn, from its cubic equation, with the turns at two small frictions."""
     random = np.random.default_rng(4)
-    for _ in range(60):
+    for _ in range(count):
         gamma = random.uniform(0.1, 0.7)
         rate = random.uniform(0.1, 0.95) / math.sqrt(gamma)
         contact = Contact.of(hoop_of(0.0, gamma))
@@ -50,12 +51,34 @@ def test_without_friction_reversals_are_the_roots_of_a_cubic_equation():
         roots = cubic.roots()
         inside = [one.real for one in roots if abs(one.imag) < 1e-9 and -0.995 < one.real < 0.995]
         near = [one for one in roots if 0.99 < abs(one) < 1.01 and abs(one.imag) < 0.05]
-        if len(near) > 1 or len(inside) not in (0, 1, 2):
-            continue
-        turn = first_turn(1e-7, rate, gamma)
-        if turn.stop == "revolution":
-            assert len(turn.word.replace("R", "")) == pytest.approx(1 + 2 * len(inside), abs=1)
-            assert len(turn.word.replace("R", "")) <= 6
+        if len(near) == 1:
+            yield 2 * len(inside), first_turn(1e-9, rate, gamma), first_turn(1e-11, rate, gamma)
+
+
+def slides(turn):
+    """Return the durations of the slides of a turn."""
+    return [duration for mode, duration in zip(turn.word, turn.durations, strict=True) if mode != "R"]
+
+
+def test_without_friction_reversals_are_the_roots_of_a_cubic_equation():
+    counts = set()
+    for reversals, turn, _ in turns_with_next_to_no_friction(120):
+        assert turn.stop == "revolution"
+        long = [duration > 0.01 for duration in slides(turn)]
+        assert sum(long) == 1 + reversals
+        assert all(long[:-1])
+        counts.add(sum(long))
+    assert counts == {1, 3, 5}
+
+
+def test_a_last_slide_just_before_the_top_is_as_long_as_the_root_of_friction():
+    found = 0
+    for reversals, turn, other in turns_with_next_to_no_friction(120):
+        assert other.word == turn.word
+        if len(slides(turn)) == 2 + reversals:
+            assert slides(turn)[-1] == pytest.approx(10.0 * slides(other)[-1], rel=0.01)
+            found += 1
+    assert found > 80
 
 
 def test_a_finer_scan_of_a_line_finds_the_same_boundaries():

@@ -1,4 +1,4 @@
-"""Random hoops for the tests of claims that are made for every hoop."""
+"""Hoops of the studies: thin ones with the particle on the rim, and random ones for claims about every hoop."""
 
 from __future__ import annotations
 
@@ -6,6 +6,19 @@ from collections.abc import Iterator
 
 import littlewood as lw
 import numpy as np
+
+
+def thin_hoop(h: float, *, mu_k: float, mu_s: float | None = None, restitution: float | None = None) -> lw.Hoop:
+    """Return the thin hoop with a particle on its rim whose mass centre is at the distance h; μs = μk if not given."""
+    ratio = 1.0 / h - 1.0
+    return lw.Hoop(
+        mass_ratio=ratio,
+        offset=1.0,
+        inertia=ratio,
+        mu_s=mu_k if mu_s is None else mu_s,
+        mu_k=mu_k,
+        restitution=restitution,
+    )
 
 
 def random_hoops(seed: int, count: int) -> Iterator[tuple[lw.Hoop, np.random.Generator]]:
