@@ -13,7 +13,7 @@ use crate::limits::Limits;
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::proof::Proof;
-use crate::rolling::{GrazingOrbit, Levels, Recurrence};
+use crate::rolling::{Levels, Recurrence};
 use crate::same::{is_same, is_same_direction};
 use crate::state::State;
 
@@ -22,18 +22,18 @@ use crate::state::State;
 pub(crate) struct Proofs<'a> {
     hoop: &'a Hoop,
     proof: Proof,
-    kind: Kind,
+    kind: Kind<'a>,
 }
 
 /// What may be proved of a motion by its events.
 #[derive(Debug)]
-enum Kind {
+enum Kind<'a> {
     /// Nothing.
     None,
     /// That it repeats itself.
     Conservative(Vec<Visit>),
     /// That it slips for ever.
-    Grazing(Box<Slips>),
+    Grazing(Box<Slips<'a>>),
 }
 
 /// An event of a motion that conserves its energy.
@@ -56,20 +56,21 @@ struct Slip {
 
 /// Slips with μs = μk.
 #[derive(Debug)]
-struct Slips {
+struct Slips<'a> {
     law: RollingLaw,
     /// The last slip, if none but complete slips have followed it.
     slip: Option<Slip>,
     /// The slip before it, if it was one towards the grazing orbit.
     confirmed: Option<Slip>,
-    /// Once they are needed.
-    levels: Option<Option<Levels>>,
-    /// The orbit that was found last.
-    orbit: Option<GrazingOrbit>,
+    /// Levels that others have prepared.
+    shared: Option<&'a Levels>,
+    /// Where none are shared, once they are needed.
+    own: Option<Option<Levels>>,
 }
 
 impl<'a> Proofs<'a> {
-    pub(crate) fn new(hoop: &'a Hoop, limits: &Limits) -> Self {
+    /// With the levels of the orbits of the hoop, if they are at hand.
+    pub(crate) fn new(hoop: &'a Hoop, limits: &Limits, shared: Option<&'a Levels>) -> Self {
         let proof = limits.proof();
         let kind = match hoop.body() {
             Body::Heavy(_) | Body::Massless(_) if proof == Proof::None => Kind::None,
@@ -80,8 +81,8 @@ impl<'a> Proofs<'a> {
                     law: RollingLaw::new(hoop),
                     slip: None,
                     confirmed: None,
-                    levels: None,
-                    orbit: None,
+                    shared,
+                    own: None,
                 }))
             }
             Body::Heavy(_) => Kind::None,
@@ -114,9 +115,23 @@ impl<'a> Proofs<'a> {
         endless.or_else(|| self.at_start(after, event.to))
     }
 
-    /// Whether what events prove is no more than what their states do.
-    pub(crate) const fn may_pass_events(&self) -> bool {
-        matches!(self.kind, Kind::None)
+    /// Whether links of slips may be passed without their events, if none of these is a slip that leads to a grazing orbit.
+    pub(crate) const fn may_pass_links(&self) -> bool {
+        match self.kind {
+            Kind::None | Kind::Grazing(_) => true,
+            Kind::Conservative(_) => false,
+        }
+    }
+
+    /// Takes note of a slip out of rolling at the end of links that were passed.
+    pub(crate) fn passed_to(&mut self, slip: &State) {
+        match &mut self.kind {
+            Kind::None | Kind::Conservative(_) => {}
+            Kind::Grazing(slips) => {
+                slips.confirmed = None;
+                slips.begins(slip);
+            }
+        }
     }
 
     /// Whether each state may end the motion.
@@ -195,26 +210,33 @@ fn repeats(
     Some(Outcome::SlidesForever { since, recurrence })
 }
 
-impl Slips {
+impl Slips<'_> {
+    /// The levels of the orbits; none of a hoop that has none.
+    fn levels(&mut self, hoop: &Hoop) -> Option<&Levels> {
+        let own = &mut self.own;
+        self.shared.or_else(|| own.get_or_insert_with(|| Levels::new(hoop)).as_ref())
+    }
+
+    /// A slip out of rolling begins.
+    fn begins(&mut self, state: &State) {
+        let energy = self.law.energy(state.theta, state.theta_rate);
+        let ahead = libm::sin(state.theta) * state.theta_rate > 0.0;
+        self.slip = Some(Slip { energy, ahead });
+    }
+
     /// Adds an event; whether the motion slips for ever.
     fn add(&mut self, hoop: &Hoop, event: &Event) -> Option<Outcome> {
         let Event { state, cause, to, .. } = *event;
         match (cause, to) {
             (Cause::Slip, Some(Mode::Sliding)) => {
-                let energy = self.law.energy(state.theta, state.theta_rate);
-                let ahead = libm::sin(state.theta) * state.theta_rate > 0.0;
-                self.slip = Some(Slip { energy, ahead });
+                self.begins(&state);
                 None
             }
             (Cause::Stick, Some(Mode::Rolling)) => {
                 let slip = self.slip.take()?;
                 let before = self.confirmed.take();
                 let energy = self.law.energy(state.theta, state.theta_rate);
-                if !self.orbit.is_some_and(|orbit| energy > orbit.energy && slip.energy < orbit.ceiling) {
-                    let levels = self.levels.get_or_insert_with(|| Levels::new(hoop)).as_ref()?;
-                    self.orbit = levels.orbit_below(hoop, energy);
-                }
-                let orbit = self.orbit.filter(|orbit| orbit.attracts(slip.energy, energy))?;
+                let orbit = self.levels(hoop)?.attracting(hoop, slip.energy, energy)?;
                 self.confirmed = Some(slip);
                 // An orbit that grazes the limit away from its turning points does so before and behind the vertical, and slips
                 // there differ but for the limit.

@@ -17,7 +17,7 @@ use crate::links::{LinkPhases, Linked, Room};
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::proofs::Proofs;
-use crate::rolling::RollingLimit;
+use crate::rolling::{Levels, RollingLimit};
 use crate::settling::Settling;
 use crate::slip::LastSlip;
 use crate::state::{Start, State};
@@ -50,7 +50,12 @@ pub(crate) trait Solver {
     /// Bounces without number.
     fn settle(&self, place: &Self::Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self>;
     fn glide(&self, place: &Self::Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self>;
-    /// Links of a chain of slips at once, from a slip out of rolling in a direction: none where phases are to be followed.
+    /// The levels at which the orbits of the hoop graze the limit of static friction, if they have been prepared.
+    fn levels(&self) -> Option<&Levels> {
+        None
+    }
+    /// Links of a chain of slips at once, from a slip out of rolling in a direction, none of which leads to a grazing orbit for sure: none
+    /// where phases are to be followed.
     fn pass_links(&self, _: &Self::Place, _: Direction, _: &Room<'_>) -> Option<Linked<Self::Place>> {
         None
     }
@@ -167,7 +172,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         Body::Heavy(body) if gap_rate > 0.0 => rise(solver, &body, &start, gap_rate),
         Body::Heavy(_) | Body::Massless(_) => Begin::Motion(solver.decide(&place, Arrival::Open)),
     };
-    let mut proofs = Proofs::new(solver.hoop(), limits);
+    let mut proofs = Proofs::new(solver.hoop(), limits, solver.levels());
     if let Some(outcome) = proofs.at_start(&start, begin.mode()) {
         return outcome.into();
     }
@@ -175,7 +180,8 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     let mut pending: Option<Event> = None;
     let mut count = 0;
     loop {
-        count += pass_links(solver, &mut now, recorder, &proofs, limits.transitions.saturating_sub(count));
+        count +=
+            pass_links(solver, &mut now, recorder, &mut proofs, limits.transitions.saturating_sub(count));
         let mut range = None;
         let seen = proofs.wants_range().then_some(&mut range);
         let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), seen) {
@@ -209,12 +215,12 @@ fn pass_links<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     now: &mut Now<T::Place>,
     recorder: &mut R,
-    proofs: &Proofs<'_>,
+    proofs: &mut Proofs<'_>,
     most: usize,
 ) -> usize {
     let mut passed = 0;
     while let (Some(direction), Wants::Modes | Wants::Number, true) =
-        (now.slips, recorder.wants(), proofs.may_pass_events())
+        (now.slips, recorder.wants(), proofs.may_pass_links())
     {
         let open = |state: &State| !proofs.ends_motion(state);
         let room = Room {
@@ -226,6 +232,7 @@ fn pass_links<T: Solver, R: Recorder<T::Solution>>(
         let Linked { place, direction, transitions, phases } = linked;
         recorder.links(transitions, &phases);
         passed += transitions as usize;
+        proofs.passed_to(&T::state(&place));
         *now = Now::slipping(solver, place, direction);
     }
     passed

@@ -110,7 +110,7 @@ impl Engine {
                     .zip(RollTable::new(hoop))
                     .map(|(slide, roll)| {
                         let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
-                        let chains = Chains::new(&body, &roll);
+                        let chains = Chains::new(hoop, &body, &roll);
                         Tables { direct: Direct::new(hoop, body), roll, slide, slip, chains }
                     })
             }
@@ -129,7 +129,7 @@ impl Engine {
             // Without friction no hoop rolls.
             Source::Direct(direct) => match RollTable::new(&hoop).filter(|_| hoop.mu_k() > 0.0) {
                 Some(roll) => {
-                    let chains = Chains::new(direct.body(), &roll);
+                    let chains = Chains::new(&hoop, direct.body(), &roll);
                     Source::Chained(Box::new((direct, chains)))
                 }
                 None => Source::Direct(direct),

@@ -11,7 +11,7 @@ use crate::limits::Limits;
 use crate::links::{LinkPhases, Linked, Room};
 use crate::mode::Direction;
 use crate::outcome::{Outcome, OutcomeKind};
-use crate::rolling::{Hold, RollingLimit};
+use crate::rolling::{Hold, Levels, RollingLimit};
 use crate::settling::Settling;
 use crate::state::State;
 use crate::trig::sincos;
@@ -241,7 +241,8 @@ impl<P: Phases> Follow for FastSolver<'_, P> {
         let mut phases = LinkPhases::default();
         let tell = |mode, direction| phases.push(mode, direction);
         let (end, direction) = next_slip(&solver, place, direction_of(slip.side, 1.0), tell)?;
-        Some((end, direction, phases))
+        let is_last = self.chains.is_some_and(|chains| chains.is_last(self.hoop, &state, &end, &phases));
+        (!is_last).then_some((end, direction, phases))
     }
 }
 
@@ -384,6 +385,10 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
 
     fn glide(&self, place: &Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
         Self::take(self.exact.glide(&place.state, body, entry))
+    }
+
+    fn levels(&self) -> Option<&Levels> {
+        self.chains.and_then(Chains::levels)
     }
 
     fn pass_links(&self, place: &Place, direction: Direction, room: &Room<'_>) -> Option<Linked<Place>> {

@@ -23,12 +23,15 @@
 
 use core::f64::consts::PI;
 
+use std::sync::OnceLock;
+
 use crate::detail::Detail;
 use crate::dimension::Dimension;
 use crate::equations::{RollingLaw, SlidingLaw};
 use crate::form::{Form, Trigonometric};
 use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
+use crate::state::State;
 
 use super::margin_forms;
 use super::orbit::RollingOrbit;
@@ -79,7 +82,7 @@ impl GrazingOrbit {
     /// Whether slips with μk = μs from this energy to that one lead towards this orbit for ever: the energy is above E*, the
     /// limit is exceeded at θ* only, and the slip has lost what the law of the loss says, a small part of its distance from
     /// E*, so that all later ones do.
-    pub(crate) fn attracts(&self, before: f64, after: f64) -> bool {
+    fn attracts(&self, before: f64, after: f64) -> bool {
         /// Largest part of E − E* that the slip may have lost.
         const SMALL_LOSS: f64 = 0.125;
         let distance = before - self.energy;
@@ -108,11 +111,19 @@ pub(crate) struct Levels {
 }
 
 /// A level at which a margin may begin to vanish.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Level {
     constant: f64,
     angle: f64,
     at_turning_point: bool,
+    /// The grazing orbit there, if there is one, once it is asked for.
+    orbit: OnceLock<Option<GrazingOrbit>>,
+}
+
+impl Level {
+    const fn new(constant: f64, angle: f64, at_turning_point: bool) -> Self {
+        Self { constant, angle, at_turning_point, orbit: OnceLock::new() }
+    }
 }
 
 impl Levels {
@@ -130,15 +141,12 @@ impl Levels {
         let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes();
         let inside = extrema.into_iter().filter_map(|angle| {
             let constant = -a.value(angle) / b.value(angle);
-            (constant > law.denominator(angle)).then_some(Level { constant, angle, at_turning_point: false })
+            (constant > law.denominator(angle)).then(|| Level::new(constant, angle, false))
         });
         // A body at rest is on the limit where A + D B = 0.
         let denominator = Trigonometric::linear(law.mean_denominator(), 0.0, 2.0 * law.offset);
-        let at_rest = a.plus(&denominator.times(&b)).sign_changes().into_iter().map(|angle| Level {
-            constant: law.denominator(angle),
-            angle,
-            at_turning_point: true,
-        });
+        let at_rest = a.plus(&denominator.times(&b)).sign_changes().into_iter();
+        let at_rest = at_rest.map(|angle| Level::new(law.denominator(angle), angle, true));
         let mut levels: Vec<Level> = inside.chain(at_rest).collect();
         levels.sort_by(|a, b| a.constant.total_cmp(&b.constant));
         levels.dedup_by(|a, b| {
@@ -156,17 +164,30 @@ impl Levels {
         0.5 * (constant - self.law.mean_denominator())
     }
 
+    /// The energy of a state of rolling.
+    pub(crate) fn energy(&self, state: &State) -> f64 {
+        self.law.energy(state.theta, state.theta_rate)
+    }
+
+    /// The grazing orbit to which a slip with μk = μs from one energy to another is known to lead.
+    pub(crate) fn attracting(&self, hoop: &Hoop, before: f64, after: f64) -> Option<GrazingOrbit> {
+        self.orbit_below(hoop, after).filter(|orbit| orbit.attracts(before, after))
+    }
+
     /// The grazing orbit of the highest energy below this one.
-    pub(crate) fn orbit_below(&self, hoop: &Hoop, energy: f64) -> Option<GrazingOrbit> {
+    fn orbit_below(&self, hoop: &Hoop, energy: f64) -> Option<GrazingOrbit> {
         let above = self.levels.partition_point(|level| level.constant < self.constant_of(energy));
         let rotates = energy > self.law.separatrix_energy();
         let swing = |level: &Level| rotates == (level.constant > self.law.top);
-        (0..above).rev().take_while(|at| swing(&self.levels[*at])).find_map(|at| self.orbit_at(hoop, at))
+        (0..above)
+            .rev()
+            .take_while(|at| swing(&self.levels[*at]))
+            .find_map(|at| *self.levels[at].orbit.get_or_init(|| self.orbit_at(hoop, at)))
     }
 
     /// The grazing orbit at a level, if it is one above which the limit is exceeded, and not below.
     fn orbit_at(&self, hoop: &Hoop, at: usize) -> Option<GrazingOrbit> {
-        let Level { constant, angle, at_turning_point } = self.levels[at];
+        let Level { constant, angle, at_turning_point, .. } = self.levels[at];
         let lowest = if constant > self.law.top { self.law.top } else { self.law.bottom };
         let floor = at.checked_sub(1).map_or(lowest, |lower| self.levels[lower].constant.max(lowest));
         let ceiling = self.levels.get(at + 1).map_or(f64::INFINITY, |next| self.energy_of(next.constant));

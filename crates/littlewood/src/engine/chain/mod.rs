@@ -12,9 +12,10 @@ mod curve;
 mod passage;
 mod tree;
 
-use crate::hoop::Heavy;
+use crate::hoop::{Heavy, Hoop};
 use crate::links::LinkPhases;
 use crate::mode::Direction;
+use crate::rolling::Levels;
 use crate::state::State;
 
 use super::interpolant::Basis;
@@ -33,7 +34,8 @@ const AFTER_FAILURE: usize = 2;
 /// Follows a motion from a slip to the next.
 pub(super) trait Follow {
     /// The state at the end of the link that begins at a slip with this rate, travelling to positive angles from x = 0 at τ = 0, with the
-    /// direction of the slip there, and the phases; none where the motion comes to another end.
+    /// direction of the slip there, and the phases; none where the motion comes to
+    /// another end, or it may be known there that it slips for ever.
     fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, LinkPhases)>;
 }
 
@@ -46,11 +48,13 @@ pub(super) struct Chains {
     levels: Vec<Vec<Tree>>,
     /// By how much more than the smallest part rounding is seen in a link.
     noise: f64,
+    /// With μs = μk, towards which orbits slips lead.
+    grazing: Option<Levels>,
 }
 
 impl Chains {
     /// Of a body with these orbits of rolling. Nothing is computed yet.
-    pub(super) fn new(body: &Heavy, roll: &RollTable) -> Self {
+    pub(super) fn new(hoop: &Hoop, body: &Heavy, roll: &RollTable) -> Self {
         let curves = Curves::new(roll);
         let level = curves.bounds().map(|(left, right)| Tree::new(left, right)).collect();
         Self {
@@ -58,6 +62,7 @@ impl Chains {
             basis: Basis::new(),
             levels: vec![level; LEVELS],
             noise: (body.mass / body.inertia).sqrt().max(1.0),
+            grazing: if hoop.mu_s() == hoop.mu_k() { Levels::new(hoop) } else { None },
         }
     }
 
@@ -69,6 +74,18 @@ impl Chains {
     /// The slip at a point, and |θ′|.
     pub(super) fn slip(&self, point: Point) -> Option<(SlipPoint, f64)> {
         self.curves.slip(point)
+    }
+
+    /// With μs = μk, the levels of the orbits towards which slips lead.
+    pub(super) const fn levels(&self) -> Option<&Levels> {
+        self.grazing.as_ref()
+    }
+
+    /// Whether a link, which has one slide, leads to a grazing orbit for sure: such a slip may end a motion, and is no link.
+    pub(super) fn is_last(&self, hoop: &Hoop, slip: &State, end: &State, phases: &LinkPhases) -> bool {
+        let Some(levels) = &self.grazing else { return false };
+        let [before, after] = [slip, end].map(|state| levels.energy(state));
+        phases.iter().count() == 2 && levels.attracting(hoop, before, after).is_some()
     }
 
     /// One link from a slip, with its phases.

@@ -225,8 +225,9 @@ impl Expansion {
     }
 
     /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where its sign is not known,
-    /// about a change of sign. None where P is not known to be positive.
-    pub(super) fn signs(&self, u: &Series, width: f64) -> Option<(Signs, f64)> {
+    /// about a change of sign. Where η″ = 0 at t = 0 (`from_zero`), the signs behind that, which are those of η″/t. None where P is
+    /// not known to be positive.
+    pub(super) fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<(Signs, f64)> {
         let least = least(&scaled(self.p, width));
         if least <= 0.0 {
             return None;
@@ -247,6 +248,11 @@ impl Expansion {
             for k in j..LOW + 1 {
                 low[k] += b[j] * u[k - j];
             }
+        }
+        if from_zero {
+            // What is left of the first coefficient is the rounding of the start.
+            low.rotate_left(1);
+            low[LOW] = 0.0;
         }
         for (c, inverse) in low.iter_mut().zip(INVERSE_BINOMIALS) {
             *c *= inverse;

@@ -78,10 +78,8 @@ impl Phases for Direct {
         slip_acceleration: Option<f64>,
         allowed: f64,
     ) -> Option<(SlideEvent, Ahead)> {
-        if slip_acceleration == Some(0.0) {
-            // On the static limit with equal coefficients.
-            return None;
-        }
+        // On the static limit with equal coefficients.
+        let from_limit = slip_acceleration == Some(0.0);
         let (state, sign) = (place.state, place.travel());
         let (sin, cos) = place.direction;
         let law = self.sliding(direction);
@@ -100,9 +98,9 @@ impl Phases for Direct {
             u,
             elapsed: 0.0,
             slip: sigma * state.slip,
-            slip_acceleration: sigma * (alpha + beta * u),
+            slip_acceleration: if from_limit { 0.0 } else { sigma * (alpha + beta * u) },
             direction: (sign * sin, cos),
         };
-        Some((slide::follow(frame, here, allowed)?, Ahead::Open))
+        Some((slide::follow(frame, here, from_limit, allowed)?, Ahead::Open))
     }
 }

@@ -61,11 +61,17 @@ fn mirrored((sin, cos): (f64, f64)) -> (f64, f64) {
     (-sin, cos)
 }
 
-/// Follows a slide from a place to its event. None where a sign is in doubt, P comes close to zero, or the slide takes more pieces, or
+/// Follows a slide from a place to its event; `from_limit` where η′ = η″ = 0 there. None where a sign is in doubt, P comes close to zero, or the slide takes more pieces, or
 /// more time than is `allowed`.
-pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint, allowed: f64) -> Option<SlideEvent> {
+pub(super) fn follow(
+    mut frame: Frame<'_>,
+    mut here: Waypoint,
+    from_limit: bool,
+    allowed: f64,
+) -> Option<SlideEvent> {
     let mut turns: Option<(f64, f64)> = None;
-    for _ in 0..MOST_PIECES {
+    for piece in 0..MOST_PIECES {
+        let from_limit = from_limit && piece == 0;
         if here.elapsed > allowed {
             return None;
         }
@@ -73,6 +79,9 @@ pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint, allowed: f64) -> 
         let reach = expansion.reach(0);
         let (end, at, rate);
         if let Some((before, place, turn)) = turn_about(&frame, &here, &expansion, reach) {
+            if from_limit {
+                return None;
+            }
             // Towards larger angles, and back.
             let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
             if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
@@ -90,7 +99,7 @@ pub(super) fn follow(mut frame: Frame<'_>, mut here: Waypoint, allowed: f64) -> 
                 here = Waypoint { z: 0.0, direction: mirrored(at.direction), ..at };
             }
         } else {
-            let step = Step::new(&expansion, here.direction, reach)?;
+            let step = Step::new(&expansion, here.direction, reach, from_limit)?;
             let (sin, cos) = here.direction;
             let held = passes_top(sin, step.direction(1.0).0);
             if held {
@@ -175,7 +184,7 @@ fn pass<P: Piece>(
         Signs::Unknown => return None,
         // η′ must rise from zero.
         Signs::Negative | Signs::Rising if from_rest => return None,
-        Signs::Falling if from_rest && here.slip_acceleration <= 0.0 => return None,
+        Signs::Falling if from_rest && here.slip_acceleration < 0.0 => return None,
         Signs::Positive | Signs::Negative | Signs::Falling | Signs::Rising => {}
     }
     if there.slip <= 0.0 {

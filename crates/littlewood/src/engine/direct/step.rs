@@ -33,7 +33,7 @@ pub(super) struct Step {
     /// z at the end.
     pub(super) width: f64,
     u: Series,
-    /// Signs of σ η″ on the step.
+    /// Signs of σ η″ on the step, behind its beginning.
     pub(super) signs: Signs,
     /// Largest |η″| where its sign is not known, about a change of sign.
     pub(super) doubt: f64,
@@ -42,8 +42,14 @@ pub(super) struct Step {
 }
 
 impl Step {
-    /// The step from an angle with this sine and cosine. `reach` is the width on which the series has converged.
-    pub(super) fn new(expansion: &Expansion, direction: (f64, f64), reach: f64) -> Option<Self> {
+    /// The step from an angle with this sine and cosine, where η″ = 0 if it is `from_zero`. `reach` is the width on which the series has
+    /// converged.
+    pub(super) fn new(
+        expansion: &Expansion,
+        direction: (f64, f64),
+        reach: f64,
+        from_zero: bool,
+    ) -> Option<Self> {
         let [u0, slope, ..] = expansion.u;
         let width = if slope > 0.0 {
             expansion.smooth((0, 2), (reach.min(GROWTH * u0 / slope), CLEAR), SMOOTH)?
@@ -51,7 +57,7 @@ impl Step {
             expansion.smooth((0, 1), (reach, CLEAR), SMOOTH)?
         };
         let u = scaled(expansion.u, width);
-        let (signs, doubt) = expansion.signs(&u, width)?;
+        let (signs, doubt) = expansion.signs(&u, width, from_zero)?;
         Some(Self { width, u, signs, doubt, direction })
     }
 

@@ -38,7 +38,7 @@ impl Turn {
         }
         let width = expansion.smooth((1, 2), (expansion.reach(1), CLEAR), SMOOTH)?;
         let u = scaled(expansion.u, width);
-        let (signs, doubt) = expansion.signs(&u, width)?;
+        let (signs, doubt) = expansion.signs(&u, width, false)?;
         let mut v = [0.0; DEGREE + 1];
         v[..DEGREE].copy_from_slice(&u[1..]);
         Some(Self { width, v: v.map(|c| c / width), signs, doubt, direction: (-sin, cos) })
