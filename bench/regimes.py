@@ -74,6 +74,7 @@ REGIMES = [
     Regime("mu_k = 0", friction(0.5, 0.0)),
     Regime("mu = 1e-3, slip 1", friction(1e-3, 1e-3), {"slip": 1.0}),
     Regime("inertia 0.001", {"mass_ratio": 0.0, "inertia": 0.001}),
+    Regime("inertia 0.001, mu_s = mu_k", {"mass_ratio": 0.0, "inertia": 0.001, **friction(0.5, 0.5)}),
     Regime("mu = 1e-6, slip 1", friction(1e-6, 1e-6), {"slip": 1.0}),
     Regime("light, mass_ratio 0.01", {"mass_ratio": 0.01, "inertia": 0.01}),
     Regime("balanced, offset 0", {"offset": 0.0}, {"slip": 1.0}),

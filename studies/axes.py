@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, TypeVar
 
 from littlewood.style import ACCENTS, FAINT, INK, LINE, PAPER
 from matplotlib.figure import Figure
@@ -12,6 +13,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+T = TypeVar("T")
+
 DEGREE = math.pi / 180.0
 
 COLOURS = (*ACCENTS.values(), INK)
@@ -19,6 +22,14 @@ COLOURS = (*ACCENTS.values(), INK)
 
 DASHES: tuple[tuple[float | None, float | None], ...] = ((None, None), (6, 2), (3, 1.5), (1, 1.2))
 """Their dashes, by which they are told apart in grey; the first has none."""
+
+
+def styled(values: Sequence[T]) -> Iterator[tuple[T, str, tuple[float | None, float | None]]]:
+    """Return each value with the colour and the dashes of its line."""
+    if len(values) > min(len(COLOURS), len(DASHES)):
+        msg = f"{len(values)} lines in a panel: there are colours for {len(COLOURS)} and dashes for {len(DASHES)}"
+        raise ValueError(msg)
+    return zip(values, COLOURS, DASHES, strict=False)
 
 
 def panels(count: int, *, width: float = 4.3, height: float = 3.6) -> tuple[Figure, list[Axes]]:

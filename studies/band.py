@@ -10,7 +10,7 @@ import numpy as np
 from littlewood.style import FAINT
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DASHES, panels
+from .axes import COLOURS, panels, styled
 from .hoops import thin_hoop
 from .page import table
 from .study import Study
@@ -131,7 +131,7 @@ def picture() -> Figure:
     left.text(0, 0.7, "rolls or slides", ha="center", fontsize=8)
     left.legend(frameon=False, fontsize=8, loc="upper center")
     degrees = np.linspace(0.0, 90.0, 200)
-    for ratio, colour, dash in zip((0.01, 0.3, 1.0, 10.0), COLOURS, DASHES, strict=False):
+    for ratio, colour, dash in styled((0.01, 0.3, 1.0, 10.0)):
         values = [thickness(0.5, ratio, math.radians(float(degree))) for degree in degrees]
         middle.plot(degrees, values, color=colour, dashes=dash, label=f"κ = {ratio:g}")
         offsets = np.linspace(0.01, 0.99, 80)

@@ -12,7 +12,7 @@ import numpy as np
 from littlewood.style import FAINT, INK
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DASHES, DEGREE, panels
+from .axes import COLOURS, DEGREE, panels, styled
 from .hoops import random_hoops, thin_hoop
 from .one_angle import rise, turned_at_top, turned_in_air
 from .page import table
@@ -505,7 +505,7 @@ def push_picture() -> Figure:
     shown = np.linspace(0.03, 0.985, 150)
     left.plot(shown, np.sqrt(0.5 * (1.0 - shown)), color=INK, label="bound, proved")
     offsets = [*np.arange(1, 20) / 20, 0.97]
-    for mu, colour, dash in zip(FRICTIONS, COLOURS, DASHES, strict=False):
+    for mu, colour, dash in styled(FRICTIONS):
         line = [least_push(float(one), mu) * math.sqrt(one) for one in offsets]
         left.plot(offsets, line, color=colour, dashes=dash, label=f"μ = {mu:g}")
     left.axhline(1.0, color=FAINT, linewidth=1.2)
@@ -546,7 +546,7 @@ def hops_picture() -> Figure:
     unit = math.sqrt(lw.STANDARD_GRAVITY * RADIUS)
     speeds = np.arange(2.7, 3.6, 0.02)
     for ax, (mu, restitution) in zip(axes, ((0.4, 0.3), (0.4, 0.6)), strict=True):
-        for weight, colour, dash in zip((0.051, 0.066), COLOURS, DASHES, strict=False):
+        for weight, colour, dash in styled((0.051, 0.066)):
             hoop = build(weight, mu, restitution)
             counts = [hops(hoop, speed / unit, 0.005 / RADIUS) for speed in speeds]
             ax.step(speeds, counts, where="mid", color=colour, dashes=dash, label=f"{1000 * weight:.0f} g")

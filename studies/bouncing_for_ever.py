@@ -14,7 +14,7 @@ import numpy as np
 from littlewood.style import FAINT, INK
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DASHES, DEGREE, panels
+from .axes import COLOURS, DEGREE, panels, styled
 from .hoops import random_hoops, thin_hoop
 from .page import table
 from .roots import zero
@@ -537,7 +537,7 @@ def losses_picture() -> Figure:
     """Multipliers and energy along the family, and what losses do."""
     figure, (left, middle, right) = panels(3)
     angles = np.linspace(0.5, 2.7, 1200)
-    for h, colour, dash in zip((0.1, 0.3, 0.5, 0.6), COLOURS, DASHES, strict=False):
+    for h, colour, dash in styled((0.1, 0.3, 0.5, 0.6)):
         orbits = family(h, thin(h), angles)
         half = 0.5 * (1.0 + orbits.determinant - orbits.product)
         root = np.sqrt(half * half - orbits.determinant + 0j)

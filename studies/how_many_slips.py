@@ -11,7 +11,7 @@ import numpy as np
 from littlewood.style import INK
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DASHES, panels
+from .axes import panels, styled
 from .contact import Contact
 from .grazing import Grazing, grazing_orbits
 from .hoops import thin_hoop
@@ -275,7 +275,7 @@ def search_table() -> list[str]:
 def picture() -> Figure:
     """The fall of the distance, the number near equal coefficients, and Λ over all thin hoops."""
     figure, (left, middle, right) = panels(3)
-    for (name, h, mu), colour, dash in zip(EXAMPLES, COLOURS, DASHES, strict=False):
+    for (name, h, mu), colour, dash in styled(EXAMPLES):
         _, orbit = example(h, mu)
         values = np.array(distances(h, mu, START * orbit.energy, COUNT))
         c = orbit.loss(mu)
@@ -298,7 +298,7 @@ def picture() -> Figure:
     middle.text(
         0.97, 0.95, "dots: counted\nlines: formula", transform=middle.transAxes, fontsize=8, ha="right", va="top"
     )
-    for h, colour, dash in zip((0.05, 0.1, 0.25, 0.5), COLOURS, DASHES, strict=False):
+    for h, colour, dash in styled((0.05, 0.1, 0.25, 0.5)):
         most = min(1.0, 0.95 * math.sqrt(1.0 - h * h) / h)
         shown, values_of = [], []
         for mu in np.geomspace(0.01, most, 60):

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from littlewood.style import FAINT, HATCH, INK
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DASHES, DEGREE, panels
+from .axes import COLOURS, DEGREE, panels, styled
 from .hoops import random_hoops, thin_hoop
 from .page import table
 from .roots import zero
@@ -476,7 +476,7 @@ def approach_picture() -> Figure:
     figure, axes = panels(3, width=3.7, height=3.4)
     body = Body.rim(0.9)
     names = ("normal force N, m2 g", "θ′ − θ′ at P = 0, √(g/R)", "slip − slip at P = 0, √(gR)")
-    for exponent, colour, dash in zip((0.2, 0.5, 0.8), COLOURS, DASHES, strict=False):
+    for exponent, colour, dash in styled((0.2, 0.5, 0.8)):
         seen = approach(thin_hoop(0.9, mu_k=body.friction_of(exponent)))
         xi = seen["theta"]
         kept = xi > 1e-8

@@ -11,7 +11,7 @@ import numpy as np
 from littlewood.style import FAINT, INK
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DASHES, DEGREE, panels
+from .axes import COLOURS, DASHES, DEGREE, panels, styled
 from .page import table
 from .study import Study
 
@@ -206,7 +206,7 @@ def orders_picture() -> Figure:
             )
         )
     labels = ("θ in the glide", "θ, μs = μk", "time of the bottom", "θ′ √Î at the bottom")
-    for values, label, colour, dash in zip(zip(*rows, strict=True), labels, COLOURS, DASHES, strict=False):
+    for (values, label), colour, dash in styled(list(zip(zip(*rows, strict=True), labels, strict=True))):
         left.loglog(sizes, values, color=colour, dashes=dash, label=label)
     left.set(xlabel="I_zz of the hoop, m2 R²", ylabel="distance from the massless hoop")
     left.legend(frameon=False, fontsize=8)
@@ -219,7 +219,7 @@ def orders_picture() -> Figure:
     middle.set(xlim=(0, 150), ylim=(0, 2.5), xlabel="angle θ, degrees (slip to the right)", ylabel="friction μk")
     middle.text(30, 2.2, "no slide", fontsize=9, color=INK)
     middle.legend(frameon=True, framealpha=0.9, edgecolor="none", fontsize=8, loc="lower right")
-    for size, colour, dash in zip((1e-2, 1e-3, 1e-4), COLOURS, DASHES, strict=False):
+    for size, colour, dash in styled((1e-2, 1e-3, 1e-4)):
         times = np.linspace(2.75, 3.05, 1500)
         seen = figure_7(light(size, "no mass, only inertia")).at(times)
         right.plot(

@@ -13,7 +13,7 @@ from littlewood.style import FAINT, INK
 from littlewood.tables import IMPACT_LABELS
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, DASHES, DEGREE, panels
+from .axes import COLOURS, DEGREE, panels, styled
 from .hoops import random_hoops
 from .page import table
 from .roots import zero
@@ -232,7 +232,7 @@ def law_picture() -> Figure:
     middle.set(xlim=(0, 90), ylim=(0, 5), xlabel="lift-off before the top |θ0|, degrees", ylabel="units √(R/g), R")
     middle.legend(frameon=False, fontsize=8, loc="upper left")
     shown = np.linspace(2.0, 77.0, 160) * DEGREE
-    for kappa, colour, dash in zip((0.3, 1.0, 3.0, 30.0), COLOURS, DASHES, strict=False):
+    for kappa, colour, dash in styled((0.3, 1.0, 3.0, 30.0)):
         values = [Bounce(0.5, kappa).second(float(angle)) for angle in shown]
         line = [math.nan if value is None else value / DEGREE for value in values]
         right.plot(shown / DEGREE, line, color=colour, dashes=dash, label=f"κ = {kappa:g}")
