@@ -182,3 +182,25 @@ fn grazing_orbits_are_those_of_a_search_with_40_digits() {
         }
     }
 }
+
+/// Slips at one angle nearly cease, and before they do those at another begin: the motion passes between, in thousands of slips.
+#[test]
+fn a_motion_passes_where_one_family_of_slips_nearly_ends_before_the_next_begins() {
+    let mu = 0.129_598_662_207_357_86;
+    let hoop = Hoop::figure_2(mu, mu).expect("Figure 2's hoop");
+    let excess = |k: i32| largest_excess(&hoop, 1.4 + 0.01 * f64::from(k));
+    let least = (0..=100).map(excess).fold(f64::INFINITY, f64::min);
+    // Every orbit slips, and those between hardly do.
+    assert!(least > 0.0 && least < 0.1 * excess(0) && least < 0.1 * excess(100), "{least}");
+
+    let start = Start::at(PI / 2.0, -1.4);
+    let motion = |limits: Limits| hoop.simulate(start, limits).expect("a start");
+    let stopped = motion(Limits::default().with_transitions(10_000));
+    let Outcome::StaysInContact { state } = stopped.outcome() else { panic!("{:?}", stopped.outcome()) };
+    let whole = motion(Limits::default().with_transitions(11_000));
+    let Outcome::SlipsForever { orbit, .. } = whole.outcome() else { panic!("{:?}", whole.outcome()) };
+    assert!(energy(&hoop, &state) > 1.8 && orbit.energy < -0.8);
+    let between =
+        whole.transitions().iter().filter(|one| (1.8..2.2).contains(&energy(&hoop, &one.after))).count();
+    assert!(between > 9_000, "{between}");
+}
