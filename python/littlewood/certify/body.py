@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
-from .balls import Ball, Beyond, Undecided, arb, ball, sign
+from .balls import Ball, Undecided, arb, ball, sign
 from .case import Case
 
 Value: TypeAlias = Any
@@ -149,18 +149,23 @@ def decide(body: Body, state: State, gives_way: int = 0) -> Next:
         raise Undecided("whether static friction holds is not decided")
     if w > 0 and holds:
         return Next("rolling", 0, evidence)
-    negative, positive = (body.solvability(sin, cos, sigma) for sigma in (-1, 1))
-    evidence["solvability_negative"], evidence["solvability_positive"] = negative, positive
+    solvable = {side: body.solvability(sin, cos, side) for side in (-1, 1)}
+    evidence["solvability_negative"], evidence["solvability_positive"] = solvable[-1], solvable[1]
+    consistent = [Next("rolling", 0, evidence)] if holds else []
+    for side, p in solvable.items():
+        # Where P and w have one sign the plane presses; and the slip has to begin.
+        if holds or sign(p, "P") != w:
+            continue
+        if gives_way == side and body.same_friction and w > 0:
+            consistent.append(Next("sliding", side, evidence, 2))
+        elif sign(-(friction * side + body.mu_k * normal) * p, "the acceleration of slip") > 0:
+            consistent.append(Next("sliding", side, evidence, 1))
     if w < 0:
-        if not (negative > 0 and positive > 0):
-            raise Beyond("a flight begins where P is not positive (Painlevé)")
-        return Next("flight", 0, evidence, 2)
-    direction = gives_way or -sign(friction, "the friction of rolling")
-    if not (positive if direction > 0 else negative) > 0:
-        raise Beyond("the hoop is at rest against the plane where P is not positive (Painlevé)")
-    if gives_way and body.same_friction:
-        return Next("sliding", direction, evidence, 2)
-    drive = abs(friction) - body.mu_k * normal
-    if not drive > 0:
-        raise Undecided("no motion is seen to be consistent")
-    return Next("sliding", direction, evidence, 1)
+        consistent.append(Next("flight", 0, evidence, 2))
+    match consistent:
+        case [one]:
+            return one
+        case []:
+            return Next("inconsistent", 0, evidence)
+        case _:
+            return Next("ambiguous", 0, evidence)

@@ -61,6 +61,10 @@ class Glide:
     def _at(self, center: Ball):  # type: ignore[no-untyped-def]
         return lambda at: self.state(center + at)
 
+    def at_time(self, time: Ball) -> State:
+        """Return the state at a time, from which p follows in closed form."""
+        return self.state(-(self.whole - (time - self.start.time)).sqrt())
+
     def _disc(self, at: Ball) -> tuple[Ball, Ball]:
         radius = arb(0.5)
         for _ in range(60):

@@ -150,7 +150,7 @@ class Walk:
         glide = Glide(state, now.direction, now.order)
         found = follow(state.time, glide.pieces(), self.until)
         zero = arb(0)
-        samples = [(found.at(state.time, time), zero, zero) for time in self._times(state.time, found.end.time, 4)]
+        samples = [(glide.at_time(time), zero, zero) for time in self._times(state.time, found.end.time, 4)]
         end = found.end
         if found.guard == PLANE:
             end = glide.state(arb(0), at_end=True)
