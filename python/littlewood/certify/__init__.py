@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .case import Case, CaseError
-from .check import Refused, check
+from .checker import Refused, check
 
 if TYPE_CHECKING:
     from .certificate import certify, dump

@@ -1,13 +1,12 @@
-"""Intervals in fixed point, with Python's integers alone: the arithmetic of the checker.
+"""Intervals in fixed point, with Python's integers alone.
 
-A range is (middle ± radius) 2^−bits with integers, and each operation rounds outwards. Nothing here is shared with
-the maker.
+A range is (middle ± radius) 2^−bits with integers, and each operation rounds outwards.
 """
 
 from __future__ import annotations
 
-import operator
 from fractions import Fraction
+from functools import lru_cache
 from math import isqrt
 
 
@@ -42,12 +41,16 @@ class Range:
         return Range(-self.m, self.r)
 
     def __add__(self, other: Range | int) -> Range:
+        if not isinstance(other, (Range, int)):
+            return NotImplemented
         other = _range(other)
         return Range(self.m + other.m, self.r + other.r)
 
     __radd__ = __add__
 
     def __sub__(self, other: Range | int) -> Range:
+        if not isinstance(other, (Range, int)):
+            return NotImplemented
         return self + (-_range(other))
 
     def __rsub__(self, other: int) -> Range:
@@ -56,6 +59,8 @@ class Range:
     def __mul__(self, other: Range | int) -> Range:
         if isinstance(other, int):
             return Range(self.m * other, self.r * abs(other))
+        if not isinstance(other, Range):
+            return NotImplemented
         if self.is_zero() or other.is_zero():
             return Range(0)
         r = abs(self.m) * other.r + self.r * (abs(other.m) + other.r)
@@ -64,6 +69,10 @@ class Range:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Range | int) -> Range:
+        if isinstance(other, int) and other > 0:
+            return Range(self.m // other, self.r // other + (2 if self.r or self.m % other else 0))
+        if not isinstance(other, (Range, int)):
+            return NotImplemented
         other = _range(other)
         least = abs(other.m) - other.r
         if least <= 0:
@@ -130,8 +139,13 @@ def exceeds(one: Range, other: Range | int) -> bool:
 
 def pi() -> Range:
     """Return π by Machin's formula."""
+    return _pi(Range.bits)
+
+
+@lru_cache
+def _pi(bits: int) -> Range:
     guard = 32
-    one = 1 << (Range.bits + guard)
+    one = 1 << (bits + guard)
 
     def arctan_of_inverse(n: int) -> int:
         power = total = one // n
@@ -165,49 +179,3 @@ def sine_and_cosine(angle: Range) -> tuple[Range, Range]:
     if angle.is_zero():
         return Range(0), _range(1)
     return turned
-
-
-class Series:
-    """Coefficients of a power series, as ranges; their sizes, and their radii in last bits, also as floats."""
-
-    __slots__ = ("m", "r", "spread", "top")
-
-    def __init__(self, first: Range | None = None) -> None:
-        self.m: list[int] = []
-        self.r: list[int] = []
-        self.top: list[float] = []
-        self.spread: list[float] = []
-        if first is not None:
-            self.append(first)
-
-    def append(self, one: Range) -> None:
-        """Add the next coefficient."""
-        self.m.append(one.m)
-        self.r.append(one.r)
-        self.top.append((abs(one.m) + one.r >> Range.bits - 60) * 2.0**-60 + 2.0**-60)
-        self.spread.append(float(one.r))
-
-    def replace_last(self, one: Range) -> None:
-        """Put another last coefficient in place."""
-        for part in (self.m, self.r, self.top, self.spread):
-            part.pop()
-        self.append(one)
-
-    def __getitem__(self, k: int) -> Range:
-        return Range(self.m[k], self.r[k])
-
-    def without(self, order: int) -> Series:
-        """Divide by the power of this order: the coefficients before it are known to be 0."""
-        rest = Series()
-        for k in range(order, len(self.m)):
-            rest.append(self[k])
-        return rest
-
-
-def product(a: Series, b: Series, k: int) -> Range:
-    """Return coefficient k of a product; the radius by floats, with a margin of a thousandth."""
-    m = sum(map(operator.mul, a.m[: k + 1], b.m[k::-1]))
-    spread = sum(map(operator.mul, a.top, b.spread[k::-1])) + sum(map(operator.mul, b.top, a.spread[k::-1]))
-    if not spread < 1e300:
-        raise Inconclusive("the radii of a series are too large")
-    return Range(m >> Range.bits, int(1.001 * spread) + 3)
