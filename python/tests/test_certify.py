@@ -1,3 +1,5 @@
+import ast
+import cmath
 import copy
 import csv
 import hashlib
@@ -5,6 +7,7 @@ import importlib.util
 import io
 import json
 import math
+import random
 import subprocess
 import sys
 import tarfile
@@ -17,8 +20,9 @@ import pytest
 from littlewood.certify import Case, CaseError, Refused, certify, check, dump
 from littlewood.certify.__main__ import main
 from littlewood.certify.certificate import digest
+from littlewood.certify.checker import discs, series
+from littlewood.certify.checker.ranges import Range, pi, sine_and_cosine
 from littlewood.certify.compare import differences
-from littlewood.certify.ranges import Range, pi, sine_and_cosine
 
 ROOT = Path(__file__).resolve().parents[2]
 TRUTH = ROOT / "truth"
@@ -36,6 +40,15 @@ def figure_3() -> dict[str, Any]:
 @pytest.fixture(scope="module")
 def thrown() -> dict[str, Any]:
     return certify(THROWN)
+
+
+def script(name: str) -> Any:
+    """A program of the data set."""
+    spec = importlib.util.spec_from_file_location(name, TRUTH / f"{name}.py")
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def sealed(certificate: dict[str, Any]) -> dict[str, Any]:
@@ -131,6 +144,41 @@ def test_the_checker_refuses_changed_digits_of_slides_and_rolling(figure_3: dict
                 check(with_another_digit(figure_3, place, part))
 
 
+@pytest.fixture(scope="module")
+def mutate() -> Any:
+    return script("mutate")
+
+
+def test_the_checker_refuses_a_changed_digit_or_name_in_each_family(mutate: Any) -> None:
+    families = {one["family"] for one in json.loads((TRUTH / "cases.json").read_text())}
+    assert {name.rsplit("-", 1)[0] for name in mutate.QUICK} == families
+    kinds = set()
+    for name in mutate.QUICK:
+        certificate = mutate.read(name)
+        found = list(mutate.mutations(certificate))
+        # Of the families that are checked in milliseconds every kind of number and of name, of others one.
+        quick = name.startswith(("elastic", "jam", "leaves-at-once", "thrown"))
+        for kind, changed in found if quick else random.Random(name).sample(found, 1):
+            assert changed != certificate
+            assert not mutate.accepted(changed), (name, kind)
+            kinds.add(kind)
+    assert len(kinds) > 100
+
+
+def test_the_checker_takes_nothing_from_the_maker() -> None:
+    import littlewood.certify.checker as checker
+
+    files = list(Path(checker.__path__[0]).glob("*.py"))
+    assert len(files) > 10
+    for file in files:
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.level:
+                assert node.level == 1, file.name
+            elif isinstance(node, ast.Import | ast.ImportFrom):
+                names = [one.name for one in node.names] if isinstance(node, ast.Import) else [node.module or ""]
+                assert {one.split(".")[0] for one in names} <= sys.stdlib_module_names, file.name
+
+
 def test_a_change_of_anything_else_breaks_the_digest(thrown: dict[str, Any]) -> None:
     for key in ("version", "case", "phases", "end"):
         changed = copy.deepcopy(thrown)
@@ -186,6 +234,9 @@ RECERTIFIED = (
     "thrown-01",
     "leaves-at-once-01",
     "si-09",
+    "jam-13",
+    "landing-33",
+    "massless-17",
 )
 
 
@@ -269,6 +320,55 @@ def test_the_arithmetic_of_the_checker_encloses() -> None:
     assert root.ends()[0] ** 2 < 2 < root.ends()[1] ** 2
 
 
+def test_the_series_of_the_checker_solve_their_equation() -> None:
+    # x′ = y/z, y′ = x z and z′ = −z, from x = 0 and y = z = 1: the residual, by exact fractions.
+    Range.bits = 256
+    one, length = Range.of(1), Range.of(Fraction(1, 4))
+    x, y, z = series.Integral(Range(0), length), series.Integral(one, length), series.Integral(one, length)
+    x.of, y.of, z.of = y / z, x * z, -z
+    count = 20
+    middle = {name: [Fraction(of[k].m, 1 << 256) for k in range(count)] for name, of in (("x", x), ("y", y), ("z", z))}
+
+    def product(a: list[Fraction], b: list[Fraction], k: int) -> Fraction:
+        return sum((a[j] * b[k - j] for j in range(k + 1)), Fraction(0))
+
+    for k in range(count - 1):
+        slope = [[4 * (j + 1) * middle[name][j + 1] for j in range(k + 1)] for name in "xyz"]
+        for residual in (
+            product(slope[0], middle["z"], k) - middle["y"][k],
+            slope[1][k] - product(middle["x"], middle["z"], k),
+            slope[2][k] + middle["z"][k],
+        ):
+            assert abs(residual) < Fraction(1, 10**70)
+    assert all(0 < x[k].r < 100 for k in range(1, count))
+    tenth = series.at((z[k] for k in range(count - 1, -1, -1)), Range.of(Fraction(2, 5)))
+    assert float(tenth) == pytest.approx(math.exp(-0.1), abs=1e-15)
+
+
+def test_the_discs_of_the_checker_enclose() -> None:
+    rng = random.Random(6)
+
+    def function(s: Any, c: Any, omega: Any) -> Any:
+        return (s * omega * omega - 3) * c / (c * 2 + omega + 7)
+
+    for _ in range(200):
+        theta, rate = rng.uniform(-9, 9), rng.uniform(-2, 2)
+        wide, fast = rng.uniform(0, 0.5), rng.uniform(0, 0.5)
+        bounds = function(*discs.angle_and_rate(discs.Disc(theta, wide), discs.Disc(rate, fast)))
+        for _ in range(20):
+            z = theta + cmath.rect(wide * rng.random(), rng.uniform(0, 7))
+            w = rate + cmath.rect(fast * rng.random(), rng.uniform(0, 7))
+            value = function(cmath.sin(z), cmath.cos(z), w)
+            assert abs(value - bounds.c) <= bounds.r
+            d = 1e-6
+            by_theta = (function(cmath.sin(z + d), cmath.cos(z + d), w) - value) / d
+            by_rate = (function(cmath.sin(z), cmath.cos(z), w + d) - value) / d
+            assert abs(by_theta) <= bounds.by_theta + 1e-4
+            assert abs(by_rate) <= bounds.by_rate + 1e-4
+    with pytest.raises(discs.Wide):
+        discs.Disc(1.0) / discs.Disc(0.5, 0.5)
+
+
 def test_certificates_follow_their_schema() -> None:
     jsonschema = pytest.importorskip("jsonschema")
     schema = json.loads((TRUTH / "certificate.schema.json").read_text())
@@ -289,10 +389,7 @@ def test_certificates_follow_their_schema() -> None:
 
 
 def test_the_archive_has_the_same_bytes_and_its_package_describes_it() -> None:
-    spec = importlib.util.spec_from_file_location("archive", TRUTH / "archive.py")
-    assert spec is not None and spec.loader is not None
-    archive = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(archive)
+    archive = script("archive")
     files = archive.contents()
     one = archive.archive(files)
     assert one == archive.archive(dict(reversed(files.items())))
