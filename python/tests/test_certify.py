@@ -190,7 +190,7 @@ def test_a_change_of_anything_else_breaks_the_digest(thrown: dict[str, Any]) -> 
 def test_the_checker_refuses_another_mode_and_a_missing_event(figure_3: dict[str, Any]) -> None:
     changed = copy.deepcopy(figure_3)
     changed["initial"]["direction"] = 1
-    with pytest.raises(Refused, match="follows"):
+    with pytest.raises(Refused, match="direction of the start"):
         check(sealed(changed))
     changed = copy.deepcopy(figure_3)
     del changed["events"][0]
