@@ -14,6 +14,7 @@ import numpy.typing as npt
 from .extras import require
 from .hoop import Hoop
 from .motion import State
+from .noise import Noise
 from .style import FAINT, INK, LINE, MODE_COLOURS, MODE_DASHES
 from .track import Track
 from .trajectory import Trajectory
@@ -99,7 +100,8 @@ class FitResult:
     start : State
         The estimated start.
     estimates : mapping of str to Estimate
-        Estimates of everything that was free: parameters of the hoop, and of the start by `start_theta`, ….
+        Estimates of everything that was free: parameters of the hoop, of the start by `start_theta`, …, and of the
+        camera by `camera_floor`, …
     covariance : ndarray
         Covariance of the estimates, in their order; infinite on the diagonal for those not identifiable.
     motion : Trajectory
@@ -108,9 +110,10 @@ class FitResult:
         What was fitted.
     residuals : mapping of str to ndarray
         Measured minus fitted, by channel: rad, R, R.
-    sigma : mapping of str to float
-        Standard deviation of a measurement, given or estimated, by channel; where the track has errors, of one whose
-        error is the median.
+    noise : mapping of str to Noise
+        Errors of the measurements, given or estimated, by channel.
+    reduced_chi_square : float
+        Sum eᵀV⁻¹e of the residuals over the number of measurements less that of free parameters; 1 for a good fit.
     mu_s_at_least : float
         Largest friction |F|/N that rolling needed in the fitted motion: μs is at least that, whatever else is known.
     message : str
@@ -124,18 +127,15 @@ class FitResult:
     motion: Trajectory
     track: Track
     residuals: Mapping[str, npt.NDArray[np.float64]]
-    sigma: Mapping[str, float]
+    noise: Mapping[str, Noise]
+    reduced_chi_square: float
     mu_s_at_least: float
     message: str
 
     @property
-    def reduced_chi_square(self) -> float:
-        """Sum of (residual/σ)² over the number of measurements less that of free parameters; 1 for a good fit."""
-        scaled = [
-            self.residuals[name] / (self.sigma[name] * self.track.relative_errors(name)) for name in self.residuals
-        ]
-        values = np.concatenate([one[np.isfinite(one)] for one in scaled])
-        return float(values @ values) / max(1, values.size - len(self.estimates))
+    def sigma(self) -> dict[str, float]:
+        """Standard deviation of a measurement by channel; where the track has errors, at their median."""
+        return {name: noise.sigma for name, noise in self.noise.items()}
 
     @property
     def inertia_kg_m2(self) -> float:
@@ -146,7 +146,7 @@ class FitResult:
         lines = [f"{name:<18}{estimate}" for name, estimate in self.estimates.items()]
         lines.append(f"{'mu_s at least':<18}{self.mu_s_at_least:.4g}")
         lines.append(f"{'motion':<18}{self.motion.sequence}: {self.motion.outcome}")
-        lines += [f"{'σ of ' + name:<18}{value:.3g}" for name, value in self.sigma.items()]
+        lines += [f"{'σ of ' + name:<18}{noise}" for name, noise in self.noise.items()]
         lines.append(f"{'reduced χ²':<18}{self.reduced_chi_square:.3f}")
         return "\n".join(lines)
 

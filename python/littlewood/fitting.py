@@ -13,9 +13,11 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .calibration import checked, kinks, means, shown
 from .extras import require
 from .fit_result import Estimate, FitResult, IdentifiabilityWarning
 from .hoop import Hoop
+from .noise import Noise, Whitening, estimate_noise
 from .track import Track
 from .trajectory import Trajectory
 
@@ -41,6 +43,15 @@ _BEST = 6
 # Parts of the track over which a coefficient of restitution is sought, and how many guesses are followed over each.
 _PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
 _BEST_OF_PART = 4
+# How often the errors are estimated from the residuals.
+_TURNS = 4
+# By which part the sum of squares still changes in the last step: on the way, and at the end.
+_ROUGH, _FINE = 1e-6, 1e-12
+# What the constants of a camera are before the film is seen: 0 ± 0.1, R or rad. A film tells them far better as a rule;
+# where it does not, they stay reasonable. An exposure is anything between none and the time between two pictures.
+_CAMERA = "camera_"
+_EXPOSURE = "camera_exposure"
+_PRIOR = 0.1
 _DEPENDENT = "the motion does not depend on it, apart from the others"
 
 
@@ -55,8 +66,9 @@ def fit(
     until: float | None = None,
     loss: str = "linear",
     search: bool = True,
+    calibration: Iterable[str] | None = None,
 ) -> FitResult:
-    """Estimate friction, inertia and restitution of a hoop from a tracked motion.
+    r"""Estimate friction, inertia and restitution of a hoop from a tracked motion.
 
     The start (angle, rate, position, and slip velocity if asked for) is estimated along with them. Masses and the place
     of the particle are taken from `hoop`: they are weighed and measured.
@@ -76,9 +88,10 @@ def fit(
     start : mapping, optional
         First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not tell them.
     sigma : mapping, optional
-        Standard deviations of the measurements of `theta` (rad), `x` and `y` (R). By default they are estimated from
-        the residuals, each channel for itself. Where the track has errors of single pictures, they are those of a
-        picture whose error is the median.
+        Standard deviations of the measurements of `theta` (rad), `x` and `y` (R), which are then taken for independent.
+        By default the errors of each channel are estimated from the residuals, as a part that differs from picture to
+        picture and one that changes slowly. Where the track has errors of single pictures, they are those of a picture
+        whose error is the median.
     until : float, optional
         Last time τ, √(R/g), that is used. Without a coefficient of restitution leave out what comes after the landing,
         which is not simulated then.
@@ -87,6 +100,12 @@ def fit(
     search : bool, optional
         Whether to begin at many places. Without it the fit begins at the values of `hoop` and `start` alone, which is
         many times as fast, and finds the sequence of phases only if they have it.
+    calibration : iterable of str, optional
+        What the camera may show wrong in every picture alike, which is then estimated along (as `camera_floor`, …):
+        "floor" (the height of the centre), "turn", "scale", "stretch", "shear", "perspective_x" and "perspective_y" of
+        the picture, "marker" (the angle), "middle_x" and "middle_y" (the centre against the marker), and "exposure"
+        (how long a picture is exposed). By default that of the
+        track: all of them for one of :func:`track_video`, none for others. What no channel tells of is left out.
 
     Returns
     -------
@@ -107,7 +126,18 @@ def fit(
 
     Notes
     -----
-    Standard errors are those of the linearised problem: covariance (JᵀJ)⁻¹ of residuals over their standard deviations.
+    With the errors e of a channel at the times t, of the covariance
+
+    .. math:: V_{ij} = \sigma^2 w_i^2 \delta_{ij} + s^2 e^{-|t_i - t_j|/T},
+
+    w being the errors that the track has over their median, the fit minimises eᵀV⁻¹e, and the covariance of the
+    estimates is (JᵀV⁻¹J)⁻¹ with the derivatives J of all channels by all unknowns, those of the camera among them. σ, s
+    and T are those of the largest restricted likelihood, over a grid of s/σ and T. With another `loss` errors are taken
+    for independent. Of a constant of the camera 0 ± 0.1 is known beforehand; they are displacements of what is seen,
+    to first order: floor (0, 1), turn (−y, x), scale (x, y), stretch (x, −y), shear (y, x), perspective_x (x², x y),
+    perspective_y (x y, y²), all that is between two homographies but a shift along x; middle_x and middle_y add cos θ
+    and sin θ to the angle. A picture shows the mean over its exposure, which begins at its time.
+
     A parameter counts as not identifiable where the residuals do not depend on it apart from the others, where its
     standard error would exceed its value (or half of its range, for the coefficient of restitution), or where the fit
     ends at the bound μs = μk: there the motion depends on μs to second order only. The exact simulation makes the
@@ -142,21 +172,25 @@ def fit(
     measured = sum(int(np.isfinite(values).sum()) for values in track.channels.values())
     if measured <= len(names):
         raise ValueError(f"{measured} measurements are not enough for {len(names)} unknowns: {', '.join(names)}")
-    problem = _Problem(track, hoop, tuple(names), first, dict.fromkeys(track.channels, 1.0), slips_at_start)
-    if sigma is not None:
-        problem.sigma.update(sigma)
+    camera = checked(track.calibration if calibration is None else calibration, track.channels)
+    known = {name: Noise(float(value)) for name, value in (sigma or {}).items()}
+    noise = dict.fromkeys(track.channels, Noise(1.0)) | known
+    problem = _Problem(track, hoop, tuple(names), first, noise, slips_at_start)
     if search:
-        best = _search(problem, loss, "theta" not in track.channels and "theta" not in (start or {}))
+        unknowns = _search(problem, loss, "theta" not in track.channels and "theta" not in (start or {})).x
+    elif camera:
+        # Without its constants the fit would leave the sequence of phases of a good guess.
+        unknowns = problem.guess()
     else:
-        best = problem.refine(problem.guess(), loss)
+        unknowns = problem.refine(problem.guess(), loss).x
+    if camera:
+        problem, unknowns = problem.with_camera(camera, unknowns)
     # Weights from residuals, and again with those weights.
-    for _ in range(0 if sigma is not None and len(sigma) == len(track.channels) else 3):
-        for name, residual in problem.residuals(best.x).items():
-            if sigma is None or name not in sigma:
-                scaled = residual / track.relative_errors(name)
-                seen = scaled[np.isfinite(scaled)]
-                problem.sigma[name] = max(float(np.sqrt(np.mean(seen**2))), 1e-12)
-        best = problem.refine(best.x, loss)
+    for turn in range(_TURNS):
+        noise = problem.noise_of(unknowns, known, loss, turn > 0)
+        problem = replace(problem, noise=noise, doubts=problem.doubts_of(unknowns))
+        best = problem.refine(unknowns, loss, _FINE if turn == _TURNS - 1 else _ROUGH)
+        unknowns = best.x
     return _result(problem, best)
 
 
@@ -168,8 +202,43 @@ class _Problem:
     hoop: Hoop
     names: tuple[str, ...]
     first: dict[str, float]
-    sigma: dict[str, float]
+    noise: dict[str, Noise]
     slips: bool
+    doubts: dict[str, _Reals] | None = None
+
+    def __post_init__(self) -> None:
+        self._seen = {name: np.isfinite(values) for name, values in self.track.channels.items()}
+        self._white = {
+            name: Whitening(self.noise[name], self.track.time[seen], self.relative(name)[seen])
+            for name, seen in self._seen.items()
+        }
+        step = float(np.median(np.diff(self.track.time)))
+        self._before = np.array([0.0 if name != _EXPOSURE else 0.5 * step for name in self._camera_names])
+        self._deviation = np.array(
+            [_PRIOR if name != _EXPOSURE else step / math.sqrt(12.0) for name in self._camera_names]
+        )
+        self._longest = step
+        self._last: tuple[tuple[float, ...], dict[str, _Reals]] | None = None
+
+    def relative(self, name: str) -> _Reals:
+        """Return the errors of a channel over the median one, with the doubts about pictures with an impact."""
+        errors = self.track.relative_errors(name)
+        return errors if self.doubts is None else np.hypot(errors, self.doubts[name] / self.noise[name].white)
+
+    def doubts_of(self, unknowns: _Reals) -> dict[str, _Reals] | None:
+        """Return by how much pictures are in doubt because of impacts."""
+        exposure = self._longest if _EXPOSURE in self.names else self.track.exposure
+        return kinks(self.motion(unknowns), self.track.time, exposure) if exposure > 0.0 else None
+
+    def with_camera(self, camera: tuple[str, ...], unknowns: _Reals) -> tuple[_Problem, _Reals]:
+        """Return the same with constants of the camera among the unknowns, and these."""
+        names = self.names + tuple(_CAMERA + name for name in camera)
+        found = replace(self, names=names)
+        return found, np.concatenate([unknowns, found._before])
+
+    @property
+    def _camera_names(self) -> list[str]:
+        return [name for name in self.names if name.startswith(_CAMERA)]
 
     def guess(self, **values: float) -> _Reals:
         """Return the unknowns at a guess; `mu_s` is stored as its excess over `mu_k`, which must not be negative."""
@@ -194,8 +263,9 @@ class _Problem:
 
     def bounds(self) -> tuple[list[float], list[float]]:
         low = {"mu_s": 0.0 if "mu_k" in self.names else self.hoop.mu_k, "mu_k": 0.0, "inertia": _LEAST_INERTIA}
-        low["restitution"] = 0.0
+        low["restitution"] = low[_EXPOSURE] = 0.0
         high = {"mu_s": _LARGEST_FRICTION, "mu_k": _LARGEST_FRICTION, "inertia": _LARGEST_INERTIA, "restitution": 1.0}
+        high[_EXPOSURE] = self._longest
         if "mu_s" not in self.names:
             high["mu_k"] = self.hoop.mu_s
         return (
@@ -207,6 +277,7 @@ class _Problem:
         """Return everything by name; a coefficient of restitution may be absent."""
         found = {name: getattr(self.hoop, name) for name in _OF_HOOP}
         found |= {f"start_{name}": value for name, value in self.first.items()}
+        found[_EXPOSURE] = self.track.exposure
         found |= dict(zip(self.names, map(float, unknowns), strict=True))
         if "mu_s" in self.names and "mu_k" in self.names:
             found["mu_s"] += found["mu_k"]
@@ -221,30 +292,55 @@ class _Problem:
             slip=values["start_slip"] if self.slips else 0.0,
             x=values["start_x"],
             time=float(self.track.time[0]),
-            until=float(self.track.time[-1]),
+            until=float(self.track.time[-1]) + values[_EXPOSURE],
         )
 
     def residuals(self, unknowns: _Reals) -> dict[str, _Reals]:
-        motion = self.motion(unknowns)
-        samples = motion.at(self.track.time)
-        found = {"theta": samples.theta, "x": samples.x, "y": samples.centre_y}
-        late = samples.is_outside
-        if np.any(late):
-            # Beyond the end of the motion it goes on evenly: the optimiser needs a number there.
-            end = motion.outcome.state
-            elapsed = self.track.time[late] - end.time
-            rate = end.theta_rate if math.isfinite(end.theta_rate) else 0.0
-            found["theta"][late] = end.theta + rate * elapsed
-            found["x"][late] = end.x + (end.slip - rate if math.isfinite(end.slip) else 0.0) * elapsed
-            found["y"][late] = 1.0
+        values = self.values(unknowns)
+        camera = {name.removeprefix(_CAMERA): value for name, value in values.items() if name.startswith(_CAMERA)}
+        # The motion is the same for all constants of the camera but the exposure.
+        key = tuple(value for name, value in values.items() if not name.startswith(_CAMERA) or name == _EXPOSURE)
+        if self._last is None or self._last[0] != key:
+            self._last = key, means(self.motion(unknowns), self.track.time, values[_EXPOSURE])
+        found = shown(self._last[1], camera)
         return {name: measured - found[name] for name, measured in self.track.channels.items()}
 
     def scaled(self, unknowns: _Reals) -> _Reals:
         residuals = self.residuals(unknowns)
-        parts = [residuals[name] / (self.sigma[name] * self.track.relative_errors(name)) for name in residuals]
-        return np.concatenate([part[np.isfinite(part)] for part in parts])
+        parts = [self._white[name](residual[self._seen[name]]) for name, residual in residuals.items()]
+        # Constants of the camera are the last of the unknowns.
+        camera = unknowns[unknowns.size - self._before.size :]
+        return np.concatenate([*parts, (camera - self._before) / self._deviation])
 
-    def refine(self, unknowns: _Reals, loss: str, tolerance: float = 1e-12) -> Any:
+    def reduced_chi_square(self, unknowns: _Reals) -> float:
+        """Return the sum of squares over the number of measurements less that of unknowns."""
+        white = self.scaled(unknowns)[: -self._before.size or None]
+        return float(white @ white) / max(1, white.size - unknowns.size)
+
+    def noise_of(self, unknowns: _Reals, known: dict[str, Noise], loss: str, correlated: bool) -> dict[str, Noise]:
+        """Estimate the errors of each channel from the residuals."""
+        relative = {name: self.relative(name)[seen] for name, seen in self._seen.items()}
+        residuals = {name: residual[self._seen[name]] for name, residual in self.residuals(unknowns).items()}
+        if loss != "linear":
+            typical = {name: float(np.sqrt(np.mean(np.square(residuals[name] / relative[name])))) for name in relative}
+            return {name: Noise(max(value, 1e-12)) for name, value in typical.items()} | known
+        times = {name: self.track.time[seen] for name, seen in self._seen.items()}
+        slopes = {name: columns[self._seen[name]] for name, columns in self._derivatives(unknowns).items()}
+        return estimate_noise(times, relative, residuals, slopes, known, correlated)
+
+    def _derivatives(self, unknowns: _Reals) -> dict[str, _Reals]:
+        """Return the derivatives of the residuals of each channel by differences within the bounds."""
+        columns: dict[str, list[_Reals]] = {name: [] for name in self.track.channels}
+        low, high = self.bounds()
+        for k, value in enumerate(unknowns):
+            step = 6e-6 * max(1.0, abs(value))
+            ends = max(value - step, low[k]), min(value + step, high[k])
+            below, above = (self.residuals(np.concatenate([unknowns[:k], [end], unknowns[k + 1 :]])) for end in ends)
+            for name in columns:
+                columns[name].append((above[name] - below[name]) / (ends[1] - ends[0]))
+        return {name: np.column_stack(values) for name, values in columns.items()}
+
+    def refine(self, unknowns: _Reals, loss: str, tolerance: float = _FINE) -> Any:
         return require("scipy.optimize").least_squares(
             self.scaled,
             unknowns,
@@ -322,7 +418,7 @@ def _search(problem: _Problem, loss: str, any_angle: bool) -> Any:
         shorter = problem.part(part)
         guesses = [other for guess in guesses for other in problem.with_restitutions(guess)]
         costs = [float(np.sum(np.abs(shorter.scaled(guess)))) for guess in guesses]
-        tolerance = 1e-12 if shorter is problem else 1e-6
+        tolerance = _FINE if shorter is problem else _ROUGH
         found = [shorter.refine(guesses[i], loss, tolerance) for i in np.argsort(costs, kind="stable")[:best]]
         found.sort(key=lambda result: float(result.cost))
         guesses = [result.x for result in found]
@@ -368,7 +464,8 @@ def _result(problem: _Problem, best: Any) -> FitResult:
         motion=motion,
         track=problem.track,
         residuals=problem.residuals(best.x),
-        sigma=dict(problem.sigma),
+        noise=dict(problem.noise),
+        reduced_chi_square=problem.reduced_chi_square(best.x),
         mu_s_at_least=demand,
         message=str(best.message),
     )

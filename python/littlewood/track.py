@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
+
+from .calibration import checked
 
 if TYPE_CHECKING:
     from .units import Units
@@ -45,12 +48,16 @@ class Track:
     errors : mapping, optional
         Standard errors of `theta`, `x`, `y`, picture by picture, where the tracker knows them. A fit takes what they
         say of one picture against another, and finds by the residuals how large they are.
+    exposure : float, optional
+        How long a picture is exposed from its time on, √(R/g): what was tracked is the mean over it. 0 for instants.
+    calibration : iterable of str, optional
+        What the camera may show wrong in every picture alike, which a fit estimates along: names of :func:`fit`.
 
     Raises
     ------
     ValueError
-        If times do not grow, shapes differ, there is neither `theta` nor `x`, or an error is not positive where
-        something was seen.
+        If times do not grow, shapes differ, there is neither `theta` nor `x`, an error is not positive where something
+        was seen, or there is no such exposure or calibration.
     """
 
     time: _Reals
@@ -58,6 +65,8 @@ class Track:
     x: _Reals | None = None
     y: _Reals | None = None
     errors: Mapping[str, _Reals] | None = None
+    exposure: float = 0.0
+    calibration: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         time = np.array(self.time, dtype=np.float64)
@@ -77,6 +86,9 @@ class Track:
             self.theta[seen] = np.unwrap(self.theta[seen])
         if self.errors is not None:
             object.__setattr__(self, "errors", self._checked(self.errors))
+        if not (self.exposure >= 0.0 and math.isfinite(self.exposure)):
+            raise ValueError(f"exposure = {self.exposure} must be finite and not negative")
+        object.__setattr__(self, "calibration", checked(self.calibration, self.channels))
 
     def _checked(self, errors: Mapping[str, npt.ArrayLike]) -> Mapping[str, _Reals]:
         unknown = [name for name in errors if name not in self.channels]
@@ -188,4 +200,5 @@ class Track:
         kept = self.time <= time
         errors = None if self.errors is None else {name: values[kept] for name, values in self.errors.items()}
         channels = {name: values[kept] for name, values in self.channels.items()}
-        return Track(self.time[kept], channels.get("theta"), channels.get("x"), channels.get("y"), errors)
+        theta, x, y = (channels.get(name) for name in ("theta", "x", "y"))
+        return replace(self, time=self.time[kept], theta=theta, x=x, y=y, errors=errors)

@@ -18,7 +18,11 @@ from littlewood import video
 from .coverage import HEAD, cells_of
 from .throws import FREE, SECONDS, Throw, throw
 
+EXPOSURE = [f"exposure_s_{what}" for what in ("true", "value", "error")]
+NOISE = [f"{channel}_{part}" for part in ("white", "slow") for channel in ("theta", "x", "y")]
 SIZE = (640, 360)
+CLICK_PX = 0.3
+"""Standard deviation of where somebody clicks, pixels."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +52,17 @@ class Film:
         """Where the picture shows the plane of the motion."""
         return video.Plane.from_camera(self.camera)
 
+    @property
+    def clicked(self) -> video.Plane:
+        """The same as somebody has it who clicks on the corners of a board of half the picture's width."""
+        width, height = self.camera.width, self.camera.height
+        left, top = self.plane.to_metres(0.25 * width, 0.3 * height)
+        right, bottom = self.plane.to_metres(0.75 * width, 0.7 * height)
+        corners = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
+        pixels = np.column_stack(self.plane.to_pixels(*corners.T))
+        random = np.random.default_rng([self.seed, 10])
+        return video.Plane.from_points(pixels + random.normal(0.0, CLICK_PX, pixels.shape), corners)
+
     def write(self, path: Path) -> None:
         """Write the film."""
         video.synthetic_film(
@@ -62,19 +77,17 @@ class Film:
 
     def track(self, path: Path) -> lw.Track:
         """Track the film."""
-        return lw.track_video(path, self.thrown.hoop, plane=self.plane, pictures_per_second=self.rate)
+        return lw.track_video(path, self.thrown.hoop, plane=self.clicked, pictures_per_second=self.rate)
 
     def errors(self, track: lw.Track) -> dict[str, np.ndarray]:
-        """Return what a track has too much, against the exact motion in the middle of the exposures."""
+        """Return what a track has too much, against the mean of the exact motion over the exposures."""
         time_s = self.thrown.hoop.require_units().time_s
-        exact = self.thrown.motion.at(track.time + 0.5 * self.exposure_s / time_s)
-        theta, x, y = track.theta, track.x, track.y
-        assert theta is not None and x is not None and y is not None
-        return {
-            "theta": np.mod(theta - exact.theta + np.pi, 2.0 * np.pi) - np.pi,
-            "x": x - exact.x,
-            "y": y - exact.centre_y,
-        }
+        instants = self.exposure_s / time_s * (np.arange(64) + 0.5) / 64
+        exact = self.thrown.motion.at((track.time[:, None] + instants).ravel())
+        means = {"theta": exact.theta, "x": exact.x, "y": exact.centre_y}
+        found = {name: track.channels[name] - values.reshape(-1, 64).mean(axis=1) for name, values in means.items()}
+        found["theta"] = np.mod(found["theta"] + np.pi, 2.0 * np.pi) - np.pi
+        return found
 
 
 def film_of(number: int, size: tuple[int, int] = SIZE) -> Film:
@@ -95,23 +108,28 @@ def film_of(number: int, size: tuple[int, int] = SIZE) -> Film:
     return Film(thrown, camera, rate, exposure_s, number)
 
 
-def line_of(number: int) -> list[str]:
-    """Make, track and fit one film."""
+def track_of(number: int) -> lw.Track:
+    """Make and track one film."""
     film = film_of(number)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "film.avi"
         film.write(path)
-        track = film.track(path)
-    hoop, thrown = film.thrown.hoop, film.thrown
-    first = thrown.motion.at(0.5 * film.exposure_s / hoop.require_units().time_s)
-    start = {"theta": float(first.theta), "theta_rate": float(first.theta_rate), "x": float(first.x)}
-    start["slip"] = float(first.slip)
+        return film.track(path)
+
+
+def line_of(number: int, track: lw.Track) -> list[str]:
+    """Fit the track of one film."""
+    film = film_of(number)
+    thrown = film.thrown
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
-        result = lw.fit(track, hoop, free=FREE, slips_at_start=thrown.slips, start=start, search=False)
+        result = lw.fit(track, thrown.hoop, free=FREE, slips_at_start=thrown.slips, start=thrown.start, search=False)
+    exposure, time_s = result.estimates["camera_exposure"], thrown.hoop.require_units().time_s
     return [
         *cells_of(number, film.rate, thrown, result),
-        *(f"{result.sigma[name]:.4g}" for name in ("theta", "x", "y")),
+        *(f"{value:.4g}" for value in (film.exposure_s, exposure.value * time_s, exposure.std_error * time_s)),
+        *(f"{noise.white:.4g}" for noise in result.noise.values()),
+        *(f"{noise.slow:.4g}" for noise in result.noise.values()),
     ]
 
 
@@ -119,9 +137,9 @@ def main() -> None:
     """Print the lines of the films that are asked for."""
     first, last = map(int, sys.argv[1:3])
     if first == 0:
-        print(",".join([*HEAD, "theta_sigma", "x_sigma", "y_sigma"]), flush=True)
+        print(",".join([*HEAD, *EXPOSURE, *NOISE]), flush=True)
     for number in range(first, last):
-        print(",".join(line_of(number)), flush=True)
+        print(",".join(line_of(number, track_of(number))), flush=True)
 
 
 if __name__ == "__main__":

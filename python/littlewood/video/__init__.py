@@ -6,7 +6,14 @@ whose coefficients are known. All of it needs OpenCV, the extra ``video``.
 """
 
 from .camera import Camera
-from .errors import NoHoopError, TooFewPicturesError, UnreadableVideoError, UnwritableVideoError, VideoError
+from .errors import (
+    NoHoopError,
+    TooFewPicturesError,
+    UnreadableVideoError,
+    UnwritableVideoError,
+    VideoError,
+    VideoFileError,
+)
 from .files import codecs, pictures, rate_of
 from .finder import Circle, Finder, Marker
 from .overlay import draw_motion, overlay_video
@@ -26,6 +33,7 @@ __all__ = [
     "UnreadableVideoError",
     "UnwritableVideoError",
     "VideoError",
+    "VideoFileError",
     "codecs",
     "draw_motion",
     "finder_of",

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-__all__ = ["NoHoopError", "TooFewPicturesError", "UnreadableVideoError", "UnwritableVideoError", "VideoError"]
+__all__ = [
+    "NoHoopError",
+    "TooFewPicturesError",
+    "UnreadableVideoError",
+    "UnwritableVideoError",
+    "VideoError",
+    "VideoFileError",
+]
 
 
 class VideoError(ValueError):
     """A film that cannot be used."""
 
 
-class UnreadableVideoError(VideoError):
-    """A file that is missing, or that OpenCV cannot decode.
+class VideoFileError(VideoError):
+    """A file that cannot be used, and why.
 
     Attributes
     ----------
@@ -23,18 +30,12 @@ class UnreadableVideoError(VideoError):
         self.path = path
 
 
-class UnwritableVideoError(VideoError):
-    """A file that cannot be written: an unknown ending, a codec that this OpenCV does not have, or a missing folder.
+class UnreadableVideoError(VideoFileError):
+    """A file that is missing, or that OpenCV cannot decode."""
 
-    Attributes
-    ----------
-    path : str
-        The file.
-    """
 
-    def __init__(self, path: str, reason: str) -> None:
-        super().__init__(f"{path}: {reason}")
-        self.path = path
+class UnwritableVideoError(VideoFileError):
+    """A file that cannot be written: an unknown ending, a codec that this OpenCV does not have, or a missing folder."""
 
 
 class TooFewPicturesError(VideoError):

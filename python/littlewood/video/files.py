@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -13,7 +13,7 @@ import numpy.typing as npt
 from ..extras import require
 from .errors import UnreadableVideoError, UnwritableVideoError
 
-__all__ = ["Picture", "PictureWriter", "codecs", "pictures", "rate_of"]
+__all__ = ["Picture", "PictureWriter", "codecs", "count_of", "pictures", "rate_of"]
 
 Picture = npt.NDArray[np.uint8]
 """A picture: rows, columns, and blue, green, red, as OpenCV has them."""
@@ -48,8 +48,25 @@ def rate_of(path: str | Path) -> float:
     return rate
 
 
-def pictures(path: str | Path) -> Iterator[Picture]:
+def count_of(path: str | Path) -> int:
+    """Return how many pictures a film has: counted, because what a file says of it is often wrong."""
+    capture = _open(path)
+    count = 0
+    while capture.grab():
+        count += 1
+    capture.release()
+    return count
+
+
+def pictures(path: str | Path, wanted: Collection[int] | None = None) -> Iterator[Picture]:
     """Yield the pictures of a film.
+
+    Parameters
+    ----------
+    path : str or Path
+        The film.
+    wanted : collection of int, optional
+        Numbers of the pictures, from 0; all by default.
 
     Raises
     ------
@@ -57,12 +74,15 @@ def pictures(path: str | Path) -> Iterator[Picture]:
         If there is no such file, or OpenCV cannot decode it.
     """
     capture = _open(path)
+    number = 0
     try:
-        while True:
-            found, picture = capture.read()
-            if not found:
-                return
-            yield picture
+        while capture.grab():
+            if wanted is None or number in wanted:
+                found, picture = capture.retrieve()
+                if not found:
+                    return
+                yield picture
+            number += 1
     finally:
         capture.release()
 

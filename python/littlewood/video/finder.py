@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,6 +32,15 @@ MARKERS = {
 _RAYS = 360
 # Part of the radius on both sides of the rim in which its edge is sought, at first and around a circle that was fitted.
 _WINDOW, _NARROW = 0.25, 0.12
+# Angle from straight down, rad, within which the shadow on the floor moves what is seen of the rim; rays that are left
+# out beside those on which the marker is; least part of the rays that has to be left.
+_SHADOW = math.radians(55.0)
+_BESIDE_MARKER = 4
+_LEAST_RAYS = 0.3
+# How far from a circle a rim may seem to be, radii; how much more a radius away; how well a picture tells it.
+_OVAL, _OVAL_SLOPE, _OVAL_ERROR = 0.02, 0.005, 0.001
+# What stands for "outside of the picture" among shares of light, which are about 0 to 1.
+_OUTSIDE = -1e3
 # A radius that differs by more from the measured one is that of something else.
 _RADIUS_TOLERANCE = 0.08
 # Least part of the rim that has to be seen, and a distance over the radius: an edge farther off is another's.
@@ -41,6 +52,8 @@ _SIGNAL = 6.0
 _FLOOR = 0.1
 # What levels are of light.
 _GAMMA = 2.2
+_LIGHT = ((np.arange(256) / 255.0) ** _GAMMA).astype(np.float32)
+_ANGLES = math.tau * (np.arange(_RAYS) + 0.5) / _RAYS
 
 
 @dataclass(frozen=True)
@@ -115,8 +128,10 @@ class Finder:
         colour: tuple[int, int, int],
     ) -> None:
         self._plane = plane
-        self._background = background.astype(np.float32)
+        self._levels = np.clip(np.rint(background), 0, 255).astype(np.uint8)
+        self._background = np.asarray((background / 255.0) ** _GAMMA, dtype=np.float32)
         self._noise = noise
+        self._oval = np.zeros((3, 2))
         self._radius = radius_m
         self._marker = marker_m
         hue = np.array(colour[::-1], dtype=np.float64)
@@ -125,31 +140,171 @@ class Finder:
             raise ValueError(f"marker = {colour} is grey: a marker needs a colour")
         self._hue = (hue / np.linalg.norm(hue)).astype(np.float32)
 
-    def difference(self, picture: Picture) -> npt.NDArray[np.float32]:
+    def difference(self, picture: Picture) -> npt.NDArray[np.uint8]:
         """Return by how much a picture differs from the background, grey levels, smoothed over a pixel."""
-        distance = np.sqrt(np.square(picture.astype(np.float32) - self._background).sum(axis=2) / np.float32(3.0))
-        return np.asarray(require("cv2").GaussianBlur(distance, (0, 0), 0.8), dtype=np.float32)
+        cv2 = require("cv2")
+        apart = cv2.transform(cv2.absdiff(picture, self._levels), np.full((1, 3), 1.0 / 3.0))
+        return np.asarray(cv2.GaussianBlur(apart, (0, 0), 0.8), dtype=np.uint8)
 
     def circle(self, picture: Picture) -> Circle | None:
-        """Find the rim; None where there is none, or less than a half of it."""
+        """Find the rim; None where there is none, or less than a half of it.
+
+        The outline of what differs from the background tells where the rim is. Its centre is then that of the line
+        midway between outer and inner edge, in light: a blur moves one as far outward as the other inward, and how
+        bright the background is moves neither. Of a disc, which has no inner edge, it is that of the outer edge.
+        """
+        found = self._outline(picture)
+        if found is None:
+            return None
+        difference, outline, seen = found
+        line = self._line(picture, difference, outline)
+        if line is None:
+            return None
+        circle, scatter, kept = _fit_circle(*line, outline, self._radius)
+        # Neighbouring rays share pixels: there are no more independent edges than pixels along the rim.
+        pixels = math.tau * self._radius * self._plane.pixels_per_metre(*circle[:2])
+        error = scatter * math.sqrt(2.0 / min(float(kept.sum()), pixels))
+        return Circle(circle[0], circle[1], outline[2], error, seen)
+
+    def _outline(self, picture: Picture) -> tuple[npt.NDArray[np.uint8], tuple[float, float, float], float] | None:
+        """Return what differs from the background, the circle about it, and which part of the rim is seen."""
         difference = self.difference(picture)
         guess = self._guess(difference)
         if guess is None:
             return None
-        found = (*guess, self._radius)
-        for window in (_WINDOW, _NARROW, _NARROW):
-            x, y = self._edge(difference, found, window)
-            if x.size < _LEAST_RIM * _RAYS:
+        outline = (*guess, self._radius)
+        for window in (_WINDOW, _NARROW):
+            outer = self._outer_edge(_Profiles(self._plane, difference, outline, window))
+            if outer[0].size < _LEAST_RIM * _RAYS:
                 return None
-            circle, scatter, kept = _fit_circle(x, y, found, self._radius)
-            found = circle
-        if abs(found[2] / self._radius - 1.0) > _RADIUS_TOLERANCE or kept.sum() < _LEAST_RIM * _RAYS:
+            outline, _, kept = _fit_circle(*outer, outline, self._radius)
+        if abs(outline[2] / self._radius - 1.0) > _RADIUS_TOLERANCE or kept.sum() < _LEAST_RIM * _RAYS:
             return None
-        # Neighbouring rays share pixels: there are no more independent edges than pixels along the rim.
-        independent = min(float(kept.sum()), math.tau * self._radius * self._plane.pixels_per_metre(found[0], found[1]))
-        return Circle(*found, scatter * math.sqrt(2.0 / independent), float(kept.sum()) / _RAYS)
+        return difference, outline, float(kept.sum()) / _RAYS
 
-    def _guess(self, difference: npt.NDArray[np.float32]) -> tuple[float, float] | None:
+    def _line_of(self, picture: Picture) -> tuple[tuple[float, float], _Reals, _Reals] | None:
+        """Return a centre, and points of the line midway between the edges of the rim as a picture shows it."""
+        found = self._outline(picture)
+        line = None if found is None else self._line(picture, found[0], found[1])
+        return None if found is None or line is None else (found[1][:2], *line)
+
+    def rounded(self, pictures: Iterable[Picture]) -> Finder:
+        """Return a finder that knows how far from a circle the plane shows the rim, which tells errors of the plane.
+
+        A plane with a wrong perspective makes an oval of a circle, and a part of the rim that is hidden then moves its
+        centre. Which oval it is depends on the place: evenly, to first order.
+
+        Parameters
+        ----------
+        pictures : iterable of ndarray
+            Pictures all over the film.
+        """
+        rows, ovals = [], []
+        for picture in pictures:
+            line = self._line_of(picture)
+            if line is not None:
+                place, oval = _oval(*line)
+                rows.append(place)
+                ovals.append(oval)
+        found = copy.copy(self)
+        if rows:
+            places = np.column_stack([np.ones(len(rows)), np.array(rows) / self._radius])
+            # As if somebody had measured it before: none, to within these.
+            before = np.diag(_OVAL_ERROR / np.array([_OVAL, _OVAL_SLOPE, _OVAL_SLOPE]))
+            matrix, values = np.vstack([places, before]), np.vstack([np.array(ovals), np.zeros((3, 2))])
+            for _ in range(3):
+                found._oval, *_ = np.linalg.lstsq(matrix, values, rcond=None)
+                off = np.abs(places @ found._oval - values[: len(rows)]).max(axis=1)
+                weights = np.concatenate([off <= 4.0 * np.median(off) + 1e-12, np.ones(3)])[:, None]
+                matrix, values = matrix * weights, values * weights
+        return found
+
+    def _outer_edge(self, profiles: _Profiles) -> tuple[_Reals, _Reals]:
+        """Return where rays from the centre leave the rim: the outermost half of the largest value near it."""
+        seen = profiles.values
+        last = seen.shape[1] - 1 - np.argmax((seen > 0.5 * profiles.largest[:, None])[:, ::-1], axis=1)
+        usable = (profiles.largest > _SIGNAL * self._noise) & (last < seen.shape[1] - 1) & profiles.inside
+        rays = np.flatnonzero(usable)
+        return profiles.points(rays, profiles.crossing(rays, last[usable], last[usable] + 1))
+
+    def _line(
+        self, picture: Picture, difference: npt.NDArray[np.uint8], circle: tuple[float, float, float]
+    ) -> tuple[_Reals, _Reals] | None:
+        """Return points of the line midway between the edges of the rim; None where there are too few."""
+        x, y, radius = circle
+        reach = (1.0 + 1.5 * _NARROW) * radius
+        cut = self._cut(x, y, reach)
+        if cut is None:
+            return None
+        light = _light(picture[cut])
+        colour = self._colour_of_rim(light, difference, circle, cut)
+        # Which part of the light of a pixel is that of the rim: 0 for the background, 1 for the rim.
+        contrast = colour - self._background[cut]
+        square = np.sum(contrast * contrast, axis=2)
+        share = np.sum((light - self._background[cut]) * contrast, axis=2)
+        share /= np.maximum(square, 0.1 * float(np.median(square)) + 1e-12)
+        share = require("cv2").GaussianBlur(share.astype(np.float32), (0, 0), 0.8)
+        profiles = _Profiles(self._plane, share, circle, _NARROW, cut)
+        usable = profiles.inside & ~self._hidden(light, circle, cut)
+        below = profiles.values < 0.5 * profiles.largest[:, None]
+        places, count = np.arange(below.shape[1]), below.shape[1]
+        top = np.argmax(profiles.values, axis=1)[:, None]
+        outer = np.where(below & (places > top), places, count).min(axis=1)
+        inner = np.where(below & (places < top), places, -1).max(axis=1)
+        usable &= outer < count
+        rays = np.flatnonzero(usable & (inner >= 0))
+        if rays.size < max(_LEAST_RAYS * _RAYS, 0.5 * usable.sum()):
+            rays = np.flatnonzero(usable)
+            if rays.size < _LEAST_RAYS * _RAYS:
+                return None
+            distances = profiles.crossing(rays, outer[rays] - 1, outer[rays])
+        else:
+            distances = 0.5 * profiles.crossing(rays, outer[rays] - 1, outer[rays])
+            distances += 0.5 * profiles.crossing(rays, inner[rays] + 1, inner[rays])
+        cosine, sine = np.array([1.0, x / self._radius, y / self._radius]) @ self._oval
+        angles = 2.0 * _ANGLES[rays]
+        return profiles.points(rays, distances / (1.0 + cosine * np.cos(angles) + sine * np.sin(angles)))
+
+    def _cut(self, x: float, y: float, reach: float) -> tuple[slice, slice] | None:
+        """Return the part of a picture in which a square of the plane is."""
+        u, v = self._plane.to_pixels(
+            x + reach * np.array([-1.0, 1.0, -1.0, 1.0]), y + reach * np.array([-1.0, -1.0, 1.0, 1.0])
+        )
+        height, width = self._levels.shape[:2]
+        left, right = max(0, math.floor(u.min())), min(width, math.ceil(u.max()) + 1)
+        top, bottom = max(0, math.floor(v.min())), min(height, math.ceil(v.max()) + 1)
+        return None if right - left < 4 or bottom - top < 4 else (slice(top, bottom), slice(left, right))
+
+    def _colour_of_rim(
+        self,
+        light: npt.NDArray[np.float32],
+        difference: npt.NDArray[np.uint8],
+        circle: tuple[float, float, float],
+        cut: tuple[slice, slice],
+    ) -> npt.NDArray[np.float32]:
+        """Return the light of the rim, where it differs most from the background."""
+        most = _Profiles(self._plane, difference, circle, _NARROW)
+        rays = np.arange(_RAYS)
+        u, v = self._plane.to_pixels(*most.points(rays, most.distances[np.argmax(most.values, axis=1)]))
+        # To the nearest pixel: the median of all rays needs no more.
+        rows = np.clip(np.rint(v).astype(int) - cut[0].start, 0, light.shape[0] - 1)
+        columns = np.clip(np.rint(u).astype(int) - cut[1].start, 0, light.shape[1] - 1)
+        return np.asarray(np.median(light[rows, columns], axis=0), dtype=np.float32)
+
+    def _hidden(
+        self, light: npt.NDArray[np.float32], circle: tuple[float, float, float], cut: tuple[slice, slice]
+    ) -> npt.NDArray[np.bool_]:
+        """Return the rays on which the marker or the shadow is beside the rim."""
+        hue = _Profiles(self._plane, light @ self._hue, circle, _NARROW, cut)
+        excess = hue.largest - np.median(hue.largest)
+        noise = _SIGNAL * self._noise * _GAMMA / 255.0
+        marked = excess > max(0.15 * float(excess.max()), noise)
+        for _ in range(_BESIDE_MARKER):
+            marked = marked | np.roll(marked, 1) | np.roll(marked, -1)
+        down = np.abs(np.mod(_ANGLES + 0.5 * math.pi + math.pi, math.tau) - math.pi)
+        return np.asarray(marked | (down < _SHADOW))
+
+    def _guess(self, difference: npt.NDArray[np.uint8]) -> tuple[float, float] | None:
         """Find where a circle of the known radius has most of the outlines of what differs from the background."""
         cv2 = require("cv2")
         level = max(_SIGNAL * self._noise, 0.25 * float(np.percentile(difference, 99.9)))
@@ -165,8 +320,8 @@ class Finder:
             return None
         # Two points and the radius make two circles. The draws are the same for every picture.
         random = np.random.default_rng(0)
-        some = random.integers(0, x.size, 400)
-        i, j = random.integers(0, x.size, (2, 300))
+        some = random.integers(0, x.size, 200)
+        i, j = random.integers(0, x.size, (2, 200))
         half_x, half_y = 0.5 * (x[j] - x[i]), 0.5 * (y[j] - y[i])
         half = np.hypot(half_x, half_y)
         usable = (half > 0.3 * self._radius) & (half < 0.98 * self._radius)
@@ -183,49 +338,16 @@ class Finder:
             return None
         return float(centre_x[best]), float(centre_y[best])
 
-    def _edge(
-        self, difference: npt.NDArray[np.float32], circle: tuple[float, float, float], window: float
-    ) -> tuple[_Reals, _Reals]:
-        """Return where rays from the centre leave the rim: the outermost half of the largest difference near it."""
-        x, y, radius = circle
-        pixels = radius * self._plane.pixels_per_metre(x, y)
-        count = max(24, math.ceil(8.0 * window * pixels))
-        distances = np.linspace((1.0 - window) * radius, (1.0 + window) * radius, count)
-        angles = math.tau * (np.arange(_RAYS) + 0.5) / _RAYS
-        at_x = x + np.outer(np.cos(angles), distances)
-        at_y = y + np.outer(np.sin(angles), distances)
-        u, v = self._plane.to_pixels(at_x, at_y)
-        cv2 = require("cv2")
-        seen = cv2.remap(
-            difference, u.astype(np.float32), v.astype(np.float32), cv2.INTER_LINEAR, borderValue=(-1.0, 0.0, 0.0, 0.0)
-        )
-        largest = seen.max(axis=1)
-        above = seen > 0.5 * largest[:, None]
-        last = count - 1 - np.argmax(above[:, ::-1], axis=1)
-        usable = (largest > _SIGNAL * self._noise) & (last < count - 1) & (seen.min(axis=1) >= 0.0)
-        rows, last = np.flatnonzero(usable), last[usable]
-        here, beyond = seen[rows, last], seen[rows, last + 1]
-        part = (here - 0.5 * largest[rows]) / (here - beyond)
-        distance = distances[last] + part * (distances[1] - distances[0])
-        return x + distance * np.cos(angles[rows]), y + distance * np.sin(angles[rows])
-
     def marker(self, picture: Picture, circle: Circle) -> Marker | None:
         """Find the marker on a hoop that was found; None where its colour is not to be seen."""
-        reach = 1.3 * self._radius
-        u, v = self._plane.to_pixels(
-            circle.x_m + reach * np.array([-1.0, 1.0, -1.0, 1.0]), circle.y_m + reach * np.array([-1.0, -1.0, 1.0, 1.0])
-        )
-        height, width = picture.shape[:2]
-        left, right = max(0, math.floor(u.min())), min(width, math.ceil(u.max()) + 1)
-        top, bottom = max(0, math.floor(v.min())), min(height, math.ceil(v.max()) + 1)
-        if right - left < 4 or bottom - top < 4:
+        cut = self._cut(circle.x_m, circle.y_m, 1.3 * self._radius)
+        if cut is None:
             return None
-        rows, columns = np.mgrid[top:bottom, left:right]
+        rows, columns = np.mgrid[cut]
         x, y = self._plane.to_metres(columns, rows)
         on_ring = np.abs(np.hypot(x - circle.x_m, y - circle.y_m) - self._marker) < 0.22 * self._radius
-        cut = picture[top:bottom, left:right].astype(np.float32)
         # As light and not as levels, in which the parts of a blurred marker do not add up.
-        score = 255.0 * (cut / np.float32(255.0)) ** np.float32(_GAMMA) @ self._hue
+        score = 255.0 * _light(picture[cut]) @ self._hue
         score -= np.median(score[on_ring]) if np.any(on_ring) else 0.0
         cv2 = require("cv2")
         smooth = np.where(on_ring, cv2.GaussianBlur(score, (0, 0), 1.0), 0.0)
@@ -244,6 +366,82 @@ class Finder:
         return Marker(mean_x, mean_y, self._noise * math.sqrt(spread) / total)
 
 
+def _light(picture: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
+    """Return levels as light, 0 to 1."""
+    return np.asarray(_LIGHT[picture])
+
+
+def _oval(centre: tuple[float, float], x: _Reals, y: _Reals) -> tuple[tuple[float, float], _Reals]:
+    """Return the place of an oval, and its cosine and sine of twice the angle over its radius."""
+    angles, distances = np.arctan2(y - centre[1], x - centre[0]), np.hypot(x - centre[0], y - centre[1])
+    waves = [np.ones_like(angles), *(wave(k * angles) for k in (1.0, 2.0) for wave in (np.cos, np.sin))]
+    matrix = np.column_stack(waves)
+    kept = np.ones(angles.size, dtype=np.bool_)
+    for _ in range(3):
+        sizes, *_ = np.linalg.lstsq(matrix[kept], distances[kept], rcond=None)
+        off = np.abs(matrix @ sizes - distances)
+        kept = off <= 4.0 * np.median(off)
+    return centre, sizes[3:] / sizes[0]
+
+
+class _Profiles:
+    """Values of a picture along rays of the plane, on both sides of a circle.
+
+    Parameters
+    ----------
+    plane : Plane
+        The plane of the motion.
+    image : ndarray
+        One value a pixel.
+    circle : tuple of float
+        Centre and radius, m.
+    window : float
+        How far to both sides the rays go, radii.
+    cut : tuple of slice, optional
+        Which part of the picture the image is.
+    """
+
+    def __init__(
+        self,
+        plane: Plane,
+        image: npt.NDArray[Any],
+        circle: tuple[float, float, float],
+        window: float,
+        cut: tuple[slice, slice] = (slice(0, None), slice(0, None)),
+    ) -> None:
+        self.centre = circle[:2]
+        radius = circle[2]
+        count = max(24, math.ceil(8.0 * window * radius * plane.pixels_per_metre(*self.centre)))
+        self.distances = np.linspace((1.0 - window) * radius, (1.0 + window) * radius, count)
+        u, v = plane.to_pixels(
+            self.centre[0] + np.outer(np.cos(_ANGLES), self.distances),
+            self.centre[1] + np.outer(np.sin(_ANGLES), self.distances),
+        )
+        cv2 = require("cv2")
+        self.values = cv2.remap(
+            image.astype(np.float32),
+            (u - cut[1].start).astype(np.float32),
+            (v - cut[0].start).astype(np.float32),
+            cv2.INTER_LINEAR,
+            borderValue=(_OUTSIDE, 0.0, 0.0, 0.0),
+        )
+        self.largest = self.values.max(axis=1)
+        # A value beside the border is a mean with what is outside of it.
+        self.inside = self.values.min(axis=1) > 1e-3 * _OUTSIDE
+
+    def crossing(self, rays: npt.NDArray[Any], above: npt.NDArray[Any], below: npt.NDArray[Any]) -> _Reals:
+        """Return the distances at which rays fall to half of their largest value, between two neighbouring places."""
+        high, low = self.values[rays, above], self.values[rays, below]
+        part = (high - 0.5 * self.largest[rays]) / (high - low)
+        found: _Reals = self.distances[above] + part * (self.distances[below] - self.distances[above])
+        return found
+
+    def points(self, rays: npt.NDArray[Any], distances: _Reals) -> tuple[_Reals, _Reals]:
+        """Return points on rays, m."""
+        angles = _ANGLES[rays]
+        return self.centre[0] + distances * np.cos(angles), self.centre[1] + distances * np.sin(angles)
+
+
 def _fit_circle(
     x: _Reals, y: _Reals, guess: tuple[float, float, float], scale: float
 ) -> tuple[tuple[float, float, float], float, npt.NDArray[np.bool_]]:
@@ -255,12 +453,12 @@ def _fit_circle(
         residual = distance - radius
         ratio = np.minimum(np.abs(residual) / width, 1.0)
         root = 1.0 - ratio**2
-        matrix = np.column_stack([(x - a) / distance, (y - b) / distance, np.ones_like(x)]) * root[:, None]
-        step, *_ = np.linalg.lstsq(matrix, residual * root, rcond=None)
+        matrix = np.array([(x - a) / distance, (y - b) / distance, np.ones_like(x)]) * root
+        step, *_ = np.linalg.lstsq(matrix @ matrix.T, matrix @ (residual * root), rcond=None)
         a, b, radius = a + step[0], b + step[1], radius + step[2]
         typical = 1.4826 * float(np.median(np.abs(residual)))
         width = min(width, max(4.7 * typical, 1e-4 * scale))
-        if float(np.abs(step).max()) < 1e-9 * scale:
+        if float(np.abs(step).max()) < 1e-7 * scale:
             break
     residual = np.hypot(x - a, y - b) - radius
     kept = np.abs(residual) < width

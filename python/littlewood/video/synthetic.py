@@ -19,6 +19,12 @@ from .plane import Plane
 
 __all__ = ["Look", "synthetic_film", "synthetic_pictures"]
 
+RATE = 120.0
+"""Pictures per second of a film, unless another rate is asked for."""
+
+EXPOSURE_S = 1 / 500
+"""How long its pictures are exposed, s."""
+
 _Pixels = npt.NDArray[np.float32]
 
 _GAMMA = 2.2
@@ -81,6 +87,7 @@ class _Scene:
             self.floor_x = (camera.position_m[0] + reach * (x - camera.position_m[0])).astype(np.float32)
         self.is_floor = self.floor_z > -_WALL_M
         self.background = self._background(camera, look, random)
+        self.levels = _levels(self.background)
         # A pool that is larger than a picture: noise is a part of it, at a place by chance.
         self.noise = random.normal(0.0, look.noise, (camera.height + 64, camera.width + 64, 3)).astype(np.float32)
 
@@ -104,8 +111,8 @@ def synthetic_pictures(
     motion: Trajectory,
     camera: Camera,
     *,
-    pictures_per_second: float = 120.0,
-    exposure_s: float = 1 / 500,
+    pictures_per_second: float = RATE,
+    exposure_s: float = EXPOSURE_S,
     seconds: float | None = None,
     look: Look | None = None,
     seed: int = 0,
@@ -170,15 +177,23 @@ def _picture(
     samples = motion.at(instants / units.time_s)
     rim, marker, here = _coverage(scene, samples, motion.hoop.offset, radius, look, scale, way)
     light = scene.background.copy()
-    _shade(scene, light, middle_x, middle_y - radius, radius, look.shadow)
+    near = _shade(scene, light, middle_x, middle_y - radius, radius, look.shadow)
+    # The marker hides the rim: `rim` is what is seen of it.
     light[here] += rim[:, None] * (_light(look.hoop) - light[here]) + marker[:, None] * (
         _light(look.marker) - light[here]
     )
-    # The marker hides the rim: `rim` is what is seen of it.
+    # Levels of what is not changed are known.
+    levels = scene.levels.copy()
+    for changed in (near, here):
+        levels[changed] = _levels(light[changed])
     i, j = random.integers(0, 64, 2)
-    levels = 255.0 * np.power(np.clip(light, 0.0, 1.0), np.float32(1.0 / _GAMMA))
     levels += scene.noise[i : i + levels.shape[0], j : j + levels.shape[1]]
     return np.clip(np.rint(levels), 0, 255).astype(np.uint8)
+
+
+def _levels(light: _Pixels) -> _Pixels:
+    """Return light as grey levels."""
+    return np.asarray(255.0 * np.power(np.clip(light, 0.0, 1.0), np.float32(1.0 / _GAMMA)), dtype=np.float32)
 
 
 def _coverage(
@@ -212,11 +227,16 @@ def _clip(signed: Any) -> _Pixels:
     return np.asarray(np.clip(signed + 0.5, 0.0, 1.0), dtype=np.float32)
 
 
-def _shade(scene: _Scene, light: _Pixels, x: float, gap: float, radius: float, shadow: float) -> None:
-    """Darken the floor below the hoop."""
-    near = scene.is_floor & (np.abs(scene.floor_x - x) < 2.0 * radius)
+def _shade(
+    scene: _Scene, light: _Pixels, x: float, gap: float, radius: float, shadow: float
+) -> tuple[npt.NDArray[Any], ...]:
+    """Darken the floor below the hoop; return the pixels in which it is."""
+    near = np.nonzero(
+        scene.is_floor & (np.abs(scene.floor_x - x) < 2.0 * radius) & (np.abs(scene.floor_z) < 0.9 * radius)
+    )
     square = ((scene.floor_x[near] - x) / (0.6 * radius)) ** 2 + (scene.floor_z[near] / (0.25 * radius)) ** 2
     light[near] *= (1.0 - shadow * math.exp(-gap / radius) * np.exp(-square))[:, None]
+    return near
 
 
 def synthetic_film(
@@ -224,8 +244,8 @@ def synthetic_film(
     motion: Trajectory,
     camera: Camera,
     *,
-    pictures_per_second: float = 120.0,
-    exposure_s: float = 1 / 500,
+    pictures_per_second: float = RATE,
+    exposure_s: float = EXPOSURE_S,
     seconds: float | None = None,
     look: Look | None = None,
     seed: int = 0,

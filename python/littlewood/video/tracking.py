@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..extras import require
+from ..calibration import CALIBRATION
 from ..hoop import Hoop
 from ..track import Track
 from .errors import NoHoopError, TooFewPicturesError, UnreadableVideoError
-from .files import Picture, pictures
+from .files import Picture, count_of, pictures
 from .finder import MARKERS, Finder
 from .plane import Plane
 
 __all__ = ["background_of", "finder_of", "track_video"]
 
 _LEAST_PICTURES = 10
-# Pictures of which the background is the median.
-_MOST_OF_BACKGROUND = 41
+# Pictures of which the background is the median, and in which the shape of the rim is measured.
+_SPREAD = 41
 
 
 def track_video(
@@ -36,12 +36,13 @@ def track_video(
     first: int = 0,
     last: int | None = None,
     background: npt.ArrayLike | None = None,
+    exposure_s: float | None = None,
 ) -> Track:
     """Find the hoop and its marker in every picture of a film.
 
     The camera must stand still. The rim is the outermost edge of what differs from the background; a circle is fitted
     to it in the plane of the motion, so that the perspective is corrected. The marker is what has its colour near the
-    rim. Each picture is searched for itself: nothing is smoothed, and errors of different pictures are independent.
+    rim. Each picture is searched for itself, and nothing is smoothed.
 
     Parameters
     ----------
@@ -64,11 +65,14 @@ def track_video(
     background : array_like, optional
         A picture without the hoop. By default the median of up to 41 pictures, for which the hoop has to move by more
         than its width.
+    exposure_s : float, optional
+        How long a picture was exposed, s. By default it is not known, and the fit estimates it.
 
     Returns
     -------
     Track
-        Dimensionless, with the standard errors of every picture; NaN where hoop or marker were not found.
+        Dimensionless, with the standard errors of every picture, NaN where hoop or marker were not found, and with
+        what a camera may show wrong in every picture alike, so that a fit estimates it along.
 
     Raises
     ------
@@ -83,14 +87,16 @@ def track_video(
 
     Notes
     -----
-    The time of a picture is its number over the rate: that of the middle of its exposure, up to a constant that no
-    coefficient depends on.
+    The time of a picture is its number over the rate: that of the beginning of its exposure. What was found is the mean
+    over it.
     """
     units = hoop.require_units()
     if not (pictures_per_second > 0.0 and math.isfinite(pictures_per_second)):
         raise ValueError(f"pictures_per_second = {pictures_per_second} must be positive")
     if first < 0 or (last is not None and last <= first):
         raise ValueError(f"pictures from {first} to {last} are none")
+    if exposure_s is not None and not 0.0 <= exposure_s * pictures_per_second <= 1.0 + 1e-9:
+        raise ValueError(f"exposure_s = {exposure_s} must be from 0 to {1.0 / pictures_per_second:.6g} s")
     finder = finder_of(
         path,
         hoop,
@@ -119,6 +125,8 @@ def track_video(
         x=found[:, 1] / length,
         y=found[:, 2] / length,
         errors={"theta": found[:, 5], "x": found[:, 4] / length, "y": found[:, 4] / length},
+        exposure=0.0 if exposure_s is None else exposure_s / units.time_s,
+        calibration=tuple(name for name in CALIBRATION if name != "exposure" or exposure_s is None),
     )
 
 
@@ -156,7 +164,8 @@ def finder_of(
         if marker not in MARKERS:
             raise ValueError(f"marker = {marker!r} must be one of {', '.join(MARKERS)}, or three numbers")
         marker = MARKERS[marker]
-    still, noise = background_of(path, first, last)
+    some = _spread(path, first, last)
+    still, noise = _still(some)
     if background is not None:
         given = np.asarray(background)
         if given.shape != still.shape:
@@ -164,7 +173,19 @@ def finder_of(
         still = given
     radius = hoop.require_units().length_m
     offset = hoop.offset if marker_offset is None else marker_offset
-    return Finder(plane, still, noise, radius, offset * radius, marker)
+    finder = Finder(plane, still, noise, radius, offset * radius, marker)
+    return finder.rounded(some)
+
+
+def _spread(path: str | Path, first: int, last: int | None) -> list[Picture]:
+    """Return pictures all over a film."""
+    count = count_of(path)
+    if count == 0:
+        raise UnreadableVideoError(str(path), "it has no pictures")
+    end = count if last is None else min(count, last)
+    if end - first < _LEAST_PICTURES:
+        raise TooFewPicturesError(max(0, end - first), _LEAST_PICTURES)
+    return list(pictures(path, set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist())))
 
 
 def background_of(path: str | Path, first: int = 0, last: int | None = None) -> tuple[npt.NDArray[Any], float]:
@@ -184,17 +205,12 @@ def background_of(path: str | Path, first: int = 0, last: int | None = None) -> 
     TooFewPicturesError
         If there are fewer than ten pictures.
     """
-    require("cv2")
-    count = 0
-    for _ in pictures(path):
-        count += 1
-    if count == 0:
-        raise UnreadableVideoError(str(path), "it has no pictures")
-    end = count if last is None else min(count, last)
-    if end - first < _LEAST_PICTURES:
-        raise TooFewPicturesError(max(0, end - first), _LEAST_PICTURES)
-    wanted = set(np.unique(np.linspace(first, end - 1, _MOST_OF_BACKGROUND).round().astype(int)).tolist())
-    kept = np.stack([picture for number, picture in enumerate(pictures(path)) if number in wanted])
+    return _still(_spread(path, first, last))
+
+
+def _still(some: list[Picture]) -> tuple[npt.NDArray[Any], float]:
+    """Return the median of pictures, and the standard deviation of the noise of a pixel."""
+    kept = np.stack(some)
     still = np.median(kept, axis=0)
     distance = np.abs(kept[:: max(1, len(kept) // 5)] - still)
     # Of normal errors half are within 0.6745 standard deviations; rounding to whole levels leaves 0.3 at least.

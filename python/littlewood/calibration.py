@@ -1,0 +1,153 @@
+"""What a camera shows wrong in every picture alike, and what it shows of a motion while a picture is exposed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .trajectory import Trajectory
+
+__all__ = ["CALIBRATION", "checked", "kinks", "means", "shown"]
+
+_Reals = npt.NDArray[np.float64]
+# Displacement (δx, δy) of a point, and the rows of its derivatives by x and y.
+_Shift = Callable[[_Reals, _Reals], tuple[tuple[Any, Any], tuple[tuple[Any, Any], tuple[Any, Any]]]]
+
+
+def _linear(xx: float, xy: float, yx: float, yy: float) -> _Shift:
+    """Return the displacement by a matrix."""
+    return lambda x, y: ((xx * x + xy * y, yx * x + yy * y), ((xx, xy), (yx, yy)))
+
+
+# To first order these are the errors of a homography: but for a shift along x, which is one of the start.
+_SHIFTS: dict[str, _Shift] = {
+    "floor": lambda x, y: ((0.0, 1.0), ((0.0, 0.0), (0.0, 0.0))),
+    "turn": _linear(0.0, -1.0, 1.0, 0.0),
+    "scale": _linear(1.0, 0.0, 0.0, 1.0),
+    "stretch": _linear(1.0, 0.0, 0.0, -1.0),
+    "shear": _linear(0.0, 1.0, 1.0, 0.0),
+    "perspective_x": lambda x, y: ((x * x, x * y), ((2.0 * x, 0.0), (y, x))),
+    "perspective_y": lambda x, y: ((x * y, y * y), ((y, x), (0.0, 2.0 * y))),
+}
+
+_OF_ANGLE: dict[str, Callable[[_Reals], Any]] = {
+    "marker": lambda theta: 1.0,
+    # The centre that was found against the marker: what moves the centre alone, or the marker by its parallax.
+    "middle_x": np.cos,
+    "middle_y": np.sin,
+}
+
+CALIBRATION = (*_SHIFTS, *_OF_ANGLE, "exposure")
+"""Names of what a camera may show wrong in every picture alike."""
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(2)
+# Instants of an exposure in which the velocity jumps.
+_INSTANTS = 16
+# Between the middle and the mean of places on a path with a kink there is less than this part of its second difference.
+_DOUBT = 0.125
+
+
+def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
+    """Return those names of a calibration that some channels tell of.
+
+    Raises
+    ------
+    ValueError
+        For a name that is not one of :data:`CALIBRATION`.
+    """
+    names, channels = tuple(names), set(channels)
+    unknown = [name for name in names if name not in CALIBRATION]
+    if unknown:
+        raise ValueError(f"calibration has {', '.join(unknown)}; it can have {', '.join(CALIBRATION)}")
+    told = {name for name in _SHIFTS if {"x", "y"} <= channels} | {"exposure"}
+    told |= set(_OF_ANGLE) if "theta" in channels and channels > {"theta"} else set()
+    return tuple(name for name in CALIBRATION if name in names and name in told)
+
+
+def shown(means: Mapping[str, _Reals], constants: Mapping[str, float]) -> dict[str, _Reals]:
+    """Return what a camera shows of θ, x and y, given what it shows wrong.
+
+    Parameters
+    ----------
+    means : mapping
+        θ, x and y.
+    constants : mapping
+        Sizes by the names of :data:`CALIBRATION`; the exposure is in the means.
+    """
+    theta, x, y = means["theta"], means["x"], means["y"]
+    turned, along, up = np.zeros_like(theta), 0.0, 0.0
+    for name, wave in _OF_ANGLE.items():
+        turned += constants.get(name, 0.0) * wave(theta)
+    sine, cosine = np.sin(theta), np.cos(theta)
+    for name, shift in _SHIFTS.items():
+        size = constants.get(name, 0.0)
+        if size != 0.0:
+            (x_too, y_too), ((xx, xy), (yx, yy)) = shift(x, y)
+            along, up = along + size * x_too, up + size * y_too
+            # The particle is at (−sin θ, cos θ) from the centre: what displaces it across turns it.
+            turned += size * (cosine * (xx * sine - xy * cosine) + sine * (yx * sine - yy * cosine))
+    return {"theta": theta + turned, "x": x + along, "y": y + up}
+
+
+def means(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals]:
+    """Return θ, x and y of a motion as means over exposures.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        The motion.
+    time : ndarray
+        When exposures begin, √(R/g).
+    exposure : float
+        How long they last, √(R/g).
+    """
+    if exposure == 0.0:
+        return _at(motion, time)
+    at_nodes = _at(motion, time[:, None] + 0.5 * exposure * (1.0 + _NODES))
+    found = {name: 0.5 * values @ _WEIGHTS for name, values in at_nodes.items()}
+    pictures = _with_impacts(motion, time)
+    if pictures.size:
+        instants = exposure * (np.arange(_INSTANTS) + 0.5) / _INSTANTS
+        for name, values in _at(motion, time[pictures, None] + instants).items():
+            found[name][pictures] = values.mean(axis=1)
+    return found
+
+
+def kinks(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals]:
+    """Return by how much θ, x and y of a picture are in doubt because an impact is in it.
+
+    What is found in a blurred picture is rather the middle of the places of the hoop than their mean, which is not the
+    same where the velocity jumps.
+    """
+    pictures = _with_impacts(motion, time)
+    found = {name: np.zeros(time.size) for name in ("theta", "x", "y")}
+    if pictures.size:
+        for name, values in _at(motion, time[pictures, None] + exposure * np.array([0.0, 0.5, 1.0])).items():
+            found[name][pictures] = _DOUBT * np.abs(values[:, 0] - 2.0 * values[:, 1] + values[:, 2])
+    return found
+
+
+def _with_impacts(motion: Trajectory, time: _Reals) -> npt.NDArray[np.intp]:
+    """Return the pictures between whose beginning and that of the next there is an impact."""
+    jumps = np.array([one.time for one in motion.transitions if one.impact is not None], dtype=np.float64)
+    return np.unique(np.searchsorted(time, jumps[jumps > time[0]]) - 1)
+
+
+def _at(motion: Trajectory, time: _Reals) -> dict[str, _Reals]:
+    """Return θ, x and y at instants; beyond its end a motion goes on evenly, because a fit needs a number there."""
+    flat = time.ravel()
+    samples = motion.at(flat)
+    found = {"theta": samples.theta, "x": samples.x, "y": samples.centre_y}
+    late = samples.is_outside
+    if np.any(late):
+        end = motion.outcome.state
+        elapsed = flat[late] - end.time
+        rate = end.theta_rate if math.isfinite(end.theta_rate) else 0.0
+        found["theta"][late] = end.theta + rate * elapsed
+        found["x"][late] = end.x + (end.slip - rate if math.isfinite(end.slip) else 0.0) * elapsed
+        found["y"][late] = 1.0
+    return {name: values.reshape(time.shape) for name, values in found.items()}
