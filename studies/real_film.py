@@ -17,7 +17,7 @@ from littlewood.style import FAINT, INK
 from .axes import COLOURS, DASHES, panels
 from .film.coverage import line_of
 from .film.throws import FREE
-from .film.videos import Film, film_of
+from .film.videos import Film, film_of, fitted
 from .page import table
 from .study import PAGES, Study
 
@@ -25,8 +25,9 @@ if TYPE_CHECKING:
     import littlewood as lw
     from matplotlib.figure import Figure
 
-LEVELS = (0.5, 0.6827, 0.9, 0.95, 0.99)
+LEVELS = (0.5, 0.8, 0.9, 0.95, 0.99)
 NAMES = {"mu_s": "μs", "mu_k": "μk", "inertia": "inertia", "restitution": "e"}
+EXPOSURE = {"exposure_s": "exposure, s"}
 SHOWN = 4
 """Number of the film that is shown."""
 
@@ -52,11 +53,11 @@ def part_within(values: list[float], level: float) -> float:
     return sum(abs(value) < half for value in values) / len(values)
 
 
-def coverage(name: str) -> list[str]:
+def coverage(name: str, names: dict[str, str]) -> list[str]:
     """How often intervals contain the truth."""
     rows = rows_of(name)
     lines = []
-    for key, label in NAMES.items():
+    for key, label in names.items():
         values = pulls(rows, key)
         error = float(np.median([row[f"{key}_error"] for row in rows]))
         parts = [f"{100.0 * part_within(values, level):.0f} %" for level in LEVELS]
@@ -79,25 +80,25 @@ def repeated() -> str:
 
 
 @cache
-def shown() -> tuple[Film, np.ndarray, video.Circle, video.Marker, lw.Track]:
-    """The film of the pictures: one of its pictures with what is found in it, and its track."""
+def shown() -> tuple[Film, np.ndarray, video.Circle, video.Marker, lw.Track, lw.Track]:
+    """The film of the pictures: one of its pictures with what is found, its track, and that by a plane that is clicked."""
     film = film_of(SHOWN)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "film.avi"
         film.write(path)
-        track = film.track(path)
+        track, clicked = film.track(path, film.plane), film.track(path, film.clicked)
         picture = list(video.pictures(path))[60]
         finder = video.finder_of(path, film.thrown.hoop, plane=film.plane)
     circle = finder.circle(picture)
     assert circle is not None
     marker = finder.marker(picture, circle)
     assert marker is not None
-    return film, picture, circle, marker, track
+    return film, picture, circle, marker, track, clicked
 
 
 def of_tracker() -> list[str]:
     """How far the track of a film is from the truth."""
-    film, _, _, _, track = shown()
+    film, _, _, _, track, _ = shown()
     rows = []
     pixels = film.plane.pixels_per_metre(0.0, 0.3) * film.thrown.hoop.require_units().length_m
     for name, values in film.errors(track).items():
@@ -111,9 +112,29 @@ def of_tracker() -> list[str]:
     return table(heads, rows)
 
 
+def of_fits() -> list[str]:
+    """How far fits of the shown film are off, with and without parts of the model of errors."""
+    film, _, _, _, _, track = shown()
+    whole = fitted(film, track)
+    tried = {
+        "all": whole,
+        "errors independent": fitted(film, track, sigma=whole.sigma),
+        "no constants of the camera": fitted(film, track, calibration=()),
+    }
+    rows = []
+    for label, result in tried.items():
+        row = [label]
+        for name in FREE:
+            estimate = result.estimates[name]
+            off = (estimate.value - getattr(film.thrown.hoop, name)) / estimate.std_error
+            row.append(f"{off:+.1f} of {estimate.std_error:.1e}" if estimate.identifiable else "not told")
+        rows.append(row)
+    return table(["", *NAMES.values()], rows)
+
+
 def picture_found() -> Figure:
     """One picture of the film with the circle and the marker that were found, and all that was found."""
-    film, picture, circle, marker, track = shown()
+    film, picture, circle, marker, track, _ = shown()
     figure, (one,) = panels(1, width=7.2, height=4.2)
     one.grid(visible=False)
     one.imshow(picture[:, :, ::-1], interpolation="nearest")
@@ -150,7 +171,7 @@ def picture_found() -> Figure:
 
 def residuals() -> Figure:
     """What the track has too much."""
-    film, _, _, _, track = shown()
+    film, _, _, _, track, _ = shown()
     figure, axes = panels(3, width=3.6, height=3.0)
     seconds = track.time * film.thrown.hoop.require_units().time_s
     labels = {"theta": "error of θ, 10⁻³ rad", "x": "error of x, 10⁻³ R", "y": "error of y, 10⁻³ R"}
@@ -173,12 +194,11 @@ def calibration() -> Figure:
             values = pulls(rows_of(name), key)
             parts = [100.0 * part_within(values, float(level)) for level in levels]
             axis.plot(100.0 * levels, parts, color=colour, dashes=dash, lw=1.4, label=label)
-    count = len(rows_of("coverage"))
-    spread = 200.0 * np.sqrt(levels * (1.0 - levels) / count)
-    left.fill_between(
-        100.0 * levels, 100.0 * levels - spread, 100.0 * levels + spread, color=FAINT, alpha=0.3, lw=0, label="±2σ"
-    )
-    for axis, title in ((left, "independent noise"), (right, "through the video")):
+    for axis, name, title in ((left, "coverage", "independent noise"), (right, "videos", "through the video")):
+        spread = 200.0 * np.sqrt(levels * (1.0 - levels) / len(rows_of(name)))
+        axis.fill_between(
+            100.0 * levels, 100.0 * levels - spread, 100.0 * levels + spread, color=FAINT, alpha=0.3, lw=0, label="±2σ"
+        )
         axis.plot([0, 100], [0, 100], color=INK, lw=0.8)
         axis.set(xlim=(0, 100), ylim=(0, 100), xlabel="level of the interval, %", ylabel="contain the truth, %")
         axis.set_title(f"{axis.get_title(loc='left')}  {title}", loc="left", fontsize=10)
@@ -196,11 +216,12 @@ STUDY = Study(
     name="real-film",
     texts={
         "tracker": of_tracker,
-        "coverage": lambda: coverage("coverage"),
+        "fits": of_fits,
+        "coverage": lambda: coverage("coverage", NAMES),
         "repeated": repeated,
         "sequences": lambda: sequences("coverage"),
         "search": lambda: sequences("search"),
-        "videos": lambda: coverage("videos"),
+        "videos": lambda: coverage("videos", NAMES | EXPOSURE),
         "sequences of videos": lambda: sequences("videos"),
     },
     pictures={"found": picture_found, "residuals": residuals, "calibration": calibration},

@@ -38,6 +38,7 @@ from .motion import (
     State,
     Transition,
 )
+from .noise import Noise
 from .phase_plane import Equilibrium, PhasePlane
 from .samples import Samples
 from .scoring import Convergence, EventScore, Record, RecordError, Score, Tolerances, convergence, score
@@ -73,6 +74,7 @@ __all__ = [
     "IdentifiabilityWarning",
     "Impact",
     "Impulse",
+    "Noise",
     "Outcome",
     "ParameterError",
     "Phase",

@@ -1,6 +1,6 @@
 """`python -m studies.film.videos FIRST LAST`: fits of synthetic films, from the file of the film on.
 
-Film number k is made with the seed k. The lines of docs/studies/real-film/videos.csv are those of 0 to 20.
+Film number k is made with the seed k. The lines of docs/studies/real-film/videos.csv are those of 0 to 200.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import tempfile
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import littlewood as lw
 import numpy as np
@@ -75,9 +76,9 @@ class Film:
             seed=self.seed,
         )
 
-    def track(self, path: Path) -> lw.Track:
-        """Track the film."""
-        return lw.track_video(path, self.thrown.hoop, plane=self.clicked, pictures_per_second=self.rate)
+    def track(self, path: Path, plane: video.Plane) -> lw.Track:
+        """Track the film by somebody who takes the plane to be there, and does not know the exposure."""
+        return lw.track_video(path, self.thrown.hoop, plane=plane, pictures_per_second=self.rate)
 
     def errors(self, track: lw.Track) -> dict[str, np.ndarray]:
         """Return what a track has too much, against the mean of the exact motion over the exposures."""
@@ -114,16 +115,23 @@ def track_of(number: int) -> lw.Track:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "film.avi"
         film.write(path)
-        return film.track(path)
+        return film.track(path, film.clicked)
+
+
+def fitted(film: Film, track: lw.Track, **more: Any) -> lw.FitResult:
+    """Fit the track of a film from the truth."""
+    thrown = film.thrown
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
+        return lw.fit(
+            track, thrown.hoop, free=FREE, slips_at_start=thrown.slips, start=thrown.start, search=False, **more
+        )
 
 
 def line_of(number: int, track: lw.Track) -> list[str]:
     """Fit the track of one film."""
     film = film_of(number)
-    thrown = film.thrown
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
-        result = lw.fit(track, thrown.hoop, free=FREE, slips_at_start=thrown.slips, start=thrown.start, search=False)
+    result, thrown = fitted(film, track), film.thrown
     exposure, time_s = result.estimates["camera_exposure"], thrown.hoop.require_units().time_s
     return [
         *cells_of(number, film.rate, thrown, result),
