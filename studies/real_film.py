@@ -61,9 +61,25 @@ def coverage(name: str, names: dict[str, str]) -> list[str]:
         values = pulls(rows, key)
         error = float(np.median([row[f"{key}_error"] for row in rows]))
         parts = [f"{100.0 * part_within(values, level):.0f} %" for level in LEVELS]
-        lines.append([label, str(len(values)), *parts, f"{error:.1e}"])
+        root = float(np.sqrt(np.mean(np.square(values))))
+        lines.append([label, str(len(values)), *parts, f"{root:.2f}", f"{error:.1e}"])
     heads = [f"{100.0 * level:g} %" for level in LEVELS]
-    return table(["coefficient", "films that tell it", *heads, "median standard error"], lines)
+    last = ["error over standard error, root of the mean square", "median standard error"]
+    return table(["coefficient", "films that tell it", *heads, *last], lines)
+
+
+def by_exposure(long: bool) -> str:
+    """How far errors are over standard errors in films that are exposed for more or less than half of the time."""
+    rows = [row for row in rows_of("videos") if (row["exposure_s_true"] * row["rate"] > 0.5) == long]
+    roots = [float(np.sqrt(np.mean(np.square(pulls(rows, name))))) for name in FREE]
+    return ", ".join(f"{root:.2f}" for root in roots)
+
+
+def result() -> str:
+    """How often the 95 % intervals of videos contain the truth, over the coefficients."""
+    rows = rows_of("videos")
+    parts = [100.0 * part_within(pulls(rows, name), 0.95) for name in FREE]
+    return f"{min(parts):.0f} to {max(parts):.0f} %"
 
 
 def repeated() -> str:
@@ -81,7 +97,7 @@ def repeated() -> str:
 
 @cache
 def shown() -> tuple[Film, np.ndarray, video.Circle, video.Marker, lw.Track, lw.Track]:
-    """The film of the pictures: one of its pictures with what is found, its track, and that by a plane that is clicked."""
+    """The film of the pictures: what is found in one of them, its track, and that by the clicked plane."""
     film = film_of(SHOWN)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "film.avi"
@@ -127,7 +143,7 @@ def of_fits() -> list[str]:
         for name in FREE:
             estimate = result.estimates[name]
             off = (estimate.value - getattr(film.thrown.hoop, name)) / estimate.std_error
-            row.append(f"{off:+.1f} of {estimate.std_error:.1e}" if estimate.identifiable else "not told")
+            row.append(f"{off:+.1f} ({estimate.std_error:.1e})" if estimate.identifiable else "not told")
         rows.append(row)
     return table(["", *NAMES.values()], rows)
 
@@ -215,6 +231,7 @@ def sequences(name: str) -> str:
 STUDY = Study(
     name="real-film",
     texts={
+        "result": result,
         "tracker": of_tracker,
         "fits": of_fits,
         "coverage": lambda: coverage("coverage", NAMES),
@@ -222,6 +239,8 @@ STUDY = Study(
         "sequences": lambda: sequences("coverage"),
         "search": lambda: sequences("search"),
         "videos": lambda: coverage("videos", NAMES | EXPOSURE),
+        "short": lambda: by_exposure(False),
+        "long": lambda: by_exposure(True),
         "sequences of videos": lambda: sequences("videos"),
     },
     pictures={"found": picture_found, "residuals": residuals, "calibration": calibration},
