@@ -61,18 +61,16 @@ def coverage(name: str, names: dict[str, str]) -> list[str]:
         values = pulls(rows, key)
         error = float(np.median([row[f"{key}_error"] for row in rows]))
         parts = [f"{100.0 * part_within(values, level):.0f} %" for level in LEVELS]
-        root = float(np.sqrt(np.mean(np.square(values))))
-        lines.append([label, str(len(values)), *parts, f"{root:.2f}", f"{error:.1e}"])
+        lines.append([label, str(len(values)), *parts, f"{error:.1e}"])
     heads = [f"{100.0 * level:g} %" for level in LEVELS]
-    last = ["error over standard error, root of the mean square", "median standard error"]
-    return table(["coefficient", "films that tell it", *heads, *last], lines)
+    return table(["coefficient", "films that tell it", *heads, "median standard error"], lines)
 
 
 def by_exposure(long: bool) -> str:
-    """How far errors are over standard errors in films that are exposed for more or less than half of the time."""
+    """How often 95 % intervals contain the truth in films that are exposed for more or less than half of the time."""
     rows = [row for row in rows_of("videos") if (row["exposure_s_true"] * row["rate"] > 0.5) == long]
-    roots = [float(np.sqrt(np.mean(np.square(pulls(rows, name))))) for name in FREE]
-    return ", ".join(f"{root:.2f}" for root in roots)
+    parts = [100.0 * part_within(pulls(rows, name), 0.95) for name in FREE]
+    return ", ".join(f"{part:.0f}" for part in parts) + f" % of {len(rows)}"
 
 
 def result() -> str:

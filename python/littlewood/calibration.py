@@ -78,6 +78,8 @@ def shown(means: Mapping[str, _Reals], constants: Mapping[str, float]) -> dict[s
     constants : mapping
         Sizes by the names of :data:`CALIBRATION`; the exposure is in the means.
     """
+    if not any(constants.values()):
+        return dict(means)
     theta, x, y = means["theta"], means["x"], means["y"]
     turned, along, up = np.zeros_like(theta), 0.0, 0.0
     for name, wave in _OF_ANGLE.items():
