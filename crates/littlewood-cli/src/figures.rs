@@ -14,7 +14,7 @@ use crate::nearest;
 use crate::output::Output;
 use crate::problem::Problem;
 use crate::progress::{Bar, Count};
-use crate::request::Request;
+use crate::request::{Overrides, Request};
 use crate::work::STARTS;
 
 /// Runs the command.
@@ -151,9 +151,15 @@ fn prepare(folder: &Path) -> Result<(), Error> {
 
 /// The hoop and the start of a figure: those of its own case, as far as nothing else is asked for.
 fn subject(args: &FiguresArgs, entry: &FigureEntry) -> Result<FigureInput, Error> {
-    let problem = Problem::resolve(Request::new(&args.problem(entry.case), Some(&args.run))?)?;
+    let is_si = args.along.is_some_and(|along| along.is_si());
+    let request = Request {
+        overrides: Overrides { given: Vec::new(), si: is_si },
+        ..Request::new(&args.problem(entry.case), Some(&args.run))?
+    };
+    let problem = Problem::resolve(request)?;
     let input = FigureInput::new(problem.hoop, problem.start, problem.limits);
-    Ok(FigureInput { impact: args.impact, units: problem.units, width_mm: args.width_mm, ..input })
+    let along = args.along.map(|along| along.resolve(problem.units.as_ref())).transpose()?;
+    Ok(FigureInput { impact: args.impact, along, units: problem.units, width_mm: args.width_mm, ..input })
 }
 
 const fn is_about_the_hoop(error: &FigureError) -> bool {
@@ -169,6 +175,8 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
             | FigureError::NoContact { .. }
             | FigureError::NoForce { .. }
             | FigureError::NoImpact { .. }
+            | FigureError::NoTransition { .. }
+            | FigureError::TooManyBands { .. }
     )
 }
 

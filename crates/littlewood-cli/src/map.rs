@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Progress, Shade, sweep_grid};
+use littlewood_sweep::{Chunk, Columns, Drawing, Picture, PictureSize, Progress, Shade, sweep_grid};
 
 use crate::args::MapArgs;
 use crate::error::Error;
@@ -23,8 +23,7 @@ use crate::work::{self, Base};
 pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
     let size = PictureSize { width: args.size.0, height: args.size.1 };
-    let kinds =
-        store::kinds(&args.store.out, &[Kind::Zarr, Kind::Parquet, Kind::Csv, Kind::Json, Kind::Picture])?;
+    let kinds = store::kinds(&args.store.out, &Kind::OF_A_MAP)?;
     let (grid, Base { limits, units, .. }) = work::grid(&args.base, &args.run, &[args.x, args.y])?;
     let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, grid.len())).collect();
     let at_the_end: Vec<(Kind, &Path)> =
@@ -45,7 +44,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     if args.contours {
         picture = picture.with_contours()?;
     }
-    let mut plane = match at_the_end.iter().find(|(kind, _)| *kind != Kind::Picture) {
+    let mut plane = match at_the_end.iter().find(|(kind, _)| !kind.is_picture()) {
         Some((_, path)) => Some(Plane::new(&grid, path)?),
         None => None,
     };
@@ -68,16 +67,26 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         };
         sweep_grid(&grid, limits, &targets, Some(&mut add), &workers, &options)?
     };
-    if report.complete && at_the_end.iter().any(|(kind, _)| *kind == Kind::Picture) {
+    let has = |wanted: fn(Kind) -> bool| at_the_end.iter().any(|(kind, _)| wanted(*kind));
+    // Areas are found by the drawing itself.
+    if report.complete
+        && (has(|kind| kind == Kind::Picture) || has(Kind::is_drawing) && shade.is_on_a_scale())
+    {
         report.complete = picture.refine(limits, &workers, &options)?;
     }
+    let drawing = if has(Kind::is_drawing) { picture.drawing(limits, &workers, &options)? } else { None };
+    report.complete = report.complete && (drawing.is_some() || !has(Kind::is_drawing));
     let time = began.elapsed();
     drop(bar);
 
-    let write = |kind: Kind, file: Output| match (kind, &plane) {
-        (Kind::Csv, Some(plane)) => file.write(|writer| plane.csv(writer)),
-        (Kind::Json, Some(plane)) => file.write(|writer| plane.json(writer)),
-        (_, _) => {
+    let write = |kind: Kind, file: Output| match (kind, &plane, &drawing) {
+        (Kind::Csv, Some(plane), _) => file.write(|writer| plane.csv(writer)),
+        (Kind::Json, Some(plane), _) => file.write(|writer| plane.json(writer)),
+        (Kind::Svg | Kind::Pdf, _, Some(drawing)) => {
+            let bytes = drawn(kind, drawing, args.width_mm)?;
+            file.write(|writer| writer.write_all(&bytes))
+        }
+        (_, _, _) => {
             let png = picture.png()?;
             file.write(|writer| writer.write_all(&png))
         }
@@ -91,7 +100,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     } else if report.computed + report.reused > 0 {
         // What is not complete does not take the place of what may be.
         drop(files);
-        for (kind, path) in &at_the_end {
+        for (kind, path) in at_the_end.iter().filter(|(kind, _)| !kind.is_drawing() || drawing.is_some()) {
             let path = partial(path);
             write(*kind, Output::open(Some(&path))?)?;
             written.push(path);
@@ -99,6 +108,21 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     }
     let kept = work::kept(&targets, &report, written);
     sweep::finish(&Run::new(&report, time, workers.threads(), kept), args.store.format)
+}
+
+/// A map in vectors as a file.
+#[cfg(feature = "figures")]
+fn drawn(kind: Kind, drawing: &Drawing, width_mm: Option<f64>) -> Result<Vec<u8>, Error> {
+    let figure = littlewood_figures::map(drawing, width_mm).map_err(Error::of_figure)?;
+    let bytes = if kind == Kind::Pdf { figure.pdf() } else { figure.svg().map(String::into_bytes) };
+    bytes.map_err(Error::of_figure)
+}
+
+/// Such files are refused before.
+#[cfg(not(feature = "figures"))]
+fn drawn(_: Kind, _: &Drawing, _: Option<f64>) -> Result<Vec<u8>, Error> {
+    let what = "what SVG and PDF need".to_owned();
+    Err(Error::NotBuilt { what, feature: crate::feature::Feature::Figures })
 }
 
 /// Where a picture goes that is not complete: `map.partial.png`.

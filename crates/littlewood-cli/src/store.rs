@@ -20,6 +20,10 @@ pub(crate) enum Kind {
     Json,
     /// PNG.
     Picture,
+    /// SVG.
+    Svg,
+    /// PDF.
+    Pdf,
 }
 
 /// Starts up to which a table is one file. The footer of a file grows with it.
@@ -39,6 +43,12 @@ pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
         let what = format!("what --out {} needs", path.display());
         return Err(Error::NotBuilt { what, feature: Feature::Sweep });
     }
+    if let Some(Kind::Svg | Kind::Pdf) = kind
+        && !cfg!(feature = "figures")
+    {
+        let what = format!("what --out {} needs", path.display());
+        return Err(Error::NotBuilt { what, feature: Feature::Figures });
+    }
     kind.ok_or_else(|| {
         let endings: Vec<String> = allowed.iter().map(|kind| format!(".{}", kind.ending())).collect();
         Error::Out {
@@ -50,6 +60,20 @@ pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
 }
 
 impl Kind {
+    /// What a map can be written as.
+    pub(crate) const OF_A_MAP: [Self; 7] =
+        [Self::Zarr, Self::Parquet, Self::Csv, Self::Json, Self::Picture, Self::Svg, Self::Pdf];
+
+    /// Whether it shows the map.
+    pub(crate) const fn is_picture(self) -> bool {
+        matches!(self, Self::Picture | Self::Svg | Self::Pdf)
+    }
+
+    /// Whether it shows the map in vectors.
+    pub(crate) const fn is_drawing(self) -> bool {
+        matches!(self, Self::Svg | Self::Pdf)
+    }
+
     const fn ending(self) -> &'static str {
         match self {
             Self::Zarr => "zarr",
@@ -57,6 +81,8 @@ impl Kind {
             Self::Csv => "csv",
             Self::Json => "json",
             Self::Picture => "png",
+            Self::Svg => "svg",
+            Self::Pdf => "pdf",
         }
     }
 
@@ -64,7 +90,7 @@ impl Kind {
     pub(crate) const fn is_written_at_the_end(self) -> bool {
         match self {
             Self::Zarr | Self::Parquet => false,
-            Self::Csv | Self::Json | Self::Picture => true,
+            Self::Csv | Self::Json | Self::Picture | Self::Svg | Self::Pdf => true,
         }
     }
 
@@ -74,7 +100,7 @@ impl Kind {
             Self::Zarr => Some(Target::Zarr(path)),
             Self::Parquet if starts <= ONE_FILE => Some(Target::Parquet(path)),
             Self::Parquet => Some(Target::ParquetFolder(path)),
-            Self::Csv | Self::Json | Self::Picture => None,
+            Self::Csv | Self::Json | Self::Picture | Self::Svg | Self::Pdf => None,
         }
     }
 }
@@ -98,9 +124,7 @@ pub(crate) fn kinds<'a>(out: &'a [PathBuf], allowed: &[Kind]) -> Result<Vec<(Kin
 
 /// What to say when Ctrl-C has come.
 pub(crate) fn interrupted(done: u64, total: u64, kept: &[PathBuf]) -> Error {
-    let at_the_end = |path: &Path| {
-        kind_of(path, &[Kind::Csv, Kind::Json, Kind::Picture]).is_ok_and(Kind::is_written_at_the_end)
-    };
+    let at_the_end = |path: &Path| kind_of(path, &Kind::OF_A_MAP).is_ok_and(Kind::is_written_at_the_end);
     let store = kept.iter().find(|path| !at_the_end(path));
     let hint = match (store, kept.first()) {
         (Some(path), _) => format!(

@@ -103,6 +103,28 @@ fn bad_values_are_refused() {
 }
 
 #[test]
+fn a_line_is_a_name_and_two_ends() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("UTF-8");
+    let figure = ["figures", "bifurcation", "--out", out, "--format", "txt"];
+    for (line, words) in [
+        ("mu_s=0.1", "a line is NAME=FROM:TO"),
+        ("mu_s=0.1:1:20", "a line is NAME=FROM:TO"),
+        ("slp=0:1", "did you mean 'slip'"),
+        ("slip=left:1", "'left' is not a number"),
+        ("mu_s=0.1:1", "must not exceed mu_s = 0.1"),
+        ("theta_rate_rad_per_s=0:9", "missing"),
+    ] {
+        let message = refusal(&[&figure[..], &["--along", line]].concat());
+        assert!(message.contains(words) && message.contains("hint:"), "{line}: {message}");
+    }
+    assert_eq!(files(folder.path()), Vec::<String>::new());
+    text(&[&figure[..], &["--along", "mu=0.4:1"]].concat());
+    let caption = fs::read_to_string(folder.path().join("bifurcation.txt")).expect("a caption");
+    assert!(caption.contains("coefficient of static and kinetic friction, μ"), "{caption}");
+}
+
+#[test]
 fn the_figure_of_an_impact_shows_the_one_that_is_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().to_str().expect("UTF-8");

@@ -137,6 +137,28 @@ fn other_bad_input_is_refused() {
     assert!(fs::read_dir(folder.path()).expect("a folder").next().is_none());
 }
 
+#[cfg(feature = "figures")]
+#[test]
+fn a_map_in_vectors_does_not_depend_on_threads_and_has_the_width_that_is_asked_for() {
+    let folder = folder();
+    let [one, two] = ["1", "2"].map(|threads| {
+        let [svg, pdf] = ["svg", "pdf"].map(|ending| path(&folder, &format!("{threads}.{ending}")));
+        let work = ["--threads", threads, "--width-mm", "84", "--out", &svg, "--out", &pdf];
+        text(&[&["map", "figure-3"], &SMALL[..], &work].concat());
+        [svg, pdf].map(|file| fs::read(file).expect("a file"))
+    });
+    assert!(one == two);
+    let svg = String::from_utf8(one[0].clone()).expect("UTF-8");
+    assert!(svg.contains("width=\"84mm\"") && !svg.contains("<image"), "{svg:.300}");
+    assert!(one[1].starts_with(b"%PDF"));
+    // The colours of a scale are an image.
+    let out = path(&folder, "time.svg");
+    text(&[&["map", "figure-3"], &SMALL[..], &["--shade", "lift_off_time", "--out", &out]].concat());
+    assert!(fs::read_to_string(&out).expect("a drawing").contains("<image"));
+    let wide = [&["map", "figure-3"], &SMALL[..], &["--width-mm", "9", "--out", &out]].concat();
+    assert!(complaint(&wide, 2).contains("from 60 to 420 mm"));
+}
+
 #[test]
 fn a_picture_has_the_size_that_is_asked_for() {
     let folder = folder();

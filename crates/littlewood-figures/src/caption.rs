@@ -172,8 +172,10 @@ const fn symbol(letter: char) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
+    use littlewood::Units;
+
     use super::*;
-    use crate::FIGURES;
+    use crate::{FIGURES, FigureInput};
 
     #[test]
     fn symbols_are_formulas_and_words_are_text() {
@@ -183,18 +185,58 @@ mod tests {
         assert_eq!(latex("*X̄* moves by *ℓh*"), "$\\bar{X}$ moves by $\\ell h$");
     }
 
-    #[test]
-    fn captions_have_nothing_that_latex_does_not_know() {
-        for entry in FIGURES {
-            let figure = entry.of_the_paper().expect("the figure can be made");
-            let tex = figure.caption_tex();
-            let strange: String = tex.chars().filter(|letter| !letter.is_ascii()).collect();
-            assert_eq!(strange, "", "{}", entry.name);
-            for (open, close) in [('{', '}'), ('[', ']')] {
-                let count = |wanted: char| tex.chars().filter(|letter| *letter == wanted).count();
-                assert_eq!(count(open), count(close), "{}: {tex}", entry.name);
+    /// What LaTeX would not take.
+    fn faults(tex: &str) -> Vec<String> {
+        let mut found = Vec::new();
+        found
+            .extend(tex.chars().filter(|letter| !letter.is_ascii()).map(|letter| format!("letter {letter}")));
+        for (open, close) in [('{', '}'), ('[', ']')] {
+            let count = |wanted: char| tex.chars().filter(|letter| *letter == wanted).count();
+            if count(open) != count(close) {
+                found.push(format!("{open} without {close}"));
             }
-            assert_eq!(tex.matches('$').count() % 2, 0, "{}: {tex}", entry.name);
         }
+        if tex.contains("$$") {
+            found.push("an empty formula".to_owned());
+        }
+        let (mut is_formula, mut last) = (false, ' ');
+        for letter in tex.chars() {
+            match letter {
+                '$' if last != '\\' => is_formula = !is_formula,
+                '%' | '&' | '#' if last != '\\' => found.push(format!("{letter} alone")),
+                '^' | '_' if !is_formula && last != '\\' => found.push(format!("{letter} in a text")),
+                '~' => found.push("~".to_owned()),
+                _ => {}
+            }
+            last = if last == '\\' && letter == '\\' { ' ' } else { letter };
+        }
+        if is_formula {
+            found.push("a formula without end".to_owned());
+        }
+        found
+    }
+
+    #[test]
+    fn captions_have_nothing_that_latex_does_not_take() {
+        assert_eq!(faults("5% of $x$ é").len(), 2);
+        let units = Units::new(0.14, 0.45, 9.81).expect("units");
+        let mut count = 0;
+        for case in littlewood::CASES {
+            let input = FigureInput::of_case(case.name).expect("a case");
+            let limits = input.limits.with_until(Some(30.0));
+            for units in [None, Some(units)] {
+                let input = FigureInput { limits, units, ..input };
+                // Whose captions are those of its own case, but for the numbers of the hoop.
+                let slow = |name| ["outcomes", "bifurcation"].contains(&name);
+                for entry in FIGURES.iter().filter(|entry| entry.case == case.name || !slow(entry.name)) {
+                    if let Ok(figure) = entry.figure(&input) {
+                        let tex = figure.caption_tex();
+                        assert_eq!(faults(&tex), [""; 0], "{} of {}: {tex}", entry.name, case.name);
+                        count += 1;
+                    }
+                }
+            }
+        }
+        assert!(count > 200, "{count}");
     }
 }

@@ -119,6 +119,12 @@ pub const FIGURES: &[FigureEntry] = &[
         case: "figure-3",
         make: Make::OfStarts(paper::outcomes::figure),
     },
+    FigureEntry {
+        name: "bifurcation",
+        title: "how transitions change along a line of starts or parameters",
+        case: "figure-3",
+        make: Make::OfStarts(paper::bifurcation::figure),
+    },
 ];
 
 /// Pixels of the pictures of the gallery to one of the drawing.

@@ -40,10 +40,14 @@ pub(crate) fn dimension(column: &str) -> Dimension {
         _ => None,
     };
     let of_sample = || column.parse().ok().and_then(SampleColumn::dimension);
-    own.or_else(of_sample).unwrap_or(Dimension::Ratio)
+    let of_quantity = || column.parse().ok().map(Quantity::dimension);
+    own.or_else(of_sample).or_else(of_quantity).unwrap_or(Dimension::Ratio)
 }
 
 /// Name of a column in SI units.
 pub(crate) fn si_name(column: &str) -> Cow<'static, str> {
+    if let Some(twin) = column.parse().ok().and_then(Quantity::si_twin) {
+        return Cow::Borrowed(twin.name());
+    }
     Cow::Owned(format!("{column}{}", dimension(column).si_suffix()))
 }

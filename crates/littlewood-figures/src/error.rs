@@ -1,6 +1,7 @@
 //! What can go wrong with a figure.
 
 use littlewood::{OutcomeKind, ParameterError};
+use littlewood_sweep::{AxisError, ThreadsError, Varies};
 
 /// A figure that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -66,6 +67,36 @@ pub enum FigureError {
         /// What there is instead.
         outcome: OutcomeKind,
     },
+    /// A figure of transitions asked for a line along which no motion has one.
+    #[error(
+        "{figure} shows how transitions change, but no motion has one where {along} goes from {from} to {to}"
+    )]
+    NoTransition {
+        /// Name of the figure.
+        figure: &'static str,
+        /// What varies.
+        along: Varies,
+        /// Its least value.
+        from: f64,
+        /// Its greatest.
+        to: f64,
+    },
+    /// A figure of transitions asked for a line along which motions change all the time.
+    #[error(
+        "{figure} can show {most} changes of the sequence of phases, but there are more where {along} goes from {from} to {to}"
+    )]
+    TooManyBands {
+        /// Name of the figure.
+        figure: &'static str,
+        /// What varies.
+        along: Varies,
+        /// Its least value.
+        from: f64,
+        /// Its greatest.
+        to: f64,
+        /// Changes that can be shown.
+        most: usize,
+    },
     /// A figure of forces asked for a motion in which the plane exerts none.
     #[error("{figure} shows the forces of the plane, but in this motion there are none: {}", outcome.label())]
     NoForce {
@@ -120,6 +151,12 @@ pub enum FigureError {
         /// Most.
         most: f64,
     },
+    /// The system has no threads to give.
+    #[error(transparent)]
+    Threads(#[from] ThreadsError),
+    /// Axes of a plane that cannot be.
+    #[error(transparent)]
+    Axis(#[from] AxisError),
     /// The plotting library has failed.
     #[error("drawing failed: {0}")]
     Drawing(String),

@@ -35,12 +35,23 @@ pub struct Panel {
     pub frame: [f64; 4],
     /// Axes.
     pub view: View,
+    /// Pixels over the whole of the axes, below all that is drawn.
+    pub image: Option<Image>,
     /// What is drawn, the lowest first.
     pub layers: Vec<Layer>,
     /// Texts.
     pub labels: Vec<Label>,
     /// Keys to colours.
     pub keys: Vec<Key>,
+}
+
+/// Pixels row by row from the top, three bytes each: red, green and blue.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    /// Width and height.
+    pub size: [usize; 2],
+    /// The pixels.
+    pub pixels: Vec<u8>,
 }
 
 /// The axes of a panel.
@@ -98,6 +109,8 @@ pub enum Scale {
     Angle(Vec<Tick>),
     /// Powers of ten; the values of the axis are their logarithms.
     Decades,
+    /// These, as many as there is room for.
+    Given(Vec<Tick>),
     /// Round numbers, without labels: another panel below has them.
     Bare,
     /// None.
@@ -135,12 +148,16 @@ pub enum Mark {
     Head(Rgb),
     /// A polygon for each piece.
     Fill(Rgb),
+    /// The area that all pieces bound together: those around it, and those around its holes in the other direction.
+    Region(Rgb),
     /// A hatched polygon for each piece.
     Hatch(Rgb),
     /// A dot on each row.
     Dot(Rgb, f64),
     /// A circle on each row, white inside.
     Ring(Rgb, f64),
+    /// A square on its corner on each row, edged with paper.
+    Diamond(Rgb, f64),
     /// A cross on each row.
     Cross(Rgb, f64),
     /// A hoop on each row, whose last column is the angle of its particle: offset of the particle and of
@@ -155,8 +172,6 @@ pub enum Mark {
         /// Colour of the rim.
         rim: Stroke,
     },
-    /// A rectangle of these sides, in units of the axes, about each row; rows side by side make one.
-    Cell(Rgb, [f64; 2]),
 }
 
 /// A text in a panel.

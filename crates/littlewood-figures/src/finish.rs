@@ -63,7 +63,6 @@ fn convert(panel: &mut Panel, units: &Units) {
         }
     }
     let radius = units.unit(Dimension::Length);
-    let sides = [&axes[0].column, &axes[1].column].map(|column| units.unit(dimension(column)));
     for axis in axes {
         axis.range = axis.range.map(|value| in_si(units, &axis.column, value));
         axis.column = si_name(&axis.column);
@@ -79,14 +78,15 @@ fn convert(panel: &mut Panel, units: &Units) {
         }
         match &mut layer.mark {
             Mark::Hoop { radius: own, .. } => *own *= radius,
-            Mark::Cell(_, own) => *own = [own[0] * sides[0], own[1] * sides[1]],
             Mark::Line(_)
             | Mark::Arrow(_)
             | Mark::Head(_)
             | Mark::Fill(_)
+            | Mark::Region(_)
             | Mark::Hatch(_)
             | Mark::Dot(..)
             | Mark::Ring(..)
+            | Mark::Diamond(..)
             | Mark::Cross(..) => {}
         }
     }
@@ -132,6 +132,10 @@ fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
         Scale::Whole => ticks::round(from, to, count.min((to - from) as usize).max(1)),
         Scale::Angle(_) => ticks::angular(from, to, count),
         Scale::Decades => decades([from, to], count),
+        Scale::Given(ticks) => {
+            let each = ticks.len().div_ceil(count);
+            ticks.iter().step_by(each.max(1)).cloned().collect()
+        }
         Scale::Bare => ticks::round(from, to, count)
             .into_iter()
             .map(|tick| Tick { label: String::new(), value: tick.value })

@@ -1,10 +1,22 @@
 //! What a figure is made of: a hoop, a start, limits.
 
-use littlewood::{Body, Hoop, Limits, Start, Trajectory, Units};
+use littlewood::{Body, Engine, Hoop, Limits, Start, Trajectory, Units};
+use littlewood_sweep::Axis;
 
+use crate::axes::outcome_window;
 use crate::error::FigureError;
 use crate::sheet::Sheet;
 use crate::wording::Wording;
+
+/// Transitions to which the motions of a very light hoop are followed where there are many of them, and those of a hoop whose
+/// motions have more than so many.
+const LIGHT_TRANSITIONS: usize = 24;
+const LONG_TRANSITIONS: usize = 100;
+const LONG: u32 = 30;
+/// Starts to either side of the plane from which that is known.
+const PROBES: u32 = 8;
+/// Hoops that are better balanced, by h, are simulated though they are not light.
+const BALANCED: f64 = 1e-3;
 
 /// A hoop and a motion of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +29,9 @@ pub struct FigureInput {
     pub limits: Limits,
     /// Which impact of the motion is shown, from 1, by the figure that shows one.
     pub impact: usize,
+    /// The line of the figure that shows how a motion changes along one, by its ends: a quantity of the start or of the hoop; a
+    /// rate at the start if there is none.
+    pub along: Option<Axis>,
     /// Units, if axes and values are in seconds, metres and newtons.
     pub units: Option<Units>,
     /// Width in print, in millimetres, from [`crate::LEAST_WIDTH_MM`] to [`crate::MOST_WIDTH_MM`]; for a screen if there is
@@ -38,7 +53,41 @@ impl FigureInput {
     /// A hoop and a start; of the impacts the first.
     #[must_use]
     pub const fn new(hoop: Hoop, start: Start, limits: Limits) -> Self {
-        Self { hoop, start, limits, impact: 1, units: None, width_mm: None }
+        Self { hoop, start, limits, impact: 1, along: None, units: None, width_mm: None }
+    }
+
+    /// The limits of each of many motions, and the number of transitions at which they cut what would go on: motions of very light
+    /// hoops have thousands of phases, each of which is simulated, and so have those of hoops that hardly lose energy.
+    pub(crate) fn limits_of_many(&self, engine: &Engine) -> (Limits, Option<usize>) {
+        let most = if self.is_massless() {
+            usize::MAX
+        } else if engine.is_exact() && self.hoop.h() > BALANCED && self.hoop.mu_k() > 0.0 {
+            LIGHT_TRANSITIONS
+        } else if self.are_long(engine) {
+            LONG_TRANSITIONS
+        } else {
+            usize::MAX
+        };
+        let limits = self.limits;
+        if limits.transitions > most { (limits.with_transitions(most), Some(most)) } else { (limits, None) }
+    }
+
+    /// Whether the motions of a hoop have many transitions.
+    fn are_long(&self, engine: &Engine) -> bool {
+        let window = outcome_window(&self.hoop);
+        let limits = self.limits.with_transitions(LONG_TRANSITIONS);
+        let at = |range: [f64; 2], i: u32| {
+            range[0] + (range[1] - range[0]) * (f64::from(i) + 0.5) / f64::from(PROBES)
+        };
+        let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [at(window.x, i), at(window.y, j)]));
+        let transitions =
+            starts
+                .filter_map(|[theta, rate]| engine.summary(Start::at(theta, rate), limits).ok())
+                // What comes after the lift-off decides nothing.
+                .map(|summary| {
+                    if summary.lift_off_time.is_nan() { summary.transitions } else { summary.sequence.len() }
+                });
+        transitions.sum::<u32>() > LONG * PROBES * PROBES
     }
 
     /// How numbers are said.

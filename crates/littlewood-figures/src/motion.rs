@@ -2,9 +2,10 @@
 
 use core::f64::consts::TAU;
 
-use littlewood::{Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
+use littlewood::{Dimension, Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
 
 use crate::figure::Series;
+use crate::wording::Wording;
 
 /// Instants of a phase.
 const INSTANTS: u32 = 160;
@@ -15,6 +16,12 @@ const FEWEST_INSTANTS: u32 = 2;
 
 /// Most transitions that are shown of a motion that was stopped at a number of them.
 const TRANSITIONS: usize = 12;
+
+/// Phases that cannot be told apart beside each other, how many transitions are then shown of a motion that does not end in an
+/// event, and instants of all that are shown.
+const CROWD: usize = 64;
+const SHOWN: usize = 24;
+const INSTANTS_OF_A_CROWD: f64 = 6_000.0;
 
 /// The instants of a phase at which its rate is finite, evenly spaced; one that lasts for ever is cut at `until`.
 pub(crate) fn instants(motion: &Trajectory, phase: &Phase, until: f64) -> Vec<Sample> {
@@ -29,9 +36,12 @@ pub(crate) fn all_instants(motion: &Trajectory, phase: &Phase, until: f64) -> Ve
     if duration <= 0.0 {
         return Vec::new();
     }
+    let share = duration / (until - motion.start().time);
+    let of_all = |all: f64| (libm::ceil(all * share) as u32).clamp(FEWEST_INSTANTS, INSTANTS);
     let intervals = if motion.hoop().restitution().is_some() {
-        let share = duration / (until - motion.start().time);
-        (libm::ceil(INSTANTS_IN_ALL * share) as u32).clamp(FEWEST_INSTANTS, INSTANTS)
+        of_all(INSTANTS_IN_ALL)
+    } else if motion.phases().len() > CROWD {
+        of_all(INSTANTS_OF_A_CROWD)
     } else {
         INSTANTS
     };
@@ -46,11 +56,33 @@ pub(crate) fn horizon(motion: &Trajectory) -> f64 {
     if motion.hoop().restitution().is_some() {
         return horizon_with_impacts(motion, last);
     }
+    if let Some(time) = crowded(motion) {
+        return time;
+    }
     if end.is_finite() && motion.outcome().is_final() {
         return end;
     }
     let turns = 14.0 / f64::max(last.start().theta_rate.abs(), 14.0 / 12.0);
     f64::min(end, last.start().time + turns)
+}
+
+/// Until when a motion of very many transitions is shown that ends in none.
+fn crowded(motion: &Trajectory) -> Option<f64> {
+    let transitions = motion.transitions();
+    let is_event = transitions.last().is_some_and(|last| last.to.is_none());
+    (transitions.len() > CROWD && !is_event).then(|| transitions[SHOWN].time())
+}
+
+/// What a caption says of a motion of which only the beginning is shown, a sentence.
+pub(crate) fn remark(motion: &Trajectory, say: Wording) -> String {
+    let until = horizon(motion);
+    let all = motion.transitions().len();
+    let shown = motion.transitions().iter().filter(|transition| transition.time() <= until).count();
+    if shown == all {
+        return String::new();
+    }
+    let at = say.value(until, Dimension::Time);
+    format!(" Shown is the beginning, to {} = {at}, with {shown} of {all} transitions.", say.time())
 }
 
 /// The same of a motion that goes on after its landings: it has more to show before its last phase, of which a turn is

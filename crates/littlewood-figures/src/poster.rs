@@ -272,6 +272,7 @@ impl Page {
             View::Space { .. } => Vec::new(),
         };
         panels.push(Panel {
+            image: None,
             name: "page",
             frame: [0.0, 0.0, width, height],
             view,

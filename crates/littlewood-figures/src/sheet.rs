@@ -109,7 +109,15 @@ impl Sheet {
     /// A panel in a frame.
     pub(crate) fn panel(frame: [f64; 4], content: Content) -> Panel {
         let Content { name, x, y, layers, labels } = content;
-        Panel { name, frame, view: View::Plane { x, y, axes: true }, layers, labels, keys: Vec::new() }
+        Panel {
+            name,
+            frame,
+            view: View::Plane { x, y, axes: true },
+            layers,
+            labels,
+            image: None,
+            keys: Vec::new(),
+        }
     }
 
     /// A figure of one panel, so high on a screen, with its keys above it.

@@ -18,6 +18,8 @@ pub(crate) const FAINT: Rgb = Ink::Faint.colour(THEME);
 pub(crate) const GRID: Rgb = Ink::Line.colour(THEME);
 /// Hatches.
 pub(crate) const HATCH: Rgb = Ink::Hatch.colour(THEME);
+/// Between regions of a plane.
+pub(crate) const BOUNDARY: Stroke = Stroke::solid(INK, 0.6 * width::FINE);
 /// The region 𝓡.
 pub(crate) const REGION: Rgb = Ink::Region.colour(THEME);
 /// Normal force, and the curve n.

@@ -1,10 +1,12 @@
 //! The tests of the figures: one program, a module for each subject.
 
 mod beyond;
+mod bifurcation;
 mod files;
 mod gallery;
 mod grey;
 mod impacts;
+mod maps;
 mod motions;
 mod plane;
 mod poster;

@@ -100,19 +100,20 @@ fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
         .filter(|place| place.iter().all(|share| (-1e-9..=1.0 + 1e-9).contains(share)))
         .collect();
     match layer.mark {
-        Mark::Line(_) | Mark::Arrow(_) | Mark::Fill(_) | Mark::Hatch(_) => (0..axes.len()).any(|i| {
-            let (low, high) = inside
-                .iter()
-                .map(|place| place[i])
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
-            high - low > SHORTEST
-        }),
+        Mark::Line(_) | Mark::Arrow(_) | Mark::Fill(_) | Mark::Region(_) | Mark::Hatch(_) => (0..axes.len())
+            .any(|i| {
+                let (low, high) = inside
+                    .iter()
+                    .map(|place| place[i])
+                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+                high - low > SHORTEST
+            }),
         Mark::Head(_)
         | Mark::Dot(..)
         | Mark::Ring(..)
+        | Mark::Diamond(..)
         | Mark::Cross(..)
-        | Mark::Hoop { .. }
-        | Mark::Cell(..) => !inside.is_empty(),
+        | Mark::Hoop { .. } => !inside.is_empty(),
     }
 }
 

@@ -4,7 +4,10 @@ use core::num::NonZeroUsize;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use littlewood::{Engine, Hoop, HoopParameters, Limits, ParameterError, Setup, Start, Summary};
+use littlewood::{
+    Class, Engine, Hoop, HoopParameters, Limits, ParameterError, PhaseSequence, Setup, Start, Summary,
+    SummaryColumn, SummaryValue,
+};
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -14,9 +17,15 @@ use crate::watch::Watch;
 
 /// Points that one task computes: enough to outweigh its overhead, few enough to share a chunk among many cores.
 const TASK: usize = 512;
+/// Points of a task at least, and tasks for each thread where there are few points.
+const FEWEST: usize = 16;
+const TASKS: usize = 4;
 
 /// Hoops whose engines are kept for the next call.
 const KEPT: usize = 8;
+
+/// Transitions within which most motions that bounce have lifted off for the first time.
+const FIRST: usize = 16;
 
 /// Threads could not be started.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -152,6 +161,40 @@ impl Workers {
         self.compute(starts.iter().map(|&start| Setup::new(hoop, start)), limits)
     }
 
+    /// The classes and the sequences of points, in their order, of a run in which each hoop has so many starts. Classes are
+    /// settled with the first lift-off, so that bounces need not be followed to their end; the sequences are then cut.
+    pub(crate) fn settled(
+        &self,
+        points: &[Setup],
+        starts_of_a_hoop: u64,
+        limits: Limits,
+    ) -> Result<Vec<(Class, PhaseSequence)>, ParameterError> {
+        let of = |points: &[Setup], limits| {
+            let columns = match self.compute_points(points, Some(starts_of_a_hoop), limits, &Watch::NONE) {
+                Err(Halt::Refused(refused)) => return Err(refused.error),
+                // Nobody can cancel it.
+                Err(Halt::Cancelled) => Columns::blank(points.len()),
+                Ok(columns) => columns,
+            };
+            let sequences = columns.column(SummaryColumn::Sequence).iter().map(|value| match value {
+                SummaryValue::U64(bits) => PhaseSequence::from_bits(bits),
+                _ => PhaseSequence::default(),
+            });
+            Ok(columns.classes().iter().copied().zip(sequences).collect::<Vec<_>>())
+        };
+        let bounces = points.iter().any(|point| point.hoop.restitution.is_some());
+        if !bounces || limits.transitions <= FIRST {
+            return of(points, limits);
+        }
+        let mut settled = of(points, limits.with_transitions(FIRST))?;
+        let open: Vec<usize> = (0..points.len()).filter(|&i| settled[i].0 == Class::InContact).collect();
+        let rest: Vec<Setup> = open.iter().map(|&i| points[i]).collect();
+        for (i, found) in open.into_iter().zip(of(&rest, limits)?) {
+            settled[i] = found;
+        }
+        Ok(settled)
+    }
+
     /// Computes points of a run in which each hoop has so many starts, or, where that is not known, as many as here.
     pub(crate) fn compute_points(
         &self,
@@ -163,6 +206,7 @@ impl Workers {
         let groups = group_by_hoop(points);
         let known = std::mem::take(&mut *self.engines.lock().unwrap_or_else(PoisonError::into_inner));
         let keep = groups.len() <= KEPT;
+        let share = TASKS * self.threads();
         let results: Vec<Group<'_>> = self
             .install(|| {
                 groups
@@ -183,7 +227,7 @@ impl Workers {
                             })?,
                         };
                         let tasks = indices
-                            .par_chunks(TASK)
+                            .par_chunks((indices.len() / share).clamp(FEWEST, TASK))
                             .map(|task| {
                                 compute_task(points, task, prepared.engine.as_deref(), limits, watch.clone())
                             })

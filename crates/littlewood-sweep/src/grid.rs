@@ -115,6 +115,15 @@ impl Grid {
         range.map(|index| self.point(index))
     }
 
+    /// The point at these fractions of the way along the axes; axes beyond them have their first value.
+    pub(crate) fn point_between(&self, place: [f64; 2]) -> Setup {
+        let mut point = self.base;
+        for (axis, fraction) in self.axes.iter().zip(place) {
+            axis.varies().set(&mut point, axis.between(fraction));
+        }
+        point
+    }
+
     /// The point at one place of each axis.
     #[must_use]
     pub fn point_at(&self, indices: &[usize]) -> Setup {

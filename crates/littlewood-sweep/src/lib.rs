@@ -50,6 +50,7 @@ mod options;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod picture;
+mod regions;
 mod run;
 mod setup;
 mod source;
@@ -73,7 +74,8 @@ pub use error::SweepError;
 pub use first_turn::{FirstTurn, Stop};
 pub use grid::Grid;
 pub use options::{CHUNK_POINTS, Options, Progress};
-pub use picture::{Picture, PictureError, PictureSize, Shade};
+pub use picture::{Area, Drawing, Entry, Image, Picture, PictureError, PictureSize, Shade};
+pub use regions::{Band, Boundary, Detail, Lattice, Place, Region, Regions};
 pub use run::Report;
 pub use starts::{ListError, StartList};
 pub use store::StoreError;

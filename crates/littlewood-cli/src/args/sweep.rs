@@ -7,7 +7,7 @@ use clap::Args;
 
 use littlewood::Quantity;
 
-use super::{ProblemArgs, RunArgs, ShortFormat};
+use super::{ProblemArgs, RunArgs, ShortFormat, number};
 use crate::axis::{TypedAxis, parse_axis, si_quantities};
 
 /// What `littlewood map --help` says.
@@ -26,7 +26,7 @@ FROM and TO may be written with pi (-pi, pi/2, 2pi). NAME=FROM:TO:COUNT:log has 
 varies comes from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless a scenario says \
 otherwise.
 
---out takes a picture (.png), a text (.csv, .json), a Zarr v3 store (.zarr) or a Parquet file (.parquet), once for each that is \
+--out takes a picture (.png, or in vectors with the feature `figures` .svg and .pdf), a text (.csv, .json), a Zarr v3 store (.zarr) or a Parquet file (.parquet), once for each that is \
 wanted; every motion is followed once. Stores and Parquet need the feature `sweep`; a text has 1,048,576 starts at most. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
 table. Results are written chunk by chunk. Ctrl-C leaves what is finished, and --resume goes on from \
 there: a store can be read at any time, a table is in NAME.parquet.parts until it is complete, and a picture that is not \
@@ -42,6 +42,7 @@ Examples:
   littlewood map figure-3 --x theta=-pi:pi:500 --y mu_s=0.4:2:500 --out jumps.png --shade jump_length
   littlewood map figure-3 --x theta=-pi:pi:500 --y theta_rate=-4:4:500 --shade sequence --curves --out phases.png
   littlewood map figure-3 --x theta_rate=0:3:300 --y mu=0.01:2:300:log --shade energy_lost --contours --out lost.png
+  littlewood map figure-3 --x theta=-pi:pi:300 --y theta_rate=-4:4:300 --width-mm 84 --out outcomes.pdf
   littlewood map --scenario hoop.toml --x theta=-pi:pi:500 --y theta_rate_rad_per_s=0:20:500 --out hoop.png";
 
 #[cfg(feature = "sweep")]
@@ -107,7 +108,10 @@ pub(crate) struct MapArgs {
     /// Draw lines of constant value at the ticks of the scale
     #[arg(long, help_heading = "Output")]
     pub(crate) contours: bool,
-    /// Size of a picture in pixels
+    /// Width in print of an SVG or a PDF in millimetres, 84 for a column and 178 for a page [default: as wide as a screen wants]
+    #[arg(long, value_name = "MM", value_parser = number, help_heading = "Output")]
+    pub(crate) width_mm: Option<f64>,
+    /// Size of a PNG in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1500x1000", value_parser = size,
           help_heading = "Output")]
     pub(crate) size: (u32, u32),

@@ -80,11 +80,17 @@ fn of_figure(error: &FigureError) -> String {
         FigureError::NoImpact { .. } => {
             "give a start from which the hoop jumps, or a later --until; or leave the figure out"
         }
+        FigureError::NoTransition { .. } => "give another line: --along NAME=FROM:TO, such as theta_rate=0:4",
+        FigureError::TooManyBands { .. } => {
+            "give a shorter line: --along NAME=FROM:TO, such as theta_rate=0:4"
+        }
         FigureError::ImpactNumber { .. } => "give another --impact; `littlewood simulate` lists the landings",
         FigureError::Scale { .. } => "give another --scale, such as 2",
         FigureError::Width { .. } => "give another --width-mm, such as 84 or 178",
         FigureError::Parameter(error) => error.hint(),
         FigureError::UnknownCase { .. } => "`littlewood cases` lists the names",
+        FigureError::Axis(error) => return of_axis(error),
+        FigureError::Threads(_) => "try again when the machine is less busy",
         FigureError::Drawing(_) => "this is a defect of the program: please report it",
     }
     .to_owned()

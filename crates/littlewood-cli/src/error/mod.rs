@@ -306,6 +306,8 @@ impl Error {
     pub(crate) fn of_figure(error: FigureError) -> Self {
         match error {
             FigureError::Parameter(error) => Self::Value { error },
+            FigureError::Axis(error) => error.into(),
+            FigureError::Threads(error) => error.into(),
             other => Self::Figure(other),
         }
     }

@@ -12,9 +12,9 @@ use plotters_backend::{
     FontTransform,
 };
 
-use super::item::{Item, Paint, Words};
+use super::item::{Item, Paint, Step, Words};
 use super::letters::width;
-use crate::figure::Anchor;
+use crate::figure::{Anchor, Image};
 
 /// Steps of the backend's whole coordinates to a pixel.
 pub(crate) const STEPS: f64 = 20.0;
@@ -33,12 +33,10 @@ pub(crate) struct Ink {
     pub(crate) dash: Dash,
     pub(crate) hatch: bool,
     pub(crate) halo: bool,
-    /// Edges on whole pixels, so that areas side by side leave no seam.
-    pub(crate) crisp: bool,
 }
 
 /// Plain lines, filled areas, texts without a halo.
-pub(crate) const PLAIN: Ink = Ink { dash: Dash::Solid, hatch: false, halo: false, crisp: false };
+pub(crate) const PLAIN: Ink = Ink { dash: Dash::Solid, hatch: false, halo: false };
 
 /// A sheet to draw on.
 #[derive(Clone, Debug)]
@@ -65,6 +63,17 @@ impl Canvas {
     /// All that has been drawn, the lowest first.
     pub(crate) fn finish(&self) -> Vec<Item> {
         self.items.take()
+    }
+
+    /// An area with holes, which the library does not know.
+    pub(crate) fn area(&self, outlines: &[Vec<Step>], colour: Rgb) {
+        let outlines = outlines.iter().map(|outline| distinct(outline.iter().copied())).collect();
+        self.keep(Item::Area { outlines, colour });
+    }
+
+    /// Pixels, which the library would draw one by one.
+    pub(crate) fn image(&self, corners: [Step; 2], image: Image) {
+        self.keep(Item::Image { corners, image });
     }
 
     fn keep(&self, item: Item) {
@@ -143,7 +152,7 @@ impl DrawingBackend for Canvas {
         fill: bool,
     ) -> Drawn {
         let paint = self.paint(style, fill);
-        self.keep(Item::Rectangle { corners: [from, to], paint, crisp: self.ink.get().crisp });
+        self.keep(Item::Rectangle { corners: [from, to], paint });
         Ok(())
     }
 

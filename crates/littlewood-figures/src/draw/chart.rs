@@ -18,7 +18,7 @@ use super::ruler::Ruler;
 use super::svg::Letters;
 use super::{eps, pdf, raster, svg};
 use crate::error::FigureError;
-use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, Series, View};
+use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View};
 use crate::sheet::{POINTS_TO_A_MM, PRINT_POINTS};
 use crate::style::{GRID, INK, LETTER, PAPER, SMALL, Stroke};
 use littlewood_style::width::FINE;
@@ -71,7 +71,11 @@ impl Figure {
     pub fn texts(&self) -> Result<Vec<(String, [f64; 4])>, FigureError> {
         let texts = self.items()?.into_iter().filter_map(|item| match item {
             Item::Words(words) => Some((plain(&words.text), words.frame())),
-            Item::Path { .. } | Item::Rectangle { .. } | Item::Circle { .. } => None,
+            Item::Path { .. }
+            | Item::Area { .. }
+            | Item::Image { .. }
+            | Item::Rectangle { .. }
+            | Item::Circle { .. } => None,
         });
         Ok(texts.collect())
     }
@@ -108,7 +112,7 @@ fn draw_panel(root: &Area, canvas: &Canvas, panel: &Panel) -> Result<(), FigureE
         let pen = Pen::new(root, canvas);
         let end = (x + steps(26.0), y);
         match key.mark {
-            Mark::Fill(colour) | Mark::Hatch(colour) => {
+            Mark::Fill(colour) | Mark::Region(colour) | Mark::Hatch(colour) => {
                 let corners = [(x, y - steps(6.0)), (x + steps(20.0), y + steps(6.0))];
                 canvas.take(Ink { hatch: matches!(key.mark, Mark::Hatch(_)), ..PLAIN });
                 root.draw(&Rectangle::new(corners, rgb(colour).filled()))?;
@@ -120,9 +124,9 @@ fn draw_panel(root: &Area, canvas: &Canvas, panel: &Panel) -> Result<(), FigureE
             | Mark::Head(_)
             | Mark::Dot(..)
             | Mark::Ring(..)
+            | Mark::Diamond(..)
             | Mark::Cross(..)
-            | Mark::Hoop { .. }
-            | Mark::Cell(..) => pen.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0)?,
+            | Mark::Hoop { .. } => pen.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0)?,
         }
         root.draw(&Text::new(key.text.clone(), (x + steps(32.0), y), letters(SMALL, INK, HPos::Left)))?;
     }
@@ -151,6 +155,10 @@ fn draw_plane(
     let unit = f64::from(place(&[x.range[1], y.range[0]]).0 - place(&[x.range[0], y.range[0]]).0)
         / (x.range[1] - x.range[0]);
     let pen = Pen::new(root, canvas);
+    if let Some(image) = &panel.image {
+        let corners = [place(&[x.range[0], y.range[1]]), place(&[x.range[1], y.range[0]])];
+        canvas.image(corners, image.clone());
+    }
     for layer in &panel.layers {
         let columns = [&x.column, &y.column].map(|name| layer.series.column(name));
         let [Some(a), Some(b)] = columns else { continue };
@@ -158,15 +166,6 @@ fn draw_plane(
             for row in layer.series.rows() {
                 pen.hoop(place(&[row[a], row[b]]), row[row.len() - 1], radius * unit, [offset, h], rim)?;
             }
-            continue;
-        }
-        if let Mark::Cell(colour, sides) = layer.mark {
-            canvas.take(Ink { crisp: true, ..PLAIN });
-            for ([left, right], y) in runs_of_cells(&layer.series, [a, b], sides[0]) {
-                let (from, to) = (place(&[left, y - 0.5 * sides[1]]), place(&[right, y + 0.5 * sides[1]]));
-                root.draw(&Rectangle::new([(from.0, to.1), (to.0, from.1)], rgb(colour).filled()))?;
-            }
-            canvas.take(PLAIN);
             continue;
         }
         let pieces: Vec<Vec<(i32, i32)>> = layer
@@ -197,19 +196,6 @@ fn draw_plane(
             .draw()?;
     }
     Ok(())
-}
-
-/// Cells that lie side by side, in rows of one y after another: from where to where, and their y.
-fn runs_of_cells(series: &Series, [a, b]: [usize; 2], side: f64) -> Vec<([f64; 2], f64)> {
-    let mut runs: Vec<([f64; 2], f64)> = Vec::new();
-    for row in series.rows() {
-        let (left, right, y) = (row[a] - 0.5 * side, row[a] + 0.5 * side, row[b]);
-        match runs.last_mut() {
-            Some(([_, end], at)) if *at == y && (*end - left).abs() < 0.1 * side => *end = right,
-            _ => runs.push(([left, right], y)),
-        }
-    }
-    runs
 }
 
 fn draw_labels(

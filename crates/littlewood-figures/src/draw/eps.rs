@@ -8,7 +8,7 @@ use super::item::Item;
 use super::markup::plain;
 use super::pdf::shares;
 use super::pencil::{Edge, Path, Pencil, Segment, draw};
-use crate::figure::Figure;
+use crate::figure::{Figure, Image};
 
 /// Short names of the operators.
 const OPERATORS: &str = "\
@@ -16,6 +16,9 @@ const OPERATORS: &str = "\
 /f {setrgbcolor fill} bind def /s {setrgbcolor stroke} bind def
 /d {0 setdash setlinecap setlinewidth} bind def
 ";
+
+/// Bytes of an image in a line.
+const LINE: usize = 96;
 
 struct Script(String);
 
@@ -43,7 +46,7 @@ impl Script {
 }
 
 impl Pencil for Script {
-    fn fill(&mut self, path: &Path, colour: Rgb, _crisp: bool) {
+    fn fill(&mut self, path: &Path, colour: Rgb) {
         self.path(path);
         self.paint(colour, "f");
     }
@@ -54,6 +57,25 @@ impl Pencil for Script {
         let _ = writeln!(self.0, "{} {cap} [{}] d", edge.width, dashes.join(" "));
         self.path(path);
         self.paint(edge.colour, "s");
+    }
+
+    fn image(&mut self, [[left, top], [right, bottom]]: [[f64; 2]; 2], image: &Image) {
+        let [width, height] = image.size;
+        let _ = writeln!(
+            self.0,
+            "gsave {left} {top} translate {} {} scale\n{width} {height} 8 [{width} 0 0 {height} 0 0]\n\
+             {{currentfile {} string readhexstring pop}} false 3 colorimage",
+            right - left,
+            bottom - top,
+            3 * width
+        );
+        for row in image.pixels.chunks(LINE) {
+            for byte in row {
+                let _ = write!(self.0, "{byte:02x}");
+            }
+            self.0.push('\n');
+        }
+        self.0 += "grestore\n";
     }
 
     fn clip(&mut self, path: &Path) {

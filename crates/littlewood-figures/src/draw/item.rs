@@ -3,7 +3,7 @@
 use littlewood_style::{Dash, Rgb};
 
 use super::letters::width;
-use crate::figure::Anchor;
+use crate::figure::{Anchor, Image};
 
 /// A place in steps.
 pub(crate) type Step = (i32, i32);
@@ -13,8 +13,12 @@ pub(crate) type Step = (i32, i32);
 pub(crate) enum Item {
     /// A line from point to point, or the polygon.
     Path { points: Vec<Step>, paint: Paint },
-    /// A rectangle by its left upper and its right lower corner; `crisp` ones stand side by side and leave no seam.
-    Rectangle { corners: [Step; 2], paint: Paint, crisp: bool },
+    /// An area by all curves that bound it, around holes in the other direction.
+    Area { outlines: Vec<Vec<Step>>, colour: Rgb },
+    /// Pixels in a rectangle by its left upper and its right lower corner.
+    Image { corners: [Step; 2], image: Image },
+    /// A rectangle by its left upper and its right lower corner.
+    Rectangle { corners: [Step; 2], paint: Paint },
     /// A circle.
     Circle { centre: Step, radius: i32, paint: Paint },
     /// A text.

@@ -12,6 +12,9 @@ use littlewood_style::{Dash, Rgb};
 /// Length and half width of a head of an arrow in pixels.
 const HEAD: [f64; 2] = [9.0, 3.4];
 
+/// How far the edge of a diamond reaches.
+const EDGE: f64 = 1.4;
+
 /// Draws marks on a sheet.
 pub(crate) struct Pen<'a> {
     root: &'a Area,
@@ -28,6 +31,10 @@ impl<'a> Pen<'a> {
 
     /// Draws pieces of points; `unit` is the number of steps to a unit of the axes.
     pub(crate) fn mark(&self, mark: Mark, pieces: &[Vec<Step>], unit: f64) -> Result<(), Failure> {
+        if let Mark::Region(colour) = mark {
+            self.canvas.area(pieces, colour);
+            return Ok(());
+        }
         for piece in pieces {
             match mark {
                 Mark::Line(stroke) => self.path(piece, stroke)?,
@@ -42,7 +49,7 @@ impl<'a> Pen<'a> {
                         self.head(to, from, colour, true)?;
                     }
                 }
-                Mark::Fill(colour) | Mark::Cell(colour, _) => self.area(piece, colour, false)?,
+                Mark::Fill(colour) | Mark::Region(colour) => self.area(piece, colour, false)?,
                 Mark::Hatch(colour) => self.area(piece, colour, true)?,
                 Mark::Dot(colour, radius) => {
                     for point in piece {
@@ -54,6 +61,14 @@ impl<'a> Pen<'a> {
                         self.dot(*point, PAPER, radius)?;
                         let style = line(Stroke::solid(colour, 1.4));
                         self.root.draw(&Circle::new(*point, steps(radius), style))?;
+                    }
+                }
+                Mark::Diamond(colour, radius) => {
+                    for (x, y) in piece {
+                        for (r, colour) in [(radius + EDGE, PAPER), (radius, colour)] {
+                            let r = steps(r);
+                            self.area(&[(x - r, *y), (*x, y + r), (x + r, *y), (*x, y - r)], colour, false)?;
+                        }
                     }
                 }
                 Mark::Cross(colour, radius) => {

@@ -3,17 +3,17 @@
 use littlewood_style::{Dash, Rgb};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::types::{LineCapStyle, LineJoinStyle};
-use pdf_writer::{Content, Filter, Finish as _, Pdf, Rect, Ref, TextStr};
+use pdf_writer::{Content, Filter, Finish as _, Name, Pdf, Rect, Ref, TextStr};
 
 use super::item::Item;
 use super::markup::plain;
 use super::pencil::{Edge, Path, Pencil, Segment, draw};
-use crate::figure::Figure;
+use crate::figure::{Figure, Image};
 
 /// Level of compression.
 const LEVEL: u8 = 8;
 
-struct Page(Content);
+struct Page(Content, Vec<Image>);
 
 /// To a thousandth of a pixel, which keeps the file small.
 fn fine(point: [f64; 2]) -> [f32; 2] {
@@ -50,7 +50,7 @@ impl Page {
 }
 
 impl Pencil for Page {
-    fn fill(&mut self, path: &Path, colour: Rgb, _crisp: bool) {
+    fn fill(&mut self, path: &Path, colour: Rgb) {
         let [r, g, b] = shares(colour);
         self.0.set_fill_rgb(r, g, b);
         self.path(path);
@@ -66,6 +66,16 @@ impl Pencil for Page {
         self.0.stroke();
     }
 
+    fn image(&mut self, [[left, top], [right, bottom]]: [[f64; 2]; 2], image: &Image) {
+        let [[left, top], [right, bottom]] = [[left, top], [right, bottom]].map(fine);
+        self.0.save_state();
+        // The unit square of an image has its first row at the top.
+        self.0.transform([right - left, 0.0, 0.0, top - bottom, left, bottom]);
+        self.0.x_object(Name(name_of(self.1.len()).as_bytes()));
+        self.0.restore_state();
+        self.1.push(image.clone());
+    }
+
     fn clip(&mut self, path: &Path) {
         self.0.save_state();
         self.path(path);
@@ -77,11 +87,16 @@ impl Pencil for Page {
     }
 }
 
+/// The name of an image.
+fn name_of(number: usize) -> String {
+    format!("Im{number}")
+}
+
 /// A document of one page.
 pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
     let scale = figure.points();
     let [width, height] = [figure.width, figure.height].map(|side| (side * scale) as f32);
-    let mut page = Page(Content::new());
+    let mut page = Page(Content::new(), Vec::new());
     page.0.transform([scale as f32, 0.0, 0.0, -scale as f32, 0.0, height]);
     page.0.set_line_join(LineJoinStyle::RoundJoin);
     draw(items, [figure.width, figure.height], &mut page);
@@ -92,8 +107,25 @@ pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
     pdf.pages(pages).kids([sheet]).count(1);
     let mut described = pdf.page(sheet);
     described.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(content);
-    described.resources();
+    let images: Vec<(Ref, Image)> =
+        page.1.into_iter().zip(6..).map(|(image, at)| (Ref::new(at), image)).collect();
+    let mut resources = described.resources();
+    if !images.is_empty() {
+        let mut objects = resources.x_objects();
+        for (number, (at, _)) in images.iter().enumerate() {
+            objects.pair(Name(name_of(number).as_bytes()), *at);
+        }
+    }
+    resources.finish();
     described.finish();
+    for (at, image) in &images {
+        let bytes = compress_to_vec_zlib(&image.pixels, LEVEL);
+        let [width, height] = image.size.map(|side| i32::try_from(side).unwrap_or(i32::MAX));
+        let mut object = pdf.image_xobject(*at, &bytes);
+        object.filter(Filter::FlateDecode);
+        object.width(width).height(height).bits_per_component(8);
+        object.color_space().device_rgb();
+    }
     pdf.stream(content, &compress_to_vec_zlib(&page.0.finish(), LEVEL)).filter(Filter::FlateDecode);
     pdf.document_info(about)
         .title(TextStr(&plain(&figure.title)))

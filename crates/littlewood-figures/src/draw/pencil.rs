@@ -5,6 +5,7 @@ use littlewood_style::{Dash, Rgb};
 use super::canvas::STEPS;
 use super::item::{HALO, HATCH, Item, Paint, Step, Words};
 use super::letters::{Stroke, glyphs, outline};
+use crate::figure::Image;
 use crate::style::PAPER;
 
 /// A piece of a path, in pixels, downwards positive.
@@ -21,10 +22,12 @@ pub(crate) type Path = [Segment];
 
 /// Something that draws paths.
 pub(crate) trait Pencil {
-    /// Fills a path; edges of `crisp` ones are not smoothed, so that areas side by side leave no seam.
-    fn fill(&mut self, path: &Path, colour: Rgb, crisp: bool);
+    /// Fills a path.
+    fn fill(&mut self, path: &Path, colour: Rgb);
     /// Draws along a path.
     fn stroke(&mut self, path: &Path, edge: Edge);
+    /// Draws pixels in a rectangle by its left upper and its right lower corner.
+    fn image(&mut self, corners: [[f64; 2]; 2], image: &Image);
     /// Draws inside a path only, until [`Pencil::unclip`].
     fn clip(&mut self, path: &Path);
     /// Draws everywhere again.
@@ -48,25 +51,32 @@ impl Edge {
 
 /// Draws all that is on a sheet.
 pub(crate) fn draw(items: &[Item], [width, height]: [f64; 2], pencil: &mut impl Pencil) {
-    pencil.fill(&rectangle([0.0, 0.0], [width, height]), PAPER, true);
+    pencil.fill(&rectangle([0.0, 0.0], [width, height]), PAPER);
     for item in items {
         match item {
-            Item::Path { points, paint } => painted(&polygon(points, *paint), *paint, false, pencil),
-            Item::Rectangle { corners, paint, crisp } => {
+            Item::Path { points, paint } => painted(&polygon(points, *paint), *paint, pencil),
+            Item::Area { outlines, colour } => {
+                let paint = Paint::Fill(*colour);
+                let path: Vec<Segment> =
+                    outlines.iter().flat_map(|outline| polygon(outline, paint)).collect();
+                painted(&path, paint, pencil);
+            }
+            Item::Image { corners, image } => pencil.image(corners.map(pixels), image),
+            Item::Rectangle { corners, paint } => {
                 let [from, to] = corners.map(pixels);
-                painted(&rectangle(from, to), *paint, *crisp, pencil);
+                painted(&rectangle(from, to), *paint, pencil);
             }
             Item::Circle { centre, radius, paint } => {
-                painted(&circle(pixels(*centre), f64::from(*radius) / STEPS), *paint, false, pencil);
+                painted(&circle(pixels(*centre), f64::from(*radius) / STEPS), *paint, pencil);
             }
             Item::Words(words) => written(words, pencil),
         }
     }
 }
 
-fn painted(path: &Path, paint: Paint, crisp: bool, pencil: &mut impl Pencil) {
+fn painted(path: &Path, paint: Paint, pencil: &mut impl Pencil) {
     match paint {
-        Paint::Fill(colour) => pencil.fill(path, colour, crisp),
+        Paint::Fill(colour) => pencil.fill(path, colour),
         Paint::Edge { colour, width, dash } => pencil.stroke(path, Edge { colour, width, dash }),
         Paint::Hatch(colour) => {
             pencil.clip(path);
@@ -179,7 +189,7 @@ fn written(words: &Words, pencil: &mut impl Pencil) {
     if words.halo {
         pencil.stroke(&path, Edge { colour: PAPER, width: 2.0 * HALO, dash: Dash::Solid });
     }
-    pencil.fill(&path, words.colour, false);
+    pencil.fill(&path, words.colour);
     for (path, width) in bold {
         pencil.stroke(&path, Edge { colour: words.colour, width, dash: Dash::Solid });
     }

@@ -2,14 +2,15 @@
 
 use littlewood_style::{Dash, Rgb};
 use tiny_skia::{
-    Color, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, Shader, Stroke, StrokeDash,
-    Transform,
+    Color, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, Shader, Stroke,
+    StrokeDash, Transform,
 };
 
 use super::item::Item;
 use super::pencil::{Edge, Path, Pencil, Segment, draw};
 use crate::error::FigureError;
-use crate::figure::Figure;
+use crate::figure::{Figure, Image};
+use crate::style::PAPER;
 
 /// Least number of pixels of a picture to one of the drawing.
 pub const LEAST_SCALE: f64 = 0.25;
@@ -48,14 +49,18 @@ fn single(point: [f64; 2]) -> [f32; 2] {
     point.map(|value| value as f32)
 }
 
-fn paint(Rgb([r, g, b]): Rgb, anti_alias: bool) -> Paint<'static> {
-    Paint { shader: Shader::SolidColor(Color::from_rgba8(r, g, b, 255)), anti_alias, ..Paint::default() }
+fn paint(Rgb([r, g, b]): Rgb) -> Paint<'static> {
+    Paint {
+        shader: Shader::SolidColor(Color::from_rgba8(r, g, b, 255)),
+        anti_alias: true,
+        ..Paint::default()
+    }
 }
 
 impl Pencil for Picture {
-    fn fill(&mut self, path: &Path, colour: Rgb, crisp: bool) {
+    fn fill(&mut self, path: &Path, colour: Rgb) {
         if let Some(path) = skia(path) {
-            let paint = paint(colour, !crisp);
+            let paint = paint(colour);
             let mask = self.mask.as_ref();
             self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
         }
@@ -73,8 +78,21 @@ impl Pencil for Picture {
         };
         if let Some(path) = skia(path) {
             let mask = self.mask.as_ref();
-            self.pixels.stroke_path(&path, &paint(edge.colour, true), &stroke, self.transform, mask);
+            self.pixels.stroke_path(&path, &paint(edge.colour), &stroke, self.transform, mask);
         }
+    }
+
+    fn image(&mut self, [[left, top], [right, bottom]]: [[f64; 2]; 2], image: &Image) {
+        let [width, height] = image.size.map(|side| side as u32);
+        let Some(mut own) = Pixmap::new(width, height) else { return };
+        let bytes = image.pixels.chunks_exact(3).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
+        for (to, byte) in own.data_mut().iter_mut().zip(bytes) {
+            *to = byte;
+        }
+        let [x, y] = single([(right - left) / f64::from(width), (bottom - top) / f64::from(height)]);
+        let [left, top] = single([left, top]);
+        let transform = self.transform.pre_translate(left, top).pre_scale(x, y);
+        self.pixels.draw_pixmap(0, 0, own.as_ref(), &PixmapPaint::default(), transform, self.mask.as_ref());
     }
 
     fn clip(&mut self, path: &Path) {
@@ -98,28 +116,43 @@ pub(crate) fn picture(figure: &Figure, items: &[Item], scale: f64) -> Result<Vec
     let scale = scale * figure.points() / POINTS;
     let failed = |message: String| FigureError::Drawing(message);
     let [width, height] = [figure.width, figure.height].map(|side| libm::ceil(side * scale) as u32);
-    let pixels = Pixmap::new(width, height).ok_or_else(|| failed("no room for the picture".to_owned()))?;
+    let mut pixels =
+        Pixmap::new(width, height).ok_or_else(|| failed("no room for the picture".to_owned()))?;
+    let Rgb([r, g, b]) = PAPER;
+    pixels.fill(Color::from_rgba8(r, g, b, 255));
     let transform = Transform::from_scale(scale as f32, scale as f32);
     let mut picture = Picture { pixels, transform, mask: None };
     // To the last pixel, which is not always covered whole.
     let sides = [width, height].map(|side| f64::from(side) / scale);
     draw(items, sides, &mut picture);
-    encoded(&picture.pixels).map_err(|error| failed(error.to_string()))
+    encoded(&opaque(&picture.pixels)).map_err(|error| failed(error.to_string()))
 }
 
-/// Pixels as PNG; paper covers all, so that there is nothing to see through.
-fn encoded(pixels: &Pixmap) -> Result<Vec<u8>, png::EncodingError> {
+impl Image {
+    /// As a PNG file.
+    pub(crate) fn png(&self) -> Vec<u8> {
+        // Nothing that a file in memory could fail of: an image without pixels is an empty file.
+        encoded(self).unwrap_or_default()
+    }
+}
+
+fn encoded(image: &Image) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    let [width, height] = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Balanced);
-    let colours: Vec<u8> =
-        pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&colours)?;
+    writer.write_image_data(&image.pixels)?;
     writer.finish()?;
     Ok(bytes)
+}
+
+/// The colours of pixels; paper covers all, so that there is nothing to see through.
+fn opaque(pixels: &Pixmap) -> Image {
+    let colours = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
+    Image { size: [pixels.width() as usize, pixels.height() as usize], pixels: colours.collect() }
 }
 
 /// Points to a pixel: 72 and 96 to the inch.

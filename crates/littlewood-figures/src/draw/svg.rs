@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use littlewood_style::{Dash, Rgb};
 use skrifa::GlyphId;
 
@@ -87,12 +89,28 @@ impl Sheet {
                 let paint = self.paint(*paint);
                 let _ = writeln!(self.body, "<path d=\"{}{close}\" {paint}/>", data(points));
             }
-            Item::Rectangle { corners: [(left, top), (right, bottom)], paint, crisp } => {
-                let paint = self.paint(*paint);
-                let crisp = if *crisp { " shape-rendering=\"crispEdges\"" } else { "" };
+            Item::Area { outlines, colour } => {
+                let outlines: Vec<String> = outlines.iter().map(|outline| data(outline) + "z").collect();
+                let paint = self.paint(Paint::Fill(*colour));
+                let _ = writeln!(self.body, "<path d=\"{}\" {paint}/>", outlines.concat());
+            }
+            Item::Image { corners: [(left, top), (right, bottom)], image } => {
                 let _ = writeln!(
                     self.body,
-                    "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {paint}{crisp}/>",
+                    "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+                     xlink:href=\"data:image/png;base64,{}\"/>",
+                    number(*left),
+                    number(*top),
+                    number(right - left),
+                    number(bottom - top),
+                    STANDARD.encode(image.png())
+                );
+            }
+            Item::Rectangle { corners: [(left, top), (right, bottom)], paint } => {
+                let paint = self.paint(*paint);
+                let _ = writeln!(
+                    self.body,
+                    "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {paint}/>",
                     number(*left),
                     number(*top),
                     number(right - left),

@@ -1,6 +1,6 @@
 //! Forces and energy of a motion against time, with its transitions.
 
-use littlewood::{Dimension, Hoop, Impulse, Sample, SampleColumn, Trajectory};
+use littlewood::{Dimension, Impulse, Sample, SampleColumn, Trajectory};
 
 use crate::columns::{DEMAND, ENERGY, FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
 use crate::draw::ROOM;
@@ -8,7 +8,7 @@ use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, Series};
 use crate::impacts;
 use crate::input::FigureInput;
-use crate::motion::horizon;
+use crate::motion::{horizon, remark};
 use crate::sheet::{Content, Sheet};
 use crate::spikes::Spikes;
 use crate::style::{FIRST, FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, SECOND, SMALL, SOFT, Stroke};
@@ -18,8 +18,8 @@ use crate::words::{marked, short};
 use littlewood_style::width::{BOLD, CURVE};
 use littlewood_style::{Curve, Dash, EnergyPart};
 
-fn in_words(input: &FigureInput, hoop: &Hoop) -> String {
-    let say = input.wording();
+fn in_words(input: &FigureInput, motion: &Trajectory) -> String {
+    let (say, hoop) = (input.wording(), motion.hoop());
     format!("{}; {}", say.hoop(hoop), say.start(hoop, &input.start))
 }
 
@@ -148,8 +148,8 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
                 words if words.is_empty() => words,
                 words => words + ", with dots at |*J*|/*P* below.",
             },
-            in_words(input, hoop)
-        ),
+            in_words(input, &motion)
+        ) + &remark(&motion, say),
         tops(2) + height + 6.0,
         panels,
     ))
@@ -223,8 +223,8 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
             "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
              against time; {verticals}. {}. {}.",
             losses(&motion, say),
-            in_words(input, hoop)
-        ),
+            in_words(input, &motion)
+        ) + &remark(&motion, say),
         top + height + 6.0,
         vec![panel],
     ))

@@ -6,7 +6,7 @@ use crate::columns::{FRICTION, MU_K, MU_S, NORMAL, TIME};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::input::FigureInput;
-use crate::motion::{bounds, by_mode, heads, horizon};
+use crate::motion::{bounds, by_mode, heads, horizon, remark};
 use crate::sheet::Content;
 use crate::spikes::Spikes;
 use crate::style::{IMPULSE, INK, REGION, SMALL, SOFT, Stroke};
@@ -229,7 +229,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         in_words(&spikes, say),
         say.hoop(hoop),
         say.start(hoop, &input.start)
-    );
+    ) + &remark(&motion, say);
     let x = say.axis(NORMAL, &marked(SampleColumn::Normal.sign()), window.x);
     let y = say.axis(FRICTION, &marked(SampleColumn::Friction.sign()), window.y);
     let content = Content { name: "plane of forces", x, y, layers, labels };

@@ -1,5 +1,6 @@
 //! The figures: those of the paper, one after the other, then more of the same hoop.
 
+pub(crate) mod bifurcation;
 pub(crate) mod bounces;
 pub(crate) mod demand;
 pub(crate) mod gliding;

@@ -1,9 +1,10 @@
-//! What becomes of the starts of the plane, by the engine.
+//! What becomes of the starts of the plane: regions of outcomes, bounded by curves.
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Dimension, Engine, Start};
+use littlewood::{Class, Dimension, Engine, Limits, Quantity, Setup, Start};
 use littlewood_style::{Curve, of_class};
+use littlewood_sweep::{Axis, Detail, Grid, Place, Regions, Workers};
 
 use crate::axes::outcome_window;
 use crate::catalogue::Watch;
@@ -13,123 +14,99 @@ use crate::figure::{Figure, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::Portrait;
 use crate::sheet::Content;
-use crate::style::{PAPER, Stroke, THEME};
+use crate::style::{BOUNDARY, PAPER, Stroke, THEME};
 use crate::trace::Window;
 use crate::words::short;
 
 const NAME: &str = "outcomes";
-/// Cells to the right and upwards.
-const CELLS: [usize; 2] = [272, 200];
-/// The same for hoops whose motions are simulated one by one, some hundred times as slowly.
-const EXACT_CELLS: [usize; 2] = [88, 64];
-/// Cells of a block to the right and upwards: where its corners and its middle have one class, so has the block.
-const BLOCK: usize = 4;
-/// Transitions within which most motions that bounce have lifted off for the first time.
-const FIRST: usize = 16;
+/// Starts to the right and upwards at which regions are looked for.
+const STARTS: [usize; 2] = [137, 101];
+/// The same for hoops whose motions are computed without tables, some ten times as slowly, and for those whose motions are
+/// simulated, some hundred times as slowly, or have very many transitions.
+const DIRECT_STARTS: [usize; 2] = [91, 67];
+const EXACT_STARTS: [usize; 2] = [45, 33];
+/// The same for hoops so light that each motion has thousands of phases.
+const LIGHT_STARTS: [usize; 2] = [31, 23];
+/// Boundaries of these hoops run through so many cells at most, and are located less closely: still far closer than is seen.
+const DIRECT_MOST: usize = 6_000;
+const EXACT_MOST: usize = 1_500;
+const LIGHT_MOST: usize = 300;
+const WIDTH: f64 = 2e-5;
+/// Motions that are followed for a start of the lattice, about.
+const FOR_A_START: u64 = 8;
+/// Part of the plane that can be seen.
+const LEAST: f64 = 1e-7;
 /// Pixels by which a curve stands out from what is below it on either side.
 const MARGIN: f64 = 1.0;
 
-/// The classes of the cells of a plane.
-struct Cells<'a> {
-    input: &'a FigureInput,
-    engine: Engine,
-    window: Window,
-    /// Cells to the right and upwards.
-    count: [usize; 2],
-    /// Row by row; none that has not been followed.
-    classes: Vec<Option<Class>>,
+/// How far and how finely the starts of a hoop are followed.
+struct Plan {
+    limits: Limits,
+    starts: [usize; 2],
+    detail: Detail,
+    /// The number of transitions at which motions are cut that would go on.
+    cut: Option<usize>,
 }
 
-impl<'a> Cells<'a> {
-    fn new(input: &'a FigureInput, window: Window) -> Self {
+impl Plan {
+    fn new(input: &FigureInput) -> Self {
         let engine = Engine::new(&input.hoop);
-        let count = if engine.is_exact() && !input.is_massless() { EXACT_CELLS } else { CELLS };
-        Self { input, engine, window, count, classes: vec![None; count[0] * count[1]] }
-    }
-
-    /// Width and height of a cell.
-    fn size(&self) -> [f64; 2] {
-        let side = |range: [f64; 2], cells: usize| (range[1] - range[0]) / cells as f64;
-        [side(self.window.x, self.count[0]), side(self.window.y, self.count[1])]
-    }
-
-    /// The start in the middle of a cell.
-    fn start(&self, [i, j]: [usize; 2]) -> Start {
-        let [width, height] = self.size();
-        Start::at(self.window.x[0] + width * (i as f64 + 0.5), self.window.y[0] + height * (j as f64 + 0.5))
-    }
-
-    /// The class of a cell, which is followed once.
-    fn class(&mut self, cell: [usize; 2]) -> Result<Class, FigureError> {
-        let place = cell[1] * self.count[0] + cell[0];
-        if let Some(class) = self.classes[place] {
-            return Ok(class);
+        let detail = Detail::default();
+        let (limits, cut) = input.limits_of_many(&engine);
+        let plan = |starts, detail| Self { limits, starts, detail, cut };
+        let coarser = |most| Detail { most, width: WIDTH, ..detail };
+        if input.is_massless() || engine.has_tables() && cut.is_none() {
+            plan(STARTS, detail)
+        } else if !engine.is_exact() && cut.is_none() {
+            plan(DIRECT_STARTS, coarser(DIRECT_MOST))
+        } else if engine.is_exact() && cut.is_some() {
+            plan(LIGHT_STARTS, coarser(LIGHT_MOST))
+        } else {
+            plan(EXACT_STARTS, coarser(EXACT_MOST))
         }
-        let class = class_of(&self.engine, self.input, self.start(cell))?;
-        self.classes[place] = Some(class);
-        Ok(class)
-    }
-
-    /// Finds the classes of all cells. Blocks of one class are not followed cell by cell.
-    fn fill(&mut self, watch: &mut Watch<'_>) -> Result<(), FigureError> {
-        let total = (self.count[0] * self.count[1]) as u64;
-        for j in (0..self.count[1]).step_by(BLOCK) {
-            for i in (0..self.count[0]).step_by(BLOCK) {
-                let within = |from: usize, count: usize| (from + BLOCK).min(count - 1);
-                let [right, top] = [within(i, self.count[0]), within(j, self.count[1])];
-                let class = self.class([i, j])?;
-                let mut is_one = true;
-                for cell in
-                    [[right, j], [i, top], [right, top], [usize::midpoint(i, right), usize::midpoint(j, top)]]
-                {
-                    is_one = is_one && self.class(cell)? == class;
-                }
-                for y in j..(j + BLOCK).min(self.count[1]) {
-                    for x in i..(i + BLOCK).min(self.count[0]) {
-                        if is_one {
-                            self.classes[y * self.count[0] + x].get_or_insert(class);
-                        } else {
-                            self.class([x, y])?;
-                        }
-                    }
-                }
-                watch((j * self.count[0] + BLOCK * (i + 1)).min(self.count[0] * self.count[1]) as u64, total);
-            }
-        }
-        Ok(())
-    }
-
-    /// The middles of the cells of each class, by its code.
-    fn by_class(&self) -> [Vec<Vec<f64>>; Class::ALL.len()] {
-        let mut rows: [Vec<Vec<f64>>; Class::ALL.len()] = Default::default();
-        for (place, class) in self.classes.iter().enumerate() {
-            if let Some(class) = class {
-                let Start { theta, theta_rate, .. } =
-                    self.start([place % self.count[0], place / self.count[0]]);
-                rows[usize::from(class.code())].push(vec![theta, theta_rate]);
-            }
-        }
-        rows
     }
 }
 
-/// The class of a start. It is settled with the first lift-off, so that bounces need not be followed to their end.
-fn class_of(engine: &Engine, input: &FigureInput, start: Start) -> Result<Class, FigureError> {
-    let limits = input.limits;
-    if input.hoop.restitution().is_some() && limits.transitions > FIRST {
-        let class = Class::of(&engine.summary(start, limits.with_transitions(FIRST))?);
-        if class != Class::InContact {
-            return Ok(class);
-        }
-    }
-    Ok(Class::of(&engine.summary(start, limits)?))
+/// The regions of the classes in a window.
+fn regions_of(
+    input: &FigureInput,
+    plan: &Plan,
+    window: Window,
+    watch: &mut Watch<'_>,
+) -> Result<Regions, FigureError> {
+    let [columns, rows] = plan.starts;
+    let axes = vec![
+        Axis::new(Quantity::Theta, window.x[0], window.x[1], columns)?,
+        Axis::new(Quantity::ThetaRate, window.y[0], window.y[1], rows)?,
+    ];
+    let grid = Grid::new(Setup::new(input.hoop.parameters(), Start::at(0.0, 0.0)), axes)?;
+    let total = FOR_A_START * grid.len();
+    let mut told = |followed: u64| watch(followed.min(total), total);
+    Ok(Regions::of_classes(&grid, plan.limits, &plan.detail, &Workers::new(None)?, &mut told)?)
+}
+
+/// A window with no lattice on its edges and its axes, where motions may be what they are nowhere else. That it is narrower is
+/// not seen.
+fn within(window: Window) -> Window {
+    let side = |[from, to]: [f64; 2]| [from + 0.37e-5 * (to - from), to - 0.53e-5 * (to - from)];
+    Window { x: side(window.x), y: side(window.y) }
+}
+
+/// Rows of places of a window.
+fn rows_of(window: Window, lines: Vec<Vec<Place>>) -> Vec<Vec<Vec<f64>>> {
+    let along = |[from, to]: [f64; 2], fraction: f64| {
+        if fraction == 1.0 { to } else { from + (to - from) * fraction }
+    };
+    let row = |[x, y]: Place| vec![along(window.x, x), along(window.y, y)];
+    lines.into_iter().map(|line| line.into_iter().map(row).collect()).collect()
 }
 
 /// How long the motions are followed.
-fn followed(input: &FigureInput) -> String {
+fn followed(input: &FigureInput, plan: &Plan) -> String {
     let say = input.wording();
     let until = |until| format!("to {} = {}", say.time(), say.value(until, Dimension::Time));
-    input.limits.until.map_or_else(|| "to its end".to_owned(), until)
+    let end = input.limits.until.map_or_else(|| "to its end".to_owned(), until);
+    plan.cut.map_or_else(|| end.clone(), |cut| format!("{end}, or to {cut} transitions"))
 }
 
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
@@ -137,18 +114,21 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let hoop = &input.hoop;
     let window =
         if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { outcome_window(hoop) };
-    let mut cells = Cells::new(input, window);
-    cells.fill(watch)?;
-    let ([columns, rows], cell) = (cells.count, cells.size());
-    let total = (columns * rows) as f64;
+    let plan = Plan::new(input);
+    let Regions { regions, boundaries } = regions_of(input, &plan, within(window), watch)?;
     let mut layers = Vec::new();
     let mut legend: Vec<(Mark, String)> = Vec::new();
-    for (class, rows) in Class::ALL.into_iter().zip(cells.by_class()).filter(|(_, rows)| !rows.is_empty()) {
-        let colour = of_class(class, THEME);
-        let share = libm::round(1000.0 * rows.len() as f64 / total) / 10.0;
-        legend.push((Mark::Fill(colour), format!("{}, {}%", class.label(), short(share))));
-        layers.push(Series::of_rows(class.name(), &PLANE, rows).drawn(Mark::Cell(colour, cell)));
+    for region in regions.into_iter().filter(|region| region.area > LEAST) {
+        let Some(class) = Class::ALL.into_iter().find(|class| u64::from(class.code()) == region.key) else {
+            continue;
+        };
+        let mark = Mark::Region(of_class(class, THEME));
+        let share = libm::round(1000.0 * region.area) / 10.0;
+        legend.push((mark, format!("{}, {}%", class.label(), short(share))));
+        layers.push(Series::new(class.name(), &PLANE, rows_of(within(window), region.outlines)).drawn(mark));
     }
+    let lines = boundaries.into_iter().map(|boundary| boundary.points).collect();
+    layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(Mark::Line(BOUNDARY)));
     // A massless hoop does not leave the plane.
     let mut remark = "";
     if !input.is_massless() {
@@ -171,38 +151,13 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         NAME,
         "What becomes of the motion",
         format!(
-            "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}: {} by {} starts.{remark} {}.",
-            followed(input),
-            columns,
-            rows,
+            "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}. Boundaries are followed as curves, \
+             each of their points between two starts that end otherwise.{remark} {}.",
+            followed(input, &plan),
             say.hoop(hoop)
         ),
         430.0,
         Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels: Vec::new() },
         legend,
     ))
-}
-
-#[cfg(test)]
-mod tests {
-    use littlewood::{Hoop, HoopParameters, Limits};
-
-    use super::*;
-
-    /// Blocks that are not followed cell by cell have the classes of their cells.
-    #[test]
-    fn every_cell_has_its_own_class() {
-        for (mass_ratio, mu_s, mu_k) in [(1.0, 0.5, 0.4), (0.0, 0.5, 0.4), (0.3, 1.0, 0.7), (1.0, 0.2, 0.15)]
-        {
-            let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_friction(mu_s, mu_k)).unwrap();
-            let input = FigureInput::new(hoop, Start::at(0.0, 0.0), Limits::default());
-            let mut cells = Cells::new(&input, Window { x: [-PI, PI], y: [-4.0, 4.0] });
-            cells.fill(&mut |_, _| {}).unwrap();
-            for place in (0..cells.classes.len()).step_by(7) {
-                let cell = [place % cells.count[0], place / cells.count[0]];
-                let class = class_of(&cells.engine, &input, cells.start(cell)).unwrap();
-                assert_eq!(cells.classes[place], Some(class), "{mass_ratio} {mu_s}: {:?}", cells.start(cell));
-            }
-        }
-    }
 }

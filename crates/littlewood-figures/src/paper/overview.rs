@@ -7,7 +7,7 @@ use crate::draw::ROOM;
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
-use crate::motion::{all_instants, horizon};
+use crate::motion::{all_instants, horizon, remark};
 use crate::sheet::{Content, Sheet};
 use crate::spikes::{SPIKE, Spikes};
 use crate::style::{SMALL, SOFT, Stroke};
@@ -265,7 +265,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
          {}.",
         say.hoop(hoop),
         say.start(hoop, &input.start)
-    );
+    ) + &remark(&motion, say);
     let bottom = top + step * (count - 1.0) + height + 6.0;
     Ok(sheet.figure(NAME, "A motion on one sheet", caption, bottom, panels))
 }

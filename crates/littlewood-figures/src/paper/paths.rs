@@ -7,7 +7,7 @@ use crate::draw::ROOM;
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
-use crate::motion::{bounds, by_mode, heads, horizon};
+use crate::motion::{bounds, by_mode, heads, horizon, remark};
 use crate::sheet::{Content, Sheet};
 use crate::style::{HATCH, INK, SMALL, SOFT, Stroke};
 use crate::wording::Wording;
@@ -201,7 +201,7 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
         say.hoop(hoop),
         say.start(hoop, &input.start),
         if input.units.is_some() { "" } else { " *m*_{2} = *R* = *g* = 1." }
-    );
+    ) + &remark(&motion, say);
     let title = "Figure 3(b): paths of the centre and of the mass centre";
     Ok(picture.figure(NAME, title, caption, keys))
 }

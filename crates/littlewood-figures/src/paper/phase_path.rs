@@ -10,7 +10,7 @@ use crate::columns::{THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::input::FigureInput;
-use crate::motion::{bounds, by_mode, heads, horizon};
+use crate::motion::{bounds, by_mode, heads, horizon, remark};
 use crate::plane::Portrait;
 use crate::sheet::Content;
 use crate::style::{HATCH, IMPULSE, INK, REGION, SMALL, Stroke};
@@ -30,6 +30,9 @@ const LEAST_STEP: f64 = 0.004;
 const LAST: f64 = 0.85;
 /// Transitions that all have a name.
 const NAMED: usize = 6;
+
+/// Equilibria are dots and rings.
+const TRANSITION: Mark = Mark::Diamond(INK, 4.2);
 
 /// Its row, the angle less whole turns.
 fn row(sample: &Sample, turns: f64) -> Vec<f64> {
@@ -139,13 +142,12 @@ fn changes(motion: &Trajectory, turns: f64, window: Window) -> (Vec<Layer>, Vec<
     if labels.len() > NAMED {
         labels.clear();
     }
-    let size = if labels.is_empty() { 2.6 } else { 3.4 };
     let mut layers = Vec::new();
     if !jumps.is_empty() {
         let mark = Mark::Line(Stroke::solid(IMPULSE, BOLD));
         layers.push(Series::new("impact", &COLUMNS, jumps).drawn(mark));
     }
-    layers.push(Series::of_rows("transition", &COLUMNS, dots).drawn(Mark::Dot(INK, size)));
+    layers.push(Series::of_rows("transition", &COLUMNS, dots).drawn(TRANSITION));
     (layers, labels)
 }
 
@@ -169,6 +171,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         .iter()
         .map(|(mode, _)| (Mark::Line(Stroke::of_mode(*mode).wide(BOLD)), mode.to_string()))
         .collect();
+    keys.push((TRANSITION, "transition".to_owned()));
     keys.extend(curves);
     for (mode, series) in modes {
         layers.push(inside(series, window).drawn(Mark::Line(Stroke::of_mode(mode).wide(BOLD))));
@@ -186,17 +189,17 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(dots);
     let start = motion.start();
     let start = vec![start.time, start.theta - turns, start.theta_rate];
-    layers.push(Series::of_rows("start", &COLUMNS, vec![start]).drawn(Mark::Ring(INK, 3.6)));
+    layers.push(Series::of_rows("start", &COLUMNS, vec![start]).drawn(Mark::Cross(INK, 4.0)));
     let say = input.wording();
     let is_short = all.iter().any(|row| !(window.x[0]..=window.x[1]).contains(&row[1]));
     let caption = format!(
         "The motion in the plane of rolling. In rolling it follows an orbit, a line of constant energy (grey), as long as it is in \
-         𝓡 (shaded); sliding and flight do not belong to this plane, for they have *η*′ ≠ 0, and are its shadow on it. Ring: start; \
-         dots: transitions; arrows: time.{} {}; {}.",
+         𝓡 (shaded); sliding and flight do not belong to this plane, for they have *η*′ ≠ 0, and are its shadow on it. Cross: start; \
+         diamonds: transitions; arrows: time; dots and rings: equilibria, stable and unstable.{} {}; {}.",
         if is_short { " Shown are the first turns." } else { "" },
         say.hoop(hoop),
         say.start(hoop, &input.start)
-    );
+    ) + &remark(&motion, say);
     let content = Content { name: "plane", x: say.angle(window.x), y: say.rate(window.y), layers, labels };
     Ok(input.sheet(580.0)?.plot(NAME, "A motion in the phase portrait", caption, 402.0, content, keys))
 }

@@ -127,6 +127,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         ..input.wording().axis(column, "", range)
     };
     let panel = Panel {
+        image: None,
         name: "body",
         frame: [0.0, 0.0, width, height],
         view: View::Plane { x: bare(X_COLUMN, x_range), y: bare(Y, y_range), axes: false },

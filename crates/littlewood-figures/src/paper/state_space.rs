@@ -9,7 +9,7 @@ use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
-use crate::motion::{all_instants, bounds, by_mode, heads, horizon};
+use crate::motion::{all_instants, bounds, by_mode, heads, horizon, remark};
 use crate::plane::Portrait;
 use crate::sheet::{Content, Sheet};
 use crate::style::{FAINT, IMPULSE, INK, PAPER, REGION, SMALL, SOFT, Stroke};
@@ -144,11 +144,12 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
         },
         say.hoop(motion.hoop()),
         say.start(motion.hoop(), &input.start)
-    );
+    ) + &remark(&motion, say);
     let sheet = input.sheet(620.0)?;
     let height = sheet.height(480.0);
     let [x, y, z] = axes;
     let panel = Panel {
+        image: None,
         name: "space of states",
         frame: [0.0, 0.0, sheet.width, height],
         view: View::Space { x, y, z, yaw: 0.55, pitch: 0.32 },

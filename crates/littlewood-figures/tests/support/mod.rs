@@ -28,6 +28,28 @@ pub(crate) fn columns<const N: usize>(series: &Series, names: [&str; N]) -> Vec<
     series.rows().map(|row| places.map(|place| row[place])).collect()
 }
 
+/// The outlines of an area in a plane of two columns.
+pub(crate) fn outlines(series: &Series, names: [&str; 2]) -> Vec<Vec<[f64; 2]>> {
+    let places = names.map(|name| series.column(name).expect("a column of the series"));
+    let piece = |piece: &Vec<Vec<f64>>| piece.iter().map(|row| places.map(|place| row[place])).collect();
+    series.pieces.iter().map(piece).collect()
+}
+
+/// How often closed lines wind about a place, counterclockwise.
+pub(crate) fn winding(lines: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> i32 {
+    let edges = lines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+    edges
+        .map(|(a, b)| {
+            let left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+            match (a[1] <= y, b[1] <= y) {
+                (true, false) if left > 0.0 => 1,
+                (false, true) if left < 0.0 => -1,
+                _ => 0,
+            }
+        })
+        .sum()
+}
+
 /// A hoop with inertia: m1/m2, ℓ/R, I_zz/(m2 R²).
 #[derive(Clone, Copy)]
 pub(crate) struct Body {

@@ -2,6 +2,7 @@
 
 mod cells;
 mod curves;
+mod drawing;
 mod error;
 mod frame;
 mod layout;
@@ -14,6 +15,7 @@ mod render;
 mod scale;
 mod shade;
 
+pub use drawing::{Area, Drawing, Entry, Image};
 pub use error::PictureError;
 pub use frame::PictureSize;
 pub use map::Picture;

@@ -209,7 +209,7 @@ impl Pen<'_> {
 const FINE_LINE: f64 = width::CURVE * LINES;
 
 /// The parts of a line within the map, cut at its edges.
-fn clipped(points: &[Point]) -> Vec<Vec<Point>> {
+pub(super) fn clipped(points: &[Point]) -> Vec<Vec<Point>> {
     let mut runs: Vec<Vec<Point>> = Vec::new();
     for pair in points.windows(2) {
         let Some([a, b]) = clip(pair[0], pair[1]) else { continue };

@@ -34,7 +34,7 @@ impl Picture {
     }
 
     /// Colours the pixels of the map.
-    fn paint(&self, pixels: &mut [u8], size: PictureSize, layout: &Layout) {
+    pub(super) fn paint(&self, pixels: &mut [u8], size: PictureSize, layout: &Layout) {
         let Frame { left, top, width, height } = layout.frame;
         let [left, top, width, height] = [left, top, width, height].map(|side| side as usize);
         let [nx, ny] = self.counts;

@@ -33,6 +33,15 @@ impl Shade {
         }
     }
 
+    /// Whether its colours are a scale of numbers.
+    #[must_use]
+    pub const fn is_on_a_scale(self) -> bool {
+        match self {
+            Self::Class | Self::Sequence => false,
+            Self::EnergyLost | Self::Column(_) => true,
+        }
+    }
+
     /// The number that a point has; NaN where there is none, and for what is not on a scale.
     pub(super) fn number(self, point: &Setup, summary: &Summary) -> f64 {
         match self {

@@ -1,0 +1,405 @@
+//! How a motion changes along a line of starts or of parameters: its sequence, and the times of its transitions.
+
+use core::f64::consts::PI;
+
+use littlewood::{Class, Engine, Hoop, Limits, Mode, PhaseCode, Quantity, Setup};
+use littlewood_style::ticks::minus;
+use littlewood_style::{of_class, of_mode};
+use littlewood_sweep::{Axis, Band, Grid, Workers};
+
+use crate::axes::outcome_window;
+use crate::catalogue::Watch;
+use crate::columns::TIME;
+use crate::draw::{ROOM, width};
+use crate::error::FigureError;
+use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
+use crate::input::FigureInput;
+use crate::sheet::{Content, Sheet};
+use crate::style::{BOUNDARY, HATCH, PAPER, SMALL, Stroke, THEME};
+use crate::timeline::CLOSE;
+use crate::wording::Wording;
+use littlewood_style::width::CURVE;
+
+const NAME: &str = "bifurcation";
+/// Motions along the line that are compared first.
+const MOTIONS: usize = 401;
+/// How closely a boundary is located, in parts of the line.
+const WIDTH: f64 = 1e-10;
+/// Motions whose transitions are drawn, along the whole line, and in the narrowest band.
+const DRAWN: f64 = 240.0;
+const FEWEST: usize = 12;
+/// Bands that are drawn at most: beyond that they cannot be told apart.
+const MOST_BANDS: usize = 400;
+/// Boundaries whose places the caption says.
+const SAID: usize = 8;
+/// Part of the bands whose transitions are all within the picture.
+const SHOWN: f64 = 0.95;
+/// Greatest rate that is shown of a massless hoop.
+const MASSLESS: f64 = 2.0;
+/// The time goes so far beyond the last transition.
+const BEYOND: f64 = 1.1;
+
+/// How far a time may be from the chord between its neighbours, in parts of the picture, and how often they are halved for it.
+const FLAT: f64 = 1e-3;
+const HALVINGS: u32 = 7;
+
+/// The line along which a motion changes.
+struct Line {
+    grid: Grid,
+    axis: Axis,
+    column: &'static str,
+}
+
+impl Line {
+    /// The line that is asked for, or rates up to that of the figure of outcomes.
+    fn new(input: &FigureInput) -> Result<Self, FigureError> {
+        let asked = match input.along {
+            Some(axis) => axis,
+            None => {
+                let most = if input.is_massless() { MASSLESS } else { outcome_window(&input.hoop).y[1] };
+                Axis::new(Quantity::ThetaRate, 0.0, most, MOTIONS)?
+            }
+        };
+        let axis = Axis::new(asked.varies(), asked.from(), asked.to(), MOTIONS)?;
+        let grid = Grid::new(Setup::new(input.hoop.parameters(), input.start), vec![axis])?;
+        Ok(Self { grid, axis, column: axis.varies().name() })
+    }
+
+    fn setup(&self, fraction: f64) -> Setup {
+        let mut setup = *self.grid.base();
+        let value = self.axis.between(fraction);
+        self.axis.varies().quantities().for_each(|quantity| setup.set(quantity, value));
+        setup
+    }
+
+    /// Its ends, the lower one first.
+    fn range(&self) -> [f64; 2] {
+        let (from, to) = (self.axis.from(), self.axis.to());
+        [from.min(to), from.max(to)]
+    }
+}
+
+/// When the phases of a motion end that a band tells of; infinite for one without end.
+fn ends(setup: &Setup, band: &Band, limits: Limits) -> Option<Vec<f64>> {
+    let hoop = Hoop::new(setup.hoop).ok()?;
+    let transitions = limits.transitions.min(Band::PHASES);
+    let motion = hoop.simulate(setup.start, limits.with_transitions(transitions)).ok()?;
+    let phases = motion.phases();
+    let codes: Vec<PhaseCode> = band.phases.codes().filter_map(Result::ok).collect();
+    let own = phases.iter().map(|phase| PhaseCode::new(phase.mode(), phase.direction()));
+    let agrees = phases.len() >= codes.len() && own.zip(&codes).all(|(own, code)| own == *code);
+    let from = motion.start().time;
+    agrees.then(|| phases.iter().take(codes.len()).map(|phase| phase.end_time() - from).collect())
+}
+
+/// A place along the line, and the ends of the phases there.
+type Times = (f64, Vec<f64>);
+
+/// Places between others where times bend.
+fn refined(mut places: Vec<Times>, at: &dyn Fn(f64) -> Option<Times>) -> Vec<Times> {
+    let until =
+        places.iter().flat_map(|(_, ends)| ends).copied().filter(|time| time.is_finite()).fold(0.0, f64::max);
+    let bends = |a: &Times, m: &Times, b: &Times| {
+        (0..m.1.len()).any(|i| (0.5 * (a.1[i] + b.1[i]) - m.1[i]).abs() > FLAT * until)
+    };
+    let mut open = vec![true; places.len()];
+    for _ in 0..HALVINGS {
+        let (mut next, mut still) = (Vec::new(), Vec::new());
+        for (i, place) in places.iter().enumerate() {
+            next.push(place.clone());
+            still.push(false);
+            let Some(after) = places.get(i + 1).filter(|_| open[i]) else { continue };
+            let Some(middle) = at(0.5 * (place.0 + after.0)) else { continue };
+            if bends(place, &middle, after) {
+                still.pop();
+                next.push(middle);
+                still.extend([true, true]);
+            }
+        }
+        (places, open) = (next, still);
+        if !open.contains(&true) {
+            break;
+        }
+    }
+    places
+}
+
+/// A band, and the ends of its phases at some places.
+struct Drawn {
+    band: Band,
+    places: Vec<Times>,
+}
+
+impl Drawn {
+    fn new(line: &Line, band: Band, limits: Limits) -> Self {
+        let [from, to] = band.range;
+        let count = FEWEST.max((DRAWN * (to - from)) as usize);
+        let inner = |end: f64, inwards: f64| if end == 0.0 || end == 1.0 { end } else { end + inwards };
+        let (from, to) = (inner(from, WIDTH), inner(to, -WIDTH));
+        // Closer together at the ends, where a time may change like a square root.
+        let places = (0..=count).map(|i| {
+            let share = 0.5 * (1.0 - libm::cos(PI * i as f64 / count as f64));
+            if i == count { to } else { from + (to - from) * share }
+        });
+        let at = |at: f64| Some((at, ends(&line.setup(at), &band, limits)?));
+        let places = places.filter_map(at).collect();
+        Self { band, places: refined(places, &at) }
+    }
+
+    /// The times of its transitions.
+    fn times(&self) -> impl Iterator<Item = f64> + '_ {
+        self.places.iter().flat_map(|(_, ends)| ends.iter().copied()).filter(|time| time.is_finite())
+    }
+
+    /// Areas of its phases up to a time, each with its mode.
+    fn areas(&self, line: &Line, until: f64) -> Vec<(Mode, Vec<Vec<f64>>)> {
+        let codes = self.band.phases.codes().filter_map(Result::ok);
+        let value = |at: f64| line.axis.between(at);
+        codes
+            .enumerate()
+            .filter_map(|(number, code)| {
+                let begin = |ends: &[f64]| if number == 0 { 0.0 } else { ends[number - 1].min(until) };
+                let above = self.places.iter().map(|(at, ends)| vec![value(*at), ends[number].min(until)]);
+                let below = self.places.iter().rev().map(|(at, ends)| vec![value(*at), begin(ends)]);
+                let is_seen = self.places.iter().any(|(_, ends)| begin(ends) < until.min(ends[number]));
+                is_seen.then(|| (code.mode().0, above.chain(below).collect()))
+            })
+            .collect()
+    }
+
+    /// The area of the phases that the band does not tell of.
+    fn beyond(&self, line: &Line, until: f64) -> Option<Vec<Vec<f64>>> {
+        let last = |ends: &[f64]| ends.last().map_or(until, |end| end.min(until));
+        let is_seen = goes_on(&self.band) && self.places.iter().any(|(_, ends)| last(ends) < until);
+        let below = self.places.iter().map(|(at, ends)| vec![line.axis.between(*at), last(ends)]);
+        let above = self.places.iter().rev().map(|(at, _)| vec![line.axis.between(*at), until]);
+        is_seen.then(|| below.chain(above).collect())
+    }
+
+    /// Lines of its transitions up to a time.
+    fn lines(&self, line: &Line, until: f64) -> Vec<Vec<Vec<f64>>> {
+        (0..self.band.phases.len() as usize)
+            .flat_map(|number| {
+                let rows: Vec<Vec<f64>> =
+                    self.places.iter().map(|(at, ends)| vec![line.axis.between(*at), ends[number]]).collect();
+                let is_drawn = |row: &Vec<f64>| row[1] <= until;
+                rows.split(|row| !is_drawn(row))
+                    .filter(|part| part.len() > 1)
+                    .map(<[Vec<f64>]>::to_vec)
+                    .collect::<Vec<_>>()
+            })
+            .collect()
+    }
+}
+
+/// Whether the motions of a band go on after the phases that it tells of: to others, or in the same way for ever.
+fn goes_on(band: &Band) -> bool {
+    band.has_more || band.class.stays_in_contact() && band.class != Class::RollsForever
+}
+
+/// The phases of a band as they are printed.
+fn sequence(band: &Band) -> String {
+    let more = if goes_on(band) { "…" } else { "" };
+    if band.phases.is_empty() { "none".to_owned() } else { minus(&band.phases.to_string()) + more }
+}
+
+/// Until which time the transitions of nearly all bands are seen.
+fn horizon(bands: &[Drawn], limits: Limits, start: f64) -> Option<f64> {
+    // Places count by their parts of the line.
+    let mut last: Vec<(f64, f64)> = Vec::new();
+    for places in bands.iter().map(|drawn| &drawn.places) {
+        for (i, (_, ends)) in places.iter().enumerate() {
+            let at = |i: usize| places[i.min(places.len() - 1)].0;
+            let part = 0.5 * (at(i + 1) - at(i.saturating_sub(1)));
+            last.extend(ends.iter().rev().find(|time| time.is_finite()).map(|time| (*time, part)));
+        }
+    }
+    last.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let all: f64 = last.iter().map(|(_, part)| part).sum();
+    let mut sum = 0.0;
+    let longest = last.iter().find(|(_, part)| {
+        sum += part;
+        sum >= SHOWN * all
+    });
+    let shown = BEYOND * longest?.0;
+    let until = limits.until.map_or(shown, |until| shown.min(until - start));
+    (until > 0.0).then_some(until)
+}
+
+/// What the caption says of the boundaries.
+fn said(line: &Line, bands: &[Band], say: Wording) -> String {
+    let sequences: Vec<String> =
+        bands.iter().map(|band| format!("{} ({})", sequence(band), band.class.label())).collect();
+    let [from, to] = line.range();
+    let varies = line.axis.varies();
+    let boundaries: Vec<String> = bands[1..]
+        .iter()
+        .map(|band| say.located(varies, line.axis.between(band.range[0]), WIDTH * (to - from)))
+        .collect();
+    let unit = match say.unit_of(varies) {
+        unit if unit.is_empty() => unit,
+        unit => format!(" {unit}"),
+    };
+    if boundaries.is_empty() {
+        return format!("All are alike: {}.", sequences[0]);
+    }
+    if boundaries.len() > SAID {
+        let first = boundaries[..SAID].join(", ");
+        return format!(
+            "There are {} boundaries, the first at {} = {first}{unit}; the table has all.",
+            boundaries.len(),
+            say.sign_of(varies)
+        );
+    }
+    let last = sequences.len() - 1;
+    format!(
+        "In turn: {} and {}. Boundaries at {} = {}{unit}.",
+        sequences[..last].join(", "),
+        sequences[last],
+        say.sign_of(varies),
+        boundaries.join(", ")
+    )
+}
+
+/// The panel of sequences and classes.
+fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Content {
+    let columns = [line.column, "share"];
+    let place = |fraction: f64| line.axis.between(fraction);
+    let mut layers: Vec<Layer> = Vec::new();
+    for class in Class::ALL {
+        let pieces: Vec<Vec<Vec<f64>>> = bands
+            .iter()
+            .filter(|band| band.class == class)
+            .map(|band| {
+                let [from, to] = band.range.map(place);
+                vec![vec![from, 0.0], vec![to, 0.0], vec![to, 1.0], vec![from, 1.0]]
+            })
+            .collect();
+        if !pieces.is_empty() {
+            layers
+                .push(Series::new(class.name(), &columns, pieces).drawn(Mark::Fill(of_class(class, THEME))));
+        }
+    }
+    let lines = bands[1..].iter().map(|band| {
+        let at = place(band.range[0]);
+        vec![vec![at, 0.0], vec![at, 1.0]]
+    });
+    layers.push(Series::new("boundary", &columns, lines.collect()).drawn(Mark::Line(BOUNDARY)));
+    let labels = bands.iter().filter_map(|band| {
+        let text = sequence(band);
+        let [from, to] = band.range;
+        let fits = width(&text, SMALL) + 2.0 * MARGIN < (to - from) * pixels;
+        let at = 0.5 * (place(from) + place(to));
+        fits.then(|| Label::new(text, &[at, 0.5]).sized(SMALL))
+    });
+    let labels = labels.collect();
+    let x = PlotAxis { title: String::new(), scale: Scale::Nothing, ..x };
+    let y = PlotAxis {
+        column: "share".into(),
+        title: String::new(),
+        range: [0.0, 1.0],
+        scale: Scale::Nothing,
+        ticks: Vec::new(),
+    };
+    Content { name: "sequence", x, y, layers, labels }
+}
+
+/// Room beside the text of a band, in pixels.
+const MARGIN: f64 = 3.0;
+
+/// The panel of transitions.
+fn panel_of_times(
+    line: &Line,
+    drawn: &[Drawn],
+    x: PlotAxis,
+    until: f64,
+    say: Wording,
+) -> (Content, Vec<(Mark, String)>) {
+    let columns = [line.column, TIME];
+    let areas: Vec<(Mode, Vec<Vec<f64>>)> = drawn.iter().flat_map(|drawn| drawn.areas(line, until)).collect();
+    let mut layers: Vec<Layer> = Vec::new();
+    let mut entries = Vec::new();
+    for mode in Mode::ALL {
+        let pieces: Vec<Vec<Vec<f64>>> =
+            areas.iter().filter(|(own, _)| *own == mode).map(|(_, area)| area.clone()).collect();
+        if !pieces.is_empty() {
+            let mark = Mark::Fill(of_mode(mode, THEME));
+            entries.push((mark, mode.to_string()));
+            layers.push(Series::new(mode.name(), &columns, pieces).drawn(mark));
+        }
+    }
+    let beyond: Vec<Vec<Vec<f64>>> = drawn.iter().filter_map(|drawn| drawn.beyond(line, until)).collect();
+    if !beyond.is_empty() {
+        entries.push((Mark::Hatch(HATCH), "further phases".to_owned()));
+        layers.push(Series::new("further phases", &columns, beyond).drawn(Mark::Hatch(HATCH)));
+    }
+    let lines = drawn.iter().flat_map(|drawn| drawn.lines(line, until)).collect();
+    let transition = Mark::Line(Stroke::solid(PAPER, CURVE));
+    layers.push(Series::new("transition", &columns, lines).drawn(transition));
+    let boundaries = drawn[1..].iter().map(|drawn| {
+        let at = line.axis.between(drawn.band.range[0]);
+        vec![vec![at, 0.0], vec![at, until]]
+    });
+    layers.push(Series::new("boundary", &columns, boundaries.collect()).drawn(Mark::Line(BOUNDARY)));
+    (Content { name: "transitions", x, y: say.clock([0.0, until]), layers, labels: Vec::new() }, entries)
+}
+
+/// How a motion changes along a line.
+pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
+    input.loaded(NAME)?;
+    let line = Line::new(input)?;
+    let total = 2 * MOTIONS as u64;
+    let workers = Workers::new(None)?;
+    let mut told = |followed: u64| watch(followed.min(total), total);
+    let (limits, cut) = input.limits_of_many(&Engine::new(&input.hoop));
+    let bands = Band::along(&line.grid, limits, WIDTH, &workers, &mut told)?;
+    let [from, to] = line.range();
+    let varies = line.axis.varies();
+    if bands.len() > MOST_BANDS {
+        return Err(FigureError::TooManyBands { figure: NAME, along: varies, from, to, most: MOST_BANDS });
+    }
+    let drawn: Vec<Drawn> = bands.iter().map(|band| Drawn::new(&line, *band, limits)).collect();
+    if drawn.iter().flat_map(Drawn::times).next().is_none() {
+        return Err(FigureError::NoTransition { figure: NAME, along: varies, from, to });
+    }
+    let Some(until) = horizon(&drawn, input.limits, input.start.time) else {
+        return Err(FigureError::NoTransition { figure: NAME, along: varies, from, to });
+    };
+
+    let say = input.wording();
+    let sheet = input.sheet(640.0)?;
+    let [left, inner] = sheet.span();
+    let x = say.varied(varies, [from, to]);
+    let upper = panel_of_bands(&line, &bands, x.clone(), inner - ROOM[0]);
+    let (lower, phases) = panel_of_times(&line, &drawn, x, until, say);
+    let classes = Class::ALL.into_iter().filter(|class| bands.iter().any(|band| band.class == *class));
+    let entries = classes
+        .map(|class| (Mark::Fill(of_class(class, THEME)), class.label().to_owned()))
+        .chain(phases)
+        .collect();
+    let (keys, room) = sheet.keys(entries, 6.0);
+    let top = room + 14.0;
+    let (band_height, height) = (34.0, sheet.height(360.0));
+    let mut panels: Vec<Panel> = vec![
+        Sheet::panel([left, top, inner, band_height + ROOM[1]], upper),
+        Sheet::panel([left, top + band_height + CLOSE, inner, height], lower),
+    ];
+    panels[0].keys = keys;
+    let letters: Vec<String> = PhaseCode::ALL
+        .into_iter()
+        .filter(|code| bands.iter().any(|band| band.phases.codes().any(|own| own == Ok(*code))))
+        .map(|code| format!("{} {}", minus(code.name()), code.meaning()))
+        .collect();
+    let except: Vec<Quantity> = varies.quantities().collect();
+    let caption = format!(
+        "How a motion{} changes with {}: above, the sequence of its phases ({}) and what becomes of it; below, in which mode it is \
+         at which time. White curves: transitions; where two meet the sequence changes. {} {}.",
+        cut.map_or_else(String::new, |cut| format!(", followed to {cut} transitions,")),
+        say.varied_in_words(varies),
+        letters.join(", "),
+        said(&line, &bands, say),
+        say.setup_except(&input.hoop, &input.start, &except)
+    );
+    let bottom = top + band_height + CLOSE + height + 6.0;
+    Ok(sheet.figure(NAME, "Transitions along a line of starts or parameters", caption, bottom, panels))
+}

@@ -1,0 +1,195 @@
+//! Boundaries on a fine lattice, of which only the cells are looked at through which they run.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use super::cell::{Cell, Crossing, Side, Span, crossed};
+use super::{Detail, Lattice, Place};
+
+/// A corner of the fine lattice, or the cell to the right of it and above it.
+type Corner = [usize; 2];
+
+/// A lattice between the places of another.
+pub(super) struct Fine<'a> {
+    lattice: &'a Lattice,
+    parts: usize,
+    /// Cells to the right and upwards.
+    cells: [usize; 2],
+    keys: HashMap<Corner, u64>,
+}
+
+/// The cells with boundaries.
+pub(super) struct Followed {
+    /// The places at which boundaries cross sides.
+    pub(super) nodes: Vec<Place>,
+    pub(super) cells: Vec<Cell>,
+    /// The whole plane, with what crosses its sides.
+    pub(super) frame: Cell,
+}
+
+/// A side of a cell by its first corner and the axis along which it runs.
+type SideName = (Corner, usize);
+
+/// The sides of a cell: below, on the right, above, on the left.
+const fn sides_of([x, y]: Corner) -> [SideName; 4] {
+    [([x, y], 0), ([x + 1, y], 1), ([x, y + 1], 0), ([x, y], 1)]
+}
+
+const fn far_end(([x, y], axis): SideName) -> Corner {
+    if axis == 0 { [x + 1, y] } else { [x, y + 1] }
+}
+
+impl<'a> Fine<'a> {
+    pub(super) fn new(lattice: &'a Lattice, parts: usize) -> Self {
+        let columns = lattice.places[0].len();
+        let keys = lattice.keys.iter().enumerate();
+        let keys = keys.map(|(i, &key)| ([parts * (i % columns), parts * (i / columns)], key)).collect();
+        Self { lattice, parts, cells: lattice.cells().map(|count| parts * count), keys }
+    }
+
+    fn place(&self, corner: Corner) -> Place {
+        [0, 1].map(|k| {
+            let (places, whole, rest) =
+                (&self.lattice.places[k], corner[k] / self.parts, corner[k] % self.parts);
+            if rest == 0 {
+                return places[whole];
+            }
+            places[whole] + (places[whole + 1] - places[whole]) * rest as f64 / self.parts as f64
+        })
+    }
+
+    /// Asks for the keys of corners that are not known.
+    fn learn<E>(
+        &mut self,
+        corners: impl IntoIterator<Item = Corner>,
+        ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>,
+    ) -> Result<(), E> {
+        let wanted: BTreeSet<Corner> =
+            corners.into_iter().filter(|corner| !self.keys.contains_key(corner)).collect();
+        if wanted.is_empty() {
+            return Ok(());
+        }
+        let places: Vec<Place> = wanted.iter().map(|&corner| self.place(corner)).collect();
+        let keys = ask(&places)?;
+        self.keys.extend(wanted.into_iter().zip(keys));
+        Ok(())
+    }
+
+    fn differ(&self, side: SideName) -> bool {
+        self.keys[&side.0] != self.keys[&far_end(side)]
+    }
+
+    /// The cells beside a side.
+    fn beside(&self, ([x, y], axis): SideName) -> impl Iterator<Item = Corner> + use<> {
+        let cells = self.cells;
+        let other =
+            if axis == 0 { y.checked_sub(1).map(|y| [x, y]) } else { x.checked_sub(1).map(|x| [x, y]) };
+        other.into_iter().chain([[x, y]]).filter(move |[x, y]| *x < cells[0] && *y < cells[1])
+    }
+
+    /// Sides of the fine lattice that a boundary crosses, one for each side of the lattice whose ends differ.
+    fn seeds<E>(&mut self, ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>) -> Result<Vec<SideName>, E> {
+        let [columns, rows] = self.lattice.cells();
+        let parts = self.parts;
+        let mut spans: Vec<(Corner, Corner)> = Vec::new();
+        for y in 0..=rows {
+            for x in 0..=columns {
+                let from = [parts * x, parts * y];
+                let right = (x < columns).then(|| [from[0] + parts, from[1]]);
+                let up = (y < rows).then(|| [from[0], from[1] + parts]);
+                let ends = right.into_iter().chain(up);
+                spans.extend(ends.filter(|to| self.keys[&from] != self.keys[to]).map(|to| (from, to)));
+            }
+        }
+        let mut size = parts;
+        while size > 1 {
+            size /= 2;
+            let middle = |(from, to): (Corner, Corner)| [0, 1].map(|k| usize::midpoint(from[k], to[k]));
+            self.learn(spans.iter().map(|&span| middle(span)), ask)?;
+            for span in &mut spans {
+                let middle = middle(*span);
+                *span = if self.keys[&middle] == self.keys[&span.0] {
+                    (middle, span.1)
+                } else {
+                    (span.0, middle)
+                };
+            }
+        }
+        Ok(spans.into_iter().map(|(from, to)| (from, usize::from(from[0] == to[0]))).collect())
+    }
+
+    /// Follows all boundaries; nothing if they run through too many cells.
+    pub(super) fn follow<E>(
+        mut self,
+        detail: &Detail,
+        ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>,
+    ) -> Result<Option<Followed>, E> {
+        let seeds = self.seeds(ask)?;
+        let is_coarse = self.parts == 1 && self.cells.iter().all(|count| *count < 4);
+        let mut seen: BTreeSet<Corner> = seeds.into_iter().flat_map(|side| self.beside(side)).collect();
+        let mut cells: BTreeSet<Corner> = BTreeSet::new();
+        let mut front: Vec<Corner> = seen.iter().copied().collect();
+        while !front.is_empty() {
+            let corners = |[x, y]: Corner| [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]];
+            self.learn(front.iter().copied().flat_map(corners), ask)?;
+            let mut next = Vec::new();
+            for cell in front {
+                let crossed: Vec<SideName> =
+                    sides_of(cell).into_iter().filter(|side| self.differ(*side)).collect();
+                if !crossed.is_empty() {
+                    cells.insert(cell);
+                }
+                next.extend(
+                    crossed.into_iter().flat_map(|side| self.beside(side)).filter(|cell| seen.insert(*cell)),
+                );
+            }
+            if cells.len() > detail.most && !is_coarse {
+                return Ok(None);
+            }
+            next.sort_unstable();
+            front = next;
+        }
+
+        let names: BTreeSet<SideName> = cells.iter().copied().flat_map(sides_of).collect();
+        let spans: Vec<Span> = names
+            .iter()
+            .map(|&name| {
+                let corners = [name.0, far_end(name)];
+                Span {
+                    ends: corners.map(|corner| self.place(corner)),
+                    keys: corners.map(|at| self.keys[&at]),
+                }
+            })
+            .collect();
+        let mut nodes = Vec::new();
+        let sides = crossed(&spans, &mut nodes, detail.width, ask)?;
+        let sides: BTreeMap<SideName, Side> = names.into_iter().zip(sides).collect();
+        let frame = self.frame(&sides);
+        let cells = cells
+            .into_iter()
+            .map(|[x, y]| Cell {
+                low: self.place([x, y]),
+                high: self.place([x + 1, y + 1]),
+                sides: sides_of([x, y]).map(|name| sides[&name].clone()),
+            })
+            .collect();
+        Ok(Some(Followed { nodes, cells, frame }))
+    }
+
+    /// The border of the plane.
+    fn frame(&self, sides: &BTreeMap<SideName, Side>) -> Cell {
+        let [right, top] = self.cells;
+        let side = |from: Corner, axis: usize| {
+            let on_it = |name: &SideName| name.1 == axis && name.0[1 - axis] == from[1 - axis];
+            let mut crossings: Vec<Crossing> = sides
+                .iter()
+                .filter(|(name, _)| on_it(name))
+                .flat_map(|(_, side)| side.crossings.iter().copied())
+                .collect();
+            crossings.sort_by(|a, b| a.at.total_cmp(&b.at));
+            let to = if axis == 0 { [right, from[1]] } else { [from[0], top] };
+            Side { keys: [self.keys[&from], self.keys[&to]], crossings }
+        };
+        let sides = [side([0, 0], 0), side([right, 0], 1), side([0, top], 0), side([0, 0], 1)];
+        Cell { low: [0.0; 2], high: [1.0; 2], sides }
+    }
+}

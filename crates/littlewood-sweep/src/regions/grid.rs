@@ -1,0 +1,54 @@
+//! The regions of the classes of outcomes in the plane of a grid.
+
+use littlewood::{Class, Limits, ParameterError};
+
+use super::{Detail, Lattice, Place, Regions};
+use crate::compute::Workers;
+use crate::grid::Grid;
+
+/// Points of the grid that are followed before somebody is told.
+const AT_ONCE: usize = 512;
+
+impl Regions {
+    /// The regions of the plane of a grid by the codes of their classes, which are settled with the first lift-off: bounces are
+    /// not followed to their end. `told` is told of the motions that have been followed. The result does not depend on the number
+    /// of threads.
+    ///
+    /// # Errors
+    /// The first value that has no physical meaning by itself.
+    ///
+    /// # Panics
+    /// If the grid has not two axes of two points or more.
+    pub fn of_classes(
+        grid: &Grid,
+        limits: Limits,
+        detail: &Detail,
+        workers: &Workers,
+        told: &mut dyn FnMut(u64),
+    ) -> Result<Self, ParameterError> {
+        let [x, y] = grid.axes() else { panic!("a plane has two axes, not {}", grid.axes().len()) };
+        let count = [x.count(), y.count()];
+        assert!(count.iter().all(|count| *count > 1), "a plane has two points or more to either side");
+        let mut followed = 0;
+        let mut ask = |places: &[Place]| -> Result<Vec<u64>, ParameterError> {
+            let points: Vec<_> = places.iter().map(|&place| grid.point_between(place)).collect();
+            let settled = workers.settled(&points, grid.starts_of_a_hoop(), limits)?;
+            followed += places.len() as u64;
+            told(followed);
+            Ok(settled.into_iter().map(|(class, _)| key_of(class)).collect())
+        };
+        let mut lattice = Lattice::even(count, |_| 0);
+        let [columns, rows] = &lattice.places;
+        let places: Vec<Place> = rows.iter().flat_map(|&y| columns.iter().map(move |&x| [x, y])).collect();
+        let mut keys = Vec::with_capacity(places.len());
+        for some in places.chunks(AT_ONCE) {
+            keys.extend(ask(some)?);
+        }
+        lattice.keys = keys;
+        Self::find(&lattice, detail, &mut ask)
+    }
+}
+
+fn key_of(class: Class) -> u64 {
+    class.code().into()
+}
