@@ -301,7 +301,7 @@ fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Cont
         scale: Scale::Nothing,
         ticks: Vec::new(),
     };
-    Content { name: "sequence", x, y, layers, labels }
+    Content { name: "bands", x, y, layers, labels }
 }
 
 /// Room beside the text of a band, in pixels.
@@ -341,7 +341,7 @@ fn panel_of_times(
         vec![vec![at, 0.0], vec![at, until]]
     });
     layers.push(Series::new("boundary", &columns, boundaries.collect()).drawn(Mark::Line(BOUNDARY)));
-    (Content { name: "transitions", x, y: say.clock([0.0, until]), layers, labels: Vec::new() }, entries)
+    (Content { name: "times", x, y: say.clock([0.0, until]), layers, labels: Vec::new() }, entries)
 }
 
 /// How a motion changes along a line.

@@ -202,7 +202,7 @@ mod tests {
             let r = square([x - 0.5, y - 0.5]);
             u64::from(r > 0.01) + u64::from(r > 0.1)
         };
-        let found = find([12, 9], &Detail::default(), key);
+        let found = find([12, 9], &Detail { parts: 16, ..Detail::default() }, key);
         // Chords are flat to a part of the plane.
         check(&found, key, 16);
         assert_eq!(found.regions[1].outlines.len(), 2);
