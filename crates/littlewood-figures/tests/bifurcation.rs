@@ -88,7 +88,7 @@ fn where_nothing_changes_or_nothing_can_be_it_is_refused() {
 
 #[test]
 fn a_line_of_friction_has_both_coefficients() {
-    let input = FigureInput { start: Start::at(1.570_796_326_794_896_6, 1.5), ..of_case("figure-3") };
+    let input = FigureInput { start: Start::at(core::f64::consts::FRAC_PI_2, 1.5), ..of_case("figure-3") };
     let figure = along(input, Varies::Friction, 0.3, 1.0).expect("it can be drawn");
     let found = boundaries(&figure, "mu");
     // Rolling holds from the start on where |F| ≤ μs N at θ = π/2, θ′ = 1.5, by (2.12).

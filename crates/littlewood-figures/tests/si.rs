@@ -20,7 +20,7 @@ fn unit(column: &str) -> Option<(f64, &'static str)> {
         "normal_force" | "friction_force" | "normal" | "friction" => (5.0, "_n"),
         "energy" | "w" => (2.0, "_j"),
         "normal_impulse" | "friction_impulse" => (1.0, "_n_s"),
-        "mu_s" | "mu_k" | "demand" | "landing" => (1.0, ""),
+        "mu_s" | "mu_k" | "demand" | "landing" | "share" => (1.0, ""),
         _ => return None,
     })
 }

@@ -75,7 +75,7 @@ pub use first_turn::{FirstTurn, Stop};
 pub use grid::Grid;
 pub use options::{CHUNK_POINTS, Options, Progress};
 pub use picture::{Area, Drawing, Entry, Image, Picture, PictureError, PictureSize, Shade};
-pub use regions::{Band, Boundary, Detail, Lattice, Place, Region, Regions};
+pub use regions::{Ask, Band, Boundary, Detail, Lattice, Place, Region, Regions};
 pub use run::Report;
 pub use starts::{ListError, StartList};
 pub use store::StoreError;

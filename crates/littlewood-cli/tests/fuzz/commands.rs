@@ -209,8 +209,11 @@ fn atlas(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
 
 fn figures(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     // The figure of thousands of motions takes longer than all others together.
-    let names: Vec<&str> =
-        FIGURES.iter().map(|entry| entry.name).filter(|name| !["outcomes", "bifurcation"].contains(name)).collect();
+    let names: Vec<&str> = FIGURES
+        .iter()
+        .map(|entry| entry.name)
+        .filter(|name| !["outcomes", "bifurcation"].contains(name))
+        .collect();
     let mut words = vec!["figures".to_owned(), draw.one_of(&names).to_owned()];
     words.extend(
         problem(draw, setup, false)

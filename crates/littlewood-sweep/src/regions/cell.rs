@@ -1,6 +1,6 @@
 //! A cell, its sides with what crosses them, and the boundaries in it.
 
-use super::Place;
+use super::{Ask, Place};
 
 /// Crossings of a side at most: more are taken as one.
 const CROSSINGS: usize = 3;
@@ -68,7 +68,7 @@ pub(super) fn crossed<E>(
     spans: &[Span],
     nodes: &mut Vec<Place>,
     width: f64,
-    ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>,
+    ask: &mut Ask<'_, E>,
 ) -> Result<Vec<Side>, E> {
     let mut sides: Vec<Side> =
         spans.iter().map(|span| Side { keys: span.keys, crossings: Vec::new() }).collect();
@@ -194,7 +194,7 @@ pub(super) fn segments<E>(
     halvings: u32,
     nodes: &mut Vec<Place>,
     width: f64,
-    ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>,
+    ask: &mut Ask<'_, E>,
 ) -> Result<Vec<Segment>, E> {
     let mut segments = Vec::new();
     let mut level = cells;

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::cell::{Cell, Crossing, Side, Span, crossed};
-use super::{Detail, Lattice, Place};
+use super::{Ask, Detail, Lattice, Place};
 
 /// A corner of the fine lattice, or the cell to the right of it and above it.
 type Corner = [usize; 2];
@@ -58,11 +58,7 @@ impl<'a> Fine<'a> {
     }
 
     /// Asks for the keys of corners that are not known.
-    fn learn<E>(
-        &mut self,
-        corners: impl IntoIterator<Item = Corner>,
-        ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>,
-    ) -> Result<(), E> {
+    fn learn<E>(&mut self, corners: impl IntoIterator<Item = Corner>, ask: &mut Ask<'_, E>) -> Result<(), E> {
         let wanted: BTreeSet<Corner> =
             corners.into_iter().filter(|corner| !self.keys.contains_key(corner)).collect();
         if wanted.is_empty() {
@@ -87,7 +83,7 @@ impl<'a> Fine<'a> {
     }
 
     /// Sides of the fine lattice that a boundary crosses, one for each side of the lattice whose ends differ.
-    fn seeds<E>(&mut self, ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>) -> Result<Vec<SideName>, E> {
+    fn seeds<E>(&mut self, ask: &mut Ask<'_, E>) -> Result<Vec<SideName>, E> {
         let [columns, rows] = self.lattice.cells();
         let parts = self.parts;
         let mut spans: Vec<(Corner, Corner)> = Vec::new();
@@ -118,11 +114,7 @@ impl<'a> Fine<'a> {
     }
 
     /// Follows all boundaries; nothing if they run through too many cells.
-    pub(super) fn follow<E>(
-        mut self,
-        detail: &Detail,
-        ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>,
-    ) -> Result<Option<Followed>, E> {
+    pub(super) fn follow<E>(mut self, detail: &Detail, ask: &mut Ask<'_, E>) -> Result<Option<Followed>, E> {
         let seeds = self.seeds(ask)?;
         let is_coarse = self.parts == 1 && self.cells.iter().all(|count| *count < 4);
         let mut seen: BTreeSet<Corner> = seeds.into_iter().flat_map(|side| self.beside(side)).collect();

@@ -26,8 +26,8 @@ impl Regions {
         workers: &Workers,
         told: &mut dyn FnMut(u64),
     ) -> Result<Self, ParameterError> {
-        let [x, y] = grid.axes() else { panic!("a plane has two axes, not {}", grid.axes().len()) };
-        let count = [x.count(), y.count()];
+        assert!(grid.axes().len() == 2, "a plane has two axes, not {}", grid.axes().len());
+        let count = [0, 1].map(|k| grid.axes()[k].count());
         assert!(count.iter().all(|count| *count > 1), "a plane has two points or more to either side");
         let mut followed = 0;
         let mut ask = |places: &[Place]| -> Result<Vec<u64>, ParameterError> {

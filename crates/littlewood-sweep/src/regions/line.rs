@@ -59,9 +59,9 @@ impl Band {
         workers: &Workers,
         told: &mut dyn FnMut(u64),
     ) -> Result<Vec<Self>, ParameterError> {
-        let [axis] = grid.axes() else { panic!("a line has one axis, not {}", grid.axes().len()) };
-        assert!(axis.count() > 1, "a line has two points or more");
-        let last = axis.count() - 1;
+        assert!(grid.axes().len() == 1, "a line has one axis, not {}", grid.axes().len());
+        let last = grid.axes()[0].count() - 1;
+        assert!(last > 0, "a line has two points or more");
         let mut followed = 0;
         let mut ask = |places: &[Place]| -> Result<Vec<u64>, ParameterError> {
             let points: Vec<_> = places.iter().map(|&place| grid.point_between(place)).collect();

@@ -16,6 +16,9 @@ pub use line::Band;
 /// A place in the unit square: fractions of the way to the right and upwards.
 pub type Place = [f64; 2];
 
+/// What is asked for the keys of places, many at once.
+pub type Ask<'a, E> = dyn FnMut(&[Place]) -> Result<Vec<u64>, E> + 'a;
+
 /// A lattice on which the keys are known.
 #[derive(Clone, Debug)]
 pub struct Lattice {
@@ -94,11 +97,7 @@ impl Regions {
     ///
     /// # Errors
     /// What `ask` returns.
-    pub fn find<E>(
-        lattice: &Lattice,
-        detail: &Detail,
-        ask: &mut dyn FnMut(&[Place]) -> Result<Vec<u64>, E>,
-    ) -> Result<Self, E> {
+    pub fn find<E>(lattice: &Lattice, detail: &Detail, ask: &mut Ask<'_, E>) -> Result<Self, E> {
         let mut lattice = lattice.clone();
         let mut parts = detail.parts.max(1);
         let followed = loop {
