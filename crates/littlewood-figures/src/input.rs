@@ -1,6 +1,6 @@
 //! What a figure is made of: a hoop, a start, limits.
 
-use littlewood::{Body, Engine, Hoop, Limits, Start, Trajectory, Units};
+use littlewood::{Body, Engine, Hoop, Limits, Start, Summary, Trajectory, Units};
 use littlewood_sweep::Axis;
 
 use crate::axes::outcome_window;
@@ -9,12 +9,12 @@ use crate::sheet::Sheet;
 use crate::wording::Wording;
 
 /// Transitions to which the motions of a very light hoop are followed where there are many of them, and those of a hoop whose
-/// motions have more than so many.
+/// motions have more than these.
 const LIGHT_TRANSITIONS: usize = 24;
 const LONG_TRANSITIONS: usize = 100;
-const LONG: u32 = 30;
-/// Starts to either side of the plane from which that is known.
+/// Starts to either side of the plane from which that is known, and how many of them do not matter.
 const PROBES: u32 = 8;
+const FEW: usize = 1;
 /// Hoops that are better balanced, by h, are simulated though they are not light.
 const BALANCED: f64 = 1e-3;
 
@@ -72,22 +72,21 @@ impl FigureInput {
         if limits.transitions > most { (limits.with_transitions(most), Some(most)) } else { (limits, None) }
     }
 
-    /// Whether the motions of a hoop have many transitions.
+    /// Whether some motions of a hoop have many transitions.
     fn are_long(&self, engine: &Engine) -> bool {
         let window = outcome_window(&self.hoop);
         let limits = self.limits.with_transitions(LONG_TRANSITIONS);
         let at = |range: [f64; 2], i: u32| {
             range[0] + (range[1] - range[0]) * (f64::from(i) + 0.5) / f64::from(PROBES)
         };
-        let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [at(window.x, i), at(window.y, j)]));
-        let transitions =
-            starts
-                .filter_map(|[theta, rate]| engine.summary(Start::at(theta, rate), limits).ok())
-                // What comes after the lift-off decides nothing.
-                .map(|summary| {
-                    if summary.lift_off_time.is_nan() { summary.transitions } else { summary.sequence.len() }
-                });
-        transitions.sum::<u32>() > LONG * PROBES * PROBES
+        let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [i, j]));
+        let starts = starts.map(|[i, j]| Start::at(at(window.x, i), at(window.y, j)));
+        let summaries = starts.filter_map(|start| engine.summary(start, limits).ok());
+        // What comes after the lift-off decides nothing.
+        let is_long = |summary: &Summary| {
+            summary.lift_off_time.is_nan() && summary.transitions as usize >= LONG_TRANSITIONS
+        };
+        summaries.filter(is_long).count() > FEW
     }
 
     /// How numbers are said.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start};
-use littlewood_figures::{FIGURES, Figure, FigureInput, Layer, Mark, Panel, PlotAxis, View};
+use littlewood_figures::{FIGURES, Figure, FigureInput, Layer, Mark, Panel, PlotAxis, Scale, View};
 
 /// Numbers from 0 to 1, the same in each run (SplitMix64).
 struct Draw(u64);
