@@ -166,6 +166,7 @@ const fn symbol(letter: char) -> Option<&'static str> {
         '½' => "\\tfrac12",
         '¼' => "\\tfrac14",
         '→' => "\\to",
+        '…' => "\\ldots",
         _ => return None,
     })
 }
