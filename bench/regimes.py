@@ -26,7 +26,7 @@ from pathlib import Path
 from compare import HERE, install, python_peer, significant, why_missing
 
 ROOT = HERE.parent
-LARGEST, SMALLEST = 300, 8  # starts along an axis
+LARGEST, SMALLEST = 300, 17  # starts along an axis; so many that a hoop is prepared
 UNTIL = 50.0
 PEER_STARTS = 400
 FLAGSHIP = "figure 2"
@@ -104,7 +104,8 @@ def run(program, words):
 def mapped(program, regime, cells, limits):
     axes = [f"--{side}={name}={low!r}:{high!r}:{cells}" for side, (name, low, high) in (("x", regime.x), ("y", regime.y))]
     with tempfile.TemporaryDirectory() as folder:
-        return run(program, ["map", *regime.flags(), *axes, *limits, f"--out={folder}/map.png", "--size=300x300"])
+        # A store, for a picture would follow many more starts along the boundaries of its regions.
+        return run(program, ["map", *regime.flags(), *axes, *limits, f"--out={folder}/map.zarr"])
 
 
 def ours(program, regime, limits, seconds):
