@@ -172,6 +172,7 @@ const fn is_about_the_hoop(error: &FigureError) -> bool {
             | FigureError::NeedsRestitution { .. }
             | FigureError::NeedsStaticFriction { .. }
             | FigureError::NoMotion { .. }
+            | FigureError::NoDuration { .. }
             | FigureError::NoContact { .. }
             | FigureError::NoForce { .. }
             | FigureError::NoImpact { .. }

@@ -67,6 +67,16 @@ pub enum FigureError {
         /// What there is instead.
         outcome: OutcomeKind,
     },
+    /// A figure of a motion that lasts no time.
+    #[error("{figure} shows a motion, but this one ends where it begins, at τ = {time}: {}", outcome.label())]
+    NoDuration {
+        /// Name of the figure.
+        figure: &'static str,
+        /// When that is, √(R/g).
+        time: f64,
+        /// How the motion ends.
+        outcome: OutcomeKind,
+    },
     /// A figure of transitions asked for a line along which no motion has one.
     #[error(
         "{figure} shows how transitions change, but no motion has one where {along} goes from {from} to {to}"

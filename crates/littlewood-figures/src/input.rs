@@ -1,22 +1,11 @@
 //! What a figure is made of: a hoop, a start, limits.
 
-use littlewood::{Body, Engine, Hoop, Limits, Start, Summary, Trajectory, Units};
+use littlewood::{Body, Hoop, Limits, Start, Trajectory, Units};
 use littlewood_sweep::Axis;
 
-use crate::axes::outcome_window;
 use crate::error::FigureError;
 use crate::sheet::Sheet;
 use crate::wording::Wording;
-
-/// Transitions to which the motions of a very light hoop are followed where there are many of them, and those of a hoop whose
-/// motions have more than these.
-const LIGHT_TRANSITIONS: usize = 24;
-const LONG_TRANSITIONS: usize = 100;
-/// Starts to either side of the plane from which that is known, and how many of them do not matter.
-const PROBES: u32 = 8;
-const FEW: usize = 1;
-/// Hoops that are better balanced, by h, are simulated though they are not light.
-const BALANCED: f64 = 1e-3;
 
 /// A hoop and a motion of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,39 +45,6 @@ impl FigureInput {
         Self { hoop, start, limits, impact: 1, along: None, units: None, width_mm: None }
     }
 
-    /// The limits of each of many motions, and the number of transitions at which they cut what would go on: motions of very light
-    /// hoops have thousands of phases, each of which is simulated, and so have those of hoops that hardly lose energy.
-    pub(crate) fn limits_of_many(&self, engine: &Engine) -> (Limits, Option<usize>) {
-        let most = if self.is_massless() {
-            usize::MAX
-        } else if engine.is_exact() && self.hoop.h() > BALANCED && self.hoop.mu_k() > 0.0 {
-            LIGHT_TRANSITIONS
-        } else if self.are_long(engine) {
-            LONG_TRANSITIONS
-        } else {
-            usize::MAX
-        };
-        let limits = self.limits;
-        if limits.transitions > most { (limits.with_transitions(most), Some(most)) } else { (limits, None) }
-    }
-
-    /// Whether some motions of a hoop have many transitions.
-    fn are_long(&self, engine: &Engine) -> bool {
-        let window = outcome_window(&self.hoop);
-        let limits = self.limits.with_transitions(LONG_TRANSITIONS);
-        let at = |range: [f64; 2], i: u32| {
-            range[0] + (range[1] - range[0]) * (f64::from(i) + 0.5) / f64::from(PROBES)
-        };
-        let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [i, j]));
-        let starts = starts.map(|[i, j]| Start::at(at(window.x, i), at(window.y, j)));
-        let summaries = starts.filter_map(|start| engine.summary(start, limits).ok());
-        // What comes after the lift-off decides nothing.
-        let is_long = |summary: &Summary| {
-            summary.lift_off_time.is_nan() && summary.transitions as usize >= LONG_TRANSITIONS
-        };
-        summaries.filter(is_long).count() > FEW
-    }
-
     /// How numbers are said.
     pub(crate) const fn wording(&self) -> Wording {
         Wording::new(self.units)
@@ -104,6 +60,10 @@ impl FigureInput {
         let motion = self.hoop.simulate(self.start, self.limits)?;
         if motion.phases().is_empty() {
             return Err(FigureError::NoMotion { figure, outcome: motion.outcome().kind() });
+        }
+        let time = motion.start().time;
+        if motion.end_time() <= time {
+            return Err(FigureError::NoDuration { figure, time, outcome: motion.outcome().kind() });
         }
         Ok(motion)
     }

@@ -1,9 +1,6 @@
 //! A poster: the story of one hoop on a page, of figures of the catalogue, with equations and plain sentences.
 
-use core::f64::consts::PI;
-
-use littlewood::{Quantity, Setup, Trajectory};
-use littlewood_style::ticks;
+use littlewood::{Dimension, Quantity, Setup, Trajectory};
 
 use crate::catalogue::{FigureEntry, Watch, find_figure};
 use crate::draw::plain;
@@ -11,7 +8,7 @@ use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
 use crate::input::FigureInput;
 use crate::style::{GRID, SOFT, Stroke};
-use crate::words::{marked, short};
+use crate::words::{angle, marked, short};
 
 /// Sides of a poster in millimetres: A3.
 pub const POSTER_MM: [f64; 2] = [297.0, 420.0];
@@ -304,12 +301,8 @@ fn numbers(input: &FigureInput, quantities: &[Quantity]) -> String {
         .iter()
         .filter_map(|quantity| {
             let value = setup.get(*quantity)?;
-            let twelfths = libm::round(12.0 * value / PI);
-            let is_fraction = *quantity == Quantity::Theta
-                && twelfths != 0.0
-                && (value - twelfths * PI / 12.0).abs() < 1e-12
-                && twelfths.abs() < 100.0;
-            let number = if is_fraction { ticks::of_pi(twelfths as i64, 12) } else { short(value) };
+            let is_angle = quantity.dimension() == Dimension::Angle;
+            let number = if is_angle { angle(value) } else { short(value) };
             Some(format!("{} = {number}", marked(quantity.sign())))
         })
         .collect();

@@ -52,13 +52,23 @@ pub(crate) struct Content {
     pub(crate) labels: Vec<Label>,
 }
 
+/// Refuses a width in print, in millimetres, beyond [`LEAST_WIDTH_MM`] and [`MOST_WIDTH_MM`].
+///
+/// # Errors
+/// [`FigureError::Width`].
+pub fn check_width(mm: f64) -> Result<(), FigureError> {
+    if (LEAST_WIDTH_MM..=MOST_WIDTH_MM).contains(&mm) {
+        Ok(())
+    } else {
+        Err(FigureError::Width { mm, least: LEAST_WIDTH_MM, most: MOST_WIDTH_MM })
+    }
+}
+
 impl Sheet {
     /// A sheet of a width in print; as wide as the figure wants on a screen.
     pub(crate) fn new(print_mm: Option<f64>, own: f64) -> Result<Self, FigureError> {
         let Some(mm) = print_mm else { return Ok(Self { width: own, own, print_mm }) };
-        if !(LEAST_WIDTH_MM..=MOST_WIDTH_MM).contains(&mm) {
-            return Err(FigureError::Width { mm, least: LEAST_WIDTH_MM, most: MOST_WIDTH_MM });
-        }
+        check_width(mm)?;
         Ok(Self { width: mm * POINTS_TO_A_MM / PRINT_POINTS, own, print_mm })
     }
 

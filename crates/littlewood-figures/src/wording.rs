@@ -1,13 +1,11 @@
 //! Numbers, units and symbols in the system of units of a figure.
 
-use core::f64::consts::PI;
-
 use littlewood::{Dimension, Group, Hoop, Quantity, Setup, SiSetup, Start, Units};
 use littlewood_style::ticks;
 use littlewood_sweep::Varies;
 
 use crate::figure::{PlotAxis, Scale};
-use crate::words::{marked, short};
+use crate::words::{angle, marked, short};
 
 /// Parameters on which rolling depends.
 const ROLLING: [Quantity; 4] = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::MuS];
@@ -46,7 +44,7 @@ impl Wording {
 
     /// A number for print, in the unit of a dimension, without it.
     pub(crate) fn number(self, value: f64, dimension: Dimension) -> String {
-        self.units.map_or_else(|| short(value), |units| significant(units.to_si(dimension, value)))
+        short(self.units.map_or(value, |units| units.to_si(dimension, value)))
     }
 
     /// A number as it stands in a picture: with its unit in SI units, the axes tell the others.
@@ -89,7 +87,7 @@ impl Wording {
         let twins = quantities.iter().map(|quantity| quantity.si_twin().unwrap_or(*quantity));
         let of_units = Quantity::SI_HOOP.into_iter().filter(|quantity| quantity.group() == Group::Units);
         let words = twins.chain(of_units).filter_map(|quantity| {
-            let value = significant(si.get(quantity)?);
+            let value = short(si.get(quantity)?);
             let unit = quantity.unit_sign().replace('²', "^{2}");
             Some(format!("{} = {value} {unit}", marked(quantity.sign())).trim_end().to_owned())
         });
@@ -121,11 +119,8 @@ impl Wording {
                     return None;
                 }
                 let dimension = quantity.dimension();
-                let angle = Some(value).filter(|_| dimension == Dimension::Angle);
-                let number = angle.and_then(fraction_of_pi).unwrap_or_else(|| match dimension {
-                    Dimension::Angle => short(value),
-                    _ => self.value(value, dimension),
-                });
+                let number =
+                    if dimension == Dimension::Angle { angle(value) } else { self.value(value, dimension) };
                 Some(format!("{}(0) = {number}", marked(quantity.sign())))
             })
             .collect();
@@ -186,45 +181,9 @@ impl Wording {
     }
 }
 
-/// Digits of a number in SI units.
-const DIGITS: i32 = 5;
-
-/// A number with its first digits, and the minus sign of print.
-fn significant(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return short(value);
-    }
-    let decade = libm::floor(libm::log10(value.abs())) as i32;
-    if !(-5..7).contains(&decade) {
-        let text = format!("{value:.3e}");
-        let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-        let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
-        return ticks::minus(&format!("{mantissa}×10^{{{power}}}"));
-    }
-    let digits = usize::try_from(DIGITS - 1 - decade).unwrap_or(0);
-    let text = format!("{value:.digits$}");
-    let text = if digits > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    ticks::minus(text)
-}
-
-/// A multiple of π/12, if it is one.
-fn fraction_of_pi(value: f64) -> Option<String> {
-    let twelfths = libm::round(12.0 * value / PI);
-    let is_one = twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;
-    is_one.then(|| ticks::of_pi(twelfths as i64, 12))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_in_si_units_have_five_digits() {
-        assert_eq!(significant(0.000_123_456_7), "0.00012346");
-        assert_eq!(significant(-12.5), "−12.5");
-        assert_eq!(significant(123_456.7), "123457");
-        assert_eq!(significant(1.5e-9), "1.5×10^{−9}");
-    }
 
     #[test]
     fn a_time_is_converted_and_has_its_unit() {

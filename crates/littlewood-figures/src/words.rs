@@ -1,5 +1,7 @@
 //! Symbols and numbers as they are printed.
 
+use core::f64::consts::PI;
+
 use littlewood_style::ticks;
 
 /// A symbol or a unit as it is printed, with marks: letters are italic, an index stands below the line, an exponent
@@ -42,11 +44,39 @@ const fn lowered(letter: char) -> Option<char> {
     }
 }
 
-/// A number for print, with the minus sign of print.
+/// Digits of a number for print, and decimals, at least.
+const DIGITS: i32 = 4;
+
+/// A number for print, without trailing zeros, with the minus sign of print; with marks.
 pub(crate) fn short(value: f64) -> String {
-    let text = format!("{value:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    ticks::minus(if text == "-0" { "0" } else { text })
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return ticks::minus(&value.to_string());
+    }
+    let decade = libm::floor(libm::log10(value.abs())) as i32;
+    if !(-5..7).contains(&decade) {
+        let text = format!("{value:.digits$e}", digits = DIGITS as usize - 1);
+        let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+        let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+        let factor = match mantissa {
+            "1" => String::new(),
+            "-1" => "-".to_owned(),
+            other => format!("{other}×"),
+        };
+        return ticks::minus(&format!("{factor}10^{{{power}}}"));
+    }
+    let digits = DIGITS.max(DIGITS - 1 - decade) as usize;
+    let text = format!("{value:.digits$}");
+    ticks::minus(text.trim_end_matches('0').trim_end_matches('.'))
+}
+
+/// An angle for print, rad: a multiple of π/12, if it is one.
+pub(crate) fn angle(value: f64) -> String {
+    let twelfths = libm::round(12.0 * value / PI);
+    let is_one = twelfths != 0.0 && (value - twelfths * PI / 12.0).abs() < 1e-12 && twelfths.abs() < 100.0;
+    if is_one { ticks::of_pi(twelfths as i64, 12) } else { short(value) }
 }
 
 #[cfg(test)]
@@ -62,6 +92,19 @@ mod tests {
         assert_eq!(marked("m₂√(gR)"), "*m*_{2}√(*gR*)");
         assert_eq!(marked("θ′"), "*θ*′");
         assert_eq!(marked("μₛ"), "*μ*_{s}");
+    }
+
+    #[test]
+    fn numbers_have_four_digits_and_four_decimals() {
+        assert_eq!(short(2.0), "2");
+        assert_eq!(short(-0.0), "0");
+        assert_eq!(short(core::f64::consts::FRAC_PI_2), "1.5708");
+        assert_eq!(short(0.000_123_456_7), "0.0001235");
+        assert_eq!(short(-12.5), "−12.5");
+        assert_eq!(short(53.130_102), "53.1301");
+        assert_eq!(short(123_456.7), "123456.7");
+        assert_eq!(short(1.5e-9), "1.5×10^{−9}");
+        assert_eq!(short(-1e9), "−10^{9}");
     }
 
     #[test]

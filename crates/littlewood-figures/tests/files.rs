@@ -150,6 +150,27 @@ fn other_hoops_have_the_same_figures() {
 }
 
 #[test]
+fn a_caption_names_small_and_large_numbers() {
+    let hoop = input(1e-6, 1.0, 2e-6, 1e9, 5.4e8);
+    let caption = plain(&find_figure("sheet").expect("a name").figure(&hoop).expect("a figure").caption);
+    for words in ["m1/m2 = 10−6", "2×10−6", "μs = 109", "μk = 5.4×108"] {
+        assert!(caption.contains(words), "{words}: {caption}");
+    }
+}
+
+/// Motions whose slips hardly differ from rolling, or that are simulated, are not followed to ten thousand transitions.
+#[test]
+fn outcomes_of_motions_without_end_are_cut_and_the_caption_says_so() {
+    let nearly_equal = input(1.0, 1.0, 1.0, 0.5, 0.4999);
+    let caption = |input: FigureInput| {
+        let input = FigureInput { limits: Limits::default(), ..input };
+        plain(&find_figure("outcomes").expect("a name").figure(&input).expect("a figure").caption)
+    };
+    assert!(caption(nearly_equal).contains("or to 100 transitions"));
+    assert!(!caption(input(1.0, 1.0, 1.0, 0.5, 0.4)).contains("transitions"));
+}
+
+#[test]
 fn a_hoop_that_a_figure_cannot_show_is_refused() {
     let heavy = input(1.0, 1.0, 1.0, 0.5, 0.4);
     let massless = input(0.0, 1.0, 0.0, 0.5, 0.4);
@@ -160,6 +181,10 @@ fn a_hoop_that_a_figure_cannot_show_is_refused() {
     assert!(matches!(make("figure-2a", &massless), Err(FigureError::NeedsInertia { figure: "figure-2a" })));
     assert!(matches!(make("figure-5b", &inside), Err(FigureError::NeedsRim { offset: 0.5, .. })));
     assert!(matches!(make("figure-2b", &disc), Err(FigureError::NeedsOffset { .. })));
+    let at_once = FigureInput { limits: Limits::until(0.0), ..heavy };
+    for name in ["sheet", "energy", "forces", "stroboscope", "phase-path"] {
+        assert!(matches!(make(name, &at_once), Err(FigureError::NoDuration { time: 0.0, .. })), "{name}");
+    }
     let Err(error) = make("figure-1", &disc) else { panic!("refused") };
     assert!(error.to_string().contains("offset 0"));
 }

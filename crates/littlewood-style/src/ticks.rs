@@ -11,10 +11,13 @@ pub struct Tick {
     pub label: String,
 }
 
-/// Ticks at round numbers from `a` to `b` > `a`, at most about `most` of them.
+/// Ticks at round numbers from `a` to `b` > `a`, at most about `most` of them; none where these differ by less than numbers can.
 #[must_use]
 pub fn round(a: f64, b: f64, most: usize) -> Vec<Tick> {
     let least = (b - a) / most as f64;
+    if !least.is_normal() || least < 0.0 {
+        return Vec::new();
+    }
     let decade = libm::floor(libm::log10(least));
     let unit = libm::pow(10.0, decade);
     let (factor, extra) = [(1.0, 0), (2.0, 0), (2.5, 1), (5.0, 0)]
@@ -192,6 +195,14 @@ mod tests {
         assert_eq!(labels(&logarithmic(1e-7, 1e6, 6)), ["10⁻⁶", "0.001", "1", "1000", "10⁶"]);
         assert_eq!(labels(&logarithmic(2.0, 3.0, 6)), ["2.0", "2.2", "2.4", "2.6", "2.8", "3.0"]);
         assert_eq!(logarithmic(0.01, 1.0, 8)[0].value, 0.01);
+    }
+
+    #[test]
+    fn an_axis_of_no_width_has_no_ticks() {
+        assert!(round(0.0, 0.0, 5).is_empty());
+        assert!(round(0.0, 5e-324, 5).is_empty());
+        assert!(round(0.0, f64::INFINITY, 5).is_empty());
+        assert!(!round(0.0, 1e-300, 5).is_empty());
     }
 
     #[test]

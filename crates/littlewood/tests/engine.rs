@@ -257,7 +257,7 @@ fn a_sequence_of_phases_keeps_its_length_in_64_bits() {
 fn agree(hoop: &Hoop, starts: &[Start]) -> Result<(), TestCaseError> {
     for engine in [Engine::new(hoop), Engine::without_tables(hoop)] {
         for start in starts {
-            let limits = Limits::until(start.time + 20.0).with_transitions(40);
+            let limits = Limits::until(start.time + 20.0).with_transitions(300);
             let ours = engine.summary(*start, limits).expect("a valid start");
             let motion = hoop.simulate(*start, limits).expect("a valid start");
             let theirs = motion.summary();

@@ -76,6 +76,7 @@ fn of_figure(error: &FigureError) -> String {
         FigureError::NoMotion { .. } => {
             "give another start; `littlewood classify` says what there is at this one"
         }
+        FigureError::NoDuration { .. } => "give a later --until, or another start",
         FigureError::NeedsRestitution { .. } => "give --restitution from 0 to 1, or leave the figure out",
         FigureError::NoImpact { .. } => {
             "give a start from which the hoop jumps, or a later --until; or leave the figure out"

@@ -11,6 +11,7 @@ use crate::axes::outcome_window;
 use crate::catalogue::Watch;
 use crate::columns::TIME;
 use crate::draw::{ROOM, width};
+use crate::effort::Effort;
 use crate::error::FigureError;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
@@ -351,7 +352,9 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let total = 2 * MOTIONS as u64;
     let workers = Workers::new(None)?;
     let mut told = |followed: u64| watch(followed.min(total), total);
-    let (limits, cut) = input.limits_of_many(&Engine::new(&input.hoop));
+    // Every transition of a motion is drawn, and each may have a hoop of its own: no chain is passed at once.
+    let engine = Engine::without_tables(&input.hoop);
+    let limits = Effort::of(&input.hoop, input.limits, &engine).cut(input.limits, &engine);
     let bands = Band::along(&line.grid, limits, WIDTH, &workers, &mut told)?;
     let [from, to] = line.range();
     let varies = line.axis.varies();
@@ -391,10 +394,12 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         .map(|code| format!("{} {}", minus(code.name()), code.meaning()))
         .collect();
     let except: Vec<Quantity> = varies.quantities().collect();
+    let cut = limits.transitions < input.limits.transitions
+        && bands.iter().any(|band| band.class == Class::InContact);
     let caption = format!(
         "How a motion{} changes with {}: above, the sequence of its phases ({}) and what becomes of it; below, in which mode it is \
          at which time. White curves: transitions; where two meet the sequence changes. {} {}.",
-        cut.map_or_else(String::new, |cut| format!(", followed to {cut} transitions,")),
+        if cut { format!(", followed to {} transitions,", limits.transitions) } else { String::new() },
         say.varied_in_words(varies),
         letters.join(", "),
         said(&line, &bands, say),

@@ -9,6 +9,7 @@ use littlewood_sweep::{Axis, Detail, Grid, Place, Regions, Workers};
 use crate::axes::outcome_window;
 use crate::catalogue::Watch;
 use crate::columns::PLANE;
+use crate::effort::Effort;
 use crate::error::FigureError;
 use crate::figure::{Figure, Mark, Series};
 use crate::input::FigureInput;
@@ -19,18 +20,7 @@ use crate::trace::Window;
 use crate::words::short;
 
 const NAME: &str = "outcomes";
-/// Starts to the right and upwards at which regions are looked for.
-const STARTS: [usize; 2] = [137, 101];
-/// The same for hoops whose motions are computed without tables, some ten times as slowly, and for those whose motions are
-/// simulated, some hundred times as slowly, or have very many transitions.
-const DIRECT_STARTS: [usize; 2] = [91, 67];
-const EXACT_STARTS: [usize; 2] = [45, 33];
-/// The same for hoops so light that each motion has thousands of phases.
-const LIGHT_STARTS: [usize; 2] = [31, 23];
-/// Boundaries of these hoops run through so many cells at most, and are located less closely: still far closer than is seen.
-const DIRECT_MOST: usize = 6_000;
-const EXACT_MOST: usize = 1_500;
-const LIGHT_MOST: usize = 300;
+/// How closely boundaries are located where motions take long.
 const WIDTH: f64 = 2e-5;
 /// Motions that are followed for a start of the lattice, about.
 const FOR_A_START: u64 = 8;
@@ -42,28 +32,28 @@ const MARGIN: f64 = 1.0;
 /// How far and how finely the starts of a hoop are followed.
 struct Plan {
     limits: Limits,
+    /// Starts to the right and upwards at which regions are looked for.
     starts: [usize; 2],
     detail: Detail,
-    /// The number of transitions at which motions are cut that would go on.
-    cut: Option<usize>,
 }
 
 impl Plan {
     fn new(input: &FigureInput) -> Self {
         let engine = Engine::new(&input.hoop);
-        let detail = Detail::default();
-        let (limits, cut) = input.limits_of_many(&engine);
-        let plan = |starts, detail| Self { limits, starts, detail, cut };
-        let coarser = |most| Detail { most, width: WIDTH, ..detail };
-        if input.is_massless() || engine.has_tables() && cut.is_none() {
-            plan(STARTS, detail)
-        } else if !engine.is_exact() && cut.is_none() {
-            plan(DIRECT_STARTS, coarser(DIRECT_MOST))
-        } else if engine.is_exact() && cut.is_some() {
-            plan(LIGHT_STARTS, coarser(LIGHT_MOST))
-        } else {
-            plan(EXACT_STARTS, coarser(EXACT_MOST))
-        }
+        let effort = Effort::of(&input.hoop, input.limits, &engine);
+        let limits = effort.cut(input.limits, &engine);
+        // Boundaries run through so many cells at most, and are located less closely where motions take long: still far closer than
+        // is seen.
+        let finest = Detail::default();
+        let coarser = |most| Detail { most, width: WIDTH, ..finest };
+        let (starts, detail) = match effort {
+            Effort::Tables => ([137, 101], finest),
+            Effort::Direct => ([91, 67], coarser(6_000)),
+            Effort::Chains => ([45, 33], coarser(800)),
+            Effort::Simulated | Effort::Long => ([45, 33], coarser(1_500)),
+            Effort::Slow => ([31, 23], coarser(300)),
+        };
+        Self { limits, starts, detail }
     }
 }
 
@@ -101,12 +91,12 @@ fn rows_of(window: Window, lines: Vec<Vec<Place>>) -> Vec<Vec<Vec<f64>>> {
     lines.into_iter().map(|line| line.into_iter().map(row).collect()).collect()
 }
 
-/// How long the motions are followed.
-fn followed(input: &FigureInput, plan: &Plan) -> String {
+/// How long the motions are followed, some of which are `cut` before they end.
+fn followed(input: &FigureInput, limits: Limits, cut: bool) -> String {
     let say = input.wording();
     let until = |until| format!("to {} = {}", say.time(), say.value(until, Dimension::Time));
     let end = input.limits.until.map_or_else(|| "to its end".to_owned(), until);
-    plan.cut.map_or_else(|| end.clone(), |cut| format!("{end}, or to {cut} transitions"))
+    if cut { format!("{end}, or to {} transitions", limits.transitions) } else { end }
 }
 
 pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
@@ -118,10 +108,13 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let Regions { regions, boundaries } = regions_of(input, &plan, within(window), watch)?;
     let mut layers = Vec::new();
     let mut legend: Vec<(Mark, String)> = Vec::new();
+    let cuts = plan.limits.transitions < input.limits.transitions;
+    let mut cut = false;
     for region in regions.into_iter().filter(|region| region.area > LEAST) {
         let Some(class) = Class::ALL.into_iter().find(|class| u64::from(class.code()) == region.key) else {
             continue;
         };
+        cut |= cuts && class == Class::InContact;
         let mark = Mark::Region(of_class(class, THEME));
         let share = libm::round(1000.0 * region.area) / 10.0;
         legend.push((mark, format!("{}, {}%", class.label(), short(share))));
@@ -153,7 +146,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         format!(
             "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}. Boundaries are followed as curves, \
              each of their points between two starts that end otherwise.{remark} {}.",
-            followed(input, &plan),
+            followed(input, plan.limits, cut),
             say.hoop(hoop)
         ),
         430.0,

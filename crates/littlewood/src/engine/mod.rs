@@ -48,6 +48,9 @@ const MIN_INERTIA_DIRECT: f64 = 1e-4;
 /// which it slips are known to ε/h.
 const MIN_IMBALANCE: f64 = 1e-3;
 
+/// To motions of fewer transitions chains are not worth what is prepared for them.
+const MIN_CHAIN_TRANSITIONS: usize = 256;
+
 /// A hoop prepared for many motions.
 ///
 /// ```
@@ -170,6 +173,12 @@ impl Engine {
         matches!(self.source, Source::Tables(_))
     }
 
+    /// Whether chains of slips out of rolling are passed at once, thousands of them in the time of some twenty phases.
+    #[must_use]
+    pub const fn passes_chains(&self) -> bool {
+        matches!(self.source, Source::Tables(_) | Source::Chained(_))
+    }
+
     /// Whether motions are those of [`Hoop::simulate`] to the last bit.
     #[must_use]
     pub const fn is_exact(&self) -> bool {
@@ -221,6 +230,7 @@ impl Engine {
         state: (State, f64),
         limits: Limits,
     ) -> Summary {
+        let chains = chains.filter(|_| limits.transitions >= MIN_CHAIN_TRANSITIONS);
         let mut recorder = SummaryRecorder::new(&self.hoop);
         let solver = FastSolver::new(&self.hoop, phases, chains, limits);
         let end = walk(&solver, state, &limits, &mut recorder);

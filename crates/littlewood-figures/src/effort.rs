@@ -1,0 +1,96 @@
+//! What it takes to follow the motions of a hoop from the starts of a plane.
+
+use littlewood::{Body, Engine, Hoop, Limits, Mode, Start, Summary};
+
+use crate::axes::outcome_window;
+
+/// Starts to either side of the plane from which it is known how long motions are, and how many of them do not matter.
+const PROBES: u32 = 8;
+const FEW: usize = 1;
+/// Transitions of a long motion.
+const LONG: usize = 100;
+/// Phases after which a motion that slips out of rolling again and again is in its chain.
+const IN_CHAIN: usize = 8;
+/// Hoops that are better balanced, by h, are simulated though they are not light.
+const BALANCED: f64 = 1e-3;
+/// A smaller part of μs between the coefficients makes slips so short and so many that hardly any of what chains prepare is used
+/// twice.
+const NEARLY_EQUAL: f64 = 1e-2;
+/// With less friction each slide goes on for many turns.
+const LITTLE_FRICTION: f64 = 1e-4;
+
+/// What the motions of a hoop take, from the least to the most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Effort {
+    /// A microsecond: phases are looked up, or are few.
+    Tables,
+    /// Ten: phases are computed where the motion goes.
+    Direct,
+    /// Thousands of slips out of rolling, passed at once.
+    Chains,
+    /// A few phases, which are simulated.
+    Simulated,
+    /// Many reversals, or many phases that are simulated.
+    Long,
+    /// Many phases, each of which takes long.
+    Slow,
+}
+
+impl Effort {
+    /// Of a hoop, whose motions are stopped at limits and followed by an engine.
+    pub(crate) fn of(hoop: &Hoop, limits: Limits, engine: &Engine) -> Self {
+        if matches!(hoop.body(), Body::Massless(_)) {
+            return Self::Tables;
+        }
+        if engine.is_exact() && hoop.h() > BALANCED && hoop.mu_k() > 0.0 {
+            return Self::Slow;
+        }
+        let (long, rolls) = long_motions(hoop, limits, engine);
+        if long <= FEW {
+            return match (engine.has_tables(), engine.is_exact()) {
+                (true, _) => Self::Tables,
+                (false, false) => Self::Direct,
+                (false, true) => Self::Simulated,
+            };
+        }
+        let apart = hoop.mu_s() - hoop.mu_k();
+        let nearly_equal = apart > 0.0 && apart < NEARLY_EQUAL * hoop.mu_s();
+        if hoop.mu_k() < LITTLE_FRICTION {
+            Self::Slow
+        } else if engine.passes_chains() && !nearly_equal && long - rolls <= FEW {
+            Self::Chains
+        } else {
+            Self::Long
+        }
+    }
+
+    /// The limits of such motions: what goes on is cut earlier.
+    pub(crate) fn cut(self, limits: Limits, engine: &Engine) -> Limits {
+        let most = match self {
+            // Next to a boundary there may be a few that go on and on.
+            Self::Tables | Self::Direct if limits.until.is_none() => 1_000,
+            Self::Tables | Self::Direct | Self::Chains => usize::MAX,
+            Self::Slow if engine.is_exact() => 24,
+            Self::Simulated | Self::Long | Self::Slow => LONG,
+        };
+        limits.with_transitions(limits.transitions.min(most))
+    }
+}
+
+/// How many of some motions are long, and how many of these roll again and again. What comes after the lift-off decides nothing.
+fn long_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> (usize, usize) {
+    let window = outcome_window(hoop);
+    let limits = limits.with_transitions(limits.transitions.min(LONG));
+    let at =
+        |range: [f64; 2], i: u32| range[0] + (range[1] - range[0]) * (f64::from(i) + 0.5) / f64::from(PROBES);
+    let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [i, j]));
+    let starts = starts.map(|[i, j]| Start::at(at(window.x, i), at(window.y, j)));
+    let rolls = |summary: &Summary| {
+        summary.sequence.codes().skip(IN_CHAIN).flatten().any(|code| code.mode().0 == Mode::Rolling)
+    };
+    let long: Vec<Summary> = starts
+        .filter_map(|start| engine.summary(start, limits).ok())
+        .filter(|summary| summary.lift_off_time.is_nan() && summary.transitions as usize >= LONG)
+        .collect();
+    (long.len(), long.iter().filter(|summary| rolls(summary)).count())
+}
