@@ -24,6 +24,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let shade = shade_of(&args.shade)?;
     let size = PictureSize { width: args.size.0, height: args.size.1 };
     let kinds = store::kinds(&args.store.out, &Kind::OF_A_MAP)?;
+    check_width(args.width_mm, &kinds)?;
     let (grid, Base { limits, units, .. }) = work::grid(&args.base, &args.run, &[args.x, args.y])?;
     let targets: Vec<_> = kinds.iter().filter_map(|(kind, path)| kind.target(path, grid.len())).collect();
     let at_the_end: Vec<(Kind, &Path)> =
@@ -86,10 +87,14 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
             let bytes = drawn(kind, drawing, args.width_mm)?;
             file.write(|writer| writer.write_all(&bytes))
         }
-        (_, _, _) => {
+        (Kind::Picture, _, _) => {
             let png = picture.png()?;
             file.write(|writer| writer.write_all(&png))
         }
+        // There is a plane where a text is wanted, and a drawing where it is complete; the others are written chunk by chunk.
+        (Kind::Csv | Kind::Json, None, _)
+        | (Kind::Svg | Kind::Pdf, _, None)
+        | (Kind::Zarr | Kind::Parquet, _, _) => Ok(()),
     };
     let mut written = Vec::new();
     if report.complete {
@@ -108,6 +113,30 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     }
     let kept = work::kept(&targets, &report, written);
     sweep::finish(&Run::new(&report, time, workers.threads(), kept), args.store.format)
+}
+
+/// Refuses a width in print that no file has, or that nothing is printed in.
+fn check_width(width_mm: Option<f64>, kinds: &[(Kind, &Path)]) -> Result<(), Error> {
+    let Some(mm) = width_mm else { return Ok(()) };
+    if let (false, Some((_, path))) = (kinds.iter().any(|(kind, _)| kind.is_drawing()), kinds.first()) {
+        return Err(Error::Out {
+            path: path.to_path_buf(),
+            reason: "--width-mm is the width of an SVG or a PDF".to_owned(),
+            hint: "leave out --width-mm, or give --out NAME.svg or --out NAME.pdf".to_owned(),
+        });
+    }
+    check_bounds(mm)
+}
+
+#[cfg(feature = "figures")]
+fn check_bounds(mm: f64) -> Result<(), Error> {
+    littlewood_figures::check_width(mm).map_err(Error::of_figure)
+}
+
+/// Files that have a width are refused before.
+#[cfg(not(feature = "figures"))]
+fn check_bounds(_: f64) -> Result<(), Error> {
+    Ok(())
 }
 
 /// A map in vectors as a file.

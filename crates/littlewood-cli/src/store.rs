@@ -66,12 +66,18 @@ impl Kind {
 
     /// Whether it shows the map.
     pub(crate) const fn is_picture(self) -> bool {
-        matches!(self, Self::Picture | Self::Svg | Self::Pdf)
+        match self {
+            Self::Picture | Self::Svg | Self::Pdf => true,
+            Self::Zarr | Self::Parquet | Self::Csv | Self::Json => false,
+        }
     }
 
     /// Whether it shows the map in vectors.
     pub(crate) const fn is_drawing(self) -> bool {
-        matches!(self, Self::Svg | Self::Pdf)
+        match self {
+            Self::Svg | Self::Pdf => true,
+            Self::Zarr | Self::Parquet | Self::Csv | Self::Json | Self::Picture => false,
+        }
     }
 
     const fn ending(self) -> &'static str {

@@ -155,8 +155,13 @@ fn a_map_in_vectors_does_not_depend_on_threads_and_has_the_width_that_is_asked_f
     let out = path(&folder, "time.svg");
     text(&[&["map", "figure-3"], &SMALL[..], &["--shade", "lift_off_time", "--out", &out]].concat());
     assert!(fs::read_to_string(&out).expect("a drawing").contains("<image"));
-    let wide = [&["map", "figure-3"], &SMALL[..], &["--width-mm", "9", "--out", &out]].concat();
-    assert!(complaint(&wide, 2).contains("from 60 to 420 mm"));
+    for (name, width, reason) in [("narrow.svg", "9", "from 60 to 420 mm"), ("map.png", "84", "SVG or a PDF")]
+    {
+        let out = path(&folder, name);
+        let asked = [&["map", "figure-3"], &SMALL[..], &["--width-mm", width, "--out", &out]].concat();
+        assert!(complaint(&asked, 2).contains(reason));
+        assert!(fs::metadata(&out).is_err());
+    }
 }
 
 #[test]
