@@ -9,6 +9,7 @@
 
 mod chain;
 mod direct;
+mod duration;
 mod frictionless;
 mod interpolant;
 mod jump;

@@ -3,7 +3,7 @@
 //! The margins (μs N ∓ F) D² of an orbit are linear in its constant K: A(ϑ) + K B(ϑ). The level K*(ϑ) = −A/B at which
 //! a margin vanishes belongs to the body. Between its extrema and poles it is monotone, so that on such a piece a margin
 //! changes sign at most once *whatever the orbit*: its signs at the ends of the pieces show all slips of an orbit, or
-//! prove that there is none. The time is a Gauss sum of √(D/(K − D)) dϑ where that is smooth.
+//! prove that there is none. The time is a Gauss sum.
 //!
 //! Everything is seen in the direction of motion, as in [`crate::rolling`].
 
@@ -15,9 +15,9 @@ use crate::hoop::Hoop;
 use crate::mode::Direction;
 use crate::rolling::margin_forms;
 use crate::state::State;
-use crate::trig::{sincos, sincos_small};
+use crate::trig::sincos;
 
-use super::quadrature::{NODE, NODES, WEIGHT};
+use super::duration::duration;
 
 /// A margin, a form of degree six in (cos ϑ/2, sin ϑ/2).
 type Margin = Form<7>;
@@ -60,12 +60,6 @@ pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
 /// A margin within this part of its terms of zero is solved exactly.
 const UNCERTAIN_MARGIN: f64 = 1e-12;
 
-/// Gauss panels are not wider than this part of the distance to the nearest singularity.
-const PANEL: f64 = 0.2;
-
-/// Most panels of an arc; beyond that the elliptic integral is cheaper.
-const MOST_PANELS: f64 = 16.0;
-
 /// The end of a piece.
 #[derive(Clone, Copy, Debug)]
 struct Stop {
@@ -85,8 +79,6 @@ pub(super) struct RollTable {
     forms: [[Margin; 2]; 2],
     /// From 0 to 2π, ends included.
     stops: Vec<Stop>,
-    /// Imaginary part of the nearest zero of D, at ϑ = π.
-    width: f64,
 }
 
 /// End of an orbit.
@@ -167,8 +159,7 @@ impl RollTable {
             })
             .collect();
         let law = RollingLaw::new(hoop);
-        let width = libm::acosh((law.mean_denominator() / (2.0 * law.offset).max(1e-300)).max(1.0));
-        Some(Self { law, forms, stops, width })
+        Some(Self { law, forms, stops })
     }
 
     /// The equations.
@@ -359,37 +350,9 @@ impl RollTable {
         (2.0 * libm::atan2(y, x), (2.0 * x * y / length, (x * x - y * y) / length))
     }
 
-    /// ∫ √(D/(K − D)) dϑ by panels that keep their distance from the zeros of D and of K − D.
+    /// The time from angle to angle on an orbit over the top.
     fn time(&self, k: f64, from: f64, to: f64) -> Option<f64> {
-        let mean = self.law.mean_denominator();
-        let two_l = 2.0 * self.law.offset;
-        // K − D vanishes over the top, at ± i acosh(1 + y), y = (K − top)/2ℓ̂, and acosh(1 + y) > √2y (1 − y/12).
-        let y = (k - self.law.top) / two_l.max(1e-300);
-        let above_top = if y < 2.7 { (2.0 * y).sqrt() * (1.0 - y / 12.0) } else { 1.97 };
-        let width = self.width.min(above_top);
-        let panels = ((to - from) / (2.0 * PANEL * width)).ceil().max(1.0);
-        if panels > MOST_PANELS || panels.is_nan() {
-            return None;
-        }
-        let half = 0.5 * (to - from) / panels;
-        let mut sines = [0.0; NODES / 2];
-        let mut cosines = [0.0; NODES / 2];
-        for j in 0..NODES / 2 {
-            (sines[j], cosines[j]) = sincos_small(half * NODE[j]);
-        }
-        let mut sum = 0.0;
-        let mut panel = 0.0;
-        while panel < panels {
-            let middle = from + half * (2.0 * panel + 1.0);
-            let (sin, cos) = sincos(middle);
-            // The nodes are symmetric about the middle.
-            for j in 0..NODES / 2 {
-                let (even, odd) = (mean + two_l * cos * cosines[j], two_l * sin * sines[j]);
-                let (left, right) = (even - odd, even + odd);
-                sum += WEIGHT[j] * ((left / (k - left)).sqrt() + (right / (k - right)).sqrt());
-            }
-            panel += 1.0;
-        }
-        Some(half * sum)
+        let (y, x) = sincos(0.5 * from);
+        duration(self.law.bottom, (k - self.law.top, 4.0 * self.law.offset), (-x, y), 0.5 * (to - from))
     }
 }

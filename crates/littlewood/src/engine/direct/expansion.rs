@@ -81,6 +81,20 @@ fn root(x: f64) -> f64 {
     x.sqrt().sqrt().sqrt().sqrt().sqrt()
 }
 
+/// x to a power.
+#[inline(always)]
+fn power(x: f64, mut exponent: usize) -> f64 {
+    let (mut square, mut result) = (x, 1.0);
+    while exponent > 0 {
+        if exponent % 2 == 1 {
+            result *= square;
+        }
+        square *= square;
+        exponent /= 2;
+    }
+    result
+}
+
 /// Signs of a function on an interval, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Signs {
@@ -133,21 +147,23 @@ impl Expansion {
         let scale = 4.0 * mass * inverse;
         let l: [f64; TERMS] = core::array::from_fn(|j| np[j + 1] * inverse);
         let rest: [f64; TERMS] =
-            core::array::from_fn(|j| if j < 5 { scale * h * cq[j] } else { 0.0 } - j as f64 * l[j]);
-        let mut padded = [0.0; DEGREE + TERMS];
-        padded[TERMS - 1] = u0;
-        for k in 0..DEGREE {
-            let order = k as f64;
-            let mut sum = if k < 5 { scale * nq[k] } else { 0.0 };
-            // The latest last: it is waited for.
-            for i in 0..TERMS {
-                let j = TERMS - 1 - i;
-                sum -= (l[j] * order + rest[j]) * padded[k + i];
-            }
-            padded[k + TERMS] = sum * RECIPROCALS[k + 1];
-        }
+            core::array::from_fn(|j| if j < 5 { scale * h * cq[j] } else { 0.0 } - (j + 1) as f64 * l[j]);
         let mut u = [0.0; DEGREE + 1];
-        u.copy_from_slice(&padded[TERMS - 1..]);
+        u[0] = u0;
+        // The last coefficients, the latest first: in registers, not read again as soon as they are written.
+        let mut last = [u0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        for k in 0..DEGREE {
+            let part = RECIPROCALS[k + 1];
+            let factor = |j: usize| l[j] + rest[j] * part;
+            let drive = if k < 5 { scale * nq[k] * part } else { 0.0 };
+            let far = factor(5) * last[5] + factor(4) * last[4];
+            let near = factor(3) * last[3] + factor(2) * last[2];
+            let sum = (drive - far) - (near + factor(1) * last[1]);
+            // The latest alone: it is waited for.
+            let next = sum - factor(0) * last[0];
+            u[k + 1] = next;
+            last = [next, last[0], last[1], last[2], last[3], last[4]];
+        }
         // α = A/P and β = B/P of η″ = α + β u.
         let lever: [f64; 3] = core::array::from_fn(|k| n[k] + h * c[k]);
         let lq: [f64; 5] = product(&lever, &q);
@@ -161,20 +177,10 @@ impl Expansion {
     /// The width in z on which u/z^`lead`, of which u has the factor, has converged.
     pub(super) fn reach(&self, lead: usize) -> f64 {
         let scale = CONVERGED * self.u[lead].abs();
-        let last = |k: usize, width: f64| {
-            let mut power = 1.0;
-            for _ in lead..k {
-                power *= width;
-            }
-            self.u[k].abs() * power
-        };
-        let mut width = root(scale / self.u[DEGREE].abs()).min(1.0);
+        let width = root(scale / self.u[DEGREE].abs()).min(1.0);
         // The last coefficient may be small by chance.
-        let before = last(DEGREE - 1, width);
-        if before > scale {
-            width *= root(scale / before);
-        }
-        width
+        let before = self.u[DEGREE - 1].abs() * power(width, DEGREE - 1 - lead);
+        if before > scale { width * root(scale / before) } else { width }
     }
 
     /// z of the zero of u next to the centre, where it is nearer than the width on which u has converged.
@@ -207,14 +213,18 @@ impl Expansion {
     ) -> Option<f64> {
         let most = part * self.u[lead].abs();
         for _ in 0..8 {
-            let (mut sum, far) = (0.0, stretch * width);
-            for c in self.u[from..].iter().rev() {
-                sum = (sum + c.abs()) * far;
+            let far = stretch * width;
+            let fourth = (far * far) * (far * far);
+            // Four sums, of every fourth term each: none waits for the others.
+            let mut sums = [0.0; 4];
+            for four in self.u[from..].chunks(4).rev() {
+                for (sum, c) in sums.iter_mut().zip(four) {
+                    *sum = *sum * fourth + c.abs();
+                }
             }
+            let [a, b, c, d] = sums;
             // The powers are those over the one at `lead`.
-            for _ in lead + 1..from {
-                sum *= far;
-            }
+            let sum = (((d * far + c) * far + b) * far + a) * power(far, from - lead);
             if sum <= most {
                 return (width > 0.0).then_some(width);
             }

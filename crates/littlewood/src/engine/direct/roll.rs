@@ -15,6 +15,7 @@ use crate::hoop::Hoop;
 use crate::rolling::{margin_forms, time_from_bottom};
 use crate::trig::sincos;
 
+use super::super::duration::duration;
 use super::super::roll::{RollEnd, SlipPoint};
 use super::super::solver::MIN_RATE;
 
@@ -157,15 +158,40 @@ impl Orbit<'_> {
         [first, Some(second), Some(third), fourth].into_iter().flatten().filter(|arc| arc.from != arc.to)
     }
 
-    /// Time from the bottom to a point, by z, y, and D ϑ′² there.
-    fn time(&self, z: f64, y: f64, kinetic: f64) -> f64 {
-        let phase = if self.rotates {
+    /// Sine and cosine of the phase at a point, by z, y, and D ϑ′² there.
+    fn phase(&self, z: f64, y: f64, kinetic: f64) -> (f64, f64) {
+        if self.rotates {
             (z, y)
         } else {
             let sine = z * (4.0 * self.law.offset / self.swing).sqrt();
             (sine.clamp(-1.0, 1.0), (kinetic / self.swing).sqrt())
+        }
+    }
+
+    /// Time from the entry to a phase on an arc.
+    fn time(&self, (sine, cosine): (f64, f64), pass: Pass) -> f64 {
+        let orbit = (self.excess, self.swing);
+        let (s0, c0) = self.phase(self.z, self.y, self.kinetic);
+        let (s1, c1) = match pass {
+            Pass::First => (sine, cosine),
+            Pass::NextTurn => (-sine, -cosine),
+            Pass::WayBack => (sine, -cosine),
         };
-        time_from_bottom(self.law.bottom, (self.excess, self.swing), phase)
+        let turned = libm::atan2(s1 * c0 - c1 * s0, c1 * c0 + s1 * s0);
+        // Up to half a turn of the phase, give or take rounding.
+        let arc = if turned < -1.0 { turned + TAU } else { turned.max(0.0) };
+        if let Some(time) = duration(self.law.bottom, orbit, (s0, c0), arc) {
+            return time;
+        }
+        let from_bottom = |phase| time_from_bottom(self.law.bottom, orbit, phase);
+        let half_period = || 2.0 * from_bottom((1.0, 0.0));
+        let (entered, reached) = (from_bottom((s0, c0)), from_bottom((sine, cosine)));
+        let elapsed = match pass {
+            Pass::First => reached - entered,
+            Pass::NextTurn => half_period() + reached - entered,
+            Pass::WayBack => half_period() - reached - entered,
+        };
+        elapsed.max(0.0)
     }
 
     /// The slip at a point of an arc.
@@ -180,21 +206,18 @@ impl Orbit<'_> {
         } else {
             (self.kinetic + four_l * (self.z - z) * (self.z + z)).max(0.0)
         };
-        let entered = self.time(self.z, self.y, self.kinetic);
-        let from_bottom = self.time(z, y, kinetic);
-        let half_period = || 2.0 * time_from_bottom(self.law.bottom, (self.excess, self.swing), (1.0, 0.0));
         let rate = (kinetic / d).sqrt();
         if rate < MIN_RATE {
             return None;
         }
-        let (elapsed, lap, rate) = match arc.pass {
-            Pass::First => (from_bottom - entered, self.lap, rate),
-            Pass::NextTurn => (half_period() + from_bottom - entered, self.lap + 1.0, rate),
-            Pass::WayBack => (half_period() - from_bottom - entered, self.lap, -rate),
+        let (lap, rate) = match arc.pass {
+            Pass::First => (self.lap, rate),
+            Pass::NextTurn => (self.lap + 1.0, rate),
+            Pass::WayBack => (self.lap, -rate),
         };
         let angle = 2.0 * libm::atan2(y, -z);
         Some(RollEnd::Slip {
-            elapsed: elapsed.max(0.0),
+            elapsed: self.time(self.phase(z, y, kinetic), arc.pass),
             theta: TAU * lap + angle,
             theta_rate: rate,
             point: SlipPoint { side, angle },
