@@ -1,0 +1,40 @@
+"""A flight."""
+
+import gmpy2
+from gmpy2 import mpfr
+
+from .arithmetic import Tie
+from .roots import first_fall
+
+
+def flight(hoop, state, gap_rate, until):
+    """A flight to the landing."""
+    theta, rate, slip, x = state
+    h = hoop.h
+    s0, c0 = gmpy2.sin_cos(theta)
+    up = gap_rate - h * s0 * rate                                                 # of the mass centre
+    along = slip - rate - h * c0 * rate
+
+    def gap(t):
+        return up * t - t * t / 2 - h * (gmpy2.cos(theta + rate * t) - c0)
+
+    def gap_slope(t):
+        return up - t + h * rate * gmpy2.sin(theta + rate * t)
+
+    quick = 0.1 / (1 + abs(rate))
+    t, landing = quick * 2.0**-60, None
+    limit = mpfr(until)
+    if gap(mpfr(t)) <= 0:
+        raise Tie("lands at once")
+    while landing is None:
+        further = mpfr(min(2 * t, t + quick))
+        landing = first_fall(gap, gap_slope, mpfr(t), further, 1)
+        t = further
+        if landing is None and t > limit:
+            break
+    last = landing if landing is not None and landing <= limit else limit
+    theta_last = theta + rate * last
+    s, c = gmpy2.sin_cos(theta_last)
+    mass_centre = x - h * s0 + along * last
+    new = theta_last, rate, along + rate + h * c * rate, mass_centre + h * s
+    return ("landing" if last is landing else None), last, new, 0
