@@ -37,6 +37,8 @@ COLOURS = {
     "bullet": "#009e73",
     "dart": "#332288",
     "mujoco": "#e69f00",
+    "mjx": "#6b4c00",
+    "newton": "#117733",
     "drake": "#56b4e9",
     "exudyn": "#999933",
     "siconos": "#aa4499",
@@ -52,6 +54,8 @@ MARKS = {
     "bullet": "P",
     "dart": "p",
     "mujoco": "X",
+    "mjx": "+",
+    "newton": "H",
     "drake": "*",
     "exudyn": "h",
     "siconos": "d",
@@ -220,7 +224,7 @@ def machines(engines: dict[str, Any]) -> list[str]:
     """Versions, and on what they ran."""
     rows = ["| engine | version |", "|---|---|"]
     for name, engine in engines.items():
-        main = next((one for one in engine["packages"] if one.lower().startswith(("py" + name, name))), None)
+        main = next((one for one in engine["packages"] if name in one.lower()), None)
         rows.append(f"| {engine['title']} | {engine['packages'][main] if main else '–'} |")
     one = next(iter(engines.values()))["machine"]
     return [*rows, "", f"{one['system']}, {one['processor']}, {one['cores']} cores, Python {one['python']}."]

@@ -117,6 +117,8 @@ ENGINES = {
     "bullet": Engine("Bullet"),
     "dart": Engine("DART"),
     "mujoco": Engine("MuJoCo"),
+    "mjx": Engine("MJX (MuJoCo in JAX)"),
+    "newton": Engine("Newton (Warp)"),
     "drake": Engine("Drake", ("default", "careful", "continuous")),
     "exudyn": Engine("Exudyn"),
     "siconos": Engine("Siconos", interpreter="/usr/bin/python3"),

@@ -73,15 +73,20 @@ def refuse(reason):
     sys.exit(REFUSED)
 
 
+def rows_of(case, step):
+    """How many rows follow that of the start, and how many steps lie between two rows."""
+    each = max(1, round(SHORTEST / step))
+    return round(case.until / step) // each, each
+
+
 def stepped(case, step, advance, row):
     """Yield the rows of an engine that is asked for one step after the other."""
-    count = round(case.until / step)
-    each = max(1, round(SHORTEST / step))
+    count, each = rows_of(case, step)
     yield row(0.0)
     for i in range(1, count + 1):
-        advance()
-        if i % each == 0:
-            yield row(i * step)
+        for _ in range(each):
+            advance()
+        yield row(i * each * step)
 
 
 def main(simulate):

@@ -31,14 +31,14 @@ SCENE = """
 """
 
 
-def simulate(case, step, setting):
-    """Yield rows."""
+def model_of(case, step, setting):
+    """The model of a case."""
     case.without_restitution()
     option = geom = ""
     if setting == "careful":
         option = 'cone="elliptic" impratio="10" iterations="200" tolerance="1e-14"'
         geom = f'solref="{max(2.0 * step, math.sqrt(step))!r} 1" solimp="0.9 0.9999 0.001"'
-    model = mujoco.MjModel.from_xml_string(
+    return mujoco.MjModel.from_xml_string(
         SCENE.format(
             step=step,
             option=option,
@@ -49,15 +49,25 @@ def simulate(case, step, setting):
             inertia=case.inertia,
         )
     )
+
+
+def start_of(case):
+    """The coordinates of the joints and their rates at the start."""
+    return (0.0, 0.0, case.theta), (case.x_rate, case.gap_rate, case.theta_rate)
+
+
+def row_of(time, coordinates):
+    """A row of the record."""
+    x, height, theta = coordinates
+    return time, x, 1.0 + height, theta
+
+
+def simulate(case, step, setting):
+    """Yield rows."""
+    model = model_of(case, step, setting)
     data = mujoco.MjData(model)
-    data.qpos[:] = 0.0, 0.0, case.theta
-    data.qvel[:] = case.x_rate, case.gap_rate, case.theta_rate
-
-    def row(time):
-        x, height, theta = data.qpos
-        return time, x, 1.0 + height, theta
-
-    yield from stepped(case, step, lambda: mujoco.mj_step(model, data), row)
+    data.qpos[:], data.qvel[:] = start_of(case)
+    yield from stepped(case, step, lambda: mujoco.mj_step(model, data), lambda time: row_of(time, data.qpos))
 
 
 if __name__ == "__main__":

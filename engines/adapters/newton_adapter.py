@@ -1,0 +1,70 @@
+"""Newton: its own solvers, on Warp's processor device, with a sphere on a plane, which stays plane by symmetry.
+
+default: SolverXPBD as it comes, which corrects positions.
+careful: SolverKamino as it comes, which solves for hard contacts with friction by an iteration of its own.
+Both in single precision, the only one that Newton has; the rolling and torsional friction that shapes have by default
+is 0. (Its third kind of solver is MuJoCo's method, which has adapters of its own.)
+Cannot express: mu_s and mu_k (one coefficient). Restitution is Newton's, at any speed.
+"""
+
+import math
+
+import newton
+import numpy as np
+import warp as wp
+from adapter import main, stepped
+
+# Derivatives of the kernels are not needed, and take minutes to translate.
+wp.config.enable_backward = False
+
+
+def simulate(case, step, setting):
+    """Yield rows."""
+    builder = newton.ModelBuilder(gravity=(0.0, 0.0, -1.0))
+    if setting == "careful":
+        newton.solvers.SolverKamino.register_custom_attributes(builder)
+    surface = newton.ModelBuilder.ShapeConfig(
+        density=0.0, mu=case.one_coefficient(), restitution=case.restitution, mu_torsional=0.0, mu_rolling=0.0
+    )
+    builder.add_ground_plane(cfg=surface)
+    # Counterclockwise, with x to the right and z upwards, is about -y.
+    hoop = builder.add_body(
+        xform=wp.transform(wp.vec3(0.0, 0.0, 1.0), wp.quat_from_axis_angle(wp.vec3(0.0, -1.0, 0.0), case.theta)),
+        com=wp.vec3(0.0, 0.0, case.h),
+        mass=case.mass,
+        inertia=wp.mat33(case.inertia * np.eye(3)),
+        lock_inertia=True,
+    )
+    builder.add_shape_sphere(hoop, radius=1.0, cfg=surface)
+    model = builder.finalize(device="cpu")
+    if setting == "careful":
+        solver = newton.solvers.SolverKamino(model)
+    else:
+        solver = newton.solvers.SolverXPBD(model, enable_restitution=case.restitution > 0.0)
+    before, after, control = model.state(), model.state(), model.control()
+    along, upwards = case.mass_centre_rates()
+    rates = np.array([along, 0.0, upwards, 0.0, -case.theta_rate, 0.0], dtype=np.float32)
+    before.body_qd.assign(rates[np.newaxis])
+    before.joint_qd.assign(rates)
+    pipeline = newton.CollisionPipeline(model)
+    contacts = pipeline.contacts()
+    theta = case.theta
+
+    def advance():
+        nonlocal before, after
+        before.clear_forces()
+        pipeline.collide(before, contacts)
+        solver.step(before, after, control, contacts, step)
+        before, after = after, before
+
+    def row(time):
+        nonlocal theta
+        x, _, y, _, turn, _, real = map(float, before.body_q.numpy()[0])
+        theta += math.remainder(-2.0 * math.atan2(turn, real) - theta, 2.0 * math.pi)
+        return time, x, y, theta
+
+    yield from stepped(case, step, advance, row)
+
+
+if __name__ == "__main__":
+    main(simulate)
