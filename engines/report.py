@@ -16,7 +16,7 @@ from littlewood.style import FAINT, INK, LINE
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from run import CASES, ENGINES, HERE, RESULTS
+from run import CASES, ENGINES, HERE, PATIENCE, RESULTS
 
 DOCS = HERE.parent / "docs"
 PAGE = DOCS / "engines.md"
@@ -70,6 +70,14 @@ def chosen(engine: dict[str, Any], case: str, setting: str) -> list[Run]:
     """The scored runs of a case with a setting, by falling step."""
     found = [run for run in engine["runs"] if (run["case"], run["setting"], run["status"]) == (case, setting, "scored")]
     return sorted(found, key=lambda run: -run["step"])
+
+
+def takes_too_long(engine: dict[str, Any], case: str, setting: str) -> bool:
+    """Whether a run with the step of the tables, or one before it, was ended."""
+    return any(
+        (run["case"], run["setting"], run["status"]) == (case, setting, "timeout") and run["step"] >= TABLE_STEP
+        for run in engine["runs"]
+    )
 
 
 def settings(engine: dict[str, Any]) -> list[str]:
@@ -188,6 +196,8 @@ def summary(engines: dict[str, Any]) -> list[str]:
             runs = chosen(engine, FIRST, setting)
             at = next((run for run in runs if run["step"] == TABLE_STEP), None)
             if at is None:
+                if takes_too_long(engine, FIRST, setting):
+                    rows.append(f"| {engine['title']} | {setting} {'| – ' * 8}| above {PATIENCE:g} |")
                 continue
             law = order(runs)
             cells = [engine["title"], setting, *(number(event(at, kind)) for kind in ("stick", "lift_off", "landing"))]
@@ -212,7 +222,8 @@ def others(engines: dict[str, Any]) -> list[str]:
                 mine = [run for run in engine["runs"] if run["case"] == label and run["setting"] == setting]
                 at = next((run for run in mine if run["step"] == TABLE_STEP and run["status"] == "scored"), None)
                 if at is None:
-                    cells.append("cannot" if any(run["status"] == "refused" for run in mine) else "–")
+                    slow = "too long" if takes_too_long(engine, label, setting) else "–"
+                    cells.append("cannot" if any(run["status"] == "refused" for run in mine) else slow)
                     continue
                 wrong = at["missed"] + at["spurious"]
                 cells.append(number(state(at)) + (f", {wrong} wrong" if wrong else ""))

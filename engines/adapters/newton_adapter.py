@@ -1,10 +1,11 @@
-"""Newton: its own solvers, on Warp's processor device, with a sphere on a plane, which stays plane by symmetry.
+"""Newton: two of its solvers, on Warp's processor device, with a sphere on a plane, which stays plane by symmetry.
 
-default: SolverXPBD as it comes, which corrects positions.
-careful: SolverKamino as it comes, which solves for hard contacts with friction by an iteration of its own.
-Both in single precision, the only one that Newton has; the rolling and torsional friction that shapes have by default
-is 0. (Its third kind of solver is MuJoCo's method, which has adapters of its own.)
-Cannot express: mu_s and mu_k (one coefficient). Restitution is Newton's, at any speed.
+default: SolverXPBD as it comes, which corrects positions; its restitution is switched on where the case bounces only,
+since with it on, and e = 0, the hoop of Figure 3 rolls where it should slide.
+careful: SolverKamino as it comes, which iterates until hard contacts with friction are satisfied.
+Both in single precision, the only one that Newton has. The rolling and torsional friction that its shapes have by
+default is 0 here. SolverMuJoCo, another of its solvers, is MuJoCo's method, which has adapters of its own.
+Cannot express: mu_s and mu_k (one coefficient). Restitution acts at any speed.
 """
 
 import math
