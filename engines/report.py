@@ -60,6 +60,8 @@ MARKS = {
     "exudyn": "h",
     "siconos": "d",
 }
+BELOW = ("mjx",)
+"""Drawn below the others, with larger marks: its errors are MuJoCo's."""
 DASHES: dict[str, Any] = {"default": (0, (4, 2)), "careful": "solid", "continuous": (0, (1, 1.2))}
 
 Run = dict[str, Any]
@@ -128,7 +130,8 @@ def lines(axes: Axes, engines: dict[str, Any], across: Quantity, up: Quantity) -
                 [up(run) for run in runs],
                 color=COLOURS[name],
                 marker=MARKS[name],
-                markersize=4.5 if setting == "careful" else 2.5,
+                markersize=(4.5 if setting == "careful" else 2.5) * (2.0 if name in BELOW else 1.0),
+                zorder=1.9 if name in BELOW else 2.0,
                 linestyle=DASHES[setting],
                 linewidth=1.4 if setting == "careful" else 0.6,
             )
