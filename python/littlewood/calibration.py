@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from .trajectory import Trajectory
 
-__all__ = ["CALIBRATION", "checked", "kinks", "means", "shown"]
+__all__ = ["CALIBRATION", "checked", "means", "shown"]
 
 _Reals = npt.NDArray[np.float64]
 # Displacement (δx, δy) of a point, and the rows of its derivatives by x and y.
@@ -45,10 +45,6 @@ CALIBRATION = (*_SHIFTS, *_OF_ANGLE, "exposure")
 """Names of what a camera may show wrong in every picture alike."""
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(2)
-# Instants of an exposure in which the velocity jumps.
-_INSTANTS = 16
-# Between the middle and the mean of places on a path with a kink there is less than this part of its second difference.
-_DOUBT = 0.125
 
 
 def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
@@ -109,34 +105,21 @@ def means(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals
     """
     if exposure == 0.0:
         return _at(motion, time)
-    at_nodes = _at(motion, time[:, None] + 0.5 * exposure * (1.0 + _NODES))
-    found = {name: 0.5 * values @ _WEIGHTS for name, values in at_nodes.items()}
-    pictures = _with_impacts(motion, time)
-    if pictures.size:
-        instants = exposure * (np.arange(_INSTANTS) + 0.5) / _INSTANTS
-        for name, values in _at(motion, time[pictures, None] + instants).items():
-            found[name][pictures] = values.mean(axis=1)
-    return found
-
-
-def kinks(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals]:
-    """Return by how much θ, x and y of a picture are in doubt because an impact is in it.
-
-    What is found in a blurred picture is rather the middle of the places of the hoop than their mean, which is not the
-    same where the velocity jumps.
-    """
-    pictures = _with_impacts(motion, time)
-    found = {name: np.zeros(time.size) for name in ("theta", "x", "y")}
-    if pictures.size:
-        for name, values in _at(motion, time[pictures, None] + exposure * np.array([0.0, 0.5, 1.0])).items():
-            found[name][pictures] = _DOUBT * np.abs(values[:, 0] - 2.0 * values[:, 1] + values[:, 2])
-    return found
-
-
-def _with_impacts(motion: Trajectory, time: _Reals) -> npt.NDArray[np.intp]:
-    """Return the pictures between whose beginning and that of the next there is an impact."""
-    jumps = np.array([one.time for one in motion.transitions if one.impact is not None], dtype=np.float64)
-    return np.unique(np.searchsorted(time, jumps[jumps > time[0]]) - 1)
+    # From transition to transition a motion is smooth: an exposure is taken in such pieces.
+    jumps = np.array([one.time for one in motion.transitions], dtype=np.float64)
+    pictures = np.searchsorted(time, jumps, side="right") - 1
+    inside = (pictures >= 0) & (jumps < time[pictures] + exposure)
+    begins, owners = np.concatenate([time, jumps[inside]]), np.concatenate([np.arange(time.size), pictures[inside]])
+    order = np.lexsort((begins, owners))
+    begins, owners = begins[order], owners[order]
+    ends = time[owners] + exposure
+    ends[:-1] = np.where(owners[1:] == owners[:-1], begins[1:], ends[:-1])
+    lengths = ends - begins
+    at_nodes = _at(motion, begins[:, None] + 0.5 * lengths[:, None] * (1.0 + _NODES))
+    parts = lengths / exposure
+    return {
+        name: np.bincount(owners, 0.5 * parts * (values @ _WEIGHTS), time.size) for name, values in at_nodes.items()
+    }
 
 
 def _at(motion: Trajectory, time: _Reals) -> dict[str, _Reals]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .calibration import kinks, means, shown
+from .calibration import means, shown
 from .extras import require
 from .hoop import Hoop
 from .noise import Noise, Whitening, estimate_noise
@@ -54,8 +54,6 @@ class Problem:
         Errors of the channels.
     slips : bool
         Whether the hoop slips at the start.
-    doubts : dict, optional
-        Further errors of single pictures by channel.
     """
 
     track: Track
@@ -64,12 +62,11 @@ class Problem:
     first: dict[str, float]
     noise: dict[str, Noise]
     slips: bool
-    doubts: dict[str, _Reals] | None = None
 
     def __post_init__(self) -> None:
         self._seen = {name: np.isfinite(values) for name, values in self.track.channels.items()}
         self._white = {
-            name: Whitening(self.noise[name], self.track.time[seen], self.relative(name)[seen])
+            name: Whitening(self.noise[name], self.track.time[seen], self.track.relative_errors(name)[seen])
             for name, seen in self._seen.items()
         }
         step = self._longest = float(np.median(np.diff(self.track.time)))
@@ -77,16 +74,6 @@ class Problem:
         self._before = np.where(camera == _EXPOSURE, 0.5 * step, 0.0)
         self._deviation = np.where(camera == _EXPOSURE, step / math.sqrt(12.0), _PRIOR)
         self._last: tuple[tuple[float, ...], dict[str, _Reals]] | None = None
-
-    def relative(self, name: str) -> _Reals:
-        """Return the errors of a channel over the median one, with the doubts about pictures with an impact."""
-        errors = self.track.relative_errors(name)
-        return errors if self.doubts is None else np.hypot(errors, self.doubts[name] / self.noise[name].white)
-
-    def doubts_of(self, unknowns: _Reals) -> dict[str, _Reals] | None:
-        """Return by how much pictures are in doubt because of impacts."""
-        exposure = self._longest if _EXPOSURE in self.names else self.track.exposure
-        return kinks(self.motion(unknowns), self.track.time, exposure) if exposure > 0.0 else None
 
     def with_camera(self, camera: tuple[str, ...], unknowns: _Reals) -> tuple[Problem, _Reals]:
         """Return the same with constants of the camera among the unknowns, and these."""
@@ -181,7 +168,7 @@ class Problem:
 
     def noise_of(self, unknowns: _Reals, known: dict[str, Noise], loss: str, correlated: bool) -> dict[str, Noise]:
         """Estimate the errors of each channel from the residuals."""
-        relative = {name: self.relative(name)[seen] for name, seen in self._seen.items()}
+        relative = {name: self.track.relative_errors(name)[seen] for name, seen in self._seen.items()}
         residuals = {name: residual[self._seen[name]] for name, residual in self.residuals(unknowns).items()}
         if loss != "linear":
             typical = {name: float(np.sqrt(np.mean(np.square(residuals[name] / relative[name])))) for name in relative}

@@ -174,7 +174,7 @@ def fit(
     # Weights from residuals, and again with those weights.
     for turn in range(_TURNS):
         noise = problem.noise_of(unknowns, known, loss, turn > 0)
-        problem = replace(problem, noise=noise, doubts=problem.doubts_of(unknowns))
+        problem = replace(problem, noise=noise)
         best = problem.refine(unknowns, loss, FINE if turn == _TURNS - 1 else ROUGH)
         unknowns = best.x
     return _result(problem, best)

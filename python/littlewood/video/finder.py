@@ -32,6 +32,9 @@ MARKERS = {
 _RAYS = 360
 # Part of the radius on both sides of the rim in which its edge is sought, at first and around a circle that was fitted.
 _WINDOW, _NARROW = 0.25, 0.12
+# Part of the radius on both sides of its middle in which a rim is that is blurred as far as it may be; how far beside a
+# blurred edge the size of pixels still shows, pixels.
+_REACH, _FOOT_PX = 0.2, 0.8
 # Angle from straight down, rad, within which the shadow on the floor moves what is seen of the rim; rays that are left
 # out beside those on which the marker is; least part of the rays that has to be left.
 _SHADOW = math.radians(55.0)
@@ -39,6 +42,8 @@ _BESIDE_MARKER = 4
 _LEAST_RAYS = 0.3
 # How far from a circle a rim may seem to be, radii; how much more a radius away; how well a picture tells it.
 _OVAL, _OVAL_SLOPE, _OVAL_ERROR = 0.02, 0.005, 0.001
+# A share of the rim that is none.
+_NOTHING = 1e-6
 # What stands for "outside of the picture" among shares of light, which are about 0 to 1.
 _OUTSIDE = -1e3
 # A radius that differs by more from the measured one is that of something else.
@@ -149,9 +154,9 @@ class Finder:
     def circle(self, picture: Picture) -> Circle | None:
         """Find the rim; None where there is none, or less than a half of it.
 
-        The outline of what differs from the background tells where the rim is. Its centre is then that of the line
-        midway between outer and inner edge, in light: a blur moves one as far outward as the other inward, and how
-        bright the background is moves neither. Of a disc, which has no inner edge, it is that of the outer edge.
+        The outline of what differs from the background tells where the rim is. Its centre is then that of the mean line
+        of the rim, in light: the mean over the exposure, however the hoop moves meanwhile, and however bright the
+        background is. Of a disc, which has no inner edge, it is that of the outer edge.
         """
         found = self._outline(picture)
         if found is None:
@@ -183,7 +188,7 @@ class Finder:
         return difference, outline, float(kept.sum()) / _RAYS
 
     def _line_of(self, picture: Picture) -> tuple[tuple[float, float], _Reals, _Reals] | None:
-        """Return a centre, and points of the line midway between the edges of the rim as a picture shows it."""
+        """Return a centre, and points of the mean line of the rim as a picture shows it."""
         found = self._outline(picture)
         line = None if found is None else self._line(picture, found[0], found[1])
         return None if found is None or line is None else (found[1][:2], *line)
@@ -230,10 +235,9 @@ class Finder:
     def _line(
         self, picture: Picture, difference: npt.NDArray[np.uint8], circle: tuple[float, float, float]
     ) -> tuple[_Reals, _Reals] | None:
-        """Return points of the line midway between the edges of the rim; None where there are too few."""
+        """Return points of the mean line of the rim; None where there are too few."""
         x, y, radius = circle
-        reach = (1.0 + 1.5 * _NARROW) * radius
-        cut = self._cut(x, y, reach)
+        cut = self._cut(x, y, (1.0 + 1.5 * _WINDOW) * radius)
         if cut is None:
             return None
         light = _light(picture[cut])
@@ -243,8 +247,8 @@ class Finder:
         square = np.sum(contrast * contrast, axis=2)
         share = np.sum((light - self._background[cut]) * contrast, axis=2)
         share /= np.maximum(square, 0.1 * float(np.median(square)) + 1e-12)
-        share = require("cv2").GaussianBlur(share.astype(np.float32), (0, 0), 0.8)
-        profiles = _Profiles(self._plane, share, circle, _NARROW, cut)
+        smooth = require("cv2").GaussianBlur(share.astype(np.float32), (0, 0), 0.8)
+        profiles = _Profiles(self._plane, smooth, circle, _NARROW, cut)
         usable = profiles.inside & ~self._hidden(light, circle, cut)
         below = profiles.values < 0.5 * profiles.largest[:, None]
         places, count = np.arange(below.shape[1]), below.shape[1]
@@ -259,11 +263,45 @@ class Finder:
                 return None
             distances = profiles.crossing(rays, outer[rays] - 1, outer[rays])
         else:
-            distances = 0.5 * profiles.crossing(rays, outer[rays] - 1, outer[rays])
-            distances += 0.5 * profiles.crossing(rays, inner[rays] + 1, inner[rays])
+            midway = 0.5 * profiles.crossing(rays, outer[rays] - 1, outer[rays])
+            midway += 0.5 * profiles.crossing(rays, inner[rays] + 1, inner[rays])
+            middle, *_ = _fit_circle(*profiles.points(rays, midway), circle, self._radius)
+            profiles = _Profiles(self._plane, share, circle, _WINDOW, cut)
+            rays = rays[profiles.inside[rays]]
+            if rays.size < _LEAST_RAYS * _RAYS:
+                return None
+            distances = self._means(profiles, rays, middle)
         cosine, sine = np.array([1.0, x / self._radius, y / self._radius]) @ self._oval
         angles = 2.0 * _ANGLES[rays]
         return profiles.points(rays, distances / (1.0 + cosine * np.cos(angles) + sine * np.sin(angles)))
+
+    def _means(self, profiles: _Profiles, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> _Reals:
+        """Return the mean distances of the rim along rays, as if it had not been displaced across them.
+
+        The share of the rim along a ray is the mean over the exposure of a rim that moves along it. As long as there is
+        a point that the rim never leaves, the mean is where half of the share is on either side; else, with more noise,
+        it is the first moment. A displacement q across the ray takes q²/2ρ off the distance of a circle of the radius
+        ρ. Displacements along rays add their variance to the second moment, and those across one are those along
+        another: what the second moment has of twice the angle tells the blur.
+        """
+        middle = profiles.distances_of(rays, circle)
+        angles = 2.0 * _ANGLES[rays]
+        waves = np.column_stack([np.ones_like(angles), np.cos(angles), np.sin(angles)])
+        half = np.full(rays.size, _REACH * self._radius)
+        foot = _FOOT_PX / self._plane.pixels_per_metre(*profiles.centre)
+        for last in (False, True):
+            width, mean, halves, variance = profiles.moments(rays, middle, half)
+            off = np.abs(variance - np.median(variance))
+            kept = off <= 6.0 * np.median(off)
+            sizes, *_ = np.linalg.lstsq(waves[kept], variance[kept], rcond=None)
+            along = waves[:, 1:] @ sizes[1:]
+            # An even motion over a length has a variance of a twelfth of its square.
+            rim = 0.5 * float(np.median(width))
+            blur = np.sqrt(3.0 * np.maximum(along + math.hypot(*sizes[1:]), 0.0))
+            if not last:
+                half = np.minimum(rim + blur + foot, half)
+        found: _Reals = np.where(blur < rim, halves, mean) - along / (2.0 * circle[2])
+        return found
 
     def _cut(self, x: float, y: float, reach: float) -> tuple[slice, slice] | None:
         """Return the part of a picture in which a square of the plane is."""
@@ -435,6 +473,32 @@ class _Profiles:
         part = (high - 0.5 * self.largest[rays]) / (high - low)
         found: _Reals = self.distances[above] + part * (self.distances[below] - self.distances[above])
         return found
+
+    def distances_of(self, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> _Reals:
+        """Return where rays meet a circle about which they begin."""
+        x, y = circle[0] - self.centre[0], circle[1] - self.centre[1]
+        cosine, sine = np.cos(_ANGLES[rays]), np.sin(_ANGLES[rays])
+        across = y * cosine - x * sine
+        found: _Reals = x * cosine + y * sine + np.sqrt(np.square(circle[2]) - np.square(across))
+        return found
+
+    def moments(self, rays: npt.NDArray[Any], middle: _Reals, half: _Reals) -> tuple[_Reals, _Reals, _Reals, _Reals]:
+        """Return sum, mean, median and variance of distances weighted by the values, up to so far from the middle.
+
+        On a ray without values they are far away, and no circle takes them.
+        """
+        away = self.distances - middle[:, None]
+        weights = np.where(np.abs(away) < half[:, None], self.values[rays], 0.0)
+        total = np.maximum(weights.sum(axis=1), _NOTHING)
+        mean = (weights * away).sum(axis=1) / total
+        variance = (weights * np.square(away)).sum(axis=1) / total - np.square(mean)
+        step = float(self.distances[1] - self.distances[0])
+        # The weight of a place is in the step about it.
+        beyond = np.cumsum(weights, axis=1) - 0.5 * total[:, None]
+        place = np.argmax(beyond > 0.0, axis=1)[:, None]
+        there, too_much = (np.take_along_axis(one, place, axis=1)[:, 0] for one in (weights, beyond))
+        median = self.distances[place[:, 0]] + (0.5 - too_much / np.maximum(there, _NOTHING)) * step
+        return total * step, middle + mean, median, variance
 
     def points(self, rays: npt.NDArray[Any], distances: _Reals) -> tuple[_Reals, _Reals]:
         """Return points on rays, m."""
