@@ -81,6 +81,21 @@ class Problem:
         found = replace(self, names=names)
         return found, np.concatenate([unknowns, found._before])
 
+    def camera_of(self, unknowns: _Reals) -> _Reals:
+        """Return the unknowns with the constants of the camera, but the exposure, that belong to the others."""
+        places = [place for place, name in enumerate(self.names) if name in self._camera_names and name != _EXPOSURE]
+        if not places:
+            return unknowns
+
+        def scaled(constants: _Reals) -> _Reals:
+            found = unknowns.copy()
+            found[places] = constants
+            return self.scaled(found)
+
+        found = unknowns.copy()
+        found[places] = require("scipy.optimize").least_squares(scaled, unknowns[places]).x
+        return found
+
     @property
     def _camera_names(self) -> list[str]:
         return [name for name in self.names if name.startswith(_CAMERA)]

@@ -171,6 +171,8 @@ def fit(
         unknowns = problem.refine(problem.guess(), loss).x
     if camera:
         problem, unknowns = problem.with_camera(camera, unknowns)
+        # A hundred times as large as the errors, at first they would be taken for them.
+        unknowns = problem.camera_of(unknowns)
     # Weights from residuals, and again with those weights.
     for turn in range(_TURNS):
         noise = problem.noise_of(unknowns, known, loss, turn > 0)

@@ -295,9 +295,9 @@ class Finder:
             kept = off <= 6.0 * np.median(off)
             sizes, *_ = np.linalg.lstsq(waves[kept], variance[kept], rcond=None)
             along = waves[:, 1:] @ sizes[1:]
-            # An even motion over a length has a variance of a twelfth of its square.
+            # A motion that speeds up evenly from rest is at most √5 standard deviations from its mean, an even one √3.
             rim = 0.5 * float(np.median(width))
-            blur = np.sqrt(3.0 * np.maximum(along + math.hypot(*sizes[1:]), 0.0))
+            blur = np.sqrt(5.0 * np.maximum(along + math.hypot(*sizes[1:]), 0.0))
             if not last:
                 half = np.minimum(rim + blur + foot, half)
         found: _Reals = np.where(blur < rim, halves, mean) - along / (2.0 * circle[2])
