@@ -82,19 +82,16 @@ class Problem:
         return found, np.concatenate([unknowns, found._before])
 
     def camera_of(self, unknowns: _Reals) -> _Reals:
-        """Return the unknowns with the constants of the camera, but the exposure, that belong to the others."""
-        places = [place for place, name in enumerate(self.names) if name in self._camera_names and name != _EXPOSURE]
-        if not places:
-            return unknowns
+        """Return the unknowns with the constants of the camera that belong to the others."""
+        rest = len(self.names) - len(self._camera_names)
 
         def scaled(constants: _Reals) -> _Reals:
-            found = unknowns.copy()
-            found[places] = constants
-            return self.scaled(found)
+            return self.scaled(np.concatenate([unknowns[:rest], constants]))
 
-        found = unknowns.copy()
-        found[places] = require("scipy.optimize").least_squares(scaled, unknowns[places]).x
-        return found
+        low, high = self.bounds()
+        bounds = (low[rest:], high[rest:])
+        found = require("scipy.optimize").least_squares(scaled, unknowns[rest:], bounds=bounds, x_scale="jac")
+        return np.concatenate([unknowns[:rest], found.x])
 
     @property
     def _camera_names(self) -> list[str]:

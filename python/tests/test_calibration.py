@@ -5,6 +5,7 @@ import pytest
 
 import littlewood as lw
 from littlewood.calibration import CALIBRATION, means, shown
+from littlewood.fit_problem import Problem
 from littlewood.noise import Noise, Whitening, estimate_noise
 
 NOISE = 0.001
@@ -44,7 +45,7 @@ def test_a_picture_is_the_mean_over_its_exposure(motion):
     assert np.any(np.searchsorted(time, impacts) != np.searchsorted(time + EXPOSURE, impacts))
     found, true = means(motion, time, EXPOSURE), averaged(motion, time, EXPOSURE)
     for name, values in true.items():
-        np.testing.assert_allclose(found[name], values, atol=5e-5)
+        np.testing.assert_allclose(found[name], values, atol=1e-6)
         # Without the average it would be seen.
         assert np.max(np.abs(means(motion, time + 0.5 * EXPOSURE, 0.0)[name] - values)) > 2e-4
 
@@ -113,6 +114,22 @@ def test_what_the_camera_shows_wrong_is_found(motion):
     assert result.reduced_chi_square == pytest.approx(1.0, abs=0.02)
     # Who believes the camera gets intervals that do not contain the truth.
     assert np.max(np.abs(pulls(fit(track, motion), motion.hoop))) > 4.0
+
+
+def test_constants_of_the_camera_are_found_for_a_given_motion(motion):
+    track = filmed(motion, 4, WRONG, exposure=EXPOSURE)
+    noise = dict.fromkeys(track.channels, Noise(NOISE))
+    first = {"theta": math.pi / 2, "theta_rate": 2.0, "slip": 0.0, "x": 0.0}
+    names = ("mu_k", "start_theta", "start_theta_rate")
+    problem = Problem(track, motion.hoop, names, first, noise, False)
+    problem, unknowns = problem.with_camera((*WRONG, "exposure"), problem.guess())
+    found = problem.camera_of(unknowns)
+    assert found[:3].tolist() == unknowns[:3].tolist()
+    assert found[-1] == pytest.approx(EXPOSURE, abs=1e-3)
+    before, after = (problem.residuals(values) for values in (unknowns, found))
+    for name in track.channels:
+        assert np.std(before[name]) > 8.0 * NOISE
+        assert np.std(after[name]) == pytest.approx(NOISE, rel=0.15)
 
 
 def test_the_exposure_is_taken_along(motion):

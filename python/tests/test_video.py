@@ -8,6 +8,7 @@ import pytest
 import littlewood as lw
 from littlewood import video
 from littlewood.calibration import CALIBRATION
+from littlewood.video.synthetic import _instants
 
 RATE, EXPOSURE = 120.0, 1 / 400
 CAMERA = video.Camera((-0.9, 0.9, 3.2), (-1.2, 0.3, 0.0), focal_px=430.0, width=480, height=270, roll_rad=0.02)
@@ -149,6 +150,42 @@ def test_a_long_exposure_blurs_and_does_not_shift(hoop, motion, tmp_path):
     assert np.max(np.abs(np.diff(track.x))) > 0.1
     assert root_mean_square(x) < 0.0005
     assert root_mean_square(y) < 0.001
+
+
+def without_noise(motion, part):
+    """Errors of the centre in pictures without noise, and by how much middle and mean of an exposure differ."""
+    exposure = part / RATE
+    look = video.Look(noise=0.0, texture=0.0)
+    seen = list(video.synthetic_pictures(motion, CAMERA, exposure_s=exposure, look=look, seconds=0.8))
+    finder = video.Finder(video.Plane.from_camera(CAMERA), np.median(seen, axis=0), 0.5, 0.3, 0.27, (255, 0, 0))
+    circles = [finder.circle(picture) for picture in seen]
+    time = np.arange(len(seen)) / RATE / motion.hoop.units.time_s
+    _, x, y = exact(motion, lw.Track(time, x=time), exposure)
+    middle = motion.at(time + 0.5 * exposure / motion.hoop.units.time_s)
+    found = np.array([(circle.x_m, circle.y_m) for circle in circles]) / 0.3
+    return found - np.column_stack([x, y]), np.column_stack([x - middle.x, y - middle.centre_y])
+
+
+@pytest.mark.parametrize("part", [0.7, 1.0])
+def test_a_blurred_rim_is_found_at_the_mean_over_the_exposure(motion, part):
+    errors, skew = without_noise(motion, part)
+    # Half-way between its edges it would be up to a part of `skew` away, and by the blur across the rays: 10⁻³ R.
+    assert np.max(np.abs(skew)) > 1e-3
+    assert np.max(np.abs(errors - np.median(errors, axis=0))) < 1.2e-4
+    for k in range(2):
+        assert abs(np.polyfit(skew[:, k], errors[:, k], 1)[0]) < 0.05
+
+
+def test_an_exposure_is_averaged_over_its_impacts(motion):
+    """The mean over the instants of a picture is that of the motion, though it bends there."""
+    jumps = [one.time for one in motion.transitions if one.impact is not None]
+    for before in (0.005, 0.02, 0.04):
+        begin, end = jumps[0] - before, jumps[0] - before + 0.045
+        instants, weights, _ = _instants(motion, begin, end, 40.0)
+        samples, dense = motion.at(instants), motion.at(begin + (end - begin) * (np.arange(20000) + 0.5) / 20000)
+        assert weights.sum() == pytest.approx(1.0, abs=1e-12)
+        for name in ("theta", "x", "centre_y"):
+            assert weights @ getattr(samples, name) == pytest.approx(getattr(dense, name).mean(), abs=1e-7)
 
 
 def test_points_and_a_camera_agree_on_the_plane():
