@@ -80,6 +80,12 @@ def result() -> str:
     return f"{min(parts):.0f} to {max(parts):.0f} %"
 
 
+def astray() -> str:
+    """In how many films the exposure is wrong by more than six standard errors."""
+    values = pulls(rows_of("videos"), "exposure_s")
+    return f"{sum(abs(value) > 6.0 for value in values)} of {len(values)}"
+
+
 def repeated() -> str:
     """Whether the first fits come out as they stand in the table."""
     rows = rows_of("coverage")
@@ -239,6 +245,7 @@ STUDY = Study(
         "videos": lambda: coverage("videos", NAMES | EXPOSURE),
         "short": lambda: by_exposure(False),
         "long": lambda: by_exposure(True),
+        "astray": astray,
         "sequences of videos": lambda: sequences("videos"),
     },
     pictures={"found": picture_found, "residuals": residuals, "calibration": calibration},
