@@ -80,10 +80,10 @@ def result() -> str:
     return f"{min(parts):.0f} to {max(parts):.0f} %"
 
 
-def astray() -> str:
-    """In how many films the exposure is wrong by more than six standard errors."""
-    values = pulls(rows_of("videos"), "exposure_s")
-    return f"{sum(abs(value) > 6.0 for value in values)} of {len(values)}"
+def beyond(name: str, limit: float) -> str:
+    """In how many films of those that tell a coefficient it is wrong by more than so many standard errors."""
+    values = pulls(rows_of("videos"), name)
+    return f"{sum(abs(value) > limit for value in values)} of {len(values)}"
 
 
 def repeated() -> str:
@@ -245,7 +245,8 @@ STUDY = Study(
         "videos": lambda: coverage("videos", NAMES | EXPOSURE),
         "short": lambda: by_exposure(False),
         "long": lambda: by_exposure(True),
-        "astray": astray,
+        "astray": lambda: beyond("exposure_s", 6.0),
+        "tails": lambda: beyond("restitution", 3.0),
         "sequences of videos": lambda: sequences("videos"),
     },
     pictures={"found": picture_found, "residuals": residuals, "calibration": calibration},

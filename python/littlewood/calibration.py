@@ -116,10 +116,12 @@ def means(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals
     ends[:-1] = np.where(owners[1:] == owners[:-1], begins[1:], ends[:-1])
     lengths = ends - begins
     at_nodes = _at(motion, begins[:, None] + 0.5 * lengths[:, None] * (1.0 + _NODES))
-    parts = lengths / exposure
-    return {
-        name: np.bincount(owners, 0.5 * parts * (values @ _WEIGHTS), time.size) for name, values in at_nodes.items()
-    }
+    parts = 0.5 * lengths / exposure
+    found = {}
+    for name, values in at_nodes.items():
+        sums = np.bincount(owners, parts * (values @ _WEIGHTS), time.size)
+        found[name] = np.asarray(sums, dtype=np.float64)
+    return found
 
 
 def _at(motion: Trajectory, time: _Reals) -> dict[str, _Reals]:

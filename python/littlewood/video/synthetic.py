@@ -174,7 +174,7 @@ def _picture(
     ends = motion.at(np.array([begin, begin + exposure]) / units.time_s)
     middle_x, middle_y = float(ends.x.mean()) * radius, float(ends.centre_y.mean()) * radius
     scale = scene.plane.pixels_per_metre(middle_x, middle_y)
-    instants, weights, way = _instants(motion, *ends.time, radius * scale)
+    instants, weights, way = _instants(motion, float(ends.time[0]), float(ends.time[1]), radius * scale)
     samples = motion.at(instants)
     rim, marker, here = _coverage(scene, samples, weights, motion.hoop.offset, radius, look, scale, way / scale)
     light = scene.background.copy()
