@@ -188,6 +188,14 @@ fn littlewoods_closed_forms_agree_with_each_other() {
         (closed_form::gliding_time_to_plane(0.6_f64.acos(), 0.75) - (89.0_f64.sqrt() - 3.0) / 5.0).abs()
             < 1e-15
     );
+    // The parabola of (3.19) is at the plane at the time of (3.20), whether it begins upwards or downwards.
+    for (theta, rate) in [(0.9, 0.7), (0.9, -0.7), (-2.0, 1.5), (-2.0, -1.5), (0.0, 2.0)] {
+        let time = closed_form::gliding_time_to_plane(theta, rate);
+        assert!(
+            time > 0.0 && closed_form::gliding_path(theta, rate, 0.3, time).1.abs() < 1e-14,
+            "{theta} {rate}"
+        );
+    }
     // N and F of (3.8) are those of (2.12).
     let plane = PhasePlane::new(&Hoop::littlewood(0.5, 0.4).expect("Littlewood's hoop"));
     for (theta, rate) in [(0.3, 0.4), (-1.2, 0.7), (2.0, -0.3)] {
