@@ -10,6 +10,9 @@ const MIN_SLIP_ACCELERATION: f64 = 2e-3;
 /// Rounding of η′ by light hoops, which amplify it by (Î/m)^(−1/2) at each passage of the bottom, as a part of that.
 const AMPLIFIED: f64 = 0.1;
 
+/// Newton's method for a place at a time ends with a shorter step: its error is of the second order.
+const LAST_STEP: f64 = 1e-8;
+
 /// A part of a slide on which u is known as a function of a coordinate z, along which the slide goes up or down.
 pub(super) trait Piece {
     /// u at z.
@@ -124,21 +127,63 @@ impl<P: Piece> Way<'_, P> {
     /// Where η′ is least between two waypoints, between which η″ rises through zero once.
     pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
         let (mut low, mut high) = (here.z, there.z);
+        let (mut at_low, mut at_high) = (here.slip_acceleration, there.slip_acceleration);
+        let (mut z, mut before) = (low, None);
         for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            let (sin, cos) = self.piece.direction(middle);
-            let (alpha, beta) = self.law.slip_acceleration(sin, cos);
-            if self.sigma * (alpha + beta * self.piece.u(middle)) < 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
+            // The secant; from an end that has stayed where it was it is steeper, so that this end comes closer, too.
+            let secant = (low * at_high - high * at_low) / (at_high - at_low);
+            let inside = (secant - low) * self.forward > 0.0 && (high - secant) * self.forward > 0.0;
+            let next = if inside { secant } else { 0.5 * (low + high) };
+            let step = (next - z).abs();
+            z = next;
             // The value at an extremum is known to the second order.
-            if (high - low).abs() < 1e-7 {
+            if step < 1e-7 || (high - low).abs() < 1e-7 {
                 break;
             }
+            let (sin, cos) = self.piece.direction(z);
+            let (alpha, beta) = self.law.slip_acceleration(sin, cos);
+            let value = self.sigma * (alpha + beta * self.piece.u(z));
+            let is_below = value < 0.0;
+            if is_below {
+                (low, at_low) = (z, value);
+            } else {
+                (high, at_high) = (z, value);
+            }
+            match before {
+                Some(true) if is_below => at_high *= 0.5,
+                Some(false) if !is_below => at_low *= 0.5,
+                Some(_) | None => {}
+            }
+            before = Some(is_below);
         }
-        self.at(here, 0.5 * (low + high))
+        self.at(here, z)
+    }
+
+    /// Where the slide is at a time between those of two waypoints: Newton's method in a bracket.
+    pub(super) fn at_time(&self, here: &Waypoint, there: &Waypoint, elapsed: f64) -> Option<Waypoint> {
+        let Self { piece, forward, .. } = *self;
+        let (mut low, mut high) = (here.z, there.z);
+        let part = (elapsed - here.elapsed) / (there.elapsed - here.elapsed);
+        let mut z = low + part * (high - low);
+        for _ in 0..60 {
+            let at = self.at(here, z)?;
+            if at.elapsed > elapsed {
+                high = z;
+            } else {
+                low = z;
+            }
+            let step = (elapsed - at.elapsed) / piece.by_coordinate(z, at.u, 1.0);
+            let next = z + step;
+            let inside = (next - low) * forward >= 0.0 && (high - next) * forward >= 0.0;
+            if step.abs() < LAST_STEP {
+                let (sin, cos) = piece.direction(next);
+                let u = piece.u(next);
+                let slip = self.slip(piece.rate(next, u), self.law.lever(sin, cos), elapsed);
+                return Some(Waypoint { z: next, u, elapsed, slip, direction: (sin, cos), ..at });
+            }
+            z = if inside { next } else { 0.5 * (low + high) };
+        }
+        None
     }
 
     /// Where η′ falls through zero between two waypoints: a cubic for a guess, then Newton's method with the exact time.

@@ -19,7 +19,7 @@ use crate::walk::{Ending, Solution, Solved, SolvedBy, Solver, next_slip};
 
 use super::chain::{Chains, Follow, Passage};
 use super::roll::{RollEnd, SlipPoint, direction_of};
-use super::slide::SlideEvent;
+use super::slide::SlideEnd;
 use super::slip::Ahead;
 use super::{frictionless, jump};
 
@@ -43,15 +43,15 @@ pub(super) trait Phases {
     const SOLVABLE: bool;
     /// The end of the rolling that begins at a place, in the frame of motion.
     fn roll(&self, place: &Place) -> Option<RollEnd>;
-    /// The end of the slide that begins at a place, and what is known of the phase behind it. `slip_acceleration` where η′ = 0 at
-    /// the start; an end after the time `allowed` is of no use.
+    /// The end of the slide that begins at a place, or where it is cut after the time `allowed`, and what is known of the phase behind
+    /// it. `slip_acceleration` where η′ = 0 at the start.
     fn slide(
         &self,
         place: &Place,
         direction: Direction,
         slip_acceleration: Option<f64>,
         allowed: f64,
-    ) -> Option<(SlideEvent, Ahead)>;
+    ) -> Option<(SlideEnd, Ahead)>;
 }
 
 /// Solves the phases of a hoop that has a fast source of them.
@@ -326,27 +326,33 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             return Solved { solution: Kept::Nothing, direction: Some(direction), ending };
         }
         let followed = self.phases.slide(place, direction, slip_acceleration, self.until - state.time);
-        let followed = followed.filter(|(event, _)| self.is_in_time(&state, event.elapsed));
-        let Some((event, ahead)) = followed else {
-            return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));
+        let (event, ahead, is_cut) = match followed {
+            Some((SlideEnd::Event(event), ahead)) => (event, ahead, false),
+            // Without friction the slide may be known to last for ever, which the exact rules decide.
+            Some((SlideEnd::Cut(event), ahead)) if self.hoop.mu_k() > 0.0 => (event, ahead, true),
+            Some((SlideEnd::Cut(_), _)) | None => {
+                return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));
+            }
         };
         let law = self.phases.sliding(direction);
         let here = event.direction;
         let end = State {
-            time: state.time + event.elapsed,
+            time: if is_cut { self.until } else { state.time + event.elapsed },
             theta: event.theta,
             theta_rate: event.theta_rate,
             slip: event.slip,
             x: law.path(&state, place.direction).x(event.elapsed, here),
         };
+        let solution = Kept::Slide(event.range_from(state.theta));
+        if is_cut {
+            let verdict = Verdict { kind: OutcomeKind::TimeLimit, state: end };
+            let ending = Ending::Motion { event: None, end: Some(end), verdict };
+            return Solved { solution, direction: Some(direction), ending };
+        }
         let (cause, arrival) =
             if event.lifts_off { (Cause::LiftOff, Arrival::LiftOff) } else { (Cause::Stick, Arrival::Open) };
         let place = Place { state: end, direction: here, slip: None, ahead };
-        Solved {
-            solution: Kept::Slide(event.range_from(state.theta)),
-            direction: Some(direction),
-            ending: Ending::Event { place, cause, arrival },
-        }
+        Solved { solution, direction: Some(direction), ending: Ending::Event { place, cause, arrival } }
     }
 
     #[inline(always)]

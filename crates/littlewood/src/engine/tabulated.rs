@@ -6,7 +6,7 @@ use crate::mode::Direction;
 
 use super::Tables;
 use super::roll::RollEnd;
-use super::slide::{SlideEvent, SlideStart};
+use super::slide::{SlideEnd, SlideEvent, SlideStart};
 use super::slip::Ahead;
 use super::solver::{MIN_RATE, Phases, Place};
 
@@ -84,8 +84,10 @@ impl Phases for Tables {
         direction: Direction,
         slip_acceleration: Option<f64>,
         allowed: f64,
-    ) -> Option<(SlideEvent, Ahead)> {
+    ) -> Option<(SlideEnd, Ahead)> {
         self.known_slide(place, direction, slip_acceleration)
+            .filter(|(event, _)| event.elapsed <= allowed)
+            .map(|(event, ahead)| (SlideEnd::Event(event), ahead))
             .or_else(|| self.direct.slide(place, direction, slip_acceleration, allowed))
     }
 }

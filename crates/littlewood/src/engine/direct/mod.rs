@@ -14,7 +14,7 @@ use crate::mode::Direction;
 
 use super::piece::Waypoint;
 use super::roll::RollEnd;
-use super::slide::SlideEvent;
+use super::slide::SlideEnd;
 use super::slip::Ahead;
 use super::solver::{Phases, Place};
 use slide::Frame;
@@ -77,7 +77,7 @@ impl Phases for Direct {
         direction: Direction,
         slip_acceleration: Option<f64>,
         allowed: f64,
-    ) -> Option<(SlideEvent, Ahead)> {
+    ) -> Option<(SlideEnd, Ahead)> {
         // On the static limit with equal coefficients.
         let from_limit = slip_acceleration == Some(0.0);
         let (state, sign) = (place.state, place.travel());

@@ -10,7 +10,7 @@
 use crate::equations::{SlidingLaw, contact};
 
 use super::super::piece::{End, Piece, Way, Waypoint};
-use super::super::slide::SlideEvent;
+use super::super::slide::{SlideEnd, SlideEvent};
 use super::expansion::{Expansion, Signs};
 use super::step::{Step, rotated};
 use super::turn::Turn;
@@ -61,23 +61,21 @@ fn mirrored((sin, cos): (f64, f64)) -> (f64, f64) {
     (-sin, cos)
 }
 
-/// Follows a slide from a place to its event; `from_limit` where η′ = η″ = 0 there. None where a sign is in doubt, P comes close to zero, or the slide takes more pieces, or
-/// more time than is `allowed`.
+/// Follows a slide from a place to its event, or to where it is after the time that is `allowed`; `from_limit` where η′ = η″ = 0 at
+/// the place. None where a sign is in doubt, P comes close to zero, or the slide takes more pieces.
 pub(super) fn follow(
     mut frame: Frame<'_>,
     mut here: Waypoint,
     from_limit: bool,
     allowed: f64,
-) -> Option<SlideEvent> {
+) -> Option<SlideEnd> {
     let mut turns: Option<(f64, f64)> = None;
     for piece in 0..MOST_PIECES {
         let from_limit = from_limit && piece == 0;
-        if here.elapsed > allowed {
-            return None;
-        }
         let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
         let reach = expansion.reach(0);
-        let (end, at, rate);
+        let (end, mut at, rate);
+        let is_cut;
         if let Some((before, place, turn)) = turn_about(&frame, &here, &expansion, reach) {
             if from_limit {
                 return None;
@@ -87,14 +85,19 @@ pub(super) fn follow(
             if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
                 return None;
             }
-            (end, at) = pass_turn(&before.way(&turn), &place)?;
+            let way = before.way(&turn);
+            (end, at) = pass_turn(&way, &place)?;
+            is_cut = at.elapsed > allowed;
+            if is_cut {
+                at = way.at_time(&place, &at, allowed)?;
+            }
             rate = turn.rate(at.z, at.u);
             if place.z < 0.0 && at.z > 0.0 {
                 let angle = before.sign * before.theta;
                 turns = Some(turns.map_or((angle, angle), |(low, high)| (low.min(angle), high.max(angle))));
             }
             frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
-            if end == End::Open {
+            if end == End::Open && !is_cut {
                 frame = frame.mirrored();
                 here = Waypoint { z: 0.0, direction: mirrored(at.direction), ..at };
             }
@@ -108,25 +111,31 @@ pub(super) fn follow(
                     return None;
                 }
             }
-            (end, at) = pass(&frame.way(&step), (&here, 1.0), held, (step.signs, step.doubt))?;
+            let way = frame.way(&step);
+            (end, at) = pass(&way, (&here, 1.0), held, (step.signs, step.doubt))?;
+            is_cut = at.elapsed > allowed;
+            if is_cut {
+                at = way.at_time(&here, &at, allowed)?;
+            }
             rate = step.rate(at.z, at.u);
             frame.theta += step.turned_by(at.z);
             here = Waypoint { z: 0.0, ..at };
         }
-        if end == End::Open {
+        if end == End::Open && !is_cut {
             continue;
         }
-        let lifts_off = end == End::LiftOff;
+        let lifts_off = end == End::LiftOff && !is_cut;
         let event = SlideEvent {
             elapsed: at.elapsed,
             theta: frame.theta,
             theta_rate: rate,
-            slip: if lifts_off { frame.sigma * at.slip } else { 0.0 },
+            slip: if lifts_off || is_cut { frame.sigma * at.slip } else { 0.0 },
             direction: at.direction,
             lifts_off,
             turns: None,
         };
-        return Some(SlideEvent { turns, ..event.mirrored(frame.sign) });
+        let event = SlideEvent { turns, ..event.mirrored(frame.sign) };
+        return Some(if is_cut { SlideEnd::Cut(event) } else { SlideEnd::Event(event) });
     }
     None
 }

@@ -68,6 +68,14 @@ pub(super) struct SlideEvent {
     pub(super) turns: Option<(f64, f64)>,
 }
 
+/// Where a slide ends, or is cut by a limit of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum SlideEnd {
+    Event(SlideEvent),
+    /// Not an event: where it is then.
+    Cut(SlideEvent),
+}
+
 impl SlideEvent {
     /// Smallest and largest angle of the slide, with the angle at its start.
     pub(super) fn range_from(&self, start: f64) -> (f64, f64) {
@@ -84,7 +92,8 @@ impl SlideEvent {
             turns: self.turns.map(mirrored),
             theta: sign * self.theta,
             theta_rate: sign * self.theta_rate,
-            slip: if self.lifts_off { sign * self.slip } else { 0.0 },
+            // Adding zero makes −0 a 0.
+            slip: sign * self.slip + 0.0,
             direction: (sign * sin, cos),
             ..self
         }
