@@ -86,6 +86,13 @@ def beyond(name: str, limit: float) -> str:
     return f"{sum(abs(value) > limit for value in values)} of {len(values)}"
 
 
+def lost() -> str:
+    """In how many searches a coefficient that is told is wrong by more than six standard errors."""
+    rows = rows_of("search")
+    off = [max((abs(value) for name in FREE for value in pulls([row], name)), default=0.0) for row in rows]
+    return f"{sum(value > 6.0 for value in off)} of {len(rows)}"
+
+
 def repeated() -> str:
     """Whether the first fits come out as they stand in the table."""
     rows = rows_of("coverage")
@@ -242,6 +249,7 @@ STUDY = Study(
         "repeated": repeated,
         "sequences": lambda: sequences("coverage"),
         "search": lambda: sequences("search"),
+        "lost": lost,
         "videos": lambda: coverage("videos", NAMES | EXPOSURE),
         "short": lambda: by_exposure(False),
         "long": lambda: by_exposure(True),

@@ -59,6 +59,15 @@ def test_a_fit_of_the_table_comes_out_again():
         assert cells[f"{name}_value"] == pytest.approx(row[f"{name}_value"], abs=0.01 * row[f"{name}_error"])
 
 
+def test_a_search_of_the_table_comes_out_again():
+    rows = rows_of("search")
+    assert [int(row["film"]) for row in rows] == list(range(100))
+    cells = dict(zip(rows[32], map(float, line_of(32, search=True)), strict=True))
+    assert cells["sequence_found"] == rows[32]["sequence_found"]
+    for name in FREE:
+        assert cells[f"{name}_value"] == pytest.approx(rows[32][f"{name}_value"], abs=0.01 * rows[32][f"{name}_error"])
+
+
 @pytest.mark.parametrize("number", [31, 44])
 def test_the_path_of_a_random_throw_is_in_the_picture(number):
     film = film_of(number)
