@@ -1,8 +1,11 @@
 """MJX: MuJoCo's method in JAX, with MuJoCo's own model of the hoop, on the processor, in double precision.
 
-The settings, and what cannot be expressed, are those of mujoco_adapter.py. A call from Python costs far more than a
-step, so that all steps of a run are one program: a scan over the rows of the record, and in it a scan over the steps
-between two rows. It is translated before the first row, which takes some seconds whatever the number of steps.
+A call from Python costs far more than a step, so that all steps of a run are one program: a scan over the rows of the
+record, and in it a scan over the steps between two rows. It is translated before the first row, which takes some
+seconds whatever the number of steps.
+
+default and careful: as in mujoco_adapter.py.
+Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. See there.
 """
 
 import jax
