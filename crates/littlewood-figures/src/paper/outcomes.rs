@@ -51,7 +51,7 @@ impl Plan {
             Effort::Direct => ([91, 67], coarser(6_000)),
             Effort::Chains => ([45, 33], coarser(800)),
             Effort::Simulated | Effort::Long => ([45, 33], coarser(1_500)),
-            Effort::Slow => ([31, 23], coarser(300)),
+            Effort::Slow => ([31, 23], coarser(200)),
         };
         Self { limits, starts, detail }
     }
