@@ -16,8 +16,8 @@ export LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-60}"
 everything=(--workspace --all-features --locked)
 built="${CARGO_TARGET_DIR:-$PWD/target}/debug"
 logs="$(mktemp -d)"
-python_side=
-trap 'rm -rf "$logs"; [ -z "$python_side" ] || kill "$python_side" 2>/dev/null' EXIT
+beside=
+trap 'rm -rf "$logs"; [ -z "$beside" ] || kill "$beside" 2>/dev/null' EXIT
 
 # stage NAME COMMAND…: runs it, keeps what it prints, and notes the seconds.
 stage() {
@@ -27,36 +27,62 @@ stage() {
   echo "  $name: $((SECONDS - begin)) s" >> "$logs/seconds"
 }
 
+# begin_beside COMMAND: runs it on the other core, and keeps what it prints until end_beside.
+begin_beside() {
+  "$@" > "$logs/beside" 2>&1 &
+  beside=$!
+}
+end_beside() {
+  local code=0
+  wait "$beside" || code=$?
+  beside=
+  cat "$logs/beside"
+  return "$code"
+}
+
 # The program of the README's first command has none of the features: it builds, and says what it lacks.
 without_features() {
   LITTLEWOOD_WITHOUT_FEATURES="$built/littlewood-without-features" \
     cargo test "${everything[@]}" --test all -- --ignored --exact features::a_program_without_features_names_them
 }
 
-# Most of this is done by one core, which leaves the other to the browser.
-python_engines_studies() {
+# Chromium, and packages of Python and npm.
+environments() {
+  python/environment.sh
+  docs/environment.sh
+  web/environment.sh
+}
+
+python_and_engines() {
   stage python python/test.sh
   stage engines engines/test.sh
-  stage studies studies/test.sh
 }
 
 stage format cargo fmt --all --check
 stage first-command cargo build --package littlewood-cli --locked
 cp "$built/littlewood" "$built/littlewood-without-features"
+begin_beside stage environments environments
 stage clippy cargo clippy "${everything[@]}" --all-targets -- -D warnings
 stage rustdoc cargo doc "${everything[@]}" --no-deps
+stage build cargo test "${everything[@]}" --no-run
+end_beside
+
+export LITTLEWOOD_BIN="$built/littlewood" LITTLEWOOD_BITS="$built/examples/bits"
+begin_beside stage wheel python/build.sh
 stage rust cargo test "${everything[@]}" --no-fail-fast
 stage without-features without_features
-export LITTLEWOOD_BIN="$built/littlewood" LITTLEWOOD_BITS="$built/examples/bits"
-python_engines_studies > "$logs/python-side" 2>&1 &
-python_side=$!
+end_beside
+
+LITTLEWOOD_WHEEL="$(echo "$built"/../python/dist/littlewood-*.whl)"
+export LITTLEWOOD_WHEEL
+begin_beside python_and_engines
 stage page web/test.sh
-wait "$python_side" || { cat "$logs/python-side"; exit 1; }
-python_side=
-cat "$logs/python-side"
+stage studies studies/test.sh
 stage documentation docs/test.sh
+end_beside
+
 echo
-echo "Seconds:"
+echo "Seconds, those beside each other on two cores among them, of $SECONDS:"
 cat "$logs/seconds"
 echo "Passed:"
 cat "$logs"/*.log | awk '

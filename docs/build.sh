@@ -12,17 +12,8 @@ work="$target/docs"
 mkdir -p "$work"
 export RUSTDOCFLAGS="${RUSTDOCFLAGS:--D warnings}"
 
-# Python packages, and those of npm, as long as their lists have not changed.
-if ! cmp --silent docs/site/requirements.txt "$work/requirements.txt"; then
-    "${PYTHON:-python3}" -m venv --clear "$work/venv"
-    "$work/venv/bin/python" -m pip install --quiet --disable-pip-version-check -r docs/site/requirements.txt
-    cp docs/site/requirements.txt "$work/requirements.txt"
-fi
+docs/environment.sh
 python="$work/venv/bin/python"
-if ! cmp --silent docs/site/package-lock.json docs/site/node_modules/.littlewood; then
-    (cd docs/site && npm ci --no-fund --no-audit)
-    cp docs/site/package-lock.json docs/site/node_modules/.littlewood
-fi
 
 # The page comes first, because the wheel has it.
 [ -f web/dist/index.html ] || web/build.sh
@@ -45,8 +36,8 @@ if [ -z "${LITTLEWOOD_BIN:-}" ]; then
     [ -x "$LITTLEWOOD_BIN" ] || LITTLEWOOD_BIN="$work/venv/bin/littlewood"
 fi
 
-crates=(littlewood littlewood-report littlewood-style littlewood-sweep littlewood-figures littlewood-film)
-cargo doc --locked --no-deps "${crates[@]/#/--package=}"
+# As ./test.sh does, which has built them.
+cargo doc --workspace --all-features --locked --no-deps
 
 rm -rf "$target/site"
 # `-P` keeps the sources of the package off the path: what is documented is what is installed.

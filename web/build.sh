@@ -5,5 +5,5 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 ./build-wasm.sh
-npm ci --no-fund --no-audit
+./packages.sh
 npm run build
