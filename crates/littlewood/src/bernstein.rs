@@ -50,7 +50,8 @@ impl Bernstein {
         let mut power = 1.0;
         for (i, a) in taylor.iter().enumerate() {
             scaled[i] = a * power / BINOMIAL[degree][i];
-            power *= width;
+            // The coefficients of a slide of 1e30 time units are zero from the third on, and zero times infinity is no number.
+            power = (power * width).min(f64::MAX);
         }
         let mut coefficients = [0.0; MAX_DEGREE + 1];
         for j in 0..=degree {

@@ -295,13 +295,12 @@ fn weigh_all(
                     -forces.friction.abs() - hoop.mu_k() * forces.normal
                 };
                 let p = solvability[place(direction)];
-                let is_away = (drive > 0.0 && p < 0.0) || (drive < 0.0 && p > 0.0);
-                if is_away || !pressed(direction) {
+                if !pressed(direction) {
                     continue;
                 }
                 let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
                 // On the static limit with μs = μk it is 0, and η‴ has the sign of `against`.
-                if acceleration > 0.0 || (acceleration == 0.0 && direction == against) {
+                if acceleration > 0.0 || (drive == 0.0 && direction == against) {
                     sliding[place(direction)] = Some(Some(direction.sign() * acceleration));
                 }
             }

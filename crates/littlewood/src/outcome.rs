@@ -243,13 +243,13 @@ pub enum Outcome {
         solvability: f64,
     },
     /// The slides of the motion have taken more work than a motion is given; or a slide on a plane of next to no friction, or of a fast
-    /// hoop, has turned more often than angles resolve.
+    /// hoop, has turned more often than angles resolve, or ends at a time beyond all numbers.
     StepLimit {
         /// State.
         state: State,
         /// What all slides have taken, in steps.
         steps: usize,
-        /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any.
+        /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any, or if the time is beyond all numbers.
         time_left: f64,
     },
     /// The motion changes faster than its numbers resolve: a slide of a hoop of next to no inertia, its particle passing the

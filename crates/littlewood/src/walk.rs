@@ -160,6 +160,9 @@ impl<P> Now<P> {
 /// An event, and the impact that it is, if it is one.
 type Happening = (Event, Option<Box<Impact>>);
 
+/// The same of an impact; or the event alone, where its end is no state to go on from.
+type Rebound = Result<Happening, Event>;
+
 /// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion, or to a limit.
 pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
@@ -297,7 +300,10 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
         Begin::Motion(Next::None(candidates)) => {
             flush(recorder, pending, None);
             let inconsistent = Outcome::Inconsistent { state, candidates: **candidates };
-            return jam(solver, now, None, state).ok_or_else(|| inconsistent.into());
+            return match jam(solver, now, None, state) {
+                Some(rebound) => rebound.map_err(|event| unresolved(recorder, &event).into()),
+                None => Err(inconsistent.into()),
+            };
         }
         Begin::Motion(Next::Several(candidates)) => {
             flush(recorder, pending, None);
@@ -328,24 +334,31 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
         }
         Ending::Landing { state: end, gap_rate } => {
             record(Some(end));
-            if solver.hoop().restitution().is_some() && Start::from(end).check().is_err() {
-                // A flight of many turns leads to angles at which no start is accepted either.
-                recorder.transition(&Event::new(end, mode, Cause::Landing), None, None);
-                return Err(Outcome::Unresolved { state: end }.into());
+            match lands(solver, now, end, gap_rate) {
+                Some(rebound) => rebound.map_err(|event| unresolved(recorder, &event).into()),
+                None => {
+                    recorder.transition(&Event::new(end, mode, Cause::Landing), None, None);
+                    Err(Outcome::Landing { state: end, gap_rate }.into())
+                }
             }
-            lands(solver, now, end, gap_rate).ok_or_else(|| {
-                recorder.transition(&Event::new(end, mode, Cause::Landing), None, None);
-                Outcome::Landing { state: end, gap_rate }.into()
-            })
         }
         Ending::Singular { state: end, solvability } => {
             record(Some(end));
-            jam(solver, now, Some(mode), end).ok_or_else(|| {
-                recorder.transition(&Event::new(end, mode, Cause::Singularity), None, None);
-                Outcome::Singular { state: end, solvability }.into()
-            })
+            match jam(solver, now, Some(mode), end) {
+                Some(rebound) => rebound.map_err(|event| unresolved(recorder, &event).into()),
+                None => {
+                    recorder.transition(&Event::new(end, mode, Cause::Singularity), None, None);
+                    Err(Outcome::Singular { state: end, solvability }.into())
+                }
+            }
         }
     }
+}
+
+/// The outcome of an impact whose end is no state to go on from.
+fn unresolved<S>(recorder: &mut impl Recorder<S>, event: &Event) -> Outcome {
+    recorder.transition(event, None, None);
+    Outcome::Unresolved { state: event.state }
 }
 
 /// What follows an event without an impact.
@@ -405,7 +418,7 @@ fn continues<T: Solver>(
 }
 
 /// What follows a landing of a hoop with restitution.
-fn lands<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, gap_rate: f64) -> Option<Happening> {
+fn lands<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, gap_rate: f64) -> Option<Rebound> {
     let hoop = solver.hoop();
     let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
     // The gap comes from above: where it touches without crossing, its rate may round to a positive number.
@@ -415,12 +428,7 @@ fn lands<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, gap_rate:
 }
 
 /// What follows P ≤ 0 with slip left, for a hoop with restitution.
-fn jam<T: Solver>(
-    solver: &T,
-    now: &mut Now<T::Place>,
-    from: Option<Mode>,
-    state: State,
-) -> Option<Happening> {
+fn jam<T: Solver>(solver: &T, now: &mut Now<T::Place>, from: Option<Mode>, state: State) -> Option<Rebound> {
     let Body::Heavy(body) = solver.hoop().body() else { return None };
     let impact = solver.hoop().jam(&state)?;
     Some(rebounds(solver, now, &body, (Event { state, from, to: None, cause: Cause::Jam }, impact)))
@@ -436,21 +444,25 @@ fn settles<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, settlin
     (Event::new(state, Mode::Flight, Cause::Settle), Some(Box::new(impact)))
 }
 
-/// What follows an impact: a flight, if the gap opens.
+/// What follows an impact: a flight, if the gap opens; nothing, where no start is accepted at such an angle or such rates either, after a
+/// flight of many turns, or by a body of next to no inertia.
 fn rebounds<T: Solver>(
     solver: &T,
     now: &mut Now<T::Place>,
     body: &Heavy,
     (event, impact): (Event, Impact),
-) -> Happening {
+) -> Rebound {
     let after = impact.state_after(&event.state);
+    if (Start { gap_rate: impact.after.gap_rate.max(0.0), ..Start::from(after) }).check().is_err() {
+        return Err(event);
+    }
     now.place = solver.place(after);
     now.begin = if impact.after.gap_rate > 0.0 {
         rise(solver, body, &after, impact.after.gap_rate)
     } else {
         Begin::Motion(solver.decide(&now.place, Arrival::Open))
     };
-    (event, Some(Box::new(impact)))
+    Ok((event, Some(Box::new(impact))))
 }
 
 /// A gap that opens: bounces that settle, where they are short enough, and else a flight.

@@ -443,6 +443,77 @@ fn a_slide_without_end_in_sight_says_how_much_is_left() {
     assert!((time_left / expected - 1.0).abs() < 0.05, "{time_left} {expected}");
 }
 
+/// With ℓ = 0 and P = Î the slip loses μk (1 + m/Î) in each time unit. With the least coefficients that are numbers it takes longer than
+/// the largest number says.
+#[test]
+fn a_balanced_hoop_slips_for_a_time_that_is_no_number() {
+    let (mass, inertia, slip) = (4.0, 4.234, 0.4725);
+    for exponent in 10..=324 {
+        for digits in [1.0, 2.5, 5.0, 9.0] {
+            let mu: f64 = format!("{digits}e-{exponent}").parse().expect("a number");
+            if mu == 0.0 {
+                continue;
+            }
+            let hoop = HoopParameters::new(mass - 1.0, 0.0, inertia).with_friction(mu, mu);
+            let hoop = Hoop::new(hoop).expect("a valid hoop");
+            let start = Start::at(0.465, -0.0852).with_slip(-slip);
+            let follow = |limits: Limits| hoop.simulate(start, limits).expect("a valid start");
+            let rest = slip / (1.0 + mass / inertia) / mu;
+            let motion = follow(Limits::default());
+            if rest.is_finite() && matches!(motion.outcome(), Outcome::RollsForever { .. }) {
+                let stick = motion.transitions()[0];
+                let rounding = 1e-12 + 2.0 * f64::from_bits(1) / mu;
+                assert!((stick.before.time / rest - 1.0).abs() < rounding, "{mu} {}", stick.before.time);
+            } else {
+                assert!(rest > f64::MAX / 4.0, "{mu} {rest} {:?}", motion.outcome());
+                assert!(matches!(motion.outcome(), Outcome::StaysInContact { .. }), "{:?}", motion.outcome());
+                let unproved = follow(Limits::default().with_proof(Proof::None));
+                let Outcome::StepLimit { time_left, .. } = unproved.outcome() else {
+                    panic!("{:?}", unproved.outcome())
+                };
+                assert!(time_left == f64::INFINITY);
+            }
+            let cut = follow(Limits::until(1e6));
+            let Outcome::TimeLimit { state } = cut.outcome() else { panic!("{:?}", cut.outcome()) };
+            let lost = 1e6 * mu * (1.0 + mass / inertia);
+            assert!((state.slip + slip - lost).abs() < 1e-15, "{state:?}");
+        }
+    }
+}
+
+/// The lighter a hoop, the faster an impact turns it, up to rates at which it would start nowhere, and beyond all numbers.
+#[test]
+fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
+    let start = Start::at(0.919_013_702_214_027, -3.713_109_040_932_079_3).with_slip(-0.892_122_598_492_862);
+    let mut unresolved = 0;
+    for inertia in [5e-324, 1e-310, 1e-300, 1e-200, 1e-100, 1e-40, 1e-20, 1e-10, 1e-5] {
+        for law in RestitutionLaw::ALL {
+            let parameters = HoopParameters::new(inertia, 1.0, inertia)
+                .with_friction(1.010_253_938_896_41, 0.0)
+                .with_restitution(1.0, law);
+            let hoop = Hoop::new(parameters).expect("a valid hoop");
+            let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+            let numbers = |all: &[f64]| all.iter().all(|x| x.is_finite());
+            for transition in motion.transitions() {
+                let before = transition.before;
+                assert!(numbers(&[before.theta_rate, before.slip]), "{inertia} {law:?} {transition:?}");
+                if let Some(impact) = &transition.impact {
+                    let after = impact.after;
+                    assert!(
+                        numbers(&[after.theta_rate, after.slip, after.gap_rate]),
+                        "{inertia} {law:?} {impact:?}"
+                    );
+                }
+            }
+            if let Outcome::Unresolved { state } = motion.outcome() {
+                assert!(numbers(&[state.theta_rate, state.slip]), "{inertia} {law:?} {state:?}");
+                unresolved += 1;
+            }
+        }
+    }
+    assert!(unresolved > 0);
+}
+
 /// cos θ of an angle of 4e8 does not resolve the lift-off at 1 = h cos θ θ′² at a rate of 3e5: the hoop comes down all the same.
 #[test]
 fn a_fast_hoop_that_has_turned_long_comes_down() {

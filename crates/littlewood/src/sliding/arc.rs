@@ -204,6 +204,10 @@ impl Sliding {
                 };
             }
             let last = allowed.is_some_and(|allowed| here.elapsed + reach >= allowed);
+            if !last && !reach.is_finite() {
+                // The slip of a balanced hoop on a plane of next to no friction ends at a time that is no number.
+                return SlidingEnd::StepLimit { state: self.state_from(here), time_left: f64::INFINITY };
+            }
             let width = match allowed {
                 Some(allowed) if last => allowed - here.elapsed,
                 _ => reach,
