@@ -4,8 +4,8 @@
 
 use crate::common::{heavy_hoop, heavy_motion, instants, moderate_hoop, start};
 use littlewood::{
-    BodyClass, BouncingOrbit, Cause, Hoop, HoopParameters, Limits, Mode, NoSettling, Outcome, OutcomeKind,
-    PhaseSolution, Restitution, RestitutionLaw, Start, State, Trajectory, find_case, find_edge,
+    BodyClass, BouncingOrbit, Cause, Hoop, HoopParameters, Impact, Limits, Mode, NoSettling, Outcome,
+    OutcomeKind, PhaseSolution, Restitution, RestitutionLaw, Start, State, Trajectory, find_case, find_edge,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -381,6 +381,17 @@ proptest! {
             Ok(settling) => {
                 prop_assert!(settling.ratio <= restitution.coefficient() * (1.0 + 1e-12) && settling.ratio < 1.0);
                 prop_assert!(settling.duration > 0.0 && settling.impact.impulse.normal > 0.0);
+                // The velocities answer to the sum of the impulses as to one impulse: u′ − u = A J + B P, w′ − w = B J + C P.
+                let Impact { before, after, impulse, .. } = settling.impact;
+                let compliance = hoop.compliance(state.theta).expect("heavy");
+                let (j, p) = (impulse.friction, impulse.normal);
+                for (change, size, answer) in [
+                    (after.slip - before.slip, after.slip.abs() + before.slip.abs(), [compliance.a * j, compliance.b * p]),
+                    (after.gap_rate - before.gap_rate, before.gap_rate.abs(), [compliance.b * j, compliance.c * p]),
+                ] {
+                    let size = size + answer[0].abs() + answer[1].abs();
+                    prop_assert!((change - answer[0] - answer[1]).abs() <= 1e-9 * size, "{:?} {:?}", settling, compliance);
+                }
             }
             Err(NoSettling::Grows { .. }) => prop_assert!(restitution.coefficient() > 1.0 - 1e-12),
             Err(NoSettling::Unsettled { .. }) => prop_assert!(restitution.coefficient() > 0.98, "{:?}", restitution),
