@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Engine, Hoop, Limits, Start};
+use littlewood::{Class, Engine, Hoop, Limits, Proof, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::hops;
@@ -11,6 +11,13 @@ use crate::problem::Problem;
 /// Largest number of transitions that a map follows: it has to be there while a person looks. With bounces, with little friction and with
 /// light hoops there can be more.
 const TRANSITIONS: usize = 200;
+
+/// Starts each way of the plane by which it is known how long motions are.
+const PROBES: usize = 8;
+
+/// Motions that take more transitions than this on average, those that lift off not counted, are followed only until their energy proves
+/// that they never will.
+const LONG: usize = 8;
 
 /// What a map shows of each motion.
 #[wasm_bindgen]
@@ -45,6 +52,7 @@ pub struct OutcomeMap {
     slip: f64,
     gap_rate: f64,
     rate: f64,
+    limits: Limits,
     side: usize,
     cells: Vec<u8>,
     symmetric: bool,
@@ -58,7 +66,7 @@ impl OutcomeMap {
     #[must_use]
     pub fn new(problem: &Problem, rate: f64, side: usize, subject: MapSubject) -> Self {
         let Start { slip, gap_rate, .. } = problem.start;
-        Self {
+        let mut map = Self {
             subject,
             engine: Engine::new(&problem.hoop),
             until_landing: problem
@@ -68,10 +76,16 @@ impl OutcomeMap {
             slip,
             gap_rate,
             rate,
+            limits: Limits::default().with_transitions(TRANSITIONS),
             side,
             cells: vec![subject.not_computed(); side * side],
             symmetric: slip == 0.0 && side.is_multiple_of(2),
+        };
+        // A motion that stays in contact has no more landings.
+        if subject == MapSubject::Hops || map.has_long_motions() {
+            map.limits = map.limits.with_proof(Proof::Contact);
         }
+        map
     }
 
     /// Number of rows of starts that a level computes.
@@ -131,34 +145,46 @@ impl OutcomeMap {
 
 impl OutcomeMap {
     fn code_at(&self, x: usize, y: usize) -> u8 {
-        // Odd numbers over the side: exactly opposite for opposite cells.
-        let centre = |i: usize| ((2 * i + 1) as f64 - self.side as f64) / self.side as f64;
-        let start = Start::at(PI * centre(x), -self.rate * centre(y));
-        let start = start.with_slip(self.slip).with_gap_rate(self.gap_rate);
+        let start = self.start(self.side, x, y);
         match self.subject {
             MapSubject::Outcome => self.class_of(start).code(),
             MapSubject::Hops => {
-                let summary = self.engine.summary(start, limits());
+                let summary = self.engine.summary(start, self.limits);
                 summary.map_or(hops::NOT_COMPUTED, |summary| hops::code(summary.landings))
             }
         }
+    }
+
+    /// One of `side` starts each way.
+    fn start(&self, side: usize, x: usize, y: usize) -> Start {
+        // Odd numbers over the side: exactly opposite for opposite cells.
+        let centre = |i: usize| ((2 * i + 1) as f64 - side as f64) / side as f64;
+        let start = Start::at(PI * centre(x), -self.rate * centre(y));
+        start.with_slip(self.slip).with_gap_rate(self.gap_rate)
+    }
+
+    fn has_long_motions(&self) -> bool {
+        let engine = self.until_landing.as_ref().unwrap_or(&self.engine);
+        let starts = (0..PROBES).flat_map(|x| (0..PROBES).map(move |y| self.start(PROBES, x, y)));
+        let transitions: u32 = starts
+            .filter_map(|start| engine.summary(start, self.limits).ok())
+            .filter(|summary| summary.lift_off_time.is_nan())
+            .map(|summary| summary.transitions)
+            .sum();
+        transitions as usize > LONG * PROBES * PROBES
     }
 
     /// The class is decided where the body first leaves the plane, so that bounces need not be followed for it. Only a jam
     /// comes before that.
     fn class_of(&self, start: Start) -> Class {
         let class = |engine: &Engine| {
-            engine.summary(start, limits()).map_or(Class::Invalid, |summary| Class::of(&summary))
+            engine.summary(start, self.limits).map_or(Class::Invalid, |summary| Class::of(&summary))
         };
         match self.until_landing.as_ref().map(class) {
             Some(decided) if decided != Class::Painleve => decided,
             Some(_) | None => class(&self.engine),
         }
     }
-}
-
-fn limits() -> Limits {
-    Limits::default().with_transitions(TRANSITIONS)
 }
 
 fn without_restitution(hoop: &Hoop) -> Hoop {
@@ -205,6 +231,32 @@ mod tests {
         whole.compute(1, 0, 64);
         assert_eq!(folded.classes(1), whole.classes(1));
         assert!(!whole.classes(1).contains(&Class::NotComputed.code()));
+    }
+
+    /// Who jumps is the same whether a motion is followed to its end or to the proof that it never will.
+    #[test]
+    fn long_motions_are_followed_until_they_cannot_lift_off() {
+        let figure_2 = Hoop::figure_2(0.5, 0.4).unwrap().parameters();
+        let light = littlewood::HoopParameters::new(0.0, 1.0, 0.03).with_friction(0.5, 0.4);
+        for (parameters, is_long) in
+            [(figure_2, false), (figure_2.with_friction(0.05, 0.04), true), (light, true)]
+        {
+            let hoop = Hoop::new(parameters).unwrap();
+            let problem = Problem { hoop, start: Start::default(), limits: Limits::default(), units: None };
+            let mut map = outcome(&problem, 4.0, 24);
+            assert_eq!(map.limits.proof == Proof::Contact, is_long, "{parameters:?}");
+            map.compute(1, 0, 24);
+            let mut in_contact = 0;
+            for (cell, code) in map.classes(1).into_iter().enumerate() {
+                let start = map.start(24, cell % 24, cell / 24);
+                let motion = hoop.simulate(start, Limits::default()).unwrap();
+                let lifts_off = motion.phases().iter().any(|phase| phase.mode() == littlewood::Mode::Flight);
+                let class = Class::ALL.into_iter().find(|class| class.code() == code).unwrap();
+                assert_eq!(class.stays_in_contact(), !lifts_off, "{class:?} {start:?}");
+                in_contact += usize::from(class == Class::InContact);
+            }
+            assert_eq!(in_contact > 0, is_long);
+        }
     }
 
     #[test]
