@@ -263,3 +263,57 @@ impl SlideTable {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hoop::{Body, Hoop, HoopParameters};
+
+    /// du/dϑ = 2 m q (1 − h c u)/P from one angle to another, by the classical Runge–Kutta method.
+    fn continued(law: &SlidingLaw, from: f64, to: f64, mut u: f64) -> f64 {
+        let Heavy { mass, h, .. } = law.body;
+        let slope = |theta: f64, u: f64| {
+            let (sin, cos) = libm::sincos(theta);
+            2.0 * mass * law.q(1.0, sin, cos) * (1.0 - h * cos * u) / law.solvability(theta)
+        };
+        let steps = 200;
+        let step = (to - from) / f64::from(steps);
+        for i in 0..steps {
+            let theta = from + step * f64::from(i);
+            let first = slope(theta, u);
+            let second = slope(theta + 0.5 * step, u + 0.5 * step * first);
+            let third = slope(theta + 0.5 * step, u + 0.5 * step * second);
+            let fourth = slope(theta + step, u + step * third);
+            u += step / 6.0 * (first + 2.0 * (second + third) + fourth);
+        }
+        u
+    }
+
+    #[test]
+    fn passings_are_the_states_of_a_slide_at_the_ends_of_cells_as_far_as_is_asked() {
+        for (mass_ratio, inertia, mu) in [(1.0, 1.0, 0.4), (0.3, 0.2, 0.2), (3.0, 1.5, 0.7)] {
+            let hoop =
+                Hoop::new(HoopParameters::new(mass_ratio, 1.0, inertia).with_friction(mu, mu)).unwrap();
+            let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+            let table = SlideTable::new(&body, mu).unwrap();
+            for (theta, theta_rate) in [(0.4, 3.0), (0.4, -2.5), (5.9, 2.8), (-1.0, -3.5)] {
+                let start = SlideStart { theta, theta_rate, slip: 0.0, direction: libm::sincos(theta) };
+                let (mut here, mut u) = (theta, theta_rate * theta_rate);
+                let passings = table.passings(&start, 2.5);
+                for passing in &passings {
+                    let there = theta + passing.turned.copysign(theta_rate);
+                    u = continued(&table.law, here, there, u);
+                    let turns = (there - passing.angle) / TAU;
+                    assert!((turns - turns.round()).abs() < 1e-12, "{passing:?} {there}");
+                    let contact = 1.0 - body.h * libm::cos(there) * u;
+                    assert!((passing.contact - contact).abs() < 1e-8, "{passing:?} {contact}");
+                    let slip_acceleration = table.law.accelerations(there, u.sqrt()).slip;
+                    assert!((passing.slip_acceleration - slip_acceleration).abs() < 1e-8, "{passing:?}");
+                    here = there;
+                }
+                assert!(passings.windows(2).all(|pair| pair[0].turned < pair[1].turned));
+                assert!(passings.last().is_some_and(|last| last.turned >= 2.5));
+            }
+        }
+    }
+}
