@@ -421,10 +421,15 @@ fn continues<T: Solver>(
 fn lands<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, gap_rate: f64) -> Option<Rebound> {
     let hoop = solver.hoop();
     let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
+    let event = Event::new(state, Mode::Flight, Cause::Landing);
+    if Start::from(state).check().is_err() {
+        // A flight of many turns leads to angles at which no start is accepted either.
+        return Some(Err(event));
+    }
     // The gap comes from above: where it touches without crossing, its rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
     let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
-    Some(rebounds(solver, now, &body, (Event::new(state, Mode::Flight, Cause::Landing), impact)))
+    Some(rebounds(solver, now, &body, (event, impact)))
 }
 
 /// What follows P ≤ 0 with slip left, for a hoop with restitution.
@@ -444,8 +449,8 @@ fn settles<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, settlin
     (Event::new(state, Mode::Flight, Cause::Settle), Some(Box::new(impact)))
 }
 
-/// What follows an impact: a flight, if the gap opens; nothing, where no start is accepted at such an angle or such rates either, after a
-/// flight of many turns, or by a body of next to no inertia.
+/// What follows an impact: a flight, if the gap opens; nothing, where its velocities are no numbers, as those of a body of next to no
+/// inertia.
 fn rebounds<T: Solver>(
     solver: &T,
     now: &mut Now<T::Place>,
@@ -453,7 +458,8 @@ fn rebounds<T: Solver>(
     (event, impact): (Event, Impact),
 ) -> Rebound {
     let after = impact.state_after(&event.state);
-    if (Start { gap_rate: impact.after.gap_rate.max(0.0), ..Start::from(after) }).check().is_err() {
+    let ContactVelocities { theta_rate, slip, gap_rate } = impact.after;
+    if !(theta_rate + slip + gap_rate).is_finite() {
         return Err(event);
     }
     now.place = solver.place(after);
