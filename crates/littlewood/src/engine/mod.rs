@@ -238,3 +238,51 @@ impl Engine {
         recorder.finish(end.kind, end.state)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hoop::HoopParameters;
+
+    /// How many of the decisions and phases of a plane are left to the exact solver.
+    fn left_to_the_exact_solver<P: Phases>(hoop: &Hoop, phases: &P) -> (usize, [usize; 3]) {
+        let solver = FastSolver::new(hoop, phases, None, Limits::default());
+        let (mut all, mut left) = (0, [0; 3]);
+        let steps = 60;
+        for (i, j) in (0..steps).flat_map(|i| (0..steps).map(move |j| (f64::from(i), f64::from(j)))) {
+            let part = |k: f64| (2.0 * k + 1.0) / f64::from(steps) - 1.0;
+            for slip in [-0.5, 0.0, 0.5] {
+                let start = Start::at(core::f64::consts::PI * part(i), 3.0 * part(j)).with_slip(slip);
+                all += 1;
+                for (left, count) in left.iter_mut().zip(solver.left_to_the_exact_solver(start)) {
+                    *left += usize::from(count);
+                }
+            }
+        }
+        (all, left)
+    }
+
+    /// Whatever is left to the exact solver has the same answer, only later, which no test of answers would notice.
+    #[test]
+    fn little_is_left_to_the_exact_solver() {
+        let figure_2 = Hoop::figure_2(0.5, 0.4).unwrap();
+        let painleve = HoopParameters::new(0.2, 1.0, 0.1).with_friction(1.5, 1.4);
+        let painleve = Hoop::new(painleve).unwrap();
+        let tabulated = match &Engine::new(&figure_2).source {
+            Source::Tables(tables) => left_to_the_exact_solver(&figure_2, tables.as_ref()),
+            source => panic!("{source:?}"),
+        };
+        let [direct, direct_painleve] =
+            [figure_2, painleve].map(|hoop| match &Engine::without_tables(&hoop).source {
+                Source::Direct(direct) => left_to_the_exact_solver(&hoop, direct),
+                source => panic!("{source:?}"),
+            });
+        let (all, left) = tabulated;
+        assert!(left.iter().all(|count| 1000 * count < all), "{left:?} of {all}");
+        let (all, left) = direct;
+        assert!(left.iter().all(|count| 100 * count < all), "{left:?} of {all}");
+        // Where P ≤ 0 for a direction the exact rules decide.
+        let (all, [_, rolls, slides]) = direct_painleve;
+        assert!(100 * rolls < all && 100 * slides < all, "{rolls} {slides} of {all}");
+    }
+}

@@ -426,3 +426,22 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         })
     }
 }
+
+#[cfg(test)]
+impl<P: Phases> FastSolver<'_, P> {
+    /// Whether the decision at a start, the rolling or the slide that begins there are left to the exact solver.
+    pub(super) fn left_to_the_exact_solver(&self, start: crate::state::Start) -> [bool; 3] {
+        let place = Place::new(State::from(start));
+        let is_open = self.clear_evidence(&place, Arrival::Open).is_none();
+        match self.decide(&place, Arrival::Open) {
+            Next::Roll { .. } => [is_open, self.phases.roll(&place).is_none(), false],
+            Next::Slide { direction, slip_acceleration, .. } => {
+                let slide = self.phases.slide(&place, direction, slip_acceleration, f64::INFINITY);
+                [is_open, false, slide.is_none()]
+            }
+            Next::Fly { .. } | Next::Glide { .. } | Next::None(_) | Next::Several(_) => {
+                [is_open, false, false]
+            }
+        }
+    }
+}
