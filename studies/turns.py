@@ -1,0 +1,137 @@
+"""First turns of the hoops of Theron and Maritz, many at once: from the top to a revolution, to θ′ = 0 or to lift-off."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import littlewood as lw
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Texts = npt.NDArray[np.str_]
+
+PHASES = 15
+"""Phases after which a turn is given up: as many as a summary has."""
+
+INSTANTS = np.linspace(0.0, 1.0, 33)[1:]
+"""Instants of a slide at which it is asked whether the turn has stopped, as parts of it."""
+
+SWING = 6.0
+"""Time in which no slide of these hoops swings forth and back, and forth again beyond where it began."""
+
+TRANSITION_LIMIT = next(code for code, name in lw.OUTCOMES.items() if name == "transition_limit")
+
+TURN = 2.0 * math.pi
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A first turn: its phases with their durations up to the stop, and the stop."""
+
+    word: str
+    stop: str
+    durations: tuple[float, ...]
+
+    @property
+    def name(self) -> str:
+        """Phases and stop."""
+        return f"{self.word} {self.stop}"
+
+
+def hoop_of(mu: float, gamma: float) -> lw.Hoop:
+    """Return the hoop of Theron and Maritz, with its particle so far out that the mass centre is at gamma."""
+    return lw.Hoop(mass_ratio=1.0 / 3.0, offset=gamma / 0.75, inertia=1.0 / 3.0, mu_s=mu, mu_k=mu)
+
+
+def first_turn(gamma: float, mu: float, rate: float, phases: int = 4 * PHASES) -> Turn:
+    """Follow a hoop from the top to a revolution, to θ′ = 0 or to lift-off, in so many phases."""
+    motion = hoop_of(mu, gamma).simulate(theta=0.0, theta_rate=rate, proof="none", max_transitions=phases)
+    word = ""
+    durations: list[float] = []
+    for phase in motion.phases:
+        if phase.mode == "flight":
+            return Turn(word + "F", "lifts off", tuple(durations))
+        word += "R" if phase.mode == "rolling" else "+" if phase.direction > 0 else "-"
+        if phase.end is None:
+            durations.append(math.inf)
+            return Turn(word, _rolling_stop(phase.energy_start, gamma), tuple(durations))
+        found = _stop_of(motion, phase)
+        if found is not None:
+            durations.append(found[1])
+            return Turn(word, found[0], tuple(durations))
+        durations.append(phase.duration)
+    return Turn(word, "is given up", tuple(durations))
+
+
+def _rolling_stop(energy: float, gamma: float) -> str:
+    """Return what stops a turn that rolls on: the energy at rest on the top decides."""
+    return "revolution" if energy > gamma / 0.75 else "turns back"
+
+
+def _stop_of(motion: lw.Trajectory, phase: lw.Phase) -> tuple[str, float] | None:
+    """Return the stop in a phase, and when since its beginning."""
+    low, high = 0.0, phase.duration
+    stop = ""
+    for _ in range(7):
+        times = low + (high - low) * INSTANTS
+        samples = motion.at(phase.start.time + times, side="before")
+        back, around = (np.asarray(samples["theta_rate"]) <= 0.0, np.asarray(samples["theta"]) >= TURN)
+        over = np.flatnonzero(back | around)
+        if not len(over):
+            return (stop, high) if stop else None
+        place = int(over[0])
+        stop = "revolution" if around[place] else "turns back"
+        low, high = float(times[place - 1]) if place else low, float(times[place])
+    return stop, high
+
+
+def names_of(gamma: Floats, mu: Floats, rate: Floats) -> Texts:
+    """Return the phases and stops of many first turns."""
+    names = np.full(len(mu), "", dtype="U32")
+    going = np.arange(len(mu))
+    theta, time = np.zeros(len(mu)), np.zeros(len(mu))
+    for count in range(1, PHASES + 1):
+        if not len(going):
+            break
+        state = lw.simulate_many(
+            mass_ratio=1.0 / 3.0, inertia=1.0 / 3.0, offset=gamma[going] / 0.75, mu_s=mu[going], mu_k=mu[going],
+            theta=0.0, theta_rate=rate[going], proof="none", max_transitions=count,
+        )  # fmt: skip
+        words = lw.sequence_names(state["sequence"].to_numpy())
+        stops, asked = _stops(words, state, gamma[going], theta, time)
+        for place in np.flatnonzero(asked):
+            one = going[place]
+            turn = first_turn(float(gamma[one]), float(mu[one]), float(rate[one]), count)
+            names[one], stops[place] = turn.name, turn.stop.replace("is given up", "")
+        told = ~asked & (stops != "")
+        names[going[told]] = np.char.add(np.char.add(words[told], " "), stops[told])
+        left = stops == ""
+        theta, time = state["end_theta"].to_numpy()[left], state["end_time"].to_numpy()[left]
+        going = going[left]
+    names[going] = "is given up"
+    return names
+
+
+def _stops(words: Texts, state, gamma: Floats, theta: Floats, time: Floats) -> tuple[Texts, npt.NDArray[np.bool_]]:  # type: ignore[no-untyped-def]
+    """Return what stops the turns in their last phases, empty where nothing does, and for which turns only samples can tell.
+
+    A hoop rolls through an angle forwards and backwards with the same friction, so that it slips at the first passage;
+    and a slide has one u for an angle. So the ends of a phase tell, but where a slide may have swung to and fro, or has
+    turned back after passing the top.
+    """
+    end, rate, energy = (state[name].to_numpy() for name in ("end_theta", "end_theta_rate", "energy"))
+    last = np.array([word[-1] for word in words])
+    endless = state["outcome"].to_numpy() != TRANSITION_LIMIT
+    past, back = end >= TURN, rate <= 0.0
+    stops = np.full(len(words), "", dtype="U10")
+    slides = last != "R"
+    over = np.where(slides, past | back, past | back | endless)
+    top = np.where(slides, past, energy > gamma / 0.75)
+    stops[over] = np.where(top[over], "revolution", "turns back")
+    stops[last == "F"] = "lifts off"
+    swung = slides & ~past & (end <= theta)
+    stops[swung] = "turns back"
+    asked = ~over & ~swung & (state["end_time"].to_numpy() - time > SWING)
+    return stops, slides & (last != "F") & (asked | ((swung | back) & ~past & (last == "+")))
