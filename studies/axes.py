@@ -37,11 +37,16 @@ def panels(count: int, *, width: float = 4.3, height: float = 3.6) -> tuple[Figu
     figure = Figure(figsize=(width * count, height), layout="constrained", facecolor=PAPER)
     axes = list(figure.subplots(1, count, squeeze=False)[0])
     for one, letter in zip(axes, "abcdefgh", strict=False):
-        one.set_facecolor(PAPER)
-        one.grid(color=FAINT, linewidth=0.4, alpha=0.5)
-        one.tick_params(colors=INK, labelsize=9)
-        for spine in one.spines.values():
-            spine.set_color(LINE)
+        dressed(one)
         if count > 1:
             one.set_title(f"({letter})", loc="left", fontsize=10, color=INK)
     return figure, axes
+
+
+def dressed(axes: Axes) -> None:
+    """Give axes the colours of the project, and a faint grid."""
+    axes.set_facecolor(PAPER)
+    axes.grid(color=FAINT, linewidth=0.4, alpha=0.5)
+    axes.tick_params(colors=INK, labelsize=9)
+    for spine in axes.spines.values():
+        spine.set_color(LINE)

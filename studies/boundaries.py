@@ -87,10 +87,12 @@ class Boundary:
         return "a slip out of nothing" if (before, after) == ("R", "R") else "a slide without duration"
 
 
-def boundaries(lines: Sequence[Line], least: float | Floats, most: float | Floats, count: int) -> list[Boundary]:
+def boundaries(
+    lines: Sequence[Line], least: float | Floats, most: float | Floats, count: int, width: float = WIDTH
+) -> list[Boundary]:
     """Return where the sequence changes between neighbours of a scan, line by line with rising friction.
 
-    Each is told to the last digits of μ; all lines are halved at once. Every line may have limits of its own.
+    Each is told to a part of μ, the last digits by default; all lines are halved at once. Every line may have limits of its own.
     """
     if not len(lines):
         return []
@@ -104,7 +106,7 @@ def boundaries(lines: Sequence[Line], least: float | Floats, most: float | Float
     below, above = scanned[line, place], scanned[line, place + 1]
     found: list[tuple[int, float, float, str, str]] = []
     while len(line):
-        done = high - low < WIDTH * high
+        done = high - low < width * high
         found += zip(line[done], low[done], high[done], below[done], above[done], strict=True)
         line, low, high, below, above = (one[~done] for one in (line, low, high, below, above))
         middle = 0.5 * (low + high)

@@ -3,290 +3,345 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import Counter, defaultdict
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 
-import littlewood as lw
 import numpy as np
-from littlewood.style import INK
+from littlewood.style import FAINT, INK, PAPER
 from matplotlib.figure import Figure
 
-from .axes import COLOURS, panels
+from .axes import COLOURS, dressed
+from .boundaries import Boundary, boundaries, rate_of
+from .contact import Contact
+from .frictionless import degenerate_rates
 from .page import table
 from .study import Study
+from .surfaces import Grid
+from .turns import Floats, hoop_of, names_of
 
-GAMMA = 0.5
-"""Distance of the mass centre from the centre."""
+LEAST, MOST = 0.005, 2.0
+"""Range of the friction."""
 
-INSTANTS = np.linspace(0.0, 1.0, 33)[1:]
-"""Instants of a phase at which it is asked whether the turn has stopped."""
+GAMMAS = tuple(round(0.05 * k, 2) for k in range(2, 16))
+"""Planes. In the last the particle is on the rim."""
 
-PHASES = 60
-"""Phases after which a turn is given up."""
+PARTS = tuple((k + 0.5) / 32 for k in range(32))
+"""Lines of a plane: θ′ at the top as a part of 1/√γ, above which the hoop leaves the ground at once."""
 
+SCAN = 30
+"""Values of the friction on a line, between which boundaries are looked for."""
 
-@dataclass(frozen=True)
-class Turn:
-    """A first turn: its phases with their durations up to the stop, and the stop."""
-
-    word: str
-    stop: str
-    durations: tuple[float, ...]
-
-    @property
-    def name(self) -> str:
-        """Phases and stop."""
-        return f"{self.word} {self.stop}"
-
-
-def hoop_of(mu: float, gamma: float = GAMMA) -> lw.Hoop:
-    """Return the hoop of Theron and Maritz, with its particle so far out that the mass centre is at gamma."""
-    return lw.Hoop(mass_ratio=1.0 / 3.0, offset=gamma / 0.75, inertia=1.0 / 3.0, mu_s=mu, mu_k=mu)
-
-
-def first_turn(mu: float, rate: float, gamma: float = GAMMA) -> Turn:
-    """Follow a hoop from the top to a revolution, a reversal of θ′ or a lift-off."""
-    motion = hoop_of(mu, gamma).simulate(theta=0.0, theta_rate=rate, proof="none", max_transitions=PHASES)
-    word = ""
-    durations: list[float] = []
-    for phase in motion.phases:
-        if phase.mode == "flight":
-            return Turn(word + "F", "lifts off", tuple(durations))
-        word += "R" if phase.mode == "rolling" else "+" if phase.direction > 0 else "-"
-        if phase.end is None:
-            durations.append(math.inf)
-            turns = phase.energy_start > motion.hoop.offset
-            return Turn(word, "revolution" if turns else "turns back", tuple(durations))
-        ends = phase.end.theta_rate <= 0.0 or phase.end.theta >= 2.0 * math.pi
-        if ends or phase.duration > 0.5:
-            samples = motion.at(phase.start.time + phase.duration * INSTANTS, side="before")
-            back = np.flatnonzero(np.asarray(samples["theta_rate"]) <= 0.0)
-            around = np.flatnonzero(np.asarray(samples["theta"]) >= 2.0 * math.pi)
-            first_back = int(back[0]) if len(back) else len(INSTANTS)
-            first_around = int(around[0]) if len(around) else len(INSTANTS)
-            place = min(first_back, first_around)
-            if place < len(INSTANTS):
-                durations.append(phase.duration * _stop(motion, phase, place))
-                return Turn(word, "turns back" if first_back <= first_around else "revolution", tuple(durations))
-        durations.append(phase.duration)
-    return Turn(word, "is given up", tuple(durations))
-
-
-def _stop(motion: lw.Trajectory, phase: lw.Phase, place: int) -> float:
-    """Return the part of a phase that is over at the stop, between two of its instants."""
-    low, high = float(INSTANTS[place - 1]) if place else 0.0, float(INSTANTS[place])
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        sample = motion.at(phase.start.time + phase.duration * middle)
-        if float(sample["theta_rate"]) <= 0.0 or float(sample["theta"]) >= 2.0 * math.pi:
-            high = middle
-        else:
-            low = middle
-    return high
-
-
-@dataclass(frozen=True)
-class Boundary:
-    """A friction at which the sequence changes, at one θ′ of the start."""
-
-    mu: float
-    rate: float
-    below: Turn
-    above: Turn
-
-    @property
-    def kind(self) -> str:
-        """What coincides: told by the phase that has next to no duration on one of the sides."""
-        longer = self.below if len(self.below.word) >= len(self.above.word) else self.above
-        other = self.above if longer is self.below else self.below
-        shortest, turn = min((min(one.durations, default=math.inf), one is other) for one in (longer, other))
-        if shortest > 1e-3:
-            return "two stops" if self.below.word.rstrip("F") == self.above.word.rstrip("F") else "not told"
-        found = other if turn else longer
-        place = found.durations.index(shortest)
-        if place == len(found.durations) - 1 and found.stop != "lifts off":
-            return "an event at the stop"
-        if found.word[place] == "R":
-            return "a roll without duration"
-        before, after = found.word[place - 1 : place], found.word[place + 1 : place + 2]
-        return "a slip out of nothing" if (before, after) == ("R", "R") else "a slide without duration"
-
-
-def boundaries(rate: float, least: float, most: float, count: int, gamma: float = GAMMA) -> list[Boundary]:
-    """Return where the sequence changes between neighbours of a scan, each to the last digits of μ."""
-    values = [float(value) for value in np.geomspace(least, most, count)]
-    turns = [first_turn(mu, rate, gamma) for mu in values]
-    open_pairs = list(zip(values, turns, values[1:], turns[1:], strict=False))[::-1]
-    found = []
-    while open_pairs:
-        low, below, high, above = open_pairs.pop()
-        if below.name == above.name:
-            continue
-        middle = 0.5 * (low + high)
-        if high - low < 1e-12 * high:
-            found.append(Boundary(middle, rate, below, above))
-            continue
-        turn = first_turn(middle, rate, gamma)
-        open_pairs.append((middle, turn, high, above))
-        open_pairs.append((low, below, middle, turn))
-    return found
-
-
-LEAST, MOST = 0.02, 2.0
-RATES = tuple(float(one) for one in np.linspace(0.06, 0.98, 16) / math.sqrt(GAMMA))
+SMOOTH = 0.02
+"""Friction below which a plane is called nearly smooth."""
 
 
 @cache
-def plane(count: int, least: float = LEAST) -> tuple[Boundary, ...]:
-    """Return the boundaries on all lines."""
-    return tuple(one for rate in RATES for one in boundaries(rate, least, MOST, count))
+def family(count: int = SCAN, every: int = 1) -> Grid:
+    """Return the boundaries on all lines of all planes, or on every other of both."""
+    gammas, parts = GAMMAS[every - 1 :: every], PARTS[every - 1 :: every]
+    return Grid(gammas, parts, boundaries([(gamma, part) for gamma in gammas for part in parts], LEAST, MOST, count))
 
 
-def names(found: tuple[Boundary, ...]) -> set[str]:
-    """Return the sequences on both sides of all boundaries."""
-    return {turn.name for one in found for turn in (one.below, one.above)}
+def part_of(grid: Grid, every: int) -> list[Boundary]:
+    """Return the boundaries on every other line of every other plane."""
+    gammas, parts = grid.gammas[every - 1 :: every], grid.parts[every - 1 :: every]
+    return [one for one in grid.found if one.gamma in gammas and one.part in parts]
 
 
-SCAN = 30
+def names(found: Iterable[Boundary]) -> set[str]:
+    """Return the sequences with stops on both sides of all boundaries."""
+    return {name for one in found for name in one.sides}
+
+
+def counts(found: Iterable[Boundary]) -> list[str]:
+    """Return the numbers of sequences with stops and of sequences, and the length of the longest."""
+    both = names(found)
+    words = {name.split()[0] for name in both}
+    return [str(len(both)), str(len(words)), str(max(map(len, words), default=0))]
+
+
+def scan_table() -> list[str]:
+    """Whether a finer scan finds more, of μ and of lines."""
+    rows = []
+    grid = family()
+    for planes, lines, count, found in (
+        (len(GAMMAS) // 2, len(PARTS) // 2, SCAN // 2, family(SCAN // 2, 2).found),
+        (len(GAMMAS) // 2, len(PARTS) // 2, SCAN, part_of(grid, 2)),
+        (len(GAMMAS), len(PARTS), SCAN, grid.found),
+    ):
+        rows.append([str(planes), str(lines), str(count), str(len(found)), *counts(found)])
+    heads = ["planes", "lines of each", "values of μ", "boundaries", "sequences with stops", "sequences", "longest"]
+    return table(heads, rows)
+
+
+def gamma_table() -> list[str]:
+    """Boundaries and sequences over γ."""
+    rows = []
+    known: set[str] = set()
+    for gamma in GAMMAS:
+        found = [one for one in family().found if one.gamma == gamma]
+        smooth = [one for one in found if one.low > SMOOTH]
+        first = names(found) - known
+        known |= first
+        rows.append([f"{gamma:g}", str(len(found)), *counts(found), str(len(first)), str(len(smooth)), *counts(smooth)])
+    heads = ["γ", "boundaries", "sequences with stops", "sequences", "longest", "not in planes above"]
+    return table([*heads, f"boundaries, μ > {SMOOTH:g}", "with stops", "sequences", "longest"], rows)
 
 
 def kind_table() -> list[str]:
     """What coincides at the boundaries."""
-    found = plane(SCAN)
-    counts = Counter(one.kind for one in found)
+    found = family().found
+    number = Counter(one.kind for one in found)
     rows = []
-    for kind, number in counts.most_common():
-        example = next(one for one in found if one.kind == kind)
-        rows.append(
-            [
-                kind,
-                str(number),
-                f"`{example.below.name}`",
-                f"`{example.above.name}`",
-                f"{example.mu:.12g}, {example.rate:.5g}",
-            ]
-        )
-    return table(["coincidence", "boundaries", "for example below", "and above", "μ, θ′"], rows)
+    for kind, count in number.most_common():
+        one = next(one for one in found if one.kind == kind and one.gamma >= 0.5) if kind != "not told" else next(
+            one for one in found if one.kind == kind
+        )  # fmt: skip
+        line = f"{one.gamma:g}, {one.rate:.5g}, {one.mu:.12g}"
+        rows.append([kind, str(count), f"`{one.below}`", f"`{one.above}`", line])
+    return table(["coincidence", "boundaries", "for example below", "and above", "γ, θ′, μ"], rows)
 
 
-def scan_table() -> list[str]:
-    """Whether a finer scan finds more."""
+LARGE = 20
+"""Boundaries of a surface that is called large."""
+
+
+@dataclass(frozen=True)
+class Extent:
+    """Where something occurs: how often, and the ranges of γ, of the part and of μ."""
+
+    number: int
+    gamma: tuple[float, float]
+    part: tuple[float, float]
+    mu: tuple[float, float]
+
+    @classmethod
+    def of(cls, places: Iterable[tuple[float, float, float, float]]) -> Extent:
+        """Return that of intervals of μ, each with its γ and part."""
+        gamma, part, low, high = zip(*places, strict=True)
+        return cls(len(gamma), (min(gamma), max(gamma)), (min(part), max(part)), (min(low), max(high)))
+
+    @property
+    def cells(self) -> list[str]:
+        """Number and ranges."""
+        ranges = (f"{low:.2g} … {high:.2g}" for low, high in (self.gamma, self.part, self.mu))
+        return [str(self.number), *ranges]
+
+
+def surface_table() -> list[str]:
+    """The large surfaces."""
+    grid = family()
     rows = []
-    for count in (SCAN // 2, SCAN):
-        found = plane(count)
-        words = {turn.word for one in found for turn in (one.below, one.above)}
-        rows.append([str(count), str(len(found)), str(len(names(found))), str(len(words)), str(max(map(len, words)))])
-    return table(["values of μ on a line", "boundaries", "sequences with stops", "sequences", "longest"], rows)
+    for places in grid.surfaces:
+        if len(places) < LARGE:
+            break
+        found = [grid.found[place] for place in places]
+        kind = Counter(one.kind for one in found).most_common(1)[0][0]
+        extent = Extent.of((one.gamma, one.part, one.mu, one.mu) for one in found)
+        rows.append([f"`{found[0].below}`", f"`{found[0].above}`", kind, *extent.cells])
+    return table(["below", "above", "coincidence", "boundaries", "γ", "θ′√γ", "μ"], rows)
+
+
+def piece_table() -> list[str]:
+    """How many boundaries lie on how many surfaces."""
+    grid = family()
+    sizes = [len(places) for places in grid.surfaces]
+    large = [places for places in grid.surfaces if len(places) >= LARGE]
+    through = [one for one in large if {grid.found[k].gamma for k in one} == set(GAMMAS)]
+    row = [
+        len(grid.found),
+        len({one.sides for one in grid.found}),
+        len(grid.links),
+        len(sizes),
+        sum(one == 1 for one in sizes),
+        len(large),
+        f"{100 * sum(map(len, large)) / len(grid.found):.0f} %",
+        len(through),
+    ]
+    heads = ["boundaries", "pairs of sequences", "links", "surfaces", "of one boundary", f"of {LARGE} or more"]
+    return table([*heads, "boundaries on these", "of these through all planes"], [[str(one) for one in row]])
 
 
 def friction_table() -> list[str]:
     """The lists for least frictions."""
     rows = []
-    found = plane(SCAN, 0.005)
     for least in (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5):
-        part = tuple(one for one in found if one.mu > least)
-        words = {turn.word for one in part for turn in (one.below, one.above)}
-        rows.append([f"{least:g}", str(len(names(part))), str(len(words)), str(max(map(len, words), default=0))])
-    return table(["least μ", "sequences with stops", "sequences", "longest"], rows)
-
-
-STEPS = 4
-"""Steps of a curve from line to line."""
-
-
-def between(low: float, high: float, rate: float, sides: tuple[str, str], gamma: float = GAMMA) -> float | None:
-    """Return the friction at which one sequence passes into another, to 1e-6; None if the ends have others."""
-    if (first_turn(low, rate, gamma).name, first_turn(high, rate, gamma).name) != sides:
-        return None
-    while high - low > 1e-6 * high:
-        middle = 0.5 * (low + high)
-        name = first_turn(middle, rate, gamma).name
-        if name not in sides:
-            return None
-        low, high = (middle, high) if name == sides[0] else (low, middle)
-    return 0.5 * (low + high)
-
-
-def extrapolated(last: list[float]) -> float:
-    """Return the next of up to three numbers, as if their logarithms were a polynomial's."""
-    match last:
-        case [one]:
-            return one
-        case [before, one]:
-            return one * one / before
-        case _:
-            first, second, third = last
-            return third * (third / second) ** 2 * first / second
-
-
-def followed(start: Boundary, step: float) -> list[tuple[float, float]]:
-    """Return the points (θ′, μ) of the curve from a boundary on, as far as it parts the same two sequences.
-
-    The next point is looked for about the continuation of the last two, in an interval that grows: in the least that
-    has both sequences at its ends no third boundary is hidden.
-    """
-    points = [(start.rate, start.mu)]
-    sides = (start.below.name, start.above.name)
-    while RATES[0] <= points[-1][0] + step <= RATES[-1] * (1.0 + 1e-12):
-        rate = points[-1][0] + step
-        guess = extrapolated([one for _, one in points[-3:]])
-        tried = (between(guess / (1.0 + part), guess * (1.0 + part), rate, sides) for part in WIDTHS)
-        found = next((one for one in tried if one is not None), None)
-        if found is None or not LEAST <= found <= MOST:
-            break
-        points.append((rate, found))
-    return points
-
-
-WIDTHS = (1e-5, 1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3)
+        part = [one for one in family().found if one.low > least]
+        rows.append([f"{least:g}", str(len(part)), *counts(part)])
+    return table(["least μ", "boundaries", "sequences with stops", "sequences", "longest"], rows)
 
 
 @cache
-def curves() -> tuple[tuple[str, tuple[tuple[float, float], ...]], ...]:
-    """Return the curves through all boundaries, each with what coincides there."""
-    step = (RATES[1] - RATES[0]) / STEPS
-    found: list[tuple[str, tuple[str, str], tuple[tuple[float, float], ...]]] = []
-    for one in plane(SCAN):
-        sides = (one.below.name, one.above.name)
-        known = (points for _, others, points in found if others == sides)
-        if any(math.isclose(r, one.rate, rel_tol=1e-9) and math.isclose(mu, one.mu, rel_tol=1e-5)
-               for points in known for r, mu in points):  # fmt: skip
+def extents() -> dict[str, Extent]:
+    """Return where each sequence with its stop occurs, by the intervals of the lines."""
+    grid = family()
+    places: defaultdict[str, list[tuple[float, float, float, float]]] = defaultdict(list)
+    for (gamma, part), line in grid.lines.items():
+        found = [grid.found[place] for place in line]
+        if not found:
             continue
-        found.append((one.kind, sides, (*followed(one, -step)[:0:-1], *followed(one, step))))
-    return tuple((kind, points) for kind, _, points in found)
+        ends = [LEAST, *(one.mu for one in found), MOST]
+        for name, low, high in zip([found[0].below, *(one.above for one in found)], ends, ends[1:], strict=False):
+            places[name].append((gamma, part, low, high))
+    return {name: Extent.of(one) for name, one in places.items()}
 
 
-def curve_table() -> list[str]:
-    """How many boundaries lie on how many curves."""
-    long = [points for _, points in curves() if len(points) > STEPS]
-    rows = [[str(len(plane(SCAN))), str(len(curves())), str(len(long)), str(max(map(len, long)))]]
-    return table(["boundaries on lines", "curves", "longer than from line to line", "points of the longest"], rows)
+def list_table() -> list[str]:
+    """All sequences."""
+    rows = []
+    for name, extent in sorted(extents().items(), key=lambda one: (-one[1].number, one[0])):
+        word, stop = name.split(maxsplit=1)
+        rows.append([f"`{word}`", stop, *extent.cells])
+    return table(["sequence", "stop", "intervals", "γ", "θ′√γ", "μ"], rows)
+
+
+def degenerate_parts(gamma: float) -> list[float]:
+    """Return θ′√γ at the top at which the turn without friction gains or loses reversals."""
+    return [one * math.sqrt(gamma) for one in degenerate_rates(Contact.of(hoop_of(0.0, gamma)))]
+
+
+def smooth_sequences() -> list[str]:
+    """Return the sequences that occur on nearly smooth planes only."""
+    return [name for name, one in extents().items() if one.mu[1] < SMOOTH]
+
+
+def distance_to_degenerate(name: str) -> float:
+    """Return the largest distance of θ′√γ, at boundaries of a sequence, from a degenerate rate."""
+    found = [one for one in family().found if name in one.sides]
+    return max(min(abs(one.part - part) for part in degenerate_parts(one.gamma)) for one in found)
+
+
+def smooth_text() -> str:
+    """How many sequences only a nearly smooth plane has."""
+    return str(len(smooth_sequences()))
+
+
+def distance_text() -> str:
+    """How far they are from the degenerate rates."""
+    return f"{max(map(distance_to_degenerate, smooth_sequences())):.2f}"
+
+
+DRAWN = 20_000
+
+
+@cache
+def drawn() -> tuple[tuple[Floats, Floats, Floats], Counter[str]]:
+    """Return random starts of the family, and how often each sequence is theirs."""
+    random = np.random.default_rng(16)
+    gamma, part = random.uniform(GAMMAS[0], GAMMAS[-1], DRAWN), random.uniform(0.0, 1.0, DRAWN)
+    mu = np.exp(random.uniform(math.log(LEAST), math.log(MOST), DRAWN))
+    rate = rate_of(gamma, part)
+    return (gamma, mu, rate), Counter(names_of(gamma, mu, rate).tolist())
+
+
+def drawn_text() -> str:
+    """How many random starts have a sequence that the list has not."""
+    number = drawn()[1]
+    missing = {name: count for name, count in number.items() if name not in extents()}
+    return f"{sum(missing.values())} of {DRAWN:,} starts, with {len(missing)} sequences"
+
+
+def union_text() -> str:
+    """The size of the list, those of random starts added."""
+    words = {name.split()[0] for name in {*extents(), *drawn()[1]}}
+    return f"{len({*extents(), *drawn()[1]})} with stops and {len(words)} without"
+
+
+@dataclass(frozen=True)
+class Halfway:
+    """A plane between two planes, scanned afresh, and what the links between those say of it.
+
+    Parameters
+    ----------
+    gamma : float
+        The plane.
+    links, met : int
+        Links, and those that meet a boundary of the scan with the same sequences.
+    boundaries : int
+        Boundaries of the scan.
+    """
+
+    gamma: float
+    links: int
+    met: int
+    boundaries: int
+
+
+@cache
+def halfway(gamma: float) -> Halfway:
+    """Scan the plane between one of the planes and the next."""
+    grid = family()
+    links = [one for one in grid.links if grid.found[one.start].gamma == gamma != grid.found[one.end].gamma]
+    found = boundaries([(links[0].gamma, part) for part in PARTS], LEAST, MOST, SCAN)
+    met = 0
+    for link in links:
+        near = [one for one in found if math.isclose(one.part, link.part) and math.isclose(one.mu, link.mu, rel_tol=1e-4)]
+        met += any(one.sides == grid.found[link.start].sides for one in near)
+    return Halfway(links[0].gamma, len(links), met, len(found))
+
+
+def halfway_text() -> str:
+    """What a plane between two has."""
+    one = halfway(0.5)
+    return f"{one.met} of the {one.links} links across γ = {one.gamma:.4f}, where it has {one.boundaries} boundaries"
+
+
+SHOWN = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75)
 
 
 def picture() -> Figure:
-    """Return the boundaries in the plane as curves, by what coincides."""
-    figure, (left,) = panels(1, width=6.4, height=4.4)
-    kinds = sorted({one.kind for one in plane(SCAN)})
+    """Return the boundaries in planes of γ as curves, by what coincides."""
+    figure = Figure(figsize=(9.2, 6.0), layout="constrained", facecolor=PAPER)
+    axes = figure.subplots(2, len(SHOWN) // 2, sharex=True, sharey=True)
+    grid = family()
+    kinds = sorted({one.kind for one in grid.found} - {"not told"})
     dashes: tuple[tuple[float, ...], ...] = ((), (1, 1.2), (6, 2), (3, 1.5), (6, 1.5, 1, 1.5))
-    looks = zip([*COLOURS, INK, INK], "osv^D", dashes, strict=False)
-    for kind, (colour, mark, dash) in zip(kinds, looks, strict=False):
-        label: str | None = kind
-        for points in (points for name, points in curves() if name == kind):
-            rates, frictions = zip(*points, strict=True)
-            (line,) = left.semilogx(frictions, rates, color=colour, linewidth=1.1, label=label)
+    looks = dict(zip(kinds, zip([*COLOURS, INK, INK], dashes, strict=False), strict=False))
+    for place, (panel, gamma) in enumerate(zip(axes.flat, SHOWN, strict=True)):
+        dressed(panel)
+        panel.set_title(f"({'abcdefgh'[place]}) γ = {gamma:g}", loc="left", fontsize=11, color=INK)
+        for places, points in grid.curves(gamma):
+            colour, dash = looks.get(grid.found[places[0]].kind, (FAINT, ()))
+            parts, frictions = zip(*points, strict=True)
+            (line,) = panel.semilogx(frictions, parts, color=colour, linewidth=1.1)
             if dash:
                 line.set_dashes(dash)
             if len(points) == 1:
-                line.set(marker=mark, markersize=3.0)
-            label = None
-    left.set(xlabel="μ", ylabel="θ′ at the top, √(g/R)", xlim=(LEAST, MOST), ylim=(0.0, 1.05 / math.sqrt(GAMMA)))
-    figure.legend(*left.get_legend_handles_labels(), loc="outside upper center", ncols=3, fontsize=8, frameon=False)
+                line.set(marker=".", markersize=2.5)
+        for part in degenerate_parts(gamma):
+            panel.plot([LEAST], [part], color=INK, marker=">", markersize=5, clip_on=False)
+        panel.set(xlim=(LEAST, MOST), ylim=(0.0, 1.0))
+    for panel in axes[-1]:
+        panel.set_xlabel("μ", fontsize=11)
+    for panel in axes[:, 0]:
+        panel.set_ylabel("θ′√γ at the top", fontsize=11)
+    lines = []
+    for colour, dash in looks.values():
+        (line,) = axes.flat[0].plot([], [], color=colour, linewidth=1.3)
+        if dash:
+            line.set_dashes(dash)
+        lines.append(line)
+    figure.legend(lines, list(looks), loc="outside upper center", ncols=3, fontsize=11, frameon=False)
     return figure
 
 
 STUDY = Study(
     name="sequences",
-    texts={"kinds": kind_table, "scan": scan_table, "curves": curve_table, "friction": friction_table},
-    pictures={"plane": picture},
+    texts={
+        "kinds": kind_table,
+        "scan": scan_table,
+        "gammas": gamma_table,
+        "pieces": piece_table,
+        "surfaces": surface_table,
+        "friction": friction_table,
+        "smooth": smooth_text,
+        "distance": distance_text,
+        "halfway": halfway_text,
+        "drawn": drawn_text,
+        "union": union_text,
+        "list": list_table,
+    },
+    pictures={"planes": picture},
 )

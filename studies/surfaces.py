@@ -18,9 +18,9 @@ WIDTHS = (1e-3, 0.01, 0.05, 0.2)
 TOLERANCE = 1e-5
 """Part of the friction to which it is told there."""
 
-MARGIN, SCAN = 1.5, 12
-"""How far beyond both frictions a line halfway is scanned where no such interval has just the two sequences, and in how
-many values."""
+MARGIN, SCAN, NARROW = 1.5, 12, 1e-8
+"""Where no such interval has just the two sequences: how far beyond both frictions the line halfway is scanned, in how many
+values, and to which part of the friction."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class Grid:
         high = np.array([max(ends[k][0].mu, ends[k][1].mu) * MARGIN for k in left])
         lines = [(float(gamma[k]), float(part[k])) for k in left]
         halfway = defaultdict(list)
-        for one in boundaries(lines, low, high, SCAN):
+        for one in boundaries(lines, low, high, SCAN, NARROW):
             halfway[one.gamma, one.part, one.sides].append(one.mu)
         for k, line in zip(left, lines, strict=True):
             near = halfway.get((*line, sides[k]), [])
