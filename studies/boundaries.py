@@ -92,7 +92,8 @@ def boundaries(
 ) -> list[Boundary]:
     """Return where the sequence changes between neighbours of a scan, line by line with rising friction.
 
-    Each is told to a part of μ, the last digits by default; all lines are halved at once. Every line may have limits of its own.
+    Each is told to a part of μ, the last digits by default; all lines are halved at once. Every line may have limits of
+    its own.
     """
     if not len(lines):
         return []
@@ -108,7 +109,7 @@ def boundaries(
     while len(line):
         done = high - low < width * high
         found += zip(line[done], low[done], high[done], below[done], above[done], strict=True)
-        line, low, high, below, above = (one[~done] for one in (line, low, high, below, above))
+        line, low, high, below, above = line[~done], low[~done], high[~done], below[~done], above[~done]
         middle = 0.5 * (low + high)
         names = names_of(line_gamma[line], middle, rate_of(line_gamma[line], line_part[line]))
         left, right = np.flatnonzero(names != below), np.flatnonzero(names != above)
@@ -131,7 +132,12 @@ def _merged(found: list[Boundary]) -> list[Boundary]:
 
 
 def points_between(
-    gamma: Floats, part: Floats, guess: Floats, sides: Sequence[tuple[str, str]], widths: Sequence[float], tolerance: float
+    gamma: Floats,
+    part: Floats,
+    guess: Floats,
+    sides: Sequence[tuple[str, str]],
+    widths: Sequence[float],
+    tolerance: float,
 ) -> Floats:
     """Return the friction near each guess at which one sequence passes into another; NaN where none is found.
 

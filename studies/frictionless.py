@@ -13,7 +13,7 @@ Floats = npt.NDArray[np.float64]
 
 
 def quadratic(contact: Contact, rate: float | Floats) -> tuple[float | Floats, float | Floats, float | Floats]:
-    """Return the coefficients of 1, c and c² of the polynomial whose roots are the angles without slip, besides the top."""
+    """Return the coefficients of 1, c and c² of the polynomial whose roots are the zeros of the slip but the top."""
     m, h, inertia = contact.m, contact.h, contact.inertia
     energy, start = inertia * rate**2 + 2.0 * m * h, rate**2 * (1.0 + h) ** 2
     third = -2.0 * m * h**3

@@ -71,9 +71,10 @@ def scan_table() -> list[str]:
         (len(GAMMAS) // 2, len(PARTS) // 2, SCAN, part_of(grid, 2)),
         (len(GAMMAS), len(PARTS), SCAN, grid.found),
     ):
-        rows.append([str(planes), str(lines), str(count), str(len(found)), *counts(found)])
+        rough = names(one for one in found if one.low > SMOOTH)
+        rows.append([str(planes), str(lines), str(count), str(len(found)), *counts(found), str(len(rough))])
     heads = ["planes", "lines of each", "values of μ", "boundaries", "sequences with stops", "sequences", "longest"]
-    return table(heads, rows)
+    return table([*heads, f"with stops, μ > {SMOOTH:g}"], rows)
 
 
 def gamma_table() -> list[str]:
@@ -86,7 +87,7 @@ def gamma_table() -> list[str]:
         first = names(found) - known
         known |= first
         rows.append([f"{gamma:g}", str(len(found)), *counts(found), str(len(first)), str(len(smooth)), *counts(smooth)])
-    heads = ["γ", "boundaries", "sequences with stops", "sequences", "longest", "not in planes above"]
+    heads = ["γ", "boundaries", "sequences with stops", "sequences", "longest", "not in rows above"]
     return table([*heads, f"boundaries, μ > {SMOOTH:g}", "with stops", "sequences", "longest"], rows)
 
 
@@ -96,9 +97,7 @@ def kind_table() -> list[str]:
     number = Counter(one.kind for one in found)
     rows = []
     for kind, count in number.most_common():
-        one = next(one for one in found if one.kind == kind and one.gamma >= 0.5) if kind != "not told" else next(
-            one for one in found if one.kind == kind
-        )  # fmt: skip
+        one = next(one for one in found if one.kind == kind)
         line = f"{one.gamma:g}, {one.rate:.5g}, {one.mu:.12g}"
         rows.append([kind, str(count), f"`{one.below}`", f"`{one.above}`", line])
     return table(["coincidence", "boundaries", "for example below", "and above", "γ, θ′, μ"], rows)
@@ -223,6 +222,42 @@ def distance_text() -> str:
     return f"{max(map(distance_to_degenerate, smooth_sequences())):.2f}"
 
 
+FRICTIONS = (0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 1e-3, 1e-4, 1e-5)
+"""Frictions of which each is taken by itself."""
+
+SWEPT = (0.2, 0.25, 0.3, 0.4, 0.5, 0.6)
+"""Values of γ for which the rates are swept."""
+
+
+def swept_parts(gamma: float) -> Floats:
+    """Return values of θ′√γ at the top, closer and closer to the degenerate ones."""
+    distances = np.geomspace(1e-6, 0.1, 40)
+    parts = [np.linspace(0.0, 1.0, 302)[1:-1]]
+    parts += [part + sign * distances for part in degenerate_parts(gamma) for sign in (-1.0, 1.0)]
+    every: Floats = np.concatenate(parts)
+    return every[(every > 0.0) & (every < 1.0)]
+
+
+@cache
+def swept(gamma: float, mu: float) -> Counter[str]:
+    """Return the sequences of one hoop with one friction, for all rates."""
+    parts = swept_parts(gamma)
+    gammas = np.full(len(parts), gamma)
+    return Counter(names_of(gammas, np.full(len(parts), mu), rate_of(gammas, parts)).tolist())
+
+
+def sweep_table() -> list[str]:
+    """How many sequences each friction has by itself, and the longest."""
+    rows = []
+    for mu in FRICTIONS:
+        cells = []
+        for gamma in SWEPT:
+            words = [name.split()[0] for name in swept(gamma, mu)]
+            cells.append(f"{len(words)}, {max(map(len, words))}")
+        rows.append([f"{mu:g}", *cells])
+    return table(["μ", *(f"γ = {gamma:g}" for gamma in SWEPT)], rows)
+
+
 DRAWN = 20_000
 
 
@@ -255,15 +290,12 @@ class Halfway:
 
     Parameters
     ----------
-    gamma : float
-        The plane.
     links, met : int
         Links, and those that meet a boundary of the scan with the same sequences.
     boundaries : int
         Boundaries of the scan.
     """
 
-    gamma: float
     links: int
     met: int
     boundaries: int
@@ -277,15 +309,16 @@ def halfway(gamma: float) -> Halfway:
     found = boundaries([(links[0].gamma, part) for part in PARTS], LEAST, MOST, SCAN)
     met = 0
     for link in links:
-        near = [one for one in found if math.isclose(one.part, link.part) and math.isclose(one.mu, link.mu, rel_tol=1e-4)]
-        met += any(one.sides == grid.found[link.start].sides for one in near)
-    return Halfway(links[0].gamma, len(links), met, len(found))
+        sides = grid.found[link.start].sides
+        on_line = (one for one in found if one.sides == sides and math.isclose(one.part, link.part))
+        met += any(math.isclose(one.mu, link.mu, rel_tol=1e-4) for one in on_line)
+    return Halfway(len(links), met, len(found))
 
 
 def halfway_text() -> str:
     """What a plane between two has."""
     one = halfway(0.5)
-    return f"{one.met} of the {one.links} links across γ = {one.gamma:.4f}, where it has {one.boundaries} boundaries"
+    return f"{one.met} of the {one.links} links that cross it, and {one.boundaries} boundaries in all"
 
 
 SHOWN = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75)
@@ -302,14 +335,20 @@ def picture() -> Figure:
     for place, (panel, gamma) in enumerate(zip(axes.flat, SHOWN, strict=True)):
         dressed(panel)
         panel.set_title(f"({'abcdefgh'[place]}) γ = {gamma:g}", loc="left", fontsize=11, color=INK)
+        alone: defaultdict[str, list[tuple[float, float]]] = defaultdict(list)
         for places, points in grid.curves(gamma):
-            colour, dash = looks.get(grid.found[places[0]].kind, (FAINT, ()))
+            kind = grid.found[places[0]].kind
+            if len(points) == 1:
+                alone[kind] += points
+                continue
+            colour, dash = looks.get(kind, (FAINT, ()))
             parts, frictions = zip(*points, strict=True)
             (line,) = panel.semilogx(frictions, parts, color=colour, linewidth=1.1)
             if dash:
                 line.set_dashes(dash)
-            if len(points) == 1:
-                line.set(marker=".", markersize=2.5)
+        for kind, points in alone.items():
+            parts, frictions = zip(*points, strict=True)
+            panel.semilogx(frictions, parts, ".", color=looks.get(kind, (FAINT, ()))[0], markersize=2.5)
         for part in degenerate_parts(gamma):
             panel.plot([LEAST], [part], color=INK, marker=">", markersize=5, clip_on=False)
         panel.set(xlim=(LEAST, MOST), ylim=(0.0, 1.0))
@@ -336,6 +375,7 @@ STUDY = Study(
         "pieces": piece_table,
         "surfaces": surface_table,
         "friction": friction_table,
+        "sweep": sweep_table,
         "smooth": smooth_text,
         "distance": distance_text,
         "halfway": halfway_text,

@@ -1,4 +1,4 @@
-"""Surfaces of boundaries in the space of γ, μ and θ′: boundaries of neighbouring lines that are continued halfway between."""
+"""Surfaces in the space of γ, μ and θ′: boundaries of neighbouring lines that a line halfway between has, too."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ TOLERANCE = 1e-5
 """Part of the friction to which it is told there."""
 
 MARGIN, SCAN, NARROW = 1.5, 12, 1e-8
-"""Where no such interval has just the two sequences: how far beyond both frictions the line halfway is scanned, in how many
-values, and to which part of the friction."""
+"""Where no such interval has just the two sequences: how far beyond both frictions the line halfway is scanned, in how
+many values, and to which part of the friction."""
 
 
 @dataclass(frozen=True)
 class Link:
-    """Two boundaries of neighbouring lines with the same sequences, and the friction at which a line halfway has them."""
+    """Two boundaries of neighbouring lines with the same sequences, and where a line halfway has such a boundary."""
 
     start: int
     end: int
@@ -70,7 +70,7 @@ class Grid:
         return self._continued(pairs)
 
     def _aligned(self, one: list[int], other: list[int]) -> list[tuple[int, int]]:
-        """Return the most boundaries that two lines have in the same order: those that may be continued into each other."""
+        """Return the most boundaries that two lines have in the same order: they may be continued into each other."""
         most = np.zeros((len(one) + 1, len(other) + 1), dtype=int)
         same = [[self.found[i].sides == self.found[j].sides for j in other] for i in one]
         for i in range(len(one) - 1, -1, -1):

@@ -1,13 +1,17 @@
-"""First turns of the hoops of Theron and Maritz, many at once: from the top to a revolution, to θ′ = 0 or to lift-off."""
+"""First turns of the hoops of Theron and Maritz, many at once: from the top to a revolution, θ′ = 0 or lift-off."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import littlewood as lw
 import numpy as np
 import numpy.typing as npt
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 Floats = npt.NDArray[np.float64]
 Texts = npt.NDArray[np.str_]
@@ -114,8 +118,10 @@ def names_of(gamma: Floats, mu: Floats, rate: Floats) -> Texts:
     return names
 
 
-def _stops(words: Texts, state, gamma: Floats, theta: Floats, time: Floats) -> tuple[Texts, npt.NDArray[np.bool_]]:  # type: ignore[no-untyped-def]
-    """Return what stops the turns in their last phases, empty where nothing does, and for which turns only samples can tell.
+def _stops(
+    words: Texts, state: xr.Dataset, gamma: Floats, theta: Floats, time: Floats
+) -> tuple[Texts, npt.NDArray[np.bool_]]:
+    """Return what stops the turns in their last phases, empty where nothing does, and where only samples can tell.
 
     A hoop rolls through an angle forwards and backwards with the same friction, so that it slips at the first passage;
     and a slide has one u for an angle. So the ends of a phase tell, but where a slide may have swung to and fro, or has
