@@ -98,7 +98,7 @@ def kind_table() -> list[str]:
     rows = []
     for kind, count in number.most_common():
         one = next(one for one in found if one.kind == kind)
-        line = f"{one.gamma:g}, {one.rate:.5g}, {one.mu:.12g}"
+        line = f"{one.gamma:g}, {one.rate:.5g}, {one.mu:.10g}"
         rows.append([kind, str(count), f"`{one.below}`", f"`{one.above}`", line])
     return table(["coincidence", "boundaries", "for example below", "and above", "γ, θ′, μ"], rows)
 

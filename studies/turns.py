@@ -23,7 +23,11 @@ INSTANTS = np.linspace(0.0, 1.0, 33)[1:]
 """Instants of a slide at which it is asked whether the turn has stopped, as parts of it."""
 
 SWING = 6.0
-"""Time in which no slide of these hoops swings forth and back, and forth again beyond where it began."""
+"""A slide that lasts longer is sampled: it may have swung forth and back, and forth again beyond where it began.
+
+In a slide u depends on θ alone, so that this takes a whole period, 4.7 at least for the family with μ up to 0.3; swings
+are far from small, and with more friction slides are over sooner.
+"""
 
 TRANSITION_LIMIT = next(code for code, name in lw.OUTCOMES.items() if name == "transition_limit")
 
