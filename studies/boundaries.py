@@ -11,14 +11,13 @@ import numpy as np
 
 from .turns import Floats, Texts, Turn, first_turn, names_of
 
-NEXT_TO_NOTHING = 1e-3
-"""Longest duration of a phase that a boundary beside it explains."""
-
 WIDTH = 1e-12
 """Part of the friction to which a boundary is told."""
 
 NOTHING = 1e-9
 """Part of the friction below which the distance of two boundaries is none: there the order of two events is rounded."""
+
+NOT_TOLD = "not told"
 
 Line = tuple[float, float]
 """γ, and the part of 1/√γ that θ′ at the top is."""
@@ -65,26 +64,46 @@ class Boundary:
         """The sequences with stops below and above."""
         return self.below, self.above
 
+    @property
+    def turns(self) -> tuple[Turn, Turn]:
+        """The turns below and above."""
+        return self._turn(self.low, self.below), self._turn(self.high, self.above)
+
     def _turn(self, mu: float, name: str) -> Turn:
-        return first_turn(self.gamma, mu, self.rate, len(name.split(maxsplit=1)[0]))
+        return first_turn(self.gamma, mu, self.rate, len(name.split()[0]))
 
     @cached_property
     def kind(self) -> str:
-        """What coincides: told by the phase that has next to no duration on one of the sides."""
-        below, above = self._turn(self.low, self.below), self._turn(self.high, self.above)
-        longer = below if len(below.word) >= len(above.word) else above
-        other = above if longer is below else below
-        shortest, turn = min((min(one.durations, default=math.inf), one is other) for one in (longer, other))
-        if shortest > NEXT_TO_NOTHING:
-            return "two stops" if below.word.rstrip("F") == above.word.rstrip("F") else "not told"
-        found = other if turn else longer
-        place = found.durations.index(shortest)
-        if place == len(found.durations) - 1 and found.stop != "lifts off":
+        """What coincides: told by the phases that only one of the sides has."""
+        (one, stop), (other, other_stop) = self.below.split(maxsplit=1), self.above.split(maxsplit=1)
+        shorter, longer = sorted((one.rstrip("F"), other.rstrip("F")), key=len)
+        if shorter == longer:
+            return "two stops"
+        if stop != other_stop:
+            return NOT_TOLD
+        more = len(longer) - len(shorter)
+        places = [place for place in range(len(shorter) + 1) if longer[:place] + longer[place + more :] == shorter]
+        kinds = {place: _kind(longer, place, more, stop) for place in places}
+        told = {place: kind for place, kind in kinds.items() if kind != NOT_TOLD}
+        if len(set(told.values())) < 2:
+            return next(iter(told.values()), NOT_TOLD)
+        # Phases of the same names: those are more that begin with the shortest.
+        durations = next(turn for turn in self.turns if turn.word.rstrip("F") == longer).durations
+        return told[min(told, key=lambda place: durations[place])]
+
+
+def _kind(word: str, place: int, more: int, stop: str) -> str:
+    """Return what coincides where phases of a sequence, from a place on, have no duration."""
+    phases, before = word[place : place + more], word[place - 1 : place]
+    if more == 1:
+        if place + 1 == len(word) and stop != "lifts off":
             return "an event at the stop"
-        if found.word[place] == "R":
-            return "a roll without duration"
-        before, after = found.word[place - 1 : place], found.word[place + 1 : place + 2]
-        return "a slip out of nothing" if (before, after) == ("R", "R") else "a slide without duration"
+        return "a roll without duration" if phases == "R" else "a slide without duration"
+    if phases == f"R{before}":
+        return "a slip that touches zero"
+    if before == "R" and set(phases[::2]) <= set("+-") and set(phases[1::2]) == {"R"}:
+        return "a slip out of nothing"
+    return NOT_TOLD
 
 
 def boundaries(

@@ -330,7 +330,7 @@ def picture() -> Figure:
     axes = figure.subplots(2, len(SHOWN) // 2, sharex=True, sharey=True)
     grid = family()
     kinds = sorted({one.kind for one in grid.found} - {"not told"})
-    dashes: tuple[tuple[float, ...], ...] = ((), (1, 1.2), (6, 2), (3, 1.5), (6, 1.5, 1, 1.5))
+    dashes: tuple[tuple[float, ...], ...] = ((), (1, 1.2), (6, 2), (9, 1.5, 1, 1.5, 1, 1.5), (3, 1.5), (6, 1.5, 1, 1.5))
     looks = dict(zip(kinds, zip([*COLOURS, INK, INK], dashes, strict=False), strict=False))
     for place, (panel, gamma) in enumerate(zip(axes.flat, SHOWN, strict=True)):
         dressed(panel)
