@@ -331,7 +331,7 @@ def picture() -> Figure:
     grid = family()
     kinds = sorted({one.kind for one in grid.found} - {"not told"})
     dashes: tuple[tuple[float, ...], ...] = ((), (1, 1.2), (6, 2), (9, 1.5, 1, 1.5, 1, 1.5), (3, 1.5), (6, 1.5, 1, 1.5))
-    looks = dict(zip(kinds, zip([*COLOURS, INK, INK], dashes, strict=False), strict=False))
+    looks = dict(zip(kinds, zip((*COLOURS[:3], COLOURS[1], INK, INK), dashes, strict=True), strict=True))
     for place, (panel, gamma) in enumerate(zip(axes.flat, SHOWN, strict=True)):
         dressed(panel)
         panel.set_title(f"({'abcdefgh'[place]}) γ = {gamma:g}", loc="left", fontsize=11, color=INK)
