@@ -57,6 +57,18 @@ proptest! {
         check(&hoop, start)?;
     }
 
+    /// A massless rim with the particle on it: F/N = tan θ/2 (3.9), and N has the sign of 1 − θ′².
+    #[test]
+    fn littlewoods_hoop_rolls_at_rates_below_1_where_friction_suffices(
+        mu in 0.01..3.0_f64, theta in -3.1..3.1_f64, rate in -2.0..2.0_f64,
+    ) {
+        let margins = [mu - libm::tan(0.5 * theta).abs(), 1.0 - rate.abs()];
+        prop_assume!(margins.iter().all(|margin| margin.abs() > 1e-9));
+        let hoop = Hoop::littlewood(mu, 0.5 * mu).expect("a valid hoop");
+        let rolls = hoop.classify(Start::at(theta, rate)).expect("a valid start").mode == Some(Mode::Rolling);
+        prop_assert_eq!(rolls, margins.iter().all(|margin| *margin > 0.0));
+    }
+
     #[test]
     fn a_thrown_hoop_flies((hoop, start) in heavy_motion(), gap_rate in 1e-9..2.0_f64) {
         check(&hoop, start.with_gap_rate(gap_rate))?;
