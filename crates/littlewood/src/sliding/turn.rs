@@ -280,3 +280,34 @@ impl Sampled {
         Some(sampled)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::hoop::{Body, Hoop, HoopParameters};
+    use crate::mode::Direction;
+
+    proptest! {
+        #[test]
+        fn the_section_is_the_unstable_equilibrium_or_where_the_slope_of_the_energy_is_least(
+            mass_ratio in 0.0..3.0_f64, offset in 0.05..1.0_f64, inertia in 0.1..3.0_f64, mu in 0.0..5.0_f64,
+            positive in any::<bool>(),
+        ) {
+            let hoop = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu, mu);
+            let Body::Heavy(body) = Hoop::new(hoop).unwrap().body() else { unreachable!("it has inertia") };
+            let direction = if positive { Direction::Positive } else { Direction::Negative };
+            let law = SlidingLaw::of_body(body, mu, direction);
+            let (sin, cos) = libm::sincos(section(&law));
+            let q = law.q(1.0, sin, cos);
+            let slope = body.h * (cos + law.friction * sin);
+            let size = 1.0 + mu;
+            if mu < body.h * (1.0 + mu * mu).sqrt() {
+                prop_assert!(q.abs() < 1e-14 * size && slope > -1e-7 * size, "{q} {slope}");
+            } else {
+                prop_assert!(slope.abs() < 1e-14 * size && q * law.friction < 0.0, "{q} {slope}");
+            }
+        }
+    }
+}
