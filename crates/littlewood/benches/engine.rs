@@ -78,6 +78,13 @@ fn regimes(criterion: &mut Criterion) {
             bencher.iter(|| starts.iter().filter_map(|s| engine.summary(*s, Limits::default()).ok()).count());
         });
     }
+    for mu in [0.05, 1e-2, 1e-3] {
+        let engine = Engine::new(&Hoop::figure_2(mu, mu).expect("a hoop"));
+        let starts = scattered(COUNT, |theta, theta_rate| Start::at(theta, theta_rate).with_slip(1.0));
+        group.bench_function(format!("little friction, {mu}"), |bencher| {
+            bencher.iter(|| starts.iter().filter_map(|s| engine.summary(*s, Limits::default()).ok()).count());
+        });
+    }
     let engine = Engine::new(&Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2"));
     let starts = scattered(COUNT, |theta, slip| Start::at(theta, 0.0).with_slip(slip));
     group.bench_function("angle against slip", |bencher| {

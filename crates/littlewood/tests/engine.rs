@@ -255,9 +255,14 @@ fn a_sequence_of_phases_keeps_its_length_in_64_bits() {
 
 /// The engine of a hoop tells of the same motions as its simulation, with tables and without.
 fn agree(hoop: &Hoop, starts: &[Start]) -> Result<(), TestCaseError> {
+    agree_within(20.0, hoop, starts)
+}
+
+/// The same for so long.
+fn agree_within(time: f64, hoop: &Hoop, starts: &[Start]) -> Result<(), TestCaseError> {
     for engine in [Engine::new(hoop), Engine::without_tables(hoop)] {
         for start in starts {
-            let limits = Limits::until(start.time + 20.0).with_transitions(300);
+            let limits = Limits::until(start.time + time).with_transitions(300);
             let ours = engine.summary(*start, limits).expect("a valid start");
             let motion = hoop.simulate(*start, limits).expect("a valid start");
             let theirs = motion.summary();
@@ -321,6 +326,42 @@ fn swinging_hoop() -> impl Strategy<Value = Hoop> {
         },
     );
     prop_oneof![light, alike].prop_map(|parameters| Hoop::new(parameters).expect("a valid hoop"))
+}
+
+/// A hoop on a plane of little friction, on which a slide lasts for many periods and is reversed many times, and starts of such slides:
+/// anywhere, close to the separatrix, close to the bottom, and on the limit of static friction there.
+fn little_friction() -> impl Strategy<Value = (Hoop, Vec<Start>)> {
+    let part = prop_oneof![Just(1.0), 0.3..1.0_f64, (1.0 - 1e-6)..1.0_f64];
+    let hoop = (0.0..2.0_f64, 0.1..=1.0_f64, 0.1..2.0_f64, -4.5..-1.0_f64, part).prop_map(
+        |(mass, offset, inertia, exponent, part)| {
+            let mu = libm::pow(10.0, exponent);
+            Hoop::new(HoopParameters::new(mass, offset, inertia).with_friction(mu, mu * part))
+                .expect("a valid hoop")
+        },
+    );
+    let slip = prop_oneof![2 => Just(0.0), 3 => -4.0..4.0_f64, 1 => -1e-3..1e-3_f64];
+    let small = (-4.0..0.0_f64, prop::bool::ANY)
+        .prop_map(|(exponent, plus)| libm::pow(10.0, exponent) * if plus { 1.0 } else { -1.0 });
+    let place = (0..4_u8, -PI..PI, -4.0..4.0_f64, small.clone(), small);
+    let starts = prop::collection::vec((place, slip), 6);
+    (hoop, starts).prop_map(|(hoop, starts)| {
+        let h = hoop.h();
+        let inertia = hoop.body().inertia_about_mass_centre();
+        // θ′ at the bottom on the separatrix of slides without friction.
+        let separatrix = 2.0 * (hoop.offset() / inertia).sqrt();
+        let start = |((kind, theta, rate, first, second), slip): ((u8, f64, f64, f64, f64), f64)| match kind {
+            0 => Start::at(theta, rate).with_slip(slip),
+            1 => Start::at(PI, separatrix * (1.0 + 0.1 * first)).with_slip(slip),
+            2 => Start::at(PI + 0.3 * first, 0.3 * second).with_slip(slip),
+            // There |F| = μs N near the bottom, about.
+            _ => {
+                let limit = hoop.mu_s() * (inertia + hoop.mass() * (1.0 - h) * (1.0 - h));
+                let theta = limit / (hoop.mass() * h * (1.0 - h)).max(1e-3);
+                Start::at(PI - theta.min(1.0) * (1.0 + 0.1 * first), 0.1 * second)
+            }
+        };
+        (hoop, starts.into_iter().map(start).collect())
+    })
 }
 
 /// Whole chains of slips, to their ends: the sums over thousands of phases, not one of which is followed.
@@ -425,5 +466,19 @@ proptest! {
         let limits = Limits::default().with_until(Some(20.0)).with_transitions(50);
         let ours = Engine::new(&hoop).summary(start, limits).unwrap();
         prop_assert_eq!(check(&ours, &hoop.simulate(start, limits).unwrap().summary(), 0.0), Ok(()));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    /// Slides over many periods, whole periods of which are passed at once, cut by a limit of time or not; and slides out of the limit of
+    /// static friction next to turning points.
+    #[test]
+    fn little_friction_has_the_outcomes_of_the_simulation(
+        (hoop, starts) in little_friction(), until in -1.0..3.0_f64,
+    ) {
+        agree_within(libm::pow(10.0, until), &hoop, &starts)?;
+        agree_within(1e4, &hoop, &starts)?;
     }
 }

@@ -55,6 +55,8 @@ pub(super) enum End {
     Rest,
     /// w = 0.
     LiftOff,
+    /// By a limit of time.
+    Cut,
 }
 
 /// The way of a slide through a piece.

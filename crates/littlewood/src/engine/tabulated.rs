@@ -6,7 +6,7 @@ use crate::mode::Direction;
 
 use super::Tables;
 use super::roll::RollEnd;
-use super::slide::{SlideEnd, SlideEvent, SlideStart};
+use super::slide::{SlideEnd, SlideEvent, SlideStart, Unknown};
 use super::slip::Ahead;
 use super::solver::{MIN_RATE, Phases, Place};
 
@@ -30,26 +30,37 @@ impl Tables {
         place: &Place,
         direction: Direction,
         slip_acceleration: Option<f64>,
-    ) -> Option<(SlideEvent, Ahead)> {
+        allowed: f64,
+    ) -> Result<(SlideEnd, Ahead), Unknown> {
         let (state, travel, sigma) = (place.state, place.travel(), direction.sign());
         let (sin, cos) = place.direction;
         let known = place.slip.and_then(|point| {
             self.slip.follow(point, travel * state.theta, travel * state.theta_rate, (travel * sin, cos))
         });
-        let known = known.filter(|end| end.event.theta_rate.abs() >= MIN_RATE);
+        let known =
+            known.filter(|end| end.event.theta_rate.abs() >= MIN_RATE && end.event.elapsed <= allowed);
         let ahead = known.map_or(Ahead::Open, |end| end.ahead);
-        let event = match (known, slip_acceleration) {
-            (Some(end), _) => end.event,
-            // η″ = 0 at the start, too: on the static limit with equal coefficients.
-            (None, Some(0.0)) => return None,
-            (None, Some(_) | None) => self.slide.follow(SlideStart {
-                theta: sigma * state.theta,
-                theta_rate: sigma * state.theta_rate,
-                slip: sigma * state.slip,
-                direction: (sigma * sin, cos),
-            })?,
+        let end = match (known, slip_acceleration) {
+            (Some(end), _) => SlideEnd::Event(end.event),
+            // η″ = 0 at the start, too: on the static limit with equal coefficients. The tables go on from where the slip has its sign.
+            (None, Some(0.0)) => {
+                let left = self.direct.leave_limit(place, direction);
+                let (start, elapsed) =
+                    left.filter(|(_, elapsed)| *elapsed <= allowed).ok_or(Unknown::Doubt)?;
+                let end = self.slide.follow(start, allowed - elapsed)?;
+                end.map(|event| SlideEvent { elapsed: elapsed + event.elapsed, ..event })
+            }
+            (None, Some(_) | None) => {
+                let start = SlideStart {
+                    theta: sigma * state.theta,
+                    theta_rate: sigma * state.theta_rate,
+                    slip: sigma * state.slip,
+                    direction: (sigma * sin, cos),
+                };
+                self.slide.follow(start, allowed)?
+            }
         };
-        Some((event.mirrored(sigma), ahead))
+        Ok((end.map(|event| event.mirrored(sigma)), ahead))
     }
 }
 
@@ -85,9 +96,11 @@ impl Phases for Tables {
         slip_acceleration: Option<f64>,
         allowed: f64,
     ) -> Option<(SlideEnd, Ahead)> {
-        self.known_slide(place, direction, slip_acceleration)
-            .filter(|(event, _)| event.elapsed <= allowed)
-            .map(|(event, ahead)| (SlideEnd::Event(event), ahead))
-            .or_else(|| self.direct.slide(place, direction, slip_acceleration, allowed))
+        match self.known_slide(place, direction, slip_acceleration, allowed) {
+            Ok(known) => Some(known),
+            Err(Unknown::Doubt) => self.direct.slide(place, direction, slip_acceleration, allowed),
+            // Computed directly it would take as many turns.
+            Err(Unknown::Long) => None,
+        }
     }
 }

@@ -14,7 +14,7 @@ use crate::mode::Direction;
 
 use super::piece::Waypoint;
 use super::roll::RollEnd;
-use super::slide::SlideEnd;
+use super::slide::{SlideEnd, SlideStart};
 use super::slip::Ahead;
 use super::solver::{Phases, Place};
 use slide::Frame;
@@ -37,6 +37,49 @@ impl Direct {
             sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
             rolling: RollingLaw::new(hoop),
         }
+    }
+}
+
+impl Direct {
+    /// A slide from a place in the frame of motion.
+    fn seen(&self, place: &Place, direction: Direction, from_limit: bool) -> (Frame<'_>, Waypoint) {
+        let (state, sign) = (place.state, place.travel());
+        let (sin, cos) = place.direction;
+        let law = self.sliding(direction);
+        let u = state.theta_rate * state.theta_rate;
+        let (alpha, beta) = law.slip_acceleration(sin, cos);
+        let sigma = direction.sign();
+        let frame = Frame {
+            laws: &self.sliding,
+            sign,
+            theta: sign * state.theta,
+            sigma: sign * sigma,
+            integral: sign * (state.slip - state.theta_rate * law.lever(sin, cos)),
+        };
+        let here = Waypoint {
+            z: 0.0,
+            u,
+            elapsed: 0.0,
+            slip: sigma * state.slip,
+            slip_acceleration: if from_limit { 0.0 } else { sigma * (alpha + beta * u) },
+            direction: (sign * sin, cos),
+        };
+        (frame, here)
+    }
+
+    /// The slide out of η′ = η″ = 0 at a place, behind its first step, with the time since: in the frame with σ = +1. None where an event
+    /// ends it before.
+    pub(super) fn leave_limit(&self, place: &Place, direction: Direction) -> Option<(SlideStart, f64)> {
+        let (frame, here) = self.seen(place, direction, true);
+        let (behind, at, rate) = slide::leave_limit(frame, &here)?;
+        let (sin, cos) = at.direction;
+        let start = SlideStart {
+            theta: behind.sigma * behind.theta,
+            theta_rate: behind.sigma * rate,
+            slip: at.slip,
+            direction: (behind.sigma * sin, cos),
+        };
+        Some((start, at.elapsed))
     }
 }
 
@@ -80,27 +123,7 @@ impl Phases for Direct {
     ) -> Option<(SlideEnd, Ahead)> {
         // On the static limit with equal coefficients.
         let from_limit = slip_acceleration == Some(0.0);
-        let (state, sign) = (place.state, place.travel());
-        let (sin, cos) = place.direction;
-        let law = self.sliding(direction);
-        let u = state.theta_rate * state.theta_rate;
-        let (alpha, beta) = law.slip_acceleration(sin, cos);
-        let sigma = direction.sign();
-        let frame = Frame {
-            laws: &self.sliding,
-            sign,
-            theta: sign * state.theta,
-            sigma: sign * sigma,
-            integral: sign * (state.slip - state.theta_rate * law.lever(sin, cos)),
-        };
-        let here = Waypoint {
-            z: 0.0,
-            u,
-            elapsed: 0.0,
-            slip: sigma * state.slip,
-            slip_acceleration: if from_limit { 0.0 } else { sigma * (alpha + beta * u) },
-            direction: (sign * sin, cos),
-        };
+        let (frame, here) = self.seen(place, direction, from_limit);
         Some((slide::follow(frame, here, from_limit, allowed)?, Ahead::Open))
     }
 }

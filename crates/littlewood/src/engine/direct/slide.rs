@@ -76,10 +76,9 @@ pub(super) fn follow(
         let reach = expansion.reach(0);
         let (end, mut at, rate);
         let is_cut;
-        if let Some((before, place, turn)) = turn_about(&frame, &here, &expansion, reach) {
-            if from_limit {
-                return None;
-            }
+        // The first step out of η″ = 0 knows its signs, however short the turning point makes it.
+        let turn = if from_limit { None } else { turn_about(&frame, &here, &expansion, reach) };
+        if let Some((before, place, turn)) = turn {
             // Towards larger angles, and back.
             let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
             if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
@@ -103,16 +102,8 @@ pub(super) fn follow(
             }
         } else {
             let step = Step::new(&expansion, here.direction, reach, from_limit)?;
-            let (sin, cos) = here.direction;
-            let held = passes_top(sin, step.direction(1.0).0);
-            if held {
-                let top = -sin / ((1.0 + cos) * step.width);
-                if contact(1.0, frame.law().body.h, step.u(top.min(1.0))) < UNCERTAIN {
-                    return None;
-                }
-            }
+            (end, at) = pass_step(&frame, &here, &step)?;
             let way = frame.way(&step);
-            (end, at) = pass(&way, (&here, 1.0), held, (step.signs, step.doubt))?;
             is_cut = at.elapsed > allowed;
             if is_cut {
                 at = way.at_time(&here, &at, allowed)?;
@@ -138,6 +129,28 @@ pub(super) fn follow(
         return Some(if is_cut { SlideEnd::Cut(event) } else { SlideEnd::Event(event) });
     }
     None
+}
+
+/// The first step of a slide out of η′ = η″ = 0, if no event ends it: the frame and the place behind it, and θ′ there in this frame.
+pub(super) fn leave_limit<'a>(frame: Frame<'a>, here: &Waypoint) -> Option<(Frame<'a>, Waypoint, f64)> {
+    let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
+    let step = Step::new(&expansion, here.direction, expansion.reach(0), true)?;
+    let (end, at) = pass_step(&frame, here, &step)?;
+    let behind = Frame { theta: frame.theta + step.turned_by(at.z), ..frame };
+    (end == End::Open).then(|| (behind, at, step.rate(at.z, at.u)))
+}
+
+/// Passes a step to its end, or to the event before.
+fn pass_step(frame: &Frame<'_>, here: &Waypoint, step: &Step) -> Option<(End, Waypoint)> {
+    let (sin, cos) = here.direction;
+    let held = passes_top(sin, step.direction(1.0).0);
+    if held {
+        let top = -sin / ((1.0 + cos) * step.width);
+        if contact(1.0, frame.law().body.h, step.u(top.min(1.0))) < UNCERTAIN {
+            return None;
+        }
+    }
+    pass(&frame.way(step), (here, 1.0), held, (step.signs, step.doubt))
 }
 
 /// Whether a slide that turns towards larger angles, from a place with this sin ϑ to another less than half a turn ahead, passes the

@@ -5,7 +5,7 @@ use crate::hoop::Heavy;
 use crate::trig::{sincos, sincos_small};
 
 use super::super::polynomial::value;
-use super::super::quadrature::{NODE, NODES, WEIGHT};
+use super::super::quadrature::{MIDDLE_NODE, MIDDLE_NODES, MIDDLE_WEIGHT, NODE, NODES, WEIGHT};
 
 /// Degree of the polynomials of a cell.
 pub(super) const DEGREE: usize = 18;
@@ -41,6 +41,9 @@ pub(super) struct Cell {
     pub(super) h: Polynomial,
     pub(super) p_nodes: [f64; NODES],
     pub(super) h_nodes: [f64; NODES],
+    /// At the nodes of the middle rule.
+    p_middle: [f64; MIDDLE_NODES],
+    h_middle: [f64; MIDDLE_NODES],
     /// At z = −1 and z = 1.
     pub(super) edges: [Edge; 2],
 }
@@ -98,6 +101,8 @@ impl Cell {
             direction: (sin[0], cos[0]),
             p_nodes: NODE.map(|z| value(&u_p, z)),
             h_nodes: NODE.map(|z| value(&u_h, z)),
+            p_middle: MIDDLE_NODE.map(|z| value(&u_p, z)),
+            h_middle: MIDDLE_NODE.map(|z| value(&u_h, z)),
             edges: [edge(left, -1.0), edge(right, 1.0)],
             p: u_p,
             h: u_h,
@@ -144,27 +149,48 @@ impl Cell {
         core::array::from_fn(|k| self.p[k] + level * self.h[k])
     }
 
-    /// ∫ dϑ/√u over the whole cell.
-    pub(super) fn whole_time(&self, level: f64) -> f64 {
+    /// ∫ dϑ/√u over the whole cell, with the shorter rule if u changes very little (`is_even`).
+    pub(super) fn whole_time(&self, level: f64, is_even: bool) -> f64 {
         let mut sum = 0.0;
-        for ((weight, p), h) in WEIGHT.iter().zip(&self.p_nodes).zip(&self.h_nodes) {
-            sum += weight / (p + level * h).sqrt();
+        if is_even {
+            for ((weight, p), h) in WEIGHT.iter().zip(&self.p_nodes).zip(&self.h_nodes) {
+                sum += weight / (p + level * h).sqrt();
+            }
+        } else {
+            for ((weight, p), h) in MIDDLE_WEIGHT.iter().zip(&self.p_middle).zip(&self.h_middle) {
+                sum += weight / (p + level * h).sqrt();
+            }
         }
         self.half * sum
     }
 
-    /// ∫ dϑ/√u from z = from to z = to, not smaller.
-    pub(super) fn time(&self, motion: &Polynomial, from: f64, to: f64) -> f64 {
+    /// ∫ dϑ/√u from z = from to z = to, not smaller, with the shorter rule if u changes very little.
+    pub(super) fn time(&self, motion: &Polynomial, from: f64, to: f64, is_even: bool) -> f64 {
+        if is_even {
+            self.sum(motion, (from, to), (&NODE, &WEIGHT))
+        } else {
+            self.sum(motion, (from, to), (&MIDDLE_NODE, &MIDDLE_WEIGHT))
+        }
+    }
+
+    /// The same by a rule.
+    #[inline]
+    fn sum<const N: usize>(
+        &self,
+        motion: &Polynomial,
+        (from, to): (f64, f64),
+        (nodes, weights): (&[f64; N], &[f64; N]),
+    ) -> f64 {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let z = NODE.map(|node| middle + half * node);
-        let mut u = [motion[DEGREE]; NODES];
+        let z = nodes.map(|node| middle + half * node);
+        let mut u = [motion[DEGREE]; N];
         for c in motion[..DEGREE].iter().rev() {
-            for j in 0..NODES {
+            for j in 0..N {
                 u[j] = u[j] * z[j] + c;
             }
         }
         let mut sum = 0.0;
-        for (weight, u) in WEIGHT.iter().zip(u) {
+        for (weight, u) in weights.iter().zip(u) {
             sum += weight / u.sqrt();
         }
         self.half * half * sum

@@ -7,7 +7,7 @@ use super::super::polynomial::value;
 use super::super::solver::MIN_RATE;
 use super::cell::{Cell, Polynomial};
 use super::turning::Turning;
-use super::{SlideEvent, SlideStart, SlideTable};
+use super::{SlideEnd, SlideEvent, SlideStart, SlideTable, Unknown};
 
 /// Ratio of the ends of u from which a turning point is looked for.
 const UNEVEN: f64 = 2.0;
@@ -15,31 +15,42 @@ const UNEVEN: f64 = 2.0;
 /// A slide over more turns than this is followed otherwise.
 const MOST_TURNS: usize = 16;
 
+/// So is a libration over more periods: rounding in its period would tell as often.
+const MOST_PERIODS: f64 = 64.0;
+
 /// A minimum of η′ within this of zero is in doubt.
 const UNCERTAIN: f64 = 1e-9;
 
-/// Ratio of the ends of u up to which the Gauss sum of 1/√u is exact to rounding.
+/// Ratio of the ends of u up to which the Gauss sum of 1/√u with twelve nodes is exact to rounding, also where u is quadratic about an end.
 const SMOOTH: f64 = 1.5;
+
+/// The same with eight nodes.
+const EVEN: f64 = 1.125;
 
 /// A way is halved at most so often.
 pub(super) const MOST_HALVINGS: u32 = 6;
 
-/// Whether a factor under the root changes so little between two values.
-pub(super) fn is_smooth(from: f64, to: f64) -> bool {
+/// Whether two values are within a factor.
+fn is_within(factor: f64, (from, to): (f64, f64)) -> bool {
     let ratio = to / from;
-    ratio > 1.0 / SMOOTH && ratio < SMOOTH
+    ratio > 1.0 / factor && ratio < factor
+}
+
+/// Whether a factor under the root changes so little between two values.
+fn is_smooth(from: f64, to: f64) -> bool {
+    is_within(SMOOTH, (from, to))
 }
 
 /// The sum over parts of a way on each of which a factor changes so little.
 pub(super) fn in_parts(
     factor: &impl Fn(f64) -> f64,
-    sum: &impl Fn(f64, f64) -> f64,
+    sum: &impl Fn((f64, f64), (f64, f64)) -> f64,
     (from, first): (f64, f64),
     (to, last): (f64, f64),
     halvings: u32,
 ) -> Option<f64> {
     if is_smooth(first, last) {
-        return Some(sum(from, to));
+        return Some(sum((from, first), (to, last)));
     }
     let halvings = halvings.checked_sub(1)?;
     let middle = 0.5 * (from + to);
@@ -86,7 +97,9 @@ impl Piece for Crossing<'_> {
     }
 
     fn time(&self, (from, u): (f64, f64), (to, to_u): (f64, f64)) -> Option<f64> {
-        let time = |from: f64, to: f64| self.cell.time(&self.motion, from.min(to), from.max(to));
+        let time = |(from, u): (f64, f64), (to, to_u): (f64, f64)| {
+            self.cell.time(&self.motion, from.min(to), from.max(to), is_within(EVEN, (u, to_u)))
+        };
         in_parts(&|z| self.u(z), &time, (from, u), (to, to_u), MOST_HALVINGS)
     }
 
@@ -97,16 +110,27 @@ impl Piece for Crossing<'_> {
     }
 }
 
-/// The end of a way on which η″ changes its sign at most once, from a place to another, at which contact ends or not.
-fn pass<P: Piece>(
-    way: &Way<'_, P>,
-    here: &Waypoint,
-    there: Waypoint,
-    lifts_off: bool,
-) -> Option<(End, Waypoint)> {
-    if there.slip <= 0.0 {
-        return Some((End::Rest, way.rest(here, &there)?));
+/// Where a way has led.
+#[derive(Clone, Copy, Debug)]
+struct Passed {
+    end: End,
+    at: Waypoint,
+    /// The least η′ behind the beginning.
+    least: f64,
+}
+
+impl Passed {
+    const fn to(end: End, at: Waypoint) -> Self {
+        Self { end, at, least: at.slip }
     }
+}
+
+/// The end of a way on which η″ changes its sign at most once, from a place to another, at which contact ends or not.
+fn pass<P: Piece>(way: &Way<'_, P>, here: &Waypoint, there: Waypoint, lifts_off: bool) -> Option<Passed> {
+    if there.slip <= 0.0 {
+        return Some(Passed::to(End::Rest, way.rest(here, &there)?));
+    }
+    let passed = Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there);
     if here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0 {
         let least = way.least(here, &there)?;
         // Where it hardly vanishes, or hardly does not, rounding would decide.
@@ -114,14 +138,15 @@ fn pass<P: Piece>(
             return None;
         }
         if least.slip < 0.0 {
-            return Some((End::Rest, way.rest(here, &least)?));
+            return Some(Passed::to(End::Rest, way.rest(here, &least)?));
         }
+        return Some(Passed { least: least.slip, ..passed });
     }
-    Some((if lifts_off { End::LiftOff } else { End::Open }, there))
+    Some(passed)
 }
 
 /// The same up to a coordinate.
-fn pass_to<P: Piece>(way: &Way<'_, P>, here: &Waypoint, to: f64) -> Option<(End, Waypoint)> {
+fn pass_to<P: Piece>(way: &Way<'_, P>, here: &Waypoint, to: f64) -> Option<Passed> {
     let (_, cos) = way.piece.direction(to);
     let lifts_off = contact(1.0, way.law.body.h, cos * way.piece.u(to)) < 0.0;
     let there = if lifts_off { way.lift_off(here, to)? } else { way.at(here, to)? };
@@ -133,10 +158,22 @@ fn is_fast(at: &Waypoint) -> bool {
     at.u >= MIN_RATE * MIN_RATE
 }
 
+/// A passage of the bottom.
+#[derive(Clone, Copy, Debug)]
+struct Passage {
+    elapsed: f64,
+    /// The multiple of a turn.
+    offset: f64,
+    /// Sign of θ′.
+    travel: f64,
+}
+
 /// A slide on its way through the cells.
 #[derive(Clone, Copy, Debug)]
 struct Follower<'a> {
     table: &'a SlideTable,
+    /// The time that it may take.
+    allowed: f64,
     /// The constant of the first integral.
     integral: f64,
     /// The cell, and the multiple of a turn that its angles stand for.
@@ -149,29 +186,40 @@ struct Follower<'a> {
     whole: bool,
     /// Smallest and largest angle of turning points.
     turns: Option<(f64, f64)>,
+    /// The first passage of the bottom, and then each in the same direction.
+    last: Option<Passage>,
+    /// The least η′ since then, or since the start.
+    least: f64,
+    /// Whether it is known to take too many turns.
+    is_long: bool,
 }
 
 impl SlideTable {
-    /// Follows a slide to its event. None where the sign of η′ is in doubt, turning points are close to each other, or the slide takes
-    /// longer than a few turns: the caller then follows it otherwise.
-    pub(in crate::engine) fn follow(&self, start: SlideStart) -> Option<SlideEvent> {
-        let mut follower = Follower::new(self, &start)?;
-        for _ in 0..MOST_TURNS * self.cells.len() {
-            if let Some(event) = follower.pass_cell()? {
-                return Some(event);
+    /// Follows a slide to its event, or to where it is after the time that is `allowed`.
+    pub(in crate::engine) fn follow(&self, start: SlideStart, allowed: f64) -> Result<SlideEnd, Unknown> {
+        let mut follower = Follower::new(self, &start, allowed).ok_or(Unknown::Doubt)?;
+        for _ in 0..2 * MOST_TURNS * self.cells.len() {
+            match follower.pass_cell() {
+                None => return Err(Unknown::Doubt),
+                Some(Some(end)) => return Ok(end),
+                Some(None) if follower.is_long => break,
+                Some(None) => {}
             }
         }
-        None
+        Err(Unknown::Long)
     }
 
-    /// The same, if θ′ keeps its sign.
+    /// To its event, if θ′ keeps its sign.
     pub(in crate::engine) fn follow_one_way(&self, start: SlideStart) -> Option<SlideEvent> {
-        self.follow(start).filter(|event| event.turns.is_none())
+        match self.follow(start, f64::INFINITY) {
+            Ok(SlideEnd::Event(event)) if event.turns.is_none() => Some(event),
+            Ok(SlideEnd::Event(_) | SlideEnd::Cut(_)) | Err(_) => None,
+        }
     }
 }
 
 impl<'a> Follower<'a> {
-    fn new(table: &'a SlideTable, start: &SlideStart) -> Option<Self> {
+    fn new(table: &'a SlideTable, start: &SlideStart, allowed: f64) -> Option<Self> {
         if start.theta_rate == 0.0 || start.theta_rate.is_nan() {
             return None;
         }
@@ -184,6 +232,7 @@ impl<'a> Follower<'a> {
         let slip_acceleration = alpha + beta * u;
         Some(Self {
             table,
+            allowed,
             integral: start.slip - start.theta_rate * table.law.lever(sin, cos),
             index,
             offset,
@@ -191,11 +240,14 @@ impl<'a> Follower<'a> {
             here: Waypoint { z, u, elapsed: 0.0, slip: start.slip, slip_acceleration, direction: (sin, cos) },
             whole: false,
             turns: None,
+            least: start.slip,
+            last: None,
+            is_long: false,
         })
     }
 
-    /// Passes a cell, or leads to the event in it.
-    fn pass_cell(&mut self) -> Option<Option<SlideEvent>> {
+    /// Passes a cell, or leads to the end in it.
+    fn pass_cell(&mut self) -> Option<Option<SlideEnd>> {
         let Self { table, index, travel, here, .. } = *self;
         let cell = &table.cells[index];
         let level = if self.whole {
@@ -214,10 +266,11 @@ impl<'a> Follower<'a> {
         let there = if lifts_off {
             self.way(&crossing(), travel).lift_off(&here, travel)?
         } else {
+            let is_even = is_within(EVEN, (here.u, exit_u));
             let time = if self.whole {
-                cell.whole_time(level)
+                cell.whole_time(level, is_even)
             } else {
-                cell.time(&cell.motion(level), here.z.min(travel), here.z.max(travel))
+                cell.time(&cell.motion(level), here.z.min(travel), here.z.max(travel), is_even)
             };
             let elapsed = here.elapsed + time;
             let rate = travel * exit_u.sqrt();
@@ -231,22 +284,35 @@ impl<'a> Follower<'a> {
             }
         };
         let has_minimum = here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0;
-        let (end, at) = if there.slip <= 0.0 || has_minimum {
+        let passed = if there.slip <= 0.0 || has_minimum {
             pass(&self.way(&crossing(), travel), &here, there, lifts_off)?
         } else {
-            (if lifts_off { End::LiftOff } else { End::Open }, there)
+            Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there)
         };
-        self.cross(end, at)
+        if passed.at.elapsed > self.allowed {
+            let cut = self.cut(&self.way(&crossing(), travel), &here, passed)?;
+            return self.cross(&cut);
+        }
+        self.cross(&passed)
+    }
+
+    /// What was passed from a place on, cut at the limit of time.
+    fn cut<P: Piece>(&self, way: &Way<'_, P>, here: &Waypoint, passed: Passed) -> Option<Passed> {
+        if passed.at.elapsed <= self.allowed {
+            return Some(passed);
+        }
+        way.at_time(here, &passed.at, self.allowed).map(|at| Passed::to(End::Cut, at))
     }
 
     /// Goes on behind a cell that was crossed, or says where the slide has ended in it.
-    fn cross(&mut self, end: End, at: Waypoint) -> Option<Option<SlideEvent>> {
-        let is_fast = is_fast(&self.here) && is_fast(&at);
-        is_fast.then(|| self.go_on(end, at, at.z, self.travel * at.u.sqrt()))
+    fn cross(&mut self, passed: &Passed) -> Option<Option<SlideEnd>> {
+        let at = &passed.at;
+        let is_fast = is_fast(&self.here) && is_fast(at);
+        is_fast.then(|| self.go_on(passed, at.z, self.travel * at.u.sqrt()))
     }
 
     /// Passes a cell in which θ′ changes much, or its sign.
-    fn pass_unevenly(&mut self, cell: &Cell, level: f64, exit_u: f64) -> Option<Option<SlideEvent>> {
+    fn pass_unevenly(&mut self, cell: &Cell, level: f64, exit_u: f64) -> Option<Option<SlideEnd>> {
         let (here, travel) = (self.here, self.travel);
         let motion = cell.motion(level);
         let ratio = exit_u / here.u;
@@ -255,31 +321,67 @@ impl<'a> Follower<'a> {
             is_steep.then(|| Turning::new(cell, &motion, (here.z, here.u), (travel, exit_u))).flatten();
         let Some(turning) = turning else {
             let crossing = Crossing { cell, motion, travel };
-            let (end, at) = pass_to(&self.way(&crossing, travel), &here, travel)?;
-            return self.cross(end, at);
+            let way = self.way(&crossing, travel);
+            let passed = self.cut(&way, &here, pass_to(&way, &here, travel)?)?;
+            return self.cross(&passed);
         };
         let way = self.way(&turning, 1.0);
         let is_before = turning.travel() == travel;
         let entrance = turning.coordinate_of(here.z, here.u);
         let from = Waypoint { z: if is_before { -entrance } else { entrance }, ..here };
-        let (end, at) = if is_before && turning.is_inside() {
-            match pass_to(&way, &from, 0.0)? {
-                (End::Open, middle) => {
+        let passed = if is_before && turning.is_inside() {
+            match self.cut(&way, &from, pass_to(&way, &from, 0.0)?)? {
+                Passed { end: End::Open, at: middle, least } => {
+                    self.least = self.least.min(least);
                     let angle = self.offset + (cell.centre + cell.half * turning.place(0.0));
                     let (low, high) = self.turns.unwrap_or((angle, angle));
                     self.turns = Some((low.min(angle), high.max(angle)));
                     self.travel = -self.travel;
-                    pass_to(&way, &middle, turning.coordinate(self.travel))?
+                    let passed = pass_to(&way, &middle, turning.coordinate(self.travel))?;
+                    self.cut(&way, &middle, passed)?
                 }
                 ended => ended,
             }
         } else {
             let exit = turning.coordinate(self.travel);
-            pass_to(&way, &from, if is_before { -exit } else { exit })?
+            self.cut(&way, &from, pass_to(&way, &from, if is_before { -exit } else { exit })?)?
         };
         // About the turning point the time is known from θ′, but the next cell knows the angle.
-        let is_known = end != End::Open || is_fast(&at);
-        is_known.then(|| self.go_on(end, at, turning.place(at.z), turning.rate(at.z, at.u)))
+        let at = &passed.at;
+        let is_known = passed.end != End::Open || is_fast(at);
+        is_known.then(|| self.go_on(&passed, turning.place(at.z), turning.rate(at.z, at.u)))
+    }
+
+    /// Takes note of a passage of the bottom.
+    ///
+    /// Of a libration, whole periods ahead without an event are passed: friction does not ask for the sign of θ′, so that θ′² is the same
+    /// function of the angle in all of them, and η′ falls by μk times the period in each.
+    fn pass_bottom(&mut self) {
+        let Self { here: Waypoint { elapsed, slip, .. }, offset, travel, .. } = *self;
+        let here = Passage { elapsed, offset, travel };
+        let last = *self.last.get_or_insert(here);
+        if last.travel != travel {
+            // Back from a turning point: half a period, or the end of a rotation, which goes back.
+            if last.offset != offset {
+                (self.last, self.least) = (Some(here), slip);
+            }
+            return;
+        }
+        let period = elapsed - last.elapsed;
+        let loss = self.table.law.friction * period;
+        let periods = (self.least / loss).min((self.allowed - elapsed) / period);
+        if last.offset != offset {
+            self.is_long = periods > MOST_TURNS as f64;
+        } else if period > 0.0 && periods > MOST_PERIODS {
+            self.is_long = true;
+        } else if period > 0.0 && periods > 3.0 {
+            // Where rounding tells, they are followed.
+            let free = periods.floor() - 2.0;
+            self.here.elapsed += free * period;
+            self.here.slip -= free * loss;
+        }
+        self.last = Some(Passage { elapsed: self.here.elapsed, ..here });
+        self.least = self.here.slip;
     }
 
     fn way<'b, P: Piece>(&self, piece: &'b P, forward: f64) -> Way<'b, P>
@@ -290,26 +392,31 @@ impl<'a> Follower<'a> {
     }
 
     /// Goes on to the next cell, or says where the slide has ended, at z of the cell.
-    fn go_on(&mut self, end: End, at: Waypoint, z: f64, theta_rate: f64) -> Option<SlideEvent> {
-        let lifts_off = match end {
+    fn go_on(&mut self, passed: &Passed, z: f64, theta_rate: f64) -> Option<SlideEnd> {
+        let at = passed.at;
+        match passed.end {
             End::Open => {
+                self.least = self.least.min(passed.least);
                 (self.index, self.offset) = self.table.neighbour(self.index, self.offset, self.travel > 0.0);
                 self.here = Waypoint { z: -self.travel, ..at };
                 self.whole = true;
+                if self.index == if self.travel > 0.0 { self.table.bottom } else { self.table.bottom - 1 } {
+                    self.pass_bottom();
+                }
                 return None;
             }
-            End::Rest => false,
-            End::LiftOff => true,
-        };
+            End::Rest | End::LiftOff | End::Cut => {}
+        }
         let cell = &self.table.cells[self.index];
-        Some(SlideEvent {
+        let event = SlideEvent {
             elapsed: at.elapsed,
             theta: self.offset + (cell.centre + cell.half * z),
             theta_rate,
-            slip: if lifts_off { at.slip } else { 0.0 },
+            slip: if passed.end == End::Rest { 0.0 } else { at.slip },
             direction: at.direction,
-            lifts_off,
+            lifts_off: passed.end == End::LiftOff,
             turns: self.turns,
-        })
+        };
+        Some(if passed.end == End::Cut { SlideEnd::Cut(event) } else { SlideEnd::Event(event) })
     }
 }

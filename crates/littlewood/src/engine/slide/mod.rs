@@ -42,6 +42,8 @@ pub(super) struct SlideTable {
     cells: Vec<Cell>,
     /// Index of the cell that holds the left end of each slot of a turn.
     slots: Vec<u16>,
+    /// Index of the cell that begins at the bottom, ϑ = π.
+    bottom: usize,
 }
 
 /// A slide that begins, in the frame with σ = +1.
@@ -68,12 +70,31 @@ pub(super) struct SlideEvent {
     pub(super) turns: Option<(f64, f64)>,
 }
 
+/// Why a slide is to be followed otherwise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unknown {
+    /// The sign of η′ is in doubt, or turning points are close to each other.
+    Doubt,
+    /// It takes many turns.
+    Long,
+}
+
 /// Where a slide ends, or is cut by a limit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SlideEnd {
     Event(SlideEvent),
     /// Not an event: where it is then.
     Cut(SlideEvent),
+}
+
+impl SlideEnd {
+    /// The same with what is said of where it is.
+    pub(super) fn map(self, seen: impl FnOnce(SlideEvent) -> SlideEvent) -> Self {
+        match self {
+            Self::Event(event) => Self::Event(seen(event)),
+            Self::Cut(event) => Self::Cut(seen(event)),
+        }
+    }
 }
 
 impl SlideEvent {
@@ -167,7 +188,8 @@ impl SlideTable {
             let index = cells.partition_point(|cell| cell.left <= angle).saturating_sub(1);
             slots.push(u16::try_from(index).ok()?);
         }
-        Some(Self { law, cells, slots })
+        let bottom = cells.partition_point(|cell| cell.left < PI);
+        Some(Self { law, cells, slots, bottom })
     }
 
     fn fill(law: &SlidingLaw, left: f64, right: f64, cells: &mut Vec<Cell>) -> Option<()> {

@@ -5,6 +5,7 @@
 //! dτ = 2 dϑ/dz dy/√v has no singularity.
 
 use super::super::piece::Piece;
+use super::super::polynomial::value;
 use super::super::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
 use super::cell::{Cell, DEGREE, Polynomial};
 use super::follow::{MOST_HALVINGS, in_parts};
@@ -13,7 +14,10 @@ use super::follow::{MOST_HALVINGS, in_parts};
 const FARTHEST: f64 = 4.0;
 
 /// Newton's method ends with a step shorter than this: its error is of the second order.
-const LAST_STEP: f64 = 1e-9;
+const LAST_STEP: f64 = 2e-8;
+
+/// Terms of a polynomial that tell its zero well enough to begin with.
+const FIRST_TERMS: usize = 6;
 
 /// One slide through a cell, with the coordinate y.
 #[derive(Clone, Debug)]
@@ -23,8 +27,8 @@ pub(super) struct Turning<'a> {
     z0: f64,
     /// Sign of z0 − z.
     side: f64,
-    /// v in powers of z.
-    v: [f64; DEGREE],
+    /// v in powers of z; the last coefficient is 0.
+    v: Polynomial,
 }
 
 impl<'a> Turning<'a> {
@@ -44,8 +48,11 @@ impl<'a> Turning<'a> {
         }
         let turning = Self { cell, z0, side, v };
         // A slide that turns in the cell leaves it where it has entered, or would have.
-        let ways = if turning.is_inside() && u_end < u { [z0, -end] } else { [z, end] };
-        let is_good = [z, ways[0], ways[1]].into_iter().all(|z| turning.v(z) > 0.0);
+        let is_good = if turning.is_inside() && u_end < u {
+            [z, z0, -end].into_iter().all(|z| turning.v(z) > 0.0)
+        } else {
+            [z, end].into_iter().all(|z| turning.v(z) > 0.0)
+        };
         is_good.then_some(turning)
     }
 
@@ -75,7 +82,7 @@ impl<'a> Turning<'a> {
     }
 
     fn v(&self, z: f64) -> f64 {
-        self.v.iter().rev().fold(0.0, |sum, c| sum * z + c)
+        value(&self.v, z)
     }
 
     /// Time from y to y, if v changes little.
@@ -83,7 +90,7 @@ impl<'a> Turning<'a> {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let z = NODE.map(|node| self.place(middle + half * node));
         let mut v = [0.0; NODES];
-        for c in self.v.iter().rev() {
+        for c in self.v[..DEGREE].iter().rev() {
             for j in 0..NODES {
                 v[j] = v[j] * z[j] + c;
             }
@@ -103,16 +110,22 @@ impl<'a> Turning<'a> {
 
 /// The zero of a polynomial next to a guess.
 fn zero(motion: &Polynomial, guess: f64) -> Option<f64> {
+    let newton = |terms: &[f64], z: f64| {
+        let (mut value, mut slope) = (0.0, 0.0);
+        for c in terms.iter().rev() {
+            (value, slope) = (value * z + c, slope * z + value);
+        }
+        -value / slope
+    };
     let mut z = guess;
+    for _ in 0..2 {
+        z += newton(&motion[..FIRST_TERMS], z);
+    }
     for _ in 0..20 {
         if z.is_nan() || z.abs() > FARTHEST {
             return None;
         }
-        let (mut value, mut slope) = (0.0, 0.0);
-        for c in motion.iter().rev() {
-            (value, slope) = (value * z + c, slope * z + value);
-        }
-        let step = -value / slope;
+        let step = newton(motion, z);
         z += step;
         if step.abs() <= LAST_STEP {
             return Some(z);
@@ -122,8 +135,8 @@ fn zero(motion: &Polynomial, guess: f64) -> Option<f64> {
 }
 
 /// A polynomial over z − z0, z0 being a zero: from the side that does not amplify rounding.
-fn quotient(motion: &Polynomial, z0: f64) -> [f64; DEGREE] {
-    let mut result = [0.0; DEGREE];
+fn quotient(motion: &Polynomial, z0: f64) -> Polynomial {
+    let mut result = [0.0; DEGREE + 1];
     if z0.abs() <= 1.0 {
         let mut sum = 0.0;
         for k in (0..DEGREE).rev() {
@@ -167,7 +180,7 @@ impl Piece for Turning<'_> {
 
     fn time(&self, (from, _): (f64, f64), (to, _): (f64, f64)) -> Option<f64> {
         let v = |y: f64| self.v(self.place(y));
-        in_parts(&v, &|from, to| self.gauss(from, to), (from, v(from)), (to, v(to)), MOST_HALVINGS)
+        in_parts(&v, &|(from, _), (to, _)| self.gauss(from, to), (from, v(from)), (to, v(to)), MOST_HALVINGS)
     }
 
     fn short_time(&self, y: f64, _: f64, step: f64) -> f64 {
