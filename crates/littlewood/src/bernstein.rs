@@ -280,6 +280,27 @@ mod tests {
     }
 
     #[test]
+    fn all_sign_changes_are_found_where_they_are() {
+        let roots = [0.05, 0.2, 0.45, 0.46, 0.8, 0.97];
+        for sign in [1.0, -1.0] {
+            let found = planted(&roots, sign).sign_changes();
+            assert_eq!(found.len(), roots.len());
+            for (found, root) in found.into_iter().zip(roots) {
+                assert!((found - root).abs() < 1e-10, "{found} {root}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_zero_that_is_touched_is_no_sign_change() {
+        let found = planted(&[0.3, 0.3, 0.7], 1.0).sign_changes();
+        // Rounding may part the two.
+        assert!(found.len() % 2 == 1 && found.len() <= 3, "{found:?}");
+        assert!(found.last().is_some_and(|root| (root - 0.7).abs() < 1e-12), "{found:?}");
+        assert!(found.iter().rev().skip(1).all(|root| (root - 0.3).abs() < 1e-7), "{found:?}");
+    }
+
+    #[test]
     fn a_root_at_the_start_is_judged_by_what_follows() {
         assert_eq!(planted(&[0.0], 1.0).first_crossing(), None);
         assert_eq!(planted(&[0.0], -1.0).first_crossing(), Some(Bracket { low: 0.0, high: 0.0 }));
