@@ -12,6 +12,8 @@ mod documentation;
 mod engine;
 mod equations;
 mod errata;
+mod extremes;
+mod frictionless;
 mod impact;
 mod invariants;
 mod jam;

@@ -71,9 +71,9 @@ proptest! {
     fn a_slip_near_the_grazing_orbit_loses_what_its_law_says(hoop in equal_friction(), librates in any::<bool>()) {
         let from = if librates { hoop.offset() * (1.0 - 1e-9) } else { 1e3 };
         let Some(orbit) = GrazingOrbit::below(&hoop, from) else { return Ok(()) };
-        // So near that a slip takes a thousandth of the distance; terms of higher order are of the size of its square root.
-        let distance = 1e-3 / orbit.loss;
-        prop_assume!(distance < 1e-2 && distance > 1e-6);
+        // So near that a slip takes 1e-5 of the distance; terms of higher order are of the size of its square root.
+        let distance = 1e-5 / orbit.loss;
+        prop_assume!(distance < 1e-4 && distance > 1e-8);
         let law = RollingLaw::new(&hoop);
         let rate = (2.0 * (orbit.energy + distance + hoop.offset()) / law.denominator(PI)).sqrt();
         let motion = follow(&hoop, State { time: 0.0, theta: PI, theta_rate: rate, slip: 0.0, x: 0.0 }, 2);
@@ -81,7 +81,7 @@ proptest! {
         prop_assert_eq!((slip.cause, stick.cause), (Cause::Slip, Cause::Stick));
         let lost = energy(&hoop, &slip.before) - energy(&hoop, &stick.before);
         let expected = orbit.loss * distance * distance;
-        prop_assert!((lost / expected - 1.0).abs() < 0.1, "{} of {}: {orbit:?}", lost, expected);
+        prop_assert!((lost / expected - 1.0).abs() < 0.03, "{} of {}: {orbit:?}", lost, expected);
     }
 
     #[test]

@@ -1,0 +1,156 @@
+//! Next to the ends of what numbers tell: slides and flights that last for very long, friction and inertia that are next to none.
+#![allow(clippy::panic)] // a failed expectation
+
+use littlewood::{
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, Recurrence, RestitutionLaw, Start,
+};
+
+/// A balanced hoop slips for 1.2345/(μk (1 + m/Î)), however long that is.
+#[test]
+fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
+    let (mass_ratio, inertia, mu_k) = (0.156, 0.1765, 3e-13);
+    let hoop = HoopParameters::new(mass_ratio, 0.0, inertia).with_friction(1e-12, mu_k);
+    let start = Start::at(2.81, 1.0).with_slip(1.2345);
+    let motion =
+        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let stick = motion.transitions().first().expect("sticks");
+    let time = 1.2345 / (mu_k * (1.0 + (1.0 + mass_ratio) / inertia));
+    assert_eq!((stick.cause, stick.to), (Cause::Stick, Some(Mode::Rolling)));
+    assert!((stick.time() / time - 1.0).abs() < 1e-14, "{} {time}", stick.time());
+    let rate = 1.0 - mu_k * (1.0 + mass_ratio) / inertia * time;
+    assert!((stick.before.theta_rate - rate).abs() < 1e-14 && stick.before.slip == 0.0);
+
+    let smooth = Hoop::new(HoopParameters::new(1.0, 0.0, 1.0)).expect("a valid hoop");
+    let motion =
+        smooth.simulate(Start::at(0.5, 1e-9).with_slip(0.25), Limits::default()).expect("a valid start");
+    let Outcome::SlidesForever { recurrence: Recurrence::Rotation { period }, .. } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
+    assert!((period * 1e-9 / std::f64::consts::TAU - 1.0).abs() < 1e-6);
+}
+
+/// A heavy rim on a plane of next to no friction would slip for 4.4e12 time units, through 3e12 turns: the angle at their end would
+/// be known to no digit. The slip loses μk in each time unit.
+#[test]
+fn a_slide_without_end_in_sight_says_how_much_is_left() {
+    let mu_k = 3e-13;
+    let hoop = HoopParameters::new(0.2387, 0.001, 1e9).with_friction(1e-6, mu_k);
+    let start = Start::at(-5.16, 4.59).with_slip(1.33);
+    let hoop = Hoop::new(hoop).expect("a valid hoop");
+    let known = hoop.simulate(start, Limits::default()).expect("a valid start");
+    assert!(matches!(known.outcome(), Outcome::StaysInContact { .. }), "{:?}", known.outcome());
+    let motion = hoop.simulate(start, Limits::default().with_proof(Proof::None)).expect("a valid start");
+    let Outcome::StepLimit { state, steps, time_left } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
+    assert!(steps < 1_000 && !motion.outcome().is_final());
+    assert!(state.theta > 6e9, "{state:?}");
+    let expected = state.slip / mu_k;
+    assert!((time_left / expected - 1.0).abs() < 0.05, "{time_left} {expected}");
+}
+
+/// With ℓ = 0 and P = Î the slip loses μk (1 + m/Î) in each time unit. With the least coefficients that are numbers it takes longer than
+/// the largest number says.
+#[test]
+fn a_balanced_hoop_slips_for_a_time_that_is_no_number() {
+    let (mass, inertia, slip) = (4.0, 4.234, 0.4725);
+    for exponent in 10..=324 {
+        for digits in [1.0, 2.5, 5.0, 9.0] {
+            let mu: f64 = format!("{digits}e-{exponent}").parse().expect("a number");
+            if mu == 0.0 {
+                continue;
+            }
+            let hoop = HoopParameters::new(mass - 1.0, 0.0, inertia).with_friction(mu, mu);
+            let hoop = Hoop::new(hoop).expect("a valid hoop");
+            let start = Start::at(0.465, -0.0852).with_slip(-slip);
+            let follow = |limits: Limits| hoop.simulate(start, limits).expect("a valid start");
+            let rest = slip / (1.0 + mass / inertia) / mu;
+            let motion = follow(Limits::default());
+            if rest.is_finite() && matches!(motion.outcome(), Outcome::RollsForever { .. }) {
+                let stick = motion.transitions()[0];
+                let rounding = 1e-12 + 2.0 * f64::from_bits(1) / mu;
+                assert!((stick.before.time / rest - 1.0).abs() < rounding, "{mu} {}", stick.before.time);
+            } else {
+                assert!(rest > f64::MAX / 4.0, "{mu} {rest} {:?}", motion.outcome());
+                assert!(matches!(motion.outcome(), Outcome::StaysInContact { .. }), "{:?}", motion.outcome());
+                let unproved = follow(Limits::default().with_proof(Proof::None));
+                let Outcome::StepLimit { time_left, .. } = unproved.outcome() else {
+                    panic!("{:?}", unproved.outcome())
+                };
+                assert!(time_left == f64::INFINITY);
+            }
+            let cut = follow(Limits::until(1e6));
+            let Outcome::TimeLimit { state } = cut.outcome() else { panic!("{:?}", cut.outcome()) };
+            let lost = 1e6 * mu * (1.0 + mass / inertia);
+            assert!((state.slip + slip - lost).abs() < 1e-15, "{state:?}");
+        }
+    }
+}
+
+/// The lighter a hoop, the faster an impact turns it, up to rates at which it would start nowhere, and beyond all numbers.
+#[test]
+fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
+    let start = Start::at(0.919_013_702_214_027, -3.713_109_040_932_079_3).with_slip(-0.892_122_598_492_862);
+    let mut unresolved = 0;
+    for inertia in [5e-324, 1e-310, 1e-300, 1e-200, 1e-100, 1e-40, 1e-20, 1e-10, 1e-5] {
+        for law in RestitutionLaw::ALL {
+            let parameters = HoopParameters::new(inertia, 1.0, inertia)
+                .with_friction(1.010_253_938_896_41, 0.0)
+                .with_restitution(1.0, law);
+            let hoop = Hoop::new(parameters).expect("a valid hoop");
+            let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+            let numbers = |all: &[f64]| all.iter().all(|x| x.is_finite());
+            for transition in motion.transitions() {
+                let before = transition.before;
+                assert!(numbers(&[before.theta_rate, before.slip]), "{inertia} {law:?} {transition:?}");
+                if let Some(impact) = &transition.impact {
+                    let after = impact.after;
+                    assert!(
+                        numbers(&[after.theta_rate, after.slip, after.gap_rate]),
+                        "{inertia} {law:?} {impact:?}"
+                    );
+                }
+            }
+            if let Outcome::Unresolved { state } = motion.outcome() {
+                assert!(numbers(&[state.theta_rate, state.slip]), "{inertia} {law:?} {state:?}");
+                unresolved += 1;
+            }
+        }
+    }
+    assert!(unresolved > 0);
+}
+
+/// cos θ of an angle of 4e8 does not resolve the lift-off at 1 = h cos θ θ′² at a rate of 3e5: the hoop comes down all the same.
+#[test]
+fn a_fast_hoop_that_has_turned_long_comes_down() {
+    let parameters = HoopParameters::new(4.258_053_794_098_504e-8, 1.0, 70_006_042.823_695_11)
+        .with_friction(0.857_365_504_918_691, 0.0)
+        .with_restitution(0.0, RestitutionLaw::Energetic);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let start = Start::at(4.265_858_458_099_317e-7, 294_707.411_602_734_94);
+    let motion = hoop.simulate(start, Limits::default().with_transitions(4)).expect("a valid start");
+    let lift_off = &motion.transitions()[2];
+    assert_eq!((lift_off.cause, lift_off.to), (Cause::LiftOff, Some(Mode::Flight)));
+    // At θ = −π/2 the mass centre rises at h θ′, and falls back to that height after 2 h θ′.
+    let up = 2.0 * hoop.h() * lift_off.before.theta_rate;
+    assert!(
+        (motion.phases()[3].duration() / up - 1.0).abs() < 1e-5,
+        "{} {up}",
+        motion.phases()[3].duration()
+    );
+}
+
+/// A flight of 3e9 turns ends at an angle whose sine no double resolves: there the impact is not guessed.
+#[test]
+fn an_impact_at_an_angle_that_is_not_resolved_is_none() {
+    let parameters = HoopParameters::new(0.121_466_028_205_290_8, 1.0, 1.856_379_095_494_365_7)
+        .with_friction(1e-8, 5e-9)
+        .with_restitution(0.56, RestitutionLaw::Energetic);
+    let start = Start::at(32.2, 121_093.0).with_slip(0.0038);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+    let Outcome::Unresolved { state } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    assert!(state.theta > 1e9);
+    let landing = motion.transitions().last().expect("lands");
+    assert_eq!((landing.cause, landing.to, landing.impact), (Cause::Landing, None, None));
+}
