@@ -74,6 +74,10 @@ impl Solver for Exact<'_> {
         self.hoop
     }
 
+    fn until(&self) -> f64 {
+        self.until.unwrap_or(f64::INFINITY)
+    }
+
     fn place(&self, state: State) -> State {
         state
     }

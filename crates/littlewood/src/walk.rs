@@ -32,6 +32,8 @@ pub(crate) trait Solver {
     type Verdict: From<Outcome>;
 
     fn hoop(&self) -> &Hoop;
+    /// The time limit of the motion; infinite, if there is none.
+    fn until(&self) -> f64;
     fn place(&self, state: State) -> Self::Place;
     fn state(place: &Self::Place) -> State;
     /// Which motion follows.
@@ -301,7 +303,7 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
             flush(recorder, pending, None);
             let inconsistent = Outcome::Inconsistent { state, candidates: **candidates };
             return match jam(solver, now, None, state) {
-                Some(rebound) => rebound.map_err(|event| unresolved(recorder, &event).into()),
+                Some(rebound) => leads_on(recorder, rebound),
                 None => Err(inconsistent.into()),
             };
         }
@@ -318,6 +320,7 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     let record = |end| recorder.phase(PhaseSeen { mode, direction, start: state, end }, solution);
     match ending {
         Ending::Event { place: reached, cause, arrival } => {
+            let (reached, arrival) = comes_to_rest(solver, now, reached, (cause, arrival));
             record(Some(T::state(&reached)));
             Ok((continues(solver, now, (mode, direction), reached, (cause, arrival)), None))
         }
@@ -335,7 +338,7 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
         Ending::Landing { state: end, gap_rate } => {
             record(Some(end));
             match lands(solver, now, end, gap_rate) {
-                Some(rebound) => rebound.map_err(|event| unresolved(recorder, &event).into()),
+                Some(rebound) => leads_on(recorder, rebound),
                 None => {
                     recorder.transition(&Event::new(end, mode, Cause::Landing), None, None);
                     Err(Outcome::Landing { state: end, gap_rate }.into())
@@ -345,7 +348,7 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
         Ending::Singular { state: end, solvability } => {
             record(Some(end));
             match jam(solver, now, Some(mode), end) {
-                Some(rebound) => rebound.map_err(|event| unresolved(recorder, &event).into()),
+                Some(rebound) => leads_on(recorder, rebound),
                 None => {
                     recorder.transition(&Event::new(end, mode, Cause::Singularity), None, None);
                     Err(Outcome::Singular { state: end, solvability }.into())
@@ -355,10 +358,34 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     }
 }
 
-/// The outcome of an impact whose end is no state to go on from.
-fn unresolved<S>(recorder: &mut impl Recorder<S>, event: &Event) -> Outcome {
-    recorder.transition(event, None, None);
-    Outcome::Unresolved { state: event.state }
+/// What an impact leads to; where its end is no state to go on from, the motion ends before it.
+fn leads_on<S, V: From<Outcome>>(recorder: &mut impl Recorder<S>, rebound: Rebound) -> Result<Happening, V> {
+    rebound.map_err(|event| {
+        recorder.transition(&event, None, None);
+        Outcome::Unresolved { state: event.state }.into()
+    })
+}
+
+/// The place at which a slide has ended, and how it is reached, as its conserved quantities have them.
+#[inline(always)]
+fn comes_to_rest<T: Solver>(
+    solver: &T,
+    now: &Now<T::Place>,
+    place: T::Place,
+    (cause, arrival): (Cause, Arrival),
+) -> (T::Place, Arrival) {
+    let (Cause::Stick, Arrival::Open, Some(limit), Body::Heavy(body)) =
+        (cause, arrival, &now.limit, solver.hoop().body())
+    else {
+        return (place, arrival);
+    };
+    let slide = T::state(&now.place).time..=solver.until();
+    match limit.comes_to_rest(&body, &T::state(&place)) {
+        // The slide as it was followed ends within the time limit: its last digits do not put its end outside.
+        Some((state, arrival)) if slide.contains(&state.time) => (solver.place(state), arrival),
+        Some((_, arrival)) => (place, arrival),
+        None => (place, Arrival::Open),
+    }
 }
 
 /// What follows an event without an impact.
@@ -372,17 +399,6 @@ fn continues<T: Solver>(
 ) -> Event {
     now.place = place;
     let state = T::state(&now.place);
-    let arrival = match (arrival, now.limit) {
-        (Arrival::Open, Some(limit)) if cause == Cause::Stick => limit.arrival(&state).unwrap_or(arrival),
-        (
-            Arrival::Open
-            | Arrival::GlideAtRest { .. }
-            | Arrival::RollingLimit(_)
-            | Arrival::BackOnLimit(_)
-            | Arrival::LiftOff,
-            Some(_) | None,
-        ) => arrival,
-    };
     now.begin = Begin::Motion(solver.decide(&now.place, arrival));
     let begin = &now.begin;
     now.limit = match (arrival, begin.mode()) {

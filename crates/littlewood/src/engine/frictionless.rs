@@ -1,17 +1,13 @@
 //! Slides without any friction: both first integrals in closed form.
 //!
-//! With no friction the horizontal momentum and the energy are conserved. With c = cos ϑ, s = sin ϑ and u = ϑ′²,
-//!
-//! ```text
-//! (Î + m h² s²) u + 2 m h c = C,    η′ − ϑ′ (1 + h c) = A,
-//! ```
-//!
-//! and J = Î + m h² s². The contact breaks where 1 − h c u = (Î + m h² − h C c + m h² c²)/J vanishes, whose numerator falls towards the top
-//! as long as u ≥ 0; η′ vanishes only where A² J = (C − 2 m h c)(1 + h c)², a cubic equation.
+//! With c = cos ϑ, s = sin ϑ and u = ϑ′² the contact breaks where 1 − h c u = (Î + m h² − h C c + m h² c²)/J vanishes, whose numerator falls
+//! towards the top as long as u ≥ 0; η′ vanishes only where A² J = (C − 2 m h c)(1 + h c)², a cubic equation. C, A and J are those of
+//! [`FrictionlessIntegrals`].
 
 use crate::bernstein::Bernstein;
 use crate::equations::contact;
 use crate::hoop::Heavy;
+use crate::slip::FrictionlessIntegrals;
 use crate::state::State;
 use crate::trig::sincos;
 
@@ -20,10 +16,10 @@ const UNCERTAIN: f64 = 1e-9;
 
 /// Whether a slide without friction is proved to have no event: it repeats itself for ever.
 pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
-    let Heavy { mass, h, inertia, offset } = *body;
+    let Heavy { h, inertia, offset, .. } = *body;
     let (sin, cos) = sincos(state.theta);
-    let rate = state.theta_rate;
-    let energy = (inertia + mass * (h * sin) * (h * sin)) * rate * rate + 2.0 * offset * cos;
+    let integrals = FrictionlessIntegrals::new(body, state, (sin, cos));
+    let FrictionlessIntegrals { energy, momentum } = integrals;
     let over_top = energy - 2.0 * offset;
     let rotates = over_top > UNCERTAIN * energy.abs();
     if !rotates && over_top > -UNCERTAIN * energy.abs() {
@@ -32,22 +28,13 @@ pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
     if rotates && contact(1.0, h, over_top / inertia) < UNCERTAIN {
         return false;
     }
-    let momentum = state.slip - rate * (1.0 + h * cos);
     // The same sign as θ′ all the way round.
-    if rotates && momentum * rate > 0.0 {
+    if rotates && momentum * state.theta_rate > 0.0 {
         return true;
     }
-    // A² J − (C − 2 m h c)(1 + h c)² in powers of c + 1, up to the turning point or the top.
+    // In powers of c + 1, up to the turning point or the top.
     let width = if rotates { 2.0 } else { 1.0 + energy / (2.0 * offset) };
-    let (square, product) = (momentum * momentum, mass * h * h);
-    let [a, b] = [energy + 2.0 * offset, -2.0 * offset];
-    let [p, q, r] = [(1.0 - h) * (1.0 - h), 2.0 * h * (1.0 - h), h * h];
-    let terms = [
-        [square * inertia, -a * p],
-        [2.0 * square * product, -(a * q + b * p)],
-        [-square * product, -(a * r + b * q)],
-        [0.0, -b * r],
-    ];
+    let terms = integrals.standstill(body, -1.0);
     let size = terms.iter().flatten().fold(0.0, |size: f64, term| size.max(term.abs()));
     let excess = Bernstein::from_taylor(&terms.map(|[first, second]| first + second), width);
     let least = UNCERTAIN * size;

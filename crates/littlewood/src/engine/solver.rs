@@ -255,6 +255,10 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         self.hoop
     }
 
+    fn until(&self) -> f64 {
+        self.until
+    }
+
     fn place(&self, state: State) -> Place {
         Place::new(state)
     }
