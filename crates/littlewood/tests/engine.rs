@@ -1,10 +1,11 @@
 //! The engine against the simulation: the same outcome and sequence for every start, times to rounding.
 
 #![allow(clippy::panic)] // a failed comparison
+#![allow(clippy::disallowed_methods)] // starts may come from the platform's mathematics
 
 use std::f64::consts::PI;
 
-use crate::common::{heavy_motion, massless_hoop, moderate_hoop, start};
+use crate::common::{heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start};
 use littlewood::{
     ColumnType, Engine, Hoop, HoopParameters, Limits, OutcomeKind, PhaseSequence, Restitution,
     RestitutionLaw, Start, Summary, SummaryColumn, SummaryValue, Trajectory,
@@ -432,6 +433,28 @@ proptest! {
     ) {
         agree(&hoop, &starts)?;
         agree(&hoop, &[first])?;
+    }
+
+    /// Next to rest at the bottom, or where friction holds the particle in a slide: two turning points close to each other, between which u
+    /// is smaller than the last digits of its terms.
+    #[test]
+    fn motions_next_to_rest_are_those_of_the_simulation(
+        hoop in heavy_hoop(), small in prop::collection::vec((0.0..10.0_f64, 0.0..10.0_f64, -10.0..0.3_f64, 0..16_u8), 8),
+    ) {
+        let has = |bits: u8, bit: u8| bits & bit != 0;
+        let signed = |bits: u8, bit: u8, size: f64| if has(bits, bit) { size } else { -size };
+        let starts: Vec<Start> = small
+            .into_iter()
+            .map(|(angle, rate, slip, bits)| {
+                // q = h sin θ − μk σ (1 + h cos θ) vanishes there.
+                let friction = signed(bits, 4, hoop.mu_k());
+                let held = PI + friction.atan() - (friction / (hoop.h() * friction.hypot(1.0))).asin();
+                let rest = if has(bits, 8) && held.is_finite() { held } else { PI };
+                let start = Start::at(rest + signed(bits, 1, 10.0_f64.powf(-angle)), signed(bits, 2, 10.0_f64.powf(-rate)));
+                start.with_slip(signed(bits, 4, 10.0_f64.powf(slip)))
+            })
+            .collect();
+        agree(&hoop, &starts)?;
     }
 
     /// Without friction a motion either lifts off or is proved to repeat itself.

@@ -13,6 +13,12 @@ const AMPLIFIED: f64 = 0.1;
 /// Newton's method for a place at a time ends with a shorter step: its error is of the second order.
 const LAST_STEP: f64 = 1e-8;
 
+/// The same for the place at which η′ vanishes.
+const LAST_STEP_TO_REST: f64 = 1e-7;
+
+/// Where u changes much in a step, the time of the step must be so short beside the inverse of that part: Newton's method takes u for fixed.
+const LAST_TIME: f64 = 1e-14;
+
 /// A part of a slide on which u is known as a function of a coordinate z, along which the slide goes up or down.
 pub(super) trait Piece {
     /// u at z.
@@ -161,6 +167,16 @@ impl<P: Piece> Way<'_, P> {
         self.at(here, z)
     }
 
+    /// u behind a step, and the time of the step, if it is short enough to be the last of Newton's method.
+    fn last_step(&self, z: f64, u: f64, step: f64, longest: f64) -> Option<(f64, f64)> {
+        if step.abs() >= longest {
+            return None;
+        }
+        let (next, time) = (self.piece.u(z + step), self.piece.short_time(z, u, step));
+        let changed = time * (next - u);
+        (changed.abs() < LAST_TIME * u).then_some((next, time))
+    }
+
     /// Where the slide is at a time between those of two waypoints: Newton's method in a bracket.
     pub(super) fn at_time(&self, here: &Waypoint, there: &Waypoint, elapsed: f64) -> Option<Waypoint> {
         let Self { piece, forward, .. } = *self;
@@ -177,9 +193,8 @@ impl<P: Piece> Way<'_, P> {
             let step = (elapsed - at.elapsed) / piece.by_coordinate(z, at.u, 1.0);
             let next = z + step;
             let inside = (next - low) * forward >= 0.0 && (high - next) * forward >= 0.0;
-            if step.abs() < LAST_STEP {
+            if let Some((u, _)) = self.last_step(z, at.u, step, LAST_STEP) {
                 let (sin, cos) = piece.direction(next);
-                let u = piece.u(next);
                 let slip = self.slip(piece.rate(next, u), self.law.lever(sin, cos), elapsed);
                 return Some(Waypoint { z: next, u, elapsed, slip, direction: (sin, cos), ..at });
             }
@@ -213,7 +228,7 @@ impl<P: Piece> Way<'_, P> {
                 z = 0.5 * (low + high);
                 continue;
             }
-            if step.abs() < 1e-7 {
+            if let Some((u, time)) = self.last_step(z, at.u, step, LAST_STEP_TO_REST) {
                 let Heavy { mass, inertia, .. } = self.law.body;
                 let amplified = (AMPLIFIED * (mass / inertia).sqrt()).max(1.0);
                 if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * amplified * (1.0 + at.u.sqrt()) {
@@ -221,8 +236,8 @@ impl<P: Piece> Way<'_, P> {
                 }
                 return Some(Waypoint {
                     z: next,
-                    u: piece.u(next),
-                    elapsed: at.elapsed + piece.short_time(z, at.u, step),
+                    u,
+                    elapsed: at.elapsed + time,
                     slip: 0.0,
                     slip_acceleration: at.slip_acceleration,
                     direction: piece.turned(at.direction, z, step),

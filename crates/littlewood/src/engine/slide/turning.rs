@@ -13,8 +13,12 @@ use super::follow::{MOST_HALVINGS, in_parts};
 /// A turning point farther from the centre, in half widths of the cell, is not looked for: u has not changed by a factor of two.
 const FARTHEST: f64 = 4.0;
 
-/// Newton's method ends with a step shorter than this: its error is of the second order.
+/// Newton's method ends with a step shorter than this, where the slope changes little: its error is of the second order.
 const LAST_STEP: f64 = 2e-8;
+
+/// The angle of a turning point must be known to this: rounding moves it by more where u hardly changes with the angle, as in a libration
+/// of a hoop that is next to rest.
+const ANGLE_ERROR: f64 = 2e-13;
 
 /// Terms of a polynomial that tell its zero well enough to begin with.
 const FIRST_TERMS: usize = 6;
@@ -47,6 +51,10 @@ impl<'a> Turning<'a> {
             *c *= -side;
         }
         let turning = Self { cell, z0, side, v };
+        let rounding = f64::EPSILON * (motion[0].abs() + motion[1].abs()) * cell.half;
+        if turning.v(z0) * ANGLE_ERROR < rounding {
+            return None;
+        }
         // A slide that turns in the cell leaves it where it has entered, or would have.
         let is_good = if turning.is_inside() && u_end < u {
             [z, z0, -end].into_iter().all(|z| turning.v(z) > 0.0)
@@ -115,19 +123,24 @@ fn zero(motion: &Polynomial, guess: f64) -> Option<f64> {
         for c in terms.iter().rev() {
             (value, slope) = (value * z + c, slope * z + value);
         }
-        -value / slope
+        (-value / slope, slope)
     };
     let mut z = guess;
     for _ in 0..2 {
-        z += newton(&motion[..FIRST_TERMS], z);
+        z += newton(&motion[..FIRST_TERMS], z).0;
+    }
+    let mut curvature = 0.0;
+    for (k, c) in motion[..FIRST_TERMS].iter().enumerate().skip(2).rev() {
+        curvature = curvature * z + (k * (k - 1)) as f64 * c;
     }
     for _ in 0..20 {
         if z.is_nan() || z.abs() > FARTHEST {
             return None;
         }
-        let step = newton(motion, z);
+        let (step, slope) = newton(motion, z);
         z += step;
-        if step.abs() <= LAST_STEP {
+        // About the bottom two zeros can be close to each other: what is left is step² u″/(2 u′).
+        if step * step * (curvature / slope).abs().max(1.0) <= LAST_STEP * LAST_STEP {
             return Some(z);
         }
     }
