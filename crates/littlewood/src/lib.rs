@@ -84,6 +84,7 @@ mod event;
 mod exact;
 mod flight;
 mod form;
+mod frictionless;
 mod gliding;
 mod hoop;
 mod impact;

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use crate::common::{heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start};
 use littlewood::{
-    ColumnType, Engine, Hoop, HoopParameters, Limits, OutcomeKind, PhaseSequence, Restitution,
+    Body, ColumnType, Engine, Hoop, HoopParameters, Limits, OutcomeKind, PhaseSequence, Restitution,
     RestitutionLaw, Start, Summary, SummaryColumn, SummaryValue, Trajectory,
 };
 use proptest::prelude::*;
@@ -59,6 +59,15 @@ fn check(ours: &Summary, theirs: &Summary, tolerance: f64) -> Result<(), String>
 /// Errors of a long chain of phases grow with every one of them.
 fn tolerance(summary: &Summary) -> f64 {
     1e-12 * f64::from(1 + summary.transitions)
+}
+
+/// Twice what a slide without friction has of energy of rotation, beyond what it needs to pass the top.
+fn over_top(hoop: &Hoop, start: Start) -> f64 {
+    let Body::Heavy(body) = hoop.body() else { unreachable!("a heavy hoop") };
+    let (sin, cos) = start.theta.sin_cos();
+    let arm = body.h * sin;
+    (body.inertia + body.mass * arm * arm) * start.theta_rate * start.theta_rate
+        - 2.0 * body.offset * (1.0 - cos)
 }
 
 /// Pseudo-random starts that do not depend on a library: a linear congruence.
@@ -469,6 +478,10 @@ proptest! {
             let ours = engine.summary(start, Limits::default()).expect("a valid start");
             let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
             let theirs = motion.summary();
+            // Next to the separatrix rounding decides whether the hoop passes the top.
+            if over_top(&hoop, start).abs() < 1e-12 {
+                continue;
+            }
             // Where η′ touches zero (a start without slip at the top, say), or nearly, rounding decides on two reversals.
             let times: Vec<f64> = motion.transitions().iter().map(|transition| transition.before.time).collect();
             if times.first().is_some_and(|first| *first < 1e-4) || times.windows(2).any(|pair| pair[1] - pair[0] < 1e-4) {

@@ -2,7 +2,7 @@
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use crate::common::{heavy_hoop, start};
-use littlewood::{Body, Cause, Hoop, HoopParameters, Limits, Mode, SlidingLaw, Start, State};
+use littlewood::{Body, Cause, Hoop, HoopParameters, Limits, Mode, Start, State};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -51,15 +51,9 @@ proptest! {
             if phase.mode() == Mode::Rolling && transition.cause == Cause::Slip {
                 slip = Some(now);
             }
-            let (Mode::Sliding, Some(slip), 0.0, Some(direction)) = (phase.mode(), slip, now.slip, phase.direction()) else {
+            let (Mode::Sliding, Some(slip), 0.0) = (phase.mode(), slip, now.slip) else {
                 continue;
             };
-            let law = SlidingLaw::new(&hoop, direction).expect("a heavy hoop");
-            let accelerations = law.accelerations(now.theta, now.theta_rate);
-            let sin = now.theta.sin();
-            if (sin * now.theta_rate).abs() < accelerations.slip.abs() {
-                continue; // the slip tells the time better than the angle does
-            }
             // A change of an angle or a rate by its last digit changes them so much.
             let digit = f64::EPSILON * (1.0 + now.theta.abs() + slip.theta.abs());
             let rate = 1.0 + now.theta_rate.abs() + slip.theta_rate.abs();
@@ -71,6 +65,9 @@ proptest! {
                 (body.inertia + body.mass * arm * arm) * state.theta_rate * state.theta_rate + 2.0 * body.offset * state.theta.cos()
             };
             let (before, after) = (energy(&slip), energy(&now));
+            if (before - 2.0 * body.offset).abs() < 1e-9 {
+                continue; // next to the separatrix the slide as it is followed does not tell where it is
+            }
             let size = (body.inertia + body.mass) * rate * rate;
             prop_assert!((before - after).abs() < 8.0 * digit * size, "{before} {after}");
         }

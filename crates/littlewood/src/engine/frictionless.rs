@@ -6,8 +6,8 @@
 
 use crate::bernstein::Bernstein;
 use crate::equations::contact;
+use crate::frictionless::FrictionlessIntegrals;
 use crate::hoop::Heavy;
-use crate::slip::FrictionlessIntegrals;
 use crate::state::State;
 use crate::trig::sincos;
 
@@ -34,7 +34,7 @@ pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
     }
     // In powers of c + 1, up to the turning point or the top.
     let width = if rotates { 2.0 } else { 1.0 + energy / (2.0 * offset) };
-    let terms = integrals.standstill(body, -1.0);
+    let terms = integrals.standstills(body, -1.0);
     let size = terms.iter().flatten().fold(0.0, |size: f64, term| size.max(term.abs()));
     let excess = Bernstein::from_taylor(&terms.map(|[first, second]| first + second), width);
     let least = UNCERTAIN * size;

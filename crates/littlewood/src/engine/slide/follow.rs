@@ -27,6 +27,9 @@ const SMOOTH: f64 = 1.5;
 /// The same with eight nodes.
 const EVEN: f64 = 1.125;
 
+/// The rate at the entrance must be that of the way about a turning point to this: as small an error in η′.
+const RATE_ERROR: f64 = 1e-15;
+
 /// A way is halved at most so often.
 pub(super) const MOST_HALVINGS: u32 = 6;
 
@@ -328,6 +331,9 @@ impl<'a> Follower<'a> {
         let way = self.way(&turning, 1.0);
         let is_before = turning.travel() == travel;
         let entrance = turning.coordinate_of(here.z, here.u);
+        if (turning.u(entrance) - here.u).abs() > 2.0 * RATE_ERROR * here.u.sqrt() {
+            return None;
+        }
         let from = Waypoint { z: if is_before { -entrance } else { entrance }, ..here };
         let passed = if is_before && turning.is_inside() {
             match self.cut(&way, &from, pass_to(&way, &from, 0.0)?)? {

@@ -1,0 +1,72 @@
+//! What slides without kinetic friction conserve, and where it lets η′ vanish.
+
+use crate::hoop::Heavy;
+use crate::same::is_same;
+use crate::state::State;
+use crate::trig::sincos;
+
+/// Newton's method goes on as long as each step is shorter than the one before by this factor.
+const CONVERGES: f64 = 0.75;
+
+/// So many halvings take an angle to its last digit.
+const MOST_STEPS: usize = 53;
+
+/// First integrals of a slide without friction. With c = cos ϑ, s = sin ϑ, u = ϑ′² and J = Î + m h² s²,
+///
+/// ```text
+/// J u + 2 m h c = C,    η′ − ϑ′ (1 + h c) = A.
+/// ```
+pub(crate) struct FrictionlessIntegrals {
+    /// C, twice the energy.
+    pub(crate) energy: f64,
+    /// A, the horizontal momentum.
+    pub(crate) momentum: f64,
+}
+
+impl FrictionlessIntegrals {
+    /// At a state, of whose angle sine and cosine are given.
+    pub(crate) fn new(body: &Heavy, state: &State, (sin, cos): (f64, f64)) -> Self {
+        let Heavy { mass, h, inertia, offset } = *body;
+        let rate = state.theta_rate;
+        Self {
+            energy: (inertia + mass * (h * sin) * (h * sin)) * rate * rate + 2.0 * offset * cos,
+            momentum: state.slip - rate * (1.0 + h * cos),
+        }
+    }
+
+    /// A² J − (C − 2 m h c) (1 + h c)², which vanishes with η′, in powers of the distance of c from a cosine, each coefficient as the sum of its two
+    /// terms.
+    pub(crate) fn standstills(&self, body: &Heavy, cos: f64) -> [[f64; 2]; 4] {
+        let Heavy { mass, h, inertia, offset } = *body;
+        let (square, product) = (self.momentum * self.momentum, mass * h * h);
+        let lever = 1.0 + h * cos;
+        let [kinetic, slope] = [self.energy - 2.0 * offset * cos, -2.0 * offset];
+        [
+            [square * (inertia + product * (1.0 - cos) * (1.0 + cos)), -kinetic * lever * lever],
+            [-2.0 * square * product * cos, -(kinetic * 2.0 * h + slope * lever) * lever],
+            [-square * product, -(kinetic * h + slope * 2.0 * lever) * h],
+            [0.0, -slope * h * h],
+        ]
+    }
+
+    /// The angle next to one, and the rate, at which η′ vanishes: Newton's method for C, with θ′ from A. None where it does not converge.
+    pub(crate) fn standstill_near(&self, body: &Heavy, theta: f64) -> Option<(f64, f64)> {
+        let Heavy { mass, h, inertia, offset } = *body;
+        let (mut theta, mut shortest) = (theta, f64::INFINITY);
+        // Two zeros next to each other halve each step; rounding ends that.
+        for _ in 0..MOST_STEPS {
+            let (sin, cos) = sincos(theta);
+            let lever = 1.0 + h * cos;
+            let u = (self.momentum / lever) * (self.momentum / lever);
+            let kinetic = (inertia + mass * (h * sin) * (h * sin)) * u;
+            let slope = 2.0 * sin * (mass * h * h * cos * u + kinetic * h / lever - offset);
+            let step = (kinetic + 2.0 * offset * cos - self.energy) / slope;
+            if step.is_nan() || step.abs() >= CONVERGES * shortest {
+                break;
+            }
+            theta -= step;
+            shortest = step.abs();
+        }
+        is_same(0.0, shortest).then(|| (theta, -self.momentum / (1.0 + h * sincos(theta).1)))
+    }
+}
