@@ -1,12 +1,14 @@
 //! What slides without kinetic friction conserve, and where it lets η′ vanish.
 
 use crate::hoop::Heavy;
-use crate::same::is_same;
 use crate::state::State;
 use crate::trig::sincos;
 
 /// Newton's method goes on as long as each step is shorter than the one before by this factor.
 const CONVERGES: f64 = 0.75;
+
+/// It has converged with a step shorter than this: rounding leaves half the digits of two zeros next to each other.
+const LAST_STEP: f64 = 1e-7;
 
 /// So many halvings take an angle to its last digit.
 const MOST_STEPS: usize = 53;
@@ -67,6 +69,6 @@ impl FrictionlessIntegrals {
             theta -= step;
             shortest = step.abs();
         }
-        is_same(0.0, shortest).then(|| (theta, -self.momentum / (1.0 + h * sincos(theta).1)))
+        (shortest < LAST_STEP).then(|| (theta, -self.momentum / (1.0 + h * sincos(theta).1)))
     }
 }
