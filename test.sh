@@ -53,9 +53,17 @@ environments() {
   web/environment.sh
 }
 
-python_and_engines() {
+# The wheel, and what is tested with it.
+with_wheel() {
+  stage wheel python/build.sh
+  LITTLEWOOD_WHEEL="$(wheel)"
+  export LITTLEWOOD_WHEEL
   stage python python/test.sh
   stage engines engines/test.sh
+  stage studies studies/test.sh
+}
+wheel() {
+  echo "$built"/../python/dist/littlewood-*.whl
 }
 
 stage format cargo fmt --all --check
@@ -68,17 +76,11 @@ stage build cargo test "${everything[@]}" --no-run
 end_beside
 
 export LITTLEWOOD_BIN="$built/littlewood" LITTLEWOOD_BITS="$built/examples/bits"
-begin_beside stage wheel python/build.sh
+begin_beside with_wheel
 stage rust cargo test "${everything[@]}" --no-fail-fast
 stage without-features without_features
-end_beside
-
-LITTLEWOOD_WHEEL="$(echo "$built"/../python/dist/littlewood-*.whl)"
-export LITTLEWOOD_WHEEL
-begin_beside python_and_engines
 stage page web/test.sh
-stage studies studies/test.sh
-stage documentation docs/test.sh
+LITTLEWOOD_WHEEL="$(wheel)" stage documentation docs/test.sh
 end_beside
 
 echo

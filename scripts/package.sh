@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Packages every crate that is published, and builds each from its package alone, as `cargo publish` would; nothing is uploaded.
-# `scripts/package.sh --no-verify` only packages, `scripts/package.sh publish` publishes. The page of the laboratory is in the package of
+# Packages every crate that is published, and builds each from its package alone, as `cargo publish` would; and the Python package, from its
+# source distribution. Nothing is uploaded. `scripts/package.sh --no-verify` only packages, `scripts/package.sh publish` publishes. The page of the laboratory is in the package of
 # the command line where web/build.sh has made it. Tests, examples and benchmarks that need files of the repository stay out of
 # packages, and cargo says so; any other warning is an error.
 set -euo pipefail
@@ -32,3 +32,17 @@ for package in $(cargo metadata --no-deps --format-version 1 --locked |
     grep -qx "$needed" <<<"$files" || { echo "error: $package has no $needed" >&2; exit 1; }
   done
 done
+
+# The workspace of the source distribution has fewer members than ours, so that its lock file is ours without what they need: `--locked`
+# would refuse that. Unpacked with the time of now (`-m`), because Cargo goes by it.
+target="${CARGO_TARGET_DIR:-$PWD/target}"
+source="$target/python/source"
+python/environment.sh
+maturin="$target/python/venv/bin/maturin"
+rm -rf "$source" "$target/python/sdist"
+mkdir "$source"
+(cd python && "$maturin" sdist --out "$target/python/sdist")
+tar -xzmf "$target"/python/sdist/littlewood-*.tar.gz -C "$source" --strip-components 1
+if [ "${1:-}" != --no-verify ]; then
+  (cd "$source" && CARGO_TARGET_DIR="$target" "$maturin" build --profile dev --out "$target/python/sdist")
+fi
