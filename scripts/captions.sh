@@ -37,10 +37,10 @@ for hoop in "${hoops[@]}"; do
   # shellcheck disable=SC2086 # flags are words
   "$program" figures $hoop --format tex,pdf --out "$number" >/dev/null
   {
-    echo '\documentclass{article}\usepackage{amsmath}\usepackage{graphicx}\extrafloats{100}\begin{document}'
+    printf '%s\n' '\documentclass{article}\usepackage{amsmath}\usepackage{graphicx}\extrafloats{100}\begin{document}'
     printf '\\graphicspath{{%s/}}\n' "$number"
     for caption in "$number"/*.tex; do printf '\\input{%s}\\clearpage\n' "$caption"; done
-    echo '\end{document}'
+    printf '%s\n' '\end{document}'
   } >"hoop-$number.tex"
   pdflatex -interaction=nonstopmode -halt-on-error "hoop-$number.tex" >log 2>&1 || { grep -A 6 '^!' log >&2; echo "error: hoop '$hoop'" >&2; exit 1; }
   if grep -E 'Missing character|Overfull \\hbox \(([2-9][0-9]|[0-9]{3,})' log; then
