@@ -9,15 +9,15 @@ export RUSTDOCFLAGS="-D warnings"
 export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}"
 # The same random cases every time; another seed, or none, explores others.
 export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-2019}"
-# The fuzzers, for a minute instead of a moment.
+# The fuzzers, for a minute instead of a moment; that of the page's links, which are read in microseconds, for a sixth of it.
 export LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-60}"
 # One set of features throughout, so that clippy, rustdoc and the tests share what they build; and the program that the tests
 # of Python and of the page compare with is that of the tests of Rust.
 everything=(--workspace --all-features --locked)
 built="${CARGO_TARGET_DIR:-$PWD/target}/debug"
 logs="$(mktemp -d)"
-beside=
-trap 'rm -rf "$logs"; [ -z "$beside" ] || kill "$beside" 2>/dev/null' EXIT
+beside=()
+trap 'rm -rf "$logs"; [ "${#beside[@]}" = 0 ] || kill "${beside[@]}" 2>/dev/null' EXIT
 
 # stage NAME COMMAND…: runs it, keeps what it prints, and notes the seconds.
 stage() {
@@ -27,16 +27,18 @@ stage() {
   echo "  $name: $((SECONDS - begin)) s" >> "$logs/seconds"
 }
 
-# begin_beside COMMAND: runs it on the other core, and keeps what it prints until end_beside.
+# begin_beside COMMAND: runs it beside what follows, and keeps what it prints until end_beside.
 begin_beside() {
-  "$@" > "$logs/beside" 2>&1 &
-  beside=$!
+  "$@" > "$logs/beside-${#beside[@]}" 2>&1 &
+  beside+=("$!")
 }
 end_beside() {
-  local code=0
-  wait "$beside" || code=$?
-  beside=
-  cat "$logs/beside"
+  local code=0 number
+  for number in "${!beside[@]}"; do
+    wait "${beside[number]}" || code=$?
+    cat "$logs/beside-$number"
+  done
+  beside=()
   return "$code"
 }
 
@@ -53,17 +55,9 @@ environments() {
   web/environment.sh
 }
 
-# The wheel, and what is tested with it.
-with_wheel() {
-  stage wheel python/build.sh
-  LITTLEWOOD_WHEEL="$(wheel)"
-  export LITTLEWOOD_WHEEL
+python_and_engines() {
   stage python python/test.sh
   stage engines engines/test.sh
-  stage studies studies/test.sh
-}
-wheel() {
-  echo "$built"/../python/dist/littlewood-*.whl
 }
 
 stage format cargo fmt --all --check
@@ -76,11 +70,15 @@ stage build cargo test "${everything[@]}" --no-run
 end_beside
 
 export LITTLEWOOD_BIN="$built/littlewood" LITTLEWOOD_BITS="$built/examples/bits"
-begin_beside with_wheel
+stage wheel python/build.sh
+LITTLEWOOD_WHEEL="$(echo "$built"/../python/dist/littlewood-*.whl)"
+export LITTLEWOOD_WHEEL
+begin_beside python_and_engines
+begin_beside stage studies studies/test.sh
 stage rust cargo test "${everything[@]}" --no-fail-fast
 stage without-features without_features
-stage page web/test.sh
-LITTLEWOOD_WHEEL="$(wheel)" stage documentation docs/test.sh
+LITTLEWOOD_FUZZ_SECONDS=$((LITTLEWOOD_FUZZ_SECONDS / 6)) stage page web/test.sh
+stage documentation docs/test.sh
 end_beside
 
 echo

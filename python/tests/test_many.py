@@ -267,10 +267,12 @@ def test_the_interpreter_is_free_meanwhile(hoop):
     assert len(ticks) > 20
 
 
+# A shell that starts tests in the background has them ignore the signal, and what they start.
 SLEEPER = """
-import sys, numpy as np, littlewood as lw
+import signal, sys, numpy as np, littlewood as lw
+signal.signal(signal.SIGINT, signal.default_int_handler)
 hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
-mu_s = np.linspace(0.5, 0.9, 3_000_000)
+mu_s = np.linspace(0.5, 0.9, 30_000_000)
 sys.stdout.write("ready"); sys.stdout.flush()
 lw.simulate_many(hoop, theta=-2.6, theta_rate=-2.15, mu_s=mu_s)
 """
