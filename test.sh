@@ -9,7 +9,7 @@ export RUSTDOCFLAGS="-D warnings"
 export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}"
 # The same random cases every time; another seed, or none, explores others.
 export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-2019}"
-# The fuzzers, for a minute instead of a moment; that of the page's links, which are read in microseconds, for a sixth of it.
+# The fuzzers, for a minute together instead of a moment: a sixth of it for the page's links, which are read in microseconds.
 export LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-60}"
 # One set of features throughout, so that clippy, rustdoc and the tests share what they build; and the program that the tests
 # of Python and of the page compare with is that of the tests of Rust.
@@ -55,9 +55,15 @@ environments() {
   web/environment.sh
 }
 
-python_and_engines() {
-  stage python python/test.sh
+# The wheel, and its tests; it is packed long before the tests of Rust are through.
+with_wheel() {
+  stage wheel python/build.sh
+  LITTLEWOOD_WHEEL="$(wheel)" stage python python/test.sh
   stage engines engines/test.sh
+}
+
+wheel() {
+  echo "$built"/../python/dist/littlewood-*.whl
 }
 
 stage format cargo fmt --all --check
@@ -70,15 +76,13 @@ stage build cargo test "${everything[@]}" --no-run
 end_beside
 
 export LITTLEWOOD_BIN="$built/littlewood" LITTLEWOOD_BITS="$built/examples/bits"
-stage wheel python/build.sh
-LITTLEWOOD_WHEEL="$(echo "$built"/../python/dist/littlewood-*.whl)"
-export LITTLEWOOD_WHEEL
-begin_beside python_and_engines
-begin_beside stage studies studies/test.sh
-stage rust cargo test "${everything[@]}" --no-fail-fast
+links=$((LITTLEWOOD_FUZZ_SECONDS / 6))
+begin_beside with_wheel
+LITTLEWOOD_FUZZ_SECONDS=$((LITTLEWOOD_FUZZ_SECONDS - links)) stage rust cargo test "${everything[@]}" --no-fail-fast
 stage without-features without_features
-LITTLEWOOD_FUZZ_SECONDS=$((LITTLEWOOD_FUZZ_SECONDS / 6)) stage page web/test.sh
-stage documentation docs/test.sh
+begin_beside stage studies studies/test.sh
+LITTLEWOOD_FUZZ_SECONDS="$links" stage page web/test.sh
+LITTLEWOOD_WHEEL="$(wheel)" stage documentation docs/test.sh
 end_beside
 
 echo
