@@ -17,7 +17,7 @@ use crate::settling::Settling;
 use crate::sliding::{Entry, Sliding, SlidingEnd};
 use crate::state::State;
 use crate::trajectory::PhaseSolution;
-use crate::walk::{Ending, Solution, Solved, Solver};
+use crate::walk::{Ending, MaybeFlight, Solution, Solved, Solver};
 
 /// Solves the phases of one hoop.
 #[derive(Clone, Debug)]
@@ -210,14 +210,16 @@ impl Solver for Exact<'_> {
     }
 }
 
-impl Solution for PhaseSolution {
+impl MaybeFlight for PhaseSolution {
     fn flight(&self) -> Option<&Flight> {
         match self {
             Self::Flight(flight) => Some(flight),
             Self::Rolling(_) | Self::Sliding(_) | Self::Gliding(_) => None,
         }
     }
+}
 
+impl Solution for PhaseSolution {
     fn theta_range(&self) -> Option<(f64, f64)> {
         match self {
             Self::Sliding(slide) => Some(slide.theta_range()),

@@ -14,7 +14,7 @@ use crate::state::State;
 use crate::trajectory::{PhaseSolution, Trajectory};
 use crate::transition::Transition;
 use crate::trig::sincos;
-use crate::walk::{PhaseSeen, Recorder, Solution, Wants};
+use crate::walk::{MaybeFlight, PhaseSeen, Recorder, Wants};
 
 /// The summary of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +91,7 @@ pub(crate) struct SummaryRecorder<'a> {
     gap_rate: f64,
 }
 
-impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
+impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
     fn phase(&mut self, phase: PhaseSeen, solution: S) {
         self.summary.sequence.push(phase.mode, phase.direction);
@@ -171,13 +171,9 @@ impl<'a> SummaryRecorder<'a> {
 }
 
 /// A borrowed solution.
-impl Solution for &PhaseSolution {
+impl MaybeFlight for &PhaseSolution {
     fn flight(&self) -> Option<&Flight> {
         (**self).flight()
-    }
-
-    fn theta_range(&self) -> Option<(f64, f64)> {
-        (**self).theta_range()
     }
 }
 

@@ -63,10 +63,14 @@ pub(crate) trait Solver {
     }
 }
 
-/// Properties of a solved phase, exact or tabulated.
-pub(crate) trait Solution {
+/// A phase that may be a flight.
+pub(crate) trait MaybeFlight {
     /// The flight, if it is one.
     fn flight(&self) -> Option<&Flight>;
+}
+
+/// Properties of a solved phase, exact or tabulated.
+pub(crate) trait Solution: MaybeFlight {
     /// Smallest and largest angle of a slide.
     fn theta_range(&self) -> Option<(f64, f64)>;
 }
@@ -270,7 +274,7 @@ struct Teller<F> {
     goes_on: bool,
 }
 
-impl<S: Solution, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for Teller<F> {
+impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for Teller<F> {
     fn phase(&mut self, phase: PhaseSeen, _: S) {
         let touches = matches!(phase.mode, Mode::Rolling | Mode::Sliding);
         self.goes_on &= touches && (self.tell)(phase.mode, phase.direction);

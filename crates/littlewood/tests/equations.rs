@@ -4,8 +4,8 @@
 
 use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, moderate_hoop, simulate, start};
 use littlewood::{
-    Body, Direction, Hoop, PhasePlane, PhaseSolution, RollingLaw, RollingOrbit, SlidingLaw, Start,
-    gliding_accelerations,
+    Body, Direction, Hoop, HoopParameters, PhasePlane, PhaseSolution, RollingLaw, RollingOrbit, SlidingLaw,
+    Start, gliding_accelerations,
 };
 use proptest::prelude::*;
 
@@ -14,6 +14,25 @@ fn inertia(hoop: &Hoop) -> f64 {
 }
 
 proptest! {
+    /// (2.8) of the disc and of the particle apart, each with its own velocity.
+    #[test]
+    fn the_energy_of_a_start_is_that_of_its_two_bodies(hoop in heavy_hoop(), start in start(), gap_rate in prop_oneof![Just(0.0), 0.0..3.0_f64]) {
+        let start = start.with_gap_rate(gap_rate);
+        let HoopParameters { mass_ratio, offset, inertia, .. } = hoop.parameters();
+        let (sin, cos) = libm::sincos(start.theta);
+        let disc = (start.slip - start.theta_rate, gap_rate);
+        let particle = (disc.0 - offset * cos * start.theta_rate, disc.1 - offset * sin * start.theta_rate);
+        let square = |(x, y): (f64, f64)| x * x + y * y;
+        let terms = [
+            0.5 * mass_ratio * square(disc), 0.5 * inertia * start.theta_rate * start.theta_rate,
+            0.5 * square(particle), offset * cos,
+        ];
+        let size: f64 = terms.iter().map(|term| term.abs()).sum();
+        let expected: f64 = terms.iter().sum();
+        let found = hoop.energy_of(&start);
+        prop_assert!((found - expected).abs() < 1e-13 * (1.0 + size), "{found} {expected}");
+    }
+
     /// (2.11), (2.12) term by term.
     #[test]
     fn rolling_is_that_of_2_11_and_2_12(hoop in heavy_hoop(), start in start()) {

@@ -97,9 +97,10 @@ fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> Result<(), 
                     s.state.slip - (1.0 + hoop.h() * libm::cos(s.state.theta)) * s.state.theta_rate
                 };
                 prop_assert!((momentum(&now) - momentum(&first)).abs() < 1e-13 * size, "momentum in flight");
-                prop_assert!(
-                    (flight.mass_centre_velocity(elapsed).0 - momentum(&first)).abs() < 1e-13 * size
-                );
+                let (vx, vy) = flight.mass_centre_velocity(elapsed);
+                let rises = now.gap_rate - hoop.h() * libm::sin(now.state.theta) * now.state.theta_rate;
+                prop_assert!((vx - momentum(&first)).abs() < 1e-13 * size, "{vx} in flight");
+                prop_assert!((vy - rises).abs() < 1e-13 * size * (1.0 + elapsed), "{vy} {rises} in flight");
                 prop_assert!(now.gap > -1e-13 * size, "gap at {elapsed}: {}", now.gap);
             }
         }

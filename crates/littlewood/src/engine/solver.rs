@@ -15,7 +15,7 @@ use crate::rolling::{Hold, Levels, RollingLimit};
 use crate::settling::Settling;
 use crate::state::State;
 use crate::trig::sincos;
-use crate::walk::{Ending, Solution, Solved, SolvedBy, Solver, next_slip};
+use crate::walk::{Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver, next_slip};
 
 use super::chain::{Chains, Follow, Passage};
 use super::roll::{RollEnd, SlipPoint, direction_of};
@@ -114,14 +114,16 @@ pub(super) enum Kept {
     Slide((f64, f64)),
 }
 
-impl Solution for Kept {
+impl MaybeFlight for Kept {
     fn flight(&self) -> Option<&Flight> {
         match self {
             Self::Flight(flight) => Some(flight),
             Self::Nothing | Self::Slide(_) => None,
         }
     }
+}
 
+impl Solution for Kept {
     fn theta_range(&self) -> Option<(f64, f64)> {
         match self {
             Self::Slide(range) => Some(*range),
