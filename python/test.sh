@@ -13,7 +13,7 @@ python="$work/venv/bin/python"
 
 "$work/venv/bin/ruff" check .
 "$work/venv/bin/ruff" format --check .
-"$work/venv/bin/mypy" --strict --no-incremental littlewood tests/typed_usage.py
+"$work/venv/bin/mypy" --strict --cache-dir "$work/mypy" littlewood tests/typed_usage.py
 
 [ -n "${LITTLEWOOD_WHEEL:-}" ] || ./build.sh
 
@@ -24,7 +24,7 @@ fi
 
 # What is tested from here on is the wheel: `-P` and the folder keep the sources off the path.
 cd "$work"
-"$python" -P -m mypy.stubtest littlewood._core
+"$python" -P -m mypy.stubtest --mypy-config-file "$root/python/stubtest.ini" littlewood._core
 "$python" -P -m pytest -q -c "$root/python/pyproject.toml" --rootdir "$root/python" "$root/python/tests" "$@"
 installed="$("$python" -P -c 'import littlewood, pathlib; print(pathlib.Path(littlewood.__file__).parent)')"
 "$python" -P -m pytest -q -p no:cacheprovider --doctest-modules "$installed"

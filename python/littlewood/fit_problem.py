@@ -173,6 +173,10 @@ class Problem:
         camera = unknowns[unknowns.size - self._before.size :]
         return np.concatenate([*parts, (camera - self._before) / self._deviation])
 
+    def misfit(self, unknowns: _Reals) -> float:
+        """Return the mean size of the residuals."""
+        return float(np.mean(np.abs(self.scaled(unknowns))))
+
     def reduced_chi_square(self, unknowns: _Reals) -> float:
         """Return the sum of squares over the number of measurements less that of unknowns."""
         white = self.scaled(unknowns)[: -self._before.size or None]

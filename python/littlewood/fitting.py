@@ -36,6 +36,11 @@ _BEST = 6
 # Parts of the track over which a coefficient of restitution is sought, and how many guesses are followed over each.
 _PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
 _BEST_OF_PART = 4
+# A guess foretells a longer part where the residuals there are, on average, at most so many times those of the part that
+# it fits.
+_FORETELLS = 2.0
+# Guesses that differ by less lead to the same minimum.
+_SAME = 1e-3
 # How often the errors are estimated from the residuals.
 _TURNS = 4
 _DEPENDENT = "the motion does not depend on it, apart from the others"
@@ -237,19 +242,32 @@ def _guesses(problem: Problem, any_angle: bool) -> list[_Reals]:
 def _search(problem: Problem, loss: str, any_angle: bool) -> Any:
     """Refine the best of many guesses.
 
-    Bounces hang on each other: a coefficient of restitution is sought over a growing part of the track.
+    Bounces hang on each other: a coefficient of restitution is sought over a growing part of the track, and sought anew
+    where what fits one part does not foretell the next.
     """
     guesses = _guesses(problem, any_angle)
     parts, best = (_PARTS, _BEST_OF_PART) if "restitution" in problem.names else ((1.0,), _BEST)
+    foretold = 0.0
     for part in parts:
         shorter = problem.part(part)
-        guesses = [other for guess in guesses for other in problem.with_restitutions(guess)]
-        costs = [float(np.sum(np.abs(shorter.scaled(guess)))) for guess in guesses]
+        if foretold == 0.0 or min(map(shorter.misfit, guesses)) > foretold:
+            guesses = [other for guess in guesses for other in problem.with_restitutions(guess)]
+        order = np.argsort([shorter.misfit(guess) for guess in guesses], kind="stable")[:best]
         tolerance = FINE if shorter is problem else ROUGH
-        found = [shorter.refine(guesses[i], loss, tolerance) for i in np.argsort(costs, kind="stable")[:best]]
+        found = [shorter.refine(guesses[i], loss, tolerance) for i in order]
         found.sort(key=lambda result: float(result.cost))
-        guesses = [result.x for result in found]
+        guesses = _distinct([result.x for result in found])
+        foretold = _FORETELLS * shorter.misfit(guesses[0])
     return found[0]
+
+
+def _distinct(guesses: list[_Reals]) -> list[_Reals]:
+    """Return the guesses without those that one before them leads to the minimum of."""
+    kept: list[_Reals] = []
+    for guess in guesses:
+        if not any(np.allclose(guess, other, rtol=_SAME, atol=_SAME) for other in kept):
+            kept.append(guess)
+    return kept
 
 
 def _result(problem: Problem, best: Any) -> FitResult:

@@ -89,7 +89,7 @@ def test_a_known_restitution_follows_the_landing(hoop, guess):
 def test_without_an_impact_there_is_no_restitution_to_see(hoop):
     rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
     with pytest.warns(lw.IdentifiabilityWarning, match="restitution .no impact was seen") as caught:
-        result = lw.fit(tracked(rolling, 1, end=15.0), hoop, free=("inertia", "restitution"))
+        result = lw.fit(tracked(rolling, 1, end=15.0, count=60), hoop, free=("inertia", "restitution"))
     assert caught[0].message.parameters == ("restitution",)
     assert result.estimates["restitution"].std_error == math.inf
 
