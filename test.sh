@@ -5,6 +5,8 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 export RUSTDOCFLAGS="-D warnings"
+# Backtraces with lines would take half a minute of compiling; the place of a panic is named without.
+export CARGO_PROFILE_DEV_DEBUG="${CARGO_PROFILE_DEV_DEBUG:-0}"
 # Nothing here is built a second time, so that what a second build would need need not be kept.
 export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}"
 # The same random cases every time; another seed, or none, explores others.
@@ -66,10 +68,10 @@ wheel() {
   echo "$built"/../python/dist/littlewood-*.whl
 }
 
+begin_beside stage environments environments
 stage format cargo fmt --all --check
 stage first-command cargo build --package littlewood-cli --locked
 cp "$built/littlewood" "$built/littlewood-without-features"
-begin_beside stage environments environments
 stage clippy cargo clippy "${everything[@]}" --all-targets -- -D warnings
 stage rustdoc cargo doc "${everything[@]}" --no-deps
 stage build cargo test "${everything[@]}" --no-run

@@ -4,8 +4,9 @@
 # python/test.sh makes one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-python="${PYTHON:-${CARGO_TARGET_DIR:-target}/python/venv/bin/python}"
+work="${CARGO_TARGET_DIR:-target}/python"
+python="${PYTHON:-$work/venv/bin/python}"
 "$python" -m ruff check --config python/pyproject.toml studies
 "$python" -m ruff format --check --config python/pyproject.toml studies
-"$python" -m mypy --strict --no-incremental --config-file python/pyproject.toml studies/*.py
+"$python" -m mypy --strict --cache-dir "$work/mypy" --config-file python/pyproject.toml studies/*.py
 "$python" -m pytest -q -p no:cacheprovider studies/tests "$@"
