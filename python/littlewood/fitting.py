@@ -36,8 +36,8 @@ _BEST = 6
 # Parts of the track over which a coefficient of restitution is sought, and how many guesses are followed over each.
 _PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
 _BEST_OF_PART = 4
-# A guess foretells a longer part where the residuals there are, on average, at most so many times those of the part that
-# it fits.
+# A guess foretells a longer part where the residuals there are, on average, at most so many times those of the part it
+# fits.
 _FORETELLS = 2.0
 # Guesses that differ by less lead to the same minimum.
 _SAME = 1e-3
