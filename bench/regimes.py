@@ -68,6 +68,7 @@ REGIMES = [
     Regime("axes mu_s and mass_ratio", x=("mu_s", 0.4, 2.0), y=("mass_ratio", 0.0, 5.0), has_peer=False),
     Regime("axes offset and inertia", x=("offset", 0.05, 1.0), y=("inertia", 0.05, 3.0), has_peer=False),
     Regime("mu_k = 0.4999", friction(0.5, 0.4999)),
+    Regime("mu_k = 0.499", friction(0.5, 0.499)),
     Regime("P <= 0 somewhere", {"mass_ratio": 0.2, "inertia": 0.1, **friction(1.5, 1.4)}),
     Regime("mu_s = mu_k = 0.5", friction(0.5, 0.5)),
     Regime("painleve", {"mass_ratio": 1 / 3, "inertia": 1 / 3, **friction(1.0, 1.0)}),

@@ -320,6 +320,7 @@ fn every_regime_has_the_outcomes_of_the_simulation() {
         ("P ≤ 0 and equal coefficients", HoopParameters::thin(1.0 / 3.0).with_friction(1.0, 1.0)),
         ("equal coefficients", HoopParameters::thin(1.0).with_friction(0.5, 0.5)),
         ("nearly equal coefficients", HoopParameters::thin(1.0).with_friction(0.5, 0.4999)),
+        ("coefficients that differ a little", HoopParameters::thin(1.0).with_friction(0.5, 0.499)),
         ("no kinetic friction", HoopParameters::thin(1.0).with_friction(0.5, 0.0)),
         ("no friction", HoopParameters::thin(1.0).with_friction(0.0, 0.0)),
         ("little friction", HoopParameters::thin(1.0).with_friction(2e-3, 1e-3)),

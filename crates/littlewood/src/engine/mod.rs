@@ -242,7 +242,10 @@ impl Engine {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::automaton::Cause;
     use crate::hoop::HoopParameters;
+    use crate::links::Room;
+    use crate::walk::Solver;
 
     /// How many of the decisions and phases of a plane are left to the exact solver.
     fn left_to_the_exact_solver<P: Phases>(hoop: &Hoop, phases: &P) -> (usize, [usize; 3]) {
@@ -284,5 +287,23 @@ mod tests {
         // Where P ≤ 0 for a direction the exact rules decide.
         let (all, [_, rolls, slides]) = direct_painleve;
         assert!(100 * rolls < all && 100 * slides < all, "{rolls} {slides} of {all}");
+    }
+
+    /// The closer the coefficients, the closer to a grazing orbit a motion goes, and the less the level of its orbit tells where it slips.
+    #[test]
+    fn slips_towards_a_grazing_orbit_are_passed_by_the_thousand() {
+        for mu_k in [0.498, 0.499, 0.4999] {
+            let hoop = Hoop::figure_2(0.5, mu_k).unwrap();
+            let engine = Engine::new(&hoop);
+            let Source::Tables(tables) = &engine.source else { panic!("{:?}", engine.source) };
+            let motion =
+                hoop.simulate(Start::at(-3.0, -2.5), Limits::default().with_transitions(4_000)).unwrap();
+            let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
+            let solver = FastSolver::new(&hoop, tables.as_ref(), Some(&tables.chains), Limits::default());
+            let room = Room { transitions: 5_000, one_link: false, open: None };
+            let place = solver.place(slip.before);
+            let linked = solver.pass_links(&place, slip.direction.unwrap(), &room).expect("links");
+            assert!(linked.transitions > 1_000, "{mu_k}: {}", linked.transitions);
+        }
     }
 }

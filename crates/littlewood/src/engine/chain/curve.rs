@@ -37,6 +37,9 @@ pub(super) struct Curves {
     parts: Vec<Part>,
 }
 
+/// Largest amplification of the rounding of levels that polynomials are made for: next to an extremum of the level there is no bound.
+const MOST_AMPLIFIED: f64 = 1e3;
+
 /// An end of a piece is a pole if 1/K is smaller there than in the middle by this.
 const POLE: f64 = 1e-9;
 
@@ -82,6 +85,19 @@ impl Curves {
             }
         };
         Some(Point { part: index, at })
+    }
+
+    /// By how much a coordinate moves, between two of a part, where the level of the orbit moves by a part of itself, over that part: what
+    /// rounding of the level is amplified by. Orbits that graze the limit of friction slip at very different angles.
+    pub(super) fn amplification(&self, part: usize, (from, to): (f64, f64)) -> f64 {
+        let Part { side, coordinate, .. } = &self.parts[part];
+        match coordinate {
+            Coordinate::Angle => {
+                let [first, last] = [from, to].map(|angle| self.roll.inverse_level(*side, angle));
+                (first * (to - from) / (last - first)).abs().min(MOST_AMPLIFIED)
+            }
+            Coordinate::InverseLevel => from.abs(),
+        }
     }
 
     /// The slip at a point, and |θ′|; none where no orbit has it.

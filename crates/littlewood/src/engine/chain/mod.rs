@@ -21,7 +21,7 @@ use crate::state::State;
 use super::interpolant::Basis;
 use super::roll::{RollTable, SlipPoint};
 use curve::{Curves, Point};
-use tree::{Found, Tree};
+use tree::{Found, Making, Tree};
 
 pub(super) use passage::Passage;
 
@@ -131,9 +131,14 @@ impl Chains {
 
     /// The piece of a level that holds a slip.
     fn found(&self, level: usize, point: Point, follow: &impl Follow) -> Option<&Found> {
-        let tolerance = tree::CONVERGED * self.noise * (1_u64 << level) as f64;
-        let tree = &self.levels[level][point.part];
-        tree.find(point.at, &self.basis, tolerance, &|at| self.value(level, Point { at, ..point }, follow))
+        let making = Making {
+            basis: &self.basis,
+            tolerance: tree::CONVERGED * self.noise * (1_u64 << level) as f64,
+            halvings: tree::HALVINGS + (self.noise as u32).ilog2(),
+            amplification: |part, ends| self.curves.amplification(part, ends),
+            value: |at| self.value(level, Point { at, ..point }, follow),
+        };
+        self.levels[level][point.part].find(point.at, &making)
     }
 
     /// What a piece of a level is made from.

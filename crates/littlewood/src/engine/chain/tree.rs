@@ -15,8 +15,12 @@ use super::passage::{Passage, Route};
 /// amplified by.
 pub(super) const CONVERGED: f64 = 2e-15;
 
-/// Most halvings of a part.
-const HALVINGS: u32 = 17;
+/// Most halvings of a part for a heavy hoop. The finest structure of a light one is finer by as much as it amplifies rounding. What is left is
+/// narrow, and followed phase by phase in less time than finer pieces would take.
+pub(super) const HALVINGS: u32 = 12;
+
+/// Part of the tolerance to which the level of an orbit is known: a few units in its last place.
+const LEVEL_ROUNDING: f64 = 0.25;
 
 /// Halvings after which an interval without links at its ends and its middle is taken to have none.
 const SEARCHED: u32 = 3;
@@ -63,6 +67,19 @@ pub(super) struct Tree {
     root: Node,
 }
 
+/// How pieces are made.
+pub(super) struct Making<'a, A, V> {
+    pub(super) basis: &'a Basis,
+    /// To which part of a value the polynomials tell it.
+    pub(super) tolerance: f64,
+    /// Most halvings of a part.
+    pub(super) halvings: u32,
+    /// What rounding of a level is amplified by in coordinates between two of a part.
+    pub(super) amplification: A,
+    /// The links from a coordinate.
+    pub(super) value: V,
+}
+
 impl Node {
     const fn new(left: f64, right: f64, halvings: u32) -> Self {
         Self { left, right, halvings, fit: OnceLock::new() }
@@ -75,17 +92,15 @@ impl Tree {
         Self { root: Node::new(left, right, 0) }
     }
 
-    /// The piece that holds a slip, of links that `value` follows.
-    pub(super) fn find(
-        &self,
-        at: f64,
-        basis: &Basis,
-        tolerance: f64,
-        value: &impl Fn(f64) -> Option<(Passage, LinkPhases)>,
-    ) -> Option<&Found> {
+    /// The piece that holds a slip.
+    pub(super) fn find<A, V>(&self, at: f64, making: &Making<'_, A, V>) -> Option<&Found>
+    where
+        A: Fn(usize, (f64, f64)) -> f64,
+        V: Fn(f64) -> Option<(Passage, LinkPhases)>,
+    {
         let mut node = Some(&self.root).filter(|root| root.left <= at && at <= root.right)?;
         loop {
-            match node.fit.get_or_init(|| fit(node, basis, tolerance, value)) {
+            match node.fit.get_or_init(|| fit(node, making)) {
                 Fit::Found(found) => return Some(found),
                 Fit::Nothing => return None,
                 Fit::Divided(halves) => node = &halves[usize::from(at > halves[0].right)],
@@ -94,15 +109,15 @@ impl Tree {
     }
 }
 
-fn fit(
-    &Node { left, right, halvings, .. }: &Node,
-    basis: &Basis,
-    tolerance: f64,
-    value: &impl Fn(f64) -> Option<(Passage, LinkPhases)>,
-) -> Fit {
+fn fit<A, V>(&Node { left, right, halvings, .. }: &Node, making: &Making<'_, A, V>) -> Fit
+where
+    A: Fn(usize, (f64, f64)) -> f64,
+    V: Fn(f64) -> Option<(Passage, LinkPhases)>,
+{
+    let Making { basis, tolerance, halvings: most, amplification, value } = making;
     let middle = 0.5 * (left + right);
     let divided = || {
-        if halvings < HALVINGS {
+        if halvings < *most {
             Fit::Divided(Box::new([
                 Node::new(left, middle, halvings + 1),
                 Node::new(middle, right, halvings + 1),
@@ -131,9 +146,12 @@ fn fit(
             None => return divided(),
         }
     }
+    // The rounding of the level of an orbit decides where and when it slips, and how far the hoop has come.
+    let (first, last) = (&first.0.end, &last.0.end);
+    let least = LEVEL_ROUNDING * tolerance * amplification(last.part, (first.at, last.at));
+    let relative = Tolerance { relative: *tolerance, least };
     // x comes back to where it was, unlike time.
-    let relative = Tolerance { relative: tolerance, least: 0.0 };
-    let tolerances = [relative, relative, Tolerance { least: tolerance, ..relative }];
+    let tolerances = [relative, relative, Tolerance { least: least.max(*tolerance), ..relative }];
     let Some(interpolant) = basis.through(left, right, &numbers, &tolerances) else { return divided() };
     let agrees = |at: f64, expected: [f64; 3]| {
         let values = interpolant.at(at).into_iter().zip(expected).zip(&tolerances);
