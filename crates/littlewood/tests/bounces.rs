@@ -163,6 +163,16 @@ fn the_end_does_not_depend_on_where_the_sum_takes_over() {
     }
 }
 
+/// A bounce is as short as the plane presses hard, by W ≤ 1 + h θ′².
+#[test]
+fn short_bounces_settle_at_once_where_the_hoop_presses_hard() {
+    let parameters = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
+    let hoop = Hoop::new(parameters.with_restitution(0.5, RestitutionLaw::Energetic)).expect("heavy");
+    let start = Start::at(core::f64::consts::PI, 30.0).with_gap_rate(2.5e-7);
+    let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a valid start");
+    assert_eq!(motion.transitions()[0].cause, Cause::Settle);
+}
+
 fn restitution() -> impl Strategy<Value = Restitution> {
     let coefficient = prop_oneof![2 => Just(0.0), 4 => 0.0..=1.0_f64, 1 => Just(1.0), 1 => 0.0..1e-9_f64, 1 => 0.95..=1.0_f64];
     (coefficient, prop::sample::select(RestitutionLaw::ALL.to_vec()))

@@ -3,7 +3,7 @@
 #![allow(clippy::panic)] // a failed comparison
 #![allow(clippy::disallowed_methods)] // starts may come from the platform's mathematics
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use crate::common::{heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start};
 use littlewood::{
@@ -431,6 +431,27 @@ fn chains_of_slips_are_those_of_the_simulation() {
 }
 
 /// A very light hoop with next to no friction: each passage of the bottom amplifies rounding by 1e4.
+/// The double at a multiple of 2π may lie to either side of it.
+#[test]
+fn motions_from_the_top_have_their_whole_turns() {
+    // They roll, and slip on the way down.
+    let hoop = Hoop::figure_2(0.2, 0.1).expect("a hoop like that of Figure 2");
+    let limits = Limits::default().with_transitions(2);
+    for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+        for turns in -9..=9 {
+            let top = f64::from(turns) * TAU;
+            for (theta, rate) in [top.next_down(), top, top.next_up()].into_iter().zip([0.9, -0.9, 0.9]) {
+                for start in [Start::at(theta, rate), Start::at(theta, -rate)] {
+                    let ours = engine.summary(start, limits).expect("a valid start");
+                    let theirs = hoop.simulate(start, limits).expect("a valid start").summary();
+                    assert_eq!(theirs.transitions, 2);
+                    assert_eq!(check(&ours, &theirs, 1e-13), Ok(()));
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_hoop_whose_motion_amplifies_rounding_has_no_tables() {
     let parameters = HoopParameters::thin(1.773_133_977_533_948_6e-9)

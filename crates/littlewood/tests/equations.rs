@@ -4,8 +4,8 @@
 
 use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, moderate_hoop, simulate, start};
 use littlewood::{
-    Body, Direction, Hoop, HoopParameters, PhasePlane, PhaseSolution, RollingLaw, RollingOrbit, SlidingLaw,
-    Start, gliding_accelerations,
+    Body, ContactForces, Direction, Hoop, HoopParameters, PhasePlane, PhaseSolution, RollingLaw,
+    RollingOrbit, SlidingLaw, Start, gliding_accelerations,
 };
 use proptest::prelude::*;
 
@@ -214,4 +214,11 @@ fn check_derivatives(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
         }
     }
     Ok(())
+}
+
+#[test]
+fn without_a_normal_force_no_friction_is_enough() {
+    let demand = |normal, friction| ContactForces { normal, friction }.demand();
+    assert_eq!((demand(2.0, -1.0), demand(-1.0, 1.0)), (0.5, f64::INFINITY));
+    assert_eq!((demand(0.0, 1.0), demand(0.0, 0.0)), (f64::INFINITY, f64::INFINITY));
 }

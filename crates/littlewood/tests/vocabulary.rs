@@ -240,6 +240,7 @@ fn every_quantity_has_its_unit_and_its_twin() {
         assert!(
             !quantity.symbol().is_empty() && !quantity.sign().is_empty() && !quantity.long_name().is_empty()
         );
+        assert!(!quantity.row().help.is_empty(), "{quantity}");
         assert_eq!(quantity.unit().is_empty(), quantity.unit_sign().is_empty(), "{quantity}");
         assert!(!quantity.dimensionless().is_si() || quantity.group() == Group::Units, "{quantity}");
         if let Some(twin) = quantity.si_twin() {
