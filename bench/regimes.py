@@ -2,6 +2,7 @@
 """How fast each kind of motion is, with `littlewood map` and with a peer on the same starts, in one run.
 
     python3 bench/regimes.py [--rounds 3] [--seconds 2] [--only WORD] [--json FILE]
+    python3 bench/regimes.py --random 150 [--seed 1] [--seconds 1]
 
 Ours follows a grid of starts on one thread, to the end of each motion and to tau = 50, as large a grid as it takes to
 keep it busy for so many seconds, up to 300 x 300. The peer, heyoka or else SciPy, follows starts picked from that grid to
@@ -9,6 +10,9 @@ tau = 50, as many as it manages in the same time. Time is that of the processor,
 little: ours without what a map of four starts takes, the peer's without compiling. The fastest of the rounds counts. Regimes that the peers have no
 equations for (the massless hoop, impacts, the balanced hoop, whose normal force heyoka refuses because it is constant) and those in which each point is another hoop, which a peer would have to
 compile, have none.
+
+With --random hoops are drawn instead, of ordinary proportions, with friction from 0.03 to 2 and kinetic coefficients that are less, nearly as
+large, or as large; ours alone, once each, and the slowest are listed: regimes that nobody thought of.
 """
 
 import argparse
@@ -69,6 +73,7 @@ REGIMES = [
     Regime("axes offset and inertia", x=("offset", 0.05, 1.0), y=("inertia", 0.05, 3.0), has_peer=False),
     Regime("mu_k = 0.4999", friction(0.5, 0.4999)),
     Regime("mu_k = 0.499", friction(0.5, 0.499)),
+    Regime("mu_k = 0.1999, slow slips", {"mass_ratio": 2.0, "inertia": 0.5, **friction(0.2, 0.1999)}),
     Regime("P <= 0 somewhere", {"mass_ratio": 0.2, "inertia": 0.1, **friction(1.5, 1.4)}),
     Regime("mu_s = mu_k = 0.5", friction(0.5, 0.5)),
     Regime("painleve", {"mass_ratio": 1 / 3, "inertia": 1 / 3, **friction(1.0, 1.0)}),
@@ -228,11 +233,44 @@ def line(record):
     return f"| {' | '.join(cells)} | {rate} | {ratio} | {note} |"
 
 
+def drawn(source, number):
+    """A hoop of ordinary proportions, with friction that is neither next to none nor huge."""
+    def spread(low, high):
+        return low * (high / low) ** source.random()
+
+    mass_ratio = spread(0.03, 3.0)
+    inertia = mass_ratio * source.uniform(0.1, 1.0) + (spread(0.01, 1.0) if source.random() < 0.2 else 0.0)
+    mu_s = spread(0.03, 2.0)
+    mu_k = mu_s * source.choice([1.0, 1.0 - spread(1e-5, 0.1), source.uniform(0.2, 1.0), source.uniform(0.2, 1.0)])
+    hoop = {"mass_ratio": mass_ratio, "offset": source.uniform(0.1, 1.0), "inertia": inertia, **friction(mu_s, mu_k)}
+    return Regime(f"hoop {number}", {name: float(f"{value:.5g}") for name, value in hoop.items()}, has_peer=False)
+
+
+def census(program, count, seed, seconds):
+    """Starts per second of random hoops: the slowest, and the quantiles."""
+    source = random.Random(seed)
+    found = []
+    for number in range(1, count + 1):
+        regime = drawn(source, number)
+        cells, _, rate = ours(program, regime, [], seconds)
+        found.append((rate, cells, regime))
+        print(f"{regime.name} of {count}: {significant(rate)}", file=sys.stderr, flush=True)
+    found.sort(key=lambda one: one[0])
+    print("| starts/s | grid | hoop |")
+    print("|---|---|---|")
+    for rate, cells, regime in found[:20]:
+        print(f"| {significant(rate)} | {cells} × {cells} | {', '.join(f'{name} {value:g}' for name, value in regime.hoop.items())} |")
+    at = [found[min(count - 1, math.floor(part * count))][0] for part in (0.05, 0.25, 0.5, 0.75)]
+    print(f"\n{count} hoops, seed {seed}; starts a second at 5, 25, 50, 75 %: {', '.join(map(significant, at))}.")
+
+
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=3, metavar="N", help="rounds of every regime (default 3)")
     parser.add_argument("--seconds", type=float, default=2.0, metavar="S", help="time for a measurement (default 2)")
     parser.add_argument("--only", metavar="WORD", help="regimes with this word in their names, and the flagship")
+    parser.add_argument("--random", type=int, metavar="COUNT", help="so many random hoops, and which are the slowest")
+    parser.add_argument("--seed", type=int, default=1, metavar="N", help="of the random hoops (default 1)")
     parser.add_argument("--json", type=Path, metavar="FILE", help="write the numbers to this file, too")
     return parser.parse_args()
 
@@ -251,6 +289,8 @@ def built():
 def main():
     options = arguments()
     program = built()
+    if options.random is not None:
+        return census(program, options.random, options.seed, options.seconds)
     install()
     peers = [name for name in ("heyoka", "SciPy") if why_missing(name) is None]
     rows = [Row(regime) for regime in REGIMES if options.only is None or options.only in regime.name or regime.name == FLAGSHIP]

@@ -289,21 +289,41 @@ mod tests {
         assert!(100 * rolls < all && 100 * slides < all, "{rolls} {slides} of {all}");
     }
 
+    /// How many transitions are passed at once from the last slip of the motion from a start that is simulated for so many.
+    fn passed_from(hoop: &Hoop, start: Start, transitions: usize) -> usize {
+        let engine = Engine::new(hoop);
+        let Source::Tables(tables) = &engine.source else { panic!("{:?}", engine.source) };
+        let motion = hoop.simulate(start, Limits::default().with_transitions(transitions)).unwrap();
+        let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
+        let solver = FastSolver::new(hoop, tables.as_ref(), Some(&tables.chains), Limits::default());
+        let room = Room { transitions: 5_000, one_link: false, open: None };
+        let place = solver.place(slip.before);
+        let linked = solver.pass_links(&place, slip.direction.unwrap(), &room).expect("links");
+        linked.transitions as usize
+    }
+
     /// The closer the coefficients, the closer to a grazing orbit a motion goes, and the less the level of its orbit tells where it slips.
     #[test]
     fn slips_towards_a_grazing_orbit_are_passed_by_the_thousand() {
         for mu_k in [0.498, 0.499, 0.4999] {
             let hoop = Hoop::figure_2(0.5, mu_k).unwrap();
-            let engine = Engine::new(&hoop);
-            let Source::Tables(tables) = &engine.source else { panic!("{:?}", engine.source) };
-            let motion =
-                hoop.simulate(Start::at(-3.0, -2.5), Limits::default().with_transitions(4_000)).unwrap();
-            let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
-            let solver = FastSolver::new(&hoop, tables.as_ref(), Some(&tables.chains), Limits::default());
-            let room = Room { transitions: 5_000, one_link: false, open: None };
-            let place = solver.place(slip.before);
-            let linked = solver.pass_links(&place, slip.direction.unwrap(), &room).expect("links");
-            assert!(linked.transitions > 1_000, "{mu_k}: {}", linked.transitions);
+            let passed = passed_from(&hoop, Start::at(-3.0, -2.5), 4_000);
+            assert!(passed > 1_000, "{mu_k}: {passed}");
+        }
+    }
+
+    /// With little friction grazing orbits slip where they turn, at an angle that hardly tells them apart.
+    #[test]
+    fn slips_next_to_turning_points_are_passed_by_the_hundred() {
+        for (mass_ratio, offset, inertia, mu_s, mu_k) in [
+            (2.0, 1.0, 0.5, 0.2, 0.1999),
+            (0.0985, 0.779, 0.0662, 0.0915, 0.091489),
+            (0.551, 0.993, 0.124, 0.0637, 0.0636968),
+        ] {
+            let parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+            let hoop = Hoop::new(parameters).unwrap();
+            let passed = passed_from(&hoop, Start::at(2.336, 0.92), 500);
+            assert!(passed > 300, "{mu_s} {mu_k}: {passed}");
         }
     }
 }

@@ -176,6 +176,27 @@ impl RollTable {
         k.is_finite().then_some((k - d) / d)
     }
 
+    /// The same with its derivative by the angle.
+    pub(super) fn limit_and_slope(&self, side: usize, angle: f64) -> (f64, f64) {
+        let (y, x) = libm::sincos(0.5 * angle);
+        let [(a, a_slope), (b, b_slope)] =
+            [0, 1].map(|i: usize| self.forms[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
+        let d = self.law.denominator(angle);
+        let d_slope = -4.0 * self.law.offset * x * y;
+        let k = -a / b;
+        let k_slope = -(a_slope + k * b_slope) / b;
+        let u = (k - d) / d;
+        (u, (k_slope - (1.0 + u) * d_slope) / d)
+    }
+
+    /// The angles at which θ′² of [`RollTable::limit`] vanishes, and those at which it has an extremum.
+    pub(super) fn rests_and_extrema(&self, side: usize) -> (Vec<f64>, Vec<f64>) {
+        let [a, b] = [0, 1].map(|i: usize| Trigonometric::from_form(&self.forms[side][i]));
+        let b = b.times(&Trigonometric::linear(self.law.mean_denominator(), 0.0, 2.0 * self.law.offset));
+        let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative()));
+        (a.plus(&b).sign_changes(), extrema.sign_changes())
+    }
+
     /// 1/K of the orbit whose margin of a side vanishes at this angle.
     pub(super) fn inverse_level(&self, side: usize, angle: f64) -> f64 {
         let (y, x) = libm::sincos(0.5 * angle);

@@ -1,5 +1,7 @@
 //! The curves on which rolling slips, |F| = μs N, and coordinates on them.
 
+use crate::bernstein::Bracket;
+
 use super::super::roll::{RollTable, SlipPiece, SlipPoint};
 
 /// A slip on one of the curves.
@@ -18,6 +20,8 @@ enum Coordinate {
     Angle,
     /// 1/K, where the level K of the orbits has a pole: the angles of fast slips hardly differ.
     InverseLevel,
+    /// |θ′|, where it vanishes: nor do those of slips next to a turning point, and what follows goes like the root of the difference.
+    Rate,
 }
 
 /// A part of a curve.
@@ -40,6 +44,9 @@ pub(super) struct Curves {
 /// Largest amplification of the rounding of levels that polynomials are made for: next to an extremum of the level there is no bound.
 const MOST_AMPLIFIED: f64 = 1e3;
 
+/// More halvings of a part on which slips are told by their rate: chains that contract towards a turning point end at small ones.
+const HALVINGS_TO_REST: u32 = 3;
+
 /// An end of a piece is a pole if 1/K is smaller there than in the middle by this.
 const POLE: f64 = 1e-9;
 
@@ -47,15 +54,36 @@ impl Curves {
     pub(super) fn new(roll: &RollTable) -> Self {
         let mut parts = Vec::new();
         for side in [0, 1] {
+            let (rests, extrema) = roll.rests_and_extrema(side);
             for piece in roll.slips(side) {
-                let middle = 0.5 * (piece.left + piece.right);
-                let slowest = POLE * roll.inverse_level(side, middle).abs();
-                let half = |end: f64| {
-                    let is_pole = roll.inverse_level(side, end).abs() <= slowest;
-                    let coordinate = if is_pole { Coordinate::InverseLevel } else { Coordinate::Angle };
-                    Part { side, piece, coordinate, angles: (end.min(middle), end.max(middle)) }
+                let inside = |cuts: &[f64]| -> Vec<f64> {
+                    cuts.iter().copied().filter(|angle| piece.left < *angle && *angle < piece.right).collect()
                 };
-                parts.extend([half(piece.left), half(piece.right)]);
+                let rests = inside(&rests);
+                let mut ends = vec![piece.left, piece.right];
+                if !rests.is_empty() {
+                    ends.extend(&rests);
+                    ends.extend(inside(&extrema));
+                    ends.sort_by(f64::total_cmp);
+                }
+                for pair in ends.windows(2) {
+                    let middle = 0.5 * (pair[0] + pair[1]);
+                    if !roll.limit(side, middle).is_some_and(|u| u > 0.0) {
+                        continue;
+                    }
+                    let slowest = POLE * roll.inverse_level(side, middle).abs();
+                    let half = |end: f64| {
+                        let coordinate = if rests.contains(&end) {
+                            Coordinate::Rate
+                        } else if roll.inverse_level(side, end).abs() <= slowest {
+                            Coordinate::InverseLevel
+                        } else {
+                            Coordinate::Angle
+                        };
+                        Part { side, piece, coordinate, angles: (end.min(middle), end.max(middle)) }
+                    };
+                    parts.extend([half(pair[0]), half(pair[1])]);
+                }
             }
         }
         Self { roll: roll.clone(), parts }
@@ -67,8 +95,20 @@ impl Curves {
             let ends = [part.angles.0, part.angles.1].map(|angle| match part.coordinate {
                 Coordinate::Angle => angle,
                 Coordinate::InverseLevel => self.roll.inverse_level(part.side, angle).max(0.0),
+                Coordinate::Rate => self.roll.limit(part.side, angle).map_or(0.0, |u| u.max(0.0).sqrt()),
             });
             (ends[0].min(ends[1]), ends[0].max(ends[1]))
+        })
+    }
+
+    /// The angle of a slip at a rate, on a part on which rates rise or fall.
+    fn angle_at(&self, part: &Part, rate: f64) -> f64 {
+        let (low, high) = part.angles;
+        let [first, last] = [low, high].map(|angle| self.roll.limit(part.side, angle).unwrap_or(0.0));
+        let falls = if first > last { 1.0 } else { -1.0 };
+        Bracket { low, high }.refine(|angle| {
+            let (u, slope) = self.roll.limit_and_slope(part.side, angle);
+            (falls * (u - rate * rate), falls * slope)
         })
     }
 
@@ -83,35 +123,51 @@ impl Curves {
             Coordinate::InverseLevel => {
                 1.0 / (self.roll.law().denominator(slip.angle) * (1.0 + theta_rate * theta_rate))
             }
+            Coordinate::Rate => theta_rate.abs(),
         };
         Some(Point { part: index, at })
+    }
+
+    /// More halvings than of other parts.
+    pub(super) fn more_halvings(&self, part: usize) -> u32 {
+        match self.parts[part].coordinate {
+            Coordinate::Angle | Coordinate::InverseLevel => 0,
+            Coordinate::Rate => HALVINGS_TO_REST,
+        }
     }
 
     /// By how much a coordinate moves, between two of a part, where the level of the orbit moves by a part of itself, over that part: what
     /// rounding of the level is amplified by. Orbits that graze the limit of friction slip at very different angles.
     pub(super) fn amplification(&self, part: usize, (from, to): (f64, f64)) -> f64 {
-        let Part { side, coordinate, .. } = &self.parts[part];
-        match coordinate {
-            Coordinate::Angle => {
-                let [first, last] = [from, to].map(|angle| self.roll.inverse_level(*side, angle));
-                (first * (to - from) / (last - first)).abs().min(MOST_AMPLIFIED)
-            }
+        let part = &self.parts[part];
+        let moves = |angles: [f64; 2]| {
+            let [first, last] = angles.map(|angle| self.roll.inverse_level(part.side, angle));
+            (first * (to - from) / (last - first)).abs()
+        };
+        match part.coordinate {
+            Coordinate::Angle => moves([from, to]).min(MOST_AMPLIFIED),
             Coordinate::InverseLevel => from.abs(),
+            Coordinate::Rate => moves([from, to].map(|rate| self.angle_at(part, rate))),
         }
     }
 
     /// The slip at a point, and |θ′|; none where no orbit has it.
     pub(super) fn slip(&self, point: Point) -> Option<(SlipPoint, f64)> {
-        let Part { side, piece, coordinate, .. } = &self.parts[point.part];
-        let (angle, k) = match coordinate {
-            Coordinate::Angle => (point.at, 1.0 / self.roll.inverse_level(*side, point.at)),
+        let part = &self.parts[point.part];
+        let side = part.side;
+        let (angle, k) = match part.coordinate {
+            Coordinate::Angle => (point.at, 1.0 / self.roll.inverse_level(side, point.at)),
             Coordinate::InverseLevel => {
                 let k = 1.0 / point.at;
-                (self.roll.slip_on(piece, *side, k)?, k)
+                (self.roll.slip_on(&part.piece, side, k)?, k)
+            }
+            Coordinate::Rate => {
+                let slip = SlipPoint { side, angle: self.angle_at(part, point.at) };
+                return (point.at > 0.0).then_some((slip, point.at));
             }
         };
         let d = self.roll.law().denominator(angle);
         let u = (k - d) / d;
-        (u > 0.0 && u.is_finite()).then(|| (SlipPoint { side: *side, angle }, u.sqrt()))
+        (u > 0.0 && u.is_finite()).then(|| (SlipPoint { side, angle }, u.sqrt()))
     }
 }

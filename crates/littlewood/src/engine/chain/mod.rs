@@ -134,7 +134,7 @@ impl Chains {
         let making = Making {
             basis: &self.basis,
             tolerance: tree::CONVERGED * self.noise * (1_u64 << level) as f64,
-            halvings: tree::HALVINGS + (self.noise as u32).ilog2(),
+            halvings: tree::HALVINGS + (self.noise as u32).ilog2() + self.curves.more_halvings(point.part),
             amplification: |part, ends| self.curves.amplification(part, ends),
             value: |at| self.value(level, Point { at, ..point }, follow),
         };
