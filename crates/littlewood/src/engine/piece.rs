@@ -16,7 +16,11 @@ const LAST_STEP: f64 = 1e-8;
 /// The same for the place at which η′ vanishes.
 const LAST_STEP_TO_REST: f64 = 1e-7;
 
-/// Where u changes much in a step, the time of the step must be so short beside the inverse of that part: Newton's method takes u for fixed.
+/// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more than this part of itself: the error is the fourth
+/// power of that over 2880.
+const SHORT_STEP: f64 = 1e-3;
+
+/// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that part: Newton's method takes it for fixed.
 const LAST_TIME: f64 = 1e-14;
 
 /// A part of a slide on which u is known as a function of a coordinate z, along which the slide goes up or down.
@@ -35,8 +39,6 @@ pub(super) trait Piece {
     fn by_coordinate(&self, z: f64, u: f64, by_time: f64) -> f64;
     /// Time from one place to another, each with its u. None where it is not known to rounding.
     fn time(&self, here: (f64, f64), there: (f64, f64)) -> Option<f64>;
-    /// Time from z, where u is known, over a step so short that the trapezoid rule is exact.
-    fn short_time(&self, z: f64, u: f64, step: f64) -> f64;
 }
 
 /// A point on the way through a piece.
@@ -89,17 +91,38 @@ impl<P: Piece> Way<'_, P> {
     pub(super) fn at(&self, here: &Waypoint, z: f64) -> Option<Waypoint> {
         let u = self.piece.u(z);
         let elapsed = here.elapsed + self.piece.time((here.z, here.u), (z, u))?;
+        Some(self.waypoint(z, u, elapsed))
+    }
+
+    /// The same a short step away; none if it is longer.
+    fn beside(&self, here: &Waypoint, z: f64) -> Option<Waypoint> {
+        let (middle, u) = (0.5 * (here.z + z), self.piece.u(z));
+        let (first, last) = (self.slowness(here.z, here.u), self.slowness(z, u));
+        if !((z - here.z).abs() <= SHORT_STEP && (last - first).abs() <= SHORT_STEP * first.abs()) {
+            return None;
+        }
+        let sum = first + 4.0 * self.slowness(middle, self.piece.u(middle)) + last;
+        Some(self.waypoint(z, u, here.elapsed + (z - here.z) / 6.0 * sum))
+    }
+
+    /// dτ/dz.
+    fn slowness(&self, z: f64, u: f64) -> f64 {
+        self.piece.by_coordinate(z, u, 1.0)
+    }
+
+    /// Everything at z, where u and the time are known.
+    fn waypoint(&self, z: f64, u: f64, elapsed: f64) -> Waypoint {
         let (sin, cos) = self.piece.direction(z);
         let (alpha, beta) = self.law.slip_acceleration(sin, cos);
         let lever = self.law.lever(sin, cos);
-        Some(Waypoint {
+        Waypoint {
             z,
             u,
             elapsed,
             slip: self.slip(self.piece.rate(z, u), lever, elapsed),
             slip_acceleration: self.sigma * (alpha + beta * u),
             direction: (sin, cos),
-        })
+        }
     }
 
     /// Where 1 − h cos ϑ u falls through zero between `here` and `end`: Newton's method in a bracket.
@@ -172,9 +195,10 @@ impl<P: Piece> Way<'_, P> {
         if step.abs() >= longest {
             return None;
         }
-        let (next, time) = (self.piece.u(z + step), self.piece.short_time(z, u, step));
-        let changed = time * (next - u);
-        (changed.abs() < LAST_TIME * u).then_some((next, time))
+        let next = self.piece.u(z + step);
+        let (here, there) = (self.slowness(z, u), self.slowness(z + step, next));
+        let time = 0.5 * step * (here + there);
+        ((time * (there - here)).abs() < LAST_TIME * here.abs()).then_some((next, time))
     }
 
     /// Where the slide is at a time between those of two waypoints: Newton's method in a bracket.
@@ -190,7 +214,7 @@ impl<P: Piece> Way<'_, P> {
             } else {
                 low = z;
             }
-            let step = (elapsed - at.elapsed) / piece.by_coordinate(z, at.u, 1.0);
+            let step = (elapsed - at.elapsed) / self.slowness(z, at.u);
             let next = z + step;
             let inside = (next - low) * forward >= 0.0 && (high - next) * forward >= 0.0;
             if let Some((u, _)) = self.last_step(z, at.u, step, LAST_STEP) {
@@ -213,8 +237,12 @@ impl<P: Piece> Way<'_, P> {
         // η′ is positive at `low` and behind it, and negative at `high`.
         let (mut low, mut high) = (here.z, there.z);
         let mut z = here.z + guess * span;
+        let mut near: Option<Waypoint> = None;
         for _ in 0..40 {
-            let at = self.at(here, z)?;
+            let at = match near.and_then(|near| self.beside(&near, z)) {
+                Some(at) => at,
+                None => *near.insert(self.at(here, z)?),
+            };
             if at.slip > 0.0 {
                 low = z;
             } else {

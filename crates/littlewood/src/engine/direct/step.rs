@@ -137,9 +137,4 @@ impl Piece for Step {
         }
         Some(2.0 * self.width * half * sum)
     }
-
-    fn short_time(&self, t: f64, u: f64, step: f64) -> f64 {
-        let there = self.u(t + step);
-        0.5 * step * (self.turning(t) / u.sqrt() + self.turning(t + step) / there.sqrt())
-    }
 }

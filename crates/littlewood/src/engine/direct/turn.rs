@@ -94,9 +94,4 @@ impl Piece for Turn {
         }
         Some(half * sum)
     }
-
-    fn short_time(&self, y: f64, _: f64, step: f64) -> f64 {
-        let slowness = |y: f64| self.slowness(y, value(&self.v, y * y));
-        0.5 * step * (slowness(y) + slowness(y + step))
-    }
 }

@@ -35,8 +35,7 @@ pub(super) const MOST_HALVINGS: u32 = 6;
 
 /// Whether two values are within a factor.
 fn is_within(factor: f64, (from, to): (f64, f64)) -> bool {
-    let ratio = to / from;
-    ratio > 1.0 / factor && ratio < factor
+    from < factor * to && to < factor * from
 }
 
 /// Whether a factor under the root changes so little between two values.
@@ -104,12 +103,6 @@ impl Piece for Crossing<'_> {
             self.cell.time(&self.motion, from.min(to), from.max(to), is_within(EVEN, (u, to_u)))
         };
         in_parts(&|z| self.u(z), &time, (from, u), (to, to_u), MOST_HALVINGS)
-    }
-
-    fn short_time(&self, z: f64, u: f64, step: f64) -> f64 {
-        // The step may go back: the trapezoid is signed.
-        let slowness = 0.5 * (1.0 / u.sqrt() + 1.0 / self.u(z + step).sqrt());
-        step * self.travel * self.cell.half * slowness
     }
 }
 
@@ -201,7 +194,13 @@ impl SlideTable {
     /// Follows a slide to its event, or to where it is after the time that is `allowed`.
     pub(in crate::engine) fn follow(&self, start: SlideStart, allowed: f64) -> Result<SlideEnd, Unknown> {
         let mut follower = Follower::new(self, &start, allowed).ok_or(Unknown::Doubt)?;
-        for _ in 0..2 * MOST_TURNS * self.cells.len() {
+        let mut left = 2 * MOST_TURNS * self.cells.len();
+        while left > 0 {
+            left -= follower.cross_cells(left);
+            if follower.is_long || left == 0 {
+                break;
+            }
+            left -= 1;
             match follower.pass_cell() {
                 None => return Err(Unknown::Doubt),
                 Some(Some(end)) => return Ok(end),
@@ -247,6 +246,60 @@ impl<'a> Follower<'a> {
             last: None,
             is_long: false,
         })
+    }
+
+    /// Crosses whole cells in which nothing happens and θ′ changes little, at most so many: how many.
+    fn cross_cells(&mut self, most: usize) -> usize {
+        if !(self.whole && is_fast(&self.here)) {
+            return 0;
+        }
+        let Self { table, allowed, integral, travel, .. } = *self;
+        let law = &table.law;
+        let forward = travel > 0.0;
+        let bottom = self.bottom();
+        let Waypoint { mut u, mut elapsed, mut slip, mut slip_acceleration, mut direction, .. } = self.here;
+        let (mut index, mut offset, mut least) = (self.index, self.offset, self.least);
+        let mut crossed = 0;
+        while crossed < most {
+            let cell = &table.cells[index];
+            let (entry, exit) = (&cell.edges[usize::from(!forward)], &cell.edges[usize::from(forward)]);
+            let level = (u - entry.p) / entry.h;
+            let exit_u = exit.p + level * exit.h;
+            let stays = contact(1.0, law.body.h, exit.cos * exit_u) >= 0.0;
+            if !(is_smooth(u, exit_u) && stays && exit_u >= MIN_RATE * MIN_RATE) {
+                break;
+            }
+            let exit_acceleration = exit.alpha + exit.beta * exit_u;
+            if slip_acceleration <= 0.0 && exit_acceleration >= 0.0 && slip > 0.0 {
+                break;
+            }
+            let later = elapsed + cell.whole_time(level, is_within(EVEN, (u, exit_u)));
+            let exit_slip = integral + travel * exit_u.sqrt() * exit.lever - law.friction * later;
+            if exit_slip <= 0.0 || later > allowed {
+                break;
+            }
+            (u, elapsed, slip, slip_acceleration) = (exit_u, later, exit_slip, exit_acceleration);
+            direction = (0.0, exit.cos);
+            least = least.min(slip);
+            (index, offset) = table.neighbour(index, offset, forward);
+            crossed += 1;
+            if index == bottom {
+                break;
+            }
+        }
+        if crossed > 0 {
+            self.here = Waypoint { z: -travel, u, elapsed, slip, slip_acceleration, direction };
+            (self.index, self.offset, self.least) = (index, offset, least);
+            if index == bottom {
+                self.pass_bottom();
+            }
+        }
+        crossed
+    }
+
+    /// The cell behind the bottom on the way.
+    fn bottom(&self) -> usize {
+        if self.travel > 0.0 { self.table.bottom } else { self.table.bottom - 1 }
     }
 
     /// Passes a cell, or leads to the end in it.
@@ -406,7 +459,7 @@ impl<'a> Follower<'a> {
                 (self.index, self.offset) = self.table.neighbour(self.index, self.offset, self.travel > 0.0);
                 self.here = Waypoint { z: -self.travel, ..at };
                 self.whole = true;
-                if self.index == if self.travel > 0.0 { self.table.bottom } else { self.table.bottom - 1 } {
+                if self.index == self.bottom() {
                     self.pass_bottom();
                 }
                 return None;

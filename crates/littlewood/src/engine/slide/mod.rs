@@ -29,7 +29,7 @@ use crate::solvability::{is_solvable, solvability};
 use self::cell::Cell;
 
 /// Widest cell; a cell whose series has not converged is halved.
-const WIDEST: f64 = PI / 16.0;
+const WIDEST: f64 = PI / 8.0;
 
 /// With more cells than this the preparation is given up: a body of very small inertia.
 const MOST_CELLS: usize = 600;

@@ -195,8 +195,4 @@ impl Piece for Turning<'_> {
         let v = |y: f64| self.v(self.place(y));
         in_parts(&v, &|(from, _), (to, _)| self.gauss(from, to), (from, v(from)), (to, v(to)), MOST_HALVINGS)
     }
-
-    fn short_time(&self, y: f64, _: f64, step: f64) -> f64 {
-        0.5 * step * (self.slowness(y) + self.slowness(y + step))
-    }
 }
