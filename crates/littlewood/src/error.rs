@@ -104,9 +104,15 @@ impl Quantity {
     ///
     /// # Errors
     /// Names the first bound that the value breaks.
-    #[inline]
+    #[inline(always)]
     pub fn check(self, value: f64) -> Result<f64, ParameterError> {
-        if value.is_finite() && self.bounds().iter().all(|bound| bound.allows(value)) {
+        // Without a loop the bounds of a quantity that is known are folded.
+        let keeps = match self.bounds() {
+            [] => true,
+            [only] => only.allows(value),
+            [first, rest @ ..] => first.allows(value) && rest.iter().all(|bound| bound.allows(value)),
+        };
+        if value.is_finite() && keeps {
             Ok(value)
         } else {
             Err(self.refusal(value))

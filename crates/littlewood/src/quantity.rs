@@ -152,7 +152,7 @@ pub enum Bound {
 
 impl Bound {
     /// Whether a value keeps it.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn allows(&self, value: f64) -> bool {
         match *self {
@@ -254,7 +254,7 @@ impl Quantity {
         [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::GapRateMPerS, Self::XM, Self::TimeS];
 
     /// Bounds besides being a finite number, in the order in which they are checked.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn bounds(self) -> &'static [Bound] {
         match self {
