@@ -112,11 +112,7 @@ impl Quantity {
             [only] => only.allows(value),
             [first, rest @ ..] => first.allows(value) && rest.iter().all(|bound| bound.allows(value)),
         };
-        if value.is_finite() && keeps {
-            Ok(value)
-        } else {
-            Err(self.refusal(value))
-        }
+        if value.is_finite() && keeps { Ok(value) } else { Err(self.refusal(value)) }
     }
 
     /// The first bound that a value breaks.

@@ -98,13 +98,13 @@ struct Tables {
 }
 
 impl Engine {
-    /// Prepares a hoop. There are no tables for a massless hoop, without kinetic friction, where sliding is not well posed at
+    /// Prepares a hoop. There are no tables for a massless hoop, with static friction alone, where sliding is not well posed at
     /// every angle (P ≤ 0), and for very light and nearly balanced hoops, whose motions amplify rounding.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         let tables = match hoop.body() {
             Body::Heavy(body)
-                if hoop.mu_k() > 0.0
+                if (hoop.mu_k() > 0.0 || hoop.mu_s() == 0.0)
                     && body.h >= MIN_IMBALANCE
                     && body.inertia >= MIN_INERTIA * body.mass =>
             {

@@ -98,9 +98,11 @@ impl Phases for Tables {
     ) -> Option<(SlideEnd, Ahead)> {
         match self.known_slide(place, direction, slip_acceleration, allowed) {
             Ok(known) => Some(known),
-            Err(Unknown::Doubt) => self.direct.slide(place, direction, slip_acceleration, allowed),
-            // Computed directly it would take as many turns.
-            Err(Unknown::Long) => None,
+            // Computed directly a slide with friction would take as many turns.
+            Err(Unknown::Long) if self.direct.has_kinetic_friction() => None,
+            Err(Unknown::Doubt | Unknown::Long) => {
+                self.direct.slide(place, direction, slip_acceleration, allowed)
+            }
         }
     }
 }

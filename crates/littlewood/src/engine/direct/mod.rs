@@ -41,6 +41,11 @@ impl Direct {
 }
 
 impl Direct {
+    /// Whether μk > 0.
+    pub(super) const fn has_kinetic_friction(&self) -> bool {
+        self.hoop.mu_k() > 0.0
+    }
+
     /// A slide from a place in the frame of motion.
     fn seen(&self, place: &Place, direction: Direction, from_limit: bool) -> (Frame<'_>, Waypoint) {
         let (state, sign) = (place.state, place.travel());
