@@ -1,7 +1,7 @@
 //! What `classify` says begins is what the simulation begins with.
 
 use crate::common::{heavy_motion, massless_hoop, start};
-use littlewood::{Hoop, Limits, Mode, OutcomeKind, Proof, Start, StartRegion};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, Start, StartRegion};
 use proptest::prelude::*;
 
 /// Compares what is said of a start with the first phase of its motion.
@@ -73,4 +73,28 @@ proptest! {
     fn a_thrown_hoop_flies((hoop, start) in heavy_motion(), gap_rate in 1e-9..2.0_f64) {
         check(&hoop, start.with_gap_rate(gap_rate))?;
     }
+}
+
+/// Where N = Î m w/P with w = 0 falling, no slide is consistent, even where P > 0: the hoop leaves the plane. P ≤ 0 elsewhere, so that
+/// both directions are weighed.
+#[test]
+fn a_slide_that_is_unloaded_to_the_bit_and_leaves_is_no_candidate() {
+    let parameters = HoopParameters::new(3.0, 1.0, 0.2).with_friction(3.0, 3.0);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let mut found = 0;
+    for k in 1..40 {
+        let theta = -0.01 * f64::from(k);
+        let cos = libm::cos(theta);
+        let about = (4.0 / cos).sqrt();
+        let rates = (-20..=20_i64).map(|ulps| f64::from_bits(about.to_bits().wrapping_add_signed(ulps)));
+        // h = 1/4: w = 1 − h cos θ θ′² vanishes to the bit.
+        for rate in rates.filter(|rate| cos * (rate * rate) == 4.0) {
+            for slip in [-0.5, 0.5] {
+                let said = hoop.classify(Start::at(theta, rate).with_slip(slip)).expect("a valid start");
+                assert_eq!(said.mode, Some(Mode::Flight), "{theta} {rate} {slip}");
+                found += 1;
+            }
+        }
+    }
+    assert!(found > 20, "{found}");
 }

@@ -377,3 +377,19 @@ impl RollTable {
         duration(self.law.bottom, (k - self.law.top, 4.0 * self.law.offset), (-x, y), 0.5 * (to - from))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_orbit_on_the_limit_is_not_said_to_hold() {
+        // Margins K − 2 and 6 − 2 K, both positive for 2 < K < 3.
+        let (least, most) = holds(&[[-2.0, 1.0], [6.0, -2.0]]);
+        assert!(least > 2.0 * (1.0 + UNCERTAIN_MARGIN) && least < 2.0 + 1e-10, "{least:e}");
+        assert!(most < 3.0 * (1.0 - UNCERTAIN_MARGIN) && most > 3.0 - 1e-10, "{most:e}");
+        // A margin that no orbit changes.
+        assert_eq!(holds(&[[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
+        assert_eq!(holds(&[[1.0, 0.0], [-1.0, 0.0]]).1, 0.0);
+    }
+}

@@ -64,3 +64,19 @@ impl Cubic {
         None
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slope_is_that_of_the_value() {
+        // (x + 1)(x − 2)(x − 3) = 6 + x − 4x² + x³, and its derivative.
+        let cubic = Cubic([6.0, 1.0, -4.0, 1.0]);
+        for k in -4..=8 {
+            let x = 0.5 * f64::from(k);
+            let (a, b, c) = (x + 1.0, x - 2.0, x - 3.0);
+            assert_eq!(cubic.value_and_slope(x), (a * b * c, a * b + a * c + b * c));
+        }
+    }
+}
