@@ -299,3 +299,46 @@ fn cubic_root(start: f64, start_slope: f64, end: f64, end_slope: f64) -> f64 {
     }
     s
 }
+
+#[cfg(test)]
+pub(super) mod check {
+    use super::*;
+
+    /// A piece from one coordinate to another, between which contact lasts, is a slide of its law.
+    pub(in crate::engine) fn is_a_slide(piece: &impl Piece, law: &SlidingLaw, (from, to): (f64, f64)) {
+        const STEP: f64 = 1e-5;
+        let slowness = |z: f64| piece.by_coordinate(z, piece.u(z), 1.0);
+        let close = |one: f64, other: f64, what: &str, z: f64| {
+            assert!((one - other).abs() < 1e-7 * (1.0 + other.abs()), "{what} at {z}: {one} {other}");
+        };
+        for k in 1..20 {
+            let z = from + (to - from) * f64::from(k) / 20.0;
+            let (u, (sin, cos)) = (piece.u(z), piece.direction(z));
+            assert!((sin * sin + cos * cos - 1.0).abs() < 1e-15, "{z}");
+            let [before, after] = [z - STEP, z + STEP].map(|z| piece.direction(z));
+            let turned = before.1 * after.0 - before.0 * after.1;
+            close(turned / (2.0 * STEP), piece.turning(z), "turning", z);
+            let rate = piece.rate(z, u);
+            close(piece.turning(z) / slowness(z), rate, "rate", z);
+            assert!((rate * rate - u).abs() <= 4.0 * f64::EPSILON * u, "{z}");
+            let steeper = (piece.u(z + STEP) - piece.u(z - STEP)) / (2.0 * STEP);
+            let contact = contact(1.0, law.body.h, cos * u);
+            close(steeper, piece.turning(z) * law.drive(sin, cos) * contact, "u", z);
+            let there = piece.turned((sin, cos), z, 1e-6);
+            let expected = piece.direction(z + 1e-6);
+            assert!((there.0 - expected.0).abs() < 1e-15 && (there.1 - expected.1).abs() < 1e-15, "{z}");
+        }
+        // Simpson's rule for the time.
+        let parts = 2000;
+        let width = (to - from) / f64::from(parts);
+        let sum: f64 = (0..=parts)
+            .map(|k| {
+                let weight = if k == 0 || k == parts { 1.0 } else { 2.0 + 2.0 * f64::from(k % 2) };
+                weight * slowness(from + width * f64::from(k))
+            })
+            .sum();
+        let time = piece.time((from, piece.u(from)), (to, piece.u(to))).unwrap();
+        assert!((time - width / 3.0 * sum).abs() < 1e-11 * time.abs(), "{time} {}", width / 3.0 * sum);
+        assert!(time > 0.0, "{time}");
+    }
+}

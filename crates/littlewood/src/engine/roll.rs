@@ -381,6 +381,44 @@ impl RollTable {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hoop::HoopParameters;
+
+    #[test]
+    fn the_limit_has_its_slope_its_zeros_and_its_extrema() {
+        let mut found = (0, 0);
+        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
+            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, mu_s);
+            let roll = RollTable::new(&Hoop::new(hoop).unwrap()).unwrap();
+            for side in [0, 1] {
+                let mut compared = 0;
+                for k in 1..200 {
+                    let angle = TAU / 200.0 * f64::from(k);
+                    let (u, slope) = roll.limit_and_slope(side, angle);
+                    assert_eq!(roll.limit(side, angle), Some(u));
+                    let [before, after] = [-1e-6, 1e-6].map(|step| roll.limit(side, angle + step).unwrap());
+                    let quotient = (after - before) / 2e-6;
+                    if quotient.abs() < 100.0 {
+                        assert!(
+                            (slope - quotient).abs() < 1e-6 * (1.0 + u * u),
+                            "{angle}: {slope} {quotient}"
+                        );
+                        compared += 1;
+                    }
+                }
+                assert!(compared > 100, "{compared}");
+                let (rests, extrema) = roll.rests_and_extrema(side);
+                found = (found.0 + rests.len(), found.1 + extrema.len());
+                for angle in rests {
+                    assert!(roll.limit(side, angle).unwrap().abs() < 1e-12, "{angle}");
+                }
+                for angle in extrema {
+                    let (u, slope) = roll.limit_and_slope(side, angle);
+                    assert!(slope.abs() < 1e-11 * (1.0 + u * u), "{angle}: {u} {slope}");
+                }
+            }
+        }
+        assert!(found.0 > 4 && found.1 > 4, "{found:?}");
+    }
 
     #[test]
     fn an_orbit_on_the_limit_is_not_said_to_hold() {

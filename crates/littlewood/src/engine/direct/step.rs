@@ -138,3 +138,30 @@ impl Piece for Step {
         Some(2.0 * self.width * half * sum)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::piece::check::is_a_slide;
+    use crate::equations::SlidingLaw;
+    use crate::hoop::{Body, Hoop};
+    use crate::mode::Direction;
+
+    #[test]
+    fn a_step_is_a_slide() {
+        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
+        for (direction, sigma) in [(Direction::Positive, 1.0), (Direction::Negative, -1.0)] {
+            let law = SlidingLaw::of_body(body, 0.4, direction);
+            for (theta, u) in [(0.4, 1.2), (2.0, 3.0), (3.0, 0.7), (5.5, 2.0)] {
+                let seen = libm::sincos(theta);
+                let expansion = Expansion::new(&law, sigma, seen, u);
+                let step = Step::new(&expansion, seen, expansion.reach(0), false).unwrap();
+                is_a_slide(&step, &law, (0.0, 1.0));
+                is_a_slide(&step, &law, (0.1, 0.7));
+                let (sin, cos) = step.direction(1.0);
+                let turned = libm::atan2(sin * seen.1 - cos * seen.0, cos * seen.1 + sin * seen.0);
+                assert!((step.turned_by(1.0) - turned).abs() < 1e-14, "{theta}");
+            }
+        }
+    }
+}

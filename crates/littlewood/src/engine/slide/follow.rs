@@ -479,3 +479,43 @@ impl<'a> Follower<'a> {
         Some(if passed.end == End::Cut { SlideEnd::Cut(event) } else { SlideEnd::Event(event) })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::piece::check::is_a_slide;
+    use crate::hoop::{Body, Hoop};
+
+    /// Through all cells at some levels, forth and back, or about a turning point where u vanishes in a cell.
+    #[test]
+    fn ways_through_cells_are_slides() {
+        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
+        let table = SlideTable::new(&body, 0.4).unwrap();
+        let (mut crossings, mut turnings) = (0, 0);
+        for cell in &table.cells {
+            for level in [0.05, 0.4, 1.5, 6.0] {
+                let motion = cell.motion(level);
+                let ends = [-1.0, 1.0].map(|z| value(&motion, z));
+                if ends.iter().all(|u| *u > 0.2 * level) {
+                    let forth = Crossing { cell, motion, travel: 1.0 };
+                    is_a_slide(&forth, &table.law, (-1.0, 1.0));
+                    is_a_slide(&forth, &table.law, (-0.3, 0.5));
+                    let back = Crossing { cell, motion, travel: -1.0 };
+                    is_a_slide(&back, &table.law, (0.9, -0.8));
+                    crossings += 1;
+                } else if ends[0] * ends[1] < 0.0 {
+                    let travel = if ends[0] > 0.0 { 1.0 } else { -1.0 };
+                    let [from, to] = if travel > 0.0 { ends } else { [ends[1], ends[0]] };
+                    let turning = Turning::new(cell, &motion, (-travel, from), (travel, to)).unwrap();
+                    assert!(turning.is_inside() && turning.travel() == travel);
+                    let start = turning.coordinate(-travel);
+                    assert!((turning.coordinate_of(-travel, from) - start).abs() < 1e-13);
+                    is_a_slide(&turning, &table.law, (-start, -0.1 * start));
+                    is_a_slide(&turning, &table.law, (0.2 * start, 0.9 * start));
+                    turnings += 1;
+                }
+            }
+        }
+        assert!(crossings > 60 && turnings > 4, "{crossings} {turnings}");
+    }
+}
