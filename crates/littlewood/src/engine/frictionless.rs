@@ -41,3 +41,41 @@ pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
     excess.coefficients().iter().all(|c| *c > least)
         || (rotates && excess.coefficients().iter().all(|c| *c < -least))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hoop::{Body, Hoop};
+    use crate::limits::Limits;
+    use crate::outcome::OutcomeKind;
+    use crate::state::Start;
+
+    /// What is not known to slide for ever is only followed for longer, which no test of answers would notice.
+    #[test]
+    fn most_that_slides_for_ever_is_known_to() {
+        let hoop = Hoop::figure_2(0.0, 0.0).unwrap();
+        let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+        // Librations, and rotations.
+        let (mut for_ever, mut known) = ([0, 0], [0, 0]);
+        for i in 0..32 {
+            for j in 0..32 {
+                let start = Start::at(0.05 + 0.2 * f64::from(i), -2.2 + 0.14 * f64::from(j)).with_slip(0.3);
+                let motion = hoop.simulate(start, Limits::default()).unwrap();
+                let state = State::from(start);
+                let is_known = slides_forever(&body, &state);
+                if motion.transitions().is_empty() && motion.outcome().kind() == OutcomeKind::SlidesForever {
+                    let energy = FrictionlessIntegrals::new(&body, &state, sincos(state.theta)).energy;
+                    let rotates = usize::from(energy > 2.0 * body.offset);
+                    for_ever[rotates] += 1;
+                    known[rotates] += usize::from(is_known);
+                } else {
+                    assert!(!is_known, "{start:?}");
+                }
+            }
+        }
+        assert!(for_ever.into_iter().all(|count| count > 30), "{for_ever:?}");
+        for (known, all) in known.into_iter().zip(for_ever) {
+            assert!(5 * known > 4 * all, "{known} of {all}");
+        }
+    }
+}

@@ -421,6 +421,26 @@ mod tests {
     }
 
     #[test]
+    fn a_slip_that_is_known_beforehand_is_taken_only_at_its_stop_and_side() {
+        let roll = RollTable::new(&Hoop::figure_2(0.5, 0.4).unwrap()).unwrap();
+        let mut slips = 0;
+        for k in 0..60 {
+            let (theta, rate) = (0.1 * f64::from(k), 1.9);
+            let follow =
+                |ahead: Option<RollAhead>| roll.follow(theta, rate, libm::cos(theta), ahead.as_ref());
+            let found = follow(None);
+            let Some(RollEnd::Slip { stop, point, .. }) = found else { continue };
+            slips += 1;
+            let known = RollAhead { stop, side: point.side, turned: 0.25, elapsed: 7.0 };
+            assert_eq!(follow(Some(RollAhead { stop: stop + 1, ..known })), found);
+            assert_eq!(follow(Some(RollAhead { side: 1 - known.side, ..known })), found);
+            let Some(RollEnd::Slip { elapsed, .. }) = follow(Some(known)) else { panic!("{theta}") };
+            assert_eq!(elapsed, 7.0);
+        }
+        assert!(slips > 20, "{slips}");
+    }
+
+    #[test]
     fn an_orbit_on_the_limit_is_not_said_to_hold() {
         // Margins K − 2 and 6 − 2 K, both positive for 2 < K < 3.
         let (least, most) = holds(&[[-2.0, 1.0], [6.0, -2.0]]);

@@ -262,7 +262,8 @@ impl Builder<'_> {
         let longest = ends.iter().fold(0.0_f64, |longest, end| longest.max(end[0]));
         let reach = longest + (right - left);
         let [first, last] = [self.start(left)?, self.start(right)?];
-        let passings = [first, last].map(|start| self.slide.passings(&start, reach));
+        let [first_passings, last_passings] = [first, last].map(|start| self.slide.passings(&start, reach));
+        let passings = [first_passings?, last_passings?];
         // A slide from the end of a cell does not pass through that cell.
         let common = passings[0][0].angle.max(passings[1][0].angle);
         let common =

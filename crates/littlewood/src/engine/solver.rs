@@ -40,7 +40,7 @@ pub(super) trait Phases {
     /// D at a sine and a cosine.
     fn denominator(&self, direction: (f64, f64)) -> f64;
     /// Whether P is positive at every angle, for either direction of slip.
-    const SOLVABLE: bool;
+    fn is_solvable(&self) -> bool;
     /// The end of the rolling that begins at a place, in the frame of motion.
     fn roll(&self, place: &Place) -> Option<RollEnd>;
     /// The end of the slide that begins at a place, or where it is cut after the time `allowed`, and what is known of the phase behind
@@ -187,7 +187,7 @@ impl<'a, P: Phases> FastSolver<'a, P> {
             let law = self.phases.sliding(direction);
             law.p(sin, law.q(1.0, sin, cos))
         };
-        if !P::SOLVABLE {
+        if !self.phases.is_solvable() {
             let least = UNCERTAIN_FORCES * self.phases.body().mass;
             if !Direction::ALL.iter().all(|direction| solvability(*direction) > least) {
                 return None;

@@ -65,7 +65,9 @@ impl Tables {
 }
 
 impl Phases for Tables {
-    const SOLVABLE: bool = true;
+    fn is_solvable(&self) -> bool {
+        self.is_solvable
+    }
 
     fn body(&self) -> &Heavy {
         self.direct.body()

@@ -89,7 +89,9 @@ impl Direct {
 }
 
 impl Phases for Direct {
-    const SOLVABLE: bool = false;
+    fn is_solvable(&self) -> bool {
+        false
+    }
 
     fn body(&self) -> &Heavy {
         &self.body

@@ -46,6 +46,8 @@ pub(super) struct Cell {
     h_middle: [f64; MIDDLE_NODES],
     /// At z = −1 and z = 1.
     pub(super) edges: [Edge; 2],
+    /// Whether it is left out: P ≤ 0, or so close to a zero of P that its series do not converge. Nothing else holds of it then.
+    pub(super) is_gap: bool,
 }
 
 impl Edge {
@@ -106,7 +108,27 @@ impl Cell {
             edges: [edge(left, -1.0), edge(right, 1.0)],
             p: u_p,
             h: u_h,
+            is_gap: false,
         })
+    }
+
+    /// The cell about `left..right`, left out.
+    pub(super) fn gap(law: &SlidingLaw, left: f64, right: f64) -> Self {
+        let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
+        Self {
+            left,
+            centre,
+            half,
+            direction: sincos(centre),
+            p: [0.0; DEGREE + 1],
+            h: [0.0; DEGREE + 1],
+            p_nodes: [0.0; NODES],
+            h_nodes: [0.0; NODES],
+            p_middle: [0.0; MIDDLE_NODES],
+            h_middle: [0.0; MIDDLE_NODES],
+            edges: [left, right].map(|theta| Edge::new(law, theta, 0.0, 0.0)),
+            is_gap: true,
+        }
     }
 }
 

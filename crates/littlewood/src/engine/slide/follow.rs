@@ -227,6 +227,9 @@ impl<'a> Follower<'a> {
         }
         let (index, offset) = table.entrance(start);
         let cell = &table.cells[index];
+        if cell.is_gap {
+            return None;
+        }
         let z = ((start.theta - offset - cell.centre) / cell.half).clamp(-1.0, 1.0);
         let (sin, cos) = start.direction;
         let (alpha, beta) = table.law.slip_acceleration(sin, cos);
@@ -262,6 +265,9 @@ impl<'a> Follower<'a> {
         let mut crossed = 0;
         while crossed < most {
             let cell = &table.cells[index];
+            if cell.is_gap {
+                break;
+            }
             let (entry, exit) = (&cell.edges[usize::from(!forward)], &cell.edges[usize::from(forward)]);
             let level = (u - entry.p) / entry.h;
             let exit_u = exit.p + level * exit.h;
@@ -306,6 +312,9 @@ impl<'a> Follower<'a> {
     fn pass_cell(&mut self) -> Option<Option<SlideEnd>> {
         let Self { table, index, travel, here, .. } = *self;
         let cell = &table.cells[index];
+        if cell.is_gap {
+            return None;
+        }
         let level = if self.whole {
             let entry = &cell.edges[usize::from(travel < 0.0)];
             (here.u - entry.p) / entry.h

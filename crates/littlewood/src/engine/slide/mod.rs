@@ -24,12 +24,18 @@ use crate::equations::{SlidingLaw, contact};
 use crate::form::Trigonometric;
 use crate::hoop::Heavy;
 use crate::mode::Direction;
-use crate::solvability::{is_solvable, solvability};
+use crate::solvability::solvability;
 
 use self::cell::Cell;
 
 /// Widest cell; a cell whose series has not converged is halved.
 const WIDEST: f64 = PI / 8.0;
+
+/// A hoop with cells that are narrower than this is not prepared.
+const NARROWEST: f64 = 1e-6;
+
+/// So narrow a cell next to a zero of P is left out: motions hardly ever come there, and are followed directly.
+const NARROWEST_AT_POLE: f64 = 1e-3;
 
 /// With more cells than this the preparation is given up: a body of very small inertia.
 const MOST_CELLS: usize = 600;
@@ -158,18 +164,23 @@ fn cuts(body: &Heavy, mu: f64) -> Vec<f64> {
 }
 
 impl SlideTable {
-    /// Prepares the slides of a body; none where P is not positive everywhere or the cells would be too many.
+    /// Prepares the slides of a body on the arcs where P > 0; none where the cells would be too many.
     pub(super) fn new(body: &Heavy, mu: f64) -> Option<Self> {
-        if !is_solvable(body, mu) {
-            return None;
-        }
         let law = SlidingLaw::of_body(*body, mu, Direction::Positive);
         let mut bounds = vec![0.0, PI, TAU];
         bounds.extend(cuts(body, mu));
+        let poles = solvability(body, mu).0.sign_changes();
+        bounds.extend(&poles);
         bounds.sort_by(f64::total_cmp);
         bounds.dedup_by(|a, b| *a - *b < 1e-12);
         let mut cells: Vec<Cell> = Vec::new();
         for pair in bounds.windows(2) {
+            if law.solvability(0.5 * (pair[0] + pair[1])) <= 0.0 {
+                cells.push(Cell::gap(&law, pair[0], pair[1]));
+                continue;
+            }
+            let ends_at_pole = pair.iter().any(|end| poles.iter().any(|pole| (pole - end).abs() < 1e-12));
+            let narrowest = if ends_at_pole { NARROWEST_AT_POLE } else { 0.0 };
             let parts = ((pair[1] - pair[0]) / WIDEST).ceil().max(1.0);
             let mut part = 0.0;
             let mut left = pair[0];
@@ -177,7 +188,7 @@ impl SlideTable {
                 part += 1.0;
                 let right =
                     if part == parts { pair[1] } else { pair[0] + (pair[1] - pair[0]) * part / parts };
-                Self::fill(&law, left, right, &mut cells)?;
+                Self::fill(&law, (left, right), narrowest, &mut cells)?;
                 left = right;
             }
         }
@@ -192,17 +203,27 @@ impl SlideTable {
         Some(Self { law, cells, slots, bottom })
     }
 
-    fn fill(law: &SlidingLaw, left: f64, right: f64, cells: &mut Vec<Cell>) -> Option<()> {
+    /// Cells whose series converge; narrower ones than this are left out.
+    fn fill(
+        law: &SlidingLaw,
+        (left, right): (f64, f64),
+        narrowest: f64,
+        cells: &mut Vec<Cell>,
+    ) -> Option<()> {
         if let Some(cell) = Cell::new(law, left, right) {
             cells.push(cell);
             return Some(());
         }
-        if cells.len() >= MOST_CELLS || right - left < 1e-6 {
+        if right - left < narrowest {
+            cells.push(Cell::gap(law, left, right));
+            return Some(());
+        }
+        if cells.len() >= MOST_CELLS || right - left < NARROWEST {
             return None;
         }
         let middle = 0.5 * (left + right);
-        Self::fill(law, left, middle, cells)?;
-        Self::fill(law, middle, right, cells)
+        Self::fill(law, (left, middle), narrowest, cells)?;
+        Self::fill(law, (middle, right), narrowest, cells)
     }
 
     /// Number of cells of a turn.
@@ -239,14 +260,18 @@ impl SlideTable {
         cell.level(start.theta_rate * start.theta_rate, (start.theta - offset - cell.centre) / cell.half)
     }
 
-    /// What a slide, continued beyond its end, would meet at the ends of cells until it has turned by `reach`.
-    pub(super) fn passings(&self, start: &SlideStart, reach: f64) -> Vec<Passing> {
+    /// What a slide, continued beyond its end, would meet at the ends of cells until it has turned by `reach`; none where P comes too close
+    /// to zero.
+    pub(super) fn passings(&self, start: &SlideStart, reach: f64) -> Option<Vec<Passing>> {
         let forward = start.theta_rate > 0.0;
         let (mut index, mut offset) = self.entrance(start);
         let mut level = self.level(start);
         let mut passings = Vec::new();
         loop {
             let cell = &self.cells[index];
+            if cell.is_gap {
+                return None;
+            }
             let exit = &cell.edges[usize::from(forward)];
             let u = exit.p + level * exit.h;
             let end = cell.centre + if forward { cell.half } else { -cell.half };
@@ -258,7 +283,7 @@ impl SlideTable {
                 contact: contact(1.0, self.law.body.h, exit.cos * u),
             });
             if turned >= reach || passings.len() > self.cells.len() {
-                return passings;
+                return Some(passings);
             }
             (index, offset) = self.neighbour(index, offset, forward);
             let entry = &self.cells[index].edges[usize::from(!forward)];
@@ -290,6 +315,7 @@ impl SlideTable {
 mod tests {
     use super::*;
     use crate::hoop::{Body, Hoop, HoopParameters};
+    use crate::trig::sincos;
 
     /// du/dϑ = 2 m q (1 − h c u)/P from one angle to another, by the classical Runge–Kutta method.
     fn continued(law: &SlidingLaw, from: f64, to: f64, mut u: f64) -> f64 {
@@ -312,6 +338,61 @@ mod tests {
     }
 
     #[test]
+    fn the_range_of_a_slide_has_its_ends_and_its_turning_points() {
+        let direction = (0.0, 1.0);
+        let event = SlideEvent {
+            elapsed: 1.0,
+            theta: 2.0,
+            theta_rate: 1.0,
+            slip: 0.0,
+            direction,
+            lifts_off: false,
+            turns: None,
+        };
+        assert_eq!(event.range_from(-0.5), (-0.5, 2.0));
+        assert_eq!(event.range_from(3.5), (2.0, 3.5));
+        let event = SlideEvent { turns: Some((-1.0, 2.5)), ..event };
+        assert_eq!(event.range_from(0.5), (-1.0, 2.5));
+        assert_eq!(event.mirrored(-1.0).range_from(0.5), (-2.5, 1.0));
+        assert_eq!(event.range_from(4.0), (-1.0, 4.0));
+    }
+
+    #[test]
+    fn cells_are_left_out_only_where_p_is_not_positive_or_next_to_its_zeros() {
+        for (mass_ratio, inertia, mu) in
+            [(0.2, 0.1, 1.4), (0.0, 0.001, 0.4), (0.01, 0.01, 0.5), (1.0, 1.0, 0.4)]
+        {
+            let hoop =
+                Hoop::new(HoopParameters::new(mass_ratio, 1.0, inertia).with_friction(mu, mu)).unwrap();
+            let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+            let table = SlideTable::new(&body, mu).unwrap();
+            let poles = solvability(&body, mu).0.sign_changes();
+            let mut end = 0.0;
+            for cell in &table.cells {
+                assert!((cell.left - end).abs() < 1e-12, "{} {end}", cell.left);
+                end = cell.left + 2.0 * cell.half;
+                let p = [0.01, 0.3, 0.7, 0.99]
+                    .map(|part| table.law.solvability(cell.left + part * (end - cell.left)));
+                if !cell.is_gap {
+                    assert!(p.into_iter().all(|p| p > 0.0), "{mass_ratio} {inertia}: {p:?}");
+                } else if p.into_iter().all(|p| p > 0.0) {
+                    let near = |angle: &f64| (cell.left - 0.01..end + 0.01).contains(angle);
+                    assert!(cell.half < NARROWEST_AT_POLE && poles.iter().any(near), "{} {end}", cell.left);
+                }
+            }
+            assert!((end - TAU).abs() < 1e-12, "{end}");
+            assert_eq!(table.cells.iter().any(|cell| cell.is_gap), !poles.is_empty());
+            // From a gap nothing is followed, and nothing is passed.
+            for gap in table.cells.iter().filter(|cell| cell.is_gap) {
+                let direction = sincos(gap.centre);
+                let start = SlideStart { theta: gap.centre, theta_rate: 1.0, slip: 1.0, direction };
+                assert_eq!(table.follow(start, f64::INFINITY), Err(Unknown::Doubt));
+                assert!(table.passings(&start, 1.0).is_none());
+            }
+        }
+    }
+
+    #[test]
     fn passings_are_the_states_of_a_slide_at_the_ends_of_cells_as_far_as_is_asked() {
         for (mass_ratio, inertia, mu) in [(1.0, 1.0, 0.4), (0.3, 0.2, 0.2), (3.0, 1.5, 0.7)] {
             let hoop =
@@ -321,7 +402,7 @@ mod tests {
             for (theta, theta_rate) in [(0.4, 3.0), (0.4, -2.5), (5.9, 2.8), (-1.0, -3.5)] {
                 let start = SlideStart { theta, theta_rate, slip: 0.0, direction: libm::sincos(theta) };
                 let (mut here, mut u) = (theta, theta_rate * theta_rate);
-                let passings = table.passings(&start, 2.5);
+                let passings = table.passings(&start, 2.5).unwrap();
                 for passing in &passings {
                     let there = theta + passing.turned.copysign(theta_rate);
                     u = continued(&table.law, here, there, u);
