@@ -346,6 +346,8 @@ struct TruncatedSeries {
 }
 
 impl TruncatedSeries {
+    // Within its callers the sums are not computed side by side.
+    #[inline(never)]
     fn new(phi: f64) -> Self {
         let square = phi * phi;
         if phi.abs() > 1.0 {
