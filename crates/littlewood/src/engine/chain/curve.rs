@@ -32,6 +32,8 @@ struct Part {
     coordinate: Coordinate,
     /// Angles of its ends.
     angles: (f64, f64),
+    /// Coordinates of its ends.
+    bounds: (f64, f64),
 }
 
 /// The curves of one body, in parts.
@@ -80,7 +82,14 @@ impl Curves {
                         } else {
                             Coordinate::Angle
                         };
-                        Part { side, piece, coordinate, angles: (end.min(middle), end.max(middle)) }
+                        let angles = (end.min(middle), end.max(middle));
+                        let at = |angle: f64| match coordinate {
+                            Coordinate::Angle => angle,
+                            Coordinate::InverseLevel => roll.inverse_level(side, angle).max(0.0),
+                            Coordinate::Rate => roll.limit(side, angle).map_or(0.0, |u| u.max(0.0).sqrt()),
+                        };
+                        let (one, other) = (at(angles.0), at(angles.1));
+                        Part { side, piece, coordinate, angles, bounds: (one.min(other), one.max(other)) }
                     };
                     parts.extend([half(pair[0]), half(pair[1])]);
                 }
@@ -91,14 +100,7 @@ impl Curves {
 
     /// The coordinates of the ends of the parts.
     pub(super) fn bounds(&self) -> impl Iterator<Item = (f64, f64)> {
-        self.parts.iter().map(|part| {
-            let ends = [part.angles.0, part.angles.1].map(|angle| match part.coordinate {
-                Coordinate::Angle => angle,
-                Coordinate::InverseLevel => self.roll.inverse_level(part.side, angle).max(0.0),
-                Coordinate::Rate => self.roll.limit(part.side, angle).map_or(0.0, |u| u.max(0.0).sqrt()),
-            });
-            (ends[0].min(ends[1]), ends[0].max(ends[1]))
-        })
+        self.parts.iter().map(|part| part.bounds)
     }
 
     /// The angle of a slip at a rate, on a part on which rates rise or fall.
@@ -128,11 +130,11 @@ impl Curves {
         Some(Point { part: index, at })
     }
 
-    /// More halvings than of other parts.
-    pub(super) fn more_halvings(&self, part: usize) -> u32 {
+    /// More halvings than of other parts, and where chains end on it.
+    pub(super) fn more_halvings(&self, part: usize) -> (u32, Option<f64>) {
         match self.parts[part].coordinate {
-            Coordinate::Angle | Coordinate::InverseLevel => 0,
-            Coordinate::Rate => HALVINGS_TO_REST,
+            Coordinate::Angle | Coordinate::InverseLevel => (0, None),
+            Coordinate::Rate => (HALVINGS_TO_REST, Some(self.parts[part].bounds.0)),
         }
     }
 

@@ -131,10 +131,12 @@ impl Chains {
 
     /// The piece of a level that holds a slip.
     fn found(&self, level: usize, point: Point, follow: &impl Follow) -> Option<&Found> {
+        let (more, end) = self.curves.more_halvings(point.part);
         let making = Making {
             basis: &self.basis,
             tolerance: tree::CONVERGED * self.noise * (1_u64 << level) as f64,
-            halvings: tree::HALVINGS + (self.noise as u32).ilog2() + self.curves.more_halvings(point.part),
+            halvings: tree::HALVINGS + (self.noise as u32).ilog2() + more,
+            end,
             amplification: |part, ends| self.curves.amplification(part, ends),
             value: |at| self.value(level, Point { at, ..point }, follow),
         };

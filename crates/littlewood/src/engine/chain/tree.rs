@@ -74,6 +74,8 @@ pub(super) struct Making<'a, A, V> {
     pub(super) tolerance: f64,
     /// Most halvings of a part.
     pub(super) halvings: u32,
+    /// The least coordinate, if chains end there: next to it links are looked for in narrower intervals.
+    pub(super) end: Option<f64>,
     /// What rounding of a level is amplified by in coordinates between two of a part.
     pub(super) amplification: A,
     /// The links from a coordinate.
@@ -114,7 +116,7 @@ where
     A: Fn(usize, (f64, f64)) -> f64,
     V: Fn(f64) -> Option<(Passage, LinkPhases)>,
 {
-    let Making { basis, tolerance, halvings: most, amplification, value } = making;
+    let Making { basis, tolerance, halvings: most, end, amplification, value } = making;
     let middle = 0.5 * (left + right);
     let divided = || {
         if halvings < *most {
@@ -129,7 +131,8 @@ where
     let [first, second, last] = [left, middle, right].map(value);
     let (Some(first), Some(second), Some(last)) = (&first, &second, &last) else {
         let nothing = first.is_none() && second.is_none() && last.is_none();
-        return if nothing && halvings >= SEARCHED { Fit::Nothing } else { divided() };
+        let searched = halvings >= SEARCHED && *end != Some(left);
+        return if nothing && searched { Fit::Nothing } else { divided() };
     };
     let (route, phases) = (first.0.route, first.1);
     let same = |(passage, other): &(Passage, LinkPhases)| {
