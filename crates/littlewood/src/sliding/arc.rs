@@ -555,11 +555,17 @@ mod tests {
             let steps = by_steps.steps() as f64;
             let fastest = by_steps.steps.iter().fold(0.0_f64, |most, step| most.max(step.theta_rate[0].abs()));
             let tolerance = f64::EPSILON * steps * (1.0 + fastest * end.time);
-            prop_assert!(difference(&end, &expected) < tolerance, "{end:?} {expected:?}");
+            // Next to the separatrix the pace tells more of the energy: as much as it does of so many last digits of the rate at the start.
+            let shaken = State { theta_rate: rate * (1.0 + f64::EPSILON * steps), ..start };
+            let [(by_shaken, shaken), _] = both(law, shaken, allowed);
+            let Some((_, shaken)) = end_state(&shaken) else { return Ok(()) };
+            let allowed = tolerance + difference(&end, &shaken);
+            prop_assert!(difference(&end, &expected) < allowed, "{end:?} {expected:?}");
             for k in 0..40 {
-                let time = end.time.min(expected.time) * f64::from(k) / 40.0;
+                let time = end.time.min(expected.time).min(shaken.time) * f64::from(k) / 40.0;
                 let (ours, theirs) = (by_leaps.state(time), by_steps.state(time));
-                prop_assert!(difference(&ours, &theirs) < tolerance, "{k}: {ours:?} {theirs:?}");
+                let allowed = tolerance + difference(&ours, &by_shaken.state(time));
+                prop_assert!(difference(&ours, &theirs) < allowed, "{k}: {ours:?} {theirs:?}");
             }
         }
     }
