@@ -312,7 +312,7 @@ fn agree_within(time: f64, hoop: &Hoop, starts: &[Start]) -> Result<(), TestCase
     Ok(())
 }
 
-/// The regimes that have no tables, with their starts over the whole plane.
+/// Regimes of all kinds, with their starts over the whole plane.
 #[test]
 fn every_regime_has_the_outcomes_of_the_simulation() {
     let regimes = [
