@@ -529,3 +529,17 @@ impl Flight {
         instant.sample(hoop, state)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tangents_of_a_parabola_meet_half_way() {
+        // Those of p² at a and b meet at (a + b)/2, where they are a b.
+        for (a, b) in [(-1.0, 2.0), (0.5, 3.0), (-4.0, -0.5)] {
+            let [from, to] = [a, b].map(|phi: f64| Bound { phi, gap: phi * phi, slope: 2.0 * phi });
+            assert!((from.tangents_meet(&to) - a * b).abs() < 1e-14, "{a} {b}");
+        }
+    }
+}
