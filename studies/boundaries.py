@@ -14,6 +14,9 @@ from .turns import Floats, Texts, Turn, first_turn, names_of
 WIDTH = 1e-12
 """Part of the friction to which a boundary is told."""
 
+AWAY = (1e-12, 1e-11, 1e-10)
+"""Parts of the friction by which a side is left, where it has another sequence when it is simulated."""
+
 NOTHING = 1e-9
 """Part of the friction below which the distance of two boundaries is none: there the order of two events is rounded."""
 
@@ -66,11 +69,16 @@ class Boundary:
 
     @property
     def turns(self) -> tuple[Turn, Turn]:
-        """The turns below and above."""
-        return self._turn(self.low, self.below), self._turn(self.high, self.above)
+        """The turns below and above, as near to the boundary as the simulation, which rounds otherwise, has them."""
+        return self._turn(self.low, self.below, -1.0), self._turn(self.high, self.above, 1.0)
 
-    def _turn(self, mu: float, name: str) -> Turn:
-        return first_turn(self.gamma, mu, self.rate, len(name.split()[0]))
+    def _turn(self, mu: float, name: str, away: float) -> Turn:
+        turns = [first_turn(self.gamma, mu, self.rate, len(name.split()[0]))]
+        for width in AWAY:
+            if turns[-1].name == name:
+                return turns[-1]
+            turns.append(first_turn(self.gamma, mu * (1.0 + away * width), self.rate, len(name.split()[0])))
+        return turns[-1] if turns[-1].name == name else turns[0]
 
     @cached_property
     def kind(self) -> str:

@@ -16,6 +16,7 @@
 //!
 //! Symbols: m total mass, h distance and Î moment of inertia of the mass centre, ℓ̂ = m h, σ = sign(η′).
 
+use crate::form::Trigonometric;
 use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
 use crate::state::State;
@@ -133,6 +134,11 @@ impl RollingLaw {
     pub(crate) fn denominator_of(&self, (sin, cos): (f64, f64)) -> f64 {
         let twice = if cos < 0.0 { sin * sin / (1.0 - cos) } else { 1.0 + cos };
         self.bottom + 2.0 * self.offset * twice
+    }
+
+    /// The same as a trigonometric polynomial.
+    pub(crate) fn denominator_polynomial(&self) -> Trigonometric {
+        Trigonometric::linear(self.mean_denominator(), 0.0, 2.0 * self.offset)
     }
 
     /// D(π/2), the mean of D over a turn.

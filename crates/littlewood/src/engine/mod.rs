@@ -24,7 +24,7 @@ mod tabulated;
 
 use crate::error::ParameterError;
 use crate::exact::Exact;
-use crate::hoop::{Body, Hoop};
+use crate::hoop::{Body, Heavy, Hoop};
 use crate::limits::Limits;
 use crate::solvability::is_solvable;
 use crate::state::{Start, State};
@@ -51,6 +51,14 @@ const MIN_IMBALANCE: f64 = 1e-3;
 
 /// To motions of fewer transitions chains are not worth what is prepared for them.
 const MIN_CHAIN_TRANSITIONS: usize = 256;
+
+/// Whether phases of a hoop of at least so much inertia, as a part of its mass, are computed otherwise than in the simulation: not with
+/// static friction alone, where a motion meets the limit of it exactly.
+fn is_computed(hoop: &Hoop, body: &Heavy, least_inertia: f64) -> bool {
+    (hoop.mu_k() > 0.0 || hoop.mu_s() == 0.0)
+        && body.h >= MIN_IMBALANCE
+        && body.inertia >= least_inertia * body.mass
+}
 
 /// A hoop prepared for many motions.
 ///
@@ -105,11 +113,7 @@ impl Engine {
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         let tables = match hoop.body() {
-            Body::Heavy(body)
-                if (hoop.mu_k() > 0.0 || hoop.mu_s() == 0.0)
-                    && body.h >= MIN_IMBALANCE
-                    && body.inertia >= MIN_INERTIA * body.mass =>
-            {
+            Body::Heavy(body) if is_computed(hoop, &body, MIN_INERTIA) => {
                 SlideTable::new(&body, hoop.mu_k()).zip(RollTable::new(hoop)).map(|(slide, roll)| {
                     let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
                     let chains = Chains::new(hoop, &body, &roll);
@@ -149,11 +153,7 @@ impl Engine {
     #[must_use]
     pub fn without_tables(hoop: &Hoop) -> Self {
         let source = match hoop.body() {
-            Body::Heavy(body)
-                if (hoop.mu_k() > 0.0 || hoop.mu_s() == 0.0)
-                    && body.h >= MIN_IMBALANCE
-                    && body.inertia >= MIN_INERTIA_DIRECT * body.mass =>
-            {
+            Body::Heavy(body) if is_computed(hoop, &body, MIN_INERTIA_DIRECT) => {
                 Source::Direct(Direct::new(hoop, body))
             }
             Body::Heavy(_) | Body::Massless(_) => Source::Exact,

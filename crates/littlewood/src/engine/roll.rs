@@ -192,7 +192,7 @@ impl RollTable {
     /// The angles at which θ′² of [`RollTable::limit`] vanishes, and those at which it has an extremum.
     pub(super) fn rests_and_extrema(&self, side: usize) -> (Vec<f64>, Vec<f64>) {
         let [a, b] = [0, 1].map(|i: usize| Trigonometric::from_form(&self.forms[side][i]));
-        let b = b.times(&Trigonometric::linear(self.law.mean_denominator(), 0.0, 2.0 * self.law.offset));
+        let b = b.times(&self.law.denominator_polynomial());
         let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative()));
         (a.plus(&b).sign_changes(), extrema.sign_changes())
     }

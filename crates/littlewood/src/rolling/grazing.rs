@@ -144,8 +144,7 @@ impl Levels {
             (constant > law.denominator(angle)).then(|| Level::new(constant, angle, false))
         });
         // A body at rest is on the limit where A + D B = 0.
-        let denominator = Trigonometric::linear(law.mean_denominator(), 0.0, 2.0 * law.offset);
-        let at_rest = a.plus(&denominator.times(&b)).sign_changes().into_iter();
+        let at_rest = a.plus(&law.denominator_polynomial().times(&b)).sign_changes().into_iter();
         let at_rest = at_rest.map(|angle| Level::new(law.denominator(angle), angle, true));
         let mut levels: Vec<Level> = inside.chain(at_rest).collect();
         levels.sort_by(|a, b| a.constant.total_cmp(&b.constant));

@@ -12,6 +12,8 @@
 //! The ends of a cell then tell what happens inside; the one doubtful shape, η′ with a minimum inside, is solved by Taylor series.
 //! The time is a Gauss sum of dϑ/√u, and η′ follows from it by the first integral of sliding.
 //!
+//! Arcs on which P ≤ 0, and their ends, are left out.
+//!
 //! Everything is seen in the frame in which σ = +1 (mirrored for σ = −1).
 
 mod cell;
