@@ -6,6 +6,8 @@
 //! first. So a crossing is neither missed nor stepped over, however short the excursion. Only an excursion
 //! shorter than 2⁻⁵⁰ of the interval, which doubles do not resolve from a touch, is decided by its end values.
 
+use crate::bracket::Bracket;
+
 /// Largest degree in use: a Taylor step of a slide, with room to spare.
 pub(crate) const MAX_DEGREE: usize = 24;
 
@@ -17,13 +19,6 @@ const MAX_HALVINGS: u32 = 50;
 pub(crate) struct Bernstein {
     coefficients: [f64; MAX_DEGREE + 1],
     degree: usize,
-}
-
-/// An interval that holds the first crossing from non-negative to negative, and no other root.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Bracket {
-    pub(crate) low: f64,
-    pub(crate) high: f64,
 }
 
 /// Binomial coefficients, `BINOMIAL[n][k]`.
@@ -189,63 +184,6 @@ impl Bernstein {
             left.coefficients[level] = right.coefficients[0];
         }
         (left, right)
-    }
-}
-
-impl Bracket {
-    /// The root of `function` inside, to the last digits: Newton's method in a bracket that only shrinks.
-    ///
-    /// `function` returns the value and the derivative; it is non-negative at `low` and not positive at `high`.
-    pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
-        self.iterate(0.5 * (self.low + self.high), 0.5 * f64::EPSILON, |x| {
-            let (value, slope) = function(x);
-            (value, -value / slope, 0.0)
-        })
-    }
-
-    /// The same from a guess, which may lie anywhere, and with the second derivative: Halley's method, whose error after a step
-    /// of 1e-6 of x is of its third power, and below the last digit, unless another root is close.
-    pub(crate) fn refine_from(self, guess: f64, mut function: impl FnMut(f64) -> (f64, f64, f64)) -> f64 {
-        self.iterate(guess, 1e-6, |x| {
-            let (value, slope, curvature) = function(x);
-            let newton = -value / slope;
-            // Far from the root the second derivative is not to be trusted.
-            let bend = (0.5 * newton * curvature / slope).clamp(-0.5, 0.5);
-            (value, newton / (1.0 + bend), bend)
-        })
-    }
-
-    /// Iterates with a rule that returns the value, the step, and the part of the step by which the function is not straight.
-    fn iterate(self, guess: f64, tolerance: f64, mut rule: impl FnMut(f64) -> (f64, f64, f64)) -> f64 {
-        let (mut low, mut high) = (self.low, self.high);
-        if high <= low {
-            return low;
-        }
-        let mut x = if guess > low && guess < high { guess } else { 0.5 * (low + high) };
-        let mut width = high - low;
-        loop {
-            let (value, step, bend) = rule(x);
-            if value == 0.0 {
-                return x;
-            }
-            if value > 0.0 {
-                low = x;
-            } else {
-                high = x;
-            }
-            let proposed = x + step;
-            // The step is taken when it stays inside and at least halves the last one.
-            let taken = proposed > low && proposed < high && step.abs() < 0.5 * width;
-            let next = if taken { proposed } else { low + 0.5 * (high - low) };
-            width = (next - x).abs();
-            // Next to another root a short step is not yet the last.
-            let is_last = bend * bend * width <= f64::EPSILON * x.abs();
-            let limit = if taken && is_last { tolerance } else { 0.5 * f64::EPSILON };
-            if next == x || next <= low || next >= high || width <= limit * x.abs() {
-                return next;
-            }
-            x = next;
-        }
     }
 }
 

@@ -160,7 +160,7 @@ impl Solver for Exact<'_> {
         let ending = match self.allowed(state) {
             Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
             Some(_) | None => {
-                Ending::Landing { state: flight.state(duration), gap_rate: flight.gap(duration).1 }
+                Ending::Landing { state: flight.state(duration), gap_rate: flight.landing_rate() }
             }
         };
         Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }

@@ -67,6 +67,7 @@
 mod automaton;
 mod bernstein;
 mod bouncing;
+mod bracket;
 mod candidates;
 mod carlson;
 mod cases;

@@ -379,7 +379,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         };
         let duration = flight.duration();
         let ending = if self.is_in_time(&state, duration) {
-            Ending::Landing { state: flight.state(duration), gap_rate: flight.gap(duration).1 }
+            Ending::Landing { state: flight.state(duration), gap_rate: flight.landing_rate() }
         } else {
             let end = State { time: self.until, ..flight.state(self.until - state.time) };
             Ending::Motion {

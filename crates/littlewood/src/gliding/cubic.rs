@@ -1,6 +1,6 @@
 //! Sign changes of a polynomial of degree three between its extrema.
 
-use crate::bernstein::Bracket;
+use crate::bracket::Bracket;
 
 /// c0 + c1 x + c2 x² + c3 x³. Where c0 is small against the other terms, a root near 0 is as exact as c0.
 #[derive(Clone, Copy, Debug, PartialEq)]

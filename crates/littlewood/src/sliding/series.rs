@@ -4,7 +4,8 @@
 //! θ, θ′, η′ and the two quantities whose signs limit sliding, w and P. The equations are those of [`SlidingLaw`], coefficient
 //! by coefficient; a test holds the two against each other.
 
-use crate::bernstein::{Bernstein, Bracket};
+use crate::bernstein::Bernstein;
+use crate::bracket::Bracket;
 use crate::equations::{SlidingLaw, contact};
 use crate::hoop::Heavy;
 

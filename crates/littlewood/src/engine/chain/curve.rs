@@ -1,6 +1,6 @@
 //! The curves on which rolling slips, |F| = μs N, and coordinates on them.
 
-use crate::bernstein::Bracket;
+use crate::bracket::Bracket;
 
 use super::super::roll::{RollTable, SlipPiece, SlipPoint};
 

@@ -8,7 +8,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::bernstein::Bracket;
+use crate::bracket::Bracket;
 use crate::equations::RollingLaw;
 use crate::form::{Form, HalfAngle, on_arc};
 use crate::hoop::Hoop;

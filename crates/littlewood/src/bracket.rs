@@ -1,0 +1,169 @@
+//! Roots to the last digits.
+
+/// An interval that holds the first crossing from non-negative to negative, and no other root.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bracket {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+}
+
+/// A step towards a root.
+struct Step {
+    /// Value where the step begins.
+    value: f64,
+    step: f64,
+    /// Its end is the root if it is shorter than this part of the point where it begins.
+    tolerance: f64,
+}
+
+/// Where every step is looked at again, short of the last digit.
+const LAST_DIGIT: f64 = 0.5 * f64::EPSILON;
+
+/// Steps after which a model of a function has told what it can.
+const STEPS_OF_A_MODEL: u32 = 4;
+
+/// A function near a point, which costs less than the function itself.
+pub(crate) trait Model {
+    /// Value and the first two derivatives at the point.
+    fn here(&self) -> (f64, f64, f64);
+    /// The same so far from it.
+    fn at(&self, step: f64) -> (f64, f64, f64);
+    /// How far from the point the model is the function, to rounding.
+    fn reach(&self) -> f64;
+}
+
+/// The step of Halley's method, and whether its end is the root to the last digit of a number: its error is of the third
+/// power, unless another root is close.
+fn halley((value, slope, curvature): (f64, f64, f64), of: f64) -> (f64, bool) {
+    let newton = -value / slope;
+    // Far from the root the second derivative is not to be trusted.
+    let bend = (0.5 * newton * curvature / slope).clamp(-0.5, 0.5);
+    let step = newton / (1.0 + bend);
+    // Next to another root a short step is not yet the last.
+    let is_last = step.abs() <= 1e-6 * of.abs() && bend * bend * step.abs() <= f64::EPSILON * of.abs();
+    (step, is_last)
+}
+
+impl Bracket {
+    /// The root of `function` inside, to the last digits: Newton's method in a bracket that only shrinks.
+    ///
+    /// `function` returns the value and the derivative; it is non-negative at `low` and not positive at `high`.
+    pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+        self.iterate(0.5 * (self.low + self.high), |x| {
+            let (value, slope) = function(x);
+            Step { value, step: -value / slope, tolerance: LAST_DIGIT }
+        })
+    }
+
+    /// The same from a guess, which may lie anywhere, and with models of the function instead of the function itself.
+    pub(crate) fn refine_by<M: Model>(self, guess: f64, mut model: impl FnMut(f64) -> M) -> f64 {
+        self.iterate(guess, |x| {
+            let model = model(x);
+            let here = model.here();
+            let (mut step, mut is_last) = halley(here, x);
+            let mut steps = 1;
+            while !is_last && step.abs() <= model.reach() && steps < STEPS_OF_A_MODEL {
+                let (more, is_short) = halley(model.at(step), x);
+                step += more;
+                is_last = is_short && step.abs() <= model.reach();
+                steps += 1;
+            }
+            Step { value: here.0, step, tolerance: if is_last { f64::INFINITY } else { LAST_DIGIT } }
+        })
+    }
+
+    fn iterate(self, guess: f64, mut next_step: impl FnMut(f64) -> Step) -> f64 {
+        let (mut low, mut high) = (self.low, self.high);
+        if high <= low {
+            return low;
+        }
+        let mut x = if guess > low && guess < high { guess } else { 0.5 * (low + high) };
+        let mut width = high - low;
+        loop {
+            let Step { value, step, tolerance } = next_step(x);
+            if value == 0.0 {
+                return x;
+            }
+            if value > 0.0 {
+                low = x;
+            } else {
+                high = x;
+            }
+            let proposed = x + step;
+            // The step is taken when it stays inside and at least halves the last one.
+            let taken = proposed > low && proposed < high && step.abs() < 0.5 * width;
+            let next = if taken { proposed } else { low + 0.5 * (high - low) };
+            width = (next - x).abs();
+            let tolerance = if taken { tolerance } else { LAST_DIGIT };
+            if next == x || next <= low || next >= high || width <= tolerance * x.abs() {
+                return next;
+            }
+            x = next;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// sin x about a point.
+    struct Sine {
+        point: f64,
+        reach: f64,
+    }
+
+    impl Model for Sine {
+        fn here(&self) -> (f64, f64, f64) {
+            self.at(0.0)
+        }
+
+        fn at(&self, step: f64) -> (f64, f64, f64) {
+            let (sin, cos) = libm::sincos(self.point + step);
+            (sin, cos, -sin)
+        }
+
+        fn reach(&self) -> f64 {
+            self.reach
+        }
+    }
+
+    /// π between 2 and 4, and how many models it took.
+    fn pi_from(guess: f64, reach: f64) -> (f64, u32) {
+        let mut models = 0;
+        let root = Bracket { low: 2.0, high: 4.0 }.refine_by(guess, |point| {
+            models += 1;
+            Sine { point, reach }
+        });
+        (root, models)
+    }
+
+    #[test]
+    fn a_root_within_reach_takes_one_model() {
+        for guess in [2.9, 3.0, 3.15, 3.3] {
+            let (root, models) = pi_from(guess, 0.25);
+            assert!((root - core::f64::consts::PI).abs() < 1e-15 && models == 1, "{guess}: {root} {models}");
+        }
+    }
+
+    #[test]
+    fn a_root_out_of_reach_takes_more() {
+        for (guess, reach, most) in
+            [(2.3, 0.25, 2), (3.9, 0.25, 2), (3.0, 0.0, 3), (9.0, 1e-3, 3), (2.1, 0.0, 4)]
+        {
+            let (root, models) = pi_from(guess, reach);
+            let found = (root - core::f64::consts::PI).abs() < 1e-15;
+            assert!(found && models > 1 && models <= most, "{guess} {reach}: {root} {models}");
+        }
+    }
+
+    #[test]
+    fn newtons_method_stays_in_the_bracket() {
+        // From the middle its first step would leave it.
+        let root = Bracket { low: 0.0, high: 10.0 }.refine(|x| (1.0 - x * x * x / 8.0, -3.0 * x * x / 8.0));
+        assert!((root - 2.0).abs() < 1e-15, "{root}");
+        let root = Bracket { low: -1.0, high: 9.0 }.refine(|x| (-libm::atan(x), -1.0 / (1.0 + x * x)));
+        assert!(root.abs() < 1e-300, "{root}");
+        assert_eq!(Bracket { low: 3.0, high: 3.0 }.refine(|_| (f64::NAN, f64::NAN)), 3.0);
+    }
+}
