@@ -102,6 +102,12 @@ impl PhaseSequence {
 
     const OVERFLOW: u64 = 1 << 63;
 
+    /// The bits of all phases that fit.
+    const PHASES: u64 = (1 << (Self::BITS * Self::CAPACITY)) - 1;
+
+    /// The last bit of each.
+    const LAST_BITS: u64 = Self::PHASES / ((1 << Self::BITS) - 1);
+
     /// From the 64 bits of [`PhaseSequence::bits`].
     #[must_use]
     pub const fn from_bits(bits: u64) -> Self {
@@ -122,6 +128,24 @@ impl PhaseSequence {
         } else {
             self.0 |= Self::OVERFLOW;
         }
+    }
+
+    /// Adds the phases of another sequence.
+    pub(crate) const fn append(&mut self, other: Self) {
+        let length = self.len();
+        // What does not fit is shifted out.
+        self.0 |= ((other.0 & Self::PHASES) << (Self::BITS * length)) & Self::PHASES;
+        if other.is_truncated() || length + other.len() > Self::CAPACITY {
+            self.0 |= Self::OVERFLOW;
+        }
+    }
+
+    /// The phases of the mirror image of a motion.
+    pub(crate) const fn mirrored(self) -> Self {
+        // The codes of opposite directions differ in their last bit: those of sliding, 2 and 3, and of gliding, 4 and 5, alone have
+        // one of the two bits before it.
+        let directed = ((self.0 >> 1) ^ (self.0 >> 2)) & Self::LAST_BITS;
+        Self(self.0 ^ directed)
     }
 
     /// Number of phases that are kept.
@@ -162,5 +186,44 @@ impl fmt::Display for PhaseSequence {
             text.push('…');
         }
         f.pad(&text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As many phases as there are kinds of them, some more than once.
+    fn phases(count: usize) -> Vec<(Mode, Option<Direction>)> {
+        PhaseCode::ALL.iter().cycle().take(count).map(|code| code.mode()).collect()
+    }
+
+    fn sequence(phases: &[(Mode, Option<Direction>)]) -> PhaseSequence {
+        let mut sequence = PhaseSequence::default();
+        for (mode, direction) in phases {
+            sequence.push(*mode, *direction);
+        }
+        sequence
+    }
+
+    #[test]
+    fn phases_are_added_one_by_one_or_together() {
+        for (first, second) in (0..18).flat_map(|i| (0..18).map(move |j| (i, j))) {
+            let all = phases(first + second);
+            let mut together = sequence(&all[..first]);
+            together.append(sequence(&all[first..]));
+            assert_eq!(together, sequence(&all), "{first} {second}");
+        }
+    }
+
+    #[test]
+    fn the_mirror_image_slips_the_other_way() {
+        for count in 0..18 {
+            let all = phases(count);
+            let mirrored: Vec<_> =
+                all.iter().map(|(mode, direction)| (*mode, direction.map(Direction::reversed))).collect();
+            assert_eq!(sequence(&all).mirrored(), sequence(&mirrored), "{count}");
+            assert_eq!(sequence(&all).mirrored().mirrored(), sequence(&all), "{count}");
+        }
     }
 }

@@ -6,7 +6,6 @@ use crate::event::Event;
 use crate::flight::Flight;
 use crate::hoop::Hoop;
 use crate::impact::Impact;
-use crate::links::LinkPhases;
 use crate::mode::{Direction, Mode};
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
@@ -85,8 +84,8 @@ pub(crate) struct SummaryRecorder<'a> {
     summary: Summary,
     /// Where the last phase begins and with which rate of the gap, if it is a flight that no impact has ended.
     flight: Option<(State, f64)>,
-    /// The flight before the first landing.
-    jump: Option<Flight>,
+    /// Largest gap of the flight before the first landing.
+    jump_height: f64,
     /// Rate of the gap after the last impact, if no phase has followed it.
     gap_rate: f64,
 }
@@ -103,7 +102,7 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
             self.summary.lift_off_time = phase.start.time;
         }
         if self.summary.landings == 0 {
-            self.jump = Some(*flight);
+            self.jump_height = flight.apex().1;
         }
     }
 
@@ -115,10 +114,10 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
         }
         if event.cause == Cause::Landing {
             if self.summary.landings == 0
-                && let (Some((start, _)), Some(jump)) = (self.flight, self.jump)
+                && let Some((start, _)) = self.flight
             {
                 self.summary.jump_length = (event.state.x - start.x).abs();
-                self.summary.jump_height = jump.apex().1;
+                self.summary.jump_height = self.jump_height;
             }
             self.summary.landings += 1;
         }
@@ -136,11 +135,9 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
         if self.summary.sequence.is_truncated() { Wants::Number } else { Wants::Modes }
     }
 
-    fn links(&mut self, transitions: u32, phases: &LinkPhases) {
+    fn links(&mut self, transitions: u32, phases: PhaseSequence) {
         self.summary.transitions = self.summary.transitions.saturating_add(transitions);
-        for (mode, direction) in phases.iter() {
-            self.summary.sequence.push(mode, direction);
-        }
+        self.summary.sequence.append(phases);
     }
 }
 
@@ -148,7 +145,7 @@ impl<'a> SummaryRecorder<'a> {
     pub(crate) const fn new(hoop: &'a Hoop) -> Self {
         let summary =
             Summary { impact_energy_lost: 0.0, ..Summary::without_motion(OutcomeKind::NotComputed) };
-        Self { hoop, summary, flight: None, jump: None, gap_rate: 0.0 }
+        Self { hoop, summary, flight: None, jump_height: f64::NAN, gap_rate: 0.0 }
     }
 
     /// The summary of a motion that ended in this way, at this state.

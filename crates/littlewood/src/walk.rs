@@ -13,11 +13,12 @@ use crate::gliding::GlideEntry;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::impact::{Contact, ContactVelocities, Impact};
 use crate::limits::Limits;
-use crate::links::{LinkPhases, Linked, Room};
+use crate::links::{Linked, Room};
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::proofs::Proofs;
 use crate::rolling::{Levels, RollingLimit};
+use crate::sequence::PhaseSequence;
 use crate::settling::Settling;
 use crate::slip::LastSlip;
 use crate::state::{Start, State};
@@ -100,6 +101,19 @@ pub(crate) enum Ending<P, V> {
     Motion { event: Option<(Cause, State)>, end: Option<State>, verdict: V },
 }
 
+impl<P, V> Ending<P, V> {
+    /// The state at the end of the phase, if it has one.
+    fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
+        match self {
+            Self::Event { place, .. } => Some(of(place)),
+            Self::Landing { state, .. } | Self::Settled { state, .. } | Self::Singular { state, .. } => {
+                Some(*state)
+            }
+            Self::Motion { end, .. } => *end,
+        }
+    }
+}
+
 /// Records the phases and transitions of a motion.
 pub(crate) trait Recorder<S> {
     /// A phase in a mode, from a state to a state, or without end.
@@ -112,7 +126,7 @@ pub(crate) trait Recorder<S> {
         Wants::Solutions
     }
     /// Phases and transitions from a slip out of rolling to a later one, the first phases that are wanted among them.
-    fn links(&mut self, _transitions: u32, _phases: &LinkPhases) {}
+    fn links(&mut self, _transitions: u32, _phases: PhaseSequence) {}
 }
 
 /// What a recorder keeps of the phases that follow.
@@ -234,12 +248,12 @@ fn pass_links<T: Solver, R: Recorder<T::Solution>>(
         let open = |state: &State| !proofs.ends_motion(state);
         let room = Room {
             transitions: u32::try_from(most - passed).unwrap_or(u32::MAX).saturating_sub(1),
-            one_link: recorder.wants() == Wants::Modes,
+            are_told: recorder.wants() == Wants::Modes,
             open: proofs.asks_each_state().then_some(&open),
         };
         let Some(linked) = solver.pass_links(&now.place, direction, &room) else { break };
         let Linked { place, direction, transitions, phases } = linked;
-        recorder.links(transitions, &phases);
+        recorder.links(transitions, phases);
         passed += transitions as usize;
         proofs.passed_to(&T::state(&place));
         *now = Now::slipping(solver, place, direction);
@@ -292,6 +306,22 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     (recorder, pending): (&mut R, &mut Option<Event>),
     range: Option<&mut Option<(f64, f64)>>,
 ) -> Result<Happening, T::Verdict> {
+    follow_phase(solver, now, (recorder, pending), range).map_err(|(last, verdict)| {
+        if let Some(event) = last {
+            recorder.transition(&event, None, None);
+        }
+        verdict
+    })
+}
+
+/// The same, but for the event that ends the motion, if there is one.
+#[inline(always)]
+fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
+    solver: &T,
+    now: &mut Now<T::Place>,
+    (recorder, pending): (&mut R, &mut Option<Event>),
+    range: Option<&mut Option<(f64, f64)>>,
+) -> Result<Happening, (Option<Event>, T::Verdict)> {
     now.slips = None;
     let place = &now.place;
     let state = T::state(place);
@@ -307,89 +337,71 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
             flush(recorder, pending, None);
             let inconsistent = Outcome::Inconsistent { state, candidates: **candidates };
             return match jam(solver, now, None, state) {
-                Some(rebound) => leads_on(recorder, rebound),
-                None => Err(inconsistent.into()),
+                Some(rebound) => leads_on(rebound),
+                None => Err((None, inconsistent.into())),
             };
         }
         Begin::Motion(Next::Several(candidates)) => {
             flush(recorder, pending, None);
-            return Err(Outcome::Ambiguous { state, candidates: **candidates }.into());
+            return Err((None, Outcome::Ambiguous { state, candidates: **candidates }.into()));
         }
     };
-    let Solved { solution, direction, ending } = solved;
+    let Solved { solution, direction, mut ending } = solved;
     flush(recorder, pending, direction);
     if let Some(range) = range {
         *range = solution.theta_range();
     }
-    let record = |end| recorder.phase(PhaseSeen { mode, direction, start: state, end }, solution);
+    if let Ending::Event { place, cause: Cause::Stick, arrival } = &mut ending {
+        comes_to_rest(solver, now, place, arrival);
+    }
+    recorder.phase(PhaseSeen { mode, direction, start: state, end: ending.state(T::state) }, solution);
     match ending {
         Ending::Event { place: reached, cause, arrival } => {
-            let (reached, arrival) = comes_to_rest(solver, now, reached, (cause, arrival));
-            record(Some(T::state(&reached)));
             Ok((continues(solver, now, (mode, direction), reached, (cause, arrival)), None))
         }
-        Ending::Motion { event, end, verdict } => {
-            record(end);
-            if let Some((cause, before)) = event {
-                recorder.transition(&Event::new(before, mode, cause), None, None);
-            }
-            Err(verdict)
+        Ending::Motion { event, end: _, verdict } => {
+            Err((event.map(|(cause, before)| Event::new(before, mode, cause)), verdict))
         }
-        Ending::Settled { state: end, settling } => {
-            record(Some(end));
-            Ok(settles(solver, now, end, &settling))
-        }
-        Ending::Landing { state: end, gap_rate } => {
-            record(Some(end));
-            match lands(solver, now, end, gap_rate) {
-                Some(rebound) => leads_on(recorder, rebound),
-                None => {
-                    recorder.transition(&Event::new(end, mode, Cause::Landing), None, None);
-                    Err(Outcome::Landing { state: end, gap_rate }.into())
-                }
-            }
-        }
-        Ending::Singular { state: end, solvability } => {
-            record(Some(end));
-            match jam(solver, now, Some(mode), end) {
-                Some(rebound) => leads_on(recorder, rebound),
-                None => {
-                    recorder.transition(&Event::new(end, mode, Cause::Singularity), None, None);
-                    Err(Outcome::Singular { state: end, solvability }.into())
-                }
-            }
-        }
+        Ending::Settled { state: end, settling } => Ok(settles(solver, now, end, &settling)),
+        Ending::Landing { state: end, gap_rate } => match lands(solver, now, end, gap_rate) {
+            Some(rebound) => leads_on(rebound),
+            None => Err((
+                Some(Event::new(end, mode, Cause::Landing)),
+                Outcome::Landing { state: end, gap_rate }.into(),
+            )),
+        },
+        Ending::Singular { state: end, solvability } => match jam(solver, now, Some(mode), end) {
+            Some(rebound) => leads_on(rebound),
+            None => Err((
+                Some(Event::new(end, mode, Cause::Singularity)),
+                Outcome::Singular { state: end, solvability }.into(),
+            )),
+        },
     }
 }
 
 /// What an impact leads to; where its end is no state to go on from, the motion ends before it.
-fn leads_on<S, V: From<Outcome>>(recorder: &mut impl Recorder<S>, rebound: Rebound) -> Result<Happening, V> {
-    rebound.map_err(|event| {
-        recorder.transition(&event, None, None);
-        Outcome::Unresolved { state: event.state }.into()
-    })
+fn leads_on<V: From<Outcome>>(rebound: Rebound) -> Result<Happening, (Option<Event>, V)> {
+    rebound.map_err(|event| (Some(event), Outcome::Unresolved { state: event.state }.into()))
 }
 
-/// The place at which a slide has ended, and how it is reached, as its conserved quantities have them.
+/// Moves the place at which a slide comes to rest to where its conserved quantities have it, and tells how it is reached.
 #[inline(always)]
-fn comes_to_rest<T: Solver>(
-    solver: &T,
-    now: &Now<T::Place>,
-    place: T::Place,
-    (cause, arrival): (Cause, Arrival),
-) -> (T::Place, Arrival) {
-    let (Cause::Stick, Arrival::Open, Some(limit), Body::Heavy(body)) =
-        (cause, arrival, &now.limit, solver.hoop().body())
-    else {
-        return (place, arrival);
+fn comes_to_rest<T: Solver>(solver: &T, now: &Now<T::Place>, place: &mut T::Place, arrival: &mut Arrival) {
+    let (Arrival::Open, Some(limit), Body::Heavy(body)) = (*arrival, &now.limit, solver.hoop().body()) else {
+        return;
     };
     let slide = T::state(&now.place).time..=solver.until();
-    match limit.comes_to_rest(&body, &T::state(&place)) {
-        // The slide as it was followed ends within the time limit: its last digits do not put its end outside.
-        Some((state, arrival)) if slide.contains(&state.time) => (solver.place(state), arrival),
-        Some((_, arrival)) => (place, arrival),
-        None => (place, Arrival::Open),
-    }
+    *arrival = match limit.comes_to_rest(&body, &T::state(place)) {
+        Some((state, arrival)) => {
+            // The slide as it was followed ends within the time limit: its last digits do not put its end outside.
+            if slide.contains(&state.time) {
+                *place = solver.place(state);
+            }
+            arrival
+        }
+        None => Arrival::Open,
+    };
 }
 
 /// What follows an event without an impact.

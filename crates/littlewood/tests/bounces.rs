@@ -292,6 +292,29 @@ proptest! {
     }
 
     #[test]
+    fn the_jump_of_a_summary_is_the_first_flight((hoop, start) in bouncing_motion()) {
+        let motion = follow(&hoop, start);
+        let summary = motion.summary();
+        let flight = motion.phases().iter().find(|phase| phase.mode() == Mode::Flight);
+        let lift_off = flight.map_or(f64::NAN, |flight| flight.start().time);
+        prop_assert!(summary.lift_off_time == lift_off || (lift_off.is_nan() && summary.lift_off_time.is_nan()));
+        let landed = flight.filter(|flight| motion.end_of(flight).is_some_and(|end| end.cause == Cause::Landing));
+        let Some((flight, end)) = landed.and_then(|flight| Some((flight, flight.end()?))) else {
+            // Later flights, behind bounces that have settled, are no first jump either; where none lands there is none.
+            prop_assert!(summary.landings > 0 || summary.jump_length.is_nan());
+            return Ok(());
+        };
+        prop_assert_eq!(summary.jump_length, (end.x - flight.start().x).abs());
+        let highest = instants(flight.duration(), 400).map(|elapsed| flight.sample(elapsed).gap).fold(0.0, f64::max);
+        // The gap bends by no more than 1 + h θ′².
+        let (rate, step) = (flight.start().theta_rate, flight.duration() / 400.0);
+        let missed = (1.0 + hoop.h() * rate * rate) * step * step;
+        let rounding = 1e-13 * (1.0 + flight.duration() * flight.duration());
+        prop_assert!(summary.jump_height >= highest - rounding, "{} {highest}", summary.jump_height);
+        prop_assert!(summary.jump_height <= highest + missed + rounding, "{} {highest}", summary.jump_height);
+    }
+
+    #[test]
     fn the_summary_of_bounces_has_the_numbers_of_the_motion((hoop, start) in bouncing_motion()) {
         let motion = follow(&hoop, start);
         let summary = motion.summary();

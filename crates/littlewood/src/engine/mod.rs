@@ -300,7 +300,7 @@ mod tests {
         let motion = hoop.simulate(start, Limits::default().with_transitions(transitions)).unwrap();
         let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
         let solver = FastSolver::new(hoop, tables.as_ref(), Some(&tables.chains), Limits::default());
-        let room = Room { transitions: 5_000, one_link: false, open: None };
+        let room = Room { transitions: 5_000, are_told: false, open: None };
         let place = solver.place(slip.before);
         let linked = solver.pass_links(&place, slip.direction.unwrap(), &room).expect("links");
         linked.transitions as usize

@@ -8,10 +8,11 @@ use crate::flight::{Flight, TakeOff};
 use crate::gliding::GlideEntry;
 use crate::hoop::{Heavy, Hoop, Massless};
 use crate::limits::Limits;
-use crate::links::{LinkPhases, Linked, Room};
+use crate::links::{Linked, Room};
 use crate::mode::Direction;
 use crate::outcome::{Outcome, OutcomeKind};
 use crate::rolling::{Hold, Levels, RollingLimit};
+use crate::sequence::PhaseSequence;
 use crate::settling::Settling;
 use crate::state::State;
 use crate::trig::sincos;
@@ -109,7 +110,7 @@ impl From<Outcome> for Verdict {
 #[derive(Clone, Debug)]
 pub(super) enum Kept {
     Nothing,
-    Flight(Box<Flight>),
+    Flight(Flight),
     /// The range of the angle of a slide.
     Slide((f64, f64)),
 }
@@ -158,7 +159,7 @@ impl<'a, P: Phases> FastSolver<'a, P> {
         };
         Solved {
             solution: match (solved.solution.flight(), solved.solution.theta_range()) {
-                (Some(flight), _) => Kept::Flight(Box::new(*flight)),
+                (Some(flight), _) => Kept::Flight(*flight),
                 (None, Some(range)) => Kept::Slide(range),
                 (None, None) => Kept::Nothing,
             },
@@ -236,14 +237,17 @@ impl<'a, P: Phases> FastSolver<'a, P> {
 }
 
 impl<P: Phases> Follow for FastSolver<'_, P> {
-    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, LinkPhases)> {
+    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, PhaseSequence)> {
         let solver = Self::new(self.hoop, self.phases, None, Limits::default());
         let state = State { time: 0.0, theta: slip.angle, theta_rate, slip: 0.0, x: 0.0 };
         let place = Place { slip: Some(slip), ..Place::new(state) };
-        let mut phases = LinkPhases::default();
-        let tell = |mode, direction| phases.push(mode, direction);
+        let mut phases = PhaseSequence::default();
+        let tell = |mode, direction| {
+            phases.push(mode, direction);
+            !phases.is_truncated()
+        };
         let (end, direction) = next_slip(&solver, place, direction_of(slip.side, 1.0), tell)?;
-        let is_last = self.chains.is_some_and(|chains| chains.is_last(self.hoop, &state, &end, &phases));
+        let is_last = self.chains.is_some_and(|chains| chains.is_last(self.hoop, &state, &end, phases));
         (!is_last).then_some((end, direction, phases))
     }
 }
@@ -388,7 +392,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                 verdict: Verdict { kind: OutcomeKind::TimeLimit, state: end },
             }
         };
-        Solved { solution: Kept::Flight(Box::new(flight)), direction: None, ending }
+        Solved { solution: Kept::Flight(flight), direction: None, ending }
     }
 
     fn settle(&self, place: &Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
@@ -416,10 +420,10 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                 && self.is_in_time(&state, passage.elapsed)
                 && room.open.is_none_or(|open| after(passage).is_some_and(|(_, state)| open(&state)))
         };
-        let (passage, phases) = if room.one_link {
-            chains.link(point, self).filter(|(passage, _)| has_room(passage))?
+        let (passage, phases) = if room.are_told {
+            chains.links(point, self, has_room)?
         } else {
-            (chains.pass(point, self, has_room)?, LinkPhases::default())
+            (chains.pass(point, self, has_room)?, PhaseSequence::default())
         };
         let (slip, end) = after(&passage)?;
         let place = Place { slip: Some(slip), ..Place::new(end) };
@@ -428,7 +432,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             place,
             direction: towards,
             transitions: passage.route.transitions,
-            phases: phases.mirrored(travel),
+            phases: if travel < 0.0 { phases.mirrored() } else { phases },
         })
     }
 }

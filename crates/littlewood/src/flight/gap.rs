@@ -36,6 +36,21 @@ impl Bound {
         let way = (other.gap - self.gap - other.slope * (other.at - self.at)) / (self.slope - other.slope);
         self.gap + self.slope * way
     }
+
+    /// About where the gap turns between two inflections: where the slope has the course of the cubic 3 t² − 2 t³.
+    fn about_turning(&self, other: &Self) -> f64 {
+        let part = self.slope / (self.slope - other.slope);
+        let way = 0.5 - libm::sin(libm::asin(1.0 - 2.0 * part) / 3.0);
+        self.at + (other.at - self.at) * way
+    }
+
+    /// About where the gap closes before the other end: on the parabola through this end, with its slope, and the other.
+    fn about_touchdown(&self, other: &Self) -> f64 {
+        let width = other.at - self.at;
+        let bend = (other.gap - self.gap - self.slope * width) / (width * width);
+        let root = (self.slope * self.slope - 4.0 * bend * self.gap).max(0.0).sqrt();
+        self.at + 2.0 * self.gap / (root - self.slope)
+    }
 }
 
 /// The gap near an argument, from its derivatives there: polynomials, without another sine or cosine.
@@ -178,6 +193,17 @@ impl Gap {
 
     /// The landing of a gap that is concave: between zero, where the gap rises, and the landing of a gap that is wider.
     pub(super) fn only_landing(&self) -> Bound {
+        let (guess, high) = self.about_only_landing();
+        let bracket = Bracket { low: 0.0, high: high * (1.0 + 8.0 * f64::EPSILON) };
+        // gap/p, which falls: a convex combination of the slopes up to p. It has no root at zero.
+        self.root(bracket, guess, |p, [gap, slope, curvature, _]| {
+            let (value, fall) = (gap / p, slope / p);
+            (value, fall - value / p, (curvature - 2.0 * (fall - value / p)) / p)
+        })
+    }
+
+    /// A guess of the landing of a gap that is concave, and the landing of a gap that is wider.
+    fn about_only_landing(&self) -> (f64, f64) {
         // With the time as p, gap″ = −1 + h θ′² cos(θ0 + φ): the gap falls faster than with h θ′² − 1, and than the
         // parabola of the mass centre with a rim 2 h lower.
         let fast = self.h * self.spin * self.spin;
@@ -188,13 +214,7 @@ impl Gap {
         let weight = -self.opening;
         let flat = 2.0 * self.rise / weight;
         let jerk = self.h * self.sin * self.spin * self.spin * self.spin / 3.0;
-        let guess = if weight > 0.0 { flat * weight / (weight + jerk * flat) } else { high };
-        // gap/p, which falls: a convex combination of the slopes up to p. It has no root at zero.
-        let bracket = Bracket { low: 0.0, high: high * (1.0 + 8.0 * f64::EPSILON) };
-        self.root(bracket, guess, |p, [gap, slope, curvature, _]| {
-            let (value, fall) = (gap / p, slope / p);
-            (value, fall - value / p, (curvature - 2.0 * (fall - value / p)) / p)
-        })
+        (if weight > 0.0 { flat * weight / (weight + jerk * flat) } else { high }, high)
     }
 
     /// The largest gap of one that is concave, before the landing.
@@ -235,11 +255,8 @@ impl Gap {
     /// Where gap′ vanishes between two inflections at which it has these values of different sign.
     fn turning(&self, from: &Bound, to: &Bound) -> Bound {
         let sign = from.slope.signum();
-        // The cubic 3 t² − 2 t³ has this course between two inflections.
-        let part = from.slope / (from.slope - to.slope);
-        let way = 0.5 - libm::sin(libm::asin(1.0 - 2.0 * part) / 3.0);
-        let guess = from.at + (to.at - from.at) * way;
-        self.root(Bracket { low: from.at, high: to.at }, guess, |_, [_, slope, curvature, jerk]| {
+        let bracket = Bracket { low: from.at, high: to.at };
+        self.root(bracket, from.about_turning(to), |_, [_, slope, curvature, jerk]| {
             (sign * slope, sign * curvature, sign * jerk)
         })
     }
@@ -250,12 +267,14 @@ impl Gap {
         let (opens, closes) = self.clear();
         let mut highest = Bound::default();
         let mut index = 0;
-        let mut from = self.bound(inflections.first);
+        let mut known = None;
         if self.opening < 0.0 {
             // The gap is concave at first. It is convex from the turn before the first.
             let turn = self.bound(inflections.first - (TAU - inflections.fall));
+            let first = self.bound(inflections.first);
             let start = Bound { at: 0.0, gap: 0.0, slope: self.rise };
-            for (start, end) in [(start, turn), (turn, from)] {
+            known = Some(first);
+            for (start, end) in [(start, turn), (turn, first)] {
                 if let Some(landing) = self.advance(start, &end, &mut highest) {
                     return (highest, landing);
                 }
@@ -265,18 +284,18 @@ impl Gap {
         let mut skipped = false;
         loop {
             let last = inflections.last_before(closes);
-            if from.at >= opens && from.at < closes && last > index {
+            let at = inflections.at(index);
+            if at >= opens && at < closes && last > index {
                 // Many turns may pass before the parabola comes down; none of them needs a look.
-                skipped = true;
-                index = last;
-                from = self.bound(inflections.at(index));
+                (skipped, index, known) = (true, last, None);
             }
+            let from = known.unwrap_or_else(|| self.bound(inflections.at(index)));
             let to = self.bound(inflections.at(index + 1));
             if let Some(landing) = self.advance(from, &to, &mut highest) {
                 return (if skipped { self.apex(landing.at) } else { highest }, landing);
             }
             index += 1;
-            from = to;
+            known = Some(to);
         }
     }
 
@@ -301,16 +320,10 @@ impl Gap {
         (to.gap <= 0.0 && !has_only_opened).then(|| self.touchdown(&from, to))
     }
 
-    /// Where the gap, which falls from `from` to `to`, closes. The parabola through the near end with the slope there and
-    /// the gap at the far end is the first guess.
+    /// Where the gap, which falls from `from` to `to`, closes.
     fn touchdown(&self, from: &Bound, to: &Bound) -> Bound {
-        let width = to.at - from.at;
-        let bend = (to.gap - from.gap - from.slope * width) / (width * width);
-        let root = (from.slope * from.slope - 4.0 * bend * from.gap).max(0.0).sqrt();
-        let guess = from.at + 2.0 * from.gap / (root - from.slope);
-        self.root(Bracket { low: from.at, high: to.at }, guess, |_, [gap, slope, curvature, _]| {
-            (gap, slope, curvature)
-        })
+        let bracket = Bracket { low: from.at, high: to.at };
+        self.root(bracket, from.about_touchdown(to), |_, [gap, slope, curvature, _]| (gap, slope, curvature))
     }
 
     /// The largest gap of a flight of many turns: within half a turn of the top of the parabola.
@@ -426,6 +439,55 @@ mod tests {
                 let zero = if found.at == landing.at { there.gap } else { there.slope };
                 assert!(zero.abs() < rounding, "{theta}: {there:?}");
             }
+        }
+    }
+
+    #[test]
+    fn a_parabola_closes_where_it_is_guessed() {
+        // (p + 1)(2 − p) from its top on, and (p − 2)(p − 4) in front of its bottom.
+        for (at, to, closed) in [(0.5, 3.0, 2.0), (1.0, 2.5, 2.0), (0.0, 2.0, 2.0)] {
+            let bound = |p: f64| Bound { at: p, gap: (p + 1.0) * (2.0 - p), slope: 1.0 - 2.0 * p };
+            let found = bound(at).about_touchdown(&bound(to));
+            assert!((found - closed).abs() < 1e-14, "{at} {to}: {found}");
+        }
+        let bound = |p: f64| Bound { at: p, gap: (p - 2.0) * (p - 4.0), slope: 2.0 * p - 6.0 };
+        assert!((bound(1.0).about_touchdown(&bound(2.5)) - 2.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_cubic_turns_where_it_is_guessed() {
+        // Slopes with the course of 1 − (3 t² − 2 t³)/q, which vanishes where 3 t² − 2 t³ = q.
+        for t in [0.1, 0.3, 0.5, 0.8] {
+            let part = t * t * (3.0 - 2.0 * t);
+            let [from, to] =
+                [(2.0, 1.0), (5.0, 1.0 - 1.0 / part)].map(|(at, slope)| Bound { at, gap: 0.0, slope });
+            assert!((from.about_turning(&to) - (2.0 + 3.0 * t)).abs() < 1e-14, "{t}");
+        }
+    }
+
+    #[test]
+    fn the_only_landing_is_about_where_it_is_guessed() {
+        for (k, theta) in (0..24).map(|k| (k, 0.26 * f64::from(k) - 3.1)) {
+            // h θ′² ≤ 1, and so small a rate of the gap that the hoop hardly turns before it lands.
+            let rate = 0.05 + 0.05 * f64::from(k);
+            let (sin, cos) = libm::sincos(theta);
+            let opening = 0.5 * cos * rate * rate - 1.0;
+            let gap = |rise: f64| Gap { h: 0.5, sin, cos, rise, opening, spin: rate, theta };
+            for rise in [1e-3, 0.1, 1.0, 3.0] {
+                let (guess, high) = gap(rise).about_only_landing();
+                let landing = gap(rise).only_landing().at;
+                assert!(landing <= high * (1.0 + 4.0 * f64::EPSILON), "{theta} {rise}: {landing} {high}");
+                // The guess has an error of the second order.
+                let turned = rate * landing;
+                assert!(
+                    (guess / landing - 1.0).abs() <= turned * turned,
+                    "{theta} {rise}: {landing} {guess}"
+                );
+            }
+            // A body that does not turn is on a parabola, whose landing is known.
+            let still = Gap { spin: 0.0, opening: -1.0, ..gap(0.7) };
+            let (guess, high) = still.about_only_landing();
+            assert!((guess - 1.4).abs() < 1e-14 && (high - 1.4).abs() < 1e-14, "{guess} {high}");
         }
     }
 

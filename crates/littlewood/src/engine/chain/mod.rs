@@ -13,9 +13,9 @@ mod passage;
 mod tree;
 
 use crate::hoop::{Heavy, Hoop};
-use crate::links::LinkPhases;
 use crate::mode::Direction;
 use crate::rolling::Levels;
+use crate::sequence::PhaseSequence;
 use crate::state::State;
 
 use super::interpolant::Basis;
@@ -36,7 +36,7 @@ pub(super) trait Follow {
     /// The state at the end of the link that begins at a slip with this rate, travelling to positive angles from x = 0 at τ = 0, with the
     /// direction of the slip there, and the phases; none where the motion comes to
     /// another end, or it may be known there that it slips for ever.
-    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, LinkPhases)>;
+    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, PhaseSequence)>;
 }
 
 /// The maps from slip to slip of one body.
@@ -82,16 +82,37 @@ impl Chains {
     }
 
     /// Whether a link, which has one slide, leads to a grazing orbit for sure: such a slip may end a motion, and is no link.
-    pub(super) fn is_last(&self, hoop: &Hoop, slip: &State, end: &State, phases: &LinkPhases) -> bool {
+    pub(super) fn is_last(&self, hoop: &Hoop, slip: &State, end: &State, phases: PhaseSequence) -> bool {
         let Some(levels) = &self.grazing else { return false };
         let [before, after] = [slip, end].map(|state| levels.energy(state));
-        phases.iter().count() == 2 && levels.attracting(hoop, before, after).is_some()
+        phases.len() == 2 && levels.attracting(hoop, before, after).is_some()
     }
 
-    /// One link from a slip, with its phases.
-    pub(super) fn link(&self, point: Point, follow: &impl Follow) -> Option<(Passage, LinkPhases)> {
-        let found = self.found(0, point, follow)?;
-        Some((found.from(point.at), found.phases))
+    /// Links from a slip one by one, as many as a motion has room for and a sequence holds the phases of.
+    pub(super) fn links(
+        &self,
+        point: Point,
+        follow: &impl Follow,
+        has_room: impl Fn(&Passage) -> bool,
+    ) -> Option<(Passage, PhaseSequence)> {
+        let mut passed: Option<(Passage, PhaseSequence)> = None;
+        loop {
+            let here = passed.map_or(point, |(total, _)| total.end);
+            let Some(found) = self.found(0, here, follow) else { return passed };
+            let link = found.from(here.at);
+            let next = match passed {
+                None => (link, found.phases),
+                Some((total, mut phases)) => {
+                    // A link is seen in the frame of motion where it begins.
+                    phases.append(if total.is_back() { found.phases.mirrored() } else { found.phases });
+                    (total.then(&link), phases)
+                }
+            };
+            if next.1.is_truncated() || !has_room(&next.0) {
+                return passed;
+            }
+            passed = Some(next);
+        }
     }
 
     /// As many links from a slip as a motion has room for.
@@ -144,14 +165,14 @@ impl Chains {
     }
 
     /// What a piece of a level is made from.
-    fn value(&self, level: usize, point: Point, follow: &impl Follow) -> Option<(Passage, LinkPhases)> {
+    fn value(&self, level: usize, point: Point, follow: &impl Follow) -> Option<(Passage, PhaseSequence)> {
         let Some(below) = level.checked_sub(1) else {
             let (slip, rate) = self.curves.slip(point)?;
             let (end, direction, phases) = follow.link(slip, rate)?;
-            return Some((Passage::to(&end, self.point(&end, direction)?, &phases), phases));
+            return Some((Passage::to(&end, self.point(&end, direction)?, phases), phases));
         };
         let first = self.found(below, point, follow)?.from(point.at);
         let second = self.found(below, first.end, follow)?.from(first.end.at);
-        Some((first.then(&second), LinkPhases::default()))
+        Some((first.then(&second), PhaseSequence::default()))
     }
 }

@@ -2,8 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::links::LinkPhases;
-use crate::sequence::PhaseCode;
+use crate::sequence::PhaseSequence;
 use crate::state::State;
 
 use super::curve::Point;
@@ -29,15 +28,8 @@ pub(in crate::engine) struct Route {
     /// Turns: the angle at the end is travel (angle + 2π turns).
     turns: f64,
     pub(in crate::engine) transitions: u32,
-    /// Digest of the phases.
+    /// Digest of the phases: those of one link themselves.
     digest: u64,
-}
-
-/// A digest of the phases of a link.
-fn digest(phases: &LinkPhases) -> u64 {
-    phases
-        .iter()
-        .fold(0, |digest, (mode, direction)| mixed(digest, u64::from(PhaseCode::new(mode, direction).code())))
 }
 
 /// A digest of two numbers, in order.
@@ -49,11 +41,10 @@ const fn mixed(first: u64, second: u64) -> u64 {
 
 impl Passage {
     /// The link that led to a state at a slip, travelling to positive angles from x = 0 at τ = 0.
-    pub(super) fn to(state: &State, end: Point, phases: &LinkPhases) -> Self {
+    pub(super) fn to(state: &State, end: Point, phases: PhaseSequence) -> Self {
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
         let turns = (travel * state.theta / TAU).floor();
-        let transitions = phases.iter().count() as u32;
-        let route = Route { part: end.part, travel, turns, transitions, digest: digest(phases) };
+        let route = Route { part: end.part, travel, turns, transitions: phases.len(), digest: phases.bits() };
         Self { end, elapsed: state.time, moved: state.x, route }
     }
 
@@ -65,6 +56,11 @@ impl Passage {
     /// From the numbers of a route.
     pub(super) const fn with_numbers(route: Route, [at, elapsed, moved]: [f64; 3]) -> Self {
         Self { end: Point { part: route.part, at }, elapsed, moved, route }
+    }
+
+    /// Whether the hoop travels back at the end.
+    pub(super) fn is_back(&self) -> bool {
+        self.route.travel < 0.0
     }
 
     /// This one, and another from its end.

@@ -6,7 +6,7 @@
 
 use std::sync::OnceLock;
 
-use crate::links::LinkPhases;
+use crate::sequence::PhaseSequence;
 
 use super::super::interpolant::{Basis, Interpolant, NODES, Tolerance};
 use super::passage::{Passage, Route};
@@ -32,7 +32,7 @@ const MISSED: f64 = 8.0;
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     route: Route,
-    pub(super) phases: LinkPhases,
+    pub(super) phases: PhaseSequence,
     numbers: Interpolant<3>,
 }
 
@@ -98,7 +98,7 @@ impl Tree {
     pub(super) fn find<A, V>(&self, at: f64, making: &Making<'_, A, V>) -> Option<&Found>
     where
         A: Fn(usize, (f64, f64)) -> f64,
-        V: Fn(f64) -> Option<(Passage, LinkPhases)>,
+        V: Fn(f64) -> Option<(Passage, PhaseSequence)>,
     {
         let mut node = Some(&self.root).filter(|root| root.left <= at && at <= root.right)?;
         loop {
@@ -114,7 +114,7 @@ impl Tree {
 fn fit<A, V>(&Node { left, right, halvings, .. }: &Node, making: &Making<'_, A, V>) -> Fit
 where
     A: Fn(usize, (f64, f64)) -> f64,
-    V: Fn(f64) -> Option<(Passage, LinkPhases)>,
+    V: Fn(f64) -> Option<(Passage, PhaseSequence)>,
 {
     let Making { basis, tolerance, halvings: most, end, amplification, value } = making;
     let middle = 0.5 * (left + right);
@@ -135,7 +135,7 @@ where
         return if nothing && searched { Fit::Nothing } else { divided() };
     };
     let (route, phases) = (first.0.route, first.1);
-    let same = |(passage, other): &(Passage, LinkPhases)| {
+    let same = |(passage, other): &(Passage, PhaseSequence)| {
         (passage.route == route && *other == phases).then(|| passage.numbers())
     };
     if same(second).is_none() || same(last).is_none() {
