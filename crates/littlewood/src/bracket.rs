@@ -12,12 +12,17 @@ struct Step {
     /// Value where the step begins.
     value: f64,
     step: f64,
-    /// Its end is the root if it is shorter than this part of the point where it begins.
-    tolerance: f64,
+    /// Its end is the root if it is no longer than this.
+    last: f64,
 }
 
-/// Where every step is looked at again, short of the last digit.
-const LAST_DIGIT: f64 = 0.5 * f64::EPSILON;
+/// The last digit of a number.
+fn last_digit(x: f64) -> f64 {
+    0.5 * f64::EPSILON * x.abs()
+}
+
+/// Newton's method ends with a step no longer than this in an interval of length two: its error is of the second order.
+const LAST_NEWTON_STEP: f64 = 1e-9;
 
 /// Steps after which a model of a function has told what it can.
 const STEPS_OF_A_MODEL: u32 = 4;
@@ -51,7 +56,20 @@ impl Bracket {
     pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
         self.iterate(0.5 * (self.low + self.high), |x| {
             let (value, slope) = function(x);
-            Step { value, step: -value / slope, tolerance: LAST_DIGIT }
+            Step { value, step: -value / slope, last: last_digit(x) }
+        })
+    }
+
+    /// The same from where the secant through the ends vanishes, in an interval of length two at the most on which the function is
+    /// a polynomial with coefficients of its size: the last step is not looked at again.
+    pub(crate) fn refine_from_secant(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+        let Self { low, high } = self;
+        let (first, last) = (function(low).0, function(high).0);
+        let is_known = first > 0.0 && last < 0.0;
+        let guess = if is_known { (low * last - high * first) / (last - first) } else { 0.5 * (low + high) };
+        self.iterate(guess, |x| {
+            let (value, slope) = function(x);
+            Step { value, step: -value / slope, last: LAST_NEWTON_STEP }
         })
     }
 
@@ -68,7 +86,7 @@ impl Bracket {
                 is_last = is_short && step.abs() <= model.reach();
                 steps += 1;
             }
-            Step { value: here.0, step, tolerance: if is_last { f64::INFINITY } else { LAST_DIGIT } }
+            Step { value: here.0, step, last: if is_last { f64::INFINITY } else { last_digit(x) } }
         })
     }
 
@@ -80,7 +98,7 @@ impl Bracket {
         let mut x = if guess > low && guess < high { guess } else { 0.5 * (low + high) };
         let mut width = high - low;
         loop {
-            let Step { value, step, tolerance } = next_step(x);
+            let Step { value, step, last } = next_step(x);
             if value == 0.0 {
                 return x;
             }
@@ -94,8 +112,8 @@ impl Bracket {
             let taken = proposed > low && proposed < high && step.abs() < 0.5 * width;
             let next = if taken { proposed } else { low + 0.5 * (high - low) };
             width = (next - x).abs();
-            let tolerance = if taken { tolerance } else { LAST_DIGIT };
-            if next == x || next <= low || next >= high || width <= tolerance * x.abs() {
+            let last = if taken { last } else { last_digit(x) };
+            if next == x || next <= low || next >= high || width <= last {
                 return next;
             }
             x = next;
@@ -154,6 +172,21 @@ mod tests {
             let (root, models) = pi_from(guess, reach);
             let found = (root - core::f64::consts::PI).abs() < 1e-15;
             assert!(found && models > 1 && models <= most, "{guess} {reach}: {root} {models}");
+        }
+    }
+
+    #[test]
+    fn a_secant_leads_to_a_root_in_few_steps() {
+        for root in [0.0, 1e-6, 0.2, 0.5, 0.9, 1.0] {
+            let mut evaluations = 0;
+            // (root − x)(2 + x), which hardly bends.
+            let found = Bracket { low: 0.0, high: 1.0 }.refine_from_secant(|x| {
+                evaluations += 1;
+                ((root - x) * (2.0 + x), root - 2.0 - 2.0 * x)
+            });
+            assert!((found - root).abs() < 2e-16, "{root}: {found}");
+            // Next to a root at an end no sign shows on which side it is, and the interval is halved.
+            assert!(evaluations <= 6 || root == 0.0 || root == 1.0, "{root}: {evaluations}");
         }
     }
 

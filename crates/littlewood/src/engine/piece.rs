@@ -1,5 +1,6 @@
 //! A piece of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
 
+use crate::bracket::Bracket;
 use crate::equations::{SlidingLaw, contact};
 use crate::hoop::Heavy;
 
@@ -125,34 +126,17 @@ impl<P: Piece> Way<'_, P> {
         }
     }
 
-    /// Where 1 − h cos ϑ u falls through zero between `here` and `end`: Newton's method in a bracket.
+    /// Where 1 − h cos ϑ u falls through zero between `here` and `end`.
     pub(super) fn lift_off(&self, here: &Waypoint, end: f64) -> Option<Waypoint> {
-        let h = self.law.body.h;
-        let (mut low, mut high) = (here.z, end);
-        let mut z = 0.5 * (low + high);
-        for _ in 0..60 {
+        let (h, forward) = (self.law.body.h, self.forward);
+        let z = Bracket { low: here.z.min(end), high: here.z.max(end) }.refine_from_secant(|z| {
             let (sin, cos) = self.piece.direction(z);
             let u = self.piece.u(z);
             let w = contact(1.0, h, cos * u);
-            if w > 0.0 {
-                low = z;
-            } else {
-                high = z;
-            }
             let slope = self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * w);
-            let newton = z - w / slope;
-            let inside = (newton - low) * self.forward > 0.0 && (high - newton) * self.forward > 0.0;
-            let next = if inside { newton } else { 0.5 * (low + high) };
-            let step = (next - z).abs();
-            z = next;
-            if step < 1e-9 && inside {
-                return self.at(here, z);
-            }
-            if (high - low).abs() < 1e-15 {
-                return self.at(here, z);
-            }
-        }
-        None
+            (forward * w, forward * slope)
+        });
+        self.at(here, z)
     }
 
     /// Where η′ is least between two waypoints, between which η″ rises through zero once.
@@ -303,6 +287,83 @@ fn cubic_root(start: f64, start_slope: f64, end: f64, end_slope: f64) -> f64 {
 #[cfg(test)]
 pub(super) mod check {
     use super::*;
+
+    /// A piece that counts how often its time is asked for.
+    pub(in crate::engine) struct Counted<P> {
+        pub(in crate::engine) piece: P,
+        pub(in crate::engine) times: core::cell::Cell<u32>,
+    }
+
+    impl<P: Piece> Piece for Counted<P> {
+        fn u(&self, z: f64) -> f64 {
+            self.piece.u(z)
+        }
+
+        fn rate(&self, z: f64, u: f64) -> f64 {
+            self.piece.rate(z, u)
+        }
+
+        fn direction(&self, z: f64) -> (f64, f64) {
+            self.piece.direction(z)
+        }
+
+        fn turned(&self, direction: (f64, f64), z: f64, step: f64) -> (f64, f64) {
+            self.piece.turned(direction, z, step)
+        }
+
+        fn turning(&self, z: f64) -> f64 {
+            self.piece.turning(z)
+        }
+
+        fn by_coordinate(&self, z: f64, u: f64, by_time: f64) -> f64 {
+            self.piece.by_coordinate(z, u, by_time)
+        }
+
+        fn time(&self, here: (f64, f64), there: (f64, f64)) -> Option<f64> {
+            self.times.set(self.times.get() + 1);
+            self.piece.time(here, there)
+        }
+    }
+
+    /// Between its ends, along which it travels forward, a slide comes to rest where it is made to, and is at a time where it is then, and
+    /// few times are asked for. How often it came to rest, where η′ falls all the way, and how many times were asked for then.
+    pub(in crate::engine) fn finds_places(
+        piece: impl Piece,
+        law: &SlidingLaw,
+        (from, to): (f64, f64),
+    ) -> (u32, u32) {
+        let counted = Counted { piece, times: core::cell::Cell::new(0) };
+        let way =
+            |integral: f64| Way { law, piece: &counted, forward: (to - from).signum(), sigma: 1.0, integral };
+        let asked = || counted.times.replace(0);
+        let mut rests = (0, 0);
+        for part in [0.1, 0.4, 0.7, 0.95] {
+            let z = from + part * (to - from);
+            let place = |way: &Way<'_, _>, z: f64| {
+                let here = way.waypoint(from, counted.u(from), 0.0);
+                way.at(&here, z).unwrap()
+            };
+            // η′ vanishes there.
+            let integral = -place(&way(0.0), z).slip;
+            let way = way(integral);
+            let [here, at, there] = [from, z, to].map(|z| place(&way, z));
+            asked();
+            let found = way.at_time(&here, &there, at.elapsed).unwrap();
+            assert!((found.z - z).abs() < 1e-12 && (found.u - at.u).abs() < 1e-12 * at.u, "{z}: {found:?}");
+            let times = asked();
+            assert!(times <= 4, "{z}: {times}");
+            let falls = [&here, &at, &there].iter().all(|at| at.slip_acceleration < -0.05);
+            if falls && here.slip > 0.0 && there.slip < 0.0 {
+                let found = way.rest(&here, &there).unwrap();
+                assert!(
+                    (found.z - z).abs() < 1e-12 && (found.elapsed - at.elapsed).abs() < 1e-12,
+                    "{z}: {found:?}"
+                );
+                rests = (rests.0 + 1, rests.1 + asked());
+            }
+        }
+        rests
+    }
 
     /// A piece from one coordinate to another, between which contact lasts, is a slide of its law.
     pub(in crate::engine) fn is_a_slide(piece: &impl Piece, law: &SlidingLaw, (from, to): (f64, f64)) {

@@ -9,6 +9,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use crate::bracket::Bracket;
 use crate::equations::RollingLaw;
 use crate::form::{Form, Trigonometric};
 use crate::hoop::Hoop;
@@ -340,31 +341,17 @@ impl RollTable {
         let middle = 0.5 * (begin + stop.angle);
         let steep = middle > 0.5 * PI && middle < 1.5 * PI;
         let (y0, x0) = sincos(0.5 * begin);
-        let (mut low, mut high) = if steep { (x0 / y0, stop.x / stop.y) } else { (y0 / x0, stop.y / stop.x) };
+        let (low, high) = if steep { (x0 / y0, stop.x / stop.y) } else { (y0 / x0, stop.y / stop.x) };
         let horner = |t: f64| {
             let fold = |(value, slope): (f64, f64), c: &f64| (value * t + c, slope * t + value);
             if steep { form.iter().fold((0.0, 0.0), fold) } else { form.iter().rev().fold((0.0, 0.0), fold) }
         };
-        let (at_low, at_high) = (horner(low).0, horner(high).0);
-        let sign = if at_high < 0.0 { 1.0 } else { -1.0 };
-        let secant = (low * at_high - high * at_low) / (at_high - at_low);
-        let mut t = if at_low * at_high < 0.0 { secant } else { 0.5 * (low + high) };
-        for _ in 0..60 {
+        // The margin has the sign of the form, or the other, and may be seen from behind.
+        let falls = if (horner(high).0 < 0.0) == (low < high) { 1.0 } else { -1.0 };
+        let t = Bracket { low: low.min(high), high: low.max(high) }.refine_from_secant(|t| {
             let (value, slope) = horner(t);
-            if sign * value > 0.0 {
-                low = t;
-            } else {
-                high = t;
-            }
-            let newton = t - value / slope;
-            let inside = (newton - low) * (high - newton) > 0.0;
-            let next = if inside { newton } else { 0.5 * (low + high) };
-            let step = (next - t).abs();
-            t = next;
-            if (inside && step < 1e-9) || (high - low).abs() < 1e-15 {
-                break;
-            }
-        }
+            (falls * value, falls * slope)
+        });
         let (x, y) = if steep { (t, 1.0) } else { (1.0, t) };
         let (x, y) = if y < 0.0 || (y == 0.0 && x < 0.0) { (-x, -y) } else { (x, y) };
         let length = x * x + y * y;

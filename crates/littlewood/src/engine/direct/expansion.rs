@@ -307,3 +307,46 @@ fn pattern(coefficients: &[f64; LOW + 1], band: f64) -> Signs {
     }
     if first > 0.0 { Signs::Falling } else { Signs::Rising }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The pattern of coefficients that are these multiples of the band.
+    fn seen(coefficients: [f64; LOW + 1]) -> Signs {
+        pattern(&coefficients.map(|b| 1e-3 * b), 1e-3)
+    }
+
+    #[test]
+    fn signs_are_told_only_where_they_are_clear() {
+        let [up, down] = [[5.0; LOW + 1], [-5.0; LOW + 1]];
+        assert_eq!((seen(up), seen(down)), (Signs::Positive, Signs::Negative));
+        for at in 1..LOW {
+            // What is doubtful between two signs may be the change; what is clear is another change.
+            let with = |mut coefficients: [f64; LOW + 1], doubtful: f64| {
+                coefficients[at..].iter_mut().for_each(|b| *b = -*b);
+                coefficients[at] = doubtful;
+                seen(coefficients)
+            };
+            for doubtful in [0.9, 0.0, -0.9] {
+                assert_eq!(with(up, doubtful), Signs::Falling, "{at} {doubtful}");
+                assert_eq!(with(down, doubtful), Signs::Rising, "{at} {doubtful}");
+                let mut touched = up;
+                touched[at] = doubtful;
+                assert_eq!(seen(touched), Signs::Unknown, "{at} {doubtful}");
+            }
+            let twice = |mut coefficients: [f64; LOW + 1]| {
+                coefficients[at] = -coefficients[at];
+                coefficients[LOW] = -coefficients[LOW];
+                seen(coefficients)
+            };
+            let expected = if at == LOW - 1 { [Signs::Falling, Signs::Rising] } else { [Signs::Unknown; 2] };
+            assert_eq!([twice(up), twice(down)], expected, "{at}");
+        }
+        for end in [0, LOW] {
+            let mut doubtful = up;
+            doubtful[end] = 0.9;
+            assert_eq!(seen(doubtful), Signs::Unknown, "{end}");
+        }
+    }
+}

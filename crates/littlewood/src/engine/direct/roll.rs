@@ -8,9 +8,8 @@
 
 use core::f64::consts::TAU;
 
-use crate::bracket::Bracket;
 use crate::equations::RollingLaw;
-use crate::form::{Form, HalfAngle, on_arc};
+use crate::form::{HalfAngle, on_arc};
 use crate::hoop::Hoop;
 use crate::rolling::{margin_forms, time_from_bottom};
 use crate::trig::sincos;
@@ -21,9 +20,6 @@ use super::super::solver::MIN_RATE;
 
 /// Orbits whose energy over the top is a smaller part of their constant are left to the exact solver.
 const SEPARATRIX: f64 = 1e-9;
-
-/// Newton's method ends with a step shorter than this: its error is of the second order.
-const LAST_STEP: f64 = 1e-9;
 
 /// Part of an orbit between two directions of the half angle.
 #[derive(Clone, Copy, Debug)]
@@ -88,7 +84,7 @@ pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64)
                 continue;
             }
             if let Some(bracket) = margin.bernstein().first_crossing() {
-                let at = root(&margin, bracket)?;
+                let at = bracket.refine_from_secant(|t| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]));
                 if first.is_none_or(|(before, _)| at < before) {
                     first = Some((at, side));
                 }
@@ -99,38 +95,6 @@ pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64)
         }
     }
     Some(RollEnd::Never)
-}
-
-/// The root of a form in barycentric coordinates, in a bracket in which it falls through zero.
-fn root(margin: &Form<7>, bracket: Bracket) -> Option<f64> {
-    let at = |t: f64| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]);
-    let Bracket { mut low, mut high } = bracket;
-    if high <= low {
-        return Some(low);
-    }
-    let (start, end) = (at(low).0, at(high).0);
-    let mut t = if start > 0.0 && end < 0.0 {
-        (low * end - high * start) / (end - start)
-    } else {
-        0.5 * (low + high)
-    };
-    for _ in 0..60 {
-        let (value, slope) = at(t);
-        if value > 0.0 {
-            low = t;
-        } else {
-            high = t;
-        }
-        let newton = t - value / slope;
-        let inside = newton > low && newton < high;
-        let next = if inside { newton } else { 0.5 * (low + high) };
-        let step = (next - t).abs();
-        t = next;
-        if (inside && step < LAST_STEP) || (high - low).abs() < f64::EPSILON {
-            return Some(t);
-        }
-    }
-    None
 }
 
 impl Orbit<'_> {

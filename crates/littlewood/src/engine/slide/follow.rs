@@ -492,15 +492,46 @@ impl<'a> Follower<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::piece::check::is_a_slide;
+    use crate::engine::piece::check::{finds_places, is_a_slide};
     use crate::hoop::{Body, Hoop};
+
+    /// Cells are crossed one after the other up to the bottom, or as many as are asked for: to where they are passed one by one.
+    #[test]
+    fn whole_cells_are_crossed_in_one_go() {
+        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
+        let table = SlideTable::new(&body, 0.4).unwrap();
+        let begins = |theta: f64, theta_rate: f64| {
+            let start = SlideStart { theta, theta_rate, slip: 30.0, direction: libm::sincos(theta) };
+            let mut follower = Follower::new(&table, &start, f64::INFINITY).unwrap();
+            assert_eq!(follower.cross_cells(usize::MAX), 0, "the way does not begin at the end of a cell");
+            assert!(matches!(follower.pass_cell(), Some(None)));
+            follower
+        };
+        for (theta, theta_rate) in [(3.5, 1.2), (2.7, -1.2), (-2.5, 1.2), (10.0, 1.3)] {
+            let mut all = begins(theta, theta_rate);
+            let crossed = all.cross_cells(usize::MAX);
+            assert!(crossed >= 3, "{theta} {theta_rate}: {crossed}");
+            for most in [0, 1, 3] {
+                assert_eq!(begins(theta, theta_rate).cross_cells(most), most);
+            }
+            let mut single = begins(theta, theta_rate);
+            for _ in 0..crossed {
+                assert!(matches!(single.pass_cell(), Some(None)));
+            }
+            assert_eq!((all.index, all.offset, all.least), (single.index, single.offset, single.least));
+            assert!((all.here.u - single.here.u).abs() < 1e-14 * all.here.u, "{theta} {theta_rate}");
+            assert!((all.here.elapsed - single.here.elapsed).abs() < 1e-14 * all.here.elapsed);
+            assert!((all.here.slip - single.here.slip).abs() < 1e-13);
+            assert!((all.here.slip_acceleration - single.here.slip_acceleration).abs() < 1e-13);
+        }
+    }
 
     /// Through all cells at some levels, forth and back, or about a turning point where u vanishes in a cell.
     #[test]
     fn ways_through_cells_are_slides() {
         let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
         let table = SlideTable::new(&body, 0.4).unwrap();
-        let (mut crossings, mut turnings) = (0, 0);
+        let (mut crossings, mut turnings, mut rests, mut times) = (0, 0, 0, 0);
         for cell in &table.cells {
             for level in [0.05, 0.4, 1.5, 6.0] {
                 let motion = cell.motion(level);
@@ -511,6 +542,10 @@ mod tests {
                     is_a_slide(&forth, &table.law, (-0.3, 0.5));
                     let back = Crossing { cell, motion, travel: -1.0 };
                     is_a_slide(&back, &table.law, (0.9, -0.8));
+                    for (piece, ends) in [(forth, (-1.0, 1.0)), (back, (1.0, -1.0))] {
+                        let (found, asked) = finds_places(piece, &table.law, ends);
+                        (rests, times) = (rests + found, times + asked);
+                    }
                     crossings += 1;
                 } else if ends[0] * ends[1] < 0.0 {
                     let travel = if ends[0] > 0.0 { 1.0 } else { -1.0 };
@@ -526,5 +561,7 @@ mod tests {
             }
         }
         assert!(crossings > 60 && turnings > 4, "{crossings} {turnings}");
+        // The guess of where a slide comes to rest is good: it takes one step of Newton's method, or two.
+        assert!(rests > 100 && times < 2 * rests, "{rests} {times}");
     }
 }
