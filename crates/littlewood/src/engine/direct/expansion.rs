@@ -23,6 +23,9 @@ const TERMS: usize = 6;
 /// Part of the first coefficient that the last of a series may be.
 const CONVERGED: f64 = f64::EPSILON / 16.0;
 
+/// A width that is tried is so much less than the parabola leads to: where the sum is one, rounding would tell.
+const MARGIN: f64 = 0.98;
+
 /// Degree of the polynomials whose sign is examined; what they leave out is bounded.
 const LOW: usize = 10;
 
@@ -208,30 +211,45 @@ impl Expansion {
     pub(super) fn smooth(
         &self,
         (lead, from): (usize, usize),
-        (mut width, stretch): (f64, f64),
+        (widest, stretch): (f64, f64),
         part: f64,
     ) -> Option<f64> {
         let most = part * self.u[lead].abs();
-        for _ in 0..8 {
-            let far = stretch * width;
-            let fourth = (far * far) * (far * far);
-            // Four sums, of every fourth term each: none waits for the others.
-            let mut sums = [0.0; 4];
-            for four in self.u[from..].chunks(4).rev() {
-                for (sum, c) in sums.iter_mut().zip(four) {
-                    *sum = *sum * fourth + c.abs();
-                }
-            }
-            let [a, b, c, d] = sums;
-            // The powers are those over the one at `lead`.
-            let sum = (((d * far + c) * far + b) * far + a) * power(far, from - lead);
-            if sum <= most {
-                return (width > 0.0).then_some(width);
-            }
-            // Each term grows at least with the width.
-            width *= 0.98 * most / sum;
+        let linear = if from == lead + 1 { self.u[from].abs() } else { 0.0 };
+        let terms = |far: f64| self.sum_of_sizes(from, far) * power(far, from - lead);
+        let far = stretch * widest;
+        let sum = terms(far);
+        if sum <= most {
+            return Some(widest);
         }
-        None
+        // Behind a linear term the sum grows at least with the square of the width: as far as the parabola through it leads, and, by
+        // the parabola through the sum there, perhaps farther.
+        let parabola = |far: f64, sum: f64| {
+            let bend = (sum - linear * far) / (far * far);
+            2.0 * most / (linear + (linear * linear + 4.0 * bend * most).sqrt())
+        };
+        let near = parabola(far, sum);
+        let least = terms(near);
+        let farther = MARGIN * parabola(near, least);
+        let sum = terms(farther);
+        // The secant of a convex function lies above it.
+        let secant = || near + (farther - near) * (most - least) / (sum - least);
+        let width = if sum <= most { farther } else { secant() } / stretch;
+        (width > 0.0).then_some(width)
+    }
+
+    /// Σ |u_k| z^(k − from) from k = `from` on.
+    fn sum_of_sizes(&self, from: usize, z: f64) -> f64 {
+        let fourth = (z * z) * (z * z);
+        // Four sums, of every fourth term each: none waits for the others.
+        let mut sums = [0.0; 4];
+        for four in self.u[from..].chunks(4).rev() {
+            for (sum, c) in sums.iter_mut().zip(four) {
+                *sum = *sum * fourth + c.abs();
+            }
+        }
+        let [a, b, c, d] = sums;
+        ((d * z + c) * z + b) * z + a
     }
 
     /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where its sign is not known,
@@ -311,10 +329,44 @@ fn pattern(coefficients: &[f64; LOW + 1], band: f64) -> Signs {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::hoop::{Body, Hoop};
+    use crate::mode::Direction;
 
     /// The pattern of coefficients that are these multiples of the band.
     fn seen(coefficients: [f64; LOW + 1]) -> Signs {
         pattern(&coefficients.map(|b| 1e-3 * b), 1e-3)
+    }
+
+    /// Near rest, where u is small and hardly changes, too.
+    #[test]
+    fn widths_are_as_wide_as_they_may_be() {
+        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
+        let law = SlidingLaw::of_body(body, 0.4, Direction::Positive);
+        let mut narrower = 0;
+        for (theta, u) in [0.3, 1.8, 2.9, 3.1, 4.4]
+            .into_iter()
+            .flat_map(|theta| [1e-12, 1e-8, 1e-5, 1e-2, 1.0, 30.0].map(|u| (theta, u)))
+        {
+            let expansion = Expansion::new(&law, 1.0, libm::sincos(theta), u);
+            for (lead, from) in [(0, 1), (0, 2), (1, 2)] {
+                let terms = |far: f64| -> f64 {
+                    (from..=DEGREE).map(|k| expansion.u[k].abs() * libm::pow(far, (k - lead) as f64)).sum()
+                };
+                let most = 0.9 * expansion.u[lead].abs();
+                for widest in [1e-3, 0.2] {
+                    let width = expansion.smooth((lead, from), (widest, 1.8), 0.9).unwrap();
+                    assert!(
+                        width <= widest && terms(1.8 * width) <= most * (1.0 + 1e-12),
+                        "{theta} {u}: {width}"
+                    );
+                    if width < widest {
+                        narrower += 1;
+                        assert!(terms(1.8 * 1.25 * width) > most, "{theta} {u} {lead} {from}: {width}");
+                    }
+                }
+            }
+        }
+        assert!(narrower > 40, "{narrower}");
     }
 
     #[test]
