@@ -428,6 +428,26 @@ mod tests {
     }
 
     #[test]
+    fn the_margin_that_is_negative_is_told_where_it_is_clear() {
+        // 1 − K and 3 + K, with levels next to the zero of the first.
+        let margins = [[1.0, -1.0], [3.0, 1.0]];
+        for (k, broken) in [
+            (0.5, Some(None)),
+            (1.0 - 1e-11, Some(None)),
+            (1.0 - 1e-12, None),
+            (1.0 + 1e-12, None),
+            (1.0 + 1e-11, Some(Some(0))),
+            (2.0, Some(Some(0))),
+        ] {
+            assert_eq!(RollTable::breaks(k, &margins), broken, "{k}");
+            let [first, second] = margins;
+            let swapped = broken.map(|broken| broken.map(|side: usize| 1 - side));
+            assert_eq!(RollTable::breaks(k, &[second, first]), swapped, "{k}");
+        }
+        assert_eq!(RollTable::breaks(2.0, &[[1.0, -1.0], [1.0, -1.0]]), None, "both");
+    }
+
+    #[test]
     fn an_orbit_on_the_limit_is_not_said_to_hold() {
         // Margins K − 2 and 6 − 2 K, both positive for 2 < K < 3.
         let (least, most) = holds(&[[-2.0, 1.0], [6.0, -2.0]]);
