@@ -1,5 +1,7 @@
 //! Roots to the last digits.
 
+use core::cmp::Ordering;
+
 /// An interval that holds the first crossing from non-negative to negative, and no other root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bracket {
@@ -99,13 +101,10 @@ impl Bracket {
         let mut width = high - low;
         loop {
             let Step { value, step, last } = next_step(x);
-            if value == 0.0 {
-                return x;
-            }
-            if value > 0.0 {
-                low = x;
-            } else {
-                high = x;
+            match value.partial_cmp(&0.0) {
+                Some(Ordering::Equal) => return x,
+                Some(Ordering::Greater) => low = x,
+                Some(Ordering::Less) | None => high = x,
             }
             let proposed = x + step;
             // The step is taken when it stays inside and at least halves the last one.

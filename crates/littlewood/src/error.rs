@@ -110,7 +110,8 @@ impl Quantity {
         let keeps = match self.bounds() {
             [] => true,
             [only] => only.allows(value),
-            [first, rest @ ..] => first.allows(value) && rest.iter().all(|bound| bound.allows(value)),
+            [first, second] => first.allows(value) && second.allows(value),
+            more => more.iter().all(|bound| bound.allows(value)),
         };
         if value.is_finite() && keeps { Ok(value) } else { Err(self.refusal(value)) }
     }

@@ -48,14 +48,14 @@ impl SlipPoint {
     }
 }
 
-/// The side of a slip in the frame of motion, of a hoop that travels in the direction `travel`.
+/// The side of a slip in the frame of motion, of a hoop that travels in the direction `travel`, 1 or −1.
 pub(super) fn side_of(direction: Direction, travel: f64) -> usize {
-    usize::from((direction == Direction::Positive) == (travel > 0.0))
+    usize::from((direction == Direction::Positive) == travel.is_sign_positive())
 }
 
 /// The direction of a slip to a side.
 pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
-    if (side == 1) == (travel > 0.0) { Direction::Positive } else { Direction::Negative }
+    if (side == 1) == travel.is_sign_positive() { Direction::Positive } else { Direction::Negative }
 }
 
 /// A margin within this part of its terms of zero is solved exactly.
