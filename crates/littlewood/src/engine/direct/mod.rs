@@ -134,3 +134,60 @@ impl Phases for Direct {
         Some((slide::follow(frame, here, from_limit, allowed)?, Ahead::Open))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::automaton::Cause;
+    use crate::hoop::Body;
+    use crate::limits::Limits;
+    use crate::mode::Mode;
+    use crate::proof::Proof;
+    use crate::state::Start;
+    use crate::transition::Transition;
+    use crate::trig::sincos;
+
+    /// With equal coefficients, where η″ = 0 at the start, too.
+    #[test]
+    fn the_limit_is_left_along_the_slide() {
+        let hoop = Hoop::figure_2(0.5, 0.5).unwrap();
+        let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+        let direct = Direct::new(&hoop, body);
+        let (mut slips, mut near) = (0, 0);
+        let grid =
+            (-6..6).flat_map(|i| (-5..5).map(move |j| (0.5 * f64::from(i) + 0.2, 0.4 * f64::from(j) + 0.1)));
+        for (theta, theta_rate) in grid {
+            let limits = Limits::default().with_transitions(6).with_proof(Proof::None);
+            let motion = hoop.simulate(Start::at(theta, theta_rate), limits).unwrap();
+            let leaves = |slip: &&Transition| {
+                slip.cause == Cause::Slip
+                    && slip.to == Some(Mode::Sliding)
+                    && slip.before.theta_rate.abs() > 0.1
+            };
+            for slip in motion.transitions().iter().filter(leaves) {
+                let (state, direction) = (slip.after, slip.direction.unwrap());
+                let place = Place { state, direction: sincos(state.theta), slip: None, ahead: Ahead::Open };
+                let Some((start, elapsed)) = direct.leave_limit(&place, direction) else {
+                    near += 1;
+                    continue;
+                };
+                // The last transition is behind the limit of them, and no slide follows.
+                let Some(sample) = motion.at(state.time + elapsed) else { continue };
+                let (there, sigma) = (sample.state, direction.sign());
+                let (sin, cos) = sincos(there.theta);
+                assert_eq!(sample.mode, Mode::Sliding);
+                for (found, expected) in [
+                    (start.slip, sigma * there.slip),
+                    (start.theta_rate, sigma * there.theta_rate),
+                    (start.direction.0, sigma * sin),
+                    (start.direction.1, cos),
+                ] {
+                    assert!((found - expected).abs() < 1e-12, "{state:?}: {found} {expected}");
+                }
+                slips += 1;
+            }
+        }
+        // A slide that ends within the first step is followed otherwise.
+        assert!(slips > 20 && near < slips, "{slips} {near}");
+    }
+}
