@@ -15,10 +15,19 @@ pub(super) fn to_bytes(
     full.spread(places.iter().copied(), values);
     match full {
         ColumnValues::U8(values) => values,
-        ColumnValues::U32(values) => values.into_iter().flat_map(u32::to_le_bytes).collect(),
-        ColumnValues::U64(values) => values.into_iter().flat_map(u64::to_le_bytes).collect(),
-        ColumnValues::F64(values) => values.into_iter().flat_map(f64::to_le_bytes).collect(),
+        ColumnValues::U32(values) => joined(&values, u32::to_le_bytes),
+        ColumnValues::U64(values) => joined(&values, u64::to_le_bytes),
+        ColumnValues::F64(values) => joined(&values, f64::to_le_bytes),
     }
+}
+
+/// The bytes of values one after the other. Byte by byte they would take as long as the motions of a map.
+fn joined<T: Copy, const N: usize>(values: &[T], bytes: impl Fn(T) -> [u8; N]) -> Vec<u8> {
+    let mut all = vec![0; N * values.len()];
+    for (place, value) in all.chunks_exact_mut(N).zip(values) {
+        place.copy_from_slice(&bytes(*value));
+    }
+    all
 }
 
 /// The values of a chunk from a box of the full chunk size.
