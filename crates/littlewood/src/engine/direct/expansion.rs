@@ -220,7 +220,7 @@ impl Expansion {
         let far = stretch * widest;
         let sum = terms(far);
         if sum <= most {
-            return Some(widest);
+            return (widest > 0.0).then_some(widest);
         }
         // Behind a linear term the sum grows at least with the square of the width: as far as the parabola through it leads, and, by
         // the parabola through the sum there, perhaps farther.
@@ -367,6 +367,9 @@ mod tests {
             }
         }
         assert!(narrower > 40, "{narrower}");
+        // From rest there is no width on which u stays away from zero.
+        let rest = Expansion::new(&law, 1.0, libm::sincos(0.3), 0.0);
+        assert_eq!(rest.smooth((0, 1), (rest.reach(0), 1.8), 0.9), None);
     }
 
     #[test]
