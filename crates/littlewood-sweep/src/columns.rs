@@ -84,21 +84,17 @@ impl ColumnValues {
         }
     }
 
-    /// The values of a column in some summaries.
-    fn of_summaries(column: SummaryColumn, summaries: &[Summary]) -> Self {
-        let mut values = Self::repeat(not_computed(column), summaries.len());
-        for (i, summary) in summaries.iter().enumerate() {
-            match (&mut values, column.of(summary)) {
-                (Self::U8(values), SummaryValue::U8(value)) => values[i] = value,
-                (Self::U32(values), SummaryValue::U32(value)) => values[i] = value,
-                (Self::U64(values), SummaryValue::U64(value)) => values[i] = value,
-                (Self::F64(values), SummaryValue::F64(value)) => values[i] = value,
-                (Self::U8(_) | Self::U32(_) | Self::U64(_) | Self::F64(_), _) => {
-                    unreachable!("a column has values of one type")
-                }
+    /// Sets a value below [`ColumnValues::len`].
+    fn set(&mut self, i: usize, value: SummaryValue) {
+        match (self, value) {
+            (Self::U8(values), SummaryValue::U8(value)) => values[i] = value,
+            (Self::U32(values), SummaryValue::U32(value)) => values[i] = value,
+            (Self::U64(values), SummaryValue::U64(value)) => values[i] = value,
+            (Self::F64(values), SummaryValue::F64(value)) => values[i] = value,
+            (Self::U8(_) | Self::U32(_) | Self::U64(_) | Self::F64(_), _) => {
+                unreachable!("a column has values of one type")
             }
         }
-        values
     }
 
     /// Sets the values at some places to those of another column of the same type.
@@ -138,10 +134,12 @@ impl Columns {
         Self { columns, classes: vec![Class::of(&Summary::NOT_COMPUTED); len] }
     }
 
-    /// From some summaries.
-    pub(crate) fn of_summaries(summaries: &[Summary]) -> Self {
-        let columns = SummaryColumn::ALL.map(|column| ColumnValues::of_summaries(column, summaries));
-        Self { columns, classes: summaries.iter().map(Class::of).collect() }
+    /// Sets the results of a point below [`Columns::len`].
+    pub(crate) fn set(&mut self, i: usize, summary: &Summary) {
+        for (column, value) in self.columns.iter_mut().zip(summary.values()) {
+            column.set(i, value);
+        }
+        self.classes[i] = Class::of(summary);
     }
 
     /// From the values of each column of [`SummaryColumn::ALL`].

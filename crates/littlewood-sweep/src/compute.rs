@@ -284,15 +284,15 @@ fn compute_task<'a>(
             result => result.map_err(|error| Halt::Refused(Refused { index, error })),
         }
     };
-    let mut summaries = Vec::with_capacity(places.len());
-    for place in places {
+    let mut columns = Columns::blank(places.len());
+    for (i, place) in places.iter().enumerate() {
         if watch.is_cancelled() {
             return Err(Halt::Cancelled);
         }
-        summaries.push(summary(place)?);
+        columns.set(i, &summary(place)?);
         watch.count();
     }
-    Ok(Task { places, columns: Columns::of_summaries(&summaries) })
+    Ok(Task { places, columns })
 }
 
 /// The places of the points of each hoop, hoops in the order in which they first occur.

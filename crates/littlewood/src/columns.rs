@@ -331,14 +331,7 @@ impl SummaryColumn {
     /// Its value in a summary. There is one NaN: the sign and payload of one that arithmetic makes are not specified.
     #[must_use]
     pub fn of(self, summary: &Summary) -> SummaryValue {
-        let mut copy = *summary;
-        match self.place(&mut copy) {
-            Place::Outcome(outcome) => SummaryValue::U8(outcome.code()),
-            Place::Sequence(sequence) => SummaryValue::U64(sequence.bits()),
-            Place::Count(count) => SummaryValue::U32(*count),
-            Place::Flag(flag) => SummaryValue::U8(u8::from(*flag)),
-            Place::Real(value) => SummaryValue::F64(if value.is_nan() { f64::NAN } else { *value }),
-        }
+        self.place(&mut { *summary }).value()
     }
 
     /// Sets its value in a summary. A value of another type, or a number that is no code, is not taken: false.
@@ -365,6 +358,27 @@ impl SummaryColumn {
     }
 }
 
+impl Place<'_> {
+    const fn value(self) -> SummaryValue {
+        match self {
+            Self::Outcome(outcome) => SummaryValue::U8(outcome.code()),
+            Self::Sequence(sequence) => SummaryValue::U64(sequence.bits()),
+            Self::Count(count) => SummaryValue::U32(*count),
+            Self::Flag(flag) => SummaryValue::U8(*flag as u8),
+            Self::Real(value) => SummaryValue::F64(if value.is_nan() { f64::NAN } else { *value }),
+        }
+    }
+}
+
+impl Summary {
+    /// The values of all columns, in the order of [`SummaryColumn::ALL`].
+    #[must_use]
+    pub fn values(&self) -> [SummaryValue; SummaryColumn::ALL.len()] {
+        let mut copy = *self;
+        SummaryColumn::ALL.map(|column| column.place(&mut copy).value())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -384,6 +398,7 @@ mod tests {
             };
             assert!(column.set(&mut summary, value));
             assert_eq!(column.of(&summary), value, "{column}");
+            assert_eq!(summary.values()[usize::from(column.code())], value, "{column}");
         }
         let mut copy = Summary::INVALID;
         for column in SummaryColumn::ALL {

@@ -62,10 +62,14 @@ impl Setup {
     /// The value of a quantity; none for one that is not given, for a limit and for what is in SI units.
     #[must_use]
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
-        let mut copy = *self;
-        match copy.place(quantity)? {
-            Place::Number(value) => Some(*value),
-            Place::Optional(value) => *value,
+        Self::value(&mut { *self }, quantity)
+    }
+
+    const fn value(&mut self, quantity: Quantity) -> Option<f64> {
+        match self.place(quantity) {
+            Some(Place::Number(value)) => Some(*value),
+            Some(Place::Optional(value)) => *value,
+            None => None,
         }
     }
 
@@ -81,7 +85,12 @@ impl Setup {
     /// The values of some quantities; NaN for those that are not given or not part of a setup.
     #[must_use]
     pub fn values<const N: usize>(&self, quantities: [Quantity; N]) -> [f64; N] {
-        quantities.map(|quantity| self.get(quantity).unwrap_or(f64::NAN))
+        let mut copy = *self;
+        let mut values = [f64::NAN; N];
+        for (value, quantity) in values.iter_mut().zip(quantities) {
+            *value = copy.value(quantity).unwrap_or(f64::NAN);
+        }
+        values
     }
 }
 

@@ -11,21 +11,28 @@ pub(super) fn to_bytes(
     places: &[usize],
     size: usize,
 ) -> Vec<u8> {
+    if values.len() == size {
+        return bytes(values);
+    }
     let mut full = ColumnValues::repeat(not_computed(column), size);
     full.spread(places.iter().copied(), values);
-    match full {
-        ColumnValues::U8(values) => values,
-        ColumnValues::U32(values) => joined(&values, u32::to_le_bytes),
-        ColumnValues::U64(values) => joined(&values, u64::to_le_bytes),
-        ColumnValues::F64(values) => joined(&values, f64::to_le_bytes),
+    bytes(&full)
+}
+
+fn bytes(values: &ColumnValues) -> Vec<u8> {
+    match values {
+        ColumnValues::U8(values) => values.clone(),
+        ColumnValues::U32(values) => joined(values, u32::to_le_bytes),
+        ColumnValues::U64(values) => joined(values, u64::to_le_bytes),
+        ColumnValues::F64(values) => joined(values, f64::to_le_bytes),
     }
 }
 
 /// The bytes of values one after the other. Byte by byte they would take as long as the motions of a map.
 fn joined<T: Copy, const N: usize>(values: &[T], bytes: impl Fn(T) -> [u8; N]) -> Vec<u8> {
     let mut all = vec![0; N * values.len()];
-    for (place, value) in all.chunks_exact_mut(N).zip(values) {
-        place.copy_from_slice(&bytes(*value));
+    for (place, value) in all.as_chunks_mut().0.iter_mut().zip(values) {
+        *place = bytes(*value);
     }
     all
 }
