@@ -1,6 +1,7 @@
 //! Computes points on all cores; the results do not depend on how many there are.
 
 use core::num::NonZeroUsize;
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -63,14 +64,31 @@ impl Prepared {
     }
 }
 
-/// The results of a task: points at some places, of one hoop.
+/// The places of the points of a hoop.
+type Group = Vec<u32>;
+
+/// The results of a task: points at some places.
 struct Task<'a> {
-    places: &'a [u32],
+    places: Cow<'a, [u32]>,
     columns: Columns,
 }
 
-/// The tasks of a hoop, and its engine, if it is kept.
-type Group<'a> = (Option<Prepared>, Vec<Task<'a>>);
+/// The tasks of some hoops, and the engines that are kept.
+type Done<'a> = (Vec<Prepared>, Vec<Task<'a>>);
+
+/// What all tasks have in common.
+struct Job<'a> {
+    points: &'a [Setup],
+    starts_of_a_hoop: Option<u64>,
+    limits: Limits,
+    watch: &'a Watch<'a>,
+    /// Engines that were prepared earlier.
+    known: Vec<Prepared>,
+    /// Whether engines with tables are kept.
+    keep: bool,
+    /// Tasks among which the points of a hoop are shared.
+    share: usize,
+}
 
 /// A point that was refused, by its place among the points.
 #[derive(Clone, Debug, PartialEq)]
@@ -204,40 +222,18 @@ impl Workers {
         watch: &Watch<'_>,
     ) -> Result<Columns, Halt> {
         let groups = group_by_hoop(points);
-        let known = std::mem::take(&mut *self.engines.lock().unwrap_or_else(PoisonError::into_inner));
-        let keep = groups.len() <= KEPT;
-        let share = TASKS * self.threads();
-        let results: Vec<Group<'_>> = self
-            .install(|| {
-                groups
-                    .par_iter()
-                    .map(|indices| {
-                        if watch.is_cancelled() {
-                            return Err(Halt::Cancelled);
-                        }
-                        let first = &points[indices[0] as usize];
-                        let bits = hoop_bits(first);
-                        // What was prepared earlier must not change the digits of a hoop with few points.
-                        let starts = starts_of_a_hoop.unwrap_or(indices.len() as u64);
-                        let has_tables = starts >= Engine::MIN_STARTS_FOR_TABLES as u64;
-                        let prepared = match known.iter().find(|known| has_tables && known.bits == bits) {
-                            Some(prepared) => prepared.clone(),
-                            None => Prepared::new(first, has_tables).map_err(|error| {
-                                Halt::Refused(Refused { index: indices[0] as usize, error })
-                            })?,
-                        };
-                        let tasks = indices
-                            .par_chunks((indices.len() / share).clamp(FEWEST, TASK))
-                            .map(|task| {
-                                compute_task(points, task, prepared.engine.as_deref(), limits, watch.clone())
-                            })
-                            .collect::<Vec<_>>();
-                        // In order: a parallel `collect` into a Result would return any of several errors.
-                        let tasks = tasks.into_iter().collect::<Result<Vec<_>, _>>()?;
-                        Ok(((keep && has_tables).then_some(prepared), tasks))
-                    })
-                    .collect::<Vec<Result<_, Halt>>>()
-            })
+        let job = Job {
+            points,
+            starts_of_a_hoop,
+            limits,
+            watch,
+            known: std::mem::take(&mut *self.engines.lock().unwrap_or_else(PoisonError::into_inner)),
+            keep: groups.len() <= KEPT,
+            share: TASKS * self.threads(),
+        };
+        let batches = batches(&groups, job.points_of_a_task(points.len()));
+        let results: Vec<Done<'_>> = self
+            .install(|| batches.par_iter().map(|batch| job.batch(batch)).collect::<Vec<Result<_, Halt>>>())
             .into_iter()
             .fold(Ok(Vec::new()), first_halt)?;
 
@@ -246,7 +242,7 @@ impl Workers {
         for (prepared, tasks) in results {
             engines.extend(prepared);
             for Task { places, columns: results } in tasks {
-                columns.spread(places, &results);
+                columns.spread(&places, &results);
             }
         }
         *self.engines.lock().unwrap_or_else(PoisonError::into_inner) = engines;
@@ -269,39 +265,122 @@ fn first_halt<T>(so_far: Result<Vec<T>, Halt>, next: Result<T, Halt>) -> Result<
     }
 }
 
-fn compute_task<'a>(
-    points: &[Setup],
-    places: &'a [u32],
-    engine: Option<&Engine>,
-    limits: Limits,
-    mut watch: Watch<'_>,
-) -> Result<Task<'a>, Halt> {
-    let summary = |&place: &u32| {
-        let Some(engine) = engine else { return Ok(Summary::INVALID) };
-        let index = place as usize;
-        match engine.summary(points[index].start, limits) {
-            Err(error) if error.is_contradiction() => Ok(Summary::INVALID),
-            result => result.map_err(|error| Halt::Refused(Refused { index, error })),
-        }
-    };
-    let mut columns = Columns::blank(places.len());
-    for (i, place) in places.iter().enumerate() {
-        if watch.is_cancelled() {
-            return Err(Halt::Cancelled);
-        }
-        columns.set(i, &summary(place)?);
-        watch.count();
+impl Job<'_> {
+    /// Points of a task where there are so many to share.
+    fn points_of_a_task(&self, points: usize) -> usize {
+        (points / self.share).clamp(FEWEST, TASK)
     }
-    Ok(Task { places, columns })
+
+    /// One hoop by many tasks, or several with few points by one.
+    fn batch<'a>(&self, groups: &'a [Group]) -> Result<Done<'a>, Halt> {
+        let mut kept = Vec::new();
+        let mut prepared = |group: &Group| {
+            if self.watch.is_cancelled() {
+                return Err(Halt::Cancelled);
+            }
+            let (prepared, is_kept) = self.prepared(group)?;
+            if is_kept {
+                kept.push(prepared.clone());
+            }
+            Ok(prepared.engine)
+        };
+        let tasks = match groups {
+            [group] => {
+                let engine = prepared(group)?;
+                let tasks = group
+                    .par_chunks(self.points_of_a_task(group.len()))
+                    .map(|places| {
+                        let mut columns = Columns::blank(places.len());
+                        let watch = &mut self.watch.clone();
+                        self.compute(engine.as_deref(), places, (&mut columns, 0), watch)?;
+                        Ok(Task { places: Cow::Borrowed(places), columns })
+                    })
+                    .collect::<Vec<_>>();
+                // In order: a parallel `collect` into a Result would return any of several errors.
+                tasks.into_iter().collect::<Result<_, _>>()?
+            }
+            _ => {
+                let places = groups.concat();
+                let mut columns = Columns::blank(places.len());
+                let watch = &mut self.watch.clone();
+                let mut first = 0;
+                for group in groups {
+                    let engine = prepared(group)?;
+                    self.compute(engine.as_deref(), group, (&mut columns, first), watch)?;
+                    first += group.len();
+                }
+                vec![Task { places: Cow::Owned(places), columns }]
+            }
+        };
+        Ok((kept, tasks))
+    }
+
+    /// The engine of the hoop of a group, and whether it is kept.
+    fn prepared(&self, group: &Group) -> Result<(Prepared, bool), Halt> {
+        let index = group[0] as usize;
+        let point = &self.points[index];
+        // What was prepared earlier must not change the digits of a hoop with few points.
+        let starts = self.starts_of_a_hoop.unwrap_or(group.len() as u64);
+        let has_tables = starts >= Engine::MIN_STARTS_FOR_TABLES as u64;
+        let bits = hoop_bits(point);
+        let prepared = match self.known.iter().find(|known| has_tables && known.bits == bits) {
+            Some(prepared) => prepared.clone(),
+            None => {
+                Prepared::new(point, has_tables).map_err(|error| Halt::Refused(Refused { index, error }))?
+            }
+        };
+        Ok((prepared, self.keep && has_tables))
+    }
+
+    /// Sets the results of the points at some places, in the columns from the place `first` on.
+    fn compute(
+        &self,
+        engine: Option<&Engine>,
+        places: &[u32],
+        (columns, first): (&mut Columns, usize),
+        watch: &mut Watch<'_>,
+    ) -> Result<(), Halt> {
+        for (i, &place) in (first..).zip(places) {
+            if watch.is_cancelled() {
+                return Err(Halt::Cancelled);
+            }
+            let index = place as usize;
+            let summary = match engine.map(|engine| engine.summary(self.points[index].start, self.limits)) {
+                None => Summary::INVALID,
+                Some(Err(error)) if error.is_contradiction() => Summary::INVALID,
+                Some(summary) => summary.map_err(|error| Halt::Refused(Refused { index, error }))?,
+            };
+            columns.set(i, &summary);
+            watch.count();
+        }
+        Ok(())
+    }
+}
+
+/// Hoops in their order, several together while they have no more than this many points.
+fn batches(groups: &[Group], points: usize) -> Vec<&[Group]> {
+    let mut batches = Vec::new();
+    let (mut begin, mut sum) = (0, 0);
+    for (i, group) in groups.iter().enumerate() {
+        if i > begin && sum + group.len() > points {
+            batches.push(&groups[begin..i]);
+            (begin, sum) = (i, 0);
+        }
+        sum += group.len();
+    }
+    if begin < groups.len() {
+        batches.push(&groups[begin..]);
+    }
+    batches
 }
 
 /// The places of the points of each hoop, hoops in the order in which they first occur.
 ///
 /// # Panics
 /// For more than 2³² points.
-fn group_by_hoop(points: &[Setup]) -> Vec<Vec<u32>> {
+fn group_by_hoop(points: &[Setup]) -> Vec<Group> {
     assert!(u32::try_from(points.len()).is_ok(), "at most 2^32 points at once; compute them in chunks");
-    let mut groups: Vec<Vec<u32>> = Vec::new();
+    let mut groups: Vec<Group> = Vec::new();
     let mut place: HashMap<HoopBits, usize> = HashMap::new();
     let mut last: Option<(HoopBits, usize)> = None;
     for (index, point) in (0_u32..).zip(points) {
