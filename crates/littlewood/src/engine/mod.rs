@@ -24,7 +24,7 @@ mod tabulated;
 
 use crate::error::ParameterError;
 use crate::exact::Exact;
-use crate::hoop::{Body, Heavy, Hoop};
+use crate::hoop::{Heavy, Hoop};
 use crate::limits::Limits;
 use crate::solvability::is_solvable;
 use crate::state::{Start, State};
@@ -112,17 +112,16 @@ impl Engine {
     /// balanced hoops, whose motions amplify rounding. Arcs on which sliding is not well posed (P ≤ 0) are left out of them.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        let tables = match hoop.body() {
-            Body::Heavy(body) if is_computed(hoop, &body, MIN_INERTIA) => {
-                SlideTable::new(&body, hoop.mu_k()).zip(RollTable::new(hoop)).map(|(slide, roll)| {
-                    let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
-                    let chains = Chains::new(hoop, &body, &roll);
-                    let is_solvable = [hoop.mu_s(), hoop.mu_k()].into_iter().all(|mu| is_solvable(&body, mu));
-                    Tables { direct: Direct::new(hoop, body), roll, slide, slip, chains, is_solvable }
-                })
-            }
-            Body::Heavy(_) | Body::Massless(_) => None,
-        };
+        let tables = Direct::new(hoop)
+            .filter(|direct| is_computed(hoop, direct.body(), MIN_INERTIA))
+            .and_then(|direct| {
+                let body = *direct.body();
+                let (slide, roll) = SlideTable::new(&body, hoop.mu_k()).zip(RollTable::new(hoop))?;
+                let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
+                let chains = Chains::new(hoop, &body, &roll);
+                let is_solvable = [hoop.mu_s(), hoop.mu_k()].into_iter().all(|mu| is_solvable(&body, mu));
+                Some(Tables { direct, roll, slide, slip, chains, is_solvable })
+            });
         match tables {
             Some(tables) => Self { hoop: *hoop, source: Source::Tables(Box::new(tables)) },
             None => Self::without_tables(hoop).with_chains(),
@@ -152,12 +151,8 @@ impl Engine {
     /// A hoop without tables: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`]. Nothing is prepared.
     #[must_use]
     pub fn without_tables(hoop: &Hoop) -> Self {
-        let source = match hoop.body() {
-            Body::Heavy(body) if is_computed(hoop, &body, MIN_INERTIA_DIRECT) => {
-                Source::Direct(Direct::new(hoop, body))
-            }
-            Body::Heavy(_) | Body::Massless(_) => Source::Exact,
-        };
+        let direct = Direct::new(hoop).filter(|direct| is_computed(hoop, direct.body(), MIN_INERTIA_DIRECT));
+        let source = direct.map_or(Source::Exact, Source::Direct);
         Self { hoop: *hoop, source }
     }
 

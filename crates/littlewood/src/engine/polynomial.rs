@@ -1,16 +1,16 @@
 //! Polynomials of even degree.
 
-/// The value at a point, even and odd powers apart: two short chains instead of a long one. The number N of coefficients is odd.
-#[inline]
-pub(super) fn value<const N: usize>(coefficients: &[f64; N], at: f64) -> f64 {
-    const { assert!(N % 2 == 1) };
+/// The value at a point, even and odd powers apart: two short chains instead of a long one. The number of coefficients is odd.
+#[inline(always)]
+pub(super) fn value(coefficients: &[f64], at: f64) -> f64 {
+    let Some((last, others)) = coefficients.split_last() else { return 0.0 };
+    let (pairs, rest) = others.as_chunks();
+    debug_assert!(rest.is_empty(), "an even degree");
     let square = at * at;
-    let (mut even, mut odd) = (coefficients[N - 1], 0.0);
-    let mut k = N - 1;
-    while k > 0 {
-        odd = odd * square + coefficients[k - 1];
-        even = even * square + coefficients[k - 2];
-        k -= 2;
+    let (mut even, mut odd) = (*last, 0.0);
+    for [lower, upper] in pairs.iter().rev() {
+        odd = odd * square + upper;
+        even = even * square + lower;
     }
     even + at * odd
 }

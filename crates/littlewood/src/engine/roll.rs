@@ -116,32 +116,44 @@ impl Stop {
     }
 }
 
-/// The constants K for which both margins A + K B are positive, narrowed by what is in doubt.
-fn holds(margins: &[[f64; 2]; 2]) -> (f64, f64) {
+/// The constants K for which all sums A + K B are positive, narrowed by what is in doubt.
+pub(super) fn holds(sums: impl IntoIterator<Item = [f64; 2]>) -> (f64, f64) {
     let mut bounds = (0.0, f64::INFINITY);
-    for [a, b] in margins {
+    for [a, b] in sums {
         let level = -a / b;
-        if *b > 0.0 {
+        if b > 0.0 {
             bounds.0 = f64::max(bounds.0, level + 4.0 * UNCERTAIN_MARGIN * level.abs());
-        } else if *b < 0.0 {
+        } else if b < 0.0 {
             bounds.1 = f64::min(bounds.1, level - 4.0 * UNCERTAIN_MARGIN * level.abs());
-        } else if *a <= 0.0 {
+        } else if a <= 0.0 {
             bounds.1 = 0.0;
         }
     }
     bounds
 }
 
+/// Which of two margins A + K B is negative, if one is. None where one is in doubt, or both are negative.
+pub(super) fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
+    let mut broken = None;
+    for (side, [a, b]) in margins.iter().enumerate() {
+        let margin = a + k * b;
+        if margin.abs() <= UNCERTAIN_MARGIN * (a.abs() + (k * b).abs()) {
+            return None;
+        }
+        if margin < 0.0 {
+            if broken.is_some() {
+                return None;
+            }
+            broken = Some(side);
+        }
+    }
+    Some(broken)
+}
+
 impl RollTable {
     /// Prepares the orbits of a heavy hoop; none of a massless one.
     pub(super) fn new(hoop: &Hoop) -> Option<Self> {
-        let zero = margin_forms(hoop, 0.0)?;
-        let one = margin_forms(hoop, 1.0)?;
-        let split = |i: usize| {
-            let slope = core::array::from_fn(|k| one[i].0[k] - zero[i].0[k]);
-            [zero[i], Form(slope)]
-        };
-        let forms: [[Margin; 2]; 2] = [split(0), split(1)];
+        let forms = margin_forms(hoop)?;
         let mut angles = vec![0.0, 0.5 * PI, PI, 1.5 * PI, TAU];
         for form in &forms {
             // The poles of −A/B, and its extrema, the zeros of A′B − AB′.
@@ -156,7 +168,7 @@ impl RollTable {
             .map(|angle| {
                 let (y, x) = sincos(0.5 * angle);
                 let margins = [0, 1].map(|i: usize| [0, 1].map(|k: usize| forms[i][k].value([x, y])));
-                Stop { angle, x, y, margins, holds: holds(&margins) }
+                Stop { angle, x, y, margins, holds: holds(margins) }
             })
             .collect();
         let law = RollingLaw::new(hoop);
@@ -263,7 +275,7 @@ impl RollTable {
             if self.stops[stop].surely_holds(orbit.k) {
                 continue;
             }
-            if let Some(side) = Self::breaks(orbit.k, &self.stops[stop].margins)? {
+            if let Some(side) = breaks(orbit.k, &self.stops[stop].margins)? {
                 let (found, direction, elapsed) = match ahead {
                     Some(ahead) if ahead.stop == stop && ahead.side == side => {
                         let found = orbit.angle + ahead.turned - lap;
@@ -300,36 +312,18 @@ impl RollTable {
         let (x, y) = ((0.5 * (1.0 + cos)).sqrt(), (0.5 * (1.0 - cos)).sqrt());
         for x in [x, -x] {
             let margins = [0, 1].map(|i: usize| [0, 1].map(|k: usize| self.forms[i][k].value([x, y])));
-            if Self::breaks(k, &margins)?.is_some() {
+            if breaks(k, &margins)?.is_some() {
                 return None;
             }
         }
         // The arc between the turning points is where cos ϑ is below that of them.
         for stop in &self.stops {
             let inside = stop.x * stop.x < x * x;
-            if inside && !stop.surely_holds(k) && Self::breaks(k, &stop.margins)?.is_some() {
+            if inside && !stop.surely_holds(k) && breaks(k, &stop.margins)?.is_some() {
                 return None;
             }
         }
         Some(RollEnd::Never)
-    }
-
-    /// The margin that is negative at a stop, if any.
-    fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
-        let mut broken = None;
-        for (side, [a, b]) in margins.iter().enumerate() {
-            let margin = a + k * b;
-            if margin.abs() <= UNCERTAIN_MARGIN * (a.abs() + (k * b).abs()) {
-                return None;
-            }
-            if margin < 0.0 {
-                if broken.is_some() {
-                    return None;
-                }
-                broken = Some(side);
-            }
-        }
-        Some(broken)
     }
 
     /// The slip between `begin` and the end of the piece at `stop`, as a root in the half angle: the angle, its sine
@@ -439,22 +433,22 @@ mod tests {
             (1.0 + 1e-11, Some(Some(0))),
             (2.0, Some(Some(0))),
         ] {
-            assert_eq!(RollTable::breaks(k, &margins), broken, "{k}");
+            assert_eq!(breaks(k, &margins), broken, "{k}");
             let [first, second] = margins;
             let swapped = broken.map(|broken| broken.map(|side: usize| 1 - side));
-            assert_eq!(RollTable::breaks(k, &[second, first]), swapped, "{k}");
+            assert_eq!(breaks(k, &[second, first]), swapped, "{k}");
         }
-        assert_eq!(RollTable::breaks(2.0, &[[1.0, -1.0], [1.0, -1.0]]), None, "both");
+        assert_eq!(breaks(2.0, &[[1.0, -1.0], [1.0, -1.0]]), None, "both");
     }
 
     #[test]
     fn an_orbit_on_the_limit_is_not_said_to_hold() {
         // Margins K − 2 and 6 − 2 K, both positive for 2 < K < 3.
-        let (least, most) = holds(&[[-2.0, 1.0], [6.0, -2.0]]);
+        let (least, most) = holds([[-2.0, 1.0], [6.0, -2.0]]);
         assert!(least > 2.0 * (1.0 + UNCERTAIN_MARGIN) && least < 2.0 + 1e-10, "{least:e}");
         assert!(most < 3.0 * (1.0 - UNCERTAIN_MARGIN) && most > 3.0 - 1e-10, "{most:e}");
         // A margin that no orbit changes.
-        assert_eq!(holds(&[[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
-        assert_eq!(holds(&[[1.0, 0.0], [-1.0, 0.0]]).1, 0.0);
+        assert_eq!(holds([[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
+        assert_eq!(holds([[1.0, 0.0], [-1.0, 0.0]]).1, 0.0);
     }
 }

@@ -19,6 +19,7 @@ use crate::trig::sincos;
 use crate::walk::{Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver, next_slip};
 
 use super::chain::{Chains, Follow, Passage};
+use super::direct::Memory;
 use super::roll::{RollEnd, SlipPoint, direction_of};
 use super::slide::SlideEnd;
 use super::slip::Ahead;
@@ -42,8 +43,8 @@ pub(super) trait Phases {
     fn denominator(&self, direction: (f64, f64)) -> f64;
     /// Whether P is positive at every angle, for either direction of slip.
     fn is_solvable(&self) -> bool;
-    /// The end of the rolling that begins at a place, in the frame of motion.
-    fn roll(&self, place: &Place) -> Option<RollEnd>;
+    /// The end of the rolling that begins at a place, in the frame of motion; `memory` is that of the motion.
+    fn roll(&self, place: &Place, memory: &Memory) -> Option<RollEnd>;
     /// The end of the slide that begins at a place, or where it is cut after the time `allowed`, and what is known of the phase behind
     /// it. `slip_acceleration` where η′ = 0 at the start.
     fn slide(
@@ -52,6 +53,7 @@ pub(super) trait Phases {
         direction: Direction,
         slip_acceleration: Option<f64>,
         allowed: f64,
+        memory: &Memory,
     ) -> Option<(SlideEnd, Ahead)>;
 }
 
@@ -64,6 +66,8 @@ pub(super) struct FastSolver<'a, P> {
     chains: Option<&'a Chains>,
     until: f64,
     exact: Exact<'a>,
+    /// What has been computed on the way.
+    memory: Memory,
 }
 
 /// A state with the sine and cosine of its angle.
@@ -138,7 +142,7 @@ type Ended = Ending<Place, Verdict>;
 impl<'a, P: Phases> FastSolver<'a, P> {
     pub(super) fn new(hoop: &'a Hoop, phases: &'a P, chains: Option<&'a Chains>, limits: Limits) -> Self {
         let until = limits.until.unwrap_or(f64::INFINITY);
-        Self { hoop, phases, chains, until, exact: Exact::new(hoop, &limits) }
+        Self { hoop, phases, chains, until, exact: Exact::new(hoop, &limits), memory: Memory::default() }
     }
 
     /// Whether so much time is left at a state.
@@ -285,7 +289,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = place.travel();
-        let known = if on_limit { None } else { self.phases.roll(place) };
+        let known = if on_limit { None } else { self.phases.roll(place, &self.memory) };
         let ending: Ended = match known {
             Some(RollEnd::Never) => Ending::Motion {
                 event: None,
@@ -335,7 +339,8 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             let ending = Ending::Motion { event: None, end: None, verdict };
             return Solved { solution: Kept::Nothing, direction: Some(direction), ending };
         }
-        let followed = self.phases.slide(place, direction, slip_acceleration, self.until - state.time);
+        let allowed = self.until - state.time;
+        let followed = self.phases.slide(place, direction, slip_acceleration, allowed, &self.memory);
         let (event, ahead, is_cut) = match followed {
             Some((SlideEnd::Event(event), ahead)) => (event, ahead, false),
             // Without friction the slide may be known to last for ever, which the exact rules decide.
@@ -444,9 +449,10 @@ impl<P: Phases> FastSolver<'_, P> {
         let place = Place::new(State::from(start));
         let is_open = self.clear_evidence(&place, Arrival::Open).is_none();
         match self.decide(&place, Arrival::Open) {
-            Next::Roll { .. } => [is_open, self.phases.roll(&place).is_none(), false],
+            Next::Roll { .. } => [is_open, self.phases.roll(&place, &self.memory).is_none(), false],
             Next::Slide { direction, slip_acceleration, .. } => {
-                let slide = self.phases.slide(&place, direction, slip_acceleration, f64::INFINITY);
+                let slide =
+                    self.phases.slide(&place, direction, slip_acceleration, f64::INFINITY, &self.memory);
                 [is_open, false, slide.is_none()]
             }
             Next::Fly { .. } | Next::Glide { .. } | Next::None(_) | Next::Several(_) => {

@@ -5,6 +5,7 @@ use crate::hoop::Heavy;
 use crate::mode::Direction;
 
 use super::Tables;
+use super::direct::Memory;
 use super::roll::RollEnd;
 use super::slide::{SlideEnd, SlideEvent, SlideStart, Unknown};
 use super::slip::Ahead;
@@ -86,8 +87,8 @@ impl Phases for Tables {
     }
 
     #[inline(always)]
-    fn roll(&self, place: &Place) -> Option<RollEnd> {
-        self.known_roll(place).or_else(|| self.direct.roll(place))
+    fn roll(&self, place: &Place, memory: &Memory) -> Option<RollEnd> {
+        self.known_roll(place).or_else(|| self.direct.roll(place, memory))
     }
 
     #[inline(always)]
@@ -97,13 +98,14 @@ impl Phases for Tables {
         direction: Direction,
         slip_acceleration: Option<f64>,
         allowed: f64,
+        memory: &Memory,
     ) -> Option<(SlideEnd, Ahead)> {
         match self.known_slide(place, direction, slip_acceleration, allowed) {
             Ok(known) => Some(known),
             // Computed directly a slide with friction would take as many turns.
             Err(Unknown::Long) if self.direct.has_kinetic_friction() => None,
             Err(Unknown::Doubt | Unknown::Long) => {
-                self.direct.slide(place, direction, slip_acceleration, allowed)
+                self.direct.slide(place, direction, slip_acceleration, allowed, memory)
             }
         }
     }

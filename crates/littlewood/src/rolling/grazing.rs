@@ -28,7 +28,7 @@ use std::sync::OnceLock;
 use crate::detail::Detail;
 use crate::dimension::Dimension;
 use crate::equations::{RollingLaw, SlidingLaw};
-use crate::form::{Form, Trigonometric};
+use crate::form::Trigonometric;
 use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
 use crate::state::State;
@@ -133,11 +133,8 @@ impl Levels {
         if body.h == 0.0 {
             return None;
         }
-        let [zero, _] = margin_forms(hoop, 0.0)?;
-        let [one, _] = margin_forms(hoop, 1.0)?;
-        let slope: Form<7> = Form(core::array::from_fn(|k| one.0[k] - zero.0[k]));
+        let [[a, b], _] = margin_forms(hoop)?.map(|parts| parts.map(|part| Trigonometric::from_form(&part)));
         let law = RollingLaw::new(hoop);
-        let (a, b) = (Trigonometric::from_form(&zero), Trigonometric::from_form(&slope));
         let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes();
         let inside = extrema.into_iter().filter_map(|angle| {
             let constant = -a.value(angle) / b.value(angle);

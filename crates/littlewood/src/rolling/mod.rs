@@ -32,10 +32,13 @@ use crate::mode::Mode;
 use crate::sample::{Instant, Sample};
 use crate::state::State;
 
-/// Coefficients of (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2) on the orbit with
-/// constant K; none for a massless hoop.
-pub(crate) fn margin_forms(hoop: &Hoop, k: f64) -> Option<[Form<7>; 2]> {
-    boundary::Boundary::new(hoop, &RollingLaw::new(hoop), k).heavy_forms()
+/// The margins (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2): for each its parts A and B, of which it
+/// is A + K B on the orbit with constant K; none for a massless hoop.
+pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
+    let on_orbit = |k| boundary::Boundary::new(hoop, &RollingLaw::new(hoop), k).heavy_forms();
+    let (zero, one) = (on_orbit(0.0)?, on_orbit(1.0)?);
+    let parts = |i: usize| [zero[i], Form(core::array::from_fn(|k| one[i].0[k] - zero[i].0[k]))];
+    Some([parts(0), parts(1)])
 }
 
 /// A phase of rolling: an orbit entered at a state.

@@ -21,7 +21,7 @@ pub(super) const DEGREE: usize = 32;
 const TERMS: usize = 6;
 
 /// Part of the first coefficient that the last of a series may be.
-const CONVERGED: f64 = f64::EPSILON / 16.0;
+pub(super) const CONVERGED: f64 = f64::EPSILON / 16.0;
 
 /// A width that is tried is so much less than the parabola leads to: where the sum is one, rounding would tell.
 const MARGIN: f64 = 0.98;
@@ -32,6 +32,9 @@ const LOW: usize = 10;
 /// Coefficients of powers, the lowest first.
 pub(super) type Series = [f64; DEGREE + 1];
 
+/// The lowest of them.
+pub(super) type Low = [f64; LOW + 1];
+
 /// 1/n.
 const RECIPROCALS: Series = {
     let mut table = [0.0; DEGREE + 1];
@@ -39,19 +42,6 @@ const RECIPROCALS: Series = {
     while n <= DEGREE {
         table[n] = 1.0 / n as f64;
         n += 1;
-    }
-    table
-};
-
-/// 1 over the binomial coefficients of `LOW`.
-const INVERSE_BINOMIALS: [f64; LOW + 1] = {
-    let mut table = [1.0; LOW + 1];
-    let mut binomial = 1.0;
-    let mut k = 1;
-    while k <= LOW {
-        binomial = binomial * (LOW + 1 - k) as f64 / k as f64;
-        table[k] = 1.0 / binomial;
-        k += 1;
     }
     table
 };
@@ -121,21 +111,23 @@ impl Signs {
     }
 }
 
-/// A slide about an angle.
+/// The polynomials in z of a body that slides in one direction about an angle.
 #[derive(Clone, Debug)]
-pub(super) struct Expansion {
-    /// u in powers of z.
-    pub(super) u: Series,
+pub(super) struct Polynomials {
     /// n² P.
     p: [f64; 5],
     /// n³ P σ η″ = a + b u.
     a: [f64; 7],
     b: [f64; 7],
+    /// (k + 1) u_{k+1} = drive_k − Σ_j ((k + 1) l_j + rest_j) u_{k−j}, with u_k = 0 for k < 0.
+    l: [f64; TERMS],
+    rest: [f64; TERMS],
+    drive: [f64; 5],
 }
 
-impl Expansion {
-    /// The slide in the direction `sigma` of slip through an angle with this sine and cosine, and u there.
-    pub(super) fn new(law: &SlidingLaw, sigma: f64, (sin, cos): (f64, f64), u0: f64) -> Self {
+impl Polynomials {
+    /// About an angle with this sine and cosine, for the direction `sigma` of slip.
+    pub(super) fn new(law: &SlidingLaw, sigma: f64, (sin, cos): (f64, f64)) -> Self {
         let Heavy { mass, h, inertia, .. } = law.body;
         let (n, nn) = ([1.0, 0.0, 1.0], [1.0, 0.0, 2.0, 0.0, 1.0]);
         let (s, c) = ([sin, 2.0 * cos, -sin], [cos, -2.0 * sin, -cos]);
@@ -145,28 +137,11 @@ impl Expansion {
         let np: [f64; 7] = product(&p, &n);
         let cq: [f64; 5] = product(&c, &q);
         let nq: [f64; 5] = product(&n, &q);
-        // (k + 1) u_{k+1} = drive_k − Σ (l_j (k − j) + g_j) u_{k−j}, with u_k = 0 for k < 0.
         let inverse = 1.0 / np[0];
         let scale = 4.0 * mass * inverse;
         let l: [f64; TERMS] = core::array::from_fn(|j| np[j + 1] * inverse);
         let rest: [f64; TERMS] =
             core::array::from_fn(|j| if j < 5 { scale * h * cq[j] } else { 0.0 } - (j + 1) as f64 * l[j]);
-        let mut u = [0.0; DEGREE + 1];
-        u[0] = u0;
-        // The last coefficients, the latest first: in registers, not read again as soon as they are written.
-        let mut last = [u0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        for k in 0..DEGREE {
-            let part = RECIPROCALS[k + 1];
-            let factor = |j: usize| l[j] + rest[j] * part;
-            let drive = if k < 5 { scale * nq[k] * part } else { 0.0 };
-            let far = factor(5) * last[5] + factor(4) * last[4];
-            let near = factor(3) * last[3] + factor(2) * last[2];
-            let sum = (drive - far) - (near + factor(1) * last[1]);
-            // The latest alone: it is waited for.
-            let next = sum - factor(0) * last[0];
-            u[k + 1] = next;
-            last = [next, last[0], last[1], last[2], last[3], last[4]];
-        }
         // α = A/P and β = B/P of η″ = α + β u.
         let lever: [f64; 3] = core::array::from_fn(|k| n[k] + h * c[k]);
         let lq: [f64; 5] = product(&lever, &q);
@@ -174,16 +149,95 @@ impl Expansion {
         let ca: [f64; 7] = product(&c, &a);
         let sp: [f64; 7] = product(&s, &p);
         let b = core::array::from_fn(|k| -h * (ca[k] + sigma * sp[k]));
-        Self { u, p, a: product(&a, &n), b }
+        Self { p, a: product(&a, &n), b, l, rest, drive: nq.map(|c| scale * c) }
+    }
+
+    /// Solutions with these values at the angle, each of the equation with so much of its drive.
+    #[inline(always)]
+    pub(super) fn solutions<const N: usize>(&self, values: [f64; N], drives: [f64; N]) -> [Series; N] {
+        let Self { l, rest, drive, .. } = self;
+        let mut u = [[0.0; DEGREE + 1]; N];
+        // The last coefficients, the latest first: in registers, not read again as soon as they are written.
+        let mut last = [[0.0; N]; TERMS];
+        last[0] = values;
+        for i in 0..N {
+            u[i][0] = values[i];
+        }
+        for k in 0..DEGREE {
+            let part = RECIPROCALS[k + 1];
+            let factor = |j: usize| l[j] + rest[j] * part;
+            let drive = if k < 5 { drive[k] * part } else { 0.0 };
+            let mut next = [0.0; N];
+            for i in 0..N {
+                let far = factor(5) * last[5][i] + factor(4) * last[4][i];
+                let near = factor(3) * last[3][i] + factor(2) * last[2][i];
+                let sum = (drives[i] * drive - far) - (near + factor(1) * last[1][i]);
+                // The latest alone: it is waited for.
+                next[i] = sum - factor(0) * last[0][i];
+                u[i][k + 1] = next[i];
+            }
+            last = [next, last[0], last[1], last[2], last[3], last[4]];
+        }
+        u
+    }
+
+    /// n² P in powers of t = z/width.
+    pub(super) fn p(&self, width: f64) -> [f64; 5] {
+        scaled(self.p, width)
+    }
+
+    /// The lowest coefficients of b u in powers of t = z/width, where u is given in them, and a bound on what they leave out.
+    #[inline(always)]
+    fn weighted(&self, u: &Series, width: f64) -> (Low, f64) {
+        let b = scaled(self.b, width);
+        // Sums of the sizes of the coefficients of u from each on.
+        let mut rest = 0.0;
+        for c in u[LOW + 1..].iter().rev() {
+            rest += c.abs();
+        }
+        let mut low = [0.0; LOW + 1];
+        let mut band = 0.0;
+        for j in 0..7 {
+            // What the factor b_j leaves out: the coefficients of u above LOW − j.
+            band += b[j].abs() * rest;
+            rest += u[LOW - j].abs();
+            for k in j..LOW + 1 {
+                low[k] += b[j] * u[k - j];
+            }
+        }
+        (low, band)
+    }
+
+    /// The same with a added.
+    #[inline(always)]
+    pub(super) fn slip_acceleration(&self, u: &Series, width: f64, part_of_a: f64) -> (Low, f64) {
+        let (mut low, band) = self.weighted(u, width);
+        for (low, a) in low.iter_mut().zip(scaled(self.a, width)) {
+            *low += part_of_a * a;
+        }
+        (low, band)
+    }
+}
+
+/// A slide about an angle.
+#[derive(Clone, Debug)]
+pub(super) struct Expansion {
+    /// u in powers of z.
+    pub(super) u: Series,
+    polynomials: Polynomials,
+}
+
+impl Expansion {
+    /// The slide in the direction `sigma` of slip through an angle with this sine and cosine, and u there.
+    pub(super) fn new(law: &SlidingLaw, sigma: f64, direction: (f64, f64), u0: f64) -> Self {
+        let polynomials = Polynomials::new(law, sigma, direction);
+        let [u] = polynomials.solutions([u0], [1.0]);
+        Self { u, polynomials }
     }
 
     /// The width in z on which u/z^`lead`, of which u has the factor, has converged.
     pub(super) fn reach(&self, lead: usize) -> f64 {
-        let scale = CONVERGED * self.u[lead].abs();
-        let width = root(scale / self.u[DEGREE].abs()).min(1.0);
-        // The last coefficient may be small by chance.
-        let before = self.u[DEGREE - 1].abs() * power(width, DEGREE - 1 - lead);
-        if before > scale { width * root(scale / before) } else { width }
+        reach(&self.u, lead, self.u[lead].abs())
     }
 
     /// z of the zero of u next to the centre, where it is nearer than the width on which u has converged.
@@ -216,7 +270,7 @@ impl Expansion {
     ) -> Option<f64> {
         let most = part * self.u[lead].abs();
         let linear = if from == lead + 1 { self.u[from].abs() } else { 0.0 };
-        let terms = |far: f64| self.sum_of_sizes(from, far) * power(far, from - lead);
+        let terms = |far: f64| sum_of_sizes(&self.u[from..], far) * power(far, from - lead);
         let far = stretch * widest;
         let sum = terms(far);
         if sum <= most {
@@ -238,75 +292,80 @@ impl Expansion {
         (width > 0.0).then_some(width)
     }
 
-    /// Σ |u_k| z^(k − from) from k = `from` on.
-    fn sum_of_sizes(&self, from: usize, z: f64) -> f64 {
-        let fourth = (z * z) * (z * z);
-        // Four sums, of every fourth term each: none waits for the others.
-        let mut sums = [0.0; 4];
-        for four in self.u[from..].chunks(4).rev() {
-            for (sum, c) in sums.iter_mut().zip(four) {
-                *sum = *sum * fourth + c.abs();
-            }
-        }
-        let [a, b, c, d] = sums;
-        ((d * z + c) * z + b) * z + a
-    }
-
     /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where its sign is not known,
     /// about a change of sign. Where η″ = 0 at t = 0 (`from_zero`), the signs behind that, which are those of η″/t. None where P is
     /// not known to be positive.
     pub(super) fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<(Signs, f64)> {
-        let least = least(&scaled(self.p, width));
+        let least = least(self.polynomials.p(width));
         if least <= 0.0 {
             return None;
         }
-        let (a, b) = (scaled(self.a, width), scaled(self.b, width));
-        // Sums of the sizes of the coefficients of u from each on.
-        let mut rest = 0.0;
-        for c in u[LOW + 1..].iter().rev() {
-            rest += c.abs();
-        }
-        let mut low = [0.0; LOW + 1];
-        let mut band = 0.0;
-        for j in 0..7 {
-            // What the factor b_j leaves out: the coefficients of u above LOW − j.
-            band += b[j].abs() * rest;
-            rest += u[LOW - j].abs();
-            low[j] += a[j];
-            for k in j..LOW + 1 {
-                low[k] += b[j] * u[k - j];
-            }
-        }
+        let (mut low, band) = self.polynomials.slip_acceleration(u, width, 1.0);
         if from_zero {
             // What is left of the first coefficient is the rounding of the start.
             low.rotate_left(1);
             low[LOW] = 0.0;
         }
-        for (c, inverse) in low.iter_mut().zip(INVERSE_BINOMIALS) {
-            *c *= inverse;
-        }
-        for level in 1..LOW + 1 {
-            for j in (level..LOW + 1).rev() {
-                low[j] += low[j - 1];
-            }
-        }
-        Some((pattern(&low, band), 2.0 * band / least))
+        Some((pattern(&bernstein(low), band), 2.0 * band / least))
     }
 }
 
-/// The smallest Bernstein coefficient of a polynomial of degree four: on [0, 1] it is nowhere less.
-fn least(p: &[f64; 5]) -> f64 {
-    let mut b = [p[0], p[1] / 4.0, p[2] / 6.0, p[3] / 4.0, p[4]];
-    for level in 1..5 {
-        for j in (level..5).rev() {
-            b[j] += b[j - 1];
+/// The width in z on which a series, divided by z^`lead`, has converged beside a number of this size.
+pub(super) fn reach(series: &Series, lead: usize, size: f64) -> f64 {
+    let scale = CONVERGED * size;
+    let width = root(scale / series[DEGREE].abs()).min(1.0);
+    // The last coefficient may be small by chance.
+    let before = series[DEGREE - 1].abs() * power(width, DEGREE - 1 - lead);
+    if before > scale { width * root(scale / before) } else { width }
+}
+
+/// Σ |c_k| z^k.
+pub(super) fn sum_of_sizes(coefficients: &[f64], z: f64) -> f64 {
+    let fourth = (z * z) * (z * z);
+    // Four sums, of every fourth term each: none waits for the others.
+    let mut sums = [0.0; 4];
+    for four in coefficients.chunks(4).rev() {
+        for (sum, c) in sums.iter_mut().zip(four) {
+            *sum = *sum * fourth + c.abs();
         }
     }
-    b.into_iter().fold(f64::INFINITY, f64::min)
+    let [a, b, c, d] = sums;
+    ((d * z + c) * z + b) * z + a
+}
+
+/// The coefficients of a polynomial in powers of t as Bernstein coefficients on [0, 1].
+#[inline(always)]
+pub(super) fn bernstein<const N: usize>(mut c: [f64; N]) -> [f64; N] {
+    let mut inverse = 1.0;
+    for (k, c) in c.iter_mut().enumerate().skip(1) {
+        inverse *= k as f64 / (N - k) as f64;
+        *c *= inverse;
+    }
+    for level in 1..N {
+        for j in (level..N).rev() {
+            c[j] += c[j - 1];
+        }
+    }
+    c
+}
+
+/// The smallest Bernstein coefficient of a polynomial on [0, 1], on which it is nowhere less.
+pub(super) fn least<const N: usize>(polynomial: [f64; N]) -> f64 {
+    bernstein(polynomial).into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// A polynomial in (1 + t)/2 from one in t: what it is on [−1, 1] as one on [0, 1].
+pub(super) fn from_both_sides<const N: usize>(mut c: [f64; N]) -> [f64; N] {
+    for i in 0..N {
+        for j in (i..N - 1).rev() {
+            c[j] -= c[j + 1];
+        }
+    }
+    scaled(c, 2.0)
 }
 
 /// Signs of a function whose Bernstein coefficients are known to `band`.
-fn pattern(coefficients: &[f64; LOW + 1], band: f64) -> Signs {
+pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
     let (first, last) = (coefficients[0], coefficients[LOW]);
     let is_first = |b: f64| if first > 0.0 { b > band } else { b < -band };
     let is_last = |b: f64| if last > 0.0 { b > band } else { b < -band };
@@ -370,6 +429,25 @@ mod tests {
         // From rest there is no width on which u stays away from zero.
         let rest = Expansion::new(&law, 1.0, libm::sincos(0.3), 0.0);
         assert_eq!(rest.smooth((0, 1), (rest.reach(0), 1.8), 0.9), None);
+    }
+
+    #[test]
+    fn bernstein_coefficients_are_those_of_the_same_polynomial() {
+        let c: [f64; 5] = [0.3, -1.2, 0.7, 2.0, -0.9];
+        let power = |t: f64| c.iter().rev().fold(0.0, |sum, c| sum * t + c);
+        let (right, both) = (bernstein(c), bernstein(from_both_sides(c)));
+        let binomials = [1.0, 4.0, 6.0, 4.0, 1.0];
+        for x in [0.0, 0.1, 0.5, 0.8, 1.0] {
+            let sum = |b: [f64; 5]| -> f64 {
+                (0..5)
+                    .map(|k| {
+                        b[k] * binomials[k] * libm::pow(x, k as f64) * libm::pow(1.0 - x, 4.0 - k as f64)
+                    })
+                    .sum()
+            };
+            assert!((sum(right) - power(x)).abs() < 1e-15, "{x}");
+            assert!((sum(both) - power(2.0 * x - 1.0)).abs() < 1e-14, "{x}");
+        }
     }
 
     #[test]

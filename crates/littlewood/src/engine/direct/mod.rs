@@ -2,21 +2,26 @@
 //!
 //! A slide is followed in the angle, where u = θ′² obeys a linear equation ([`step`]), and not in time.
 
+mod cell;
 mod expansion;
+mod memory;
 mod roll;
 mod slide;
 mod step;
 mod turn;
 
 use crate::equations::{RollingLaw, SlidingLaw};
-use crate::hoop::{Heavy, Hoop};
+use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
+use crate::rolling::margin_forms;
 
 use super::piece::Waypoint;
 use super::roll::RollEnd;
 use super::slide::{SlideEnd, SlideStart};
 use super::slip::Ahead;
 use super::solver::{Phases, Place};
+pub(super) use memory::Memory;
+use roll::Margins;
 use slide::Frame;
 
 /// The equations of one hoop.
@@ -27,16 +32,21 @@ pub(super) struct Direct {
     /// The laws of sliding for σ = −1 and σ = +1.
     sliding: [SlidingLaw; 2],
     rolling: RollingLaw,
+    /// Of rolling.
+    margins: Margins,
 }
 
 impl Direct {
-    pub(super) fn new(hoop: &Hoop, body: Heavy) -> Self {
-        Self {
+    /// None for a massless hoop.
+    pub(super) fn new(hoop: &Hoop) -> Option<Self> {
+        let Body::Heavy(body) = hoop.body() else { return None };
+        Some(Self {
             hoop: *hoop,
             body,
             sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
             rolling: RollingLaw::new(hoop),
-        }
+            margins: margin_forms(hoop)?,
+        })
     }
 }
 
@@ -112,13 +122,13 @@ impl Phases for Direct {
         self.rolling.denominator_of(direction)
     }
 
-    fn roll(&self, place: &Place) -> Option<RollEnd> {
+    fn roll(&self, place: &Place, memory: &Memory) -> Option<RollEnd> {
         let (state, travel) = (place.state, place.travel());
         if state.theta_rate == 0.0 {
             // Gravity decides where it goes.
             return None;
         }
-        roll::follow(&self.hoop, &self.rolling, travel * state.theta, travel * state.theta_rate)
+        roll::follow(&self.rolling, &self.margins, travel * state.theta, travel * state.theta_rate, memory)
     }
 
     fn slide(
@@ -127,11 +137,12 @@ impl Phases for Direct {
         direction: Direction,
         slip_acceleration: Option<f64>,
         allowed: f64,
+        memory: &Memory,
     ) -> Option<(SlideEnd, Ahead)> {
         // On the static limit with equal coefficients.
         let from_limit = slip_acceleration == Some(0.0);
         let (frame, here) = self.seen(place, direction, from_limit);
-        Some((slide::follow(frame, here, from_limit, allowed)?, Ahead::Open))
+        Some((slide::follow(frame, here, from_limit, allowed, memory)?, Ahead::Open))
     }
 }
 
@@ -139,7 +150,6 @@ impl Phases for Direct {
 mod tests {
     use super::*;
     use crate::automaton::Cause;
-    use crate::hoop::Body;
     use crate::limits::Limits;
     use crate::mode::Mode;
     use crate::proof::Proof;
@@ -151,8 +161,7 @@ mod tests {
     #[test]
     fn the_limit_is_left_along_the_slide() {
         let hoop = Hoop::figure_2(0.5, 0.5).unwrap();
-        let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
-        let direct = Direct::new(&hoop, body);
+        let direct = Direct::new(&hoop).unwrap();
         let (mut slips, mut near) = (0, 0);
         let grid =
             (-6..6).flat_map(|i| (-5..5).map(move |j| (0.5 * f64::from(i) + 0.2, 0.4 * f64::from(j) + 0.1)));

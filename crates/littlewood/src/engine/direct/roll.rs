@@ -9,14 +9,113 @@
 use core::f64::consts::TAU;
 
 use crate::equations::RollingLaw;
-use crate::form::{HalfAngle, on_arc};
-use crate::hoop::Hoop;
-use crate::rolling::{margin_forms, time_from_bottom};
+use crate::form::{Form, HalfAngle, on_arc};
+use crate::rolling::time_from_bottom;
 use crate::trig::sincos;
 
 use super::super::duration::duration;
-use super::super::roll::{RollEnd, SlipPoint};
+use super::super::roll::{RollEnd, SlipPoint, breaks, holds};
 use super::super::solver::MIN_RATE;
+use super::memory::Memory;
+
+/// Parts of a turn, each of an eighth.
+pub(super) const OCTANTS: usize = 8;
+
+/// Directions of the half angle at the ends of the octants.
+const EDGES: [HalfAngle; OCTANTS + 1] = {
+    const COS: f64 = 0.923_879_532_511_286_7;
+    const SIN: f64 = 0.382_683_432_365_089_8;
+    const BOTH: f64 = core::f64::consts::FRAC_1_SQRT_2;
+    [
+        [1.0, 0.0],
+        [COS, SIN],
+        [BOTH, BOTH],
+        [SIN, COS],
+        [0.0, 1.0],
+        [-SIN, COS],
+        [-BOTH, BOTH],
+        [-COS, SIN],
+        [-1.0, 0.0],
+    ]
+};
+
+/// The margins of one body as A + K B, side by side.
+pub(super) type Margins = [[Form<7>; 2]; 2];
+
+/// The forms X^(6−k) Y^k in the barycentric coordinates of each octant, by the power of these, then by k.
+const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
+    let mut table = [[[0.0; 7]; 7]; OCTANTS];
+    let mut octant = 0;
+    while octant < OCTANTS {
+        let mut k = 0;
+        while k < 7 {
+            let mut form = [0.0; 7];
+            form[0] = 1.0;
+            let mut factor = 0;
+            while factor < 6 {
+                let axis = if factor < k { 1 } else { 0 };
+                let mut i = 6;
+                while i > 0 {
+                    form[i] = form[i] * EDGES[octant][axis] + form[i - 1] * EDGES[octant + 1][axis];
+                    i -= 1;
+                }
+                form[0] *= EDGES[octant][axis];
+                factor += 1;
+            }
+            let mut i = 0;
+            while i < 7 {
+                table[octant][i][k] = form[i];
+                i += 1;
+            }
+            k += 1;
+        }
+        octant += 1;
+    }
+    table
+};
+
+/// The margins on an octant.
+#[derive(Clone, Debug)]
+pub(super) struct Octant {
+    /// In its barycentric coordinates.
+    margins: Margins,
+    /// The constants K of the orbits that certainly hold everywhere on it.
+    levels: (f64, f64),
+}
+
+impl Octant {
+    pub(super) fn new(margins: &Margins, octant: usize) -> Self {
+        let powers = &POWERS[octant];
+        let margins = margins.map(|parts| {
+            parts.map(|Form(part)| {
+                Form(powers.map(|powers| powers.iter().zip(part).map(|(power, c)| power * c).sum()))
+            })
+        });
+        let sums = margins.iter().flat_map(|[a, b]| (0..7).map(|k| [a.0[k], b.0[k]]));
+        Self { levels: holds(sums), margins }
+    }
+
+    /// Whether an orbit holds everywhere on it.
+    fn holds(&self, k: f64) -> bool {
+        k > self.levels.0 && k < self.levels.1
+    }
+
+    /// Whether it holds on a side.
+    fn holds_on(&self, side: usize, k: f64) -> bool {
+        let [a, b] = &self.margins[side];
+        (0..7).all(|i| a.0[i] + k * b.0[i] > 0.0)
+    }
+}
+
+/// The margin of a side on the orbit with constant K.
+fn on_orbit([a, b]: &[Form<7>; 2], k: f64) -> Form<7> {
+    Form(core::array::from_fn(|i| a.0[i] + k * b.0[i]))
+}
+
+/// Positive where the second direction lies ahead of the first.
+fn cross([x0, y0]: HalfAngle, [x1, y1]: HalfAngle) -> f64 {
+    x0 * y1 - y0 * x1
+}
 
 /// Orbits whose energy over the top is a smaller part of their constant are left to the exact solver.
 const SEPARATRIX: f64 = 1e-9;
@@ -27,6 +126,34 @@ struct Arc {
     from: HalfAngle,
     to: HalfAngle,
     pass: Pass,
+}
+
+impl Arc {
+    /// Its parts on the octants, in order.
+    fn parts(self) -> impl Iterator<Item = (usize, Self)> {
+        let Self { from, to, pass } = self;
+        let is_up = cross(from, to) > 0.0;
+        let is_behind = |edge: &HalfAngle| {
+            let side = cross(*edge, from);
+            side > 0.0 || (is_up && side == 0.0)
+        };
+        let mut octant = EDGES[1..OCTANTS].iter().filter(|edge| is_behind(edge)).count();
+        let mut left = Some(from);
+        core::iter::from_fn(move || {
+            let from = left?;
+            let edge = EDGES[if is_up { octant + 1 } else { octant }];
+            let ahead = cross(edge, to);
+            let goes_on = if is_up { ahead > 0.0 && octant + 1 < OCTANTS } else { ahead < 0.0 && octant > 0 };
+            let number = octant;
+            if goes_on {
+                left = Some(edge);
+                octant = if is_up { octant + 1 } else { octant - 1 };
+            } else {
+                left = None;
+            }
+            Some((number, Self { from, to: if goes_on { edge } else { to }, pass }))
+        })
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +179,13 @@ struct Orbit<'a> {
 }
 
 /// Follows the orbit on which rolling holds at an angle, with a positive rate. None next to the separatrix.
-pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64) -> Option<RollEnd> {
+pub(super) fn follow(
+    law: &RollingLaw,
+    margins: &Margins,
+    theta: f64,
+    theta_rate: f64,
+    memory: &Memory,
+) -> Option<RollEnd> {
     let mut lap = (theta / TAU).floor();
     let (sin, cos) = sincos(0.5 * theta);
     let flip = if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
@@ -73,12 +206,18 @@ pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64)
     }
     let rotates = over_top > 0.0;
     let swing = if rotates { four_l } else { over_bottom };
+    // So close to the limit rounding would tell whether it slips at once.
+    if breaks(k, &margins.map(|parts| parts.map(|part| part.value([x, y]))))?.is_some() {
+        return None;
+    }
     let orbit = Orbit { law, rotates, lap, z, y, kinetic, excess: over_top.abs(), swing };
-    let forms = margin_forms(hoop, k)?;
-    for arc in orbit.arcs() {
+    let slip_on = |arc: &Arc, holds: &dyn Fn(usize) -> bool| {
         let mut first: Option<(f64, usize)> = None;
-        for (side, form) in forms.iter().enumerate() {
-            let margin = form.restricted(arc.from, arc.to);
+        for (side, parts) in margins.iter().enumerate() {
+            if holds(side) {
+                continue;
+            }
+            let margin = on_orbit(parts, k).restricted(arc.from, arc.to);
             // No crossing without a change of sign.
             if margin.0.iter().all(|c| *c > 0.0) {
                 continue;
@@ -90,7 +229,22 @@ pub(super) fn follow(hoop: &Hoop, law: &RollingLaw, theta: f64, theta_rate: f64)
                 }
             }
         }
-        if let Some((at, side)) = first {
+        first
+    };
+    let Some(known) = memory.recall() else {
+        for arc in orbit.arcs() {
+            if let Some((at, side)) = slip_on(&arc, &|_| false) {
+                return orbit.slip(&arc, at, side);
+            }
+        }
+        return Some(RollEnd::Never);
+    };
+    for (number, arc) in orbit.arcs().flat_map(Arc::parts) {
+        let octant = known.octant(margins, number);
+        if octant.holds(k) {
+            continue;
+        }
+        if let Some((at, side)) = slip_on(&arc, &|side| octant.holds_on(side, k)) {
             return orbit.slip(&arc, at, side);
         }
     }
@@ -188,5 +342,71 @@ impl Orbit<'_> {
             stop: 0,
             direction: (-2.0 * y * z, z * z - y * y),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hoop::{Hoop, HoopParameters};
+    use crate::rolling::margin_forms;
+
+    #[test]
+    fn the_parts_of_an_arc_are_the_arc() {
+        let at = |turns: f64| {
+            let (y, x) = libm::sincos(core::f64::consts::PI * turns);
+            [x, y]
+        };
+        // From octants 0.8 to 5.3, back, inside one, and from edge to edge.
+        for (from, to, octants) in [
+            (at(0.1), at(0.66), vec![0, 1, 2, 3, 4, 5]),
+            (at(0.66), at(0.1), vec![5, 4, 3, 2, 1, 0]),
+            (at(0.3), at(0.35), vec![2]),
+            (at(0.35), at(0.3), vec![2]),
+            (EDGES[0], EDGES[4], vec![0, 1, 2, 3]),
+            (EDGES[4], EDGES[8], vec![4, 5, 6, 7]),
+            (EDGES[4], EDGES[2], vec![3, 2]),
+            ([-1.0, 0.0], EDGES[4], vec![7, 6, 5, 4]),
+        ] {
+            let parts: Vec<(usize, Arc)> = Arc { from, to, pass: Pass::First }.parts().collect();
+            assert_eq!(parts.iter().map(|part| part.0).collect::<Vec<_>>(), octants);
+            assert_eq!((parts[0].1.from, parts[parts.len() - 1].1.to), (from, to));
+            assert!(parts.windows(2).all(|pair| pair[0].1.to == pair[1].1.from));
+            for (octant, Arc { from, to, .. }) in parts {
+                let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
+                assert!(cross(EDGES[octant], middle) > 0.0 && cross(middle, EDGES[octant + 1]) > 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn orbits_that_hold_on_an_octant_have_positive_margins() {
+        let (mut held, mut broken) = (0, 0);
+        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
+            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, mu_s);
+            let hoop = Hoop::new(hoop).unwrap();
+            let (margins, law) = (margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop));
+            for octant in 0..OCTANTS {
+                let known = Octant::new(&margins, octant);
+                for step in 0..40 {
+                    let k = law.top * (0.5 + 0.2 * f64::from(step));
+                    for side in [0, 1] {
+                        let form = on_orbit(&margins[side], k);
+                        let least = (0..=30)
+                            .map(|i| {
+                                form.value(on_arc(EDGES[octant], EDGES[octant + 1], f64::from(i) / 30.0))
+                            })
+                            .fold(f64::INFINITY, f64::min);
+                        if known.holds(k) || known.holds_on(side, k) {
+                            assert!(least > 0.0, "{octant} {k} {side}: {least}");
+                            held += 1;
+                        } else if least < 0.0 {
+                            broken += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(held > 300 && broken > 300, "{held} {broken}");
     }
 }

@@ -11,7 +11,9 @@ use crate::equations::{SlidingLaw, contact};
 
 use super::super::piece::{End, Piece, Way, Waypoint};
 use super::super::slide::{SlideEnd, SlideEvent};
+use super::cell::Cell;
 use super::expansion::{Expansion, Signs};
+use super::memory::{Contents, Memory};
 use super::step::{Step, rotated};
 use super::turn::Turn;
 
@@ -26,6 +28,9 @@ const NEAR: f64 = 0.7;
 
 /// A turning point behind is the centre of the next piece if it is nearer than this part of the piece.
 const BEHIND: f64 = 0.5;
+
+/// No cell holds a slide whose u changes by more than itself over this z.
+const STEEP: f64 = 0.25;
 
 /// How a slide is seen: perhaps mirrored.
 #[derive(Clone, Copy, Debug)]
@@ -68,49 +73,49 @@ pub(super) fn follow(
     mut here: Waypoint,
     from_limit: bool,
     allowed: f64,
+    memory: &Memory,
 ) -> Option<SlideEnd> {
+    let known = memory.recall();
     let mut turns: Option<(f64, f64)> = None;
     for piece in 0..MOST_PIECES {
-        let from_limit = from_limit && piece == 0;
-        let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
-        let reach = expansion.reach(0);
         let (end, mut at, rate);
         let is_cut;
-        // The first step out of η″ = 0 knows its signs, however short the turning point makes it.
-        let turn = if from_limit { None } else { turn_about(&frame, &here, &expansion, reach) };
-        if let Some((before, place, turn)) = turn {
-            // Towards larger angles, and back.
-            let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
-            if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
-                return None;
+        match Ahead::of(&frame, &here, from_limit && piece == 0, known)? {
+            Ahead::Turn { before, place, turn } => {
+                // Towards larger angles, and back.
+                let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
+                if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
+                    return None;
+                }
+                let way = before.way(&turn);
+                (end, at) = pass_turn(&way, &place)?;
+                is_cut = at.elapsed > allowed;
+                if is_cut {
+                    at = way.at_time(&place, &at, allowed)?;
+                }
+                rate = turn.rate(at.z, at.u);
+                if place.z < 0.0 && at.z > 0.0 {
+                    let angle = before.sign * before.theta;
+                    turns =
+                        Some(turns.map_or((angle, angle), |(low, high)| (low.min(angle), high.max(angle))));
+                }
+                frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
+                if end == End::Open && !is_cut {
+                    frame = frame.mirrored();
+                    here = Waypoint { direction: mirrored(at.direction), ..at };
+                }
             }
-            let way = before.way(&turn);
-            (end, at) = pass_turn(&way, &place)?;
-            is_cut = at.elapsed > allowed;
-            if is_cut {
-                at = way.at_time(&place, &at, allowed)?;
+            Ahead::Step { place, step } => {
+                (end, at) = pass_step(&frame, &place, &step)?;
+                let way = frame.way(&step);
+                is_cut = at.elapsed > allowed;
+                if is_cut {
+                    at = way.at_time(&place, &at, allowed)?;
+                }
+                rate = step.rate(at.z, at.u);
+                frame.theta += step.turned_by(at.z) - step.turned_by(place.z);
+                here = at;
             }
-            rate = turn.rate(at.z, at.u);
-            if place.z < 0.0 && at.z > 0.0 {
-                let angle = before.sign * before.theta;
-                turns = Some(turns.map_or((angle, angle), |(low, high)| (low.min(angle), high.max(angle))));
-            }
-            frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
-            if end == End::Open && !is_cut {
-                frame = frame.mirrored();
-                here = Waypoint { z: 0.0, direction: mirrored(at.direction), ..at };
-            }
-        } else {
-            let step = Step::new(&expansion, here.direction, reach, from_limit)?;
-            (end, at) = pass_step(&frame, &here, &step)?;
-            let way = frame.way(&step);
-            is_cut = at.elapsed > allowed;
-            if is_cut {
-                at = way.at_time(&here, &at, allowed)?;
-            }
-            rate = step.rate(at.z, at.u);
-            frame.theta += step.turned_by(at.z);
-            here = Waypoint { z: 0.0, ..at };
         }
         if end == End::Open && !is_cut {
             continue;
@@ -131,6 +136,54 @@ pub(super) fn follow(
     None
 }
 
+/// The part of a slide that lies ahead.
+enum Ahead<'a> {
+    /// A turn about a turning point, in the frame before it, whose angle is that of the turning point, with the place in it.
+    Turn { before: Frame<'a>, place: Waypoint, turn: Turn },
+    /// A step, with the place in it.
+    Step { place: Waypoint, step: Step },
+}
+
+impl<'a> Ahead<'a> {
+    /// What lies ahead of a place. None where P is not known to be positive.
+    fn of(frame: &Frame<'a>, here: &Waypoint, from_limit: bool, known: Option<&Contents>) -> Option<Self> {
+        if from_limit {
+            // It knows its signs, however short a turning point makes it.
+            let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
+            return Self::own_step(&expansion, here, true);
+        }
+        if let Some(step) = known.and_then(|known| Self::through_cell(frame, here, known)) {
+            return Some(step);
+        }
+        let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
+        match turn_about(frame, here, &expansion) {
+            Some((before, place, turn)) => Some(Self::Turn { before, place, turn }),
+            None => Self::own_step(&expansion, here, false),
+        }
+    }
+
+    /// To the end of a cell.
+    fn through_cell(frame: &Frame<'a>, here: &Waypoint, known: &Contents) -> Option<Self> {
+        let ((sin, cos), law) = (here.direction, frame.law());
+        // du/dz: where u is steep it is not known to stay away from zero, and this is known soonest.
+        let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
+        if STEEP * slope.abs() > here.u {
+            return None;
+        }
+        Cell::about(frame.theta).into_iter().find_map(|number| {
+            let cell = known.cell(law, frame.sigma, number)?;
+            let place = Waypoint { z: cell.place(here.direction), ..*here };
+            Some(Self::Step { step: cell.step(&place)?, place })
+        })
+    }
+
+    /// Until its series ends.
+    fn own_step(expansion: &Expansion, here: &Waypoint, from_limit: bool) -> Option<Self> {
+        let step = Step::new(expansion, here.direction, expansion.reach(0), from_limit)?;
+        Some(Self::Step { place: Waypoint { z: 0.0, ..*here }, step })
+    }
+}
+
 /// The first step of a slide out of η′ = η″ = 0, if no event ends it: the frame and the place behind it, and θ′ there in this frame.
 pub(super) fn leave_limit<'a>(frame: Frame<'a>, here: &Waypoint) -> Option<(Frame<'a>, Waypoint, f64)> {
     let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
@@ -142,15 +195,18 @@ pub(super) fn leave_limit<'a>(frame: Frame<'a>, here: &Waypoint) -> Option<(Fram
 
 /// Passes a step to its end, or to the event before.
 fn pass_step(frame: &Frame<'_>, here: &Waypoint, step: &Step) -> Option<(End, Waypoint)> {
-    let (sin, cos) = here.direction;
-    let held = passes_top(sin, step.direction(1.0).0);
-    if held {
-        let top = -sin / ((1.0 + cos) * step.width);
-        if contact(1.0, frame.law().body.h, step.u(top.min(1.0))) < UNCERTAIN {
-            return None;
-        }
+    let way = frame.way(step);
+    let signs = (step.signs, step.doubt);
+    if !passes_top(here.direction.0, step.direction(1.0).0) {
+        return pass(&way, (here, 1.0), false, signs);
     }
-    pass(&frame.way(step), (here, 1.0), held, (step.signs, step.doubt))
+    let (sin, cos) = step.direction;
+    let top = (-sin / ((1.0 + cos) * step.width)).clamp(here.z, 1.0);
+    let w = contact(1.0, frame.law().body.h, step.u(top));
+    if w.abs() < UNCERTAIN {
+        return None;
+    }
+    if w < 0.0 { pass(&way, (here, top), false, signs) } else { pass(&way, (here, 1.0), true, signs) }
 }
 
 /// Whether a slide that turns towards larger angles, from a place with this sin ϑ to another less than half a turn ahead, passes the
@@ -242,8 +298,8 @@ fn turn_about<'a>(
     frame: &Frame<'a>,
     here: &Waypoint,
     expansion: &Expansion,
-    reach: f64,
 ) -> Option<(Frame<'a>, Waypoint, Turn)> {
+    let reach = expansion.reach(0);
     if here.u > NEAR * reach * expansion.u[1].abs() {
         return None;
     }

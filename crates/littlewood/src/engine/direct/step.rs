@@ -3,7 +3,7 @@
 use super::super::piece::Piece;
 use super::super::polynomial::value;
 use super::super::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
-use super::expansion::{DEGREE, Expansion, Series, Signs, scaled};
+use super::expansion::{DEGREE, Expansion, Series, Signs, scaled, sum_of_sizes};
 
 /// Up to this multiple of a step u has no zero: the terms of its series are at most the part `SMOOTH` of the first, but for a linear
 /// term that makes it grow by at most `GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities lie
@@ -27,18 +27,20 @@ const POWERS: [[f64; NODES]; DEGREE + 1] = {
     table
 };
 
-/// A step, with the coordinate t = z/width from 0 to 1, in the frame of motion.
+/// A step, with the coordinate t = z/width up to 1, in the frame of motion.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
     /// z at the end.
     pub(super) width: f64,
-    u: Series,
+    /// With coefficients that tell up to the degree, which is even.
+    pub(super) u: Series,
+    pub(super) degree: usize,
     /// Signs of σ η″ on the step, behind its beginning.
     pub(super) signs: Signs,
     /// Largest |η″| where its sign is not known, about a change of sign.
     pub(super) doubt: f64,
-    /// sin ϑ and cos ϑ at the beginning.
-    direction: (f64, f64),
+    /// sin ϑ and cos ϑ at t = 0.
+    pub(super) direction: (f64, f64),
 }
 
 impl Step {
@@ -58,7 +60,24 @@ impl Step {
         };
         let u = scaled(expansion.u, width);
         let (signs, doubt) = expansion.signs(&u, width, from_zero)?;
-        Some(Self { width, u, signs, doubt, direction })
+        Some(Self { width, u, degree: DEGREE, signs, doubt, direction })
+    }
+
+    /// Whether the series of u tells that it has no zero near the step from t = `from`, which is −1 or more, to 1: outside the same
+    /// ellipse about the step all terms but the first are at most the part `SMOOTH` of it.
+    pub(super) fn is_clear(u: &Series, from: f64) -> bool {
+        let far = Self::far(from);
+        far * sum_of_sizes(&u[1..], far) <= SMOOTH * u[0]
+    }
+
+    /// Whether its first two coefficients allow that.
+    pub(super) fn is_nearly_even(u0: f64, slope: f64, from: f64) -> bool {
+        Self::far(from) * slope.abs() <= SMOOTH * u0
+    }
+
+    /// Largest |t| on the ellipse about the step from t = `from` to 1.
+    fn far(from: f64) -> f64 {
+        CLEAR - (CLEAR - 1.0) * from
     }
 
     /// Time of the whole step.
@@ -77,7 +96,7 @@ impl Step {
         self.width * sum
     }
 
-    /// Angle turned at t.
+    /// Angle turned since t = 0.
     pub(super) fn turned_by(&self, t: f64) -> f64 {
         2.0 * libm::atan(self.width * t)
     }
@@ -94,7 +113,7 @@ pub(super) fn rotated((sin, cos): (f64, f64), z: f64) -> (f64, f64) {
 
 impl Piece for Step {
     fn u(&self, t: f64) -> f64 {
-        value(&self.u, t)
+        value(&self.u[..=self.degree], t)
     }
 
     fn rate(&self, _: f64, u: f64) -> f64 {
@@ -124,8 +143,8 @@ impl Piece for Step {
         }
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let t = NODE.map(|node| middle + half * node);
-        let mut u = [self.u[DEGREE]; NODES];
-        for c in self.u[..DEGREE].iter().rev() {
+        let mut u = [self.u[self.degree]; NODES];
+        for c in self.u[..self.degree].iter().rev() {
             for j in 0..NODES {
                 u[j] = u[j] * t[j] + c;
             }
