@@ -1,9 +1,15 @@
 //! The energy that a lift-off needs, and the proof that there is none.
 
+use crate::bernstein::Bernstein;
 use crate::equations::energy;
-use crate::hoop::{Body, Hoop};
+use crate::frictionless::FrictionlessIntegrals;
+use crate::hoop::{Body, Heavy, Hoop};
 use crate::solvability::is_solvable_below;
 use crate::state::State;
+use crate::trig::sincos;
+
+/// Relative error that an energy may have.
+const ROUNDING: f64 = 1e-12;
 
 impl Hoop {
     /// Least energy (2.8) of a lift-off, Î/(2h) + ℓ̂. Infinite for a balanced hoop, whose normal force is constant; none for a
@@ -28,18 +34,44 @@ impl Hoop {
         }
     }
 
-    /// Whether the energy proves that a hoop that is in contact at this state never lifts off, by a margin that covers rounding.
+    /// Whether energy and momentum prove that a hoop that is in contact at this state never lifts off, by a margin that covers rounding.
     /// Only where P > 0 at all angles that it may reach, ℓ̂ cos θ ≤ E: elsewhere an impact without a collision may throw it up.
+    ///
+    /// It has less energy than [`Hoop::lift_off_energy`], or it has less without the part m V²/2 of the mass centre's horizontal velocity
+    /// V, and V is too small for friction to make up for that.
     #[must_use]
     pub fn never_lifts_off(&self, state: &State) -> bool {
-        /// Relative error that the energy may have.
-        const ROUNDING: f64 = 1e-12;
         let Body::Heavy(body) = self.body() else { return false };
         let Some(needed) = self.lift_off_energy() else { return false };
-        let energy = energy(self, state, 0.0, 0.0);
-        let at_most = energy + ROUNDING * (1.0 + energy.abs());
-        at_most < needed && is_solvable_below(&body, self.mu_k(), at_most / body.offset)
+        let energy = at_most(energy(self, state, 0.0, 0.0));
+        (energy < needed || turns_too_slowly(&body, state, energy, needed))
+            && is_solvable_below(&body, self.mu_k(), energy / body.offset)
     }
+}
+
+/// What a quantity is at most, whose terms have been rounded.
+fn at_most(quantity: f64) -> f64 {
+    quantity + ROUNDING * (1.0 + quantity.abs())
+}
+
+/// Whether the energy without that of the horizontal velocity V is less than a lift-off needs, and stays so.
+///
+/// With C twice that energy, dC = 2 m (η′ − V) dV and m dV = −σ μ N dτ: C grows only where V has the sign of −θ′ and is not smaller than θ′ (1 + h cos θ),
+/// since η′ = V + θ′ (1 + h cos θ), in rolling as in sliding. At the C of a lift-off this is no less than its least value on a turn, while m V² is at most
+/// what of the energy C leaves.
+fn turns_too_slowly(body: &Heavy, state: &State, energy: f64, needed: f64) -> bool {
+    let level = 2.0 * needed;
+    if at_most(FrictionlessIntegrals::new(body, state, sincos(state.theta)).energy) >= level {
+        return false;
+    }
+    let fastest =
+        FrictionlessIntegrals { energy: level, momentum: ((2.0 * energy - level) / body.mass).sqrt() };
+    // In powers of cos θ + 1.
+    let terms = fastest.standstills(body, -1.0);
+    let size = terms.iter().flatten().fold(0.0, |size: f64, term| size.max(term.abs()));
+    let mut excess = terms.map(|[first, second]| first + second);
+    excess[0] += ROUNDING * size;
+    Bernstein::from_taylor(&excess, 2.0).negated().first_crossing().is_none()
 }
 
 #[cfg(test)]

@@ -187,7 +187,7 @@ pub enum Outcome {
         /// Number of transitions in a period.
         transitions: usize,
     },
-    /// The energy is too small for a lift-off, now and later ([`crate::Hoop::never_lifts_off`]); the motion in contact has been
+    /// Energy and momentum do not suffice for a lift-off, now and later ([`crate::Hoop::never_lifts_off`]); the motion in contact has been
     /// followed to here only, because no more was asked for or because a limit was reached.
     StaysInContact {
         /// State.

@@ -3,7 +3,8 @@
 //! - Without kinetic friction, and for a massless hoop, energy is conserved in contact: every slip, stick and reversal of a
 //!   motion is one of finitely many, and a motion that comes back to one repeats itself.
 //! - With μs = μk > 0 slips shrink towards the orbit that grazes the limit of static friction ([`GrazingOrbit`]).
-//! - The energy in contact never grows, and a lift-off needs at least a certain energy ([`Hoop::lift_off_energy`]).
+//! - The energy in contact never grows, what of it is not in the horizontal velocity grows within bounds only, and a lift-off needs at
+//!   least a certain part of it ([`Hoop::never_lifts_off`]).
 
 use crate::automaton::Cause;
 use crate::equations::RollingLaw;

@@ -249,7 +249,9 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             place,
         ],
         Outcome::StaysInContact { .. } => vec![
-            format!("stays in contact for ever: from {at} on its energy is too small for a lift-off"),
+            format!(
+                "stays in contact for ever: from {at} on its energy and momentum do not suffice for a lift-off"
+            ),
             there,
             place,
         ],

@@ -127,7 +127,7 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             scale.show_with_unit(Dimension::Time, three(period))
         ),
         Outcome::StaysInContact { .. } => {
-            "Stays in contact for ever: the energy is too small for a lift-off.".to_owned()
+            "Stays in contact for ever: energy and momentum do not suffice for a lift-off.".to_owned()
         }
         Outcome::TimeLimit { .. } => "The time limit ends the motion here.".to_owned(),
         Outcome::TransitionLimit { transitions, .. } => {
