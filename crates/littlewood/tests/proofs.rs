@@ -148,7 +148,11 @@ proptest! {
     /// Also next to the bounds of the proof, for as long as the motion is followed.
     #[test]
     fn a_hoop_that_turns_too_slowly_never_lifts_off(
-        hoop in common::moderate_hoop(), theta in -PI..PI,
+        (hoop, is_moderate) in prop_oneof![
+            common::moderate_hoop().prop_map(|hoop| (hoop, true)),
+            common::heavy_hoop().prop_map(|hoop| (hoop, false)),
+        ],
+        theta in -PI..PI,
         turns in prop_oneof![0.3..1.2_f64, (3.0..12.0_f64).prop_map(|digits| 1.0 - 10f64.powf(-digits))],
         moves in prop_oneof![0.0..2.0_f64, (3.0..11.0_f64).prop_map(|digits| 1.0 - 10f64.powf(-digits))],
         (ahead, along) in (any::<bool>(), any::<bool>()),
@@ -173,10 +177,12 @@ proptest! {
             inertia + m * h * theta.sin() * q > 1e-3
         });
         let is_proved = hoop.never_lifts_off(&start);
-        prop_assert!(is_proved || turns > 1.0 - 1e-9 || moves > 1.0 - 1e-6 || !well_posed);
-        prop_assert!(!is_proved || turns < 1.0);
-        prop_assert!(!is_proved || moves < 1.0 + 1e-6);
-        prop_assume!(is_proved);
+        if is_moderate {
+            prop_assert!(is_proved || turns > 1.0 - 1e-9 || moves > 1.0 - 1e-6 || !well_posed);
+            prop_assert!(!is_proved || turns < 1.0);
+            prop_assert!(!is_proved || moves < 1.0 + 1e-6);
+        }
+        prop_assume!(is_proved && Start::from(start).check().is_ok());
         let motion = follow(&hoop, start, 120);
         for phase in motion.phases() {
             prop_assert!(phase.mode() != Mode::Flight);
