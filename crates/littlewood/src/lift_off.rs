@@ -1,10 +1,12 @@
 //! The energy that a lift-off needs, and the proof that there is none.
 
+use core::cell::OnceCell;
+
 use crate::bernstein::Bernstein;
 use crate::equations::energy;
 use crate::frictionless::FrictionlessIntegrals;
 use crate::hoop::{Body, Heavy, Hoop};
-use crate::solvability::is_solvable_below;
+use crate::solvability::lowest_zero;
 use crate::state::State;
 use crate::trig::sincos;
 
@@ -41,11 +43,33 @@ impl Hoop {
     /// V, and V is too small for friction to make up for that.
     #[must_use]
     pub fn never_lifts_off(&self, state: &State) -> bool {
-        let Body::Heavy(body) = self.body() else { return false };
-        let Some(needed) = self.lift_off_energy() else { return false };
-        let energy = at_most(energy(self, state, 0.0, 0.0));
+        ContactProof::new(self).holds(state)
+    }
+}
+
+/// The proof that a hoop never lifts off, for many states of one hoop.
+#[derive(Clone, Debug)]
+pub(crate) struct ContactProof<'a> {
+    hoop: &'a Hoop,
+    /// The least cosine of an angle at which P vanishes, if there is one, once it is needed.
+    lowest_zero: OnceCell<Option<f64>>,
+}
+
+impl<'a> ContactProof<'a> {
+    pub(crate) const fn new(hoop: &'a Hoop) -> Self {
+        Self { hoop, lowest_zero: OnceCell::new() }
+    }
+
+    /// [`Hoop::never_lifts_off`].
+    pub(crate) fn holds(&self, state: &State) -> bool {
+        let Self { hoop, lowest_zero: zero } = self;
+        let Body::Heavy(body) = hoop.body() else { return false };
+        let Some(needed) = hoop.lift_off_energy() else { return false };
+        let energy = at_most(energy(hoop, state, 0.0, 0.0));
         (energy < needed || turns_too_slowly(&body, state, energy, needed))
-            && is_solvable_below(&body, self.mu_k(), energy / body.offset)
+            && zero
+                .get_or_init(|| lowest_zero(&body, hoop.mu_k()))
+                .is_none_or(|cos| cos > energy / body.offset)
     }
 }
 

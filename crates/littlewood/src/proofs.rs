@@ -10,6 +10,7 @@ use crate::automaton::Cause;
 use crate::equations::RollingLaw;
 use crate::event::Event;
 use crate::hoop::{Body, Hoop};
+use crate::lift_off::ContactProof;
 use crate::limits::Limits;
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
@@ -23,6 +24,7 @@ use crate::state::State;
 pub(crate) struct Proofs<'a> {
     hoop: &'a Hoop,
     proof: Proof,
+    contact: ContactProof<'a>,
     kind: Kind<'a>,
 }
 
@@ -88,7 +90,7 @@ impl<'a> Proofs<'a> {
             }
             Body::Heavy(_) => Kind::None,
         };
-        Self { hoop, proof, kind }
+        Self { hoop, proof, contact: ContactProof::new(hoop), kind }
     }
 
     /// Whether the range of the angle of slides is needed.
@@ -142,13 +144,13 @@ impl<'a> Proofs<'a> {
 
     /// Whether a state in contact, and all that follow it, ends the motion.
     pub(crate) fn ends_motion(&self, state: &State) -> bool {
-        self.proof == Proof::Contact && self.hoop.never_lifts_off(state)
+        self.proof == Proof::Contact && self.contact.holds(state)
     }
 
     /// What is known where a limit of transitions stops a motion that goes on in this mode.
     pub(crate) fn at_limit(&self, limit: Outcome, mode: Option<Mode>) -> Outcome {
         let state = limit.state();
-        if self.proof != Proof::None && touches(mode) && self.hoop.never_lifts_off(&state) {
+        if self.proof != Proof::None && touches(mode) && self.contact.holds(&state) {
             Outcome::StaysInContact { state }
         } else {
             limit
