@@ -24,8 +24,18 @@ use crate::state::State;
 pub(crate) struct Proofs<'a> {
     hoop: &'a Hoop,
     proof: Proof,
-    contact: ContactProof<'a>,
+    /// What others have found for the proof that the hoop never lifts off.
+    shared: Option<&'a ContactProof>,
+    /// Where none is shared.
+    own: ContactProof,
     kind: Kind<'a>,
+}
+
+/// What proofs need of a hoop, as far as it has been found for other motions.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Known<'a> {
+    pub(crate) levels: Option<&'a Levels>,
+    pub(crate) contact: Option<&'a ContactProof>,
 }
 
 /// What may be proved of a motion by its events.
@@ -72,8 +82,7 @@ struct Slips<'a> {
 }
 
 impl<'a> Proofs<'a> {
-    /// With the levels of the orbits of the hoop, if they are at hand.
-    pub(crate) fn new(hoop: &'a Hoop, limits: &Limits, shared: Option<&'a Levels>) -> Self {
+    pub(crate) fn new(hoop: &'a Hoop, limits: &Limits, known: Known<'a>) -> Self {
         let proof = limits.proof();
         let kind = match hoop.body() {
             Body::Heavy(_) | Body::Massless(_) if proof == Proof::None => Kind::None,
@@ -84,13 +93,13 @@ impl<'a> Proofs<'a> {
                     law: RollingLaw::new(hoop),
                     slip: None,
                     confirmed: None,
-                    shared,
+                    shared: known.levels,
                     own: None,
                 }))
             }
             Body::Heavy(_) => Kind::None,
         };
-        Self { hoop, proof, contact: ContactProof::new(hoop), kind }
+        Self { hoop, proof, shared: known.contact, own: ContactProof::default(), kind }
     }
 
     /// Whether the range of the angle of slides is needed.
@@ -144,13 +153,17 @@ impl<'a> Proofs<'a> {
 
     /// Whether a state in contact, and all that follow it, ends the motion.
     pub(crate) fn ends_motion(&self, state: &State) -> bool {
-        self.proof == Proof::Contact && self.contact.holds(state)
+        self.proof == Proof::Contact && self.never_lifts_off(state)
+    }
+
+    fn never_lifts_off(&self, state: &State) -> bool {
+        self.shared.unwrap_or(&self.own).holds(self.hoop, state)
     }
 
     /// What is known where a limit of transitions stops a motion that goes on in this mode.
     pub(crate) fn at_limit(&self, limit: Outcome, mode: Option<Mode>) -> Outcome {
         let state = limit.state();
-        if self.proof != Proof::None && touches(mode) && self.contact.holds(&state) {
+        if self.proof != Proof::None && touches(mode) && self.never_lifts_off(&state) {
             Outcome::StaysInContact { state }
         } else {
             limit

@@ -8,6 +8,7 @@ use crate::impact::Impact;
 use crate::limits::Limits;
 use crate::mode::Direction;
 use crate::outcome::Outcome;
+use crate::proofs::Known;
 use crate::state::{Start, State};
 use crate::trajectory::{Phase, PhaseSolution, Trajectory};
 use crate::transition::Transition;
@@ -45,7 +46,8 @@ impl Hoop {
             outcome: Outcome::TimeLimit { state },
         };
         let solver = Exact::new(self, &limits);
-        trajectory.outcome = walk(&solver, (state, start.gap_rate), &limits, &mut trajectory);
+        trajectory.outcome =
+            walk(&solver, (state, start.gap_rate), (&limits, Known::default()), &mut trajectory);
         Ok(trajectory)
     }
 

@@ -16,8 +16,8 @@ use crate::limits::Limits;
 use crate::links::{Linked, Room};
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
-use crate::proofs::Proofs;
-use crate::rolling::{Levels, RollingLimit};
+use crate::proofs::{Known, Proofs};
+use crate::rolling::RollingLimit;
 use crate::sequence::PhaseSequence;
 use crate::settling::Settling;
 use crate::slip::LastSlip;
@@ -53,10 +53,6 @@ pub(crate) trait Solver {
     /// Bounces without number.
     fn settle(&self, place: &Self::Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self>;
     fn glide(&self, place: &Self::Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self>;
-    /// The levels at which the orbits of the hoop graze the limit of static friction, if they have been prepared.
-    fn levels(&self) -> Option<&Levels> {
-        None
-    }
     /// Links of a chain of slips at once, from a slip out of rolling in a direction, none of which leads to a grazing orbit for sure: none
     /// where phases are to be followed.
     fn pass_links(&self, _: &Self::Place, _: Direction, _: &Room<'_>) -> Option<Linked<Self::Place>> {
@@ -183,11 +179,11 @@ type Happening = (Event, Option<Box<Impact>>);
 /// The same of an impact; or the event alone, where its end is no state to go on from.
 type Rebound = Result<Happening, Event>;
 
-/// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion, or to a limit.
+/// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion, or to a limit, with what is known of the hoop for proofs.
 pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     (start, gap_rate): (State, f64),
-    limits: &Limits,
+    (limits, known): (&Limits, Known<'_>),
     recorder: &mut R,
 ) -> T::Verdict {
     let place = solver.place(start);
@@ -195,7 +191,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         Body::Heavy(body) if gap_rate > 0.0 => rise(solver, &body, &start, gap_rate),
         Body::Heavy(_) | Body::Massless(_) => Begin::Motion(solver.decide(&place, Arrival::Open)),
     };
-    let mut proofs = Proofs::new(solver.hoop(), limits, solver.levels());
+    let mut proofs = Proofs::new(solver.hoop(), limits, known);
     if let Some(outcome) = proofs.at_start(&start, begin.mode()) {
         return outcome.into();
     }

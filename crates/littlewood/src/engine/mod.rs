@@ -25,7 +25,9 @@ mod tabulated;
 use crate::error::ParameterError;
 use crate::exact::Exact;
 use crate::hoop::{Heavy, Hoop};
+use crate::lift_off::ContactProof;
 use crate::limits::Limits;
+use crate::proofs::Known;
 use crate::solvability::is_solvable;
 use crate::state::{Start, State};
 use crate::summary::{Summary, SummaryRecorder};
@@ -76,6 +78,8 @@ fn is_computed(hoop: &Hoop, body: &Heavy, least_inertia: f64) -> bool {
 pub struct Engine {
     hoop: Hoop,
     source: Source,
+    /// What proofs have found of the hoop.
+    contact: ContactProof,
 }
 
 /// Where phases come from.
@@ -123,14 +127,14 @@ impl Engine {
                 Some(Tables { direct, roll, slide, slip, chains, is_solvable })
             });
         match tables {
-            Some(tables) => Self { hoop: *hoop, source: Source::Tables(Box::new(tables)) },
+            Some(tables) => Self::with(hoop, Source::Tables(Box::new(tables))),
             None => Self::without_tables(hoop).with_chains(),
         }
     }
 
     /// The same engine, which passes chains of slips by whole links.
     fn with_chains(self) -> Self {
-        let Self { hoop, source } = self;
+        let Self { hoop, source, .. } = self;
         let source = match source {
             // Without friction no hoop rolls.
             Source::Direct(direct) => match RollTable::new(&hoop).filter(|_| hoop.mu_k() > 0.0) {
@@ -142,7 +146,7 @@ impl Engine {
             },
             source @ (Source::Tables(_) | Source::Chained(_) | Source::Exact) => source,
         };
-        Self { hoop, source }
+        Self::with(&hoop, source)
     }
 
     /// Number of starts of one hoop from which on tables save more time than they cost.
@@ -153,7 +157,11 @@ impl Engine {
     pub fn without_tables(hoop: &Hoop) -> Self {
         let direct = Direct::new(hoop).filter(|direct| is_computed(hoop, direct.body(), MIN_INERTIA_DIRECT));
         let source = direct.map_or(Source::Exact, Source::Direct);
-        Self { hoop: *hoop, source }
+        Self::with(hoop, source)
+    }
+
+    fn with(hoop: &Hoop, source: Source) -> Self {
+        Self { hoop: *hoop, source, contact: ContactProof::default() }
     }
 
     /// The hoop.
@@ -212,7 +220,7 @@ impl Engine {
             Source::Exact => {
                 let mut recorder = SummaryRecorder::new(&self.hoop);
                 let solver = Exact::new(&self.hoop, &limits);
-                let outcome = walk(&solver, state, &limits, &mut recorder);
+                let outcome = walk(&solver, state, (&limits, self.known(None)), &mut recorder);
                 recorder.finish(outcome.kind(), outcome.state())
             }
         })
@@ -228,8 +236,12 @@ impl Engine {
         let chains = chains.filter(|_| limits.transitions >= MIN_CHAIN_TRANSITIONS);
         let mut recorder = SummaryRecorder::new(&self.hoop);
         let solver = FastSolver::new(&self.hoop, phases, chains, limits);
-        let end = walk(&solver, state, &limits, &mut recorder);
+        let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
         recorder.finish(end.kind, end.state)
+    }
+
+    fn known<'a>(&'a self, chains: Option<&'a Chains>) -> Known<'a> {
+        Known { levels: chains.and_then(Chains::levels), contact: Some(&self.contact) }
     }
 }
 

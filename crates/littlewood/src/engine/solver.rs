@@ -11,7 +11,7 @@ use crate::limits::Limits;
 use crate::links::{Linked, Room};
 use crate::mode::Direction;
 use crate::outcome::{Outcome, OutcomeKind};
-use crate::rolling::{Hold, Levels, RollingLimit};
+use crate::rolling::{Hold, RollingLimit};
 use crate::sequence::PhaseSequence;
 use crate::settling::Settling;
 use crate::state::State;
@@ -406,10 +406,6 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
 
     fn glide(&self, place: &Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
         Self::take(self.exact.glide(&place.state, body, entry))
-    }
-
-    fn levels(&self) -> Option<&Levels> {
-        self.chains.and_then(Chains::levels)
     }
 
     fn pass_links(&self, place: &Place, direction: Direction, room: &Room<'_>) -> Option<Linked<Place>> {

@@ -1,6 +1,8 @@
 //! The energy that a lift-off needs, and the proof that there is none.
 
-use core::cell::OnceCell;
+mod turn;
+
+use std::sync::OnceLock;
 
 use crate::bernstein::Bernstein;
 use crate::equations::energy;
@@ -9,6 +11,7 @@ use crate::hoop::{Body, Heavy, Hoop};
 use crate::solvability::lowest_zero;
 use crate::state::State;
 use crate::trig::sincos;
+use turn::WholeTurns;
 
 /// Relative error that an energy may have.
 const ROUNDING: f64 = 1e-12;
@@ -40,36 +43,41 @@ impl Hoop {
     /// Only where P > 0 at all angles that it may reach, ℓ̂ cos θ ≤ E: elsewhere an impact without a collision may throw it up.
     ///
     /// It has less energy than [`Hoop::lift_off_energy`], or it has less without the part m V²/2 of the mass centre's horizontal velocity
-    /// V, and V is too small for friction to make up for that.
+    /// V, and V is too small for friction to make up for that: at any instant, or over a whole turn.
     #[must_use]
     pub fn never_lifts_off(&self, state: &State) -> bool {
-        ContactProof::new(self).holds(state)
+        ContactProof::default().holds(self, state)
     }
 }
 
 /// The proof that a hoop never lifts off, for many states of one hoop.
-#[derive(Clone, Debug)]
-pub(crate) struct ContactProof<'a> {
-    hoop: &'a Hoop,
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ContactProof {
     /// The least cosine of an angle at which P vanishes, if there is one, once it is needed.
-    lowest_zero: OnceCell<Option<f64>>,
+    lowest_zero: OnceLock<Option<f64>>,
+    /// What the work of friction over whole turns proves, if anything, once it is needed.
+    whole_turns: OnceLock<Option<WholeTurns>>,
 }
 
-impl<'a> ContactProof<'a> {
-    pub(crate) const fn new(hoop: &'a Hoop) -> Self {
-        Self { hoop, lowest_zero: OnceCell::new() }
-    }
-
+impl ContactProof {
     /// [`Hoop::never_lifts_off`].
-    pub(crate) fn holds(&self, state: &State) -> bool {
-        let Self { hoop, lowest_zero: zero } = self;
+    pub(crate) fn holds(&self, hoop: &Hoop, state: &State) -> bool {
         let Body::Heavy(body) = hoop.body() else { return false };
         let Some(needed) = hoop.lift_off_energy() else { return false };
         let energy = at_most(energy(hoop, state, 0.0, 0.0));
-        (energy < needed || turns_too_slowly(&body, state, energy, needed))
-            && zero
-                .get_or_init(|| lowest_zero(&body, hoop.mu_k()))
-                .is_none_or(|cos| cos > energy / body.offset)
+        let suffices = || {
+            let turning = at_most(FrictionlessIntegrals::new(&body, state, sincos(state.theta)).energy);
+            let (energy, needed) = (2.0 * energy, 2.0 * needed);
+            let whole_turns = || WholeTurns::new(&body, [hoop.mu_s(), hoop.mu_k()], needed);
+            turning < needed
+                && (turns_too_slowly(&body, energy, needed)
+                    || self
+                        .whole_turns
+                        .get_or_init(whole_turns)
+                        .is_some_and(|whole| turning < whole.turning && energy < whole.energy))
+        };
+        let zero = self.lowest_zero.get_or_init(|| lowest_zero(&body, hoop.mu_k()));
+        zero.is_none_or(|cos| cos > energy / body.offset) && (energy < needed || suffices())
     }
 }
 
@@ -83,13 +91,8 @@ fn at_most(quantity: f64) -> f64 {
 /// With C twice that energy, dC = 2 m (η′ − V) dV and m dV = −σ μ N dτ: C grows only where V has the sign of −θ′ and is not smaller than θ′ (1 + h cos θ),
 /// since η′ = V + θ′ (1 + h cos θ), in rolling as in sliding. At the C of a lift-off this is no less than its least value on a turn, while m V² is at most
 /// what of the energy C leaves.
-fn turns_too_slowly(body: &Heavy, state: &State, energy: f64, needed: f64) -> bool {
-    let level = 2.0 * needed;
-    if at_most(FrictionlessIntegrals::new(body, state, sincos(state.theta)).energy) >= level {
-        return false;
-    }
-    let fastest =
-        FrictionlessIntegrals { energy: level, momentum: ((2.0 * energy - level) / body.mass).sqrt() };
+fn turns_too_slowly(body: &Heavy, energy: f64, needed: f64) -> bool {
+    let fastest = FrictionlessIntegrals { energy: needed, momentum: ((energy - needed) / body.mass).sqrt() };
     // In powers of cos θ + 1.
     let terms = fastest.standstills(body, -1.0);
     let size = terms.iter().flatten().fold(0.0, |size: f64, term| size.max(term.abs()));
