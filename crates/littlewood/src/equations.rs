@@ -20,6 +20,7 @@ use crate::form::Trigonometric;
 use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
 use crate::state::State;
+use crate::trig::above_bottom;
 
 /// Contact forces, over m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,11 +130,10 @@ impl RollingLaw {
         self.mean_denominator() + 2.0 * self.offset * cos
     }
 
-    /// The same from sin θ and cos θ, with all digits: cos² θ/2 = sin² θ/2(1 − cos θ) in the lower half.
+    /// The same from sin θ and cos θ, with all digits.
     #[inline]
-    pub(crate) fn denominator_of(&self, (sin, cos): (f64, f64)) -> f64 {
-        let twice = if cos < 0.0 { sin * sin / (1.0 - cos) } else { 1.0 + cos };
-        self.bottom + 2.0 * self.offset * twice
+    pub(crate) fn denominator_of(&self, direction: (f64, f64)) -> f64 {
+        self.bottom + 2.0 * self.offset * above_bottom(direction)
     }
 
     /// The same as a trigonometric polynomial.

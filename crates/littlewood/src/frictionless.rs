@@ -2,7 +2,10 @@
 
 use crate::hoop::Heavy;
 use crate::state::State;
-use crate::trig::sincos;
+use crate::trig::{above_bottom, sincos};
+
+/// A first step that is longer leads to another zero.
+const LONGEST_STEP: f64 = 1e-3;
 
 /// Newton's method goes on as long as each step is shorter than the one before by this factor.
 const CONVERGES: f64 = 0.75;
@@ -54,11 +57,11 @@ impl FrictionlessIntegrals {
     /// The angle next to one, and the rate, at which η′ vanishes: Newton's method for C, with θ′ from A. None where it does not converge.
     pub(crate) fn standstill_near(&self, body: &Heavy, theta: f64) -> Option<(f64, f64)> {
         let Heavy { mass, h, inertia, offset } = *body;
-        let (mut theta, mut shortest) = (theta, f64::INFINITY);
+        let (mut theta, mut shortest) = (theta, LONGEST_STEP / CONVERGES);
         // Two zeros next to each other halve each step; rounding ends that.
         for _ in 0..MOST_STEPS {
             let (sin, cos) = sincos(theta);
-            let lever = 1.0 + h * cos;
+            let lever = lever(h, (sin, cos));
             let u = (self.momentum / lever) * (self.momentum / lever);
             let kinetic = (inertia + mass * (h * sin) * (h * sin)) * u;
             let slope = 2.0 * sin * (mass * h * h * cos * u + kinetic * h / lever - offset);
@@ -69,6 +72,11 @@ impl FrictionlessIntegrals {
             theta -= step;
             shortest = step.abs();
         }
-        (shortest < LAST_STEP).then(|| (theta, -self.momentum / (1.0 + h * sincos(theta).1)))
+        (shortest < LAST_STEP).then(|| (theta, -self.momentum / lever(h, sincos(theta))))
     }
+}
+
+/// 1 + h c with all digits near the bottom, where it is small for a particle near the rim.
+fn lever(h: f64, direction: (f64, f64)) -> f64 {
+    (1.0 - h) + h * above_bottom(direction)
 }

@@ -1,31 +1,46 @@
-//! Where rolling has given way, as slides without kinetic friction come back to it.
+//! Where a slip has begun, as slides without kinetic friction come back to it.
 //!
 //! Such a slide conserves the energy and the horizontal momentum: θ′² and η′ are the same functions of cos θ as long as it slides,
 //! through reversals and turning points. At a slip |F| = μs N and η′ = 0. So η′ vanishes again just where the hoop is back at that angle, or at
 //! its mirror image, and |F| = μs N holds there exactly, which rounding would decide either way. Where N is small η″ is small, too, and
 //! the zero of η′ is less well known than the angle is: so the slide ends at the angle. What follows is known by symmetry: the friction force that rolling needs, over the normal force, is the same in size at all four places (±θ, ±θ′), and grows at two of them, where
 //! the hoop slips, and falls at the other two, where static friction holds from there on.
+//!
+//! A motion that starts with η′ = 0 where rolling would ask for more than the limit, however little, asks for as much more at all four places, and slips at each.
 
 use core::f64::consts::TAU;
 
 use crate::candidates::Arrival;
 use crate::equations::SlidingLaw;
 use crate::frictionless::FrictionlessIntegrals;
-use crate::hoop::Heavy;
+use crate::hoop::{Heavy, Hoop};
 use crate::mode::Direction;
 use crate::same::is_same;
 use crate::state::State;
 use crate::trig::sincos;
 
-/// A slip out of rolling without kinetic friction.
+/// The beginning of a slip without kinetic friction, at η′ = 0.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LastSlip {
-    pub(crate) state: State,
+    state: State,
     /// Direction in which the slip began.
-    pub(crate) direction: Direction,
+    direction: Direction,
+    /// Whether it is the end of rolling, where |F| = μs N; where a motion starts |F| is larger.
+    is_on_limit: bool,
 }
 
 impl LastSlip {
+    /// Where rolling has given way; none with kinetic friction, which conserves nothing.
+    pub(crate) fn out_of_rolling(hoop: &Hoop, state: State, direction: Direction) -> Option<Self> {
+        (hoop.mu_k() == 0.0).then_some(Self { state, direction, is_on_limit: true })
+    }
+
+    /// Where a motion starts that slides, if it does: with η′ = 0 rolling asks for more than static friction there is, if there is any.
+    pub(crate) fn at_start(hoop: &Hoop, state: State, slides: Option<Direction>) -> Option<Self> {
+        let direction = slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.mu_s() > 0.0)?;
+        Some(Self { state, direction, is_on_limit: false })
+    }
+
     /// A state at which η′ has vanished again, with the digits that the conserved quantities give it, and how it is reached.
     pub(crate) fn comes_to_rest(&self, body: &Heavy, state: &State) -> Option<(State, Arrival)> {
         let [integrals, here] =
@@ -58,7 +73,8 @@ impl LastSlip {
             return None;
         }
         let is_turned = from_turned < from_mirrored;
-        let slips = is_turned == (state.theta_rate * self.state.theta_rate > 0.0);
+        // Beyond the limit it slips on everywhere.
+        let slips = !self.is_on_limit || is_turned == (state.theta_rate * self.state.theta_rate > 0.0);
         let direction = if is_turned { self.direction } else { self.direction.reversed() };
         Some((
             if is_turned { turned } else { mirrored },

@@ -47,6 +47,12 @@ fn polynomial(coefficients: &[f64], x: f64) -> f64 {
     other * x + this
 }
 
+/// 1 + cos θ from sin θ and cos θ, with all digits near the bottom.
+#[inline]
+pub(crate) fn above_bottom((sin, cos): (f64, f64)) -> f64 {
+    if cos < 0.0 { sin * sin / (1.0 - cos) } else { 1.0 + cos }
+}
+
 /// (sin x, cos x).
 #[inline]
 pub(crate) fn sincos(x: f64) -> (f64, f64) {

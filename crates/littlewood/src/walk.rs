@@ -195,7 +195,8 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     if let Some(outcome) = proofs.at_start(&start, begin.mode()) {
         return outcome.into();
     }
-    let mut now = Now { place, begin, limit: None, slips: None };
+    let limit = LastSlip::at_start(solver.hoop(), start, begin.direction());
+    let mut now = Now { place, begin, limit, slips: None };
     let mut pending: Option<Event> = None;
     let mut count = 0;
     loop {
@@ -414,10 +415,8 @@ fn continues<T: Solver>(
     now.begin = Begin::Motion(solver.decide(&now.place, arrival));
     let begin = &now.begin;
     now.limit = match (arrival, begin.mode()) {
-        (Arrival::RollingLimit(RollingLimit::Friction(direction)), Some(Mode::Sliding))
-            if solver.hoop().mu_k() == 0.0 =>
-        {
-            Some(LastSlip { state, direction })
+        (Arrival::RollingLimit(RollingLimit::Friction(direction)), Some(Mode::Sliding)) => {
+            LastSlip::out_of_rolling(solver.hoop(), state, direction)
         }
         (_, Some(Mode::Sliding)) => now.limit,
         (_, Some(Mode::Rolling | Mode::Gliding | Mode::Flight) | None) => None,

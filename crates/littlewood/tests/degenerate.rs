@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::common::{boundary_start, heavy_hoop, simulate};
 use littlewood::{
     Bound, Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, PhasePlane,
-    PhaseSolution, Quantity, Recurrence, Setup, Start, StartRegion, Trajectory,
+    PhaseSolution, Quantity, Recurrence, RollingLaw, Setup, Start, StartRegion, Trajectory,
 };
 use proptest::prelude::*;
 
@@ -17,6 +17,62 @@ fn hoop(mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64) -> Hoo
 
 fn run(hoop: &Hoop, start: Start) -> Trajectory {
     hoop.simulate(start, Limits::until(100.0)).expect("a valid start")
+}
+
+/// Without kinetic friction a slide comes back to as much friction as rolling would ask for where it began: if that was too much by a last digit only, it
+/// is too much by as little there, and static friction never holds.
+#[test]
+fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
+    let hoops = [hoop(1.0, 1.0, 1.0, 0.5, 0.0), hoop(2.9, 1.0, 2.9, 0.8, 0.0), hoop(0.2, 0.7, 0.1, 0.3, 0.0)];
+    let mut seen = 0;
+    for hoop in &hoops {
+        let law = RollingLaw::new(hoop);
+        let engines = [Engine::new(hoop), Engine::without_tables(hoop)];
+        for rate in [0.3, 0.9, 1.3, 1.9] {
+            let excess = |theta: f64| {
+                let forces = law.forces(theta, rate);
+                forces.friction.abs() - hoop.mu_s() * forces.normal
+            };
+            let angles = (0..200).map(|k| -PI + PI * f64::from(k) / 100.0);
+            for (low, high) in angles.map(|angle| (angle, angle + PI / 100.0)) {
+                if excess(low) > 0.0 || excess(high) < 0.0 {
+                    continue;
+                }
+                let (mut holds, mut slips) = (low, high);
+                while holds.next_up() < slips {
+                    let middle = 0.5 * (holds + slips);
+                    if excess(middle) > 0.0 { slips = middle } else { holds = middle }
+                }
+                let limits = Limits::until(20.0).with_transitions(40);
+                let begins = |theta: f64| {
+                    let motion = hoop.simulate(Start::at(theta, rate), limits).expect("a start");
+                    (motion.phases()[0].mode() == Mode::Sliding).then_some((theta, motion))
+                };
+                // The exact rules may put the limit some digits further.
+                let beyond = std::iter::successors(Some(holds), |theta| Some(theta.next_up())).take(20);
+                let (theta, motion) = beyond.into_iter().find_map(begins).expect("a slip");
+                for event in motion.transitions() {
+                    let angle = libm::remainder(event.before.theta, 2.0 * PI);
+                    let miss = (angle.abs() - theta.abs()).abs();
+                    // η′ may vanish at another angle, too, where friction does hold, or the hoop lifts off.
+                    if miss > 1e-6 {
+                        break;
+                    }
+                    assert!(
+                        matches!(event.cause, Cause::Reversal | Cause::Graze),
+                        "{theta} {rate} {event:?}"
+                    );
+                    assert!(miss < 1e-13 * (1.0 + event.before.theta.abs()), "{theta} {rate} {event:?}");
+                    seen += 1;
+                }
+                for engine in &engines {
+                    let summary = engine.summary(Start::at(theta, rate), limits).expect("a start");
+                    assert_eq!(summary.sequence, motion.summary().sequence, "{theta} {rate}");
+                }
+            }
+        }
+    }
+    assert!(seen > 50, "{seen}");
 }
 
 #[test]

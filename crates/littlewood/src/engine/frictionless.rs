@@ -1,4 +1,4 @@
-//! Slides without any friction: both first integrals in closed form.
+//! Slides without kinetic friction: both first integrals in closed form.
 //!
 //! With c = cos ϑ, s = sin ϑ and u = ϑ′² the contact breaks where 1 − h c u = (Î + m h² − h C c + m h² c²)/J vanishes, whose numerator falls
 //! towards the top as long as u ≥ 0; η′ vanishes only where A² J = (C − 2 m h c)(1 + h c)², a cubic equation. C, A and J are those of
@@ -14,7 +14,7 @@ use crate::trig::sincos;
 /// A lift-off, a turning point at the top, or a zero of η′ that is nearer than this part of the terms is left to the solvers of phases.
 const UNCERTAIN: f64 = 1e-9;
 
-/// Whether a slide without friction is proved to have no event: it repeats itself for ever.
+/// Whether a slide without kinetic friction is proved to have no event: it repeats itself for ever.
 pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
     let Heavy { h, inertia, offset, .. } = *body;
     let (sin, cos) = sincos(state.theta);

@@ -54,12 +54,9 @@ const MIN_IMBALANCE: f64 = 1e-3;
 /// To motions of fewer transitions chains are not worth what is prepared for them.
 const MIN_CHAIN_TRANSITIONS: usize = 256;
 
-/// Whether phases of a hoop of at least so much inertia, as a part of its mass, are computed otherwise than in the simulation: not with
-/// static friction alone, where a motion meets the limit of it exactly.
-fn is_computed(hoop: &Hoop, body: &Heavy, least_inertia: f64) -> bool {
-    (hoop.mu_k() > 0.0 || hoop.mu_s() == 0.0)
-        && body.h >= MIN_IMBALANCE
-        && body.inertia >= least_inertia * body.mass
+/// Whether phases of a body of at least so much inertia, as a part of its mass, are computed otherwise than in the simulation.
+fn is_computed(body: &Heavy, least_inertia: f64) -> bool {
+    body.h >= MIN_IMBALANCE && body.inertia >= least_inertia * body.mass
 }
 
 /// A hoop prepared for many motions.
@@ -112,13 +109,12 @@ struct Tables {
 }
 
 impl Engine {
-    /// Prepares a hoop. There are no tables for a massless hoop, with static friction alone, and for very light and nearly
+    /// Prepares a hoop. There are no tables for a massless hoop, and for very light and nearly
     /// balanced hoops, whose motions amplify rounding. Arcs on which sliding is not well posed (P ≤ 0) are left out of them.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        let tables = Direct::new(hoop)
-            .filter(|direct| is_computed(hoop, direct.body(), MIN_INERTIA))
-            .and_then(|direct| {
+        let tables =
+            Direct::new(hoop).filter(|direct| is_computed(direct.body(), MIN_INERTIA)).and_then(|direct| {
                 let body = *direct.body();
                 let (slide, roll) = SlideTable::new(&body, hoop.mu_k()).zip(RollTable::new(hoop))?;
                 let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
@@ -155,7 +151,7 @@ impl Engine {
     /// A hoop without tables: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`]. Nothing is prepared.
     #[must_use]
     pub fn without_tables(hoop: &Hoop) -> Self {
-        let direct = Direct::new(hoop).filter(|direct| is_computed(hoop, direct.body(), MIN_INERTIA_DIRECT));
+        let direct = Direct::new(hoop).filter(|direct| is_computed(direct.body(), MIN_INERTIA_DIRECT));
         let source = direct.map_or(Source::Exact, Source::Direct);
         Self::with(hoop, source)
     }
@@ -179,7 +175,8 @@ impl Engine {
     /// Whether chains of slips out of rolling are passed at once, thousands of them in the time of some twenty phases.
     #[must_use]
     pub const fn passes_chains(&self) -> bool {
-        matches!(self.source, Source::Tables(_) | Source::Chained(_))
+        // Without kinetic friction slides come back to the limit of static friction exactly, which the walk alone knows.
+        self.hoop.mu_k() > 0.0 && matches!(self.source, Source::Tables(_) | Source::Chained(_))
     }
 
     /// Whether motions are those of [`Hoop::simulate`] to the last bit.
@@ -233,7 +230,7 @@ impl Engine {
         state: (State, f64),
         limits: Limits,
     ) -> Summary {
-        let chains = chains.filter(|_| limits.transitions >= MIN_CHAIN_TRANSITIONS);
+        let chains = chains.filter(|_| limits.transitions >= MIN_CHAIN_TRANSITIONS && self.passes_chains());
         let mut recorder = SummaryRecorder::new(&self.hoop);
         let solver = FastSolver::new(&self.hoop, phases, chains, limits);
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);

@@ -334,7 +334,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         slip_acceleration: Option<f64>,
     ) -> SolvedBy<Self> {
         let state = place.state;
-        if self.hoop.mu_s() == 0.0 && self.until.is_infinite() && frictionless::slides_forever(body, &state) {
+        if self.hoop.mu_k() == 0.0 && self.until.is_infinite() && frictionless::slides_forever(body, &state) {
             let verdict = Verdict { kind: OutcomeKind::SlidesForever, state };
             let ending = Ending::Motion { event: None, end: None, verdict };
             return Solved { solution: Kept::Nothing, direction: Some(direction), ending };
