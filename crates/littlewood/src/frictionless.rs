@@ -54,6 +54,23 @@ impl FrictionlessIntegrals {
         ]
     }
 
+    /// The distances of the other two from a cosine at which η′ vanishes, with that zero divided out; not a number where they are not real.
+    pub(crate) fn other_standstills(&self, body: &Heavy, cos: f64) -> [f64; 2] {
+        let [_, slope, square, cube] = self.standstills(body, cos).map(|[first, second]| first + second);
+        let root = (square * square - 4.0 * cube * slope).sqrt();
+        let larger = -0.5 * (square + root.copysign(square));
+        [larger / cube, slope / larger]
+    }
+
+    /// Whether one of them, at this distance, has more digits so than as a zero of the cubic: there rounding of the slope at the first zero tells, times the distance, and
+    /// that of the value where it is in the other case.
+    pub(crate) fn is_known_from(&self, body: &Heavy, cos: f64, distance: f64) -> bool {
+        let size = |[first, second]: [f64; 2]| first.abs() + second.abs();
+        let [_, slope, ..] = self.standstills(body, cos);
+        let [value, ..] = self.standstills(body, cos + distance);
+        size(slope) * distance.abs() < size(value)
+    }
+
     /// The angle next to one, and the rate, at which η′ vanishes: Newton's method for C, with θ′ from A. None where it does not converge.
     pub(crate) fn standstill_near(&self, body: &Heavy, theta: f64) -> Option<(f64, f64)> {
         let Heavy { mass, h, inertia, offset } = *body;
@@ -72,7 +89,12 @@ impl FrictionlessIntegrals {
             theta -= step;
             shortest = step.abs();
         }
-        (shortest < LAST_STEP).then(|| (theta, -self.momentum / lever(h, sincos(theta))))
+        (shortest < LAST_STEP).then(|| (theta, self.rate_at_rest(body, sincos(theta))))
+    }
+
+    /// θ′ where η′ vanishes.
+    pub(crate) fn rate_at_rest(&self, body: &Heavy, direction: (f64, f64)) -> f64 {
+        -self.momentum / lever(body.h, direction)
     }
 }
 

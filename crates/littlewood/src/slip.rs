@@ -19,6 +19,15 @@ use crate::same::is_same;
 use crate::state::State;
 use crate::trig::sincos;
 
+/// Where two zeros of η′ are closer than this in their cosines it hardly vanishes, or hardly does not, unless there is friction: the slide as it is followed tells.
+const GRAZES: f64 = 1e-6;
+
+/// A first step that is longer leads to another angle.
+const LONGEST_STEP: f64 = 1e-3;
+
+/// Newton's method goes on as long as its steps become shorter, and has converged if they have become as short as this.
+const LAST_STEP: f64 = 1e-7;
+
 /// The beginning of a slip without kinetic friction, at η′ = 0.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LastSlip {
@@ -37,7 +46,7 @@ impl LastSlip {
 
     /// Where a motion starts that slides, if it does: with η′ = 0 rolling asks for more than static friction there is, if there is any.
     pub(crate) fn at_start(hoop: &Hoop, state: State, slides: Option<Direction>) -> Option<Self> {
-        let direction = slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.mu_s() > 0.0)?;
+        let direction = slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0)?;
         Some(Self { state, direction, is_on_limit: false })
     }
 
@@ -48,11 +57,24 @@ impl LastSlip {
         if !is_same(integrals.energy, here.energy) || !is_same(integrals.momentum, here.momentum) {
             return None;
         }
-        let (theta, theta_rate, arrival) = if self.is_nearest(body, &integrals, state) {
-            self.back_on_limit(state)?
-        } else {
-            let (theta, theta_rate) = integrals.standstill_near(body, state.theta)?;
-            (theta, theta_rate, Arrival::Open)
+        let [at_slip, now] = [self.state.theta, state.theta].map(|angle| sincos(angle).1);
+        let away = now - at_slip;
+        let others = integrals.other_standstills(body, at_slip);
+        if !self.is_on_limit && others.iter().any(|other| other.abs() < GRAZES) {
+            return None;
+        }
+        let real = others.into_iter().filter(|other| !other.is_nan());
+        let nearest = real.min_by(|a, b| (a - away).abs().total_cmp(&(b - away).abs()));
+        let (theta, theta_rate, arrival) = match nearest.filter(|other| (other - away).abs() < away.abs()) {
+            None => self.back_on_limit(state)?,
+            Some(other) if integrals.is_known_from(body, at_slip, other) => {
+                let theta = self.at_cosine(other, state.theta)?;
+                (theta, integrals.rate_at_rest(body, sincos(theta)), Arrival::Open)
+            }
+            Some(_) => {
+                let (theta, theta_rate) = integrals.standstill_near(body, state.theta)?;
+                (theta, theta_rate, Arrival::Open)
+            }
         };
         let law = SlidingLaw::of_body(*body, 0.0, self.direction);
         // The time is that of the angle where the angle changes faster than the slip.
@@ -83,18 +105,21 @@ impl LastSlip {
         ))
     }
 
-    /// Whether the cosine at the slip, of all at which η′ vanishes, is the nearest to that of a state.
-    fn is_nearest(&self, body: &Heavy, integrals: &FrictionlessIntegrals, state: &State) -> bool {
-        let [at_slip, here] = [self.state.theta, state.theta].map(|angle| sincos(angle).1);
-        let [_, slope, square, cube] =
-            integrals.standstills(body, at_slip).map(|[first, second]| first + second);
-        // The other two, as distances from the one at the slip; not a number where they are not real.
-        let root = (square * square - 4.0 * cube * slope).sqrt();
-        let larger = -0.5 * (square + root.copysign(square));
-        let away = here - at_slip;
-        [larger / cube, slope / larger]
-            .iter()
-            .all(|other| (other - away).abs() >= away.abs() || other.is_nan())
+    /// The angle next to one whose cosine is that at the slip and so much more: Newton's method for the product 2 sin ½(θ + θ₀) sin ½(θ₀ − θ), which
+    /// does not cancel. None where it leads elsewhere, as next to a cosine of ±1.
+    fn at_cosine(&self, more: f64, near: f64) -> Option<f64> {
+        let from = self.state.theta;
+        let mut theta = near;
+        let mut shortest = LONGEST_STEP;
+        loop {
+            let [(sum, _), (difference, _)] = [theta + from, from - theta].map(|angle| sincos(0.5 * angle));
+            let step = (2.0 * sum * difference - more) / sincos(theta).0;
+            if step.is_nan() || step.abs() >= shortest {
+                return (shortest < LAST_STEP).then_some(theta);
+            }
+            theta += step;
+            shortest = step.abs();
+        }
     }
 }
 
