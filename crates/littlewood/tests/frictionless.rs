@@ -2,7 +2,9 @@
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use crate::common::{heavy_hoop, start};
-use littlewood::{Body, Cause, Hoop, HoopParameters, Limits, Mode, Start, State};
+use littlewood::{
+    Body, Cause, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Recurrence, Start, State,
+};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -37,8 +39,96 @@ fn a_slide_comes_back_to_the_limit_of_static_friction_to_the_last_digits() {
     assert!((to.time - from.time - time).abs() < 1e-12, "{} {time}", to.time - from.time);
 }
 
+/// Without any friction η′ is largest at the bottom, where η″ vanishes and rounding tells its sign: it falls behind, through zero, and rises again.
+#[test]
+fn a_slip_that_is_least_behind_the_bottom_reverses_there() {
+    for (parameters, start) in [
+        (
+            (0.3898249596442731, 0.625816556663549, 0.9829678029722646),
+            Start::at(3.1275630799138234, 1.0108601929191154),
+        ),
+        (
+            (0.45171548271284234, 0.1831611642720496, 2.0965598990629726),
+            Start::at(2.9295501038949743, 0.8085111428199605),
+        ),
+    ] {
+        let (mass_ratio, offset, inertia) = parameters;
+        let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia)).expect("a valid hoop");
+        let limits = Limits::until(40.0);
+        let motion = hoop.simulate(start, limits).expect("a valid start");
+        // As far behind the bottom as the start lies before it.
+        let reversal = motion.transitions()[0].before;
+        assert!((reversal.theta - (TAU - start.theta)).abs() < 1e-15, "{reversal:?}");
+        let motion = motion.summary();
+        for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+            let summary = engine.summary(start, limits).expect("a valid start");
+            assert_eq!((summary.outcome, summary.transitions), (motion.outcome, motion.transitions));
+            assert_eq!(summary.sequence, motion.sequence);
+        }
+    }
+}
+
+/// Where η′ vanishes twice within 0.002 the second zero has its digits, too: as far behind the bottom as the third lies before it, by symmetry, and
+/// the same by all solvers.
+#[test]
+fn reversals_next_to_each_other_have_their_digits() {
+    let parameters = HoopParameters::new(0.7938587574375968, 0.2784689571620236, 0.43868262089929744);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let start = Start::at(-2.6703065502307917, -2.4013239599419345);
+    let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+    let [first, second, third, ..] = motion.transitions() else { unreachable!("three reversals") };
+    let [first, second, third] = [first, second, third].map(|reversal| reversal.before);
+    assert!((first.theta - start.theta).abs() < 0.002, "{first:?}");
+    assert!((first.theta + second.theta + TAU).abs() < 2e-15, "{first:?} {second:?}");
+    assert!((start.theta + third.theta + TAU).abs() < 2e-15, "{third:?}");
+    let (before, behind) = (first.time, third.time - second.time);
+    assert!((before - behind).abs() < 1e-15, "{before} {behind}");
+    for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+        let end = engine.summary(start, Limits::default().with_transitions(1)).expect("a valid start").end;
+        assert!((end.theta - first.theta).abs() < 1e-15 && (end.time - first.time).abs() < 1e-15, "{end:?}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    /// A slide without an event in a whole period, a turn or the way from the first turning point to the third, lasts for ever, which is known as soon as that has
+    /// passed.
+    #[test]
+    fn a_slide_is_known_to_last_for_ever_once_a_period_has_passed(
+        hoop in heavy_hoop(),
+        start in start(),
+        part in 0.01..0.99_f64,
+        later in 0.0..30.0_f64,
+    ) {
+        let hoop = Hoop::new(hoop.parameters().with_friction(0.0, 0.0)).expect("without friction");
+        let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
+        let Outcome::SlidesForever { since, recurrence } = motion.outcome() else { return Ok(()) };
+        let (Some(period), true) = (recurrence.period(), since.time == 0.0 && motion.transitions().is_empty()) else {
+            return Ok(());
+        };
+        // Next to an equilibrium, or the separatrix, a period is ill-conditioned.
+        prop_assume!(period < 30.0 && start.theta_rate.abs() > 1e-3);
+        // From the start of a rotation on; a libration comes to its first turning point within half a period.
+        let known = if matches!(recurrence, Recurrence::Rotation { .. }) { period } else { 1.5 * period };
+        let [before, behind] = [part * period, known + period * (1e-6 + part * later)];
+        for (until, expected) in [(before, OutcomeKind::TimeLimit), (behind, OutcomeKind::SlidesForever)] {
+            let limits = Limits::until(until);
+            let simulated = hoop.simulate(start, limits).expect("a valid start");
+            prop_assert_eq!(simulated.outcome().kind(), expected);
+            let end = simulated.summary().end;
+            for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+                let summary = engine.summary(start, limits).expect("a valid start");
+                prop_assert_eq!(summary.outcome, expected);
+                let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
+                prop_assert!(near(summary.end.time, end.time) && near(summary.end.slip, end.slip), "{:?} {end:?}", summary.end);
+                prop_assert!(
+                    near(summary.end.theta, end.theta) && near(summary.end.theta_rate, end.theta_rate) && near(summary.end.x, end.x),
+                    "{:?} {end:?}", summary.end
+                );
+            }
+        }
+    }
 
     #[test]
     fn a_slide_comes_to_rest_where_energy_and_momentum_say(hoop in heavy_hoop(), start in start()) {

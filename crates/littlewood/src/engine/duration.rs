@@ -64,6 +64,11 @@ pub(super) fn duration(bottom: f64, (excess, swing): (f64, f64), from: (f64, f64
     Some(2.0 * half * sum)
 }
 
+/// dτ/dψ where ψ has this sine and cosine.
+pub(super) fn slowness(bottom: f64, (excess, swing): (f64, f64), (sine, cosine): (f64, f64)) -> f64 {
+    2.0 * ((bottom + swing * (sine * sine)) / (excess + swing * (cosine * cosine))).sqrt()
+}
+
 /// A panel of an orbit.
 struct Panel {
     bottom: f64,

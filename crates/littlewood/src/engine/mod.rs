@@ -13,6 +13,7 @@ mod duration;
 mod frictionless;
 mod interpolant;
 mod jump;
+mod orbit;
 mod piece;
 mod polynomial;
 mod quadrature;

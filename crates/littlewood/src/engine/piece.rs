@@ -24,6 +24,20 @@ const SHORT_STEP: f64 = 1e-3;
 /// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that part: Newton's method takes it for fixed.
 const LAST_TIME: f64 = 1e-14;
 
+/// η″ within this part of 1 + u of zero may have either sign.
+const UNCERTAIN: f64 = 1e-9;
+
+/// Whether η″, where u is known, has a sign that rounding may have told.
+fn vanishes(slip_acceleration: f64, u: f64) -> bool {
+    slip_acceleration.abs() <= UNCERTAIN * (1.0 + u)
+}
+
+/// Whether η″ may rise through zero on a way on which it changes its sign at most once, with u at the beginning. It may vanish there, as at the
+/// bottom without kinetic friction.
+pub(super) fn may_rise(slip_acceleration: f64, u: f64, at_end: f64) -> bool {
+    at_end >= 0.0 && (slip_acceleration <= 0.0 || vanishes(slip_acceleration, u))
+}
+
 /// A part of a slide on which u is known as a function of a coordinate z, along which the slide goes up or down.
 pub(super) trait Piece {
     /// u at z.
@@ -143,6 +157,10 @@ impl<P: Piece> Way<'_, P> {
     pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
         let (mut low, mut high) = (here.z, there.z);
         let (mut at_low, mut at_high) = (here.slip_acceleration, there.slip_acceleration);
+        if vanishes(at_low, here.u) {
+            // That zero is not meant: from the middle, towards it.
+            at_low = -at_high;
+        }
         let (mut z, mut before) = (low, None);
         for _ in 0..60 {
             // The secant; from an end that has stayed where it was it is steeper, so that this end comes closer, too.

@@ -244,30 +244,32 @@ impl RollTable {
         k.is_finite().then(|| self.slip(k, piece.left, stop, side).0)
     }
 
-    /// Follows an orbit on which rolling holds at the start, θ growing at the rate `theta_rate` > 0. None where a
+    /// Follows an orbit on which rolling holds at the start, perhaps just so (`on_limit`), from an angle ϑ that grows at a rate ϑ′. None where a
     /// margin is in doubt or the orbit comes close to a standstill before it slips. If the first slip is the one `ahead`,
     /// it need not be computed.
     pub(super) fn follow(
         &self,
-        theta: f64,
-        theta_rate: f64,
+        (theta, theta_rate): (f64, f64),
         cos: f64,
+        on_limit: bool,
         ahead: Option<&RollAhead>,
     ) -> Option<RollEnd> {
         let turns = (theta / TAU).floor();
         let angle = theta - TAU * turns;
         let k = self.law.denominator_at(cos) * (1.0 + theta_rate * theta_rate);
         let over_top = k - self.law.top;
-        if over_top > 1e-9 * k {
-            self.rotation(Orbit { k, angle, turns }, ahead)
+        let end = if over_top > 1e-9 * k {
+            self.rotation(Orbit { k, angle, turns }, on_limit, ahead)
         } else if over_top < -1e-9 * k {
             self.libration(k)
         } else {
             None
-        }
+        };
+        // An orbit on the limit is beyond it on the other side.
+        end.filter(|end| !(on_limit && *end == RollEnd::Never))
     }
 
-    fn rotation(&self, orbit: Orbit, ahead: Option<&RollAhead>) -> Option<RollEnd> {
+    fn rotation(&self, orbit: Orbit, on_limit: bool, ahead: Option<&RollAhead>) -> Option<RollEnd> {
         let first = self.stops.partition_point(|stop| stop.angle <= orbit.angle);
         let laps =
             (first..self.stops.len()).map(|stop| (stop, 0.0)).chain((0..first).map(|stop| (stop, TAU)));
@@ -276,6 +278,10 @@ impl RollTable {
                 continue;
             }
             if let Some(side) = breaks(orbit.k, &self.stops[stop].margins)? {
+                // From the limit on a margin grows, and has no second zero on the same piece.
+                if on_limit && stop == first && lap == 0.0 {
+                    return None;
+                }
                 let (found, direction, elapsed) = match ahead {
                     Some(ahead) if ahead.stop == stop && ahead.side == side => {
                         let found = orbit.angle + ahead.turned - lap;
@@ -407,8 +413,9 @@ mod tests {
         let mut slips = 0;
         for k in 0..60 {
             let (theta, rate) = (0.1 * f64::from(k), 1.9);
-            let follow =
-                |ahead: Option<RollAhead>| roll.follow(theta, rate, libm::cos(theta), ahead.as_ref());
+            let follow = |ahead: Option<RollAhead>| {
+                roll.follow((theta, rate), libm::cos(theta), false, ahead.as_ref())
+            };
             let found = follow(None);
             let Some(RollEnd::Slip { stop, point, .. }) = found else { continue };
             slips += 1;

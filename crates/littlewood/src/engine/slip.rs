@@ -292,7 +292,7 @@ impl Builder<'_> {
         let roll = |angle: f64| {
             let [turned, _, rate] = slides.at(angle);
             let theta = angle + turned;
-            match self.roll.follow(theta, rate, sincos(theta).1, None)? {
+            match self.roll.follow((theta, rate), sincos(theta).1, false, None)? {
                 RollEnd::Slip { elapsed, theta: end, point, stop, .. } => {
                     Some(((stop, point.side), [end - theta, elapsed]))
                 }

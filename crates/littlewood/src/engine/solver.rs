@@ -20,6 +20,7 @@ use crate::walk::{Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver, next_
 
 use super::chain::{Chains, Follow, Passage};
 use super::direct::Memory;
+use super::orbit::{Orbit, Reached};
 use super::roll::{RollEnd, SlipPoint, direction_of};
 use super::slide::SlideEnd;
 use super::slip::Ahead;
@@ -43,8 +44,8 @@ pub(super) trait Phases {
     fn denominator(&self, direction: (f64, f64)) -> f64;
     /// Whether P is positive at every angle, for either direction of slip.
     fn is_solvable(&self) -> bool;
-    /// The end of the rolling that begins at a place, in the frame of motion; `memory` is that of the motion.
-    fn roll(&self, place: &Place, memory: &Memory) -> Option<RollEnd>;
+    /// The end of the rolling that begins at a place, in the frame of motion, on the limit of static friction or not; `memory` is that of the motion.
+    fn roll(&self, place: &Place, on_limit: bool, memory: &Memory) -> Option<RollEnd>;
     /// The end of the slide that begins at a place, or where it is cut after the time `allowed`, and what is known of the phase behind
     /// it. `slip_acceleration` where η′ = 0 at the start.
     fn slide(
@@ -240,6 +241,18 @@ impl<'a, P: Phases> FastSolver<'a, P> {
     }
 }
 
+impl<P: Phases> FastSolver<'_, P> {
+    /// Where rolling from a place has led at the limit of time.
+    fn rolled(&self, place: &Place) -> Option<State> {
+        let (state, travel) = (place.state, place.travel());
+        let orbit = Orbit::enter(self.phases.rolling(), travel * state.theta, travel * state.theta_rate)?;
+        let Reached { theta, theta_rate } = orbit.after(self.until - state.time)?;
+        let theta = travel * theta;
+        let x = state.x - (theta - state.theta);
+        Some(State { time: self.until, theta, theta_rate: travel * theta_rate, slip: 0.0, x })
+    }
+}
+
 impl<P: Phases> Follow for FastSolver<'_, P> {
     fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, PhaseSequence)> {
         let solver = Self::new(self.hoop, self.phases, None, Limits::default());
@@ -289,8 +302,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = place.travel();
-        let known = if on_limit { None } else { self.phases.roll(place, &self.memory) };
-        let ending: Ended = match known {
+        let ending: Ended = match self.phases.roll(place, on_limit, &self.memory) {
             Some(RollEnd::Never) => Ending::Motion {
                 event: None,
                 end: None,
@@ -320,7 +332,15 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                     arrival: Arrival::RollingLimit(limit),
                 }
             }
-            Some(RollEnd::Slip { .. }) | None => return Self::take(self.exact.roll(&state, on_limit)),
+            Some(RollEnd::Slip { .. }) => match self.rolled(place) {
+                Some(end) => Ending::Motion {
+                    event: None,
+                    end: Some(end),
+                    verdict: Verdict { kind: OutcomeKind::TimeLimit, state: end },
+                },
+                None => return Self::take(self.exact.roll(&state, on_limit)),
+            },
+            None => return Self::take(self.exact.roll(&state, on_limit)),
         };
         Solved { solution: Kept::Nothing, direction: None, ending }
     }
@@ -334,20 +354,22 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         slip_acceleration: Option<f64>,
     ) -> SolvedBy<Self> {
         let state = place.state;
-        if self.hoop.mu_k() == 0.0 && self.until.is_infinite() && frictionless::slides_forever(body, &state) {
-            let verdict = Verdict { kind: OutcomeKind::SlidesForever, state };
-            let ending = Ending::Motion { event: None, end: None, verdict };
-            return Solved { solution: Kept::Nothing, direction: Some(direction), ending };
+        let is_conservative = self.hoop.mu_k() == 0.0;
+        let for_ever = Verdict { kind: OutcomeKind::SlidesForever, state };
+        let never = || {
+            let ending = Ending::Motion { event: None, end: None, verdict: for_ever };
+            Solved { solution: Kept::Nothing, direction: Some(direction), ending }
+        };
+        if is_conservative && self.until.is_infinite() && frictionless::slides_forever(body, &state) {
+            return never();
         }
         let allowed = self.until - state.time;
         let followed = self.phases.slide(place, direction, slip_acceleration, allowed, &self.memory);
         let (event, ahead, is_cut) = match followed {
             Some((SlideEnd::Event(event), ahead)) => (event, ahead, false),
-            // Without friction the slide may be known to last for ever, which the exact rules decide.
-            Some((SlideEnd::Cut(event), ahead)) if self.hoop.mu_k() > 0.0 => (event, ahead, true),
-            Some((SlideEnd::Cut(_), _)) | None => {
-                return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));
-            }
+            Some((SlideEnd::Cut(event), ahead)) => (event, ahead, true),
+            Some((SlideEnd::Never, _)) => return never(),
+            None => return Self::take(self.exact.slide(&state, body, direction, slip_acceleration)),
         };
         let law = self.phases.sliding(direction);
         let here = event.direction;
@@ -360,7 +382,9 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         };
         let solution = Kept::Slide(event.range_from(state.theta));
         if is_cut {
-            let verdict = Verdict { kind: OutcomeKind::TimeLimit, state: end };
+            let repeats = is_conservative && event.is_behind_a_period(state.theta);
+            let verdict =
+                if repeats { for_ever } else { Verdict { kind: OutcomeKind::TimeLimit, state: end } };
             let ending = Ending::Motion { event: None, end: Some(end), verdict };
             return Solved { solution, direction: Some(direction), ending };
         }
@@ -445,7 +469,9 @@ impl<P: Phases> FastSolver<'_, P> {
         let place = Place::new(State::from(start));
         let is_open = self.clear_evidence(&place, Arrival::Open).is_none();
         match self.decide(&place, Arrival::Open) {
-            Next::Roll { .. } => [is_open, self.phases.roll(&place, &self.memory).is_none(), false],
+            Next::Roll { on_limit } => {
+                [is_open, self.phases.roll(&place, on_limit, &self.memory).is_none(), false]
+            }
             Next::Slide { direction, slip_acceleration, .. } => {
                 let slide =
                     self.phases.slide(&place, direction, slip_acceleration, f64::INFINITY, &self.memory);

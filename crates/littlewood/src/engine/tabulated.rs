@@ -13,7 +13,7 @@ use super::solver::{MIN_RATE, Phases, Place};
 
 impl Tables {
     #[inline(always)]
-    fn known_roll(&self, place: &Place) -> Option<RollEnd> {
+    fn known_roll(&self, place: &Place, on_limit: bool) -> Option<RollEnd> {
         let (state, travel) = (place.state, place.travel());
         if state.theta_rate.abs() < MIN_RATE {
             return None;
@@ -22,7 +22,8 @@ impl Tables {
             Ahead::Roll(ahead) => Some(ahead),
             Ahead::Open => None,
         };
-        self.roll.follow(travel * state.theta, travel * state.theta_rate, place.direction.1, ahead)
+        let (theta, theta_rate) = (travel * state.theta, travel * state.theta_rate);
+        self.roll.follow((theta, theta_rate), place.direction.1, on_limit, ahead)
     }
 
     #[inline(always)]
@@ -87,8 +88,8 @@ impl Phases for Tables {
     }
 
     #[inline(always)]
-    fn roll(&self, place: &Place, memory: &Memory) -> Option<RollEnd> {
-        self.known_roll(place).or_else(|| self.direct.roll(place, memory))
+    fn roll(&self, place: &Place, on_limit: bool, memory: &Memory) -> Option<RollEnd> {
+        self.known_roll(place, on_limit).or_else(|| self.direct.roll(place, on_limit, memory))
     }
 
     #[inline(always)]
@@ -102,11 +103,9 @@ impl Phases for Tables {
     ) -> Option<(SlideEnd, Ahead)> {
         match self.known_slide(place, direction, slip_acceleration, allowed) {
             Ok(known) => Some(known),
-            // Computed directly a slide with friction would take as many turns.
-            Err(Unknown::Long) if self.direct.has_kinetic_friction() => None,
-            Err(Unknown::Doubt | Unknown::Long) => {
-                self.direct.slide(place, direction, slip_acceleration, allowed, memory)
-            }
+            // Computed directly a slide would take as many turns.
+            Err(Unknown::Long) => None,
+            Err(Unknown::Doubt) => self.direct.slide(place, direction, slip_acceleration, allowed, memory),
         }
     }
 }

@@ -244,9 +244,6 @@ impl Sliding {
                 theta_rate,
                 slip: integral + theta_rate * self.law.lever(sin, cos) - self.law.friction * elapsed,
             };
-            if last {
-                return SlidingEnd::TimeLimit(self.state_from(next));
-            }
             if self.law.friction == 0.0 {
                 if next.theta_rate * here.theta_rate < 0.0 {
                     let at = root(&series.theta_rate, 0.0, here.theta_rate.signum(), width);
@@ -255,6 +252,9 @@ impl Sliding {
                 if let Some(recurrence) = self.recurrence(&series, &here, &next) {
                     return SlidingEnd::Endless(recurrence);
                 }
+            }
+            if last {
+                return SlidingEnd::TimeLimit(self.state_from(next));
             }
             here = self.leap(&mut lookout, &series, (here, next), allowed).unwrap_or(next);
         }

@@ -15,6 +15,7 @@ use crate::hoop::{Body, Heavy, Hoop};
 use crate::mode::Direction;
 use crate::rolling::margin_forms;
 
+use super::orbit::Orbit;
 use super::piece::Waypoint;
 use super::roll::RollEnd;
 use super::slide::{SlideEnd, SlideStart};
@@ -27,7 +28,6 @@ use slide::Frame;
 /// The equations of one hoop.
 #[derive(Clone, Debug)]
 pub(super) struct Direct {
-    hoop: Hoop,
     body: Heavy,
     /// The laws of sliding for σ = −1 and σ = +1.
     sliding: [SlidingLaw; 2],
@@ -41,7 +41,6 @@ impl Direct {
     pub(super) fn new(hoop: &Hoop) -> Option<Self> {
         let Body::Heavy(body) = hoop.body() else { return None };
         Some(Self {
-            hoop: *hoop,
             body,
             sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
             rolling: RollingLaw::new(hoop),
@@ -51,11 +50,6 @@ impl Direct {
 }
 
 impl Direct {
-    /// Whether μk > 0.
-    pub(super) const fn has_kinetic_friction(&self) -> bool {
-        self.hoop.mu_k() > 0.0
-    }
-
     /// A slide from a place in the frame of motion.
     fn seen(&self, place: &Place, direction: Direction, from_limit: bool) -> (Frame<'_>, Waypoint) {
         let (state, sign) = (place.state, place.travel());
@@ -122,13 +116,14 @@ impl Phases for Direct {
         self.rolling.denominator_of(direction)
     }
 
-    fn roll(&self, place: &Place, memory: &Memory) -> Option<RollEnd> {
+    fn roll(&self, place: &Place, on_limit: bool, memory: &Memory) -> Option<RollEnd> {
         let (state, travel) = (place.state, place.travel());
         if state.theta_rate == 0.0 {
             // Gravity decides where it goes.
             return None;
         }
-        roll::follow(&self.rolling, &self.margins, travel * state.theta, travel * state.theta_rate, memory)
+        let orbit = Orbit::enter(&self.rolling, travel * state.theta, travel * state.theta_rate)?;
+        roll::follow(&orbit, &self.margins, on_limit, memory)
     }
 
     fn slide(

@@ -8,12 +8,9 @@
 
 use core::f64::consts::TAU;
 
-use crate::equations::RollingLaw;
 use crate::form::{Form, HalfAngle, on_arc};
-use crate::rolling::time_from_bottom;
-use crate::trig::sincos;
 
-use super::super::duration::duration;
+use super::super::orbit::{Orbit, Pass};
 use super::super::roll::{RollEnd, SlipPoint, breaks, holds};
 use super::super::solver::MIN_RATE;
 use super::memory::Memory;
@@ -117,9 +114,6 @@ fn cross([x0, y0]: HalfAngle, [x1, y1]: HalfAngle) -> f64 {
     x0 * y1 - y0 * x1
 }
 
-/// Orbits whose energy over the top is a smaller part of their constant are left to the exact solver.
-const SEPARATRIX: f64 = 1e-9;
-
 /// Part of an orbit between two directions of the half angle.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
@@ -156,200 +150,195 @@ impl Arc {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Pass {
-    First,
-    NextTurn,
-    WayBack,
+/// The first of two crossings, the second of a side.
+fn earlier(first: Option<(f64, usize)>, at: Option<f64>, side: usize) -> Option<(f64, usize)> {
+    match (first, at) {
+        (Some((before, _)), Some(at)) if at >= before => first,
+        (_, Some(at)) => Some((at, side)),
+        (_, None) => first,
+    }
 }
 
-/// An orbit entered at a state: z = −cos ϑ/2 and y = sin ϑ/2 ≥ 0 there.
-#[derive(Clone, Copy, Debug)]
-struct Orbit<'a> {
-    law: &'a RollingLaw,
-    rotates: bool,
-    lap: f64,
-    z: f64,
-    y: f64,
-    /// D ϑ′².
-    kinetic: f64,
-    /// |K − D(0)| and 4ℓ̂k².
-    excess: f64,
-    swing: f64,
-}
-
-/// Follows the orbit on which rolling holds at an angle, with a positive rate. None next to the separatrix.
+/// Follows an orbit on which rolling holds where it is entered, perhaps just so (`on_limit`). None where a margin is in doubt there.
 pub(super) fn follow(
-    law: &RollingLaw,
+    orbit: &Orbit<'_>,
     margins: &Margins,
-    theta: f64,
-    theta_rate: f64,
+    on_limit: bool,
     memory: &Memory,
 ) -> Option<RollEnd> {
-    let mut lap = (theta / TAU).floor();
-    let (sin, cos) = sincos(0.5 * theta);
-    let flip = if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
-    let (mut x, mut y) = (flip * cos, flip * sin);
-    if y < 0.0 {
-        // Rounding put the angle on the wrong side of a multiple of 2π.
-        lap += if x > 0.0 { -1.0 } else { 1.0 };
-        (x, y) = (-x, -y);
-    }
-    let z = -x;
-    let four_l = 4.0 * law.offset;
-    let kinetic = (law.bottom + four_l * z * z) * theta_rate * theta_rate;
-    let over_top = kinetic - four_l * y * y;
-    let over_bottom = kinetic + four_l * z * z;
-    let k = law.bottom + over_bottom;
-    if over_top.abs() <= SEPARATRIX * k {
-        return None;
-    }
-    let rotates = over_top > 0.0;
-    let swing = if rotates { four_l } else { over_bottom };
+    let k = orbit.k();
+    let here = margins.map(|parts| parts.map(|part| part.value([-orbit.z, orbit.y])));
+    let limit = on_limit.then(|| {
+        let [negative, positive] = here.map(|[a, b]| (a + k * b).abs());
+        usize::from(positive < negative)
+    });
     // So close to the limit rounding would tell whether it slips at once.
-    if breaks(k, &margins.map(|parts| parts.map(|part| part.value([x, y]))))?.is_some() {
+    if breaks(k, &limit.map_or(here, |side| [here[1 - side]; 2]))?.is_some() {
         return None;
     }
-    let orbit = Orbit { law, rotates, lap, z, y, kinetic, excess: over_top.abs(), swing };
-    let slip_on = |arc: &Arc, holds: &dyn Fn(usize) -> bool| {
+    let slip_on = |arc: &Arc, starts_at_zero: Option<usize>, holds: &dyn Fn(usize) -> bool| {
         let mut first: Option<(f64, usize)> = None;
         for (side, parts) in margins.iter().enumerate() {
             if holds(side) {
                 continue;
             }
             let margin = on_orbit(parts, k).restricted(arc.from, arc.to);
+            if starts_at_zero == Some(side) {
+                let margin = margin.bernstein().starting_at_zero();
+                let at = margin.first_crossing().map(|bracket| bracket.refine(|t| margin.value_and_slope(t)));
+                first = earlier(first, at, side);
+                continue;
+            }
             // No crossing without a change of sign.
             if margin.0.iter().all(|c| *c > 0.0) {
                 continue;
             }
-            if let Some(bracket) = margin.bernstein().first_crossing() {
-                let at = bracket.refine_from_secant(|t| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]));
-                if first.is_none_or(|(before, _)| at < before) {
-                    first = Some((at, side));
-                }
-            }
+            let at = margin.bernstein().first_crossing().map(|bracket| {
+                bracket.refine_from_secant(|t| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]))
+            });
+            first = earlier(first, at, side);
         }
         first
     };
     let Some(known) = memory.recall() else {
-        for arc in orbit.arcs() {
-            if let Some((at, side)) = slip_on(&arc, &|_| false) {
-                return orbit.slip(&arc, at, side);
+        for (number, arc) in arcs(orbit).enumerate() {
+            if let Some((at, side)) = slip_on(&arc, limit.filter(|_| number == 0), &|_| false) {
+                return slip(orbit, &arc, at, side);
             }
         }
         return Some(RollEnd::Never);
     };
-    for (number, arc) in orbit.arcs().flat_map(Arc::parts) {
+    for (passed, (number, arc)) in arcs(orbit).flat_map(Arc::parts).enumerate() {
         let octant = known.octant(margins, number);
         if octant.holds(k) {
             continue;
         }
-        if let Some((at, side)) = slip_on(&arc, &|side| octant.holds_on(side, k)) {
-            return orbit.slip(&arc, at, side);
+        let starts_at_zero = limit.filter(|_| passed == 0);
+        if let Some((at, side)) = slip_on(&arc, starts_at_zero, &|side| octant.holds_on(side, k)) {
+            return slip(orbit, &arc, at, side);
         }
     }
     Some(RollEnd::Never)
 }
 
-impl Orbit<'_> {
-    /// The arcs that lie ahead, until every point of the orbit has been passed.
-    fn arcs(&self) -> impl Iterator<Item = Arc> {
-        let here = [-self.z, self.y];
-        let bottom = [0.0, 1.0];
-        let past_bottom = self.z >= 0.0;
-        let arc = |from, to, pass| Arc { from, to, pass };
-        let farthest = if self.rotates {
-            [-1.0, 0.0]
-        } else {
-            let four_l = 4.0 * self.law.offset;
-            [-(self.swing / four_l).sqrt(), (self.excess / four_l).sqrt()]
-        };
-        let first = (!past_bottom).then(|| arc(here, bottom, Pass::First));
-        let second = arc(if past_bottom { here } else { bottom }, farthest, Pass::First);
-        let (third, fourth) = if self.rotates {
-            let third = arc([1.0, 0.0], if past_bottom { bottom } else { here }, Pass::NextTurn);
-            (third, past_bottom.then(|| arc(bottom, here, Pass::NextTurn)))
-        } else {
-            let [x, y] = farthest;
-            (arc(farthest, bottom, Pass::WayBack), Some(arc(bottom, [-x, y], Pass::WayBack)))
-        };
-        [first, Some(second), Some(third), fourth].into_iter().flatten().filter(|arc| arc.from != arc.to)
-    }
+/// The arcs that lie ahead, until every point of the orbit has been passed.
+fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = Arc> {
+    let here = [-orbit.z, orbit.y];
+    let bottom = [0.0, 1.0];
+    let past_bottom = orbit.z >= 0.0;
+    let arc = |from, to, pass| Arc { from, to, pass };
+    let farthest = if orbit.rotates {
+        [-1.0, 0.0]
+    } else {
+        let four_l = 4.0 * orbit.law.offset;
+        [-(orbit.swing / four_l).sqrt(), (orbit.excess / four_l).sqrt()]
+    };
+    let first = (!past_bottom).then(|| arc(here, bottom, Pass::First));
+    let second = arc(if past_bottom { here } else { bottom }, farthest, Pass::First);
+    let (third, fourth) = if orbit.rotates {
+        let third = arc([1.0, 0.0], if past_bottom { bottom } else { here }, Pass::NextTurn);
+        (third, past_bottom.then(|| arc(bottom, here, Pass::NextTurn)))
+    } else {
+        let [x, y] = farthest;
+        (arc(farthest, bottom, Pass::WayBack), Some(arc(bottom, [-x, y], Pass::WayBack)))
+    };
+    [first, Some(second), Some(third), fourth].into_iter().flatten().filter(|arc| arc.from != arc.to)
+}
 
-    /// Sine and cosine of the phase at a point, by z, y, and D ϑ′² there.
-    fn phase(&self, z: f64, y: f64, kinetic: f64) -> (f64, f64) {
-        if self.rotates {
-            (z, y)
-        } else {
-            let sine = z * (4.0 * self.law.offset / self.swing).sqrt();
-            (sine.clamp(-1.0, 1.0), (kinetic / self.swing).sqrt())
-        }
+/// The slip at a point of an arc.
+fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Option<RollEnd> {
+    let [x, y] = on_arc(arc.from, arc.to, at);
+    let z = -x;
+    let four_l = 4.0 * orbit.law.offset;
+    let d = orbit.law.bottom + four_l * z * z;
+    // K − D changes by 4ℓ̂ (z0² − z²).
+    let kinetic = if orbit.rotates {
+        orbit.excess + four_l * y * y
+    } else {
+        (orbit.kinetic + four_l * (orbit.z - z) * (orbit.z + z)).max(0.0)
+    };
+    let rate = (kinetic / d).sqrt();
+    if rate < MIN_RATE {
+        return None;
     }
-
-    /// Time from the entry to a phase on an arc.
-    fn time(&self, (sine, cosine): (f64, f64), pass: Pass) -> f64 {
-        let orbit = (self.excess, self.swing);
-        let (s0, c0) = self.phase(self.z, self.y, self.kinetic);
-        let (s1, c1) = match pass {
-            Pass::First => (sine, cosine),
-            Pass::NextTurn => (-sine, -cosine),
-            Pass::WayBack => (sine, -cosine),
-        };
-        let turned = libm::atan2(s1 * c0 - c1 * s0, c1 * c0 + s1 * s0);
-        // Up to half a turn of the phase, give or take rounding.
-        let arc = if turned < -1.0 { turned + TAU } else { turned.max(0.0) };
-        if let Some(time) = duration(self.law.bottom, orbit, (s0, c0), arc) {
-            return time;
-        }
-        let from_bottom = |phase| time_from_bottom(self.law.bottom, orbit, phase);
-        let half_period = || 2.0 * from_bottom((1.0, 0.0));
-        let (entered, reached) = (from_bottom((s0, c0)), from_bottom((sine, cosine)));
-        let elapsed = match pass {
-            Pass::First => reached - entered,
-            Pass::NextTurn => half_period() + reached - entered,
-            Pass::WayBack => half_period() - reached - entered,
-        };
-        elapsed.max(0.0)
-    }
-
-    /// The slip at a point of an arc.
-    fn slip(&self, arc: &Arc, at: f64, side: usize) -> Option<RollEnd> {
-        let [x, y] = on_arc(arc.from, arc.to, at);
-        let z = -x;
-        let four_l = 4.0 * self.law.offset;
-        let d = self.law.bottom + four_l * z * z;
-        // K − D changes by 4ℓ̂ (z0² − z²).
-        let kinetic = if self.rotates {
-            self.excess + four_l * y * y
-        } else {
-            (self.kinetic + four_l * (self.z - z) * (self.z + z)).max(0.0)
-        };
-        let rate = (kinetic / d).sqrt();
-        if rate < MIN_RATE {
-            return None;
-        }
-        let (lap, rate) = match arc.pass {
-            Pass::First => (self.lap, rate),
-            Pass::NextTurn => (self.lap + 1.0, rate),
-            Pass::WayBack => (self.lap, -rate),
-        };
-        let angle = 2.0 * libm::atan2(y, -z);
-        Some(RollEnd::Slip {
-            elapsed: self.time(self.phase(z, y, kinetic), arc.pass),
-            theta: TAU * lap + angle,
-            theta_rate: rate,
-            point: SlipPoint { side, angle },
-            stop: 0,
-            direction: (-2.0 * y * z, z * z - y * y),
-        })
-    }
+    let (lap, rate) = match arc.pass {
+        Pass::First => (orbit.lap, rate),
+        Pass::NextTurn => (orbit.lap + 1.0, rate),
+        Pass::WayBack => (orbit.lap, -rate),
+    };
+    let angle = 2.0 * libm::atan2(y, -z);
+    Some(RollEnd::Slip {
+        elapsed: orbit.time(orbit.phase(z, y, kinetic), arc.pass),
+        theta: TAU * lap + angle,
+        theta_rate: rate,
+        point: SlipPoint { side, angle },
+        stop: 0,
+        direction: (-2.0 * y * z, z * z - y * y),
+    })
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::roll::RollTable;
     use super::*;
+    use crate::equations::RollingLaw;
     use crate::hoop::{Hoop, HoopParameters};
-    use crate::rolling::margin_forms;
+    use crate::rolling::{Rolling, margin_forms};
+    use crate::state::State;
+
+    fn half_angle(theta: f64) -> HalfAngle {
+        let (y, x) = libm::sincos(0.5 * theta);
+        [x, y]
+    }
+
+    /// Where a margin vanishes and grows behind, on both sides of the body, forth and back: the exact solver's slip, by the orbit alone and by what is kept
+    /// of it.
+    #[test]
+    fn an_orbit_on_the_limit_slips_where_it_does_for_the_exact_solver() {
+        let mut slips = 0;
+        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.9)] {
+            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, 0.0);
+            let hoop = Hoop::new(hoop).unwrap();
+            let (margins, law, table) =
+                (margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop), RollTable::new(&hoop).unwrap());
+            for (step, side) in (0..300).flat_map(|step| [0, 1].map(|side| (step, side))) {
+                let theta = 0.021 * f64::from(step) - 3.1;
+                let Some(u) = table.limit(side, theta).filter(|u| *u > 1e-2) else { continue };
+                let rate = u.sqrt();
+                let Some(orbit) = Orbit::enter(&law, theta, rate) else { continue };
+                let ahead = on_orbit(&margins[side], orbit.k()).value(half_angle(theta + 1e-4));
+                if ahead < 1e-9 {
+                    continue;
+                }
+                let start = State { time: 0.0, theta, theta_rate: rate, slip: 0.0, x: 0.0 };
+                let expected = Rolling::new(&hoop, start).orbit().end_from_limit();
+                let with_cells = Memory::default();
+                while with_cells.recall().is_none() {}
+                let found =
+                    [&Memory::default(), &with_cells].map(|memory| follow(&orbit, &margins, true, memory));
+                for found in
+                    found.into_iter().chain([table.follow((theta, rate), libm::cos(theta), true, None)])
+                {
+                    match (found, expected) {
+                        (Some(RollEnd::Slip { elapsed, theta, theta_rate, .. }), Some(end)) => {
+                            for (found, expected) in
+                                [(elapsed, end.elapsed), (theta, end.theta), (theta_rate, end.theta_rate)]
+                            {
+                                let allowed = 1e-12 * (1.0 + expected.abs());
+                                assert!((found - expected).abs() < allowed, "{orbit:?}: {found} {expected}");
+                            }
+                            slips += 1;
+                        }
+                        (Some(RollEnd::Never), _) | (Some(_), None) => {
+                            panic!("{orbit:?} {found:?} {expected:?}")
+                        }
+                        (None, _) => {}
+                    }
+                }
+            }
+        }
+        assert!(slips > 500, "{slips}");
+    }
 
     #[test]
     fn the_parts_of_an_arc_are_the_arc() {

@@ -10,7 +10,7 @@
 use crate::equations::{SlidingLaw, contact};
 
 use super::super::piece::{End, Piece, Way, Waypoint};
-use super::super::slide::{SlideEnd, SlideEvent};
+use super::super::slide::{SlideEnd, SlideEvent, Turns};
 use super::cell::Cell;
 use super::expansion::{Expansion, Signs};
 use super::memory::{Contents, Memory};
@@ -76,7 +76,7 @@ pub(super) fn follow(
     memory: &Memory,
 ) -> Option<SlideEnd> {
     let known = memory.recall();
-    let mut turns: Option<(f64, f64)> = None;
+    let mut turns = None;
     for piece in 0..MOST_PIECES {
         let (end, mut at, rate);
         let is_cut;
@@ -95,9 +95,7 @@ pub(super) fn follow(
                 }
                 rate = turn.rate(at.z, at.u);
                 if place.z < 0.0 && at.z > 0.0 {
-                    let angle = before.sign * before.theta;
-                    turns =
-                        Some(turns.map_or((angle, angle), |(low, high)| (low.min(angle), high.max(angle))));
+                    turns = Some(Turns::another(turns, before.sign * before.theta));
                 }
                 frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
                 if end == End::Open && !is_cut {

@@ -2,12 +2,12 @@
 
 use crate::equations::contact;
 
-use super::super::piece::{End, Piece, Way, Waypoint};
+use super::super::piece::{End, Piece, Way, Waypoint, may_rise};
 use super::super::polynomial::value;
 use super::super::solver::MIN_RATE;
 use super::cell::{Cell, Polynomial};
 use super::turning::Turning;
-use super::{SlideEnd, SlideEvent, SlideStart, SlideTable, Unknown};
+use super::{SlideEnd, SlideEvent, SlideStart, SlideTable, Turns, Unknown};
 
 /// Ratio of the ends of u from which a turning point is looked for.
 const UNEVEN: f64 = 2.0;
@@ -127,7 +127,7 @@ fn pass<P: Piece>(way: &Way<'_, P>, here: &Waypoint, there: Waypoint, lifts_off:
         return Some(Passed::to(End::Rest, way.rest(here, &there)?));
     }
     let passed = Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there);
-    if here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0 {
+    if may_rise(here.slip_acceleration, here.u, there.slip_acceleration) && here.slip > 0.0 {
         let least = way.least(here, &there)?;
         // Where it hardly vanishes, or hardly does not, rounding would decide.
         if least.slip.abs() <= UNCERTAIN * (1.0 + least.u.sqrt()) {
@@ -180,14 +180,22 @@ struct Follower<'a> {
     here: Waypoint,
     /// Whether the way through the cell begins at its end.
     whole: bool,
-    /// Smallest and largest angle of turning points.
-    turns: Option<(f64, f64)>,
+    turns: Option<Turns>,
     /// The first passage of the bottom, and then each in the same direction.
     last: Option<Passage>,
     /// The least η′ since then, or since the start.
     least: f64,
-    /// Whether it is known to take too many turns.
-    is_long: bool,
+    /// What is known of its end, if it is far.
+    far: Option<Far>,
+}
+
+/// An end that is not looked for.
+#[derive(Clone, Copy, Debug)]
+enum Far {
+    /// Behind too many turns.
+    Long,
+    /// Never.
+    Never,
 }
 
 impl SlideTable {
@@ -197,15 +205,18 @@ impl SlideTable {
         let mut left = 2 * MOST_TURNS * self.cells.len();
         while left > 0 {
             left -= follower.cross_cells(left);
-            if follower.is_long || left == 0 {
-                break;
+            if left > 0 && follower.far.is_none() {
+                left -= 1;
+                match follower.pass_cell() {
+                    None => return Err(Unknown::Doubt),
+                    Some(Some(end)) => return Ok(end),
+                    Some(None) => {}
+                }
             }
-            left -= 1;
-            match follower.pass_cell() {
-                None => return Err(Unknown::Doubt),
-                Some(Some(end)) => return Ok(end),
-                Some(None) if follower.is_long => break,
-                Some(None) => {}
+            match follower.far {
+                None => {}
+                Some(Far::Never) => return Ok(SlideEnd::Never),
+                Some(Far::Long) => break,
             }
         }
         Err(Unknown::Long)
@@ -215,7 +226,7 @@ impl SlideTable {
     pub(in crate::engine) fn follow_one_way(&self, start: SlideStart) -> Option<SlideEvent> {
         match self.follow(start, f64::INFINITY) {
             Ok(SlideEnd::Event(event)) if event.turns.is_none() => Some(event),
-            Ok(SlideEnd::Event(_) | SlideEnd::Cut(_)) | Err(_) => None,
+            Ok(SlideEnd::Event(_) | SlideEnd::Cut(_) | SlideEnd::Never) | Err(_) => None,
         }
     }
 }
@@ -247,7 +258,7 @@ impl<'a> Follower<'a> {
             turns: None,
             least: start.slip,
             last: None,
-            is_long: false,
+            far: None,
         })
     }
 
@@ -276,7 +287,7 @@ impl<'a> Follower<'a> {
                 break;
             }
             let exit_acceleration = exit.alpha + exit.beta * exit_u;
-            if slip_acceleration <= 0.0 && exit_acceleration >= 0.0 && slip > 0.0 {
+            if may_rise(slip_acceleration, u, exit_acceleration) && slip > 0.0 {
                 break;
             }
             let later = elapsed + cell.whole_time(level, is_within(EVEN, (u, exit_u)));
@@ -348,7 +359,8 @@ impl<'a> Follower<'a> {
                 direction: (0.0, exit.cos),
             }
         };
-        let has_minimum = here.slip_acceleration <= 0.0 && there.slip_acceleration >= 0.0 && here.slip > 0.0;
+        let has_minimum =
+            may_rise(here.slip_acceleration, here.u, there.slip_acceleration) && here.slip > 0.0;
         let passed = if there.slip <= 0.0 || has_minimum {
             pass(&self.way(&crossing(), travel), &here, there, lifts_off)?
         } else {
@@ -402,8 +414,7 @@ impl<'a> Follower<'a> {
                 Passed { end: End::Open, at: middle, least } => {
                     self.least = self.least.min(least);
                     let angle = self.offset + (cell.centre + cell.half * turning.place(0.0));
-                    let (low, high) = self.turns.unwrap_or((angle, angle));
-                    self.turns = Some((low.min(angle), high.max(angle)));
+                    self.turns = Some(Turns::another(self.turns, angle));
                     self.travel = -self.travel;
                     let passed = pass_to(&way, &middle, turning.coordinate(self.travel))?;
                     self.cut(&way, &middle, passed)?
@@ -423,11 +434,15 @@ impl<'a> Follower<'a> {
     /// Takes note of a passage of the bottom.
     ///
     /// Of a libration, whole periods ahead without an event are passed: friction does not ask for the sign of θ′, so that θ′² is the same
-    /// function of the angle in all of them, and η′ falls by μk times the period in each.
+    /// function of the angle in all of them, and η′ falls by μk times the period in each. Without kinetic friction a rotation has periods, too, and no event
+    /// follows a whole one without.
     fn pass_bottom(&mut self) {
         let Self { here: Waypoint { elapsed, slip, .. }, offset, travel, .. } = *self;
         let here = Passage { elapsed, offset, travel };
-        let last = *self.last.get_or_insert(here);
+        let Some(last) = self.last else {
+            (self.last, self.least) = (Some(here), slip);
+            return;
+        };
         if last.travel != travel {
             // Back from a turning point: half a period, or the end of a rotation, which goes back.
             if last.offset != offset {
@@ -436,12 +451,17 @@ impl<'a> Follower<'a> {
             return;
         }
         let period = elapsed - last.elapsed;
+        let allowed = (self.allowed - elapsed) / period;
+        if self.table.law.friction == 0.0 {
+            self.repeat(period, offset - last.offset, allowed);
+            return;
+        }
         let loss = self.table.law.friction * period;
-        let periods = (self.least / loss).min((self.allowed - elapsed) / period);
+        let periods = (self.least / loss).min(allowed);
         if last.offset != offset {
-            self.is_long = periods > MOST_TURNS as f64;
+            self.far = (periods > MOST_TURNS as f64).then_some(Far::Long);
         } else if period > 0.0 && periods > MOST_PERIODS {
-            self.is_long = true;
+            self.far = Some(Far::Long);
         } else if period > 0.0 && periods > 3.0 {
             // Where rounding tells, they are followed.
             let free = periods.floor() - 2.0;
@@ -450,6 +470,22 @@ impl<'a> Follower<'a> {
         }
         self.last = Some(Passage { elapsed: self.here.elapsed, ..here });
         self.least = self.here.slip;
+    }
+
+    /// Passes the whole periods that are left, each of which lasts so long and takes the angle so far, of a slide without kinetic friction.
+    fn repeat(&mut self, period: f64, advance: f64, allowed: f64) {
+        if allowed == f64::INFINITY {
+            self.far = Some(Far::Never);
+        } else if allowed > MOST_PERIODS {
+            self.far = Some(Far::Long);
+        } else {
+            // What is left is no less than nothing, whatever rounding does.
+            let whole = allowed.floor();
+            let periods = if self.here.elapsed + whole * period > self.allowed { whole - 1.0 } else { whole };
+            self.here.elapsed += periods * period;
+            self.offset += periods * advance;
+            self.turns = self.turns.map(|turns| turns.after(periods));
+        }
     }
 
     fn way<'b, P: Piece>(&self, piece: &'b P, forward: f64) -> Way<'b, P>

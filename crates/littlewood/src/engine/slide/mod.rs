@@ -64,6 +64,16 @@ pub(super) struct SlideStart {
     pub(super) direction: (f64, f64),
 }
 
+/// Turning points on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Turns {
+    /// Smallest and largest angle of them.
+    low: f64,
+    high: f64,
+    /// How many they are.
+    count: f64,
+}
+
 /// The event that ends a slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SlideEvent {
@@ -74,8 +84,7 @@ pub(super) struct SlideEvent {
     /// sin ϑ and cos ϑ.
     pub(super) direction: (f64, f64),
     pub(super) lifts_off: bool,
-    /// Smallest and largest angle of turning points on the way.
-    pub(super) turns: Option<(f64, f64)>,
+    pub(super) turns: Option<Turns>,
 }
 
 /// Why a slide is to be followed otherwise.
@@ -93,6 +102,8 @@ pub(super) enum SlideEnd {
     Event(SlideEvent),
     /// Not an event: where it is then.
     Cut(SlideEvent),
+    /// Never: without kinetic friction a whole period has passed without an event.
+    Never,
 }
 
 impl SlideEnd {
@@ -101,24 +112,50 @@ impl SlideEnd {
         match self {
             Self::Event(event) => Self::Event(seen(event)),
             Self::Cut(event) => Self::Cut(seen(event)),
+            Self::Never => Self::Never,
         }
+    }
+}
+
+impl Turns {
+    /// Those so far, and another one.
+    pub(super) fn another(turns: Option<Self>, angle: f64) -> Self {
+        turns.map_or(Self { low: angle, high: angle, count: 1.0 }, |Self { low, high, count }| Self {
+            low: low.min(angle),
+            high: high.max(angle),
+            count: count + 1.0,
+        })
+    }
+
+    /// The same after so many periods of a libration more.
+    fn after(self, periods: f64) -> Self {
+        Self { count: self.count + 2.0 * periods, ..self }
+    }
+
+    /// The same in the frame that is mirrored for −1.
+    fn mirrored(self, sign: f64) -> Self {
+        if sign < 0.0 { Self { low: -self.high, high: -self.low, ..self } } else { self }
     }
 }
 
 impl SlideEvent {
     /// Smallest and largest angle of the slide, with the angle at its start.
     pub(super) fn range_from(&self, start: f64) -> (f64, f64) {
-        let (low, high) = self.turns.unwrap_or((start, start));
+        let (low, high) = self.turns.map_or((start, start), |turns| (turns.low, turns.high));
         (low.min(start).min(self.theta), high.max(start).max(self.theta))
+    }
+
+    /// Whether a whole period has passed since the start, if energy is conserved: a turn, or the way from the first turning point to the third.
+    pub(super) fn is_behind_a_period(&self, start: f64) -> bool {
+        (self.theta - start).abs() >= TAU || self.turns.is_some_and(|turns| turns.count >= 3.0)
     }
 
     /// The same in the frame that is mirrored for −1.
     #[inline]
     pub(super) fn mirrored(self, sign: f64) -> Self {
         let (sin, cos) = self.direction;
-        let mirrored = |(low, high): (f64, f64)| if sign < 0.0 { (-high, -low) } else { (low, high) };
         Self {
-            turns: self.turns.map(mirrored),
+            turns: self.turns.map(|turns| turns.mirrored(sign)),
             theta: sign * self.theta,
             theta_rate: sign * self.theta_rate,
             // Adding zero makes −0 a 0.
@@ -353,7 +390,9 @@ mod tests {
         };
         assert_eq!(event.range_from(-0.5), (-0.5, 2.0));
         assert_eq!(event.range_from(3.5), (2.0, 3.5));
-        let event = SlideEvent { turns: Some((-1.0, 2.5)), ..event };
+        let turns =
+            [0.5, 2.5, -1.0].into_iter().fold(None, |turns, angle| Some(Turns::another(turns, angle)));
+        let event = SlideEvent { turns, ..event };
         assert_eq!(event.range_from(0.5), (-1.0, 2.5));
         assert_eq!(event.mirrored(-1.0).range_from(0.5), (-2.5, 1.0));
         assert_eq!(event.range_from(4.0), (-1.0, 4.0));
