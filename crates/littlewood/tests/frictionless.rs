@@ -68,6 +68,57 @@ fn a_slip_that_is_least_behind_the_bottom_reverses_there() {
     }
 }
 
+/// Where two events coincide, nearly so, or rounding tells whether there is one, the engine has those of the simulation.
+#[test]
+fn events_next_to_each_other_are_those_of_the_simulation() {
+    for ((mass_ratio, offset, inertia), mu_s, start) in [
+        // Reversals on both sides of the top, between which η′ is 1e-8 at most.
+        (
+            (4.372817375665149, 1.0, 4.372817375665149),
+            0.0,
+            Start::at(-0.04593282989113888, 1.0000332327815302),
+        ),
+        // Four reversals in each swing next to rest: η″ vanishes at the bottom.
+        (
+            (0.0, 1.0, 0.007990986052657375),
+            0.0,
+            Start::at(3.143057151581997, -1.5851283930325464e-10).with_slip(-9.32561307848522e-10),
+        ),
+        // η′ vanishes just before contact ends.
+        (
+            (0.6473575987037725, 1.0, 2.9814626484506657),
+            0.05804798124769521,
+            Start::at(0.14438839155729766, 1.29022482694846),
+        ),
+        // From rest at the top, but for the last digits.
+        (
+            (0.00013329973752259944, 1.0, 0.00013329973752259944),
+            0.7053774550982219,
+            Start::at(-7.317250194140809e-13, 0.0).with_slip(-0.5117406304074912),
+        ),
+        // At the bottom, but for the last digits.
+        (
+            (2.3033600534883227, 0.6142959219089895, 2.3033600534883227),
+            0.13324164524684426,
+            Start::at(std::f64::consts::PI, 0.0).with_slip(1.6424124366843662),
+        ),
+    ] {
+        let parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, 0.0);
+        let hoop = Hoop::new(parameters).expect("a valid hoop");
+        for limits in [Limits::until(20.0), Limits::default()] {
+            let motion = hoop.simulate(start, limits).expect("a valid start").summary();
+            for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+                let summary = engine.summary(start, limits).expect("a valid start");
+                assert_eq!(
+                    (summary.outcome, summary.transitions, summary.sequence),
+                    (motion.outcome, motion.transitions, motion.sequence),
+                    "{start:?}"
+                );
+            }
+        }
+    }
+}
+
 /// Where η′ vanishes twice within 0.002 the second zero has its digits, too: as far behind the bottom as the third lies before it, by symmetry, and
 /// the same by all solvers.
 #[test]

@@ -24,18 +24,23 @@ const SHORT_STEP: f64 = 1e-3;
 /// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that part: Newton's method takes it for fixed.
 const LAST_TIME: f64 = 1e-14;
 
+/// The place of a minimum of η′ is known to this: the value to the second order.
+const LEAST_WIDTH: f64 = 1e-7;
+
+/// So many halvings, with two steps of a secant for each, take a way to that.
+const MOST_HALVINGS: usize = 80;
+
 /// η″ within this part of 1 + u of zero may have either sign.
 const UNCERTAIN: f64 = 1e-9;
 
-/// Whether η″, where u is known, has a sign that rounding may have told.
-fn vanishes(slip_acceleration: f64, u: f64) -> bool {
-    slip_acceleration.abs() <= UNCERTAIN * (1.0 + u)
-}
+/// Where η″ vanishes at an end of a way its sign is told so far inside, as a part of the way.
+const INSIDE: f64 = 1e-6;
 
-/// Whether η″ may rise through zero on a way on which it changes its sign at most once, with u at the beginning. It may vanish there, as at the
-/// bottom without kinetic friction.
-pub(super) fn may_rise(slip_acceleration: f64, u: f64, at_end: f64) -> bool {
-    at_end >= 0.0 && (slip_acceleration <= 0.0 || vanishes(slip_acceleration, u))
+/// Whether η″ may rise through zero on a way, from η″ at its beginning and at its end and from the larger u. It may vanish at either, as at the bottom without
+/// kinetic friction.
+pub(super) fn may_rise(first: f64, last: f64, u: f64) -> bool {
+    let uncertain = UNCERTAIN * (1.0 + u);
+    last >= -uncertain && first <= uncertain
 }
 
 /// A part of a slide on which u is known as a function of a coordinate z, along which the slide goes up or down.
@@ -153,43 +158,50 @@ impl<P: Piece> Way<'_, P> {
         self.at(here, z)
     }
 
-    /// Where η′ is least between two waypoints, between which η″ rises through zero once.
-    pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
-        let (mut low, mut high) = (here.z, there.z);
-        let (mut at_low, mut at_high) = (here.slip_acceleration, there.slip_acceleration);
-        if vanishes(at_low, here.u) {
-            // That zero is not meant: from the middle, towards it.
-            at_low = -at_high;
+    /// η″ at a waypoint, or, where it vanishes there, a little nearer to another: where, and its value.
+    fn slip_acceleration_towards(&self, here: &Waypoint, there: &Waypoint) -> (f64, f64) {
+        if here.slip_acceleration.abs() > UNCERTAIN * (1.0 + here.u) {
+            return (here.z, here.slip_acceleration);
         }
-        let (mut z, mut before) = (low, None);
-        for _ in 0..60 {
-            // The secant; from an end that has stayed where it was it is steeper, so that this end comes closer, too.
-            let secant = (low * at_high - high * at_low) / (at_high - at_low);
-            let inside = (secant - low) * self.forward > 0.0 && (high - secant) * self.forward > 0.0;
-            let next = if inside { secant } else { 0.5 * (low + high) };
-            let step = (next - z).abs();
-            z = next;
-            // The value at an extremum is known to the second order.
-            if step < 1e-7 || (high - low).abs() < 1e-7 {
+        let z = here.z + INSIDE * (there.z - here.z);
+        let (sin, cos) = self.piece.direction(z);
+        let (alpha, beta) = self.law.slip_acceleration(sin, cos);
+        (z, self.sigma * (alpha + beta * self.piece.u(z)))
+    }
+
+    /// Where η′ is least between two waypoints, between which η″ changes its sign at most once; none where it is so at one of them.
+    pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Option<Waypoint>> {
+        let (mut low, mut at_low) = self.slip_acceleration_towards(here, there);
+        let (mut high, mut at_high) = self.slip_acceleration_towards(there, here);
+        if at_low > 0.0 || at_high < 0.0 {
+            return Some(None);
+        }
+        let short = 0.5 * LEAST_WIDTH * self.forward;
+        // On which side the last place was, and how often in a row.
+        let (mut is_below, mut repeats) = (true, 0);
+        for _ in 0..MOST_HALVINGS {
+            if (high - low).abs() <= LEAST_WIDTH {
                 break;
             }
+            // The secant, and a little beyond, so that the other end comes close, too; and no closer to an end, where η″ may be next to zero.
+            let secant = (low * at_high - high * at_low) / (at_high - at_low);
+            let beyond = if is_below { secant + short } else { secant - short };
+            let is_inside =
+                (beyond - low - short) * self.forward > 0.0 && (high - short - beyond) * self.forward > 0.0;
+            let z = if repeats < 2 && is_inside { beyond } else { 0.5 * (low + high) };
             let (sin, cos) = self.piece.direction(z);
             let (alpha, beta) = self.law.slip_acceleration(sin, cos);
             let value = self.sigma * (alpha + beta * self.piece.u(z));
-            let is_below = value < 0.0;
+            repeats = if (value < 0.0) == is_below { repeats + 1 } else { 1 };
+            is_below = value < 0.0;
             if is_below {
                 (low, at_low) = (z, value);
             } else {
                 (high, at_high) = (z, value);
             }
-            match before {
-                Some(true) if is_below => at_high *= 0.5,
-                Some(false) if !is_below => at_low *= 0.5,
-                Some(_) | None => {}
-            }
-            before = Some(is_below);
         }
-        self.at(here, z)
+        let z = 0.5 * (low + high);
+        self.at(here, z).map(Some)
     }
 
     /// u behind a step, and the time of the step, if it is short enough to be the last of Newton's method.

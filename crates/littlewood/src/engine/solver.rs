@@ -360,6 +360,9 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             let ending = Ending::Motion { event: None, end: None, verdict: for_ever };
             Solved { solution: Kept::Nothing, direction: Some(direction), ending }
         };
+        if is_conservative && frictionless::is_next_to_separatrix(body, &state) {
+            return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));
+        }
         if is_conservative && self.until.is_infinite() && frictionless::slides_forever(body, &state) {
             return never();
         }

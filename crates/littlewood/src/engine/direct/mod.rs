@@ -137,7 +137,10 @@ impl Phases for Direct {
         // On the static limit with equal coefficients.
         let from_limit = slip_acceleration == Some(0.0);
         let (frame, here) = self.seen(place, direction, from_limit);
-        Some((slide::follow(frame, here, from_limit, allowed, memory)?, Ahead::Open))
+        let end = slide::follow(frame, here, from_limit, allowed, memory)?;
+        // Without kinetic friction a slide that is cut may be known to last for ever, which the exact solver tells.
+        let is_known = self.sliding(direction).friction > 0.0 || !matches!(end, SlideEnd::Cut(_));
+        is_known.then_some((end, Ahead::Open))
     }
 }
 

@@ -275,14 +275,15 @@ fn pass<P: Piece>(
             }
         }
         Signs::Rising => {
-            let least = way.least(here, &there)?;
-            // Where it hardly vanishes, or hardly does not, rounding would decide.
-            if least.slip.abs() <= doubt * (there.elapsed - here.elapsed) + UNCERTAIN * (1.0 + least.u.sqrt())
-            {
-                return None;
-            }
-            if least.slip < 0.0 {
-                return Some((End::Rest, way.rest(here, &least)?));
+            if let Some(least) = way.least(here, &there)? {
+                // Where it hardly vanishes, or hardly does not, rounding would decide.
+                let uncertain = doubt * (there.elapsed - here.elapsed) + UNCERTAIN * (1.0 + least.u.sqrt());
+                if least.slip.abs() <= uncertain {
+                    return None;
+                }
+                if least.slip < 0.0 {
+                    return Some((End::Rest, way.rest(here, &least)?));
+                }
             }
         }
         Signs::Unknown => return None,

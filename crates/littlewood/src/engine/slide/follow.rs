@@ -18,7 +18,7 @@ const MOST_TURNS: usize = 16;
 /// So is a libration over more periods: rounding in its period would tell as often.
 const MOST_PERIODS: f64 = 64.0;
 
-/// A minimum of η′ within this of zero is in doubt.
+/// η′ within this of zero is in doubt where it is least, and where contact ends.
 const UNCERTAIN: f64 = 1e-9;
 
 /// Ratio of the ends of u up to which the Gauss sum of 1/√u with twelve nodes is exact to rounding, also where u is quadratic about an end.
@@ -121,24 +121,39 @@ impl Passed {
     }
 }
 
+/// Whether η′ may have a minimum between two waypoints, between which η″ changes its sign at most once.
+fn may_be_least_between(here: &Waypoint, there: &Waypoint) -> bool {
+    here.slip > 0.0 && may_rise(here.slip_acceleration, there.slip_acceleration, here.u.max(there.u))
+}
+
+/// Whether η′ is so close to zero that rounding tells its sign.
+fn is_doubtful(at: &Waypoint) -> bool {
+    at.slip.abs() <= UNCERTAIN * (1.0 + at.u.sqrt())
+}
+
 /// The end of a way on which η″ changes its sign at most once, from a place to another, at which contact ends or not.
 fn pass<P: Piece>(way: &Way<'_, P>, here: &Waypoint, there: Waypoint, lifts_off: bool) -> Option<Passed> {
+    // Where η′ hardly vanishes before contact ends, or hardly does not, rounding would decide.
+    if lifts_off && is_doubtful(&there) {
+        return None;
+    }
     if there.slip <= 0.0 {
         return Some(Passed::to(End::Rest, way.rest(here, &there)?));
     }
     let passed = Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there);
-    if may_rise(here.slip_acceleration, here.u, there.slip_acceleration) && here.slip > 0.0 {
-        let least = way.least(here, &there)?;
-        // Where it hardly vanishes, or hardly does not, rounding would decide.
-        if least.slip.abs() <= UNCERTAIN * (1.0 + least.u.sqrt()) {
-            return None;
-        }
-        if least.slip < 0.0 {
-            return Some(Passed::to(End::Rest, way.rest(here, &least)?));
-        }
-        return Some(Passed { least: least.slip, ..passed });
+    if !may_be_least_between(here, &there) {
+        return Some(passed);
     }
-    Some(passed)
+    let Some(least) = way.least(here, &there)? else {
+        return (!is_doubtful(here) && !is_doubtful(&there)).then_some(passed);
+    };
+    if is_doubtful(&least) {
+        return None;
+    }
+    if least.slip < 0.0 {
+        return Some(Passed::to(End::Rest, way.rest(here, &least)?));
+    }
+    Some(Passed { least: least.slip, ..passed })
 }
 
 /// The same up to a coordinate.
@@ -287,7 +302,7 @@ impl<'a> Follower<'a> {
                 break;
             }
             let exit_acceleration = exit.alpha + exit.beta * exit_u;
-            if may_rise(slip_acceleration, u, exit_acceleration) && slip > 0.0 {
+            if may_rise(slip_acceleration, exit_acceleration, exit_u) && slip > 0.0 {
                 break;
             }
             let later = elapsed + cell.whole_time(level, is_within(EVEN, (u, exit_u)));
@@ -359,12 +374,10 @@ impl<'a> Follower<'a> {
                 direction: (0.0, exit.cos),
             }
         };
-        let has_minimum =
-            may_rise(here.slip_acceleration, here.u, there.slip_acceleration) && here.slip > 0.0;
-        let passed = if there.slip <= 0.0 || has_minimum {
+        let passed = if lifts_off || there.slip <= 0.0 || may_be_least_between(&here, &there) {
             pass(&self.way(&crossing(), travel), &here, there, lifts_off)?
         } else {
-            Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there)
+            Passed::to(End::Open, there)
         };
         if passed.at.elapsed > self.allowed {
             let cut = self.cut(&self.way(&crossing(), travel), &here, passed)?;
