@@ -140,6 +140,30 @@ fn reversals_next_to_each_other_have_their_digits() {
     }
 }
 
+/// From η′ = 0 just behind the top a hoop without friction comes to η′ = 0 just before and just behind it in each turn: a pair of reversals, at these angles to the
+/// last digit and 2 θ₀/θ′ apart.
+#[test]
+fn pairs_of_reversals_next_to_the_top_are_found_in_each_turn() {
+    let hoop = Hoop::figure_2(0.0, 0.0).expect("a valid hoop");
+    for theta in [1e-3_f64, 1e-4, 1e-5, 1e-6, 1e-7] {
+        let start = Start::at(theta, 0.7);
+        let motion = hoop.simulate(start, Limits::until(20.0)).expect("a valid start");
+        let is_next_to_top = |state: &State| (state.theta - TAU * (state.theta / TAU).round()).abs() < 0.01;
+        let reversals: Vec<State> =
+            motion.transitions().iter().map(|reversal| reversal.before).filter(is_next_to_top).collect();
+        // Three turns of 5.73.
+        assert_eq!(reversals.len(), 6, "{theta}");
+        for (pair, turns) in reversals.chunks(2).zip(1..) {
+            let top = TAU * f64::from(turns);
+            let digit = f64::EPSILON * top;
+            assert!((pair[0].theta - (top - theta)).abs() <= digit, "{theta}: {pair:?}");
+            assert!((pair[1].theta - (top + theta)).abs() <= digit, "{theta}: {pair:?}");
+            let apart = 2.0 * theta / 0.7;
+            assert!((pair[1].time - pair[0].time - apart).abs() < 1e-14 + theta * apart, "{theta}: {pair:?}");
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
