@@ -17,6 +17,7 @@
 //! Everything is seen in the frame in which σ = +1 (mirrored for σ = −1).
 
 mod cell;
+mod crossing;
 mod follow;
 mod turning;
 

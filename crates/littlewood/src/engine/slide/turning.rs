@@ -8,7 +8,7 @@ use super::super::piece::Piece;
 use super::super::polynomial::value;
 use super::super::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
 use super::cell::{Cell, DEGREE, Polynomial};
-use super::follow::{MOST_HALVINGS, in_parts};
+use super::crossing::{MOST_HALVINGS, in_parts};
 
 /// A turning point farther from the centre, in half widths of the cell, is not looked for: u has not changed by a factor of two.
 const FARTHEST: f64 = 4.0;
