@@ -4,7 +4,7 @@ use crate::hoop::Heavy;
 use crate::state::State;
 use crate::trig::{above_bottom, sincos};
 
-/// A first step that is longer leads to another zero.
+/// A first step that is longer leads to another angle.
 const LONGEST_STEP: f64 = 1e-3;
 
 /// Newton's method goes on as long as each step is shorter than the one before by this factor.
@@ -74,28 +74,36 @@ impl FrictionlessIntegrals {
     /// The angle next to one, and the rate, at which η′ vanishes: Newton's method for C, with θ′ from A. None where it does not converge.
     pub(crate) fn standstill_near(&self, body: &Heavy, theta: f64) -> Option<(f64, f64)> {
         let Heavy { mass, h, inertia, offset } = *body;
-        let (mut theta, mut shortest) = (theta, LONGEST_STEP / CONVERGES);
-        // Two zeros next to each other halve each step; rounding ends that.
-        for _ in 0..MOST_STEPS {
+        let theta = converge(theta, |theta| {
             let (sin, cos) = sincos(theta);
             let lever = lever(h, (sin, cos));
             let u = (self.momentum / lever) * (self.momentum / lever);
             let kinetic = (inertia + mass * (h * sin) * (h * sin)) * u;
             let slope = 2.0 * sin * (mass * h * h * cos * u + kinetic * h / lever - offset);
-            let step = (kinetic + 2.0 * offset * cos - self.energy) / slope;
-            if step.is_nan() || step.abs() >= CONVERGES * shortest {
-                break;
-            }
-            theta -= step;
-            shortest = step.abs();
-        }
-        (shortest < LAST_STEP).then(|| (theta, self.rate_at_rest(body, sincos(theta))))
+            (kinetic + 2.0 * offset * cos - self.energy) / slope
+        })?;
+        Some((theta, self.rate_at_rest(body, sincos(theta))))
     }
 
     /// θ′ where η′ vanishes.
     pub(crate) fn rate_at_rest(&self, body: &Heavy, direction: (f64, f64)) -> f64 {
         -self.momentum / lever(body.h, direction)
     }
+}
+
+/// Newton's method for an angle next to one, with a step that is subtracted. None where it does not converge.
+pub(crate) fn converge(mut theta: f64, step: impl Fn(f64) -> f64) -> Option<f64> {
+    let mut shortest = LONGEST_STEP / CONVERGES;
+    // Two zeros next to each other halve each step; rounding ends that.
+    for _ in 0..MOST_STEPS {
+        let step = step(theta);
+        if step.is_nan() || step.abs() >= CONVERGES * shortest {
+            break;
+        }
+        theta -= step;
+        shortest = step.abs();
+    }
+    (shortest < LAST_STEP).then_some(theta)
 }
 
 /// 1 + h c with all digits near the bottom, where it is small for a particle near the rim.

@@ -12,21 +12,16 @@ use core::f64::consts::TAU;
 
 use crate::candidates::Arrival;
 use crate::equations::SlidingLaw;
-use crate::frictionless::FrictionlessIntegrals;
+use crate::frictionless::{FrictionlessIntegrals, converge};
 use crate::hoop::{Heavy, Hoop};
 use crate::mode::Direction;
 use crate::same::is_same;
 use crate::state::State;
 use crate::trig::sincos;
 
-/// Where two zeros of η′ are closer than this in their cosines it hardly vanishes, or hardly does not, unless there is friction: the slide as it is followed tells.
+/// Where a motion starts and two zeros of η′ are closer than this in their cosines, it hardly vanishes, or hardly does not: the slide as it is followed tells. On the limit
+/// of static friction η″ does not vanish.
 const GRAZES: f64 = 1e-6;
-
-/// A first step that is longer leads to another angle.
-const LONGEST_STEP: f64 = 1e-3;
-
-/// Newton's method goes on as long as its steps become shorter, and has converged if they have become as short as this.
-const LAST_STEP: f64 = 1e-7;
 
 /// The beginning of a slip without kinetic friction, at η′ = 0.
 #[derive(Clone, Copy, Debug)]
@@ -109,17 +104,10 @@ impl LastSlip {
     /// does not cancel. None where it leads elsewhere, as next to a cosine of ±1.
     fn at_cosine(&self, more: f64, near: f64) -> Option<f64> {
         let from = self.state.theta;
-        let mut theta = near;
-        let mut shortest = LONGEST_STEP;
-        loop {
+        converge(near, |theta| {
             let [(sum, _), (difference, _)] = [theta + from, from - theta].map(|angle| sincos(0.5 * angle));
-            let step = (2.0 * sum * difference - more) / sincos(theta).0;
-            if step.is_nan() || step.abs() >= shortest {
-                return (shortest < LAST_STEP).then_some(theta);
-            }
-            theta += step;
-            shortest = step.abs();
-        }
+            (more - 2.0 * sum * difference) / sincos(theta).0
+        })
     }
 }
 

@@ -133,7 +133,7 @@ impl Engine {
     fn with_chains(self) -> Self {
         let Self { hoop, source, .. } = self;
         let source = match source {
-            // Without friction no hoop rolls.
+            // Without kinetic friction chains are not passed.
             Source::Direct(direct) => match RollTable::new(&hoop).filter(|_| hoop.mu_k() > 0.0) {
                 Some(roll) => {
                     let chains = Chains::new(&hoop, direct.body(), &roll);
