@@ -7,9 +7,6 @@
 //! takes the number of motions, the seed, and whether they are drawn from `all` that is allowed, biased to the bounds, or
 //! from the `usual` ranges. Every motion is followed without a time limit. The same numbers draw the same motions.
 
-#[path = "../tests/fuzz/draw.rs"]
-mod draw;
-
 use std::collections::BTreeMap;
 use std::env;
 use std::error::Error;
@@ -17,8 +14,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use draw::{Draw, command};
 use littlewood::{Engine, Hoop, Limits, OutcomeKind, Setup};
+use littlewood_random::{Draw, command};
 
 /// Examples of each outcome that is no end.
 const EXAMPLES: usize = 12;

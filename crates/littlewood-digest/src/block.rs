@@ -1,12 +1,12 @@
 //! A block of motions, and its digests.
 
 use littlewood::{
-    Direction, Engine, Hoop, Impact, Mode, OutcomeKind, ParameterError, Phase, Sample, SampleColumn, Setup,
-    Start, State, Summary, SummaryColumn, SummaryValue, Trajectory,
+    Direction, Engine, Hoop, Impact, Limits, Mode, OutcomeKind, ParameterError, Phase, Sample, SampleColumn,
+    Setup, Start, State, Summary, SummaryColumn, SummaryValue, Trajectory,
 };
 
 use crate::hash::Hash;
-use crate::starts::{limits, setups};
+use crate::starts::setups;
 
 /// Instants at which a phase is looked at, in parts of its duration.
 const INSTANTS: [f64; 4] = [0.0, 0.3125, 0.75, 1.0];
@@ -33,11 +33,11 @@ impl Block {
     #[must_use]
     pub fn compute(index: u32) -> Self {
         let (mut trajectories, mut summaries) = (Hash::new(), Hash::new());
-        for setup in setups(index) {
-            if motion(&mut trajectories, &setup).is_err() {
+        for (setup, limits) in setups(index) {
+            if motion(&mut trajectories, &setup, limits).is_err() {
                 trajectories.word(u64::MAX);
             }
-            if summary(&mut summaries, &setup).is_err() {
+            if summary(&mut summaries, &setup, limits).is_err() {
                 summaries.word(u64::MAX);
             }
         }
@@ -52,8 +52,8 @@ impl Block {
     }
 }
 
-fn motion(hash: &mut Hash, setup: &Setup) -> Result<(), ParameterError> {
-    let motion = Hoop::new(setup.hoop)?.simulate(setup.start, limits(setup))?;
+fn motion(hash: &mut Hash, setup: &Setup, limits: Limits) -> Result<(), ParameterError> {
+    let motion = Hoop::new(setup.hoop)?.simulate(setup.start, limits)?;
     trajectory(hash, &motion);
     Ok(())
 }
@@ -108,21 +108,21 @@ fn impact(hash: &mut Hash, impact: &Impact) {
     }
 }
 
-fn summary(hash: &mut Hash, setup: &Setup) -> Result<(), ParameterError> {
+fn summary(hash: &mut Hash, setup: &Setup, limits: Limits) -> Result<(), ParameterError> {
     let engine = Engine::without_tables(&Hoop::new(setup.hoop)?);
-    add(hash, &engine.summary(setup.start, limits(setup))?);
+    add(hash, &engine.summary(setup.start, limits)?);
     Ok(())
 }
 
-/// Summaries of one hoop with its tables: that of Figure 2 in even blocks, any other in odd ones, with the starts of other setups.
+/// Summaries of one hoop with its tables, a usual one in even blocks and one of the whole range in odd ones, with the starts of other setups.
 fn tabulated(hash: &mut Hash, index: u32) {
-    let place = if index.is_multiple_of(2) { 1 } else { 3 };
-    let Some(setup) = setups(index).nth(place) else { return };
+    let place = if index.is_multiple_of(2) { 1 } else { 7 };
+    let Some((setup, limits)) = setups(index).nth(place) else { return };
     let Ok(hoop) = Hoop::new(setup.hoop) else { return };
     let engine = Engine::new(&hoop);
-    for other in setups(index).take(STARTS) {
+    for (other, _) in setups(index).take(STARTS) {
         let Start { theta, theta_rate, slip, .. } = other.start;
-        if let Ok(it) = engine.summary(Start::at(theta, theta_rate).with_slip(slip), limits(&setup)) {
+        if let Ok(it) = engine.summary(Start::at(theta, theta_rate).with_slip(slip), limits) {
             add(hash, &it);
         }
     }

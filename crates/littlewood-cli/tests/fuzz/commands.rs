@@ -4,9 +4,9 @@ use littlewood::{CASES, Limits, Quantity, RestitutionLaw, Setup, SummaryColumn};
 use littlewood_figures::FIGURES;
 use serde_json::Value;
 
-use crate::fuzz::draw::Draw;
 use crate::fuzz::program::{judge, run as run_program, typed};
 use crate::fuzz::{Case, Verdict};
+use littlewood_random::Draw;
 
 /// What is no number, or one that only some programs read.
 const NO_NUMBERS: [&str; 11] =

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::fuzz::draw::Draw;
+use littlewood_random::Draw;
 
 /// Files by their path within a folder.
 pub(crate) type Tree = BTreeMap<PathBuf, Vec<u8>>;

@@ -7,10 +7,10 @@ use littlewood::{HoopParameters, Quantity, Setup, Start};
 use littlewood_sweep::StartList;
 
 use crate::fuzz::damage::{damage, damage_text};
-use crate::fuzz::draw::Draw;
 use crate::fuzz::program::{judge, run as run_program};
 use crate::fuzz::{Case, Verdict};
 use crate::support::table::write_table;
+use littlewood_random::Draw;
 
 /// Where nothing else is said.
 const BASE: Setup =

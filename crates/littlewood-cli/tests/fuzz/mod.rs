@@ -12,7 +12,6 @@
 
 mod commands;
 mod damage;
-mod draw;
 mod lists;
 mod motions;
 mod program;
@@ -29,7 +28,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use draw::Draw;
+use littlewood_random::Draw;
 
 /// Seconds without `LITTLEWOOD_FUZZ_SECONDS`.
 const SECONDS: f64 = 3.0;

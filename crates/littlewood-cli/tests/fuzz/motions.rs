@@ -5,8 +5,8 @@ use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, Subject, csv, json, sentence};
 use serde_json::Value;
 
-use crate::fuzz::draw::command;
 use crate::fuzz::{Case, Verdict};
+use littlewood_random::command;
 
 /// Offset of a massless hoop below which rates leave the range of doubles.
 const LEVER: f64 = 1e-100;

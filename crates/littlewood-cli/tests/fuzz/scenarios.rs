@@ -7,9 +7,9 @@ use littlewood::Quantity;
 use serde_json::Value;
 
 use crate::fuzz::damage::damage_text;
-use crate::fuzz::draw::Draw;
 use crate::fuzz::program::{judge, run as run_program};
 use crate::fuzz::{Case, Verdict};
+use littlewood_random::Draw;
 
 /// The examples that the program comes with.
 const EXAMPLES: [&str; 4] = [

@@ -12,9 +12,9 @@ use littlewood_sweep::{
 };
 
 use crate::fuzz::damage::{Tree, damage, plant, tree};
-use crate::fuzz::draw::Draw;
 use crate::fuzz::program::{judge, run as run_program};
 use crate::fuzz::{Case, Verdict};
+use littlewood_random::Draw;
 
 /// Which part of the runs goes through the program.
 const THROUGH_THE_PROGRAM: f64 = 0.05;

@@ -1,11 +1,14 @@
-//! Random hoops, starts and limits over the whole of the allowed ranges, biased to the bounds and to what is nearly
-//! degenerate. The same seed draws the same on every machine.
-
-#![allow(dead_code, reason = "the fuzzer and the census draw different things")]
+//! Random hoops, starts and limits over the whole accepted range: the one generator of tests, fuzzers, digests and measurements.
+//!
+//! Sizes are log-uniform up to the bound of each quantity. Mixed with them are zero, the bounds, the smallest numbers, numbers
+//! that a person types, ties (equal coefficients, a particle on the rim, multiples of π/2, starts on a boundary of the phase plane)
+//! and the usual ranges. The same seed draws the same numbers on every machine.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use littlewood::{Bound, HoopParameters, Limits, Quantity, RestitutionLaw, Setup, Start};
+use littlewood::{
+    Body, Bound, Direction, Hoop, HoopParameters, Limits, PhasePlane, Quantity, RestitutionLaw, Setup, Start,
+};
 
 /// Small numbers, each of which some computation may take for zero.
 const TINY: [f64; 12] =
@@ -28,18 +31,20 @@ const WRONG: [f64; 8] = [
 
 /// Random numbers (SplitMix64).
 #[derive(Clone, Debug)]
-pub(crate) struct Draw(u64);
+pub struct Draw(u64);
 
 impl Draw {
-    /// The numbers of a case: those of other cases tell nothing about them.
-    pub(crate) fn of_case(seed: u64, stream: u64, number: u64) -> Self {
+    /// The numbers of a case, independent of those of other cases.
+    #[must_use]
+    pub fn of_case(seed: u64, stream: u64, number: u64) -> Self {
         let mut draw = Self(seed);
         let mixed = draw.bits() ^ stream.wrapping_mul(0xd134_2543_de82_ef95);
         let mut draw = Self(mixed);
         Self(draw.bits() ^ number.wrapping_mul(0x9e6c_63d0_876a_68ed))
     }
 
-    pub(crate) const fn bits(&mut self) -> u64 {
+    /// 64 random bits.
+    pub const fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -47,35 +52,37 @@ impl Draw {
     }
 
     /// A whole number below another.
-    pub(crate) fn below(&mut self, end: usize) -> usize {
+    pub fn below(&mut self, end: usize) -> usize {
         (self.bits() % end.max(1) as u64) as usize
     }
 
-    /// From 0 to 1.
-    pub(crate) fn share(&mut self) -> f64 {
+    /// A number from 0 to 1, uniform.
+    pub fn share(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    pub(crate) fn between(&mut self, [from, to]: [f64; 2]) -> f64 {
+    /// A number between two, uniform.
+    pub fn between(&mut self, [from, to]: [f64; 2]) -> f64 {
         from + (to - from) * self.share()
     }
 
-    /// Whether something comes that comes with this probability.
-    pub(crate) fn comes(&mut self, probability: f64) -> bool {
+    /// True with this probability.
+    pub fn comes(&mut self, probability: f64) -> bool {
         self.share() < probability
     }
 
-    pub(crate) fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
+    /// One of some items; panics without any.
+    pub fn one_of<T: Copy>(&mut self, items: &[T]) -> T {
         items[self.below(items.len())]
     }
 
-    /// A number with any exponent between two powers of ten.
-    fn of_any_size(&mut self, powers: [f64; 2]) -> f64 {
+    /// A number between two powers of ten, uniform in its logarithm.
+    pub fn of_any_size(&mut self, powers: [f64; 2]) -> f64 {
         libm::exp10(self.between(powers))
     }
 
     /// A value that a quantity may have by itself.
-    pub(crate) fn allowed(&mut self, quantity: Quantity) -> f64 {
+    pub fn allowed(&mut self, quantity: Quantity) -> f64 {
         let most = largest(quantity);
         let size = match self.below(12) {
             0 => 0.0,
@@ -105,8 +112,8 @@ impl Draw {
         }
     }
 
-    /// A value that may be out of bounds, too.
-    pub(crate) fn any(&mut self, quantity: Quantity) -> f64 {
+    /// A value that may be out of bounds.
+    pub fn any(&mut self, quantity: Quantity) -> f64 {
         match self.below(8) {
             0 => self.one_of(&WRONG),
             1 => largest(quantity).next_up(),
@@ -116,7 +123,7 @@ impl Draw {
     }
 
     /// Parameters of a hoop, each within its bounds; now and then they contradict each other.
-    pub(crate) fn hoop(&mut self) -> HoopParameters {
+    pub fn hoop(&mut self) -> HoopParameters {
         let (mass_ratio, inertia) = match self.below(8) {
             0 => (0.0, 0.0),
             1 => (0.0, self.allowed(Quantity::Inertia)),
@@ -150,7 +157,8 @@ impl Draw {
         hoop.with_restitution(coefficient, self.one_of(RestitutionLaw::ALL.as_slice()))
     }
 
-    pub(crate) fn start(&mut self) -> Start {
+    /// A start, each number within its bounds.
+    pub fn start(&mut self) -> Start {
         let theta = if self.comes(0.5) { self.between([-PI, PI]) } else { self.allowed(Quantity::Theta) };
         let mut start = Start::at(theta, self.allowed(Quantity::ThetaRate));
         if self.comes(0.5) {
@@ -165,25 +173,71 @@ impl Draw {
         start
     }
 
-    pub(crate) fn setup(&mut self) -> Setup {
-        Setup::new(self.hoop(), self.start())
+    /// A start on a boundary of the phase plane of a hoop, to the last digit or nearly so; none where the boundary does not cross
+    /// the angle that was drawn, or is out of bounds there.
+    pub fn on_boundary(&mut self, hoop: &Hoop) -> Option<Start> {
+        let plane = PhasePlane::new(hoop);
+        let theta = self.between([-PI, PI]);
+        let rate = match self.below(5) {
+            0 => plane.normal_force_rate(theta),
+            1 => plane.slip_rate(theta, Direction::Positive),
+            2 => plane.slip_rate(theta, Direction::Negative),
+            3 => plane.lift_off_rate(theta),
+            _ => Some(plane.separatrix_rate(theta)),
+        }?;
+        let nudge = self.one_of(&[0.0, 0.0, 0.0, 1e-15, -1e-15, 1e-9, -1e-9, 1e-6]);
+        let rate = (if self.comes(0.5) { -rate } else { rate }) * (1.0 + nudge);
+        Quantity::ThetaRate.check(rate).is_ok().then(|| Start::at(theta, rate))
+    }
+
+    /// A hoop with a start; now and then they contradict each other.
+    pub fn setup(&mut self) -> Setup {
+        let (hoop, start) = (self.hoop(), self.start());
+        let boundary = if self.comes(0.15) { Hoop::new(hoop).ok() } else { None };
+        Setup::new(hoop, boundary.and_then(|hoop| self.on_boundary(&hoop)).unwrap_or(start))
+    }
+
+    /// The same, drawn until they are accepted.
+    pub fn motion(&mut self) -> (Hoop, Start) {
+        loop {
+            let Setup { hoop, start } = self.setup();
+            if let Ok(hoop) = Hoop::new(hoop)
+                && hoop
+                    .simulate(start, Limits::default().with_transitions(1).with_until(Some(start.time)))
+                    .is_ok()
+            {
+                return (hoop, start);
+            }
+        }
+    }
+
+    /// The same of a hoop that is not massless.
+    pub fn heavy_motion(&mut self) -> (Hoop, Start) {
+        loop {
+            let (hoop, start) = self.motion();
+            if matches!(hoop.body(), Body::Heavy(_)) {
+                return (hoop, start);
+            }
+        }
     }
 
     /// A hoop and a start as a person sets them: every number in its usual range.
-    pub(crate) fn usual(&mut self) -> Setup {
+    pub fn usual(&mut self) -> Setup {
         let mut usual = |quantity: Quantity| self.between(quantity.row().usual);
         let hoop = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia].map(&mut usual);
         let start = [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip].map(&mut usual);
         let mu_s = usual(Quantity::MuS);
         let mu_k = mu_s * self.share();
-        let hoop = HoopParameters::new(hoop[0], hoop[1], hoop[2]).with_friction(mu_s, mu_k);
-        Setup::new(
-            hoop,
-            Start::at(start[0], start[1]).with_slip(if self.comes(0.5) { start[2] } else { 0.0 }),
-        )
+        let mut hoop = HoopParameters::new(hoop[0], hoop[1], hoop[2]).with_friction(mu_s, mu_k);
+        if self.comes(0.2) {
+            hoop = hoop.with_restitution(self.share(), self.one_of(RestitutionLaw::ALL.as_slice()));
+        }
+        let slip = if self.comes(0.5) { start[2] } else { 0.0 };
+        Setup::new(hoop, Start::at(start[0], start[1]).with_slip(slip))
     }
 
-    pub(crate) fn limits(&mut self, start: Start) -> Limits {
+    /// Limits of the motion from a start.
+    pub fn limits(&mut self, start: Start) -> Limits {
         let until = match self.below(4) {
             0 | 1 => None,
             2 => Some(start.time + self.one_of(&[0.0, 1e-300, 1e-9, 1.0, 50.0, 1e5, 1e9, 1e300])),
@@ -204,7 +258,8 @@ fn largest(quantity: Quantity) -> f64 {
 }
 
 /// The command that follows a motion.
-pub(crate) fn command(setup: &Setup, limits: Limits) -> String {
+#[must_use]
+pub fn command(setup: &Setup, limits: Limits) -> String {
     let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law, .. } =
         setup.hoop;
     let Start { time, theta, theta_rate, slip, gap_rate, x, .. } = setup.start;
@@ -227,4 +282,52 @@ pub(crate) fn command(setup: &Setup, limits: Limits) -> String {
         words += &format!(" --max-transitions {}", limits.transitions);
     }
     words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first numbers of the generator from 1234567, as published with the reference implementation.
+    #[test]
+    fn the_generator_is_split_mix_64() {
+        let mut draw = Draw(1_234_567);
+        assert_eq!(
+            [draw.bits(), draw.bits(), draw.bits()],
+            [6_457_827_717_110_365_317, 3_203_168_211_198_807_973, 9_817_491_932_198_370_423]
+        );
+    }
+
+    /// Each decade of a quantity with a bound comes, the largest and the smallest, and the bound itself.
+    #[test]
+    fn every_size_is_drawn() {
+        for quantity in
+            [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip, Quantity::Inertia, Quantity::MassRatio]
+        {
+            let most = largest(quantity);
+            let mut decades = std::collections::BTreeSet::new();
+            let mut draw = Draw::of_case(1, 0, u64::from(quantity.code()));
+            for _ in 0..20_000 {
+                let size = draw.allowed(quantity).abs();
+                assert!(size <= most, "{quantity} {size}");
+                if size > 0.0 {
+                    decades.insert(libm::floor(libm::log10(size)) as i32);
+                }
+            }
+            let top = libm::log10(most) as i32;
+            assert!((-12..=top).all(|decade| decades.contains(&decade)), "{quantity}: {decades:?}");
+        }
+    }
+
+    /// Most differ, though bounds and ties are drawn again and again.
+    #[test]
+    fn motions_differ() {
+        let mut drawn = Vec::from_iter((0..1000).map(|number| {
+            let (hoop, start) = Draw::of_case(7, 1, number).heavy_motion();
+            format!("{hoop:?} {start:?}")
+        }));
+        drawn.sort();
+        drawn.dedup();
+        assert!(drawn.len() > 990, "{}", drawn.len());
+    }
 }
