@@ -3,6 +3,7 @@
 mod bounces;
 mod bounded;
 mod cases;
+mod certified;
 mod classification;
 mod coincidences;
 mod common;

@@ -1,0 +1,180 @@
+//! Every motion of `truth/certificates`, whose numbers are enclosed by balls of 30 digits: the same events, and each number of each
+//! event within the bound of its family.
+#![allow(clippy::panic)] // a failed expectation
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use littlewood::{
+    Cause, Hoop, HoopParameters, Limits, OutcomeKind, RestitutionLaw, SiParameters, SiState, Start, State,
+    Trajectory, Transition, Units,
+};
+use serde_json::Value;
+
+/// How many units in the last place of its size, or of 1 if it is smaller, a number may be off: the power of two above the largest error of
+/// the family when this test was written. Motions amplify rounding. Those of `near-tie` divide it by the distance, 1e-7 to 1e-9, between two
+/// events; the longest of `landing` and `paper` graze; those of `long-rolling` turn for a thousand time units.
+fn bound(family: &str) -> f64 {
+    match family {
+        "massless" => 2.0,
+        "thrown" => 4.0,
+        "jam" | "leaves-at-once" | "settles-sticking" => 16.0,
+        "elastic" | "reversal-chain" | "settles-sliding" => 32.0,
+        "lift-off" => 64.0,
+        "si" | "slide-roll-slip" => 256.0,
+        "long-rolling" => 2048.0,
+        "paper" => 4096.0,
+        "landing" => 32_768.0,
+        "near-tie" => 67_108_864.0,
+        other => panic!("a family without a bound: {other}"),
+    }
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+}
+
+/// The motion of a case by the library, and its units if it is given in SI.
+fn motion(case: &Value) -> (Trajectory, Option<Units>) {
+    let get = |of: &str, name: &str| case[of].get(name).map_or(0.0, number);
+    let hoop = |name| get("hoop", name);
+    let start = |name| get("start", name);
+    let restitution = case["hoop"].get("restitution").and_then(Value::as_f64);
+    let restitution_law: Option<RestitutionLaw> =
+        case["hoop"].get("restitution_law").and_then(Value::as_str).map(|law| law.parse().expect("a law"));
+    let until = case["until"].as_f64();
+    match case["units"].as_str() {
+        Some("si") => {
+            let parameters = SiParameters {
+                disc_mass_kg: hoop("disc_mass_kg"),
+                particle_mass_kg: hoop("particle_mass_kg"),
+                radius_m: hoop("radius_m"),
+                offset_m: hoop("offset_m"),
+                inertia_kg_m2: hoop("inertia_kg_m2"),
+                gravity_m_per_s2: hoop("gravity_m_per_s2"),
+                mu_s: hoop("mu_s"),
+                mu_k: hoop("mu_k"),
+                restitution,
+                restitution_law,
+            };
+            let (hoop, units) = parameters.to_hoop().expect("a valid hoop");
+            let si = SiState {
+                time_s: 0.0,
+                theta_rad: start("theta"),
+                theta_rate_rad_per_s: start("theta_rate"),
+                slip_m_per_s: start("slip"),
+                gap_rate_m_per_s: start("gap_rate"),
+                x_m: 0.0,
+            };
+            let start = units.start(&si).expect("a valid start");
+            let until = until.map(|until| units.until(until, &start).expect("a valid limit"));
+            let limits = Limits::default().with_until(until);
+            (hoop.simulate(start, limits).expect("a valid start"), Some(units))
+        }
+        Some("dimensionless") => {
+            let mut parameters = HoopParameters::new(hoop("mass_ratio"), hoop("offset"), hoop("inertia"))
+                .with_friction(hoop("mu_s"), hoop("mu_k"));
+            (parameters.restitution, parameters.restitution_law) = (restitution, restitution_law);
+            let start = Start::at(start("theta"), start("theta_rate"))
+                .with_slip(start("slip"))
+                .with_gap_rate(start("gap_rate"));
+            let hoop = Hoop::new(parameters).expect("a valid hoop");
+            (hoop.simulate(start, Limits::default().with_until(until)).expect("a valid start"), None)
+        }
+        other => panic!("units {other:?}"),
+    }
+}
+
+/// Largest error of the numbers of a state, in units in the last place.
+fn error(truth: &Value, state: &State, units: Option<&Units>) -> f64 {
+    let State { time, theta, theta_rate, slip, x, .. } = *state;
+    let numbers = units.map_or([time, theta, theta_rate, slip, x], |units| {
+        let si = units.state(state);
+        [si.time_s, si.theta_rad, si.theta_rate_rad_per_s, si.slip_m_per_s, si.x_m]
+    });
+    ["time", "theta", "theta_rate", "slip", "x"]
+        .into_iter()
+        .zip(numbers)
+        // A rate is missing where it is infinite.
+        .filter_map(|(name, ours)| Some((number(truth.get(name)?.get(0)?), ours)))
+        .map(|(truth, ours)| (ours - truth).abs() / (f64::EPSILON * truth.abs().max(1.0)))
+        .fold(0.0, f64::max)
+}
+
+/// The transition of each certified event; or what differs.
+fn pairs<'a>(events: &[Value], transitions: &'a [Transition]) -> Result<Vec<&'a Transition>, String> {
+    let mut rest = transitions.iter().peekable();
+    let mut found = Vec::new();
+    for (place, event) in events.iter().enumerate() {
+        if event["cause"] == "settle" {
+            // The library follows more bounces one by one before it sums the others.
+            let bounces = |next: &&&Transition| {
+                next.cause == Cause::Landing && next.to.is_some_and(|to| to.name() == "flight")
+            };
+            while rest.next_if(|next| bounces(&next)).is_some() {}
+        }
+        let ours = rest.next().ok_or_else(|| format!("no event {place}, {}", event["cause"]))?;
+        let to = ours.to.map(|mode| mode.name());
+        if event["cause"] != ours.cause.name() || event["to"].as_str() != to {
+            return Err(format!(
+                "event {place}, {} to {}, is {} to {to:?}",
+                event["cause"], event["to"], ours.cause
+            ));
+        }
+        found.push(ours);
+    }
+    rest.next()
+        .map_or(Ok(found), |more| Err(format!("one more event, {} at {}", more.cause, more.before.time)))
+}
+
+#[test]
+fn every_certified_motion_is_that_of_the_library() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../truth/certificates");
+    let mut families: BTreeMap<String, (u32, f64)> = BTreeMap::new();
+    let mut wrong = Vec::new();
+    for entry in fs::read_dir(folder).expect("the certificates") {
+        let text = fs::read_to_string(entry.expect("a file").path()).expect("a certificate");
+        let certificate: Value = serde_json::from_str(&text).expect("a certificate");
+        if certificate["certified"] != true {
+            continue;
+        }
+        let case = &certificate["case"];
+        let (name, family) = (&case["name"], case["family"].as_str().expect("a family"));
+        let (motion, units) = motion(case);
+        let events = certificate["events"].as_array().expect("events");
+        let ours = match pairs(events, motion.transitions()) {
+            Ok(ours) => ours,
+            Err(difference) => {
+                wrong.push(format!("{name}: {difference}"));
+                continue;
+            }
+        };
+        let end = &certificate["end"];
+        let outcome = motion.outcome();
+        let last = if end["kind"] == OutcomeKind::TimeLimit.name() {
+            // The library may have proved that the motion never ends, and goes on.
+            motion
+                .at(number(&end["state"]["time"][0]) / units.map_or(1.0, |units| units.time_s))
+                .map(|sample| sample.state)
+        } else {
+            (end["kind"] == outcome.kind().name()).then(|| outcome.state())
+        };
+        let Some(last) = last else {
+            wrong.push(format!("{name} ends by {}, not {}", outcome.kind(), end["kind"]));
+            continue;
+        };
+        let errors =
+            events.iter().zip(&ours).map(|(event, ours)| error(&event["state"], &ours.after, units.as_ref()));
+        let at_end = end.get("state").map_or(0.0, |state| error(state, &last, units.as_ref()));
+        let largest = errors.fold(at_end, f64::max);
+        if largest > bound(family) {
+            wrong.push(format!("{name} is off by {largest:.1} units in the last place"));
+        }
+        let of_family = families.entry(family.to_owned()).or_default();
+        *of_family = (of_family.0 + 1, of_family.1.max(largest));
+    }
+    println!("certified motions and the largest error of a number in units in the last place: {families:?}");
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(families.values().map(|(count, _)| count).sum::<u32>() >= 329, "{families:?}");
+}
