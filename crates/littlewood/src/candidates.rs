@@ -242,7 +242,7 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
                 rolling_forces: forces,
                 denominator,
             } if forces.normal > 0.0 => {
-                let drive = excess + (hoop.mu_s() - hoop.mu_k()) * forces.normal;
+                let drive = slip_drive(hoop, &forces, (direction, excess));
                 let p = solvability(direction);
                 let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
                 if acceleration > 0.0 {
@@ -254,6 +254,22 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
         }
     }
     weigh_all((hoop, body, state), (contact, leaves), (slip, on_limit), Direction::ALL.map(solvability))
+}
+
+/// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`, where N > 0 never less than that. With a large
+/// coefficient μs N is large where N is a small difference, and F has the digits; on the limit −σF = μs N.
+pub(crate) fn slip_drive(hoop: &Hoop, forces: &ContactForces, (direction, excess): (Direction, f64)) -> f64 {
+    let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
+    if mu_s <= 1.0 {
+        return excess + (mu_s - mu_k) * forces.normal;
+    }
+    let against = -direction.sign() * forces.friction;
+    let drive = against - mu_k * forces.normal;
+    match (excess == 0.0, forces.normal > 0.0) {
+        (true, _) => (mu_s - mu_k) / mu_s * against,
+        (false, true) => drive.max(excess),
+        (false, false) => drive,
+    }
 }
 
 /// The same without a short cut.
@@ -290,7 +306,7 @@ fn weigh_all(
                 // −(σF + μk N): towards `against` it is |F| − μk N, from the excess over μs N that made the
                 // decision, so that its sign cannot differ.
                 let drive = if direction == against {
-                    excess + (hoop.mu_s() - hoop.mu_k()) * forces.normal
+                    slip_drive(hoop, &forces, (direction, excess))
                 } else {
                     -forces.friction.abs() - hoop.mu_k() * forces.normal
                 };

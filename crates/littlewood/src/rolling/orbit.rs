@@ -143,6 +143,10 @@ impl Elliptic {
         let four_l = 4.0 * law.offset;
         let denominator = law.bottom + four_l * z * z;
         let kinetic = denominator * theta_rate * theta_rate;
+        if kinetic == 0.0 && theta_rate != 0.0 {
+            // A rate whose energy is not representable: a turning point, at which gravity decides.
+            return Self::new(hoop, law, theta, 0.0);
+        }
         // Energy over the top and over the bottom, each from terms that do not cancel more than they must.
         let over_top = kinetic - four_l * y * y;
         let over_bottom = kinetic + four_l * z * z;

@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use littlewood::{Body, Direction, Hoop, HoopParameters, Limits, PhasePlane, Start, Trajectory};
+use littlewood_random::Draw;
 use proptest::prelude::*;
 
 /// A factor from 1e-9 to 10, uniform in its logarithm.
@@ -108,6 +109,16 @@ pub(crate) fn boundary_start() -> impl Strategy<Value = (Hoop, Start)> {
 /// A heavy hoop and a start.
 pub(crate) fn heavy_motion() -> impl Strategy<Value = (Hoop, Start)> {
     prop_oneof![3 => (heavy_hoop(), start()), 1 => boundary_start()]
+}
+
+/// A heavy hoop and a start over the whole accepted range, at time and position 0.
+pub(crate) fn whole_range() -> impl Strategy<Value = (Hoop, Start)> {
+    any::<u64>()
+        .prop_map(|seed| {
+            let (hoop, start) = Draw::of_case(seed, 0, 0).heavy_motion();
+            (hoop, start.with_time(0.0).with_x(0.0))
+        })
+        .no_shrink()
 }
 
 /// Few transitions and a short time are enough for a law that must hold at every instant.
