@@ -7,8 +7,9 @@ use crate::axes::outcome_window;
 /// Starts to either side of the plane from which it is known how long motions are, and how many of them do not matter.
 const PROBES: u32 = 8;
 const FEW: usize = 1;
-/// Transitions of a long motion.
+/// Transitions of a long motion, and of one that bounces on and on.
 const LONG: usize = 100;
+const BOUNCES: usize = 1_000;
 /// Phases after which a motion that slips out of rolling again and again is in its chain.
 const IN_CHAIN: usize = 8;
 /// Hoops that are better balanced, by h, are simulated though they are not light.
@@ -28,6 +29,8 @@ pub(crate) enum Effort {
     Direct,
     /// Thousands of slips out of rolling, passed at once.
     Chains,
+    /// Many bounces after a lift-off.
+    Bounces,
     /// A few phases, which are simulated.
     Simulated,
     /// Many reversals, or many phases that are simulated.
@@ -46,8 +49,10 @@ impl Effort {
             return Self::Slow;
         }
         let (long, rolls) = long_motions(hoop, limits, engine);
+        let bounces = bouncing_motions(hoop, limits, engine) > FEW;
         if long <= FEW {
             return match (engine.has_tables(), engine.is_exact()) {
+                _ if bounces => Self::Bounces,
                 (true, _) => Self::Tables,
                 (false, false) => Self::Direct,
                 (false, true) => Self::Simulated,
@@ -57,7 +62,7 @@ impl Effort {
         let nearly_equal = apart > 0.0 && apart < NEARLY_EQUAL * hoop.mu_s();
         if hoop.mu_k() < LITTLE_FRICTION {
             Self::Slow
-        } else if engine.passes_chains() && !nearly_equal && long - rolls <= FEW {
+        } else if engine.passes_chains() && !nearly_equal && !bounces && long - rolls <= FEW {
             Self::Chains
         } else {
             Self::Long
@@ -68,8 +73,9 @@ impl Effort {
     pub(crate) fn cut(self, limits: Limits, engine: &Engine) -> Limits {
         let most = match self {
             // Next to a boundary there may be a few that go on and on.
-            Self::Tables | Self::Direct if limits.until.is_none() => 1_000,
+            Self::Tables | Self::Direct if limits.until.is_none() => BOUNCES,
             Self::Tables | Self::Direct | Self::Chains => usize::MAX,
+            Self::Bounces => BOUNCES,
             Self::Slow if engine.is_exact() => 24,
             Self::Simulated | Self::Long | Self::Slow => LONG,
         };
@@ -77,20 +83,32 @@ impl Effort {
     }
 }
 
-/// How many of some motions are long, and how many of these roll again and again. What comes after the lift-off decides nothing.
-fn long_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> (usize, usize) {
+/// Those of some motions that have so many transitions.
+fn probes(hoop: &Hoop, limits: Limits, engine: &Engine, transitions: usize) -> impl Iterator<Item = Summary> {
     let window = outcome_window(hoop);
-    let limits = limits.with_transitions(limits.transitions.min(LONG));
+    let limits = limits.with_transitions(limits.transitions.min(transitions));
     let at =
         |range: [f64; 2], i: u32| range[0] + (range[1] - range[0]) * (f64::from(i) + 0.5) / f64::from(PROBES);
     let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [i, j]));
-    let starts = starts.map(|[i, j]| Start::at(at(window.x, i), at(window.y, j)));
+    let starts = starts.map(move |[i, j]| Start::at(at(window.x, i), at(window.y, j)));
+    let summaries = starts.filter_map(move |start| engine.summary(start, limits).ok());
+    summaries.filter(move |summary| summary.transitions as usize >= transitions)
+}
+
+/// How many of some motions are long before they lift off, and how many of these roll again and again.
+fn long_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> (usize, usize) {
     let rolls = |summary: &Summary| {
         summary.sequence.codes().skip(IN_CHAIN).flatten().any(|code| code.mode().0 == Mode::Rolling)
     };
-    let long: Vec<Summary> = starts
-        .filter_map(|start| engine.summary(start, limits).ok())
-        .filter(|summary| summary.lift_off_time.is_nan() && summary.transitions as usize >= LONG)
-        .collect();
-    (long.len(), long.iter().filter(|summary| rolls(summary)).count())
+    let long = probes(hoop, limits, engine, LONG).filter(|summary| summary.lift_off_time.is_nan());
+    long.fold((0, 0), |(all, rolling), summary| (all + 1, rolling + usize::from(rolls(&summary))))
+}
+
+/// How many of them go on and on after they have lifted off.
+fn bouncing_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> usize {
+    if hoop.restitution().is_none() {
+        return 0;
+    }
+    let many = if engine.is_exact() { LONG } else { BOUNCES };
+    probes(hoop, limits, engine, many).filter(|summary| !summary.lift_off_time.is_nan()).count()
 }

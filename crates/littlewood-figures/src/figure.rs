@@ -152,6 +152,8 @@ pub enum Mark {
     Region(Rgb),
     /// A hatched polygon for each piece.
     Hatch(Rgb),
+    /// A hatched area that all pieces bound together.
+    HatchedRegion(Rgb),
     /// A dot on each row.
     Dot(Rgb, f64),
     /// A circle on each row, white inside.

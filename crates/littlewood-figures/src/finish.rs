@@ -84,6 +84,7 @@ fn convert(panel: &mut Panel, units: &Units) {
             | Mark::Fill(_)
             | Mark::Region(_)
             | Mark::Hatch(_)
+            | Mark::HatchedRegion(_)
             | Mark::Dot(..)
             | Mark::Ring(..)
             | Mark::Diamond(..)

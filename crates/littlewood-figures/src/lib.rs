@@ -40,6 +40,7 @@ mod csv;
 mod draw;
 mod effort;
 mod error;
+mod fate;
 mod figure;
 mod finish;
 mod impacts;

@@ -1,7 +1,7 @@
 //! Figures of what comes after the landing, against the notes and the laws of impact written out once more.
 
 use crate::support;
-use crate::support::{assert_near, columns, figure, series};
+use crate::support::{assert_near, columns, figure, outlines, series, winding};
 use littlewood::{CASES, Hoop, HoopParameters, Impact, Limits, RestitutionLaw, Start, Trajectory, find_case};
 use littlewood_figures::{Figure, FigureError, FigureInput, Series, find_figure, plain};
 
@@ -300,15 +300,22 @@ fn every_hoop_that_bounces_has_its_figures() {
 }
 
 #[test]
-fn what_becomes_of_a_start_is_settled_by_its_first_lift_off() {
-    let without = figure("outcomes");
-    let class = |figure: &Figure| -> Vec<Series> {
+fn a_hoop_that_lands_and_goes_on_rolls_in_the_end_and_the_figure_says_so() {
+    let series = |figure: &Figure, name: &str| {
         let layers = figure.panels.iter().flat_map(|panel| &panel.layers);
-        layers.map(|layer| layer.series.clone()).collect()
+        layers.map(|layer| layer.series.clone()).find(|series| series.name == name)
     };
-    // No start of the Figure 2 hoop jams, so that nothing differs before the first lift-off.
-    for e in [0.5, 1.0] {
-        let with = make("outcomes", &figure_3_with(e, RestitutionLaw::Energetic)).expect("the figure");
-        assert!(class(&with) == class(&without), "e = {e}");
-    }
+    let without = figure("outcomes");
+    let with = make("outcomes", &figure_3_with(0.5, RestitutionLaw::Energetic)).expect("the figure");
+    // Slides, jumps from (π/2, 2), bounces, settles and rolls for ever.
+    let place = [core::f64::consts::FRAC_PI_2, 2.0];
+    let covers = |figure: &Figure, name: &str| {
+        series(figure, name)
+            .is_some_and(|series| winding(&outlines(&series, ["theta", "theta_rate"]), place) == 1)
+    };
+    assert!(covers(&without, "lifts_off_later") && !covers(&without, "rolls_forever"));
+    assert!(covers(&with, "rolls_forever") && covers(&with, "lifts_off"));
+    assert!(series(&with, "lifts_off_later").is_none() && series(&with, "leaves_at_once").is_none());
+    let caption = plain(&with.caption);
+    assert!(caption.contains("followed through all landings to its end; hatched"), "{caption}");
 }

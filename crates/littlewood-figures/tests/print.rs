@@ -108,7 +108,7 @@ fn another_program_shows_the_drawing_as_the_picture_has_it() {
             .panels
             .iter()
             .flat_map(|panel| &panel.layers)
-            .any(|layer| matches!(layer.mark, Mark::Hatch(_)));
+            .any(|layer| matches!(layer.mark, Mark::Hatch(_) | Mark::HatchedRegion(_)));
         let most = if hatched { 1.2 } else { 0.3 };
         assert!(mean < most, "{}: {mean} of 255 in the mean", entry.name);
     }

@@ -8,7 +8,7 @@ use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start};
 use littlewood_figures::{FIGURES, Figure, FigureInput, Layer, Mark, Panel, PlotAxis, Scale, View};
 
 /// Numbers from 0 to 1, the same in each run (SplitMix64).
-struct Draw(u64);
+pub(crate) struct Draw(pub(crate) u64);
 
 impl Draw {
     fn unit(&mut self) -> f64 {
@@ -23,7 +23,7 @@ impl Draw {
         self.unit() < share
     }
 
-    fn between(&mut self, from: f64, to: f64) -> f64 {
+    pub(crate) fn between(&mut self, from: f64, to: f64) -> f64 {
         from + (to - from) * self.unit()
     }
 
@@ -100,14 +100,18 @@ fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
         .filter(|place| place.iter().all(|share| (-1e-9..=1.0 + 1e-9).contains(share)))
         .collect();
     match layer.mark {
-        Mark::Line(_) | Mark::Arrow(_) | Mark::Fill(_) | Mark::Region(_) | Mark::Hatch(_) => (0..axes.len())
-            .any(|i| {
-                let (low, high) = inside
-                    .iter()
-                    .map(|place| place[i])
-                    .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
-                high - low > SHORTEST
-            }),
+        Mark::Line(_)
+        | Mark::Arrow(_)
+        | Mark::Fill(_)
+        | Mark::Region(_)
+        | Mark::Hatch(_)
+        | Mark::HatchedRegion(_) => (0..axes.len()).any(|i| {
+            let (low, high) = inside
+                .iter()
+                .map(|place| place[i])
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)));
+            high - low > SHORTEST
+        }),
         Mark::Head(_)
         | Mark::Dot(..)
         | Mark::Ring(..)

@@ -5,10 +5,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use littlewood::{
-    Class, Engine, Hoop, HoopParameters, Limits, ParameterError, PhaseSequence, Setup, Start, Summary,
-    SummaryColumn, SummaryValue,
-};
+use littlewood::{Engine, Hoop, HoopParameters, Limits, ParameterError, Setup, Start, Summary};
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -24,9 +21,6 @@ const TASKS: usize = 4;
 
 /// Hoops whose engines are kept for the next call.
 const KEPT: usize = 8;
-
-/// Transitions within which most motions that bounce have lifted off for the first time.
-const FIRST: usize = 16;
 
 /// Threads could not be started.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -179,38 +173,20 @@ impl Workers {
         self.compute(starts.iter().map(|&start| Setup::new(hoop, start)), limits)
     }
 
-    /// The classes and the sequences of points, in their order, of a run in which each hoop has so many starts. Classes are
-    /// settled with the first lift-off, so that bounces need not be followed to their end; the sequences are then cut.
-    pub(crate) fn settled(
+    /// The keys of points, in their order, by their summaries, of a run in which each hoop has so many starts.
+    pub(crate) fn keys(
         &self,
         points: &[Setup],
         starts_of_a_hoop: u64,
         limits: Limits,
-    ) -> Result<Vec<(Class, PhaseSequence)>, ParameterError> {
-        let of = |points: &[Setup], limits| {
-            let columns = match self.compute_points(points, Some(starts_of_a_hoop), limits, &Watch::NONE) {
-                Err(Halt::Refused(refused)) => return Err(refused.error),
-                // Nobody can cancel it.
-                Err(Halt::Cancelled) => Columns::blank(points.len()),
-                Ok(columns) => columns,
-            };
-            let sequences = columns.column(SummaryColumn::Sequence).iter().map(|value| match value {
-                SummaryValue::U64(bits) => PhaseSequence::from_bits(bits),
-                _ => PhaseSequence::default(),
-            });
-            Ok(columns.classes().iter().copied().zip(sequences).collect::<Vec<_>>())
-        };
-        let bounces = points.iter().any(|point| point.hoop.restitution.is_some());
-        if !bounces || limits.transitions <= FIRST {
-            return of(points, limits);
+        key: &dyn Fn(&Summary) -> u64,
+    ) -> Result<Vec<u64>, ParameterError> {
+        match self.compute_points(points, Some(starts_of_a_hoop), limits, &Watch::NONE) {
+            Err(Halt::Refused(refused)) => Err(refused.error),
+            // Nobody can cancel it.
+            Err(Halt::Cancelled) => Ok(vec![key(&Summary::NOT_COMPUTED); points.len()]),
+            Ok(columns) => Ok(columns.summaries().map(|summary| key(&summary)).collect()),
         }
-        let mut settled = of(points, limits.with_transitions(FIRST))?;
-        let open: Vec<usize> = (0..points.len()).filter(|&i| settled[i].0 == Class::InContact).collect();
-        let rest: Vec<Setup> = open.iter().map(|&i| points[i]).collect();
-        for (i, found) in open.into_iter().zip(of(&rest, limits)?) {
-            settled[i] = found;
-        }
-        Ok(settled)
     }
 
     /// Computes points of a run in which each hoop has so many starts, or, where that is not known, as many as here.

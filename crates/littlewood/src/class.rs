@@ -47,7 +47,13 @@ impl Class {
         if !summary.lift_off_time.is_nan() {
             return Self::LiftsOffLater;
         }
-        match summary.outcome {
+        Self::of_end(summary.outcome)
+    }
+
+    /// The class of an end, whenever the body has lifted off before it.
+    #[must_use]
+    pub const fn of_end(outcome: OutcomeKind) -> Self {
+        match outcome {
             OutcomeKind::Landing => Self::LiftsOffLater,
             OutcomeKind::RollsForever => Self::RollsForever,
             OutcomeKind::SlidesForever | OutcomeKind::RepeatsForever => Self::RepeatsForever,

@@ -66,9 +66,9 @@ impl Canvas {
     }
 
     /// An area with holes, which the library does not know.
-    pub(crate) fn area(&self, outlines: &[Vec<Step>], colour: Rgb) {
+    pub(crate) fn area(&self, outlines: &[Vec<Step>], paint: Paint) {
         let outlines = outlines.iter().map(|outline| distinct(outline.iter().copied())).collect();
-        self.keep(Item::Area { outlines, colour });
+        self.keep(Item::Area { outlines, paint });
     }
 
     /// Pixels, which the library would draw one by one.

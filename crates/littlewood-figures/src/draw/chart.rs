@@ -112,9 +112,12 @@ fn draw_panel(root: &Area, canvas: &Canvas, panel: &Panel) -> Result<(), FigureE
         let pen = Pen::new(root, canvas);
         let end = (x + steps(26.0), y);
         match key.mark {
-            Mark::Fill(colour) | Mark::Region(colour) | Mark::Hatch(colour) => {
+            Mark::Fill(colour) | Mark::Region(colour) | Mark::Hatch(colour) | Mark::HatchedRegion(colour) => {
                 let corners = [(x, y - steps(6.0)), (x + steps(20.0), y + steps(6.0))];
-                canvas.take(Ink { hatch: matches!(key.mark, Mark::Hatch(_)), ..PLAIN });
+                canvas.take(Ink {
+                    hatch: matches!(key.mark, Mark::Hatch(_) | Mark::HatchedRegion(_)),
+                    ..PLAIN
+                });
                 root.draw(&Rectangle::new(corners, rgb(colour).filled()))?;
                 canvas.take(PLAIN);
                 root.draw(&Rectangle::new(corners, line(Stroke::solid(INK, 0.6))))?;

@@ -14,7 +14,7 @@ pub(crate) enum Item {
     /// A line from point to point, or the polygon.
     Path { points: Vec<Step>, paint: Paint },
     /// An area by all curves that bound it, around holes in the other direction.
-    Area { outlines: Vec<Vec<Step>>, colour: Rgb },
+    Area { outlines: Vec<Vec<Step>>, paint: Paint },
     /// Pixels in a rectangle by its left upper and its right lower corner.
     Image { corners: [Step; 2], image: Image },
     /// A rectangle by its left upper and its right lower corner.

@@ -4,6 +4,7 @@ use plotters::element::{Circle, PathElement, Polygon};
 use plotters::style::Color as _;
 
 use super::canvas::{Canvas, Ink, PLAIN, steps};
+use super::item::Paint;
 use super::library::{Area, Failure, line, rgb};
 use crate::figure::Mark;
 use crate::style::{INK, PAPER, Stroke};
@@ -31,8 +32,13 @@ impl<'a> Pen<'a> {
 
     /// Draws pieces of points; `unit` is the number of steps to a unit of the axes.
     pub(crate) fn mark(&self, mark: Mark, pieces: &[Vec<Step>], unit: f64) -> Result<(), Failure> {
-        if let Mark::Region(colour) = mark {
-            self.canvas.area(pieces, colour);
+        let area = match mark {
+            Mark::Region(colour) => Some(Paint::Fill(colour)),
+            Mark::HatchedRegion(colour) => Some(Paint::Hatch(colour)),
+            _ => None,
+        };
+        if let Some(paint) = area {
+            self.canvas.area(pieces, paint);
             return Ok(());
         }
         for piece in pieces {
@@ -50,7 +56,7 @@ impl<'a> Pen<'a> {
                     }
                 }
                 Mark::Fill(colour) | Mark::Region(colour) => self.area(piece, colour, false)?,
-                Mark::Hatch(colour) => self.area(piece, colour, true)?,
+                Mark::Hatch(colour) | Mark::HatchedRegion(colour) => self.area(piece, colour, true)?,
                 Mark::Dot(colour, radius) => {
                     for point in piece {
                         self.dot(*point, colour, radius)?;

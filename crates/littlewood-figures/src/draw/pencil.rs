@@ -55,11 +55,10 @@ pub(crate) fn draw(items: &[Item], [width, height]: [f64; 2], pencil: &mut impl 
     for item in items {
         match item {
             Item::Path { points, paint } => painted(&polygon(points, *paint), *paint, pencil),
-            Item::Area { outlines, colour } => {
-                let paint = Paint::Fill(*colour);
+            Item::Area { outlines, paint } => {
                 let path: Vec<Segment> =
-                    outlines.iter().flat_map(|outline| polygon(outline, paint)).collect();
-                painted(&path, paint, pencil);
+                    outlines.iter().flat_map(|outline| polygon(outline, *paint)).collect();
+                painted(&path, *paint, pencil);
             }
             Item::Image { corners, image } => pencil.image(corners.map(pixels), image),
             Item::Rectangle { corners, paint } => {

@@ -89,9 +89,9 @@ impl Sheet {
                 let paint = self.paint(*paint);
                 let _ = writeln!(self.body, "<path d=\"{}{close}\" {paint}/>", data(points));
             }
-            Item::Area { outlines, colour } => {
+            Item::Area { outlines, paint } => {
                 let outlines: Vec<String> = outlines.iter().map(|outline| data(outline) + "z").collect();
-                let paint = self.paint(Paint::Fill(*colour));
+                let paint = self.paint(*paint);
                 let _ = writeln!(self.body, "<path d=\"{}\" {paint}/>", outlines.concat());
             }
             Item::Image { corners: [(left, top), (right, bottom)], image } => {

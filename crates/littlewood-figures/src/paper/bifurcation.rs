@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Engine, Hoop, Limits, Mode, PhaseCode, Quantity, Setup};
+use littlewood::{Class, Engine, Hoop, Limits, Mode, PhaseCode, Quantity, Setup, Summary};
 use littlewood_style::ticks::minus;
 use littlewood_style::{of_class, of_mode};
 use littlewood_sweep::{Axis, Band, Grid, Workers};
@@ -13,6 +13,7 @@ use crate::columns::TIME;
 use crate::draw::{ROOM, width};
 use crate::effort::Effort;
 use crate::error::FigureError;
+use crate::fate::{Fate, Fates};
 use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
 use crate::sheet::{Content, Sheet};
@@ -83,7 +84,8 @@ impl Line {
 /// When the phases of a motion end that a band tells of; infinite for one without end.
 fn ends(setup: &Setup, band: &Band, limits: Limits) -> Option<Vec<f64>> {
     let hoop = Hoop::new(setup.hoop).ok()?;
-    let transitions = limits.transitions.min(Band::PHASES);
+    // The jam of a start is a transition that ends no phase.
+    let transitions = limits.transitions.min(Band::PHASES + 1);
     let motion = hoop.simulate(setup.start, limits.with_transitions(transitions)).ok()?;
     let phases = motion.phases();
     let codes: Vec<PhaseCode> = band.phases.codes().filter_map(Result::ok).collect();
@@ -195,13 +197,19 @@ impl Drawn {
 
 /// Whether the motions of a band go on after the phases that it tells of: to others, or in the same way for ever.
 fn goes_on(band: &Band) -> bool {
-    band.has_more || band.class.stays_in_contact() && band.class != Class::RollsForever
+    band.has_more || Fate::of(band.kind).goes_on
 }
 
-/// The phases of a band as they are printed.
+fn class(band: &Band) -> Class {
+    Fate::of(band.kind).class
+}
+
+/// The phases of a band as they are printed, or why there are none.
 fn sequence(band: &Band) -> String {
-    let more = if goes_on(band) { "…" } else { "" };
-    if band.phases.is_empty() { "none".to_owned() } else { minus(&band.phases.to_string()) + more }
+    if let Some(outcome) = Fate::of(band.kind).no_phase {
+        return outcome.label().to_owned();
+    }
+    minus(&band.phases.to_string()) + if goes_on(band) { "…" } else { "" }
 }
 
 /// Until which time the transitions of nearly all bands are seen.
@@ -228,9 +236,9 @@ fn horizon(bands: &[Drawn], limits: Limits, start: f64) -> Option<f64> {
 }
 
 /// What the caption says of the boundaries.
-fn said(line: &Line, bands: &[Band], say: Wording) -> String {
+fn said(line: &Line, bands: &[Band], fates: Fates, say: Wording) -> String {
     let sequences: Vec<String> =
-        bands.iter().map(|band| format!("{} ({})", sequence(band), band.class.label())).collect();
+        bands.iter().map(|band| format!("{} ({})", sequence(band), fates.label(class(band)))).collect();
     let [from, to] = line.range();
     let varies = line.axis.varies();
     let boundaries: Vec<String> = bands[1..]
@@ -267,18 +275,17 @@ fn panel_of_bands(line: &Line, bands: &[Band], x: PlotAxis, pixels: f64) -> Cont
     let columns = [line.column, "share"];
     let place = |fraction: f64| line.axis.between(fraction);
     let mut layers: Vec<Layer> = Vec::new();
-    for class in Class::ALL {
+    for own in Class::ALL {
         let pieces: Vec<Vec<Vec<f64>>> = bands
             .iter()
-            .filter(|band| band.class == class)
+            .filter(|band| class(band) == own)
             .map(|band| {
                 let [from, to] = band.range.map(place);
                 vec![vec![from, 0.0], vec![to, 0.0], vec![to, 1.0], vec![from, 1.0]]
             })
             .collect();
         if !pieces.is_empty() {
-            layers
-                .push(Series::new(class.name(), &columns, pieces).drawn(Mark::Fill(of_class(class, THEME))));
+            layers.push(Series::new(own.name(), &columns, pieces).drawn(Mark::Fill(of_class(own, THEME))));
         }
     }
     let lines = bands[1..].iter().map(|band| {
@@ -355,7 +362,9 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     // Every transition of a motion is drawn, and each may have a hoop of its own: no chain is passed at once.
     let engine = Engine::without_tables(&input.hoop);
     let limits = Effort::of(&input.hoop, input.limits, &engine).cut(input.limits, &engine);
-    let bands = Band::along(&line.grid, limits, WIDTH, &workers, &mut told)?;
+    let fates = Fates::of(&input.hoop);
+    let kind = |summary: &Summary| Fate::new(fates, summary).kind();
+    let bands = Band::along(&line.grid, &kind, limits, WIDTH, &workers, &mut told)?;
     let [from, to] = line.range();
     let varies = line.axis.varies();
     if bands.len() > MOST_BANDS {
@@ -375,9 +384,9 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let x = say.varied(varies, [from, to]);
     let upper = panel_of_bands(&line, &bands, x.clone(), inner - ROOM[0]);
     let (lower, phases) = panel_of_times(&line, &drawn, x, until, say);
-    let classes = Class::ALL.into_iter().filter(|class| bands.iter().any(|band| band.class == *class));
+    let classes = Class::ALL.into_iter().filter(|own| bands.iter().any(|band| class(band) == *own));
     let entries = classes
-        .map(|class| (Mark::Fill(of_class(class, THEME)), class.label().to_owned()))
+        .map(|own| (Mark::Fill(of_class(own, THEME)), fates.label(own).to_owned()))
         .chain(phases)
         .collect();
     let (keys, room) = sheet.keys(entries, 6.0);
@@ -395,14 +404,14 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         .collect();
     let except: Vec<Quantity> = varies.quantities().collect();
     let cut = limits.transitions < input.limits.transitions
-        && bands.iter().any(|band| band.class == Class::InContact);
+        && bands.iter().any(|band| class(band) == Class::InContact);
     let caption = format!(
         "How a motion{} changes with {}: above, the sequence of its phases ({}) and what becomes of it; below, in which mode it is \
          at which time. White curves: transitions; where two meet the sequence changes. {} {}.",
         if cut { format!(", followed to {} transitions,", limits.transitions) } else { String::new() },
         say.varied_in_words(varies),
         letters.join(", "),
-        said(&line, &bands, say),
+        said(&line, &bands, fates, say),
         say.setup_except(&input.hoop, &input.start, &except)
     );
     let bottom = top + band_height + CLOSE + height + 6.0;

@@ -2,20 +2,21 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Dimension, Engine, Limits, Quantity, Setup, Start};
+use littlewood::{Class, Dimension, Engine, Limits, Quantity, Setup, Start, Summary};
 use littlewood_style::{Curve, of_class};
-use littlewood_sweep::{Axis, Detail, Grid, Place, Regions, Workers};
+use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
 
 use crate::axes::outcome_window;
 use crate::catalogue::Watch;
 use crate::columns::PLANE;
 use crate::effort::Effort;
 use crate::error::FigureError;
+use crate::fate::Fates;
 use crate::figure::{Figure, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::Portrait;
 use crate::sheet::Content;
-use crate::style::{BOUNDARY, PAPER, Stroke, THEME};
+use crate::style::{BOUNDARY, PAPER, SOFT, Stroke, THEME};
 use crate::trace::Window;
 use crate::words::short;
 
@@ -26,6 +27,13 @@ const WIDTH: f64 = 2e-5;
 const FOR_A_START: u64 = 8;
 /// Part of the plane that can be seen.
 const LEAST: f64 = 1e-7;
+/// Of a region of motions that go on after a landing: whether they have lifted off. Its class is in the bits below.
+const LIFTS: u64 = 1 << 8;
+/// Starts by which a figure is checked, the part of them that may end otherwise than is drawn without a word, and the multiples
+/// modulo 1 that spread them evenly: of the inverse of ρ and its square, ρ³ = ρ + 1.
+const CHECKED: usize = 500;
+const UNSAID: usize = CHECKED / 100;
+const SPREAD: Place = [0.754_877_666_246_693, 0.569_840_290_998_053];
 /// Pixels by which a curve stands out from what is below it on either side.
 const MARGIN: f64 = 1.0;
 
@@ -49,7 +57,7 @@ impl Plan {
         let (starts, detail) = match effort {
             Effort::Tables => ([137, 101], finest),
             Effort::Direct => ([91, 67], coarser(6_000)),
-            Effort::Chains => ([45, 33], coarser(800)),
+            Effort::Chains | Effort::Bounces => ([45, 33], coarser(800)),
             Effort::Simulated | Effort::Long => ([45, 33], coarser(1_500)),
             Effort::Slow => ([31, 23], coarser(200)),
         };
@@ -57,7 +65,7 @@ impl Plan {
     }
 }
 
-/// The regions of the classes in a window.
+/// The regions of the classes in a window; of motions that go on after a landing each in two parts.
 fn regions_of(
     input: &FigureInput,
     plan: &Plan,
@@ -72,7 +80,39 @@ fn regions_of(
     let grid = Grid::new(Setup::new(input.hoop.parameters(), Start::at(0.0, 0.0)), axes)?;
     let total = FOR_A_START * grid.len();
     let mut told = |followed: u64| watch(followed.min(total), total);
-    Ok(Regions::of_classes(&grid, plan.limits, &plan.detail, &Workers::new(None)?, &mut told)?)
+    let fates = Fates::of(&input.hoop);
+    let key = |summary: &Summary| key_of(fates, summary);
+    Ok(Regions::of_grid(&grid, &key, plan.limits, &plan.detail, &Workers::new(None)?, &mut told)?)
+}
+
+fn key_of(fates: Fates, summary: &Summary) -> u64 {
+    let lifts = matches!(Class::of(summary), Class::LeavesAtOnce | Class::LiftsOffLater);
+    u64::from(fates.class(summary).code()) | if fates.go_on() && lifts { LIFTS } else { 0 }
+}
+
+/// How many of some starts, spread evenly, end otherwise than is drawn: after many landings ends may change more finely than any
+/// curve can show.
+fn amiss(input: &FigureInput, plan: &Plan, window: Window, regions: &[Region]) -> Result<usize, FigureError> {
+    let places: Vec<Place> =
+        (0..CHECKED).map(|i| SPREAD.map(|share| (share * (i + 1) as f64).fract())).collect();
+    let along = |[from, to]: [f64; 2], fraction: f64| from + (to - from) * fraction;
+    let start = |&[x, y]: &Place| Start::at(along(window.x, x), along(window.y, y));
+    let points = places.iter().map(|place| Setup::new(input.hoop.parameters(), start(place)));
+    let found = Workers::new(None)?.compute(points, plan.limits)?;
+    let fates = Fates::of(&input.hoop);
+    let is_amiss = |(place, summary): &(&Place, Summary)| {
+        let key = key_of(fates, summary);
+        !regions.iter().any(|region| region.key == key && is_inside(&region.outlines, **place))
+    };
+    Ok(places.iter().zip(found.summaries()).filter(is_amiss).count())
+}
+
+/// Whether a place is within closed curves: those around holes go the other way.
+fn is_inside(outlines: &[Vec<Place>], [x, y]: Place) -> bool {
+    let edges = outlines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
+    let crossed = edges
+        .filter(|(a, b)| (a[1] <= y) != (b[1] <= y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+    crossed.count() % 2 == 1
 }
 
 /// A window with no lattice on its edges and its axes, where motions may be what they are nowhere else. That it is narrower is
@@ -106,19 +146,33 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         if input.is_massless() { Window { x: [-PI, PI], y: [-2.0, 2.0] } } else { outcome_window(hoop) };
     let plan = Plan::new(input);
     let Regions { regions, boundaries } = regions_of(input, &plan, within(window), watch)?;
+    let fates = Fates::of(hoop);
+    let amiss = if fates.go_on() { amiss(input, &plan, within(window), &regions)? } else { 0 };
     let mut layers = Vec::new();
     let mut legend: Vec<(Mark, String)> = Vec::new();
     let cuts = plan.limits.transitions < input.limits.transitions;
     let mut cut = false;
-    for region in regions.into_iter().filter(|region| region.area > LEAST) {
-        let Some(class) = Class::ALL.into_iter().find(|class| u64::from(class.code()) == region.key) else {
-            continue;
-        };
-        cut |= cuts && class == Class::InContact;
+    let mut draw = |name: &'static str, label: &str, mark: Mark, is_part: &dyn Fn(u64) -> bool| {
+        let parts: Vec<&Region> =
+            regions.iter().filter(|region| region.area > LEAST && is_part(region.key)).collect();
+        let area: f64 = parts.iter().map(|region| region.area).sum();
+        if area > 0.0 {
+            let outlines = parts.into_iter().flat_map(|region| region.outlines.clone()).collect();
+            layers.push(Series::new(name, &PLANE, rows_of(within(window), outlines)).drawn(mark));
+            let share = libm::round(1000.0 * area) / 10.0;
+            let share = if share > 0.0 { short(share) } else { "< 0.1".to_owned() };
+            legend.push((mark, format!("{label}, {share}%")));
+        }
+        area > 0.0
+    };
+    for class in Class::ALL {
         let mark = Mark::Region(of_class(class, THEME));
-        let share = libm::round(1000.0 * region.area) / 10.0;
-        legend.push((mark, format!("{}, {}%", class.label(), short(share))));
-        layers.push(Series::new(class.name(), &PLANE, rows_of(within(window), region.outlines)).drawn(mark));
+        let is_part = |key: u64| key & !LIFTS == u64::from(class.code());
+        let is_there = draw(class.name(), fates.label(class), mark, &is_part);
+        cut |= is_there && cuts && class == Class::InContact;
+    }
+    if fates.go_on() {
+        draw("lifts_off", "lifts off before", Mark::HatchedRegion(SOFT), &|key| key & LIFTS != 0);
     }
     let lines = boundaries.into_iter().map(|boundary| boundary.points).collect();
     layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(Mark::Line(BOUNDARY)));
@@ -139,14 +193,21 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         remark = " The body leaves the plane at once only beyond *h* cos *θ* *θ*′^{2} = 1, not, as the paper has it, \
                   beyond *n*: between the two it slides first.";
     }
+    let finer = if amiss > UNSAID {
+        format!(" Ends change more finely than is drawn: of {CHECKED} other starts {amiss} end otherwise.")
+    } else {
+        String::new()
+    };
     let say = input.wording();
     Ok(input.sheet(620.0)?.plot(
         NAME,
         "What becomes of the motion",
         format!(
-            "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}. Boundaries are followed as curves, \
-             each of their points between two starts that end otherwise.{remark} {}.",
+            "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}{}{}. Boundaries are followed as curves, \
+             each of their points between two starts that end otherwise.{finer}{remark} {}.",
+            if fates.go_on() { "through all landings " } else { "" },
             followed(input, plan.limits, cut),
+            if fates.go_on() { "; hatched: the body lifts off before" } else { "" },
             say.hoop(hoop)
         ),
         430.0,

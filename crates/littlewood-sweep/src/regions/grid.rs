@@ -1,6 +1,6 @@
-//! The regions of the classes of outcomes in the plane of a grid.
+//! The regions of what becomes of motions in the plane of a grid.
 
-use littlewood::{Class, Limits, ParameterError};
+use littlewood::{Limits, ParameterError, Summary};
 
 use super::{Detail, Lattice, Place, Regions};
 use crate::compute::Workers;
@@ -10,17 +10,17 @@ use crate::grid::Grid;
 const AT_ONCE: usize = 512;
 
 impl Regions {
-    /// The regions of the plane of a grid by the codes of their classes, which are settled with the first lift-off: bounces are
-    /// not followed to their end. `told` is told of the motions that have been followed. The result does not depend on the number
-    /// of threads.
+    /// The regions of the plane of a grid by keys of the summaries of its motions, each of which is followed to the limits.
+    /// `told` is told of the motions that have been followed. The result does not depend on the number of threads.
     ///
     /// # Errors
     /// The first value that has no physical meaning by itself.
     ///
     /// # Panics
     /// If the grid has not two axes of two points or more.
-    pub fn of_classes(
+    pub fn of_grid(
         grid: &Grid,
+        key: &dyn Fn(&Summary) -> u64,
         limits: Limits,
         detail: &Detail,
         workers: &Workers,
@@ -32,10 +32,10 @@ impl Regions {
         let mut followed = 0;
         let mut ask = |places: &[Place]| -> Result<Vec<u64>, ParameterError> {
             let points: Vec<_> = places.iter().map(|&place| grid.point_between(place)).collect();
-            let settled = workers.settled(&points, grid.starts_of_a_hoop(), limits)?;
+            let keys = workers.keys(&points, grid.starts_of_a_hoop(), limits, key)?;
             followed += places.len() as u64;
             told(followed);
-            Ok(settled.into_iter().map(|(class, _)| key_of(class)).collect())
+            Ok(keys)
         };
         let mut lattice = Lattice::even(count, |_| 0);
         let [columns, rows] = &lattice.places;
@@ -47,8 +47,4 @@ impl Regions {
         lattice.keys = keys;
         Self::find(&lattice, detail, &mut ask)
     }
-}
-
-fn key_of(class: Class) -> u64 {
-    class.code().into()
 }

@@ -1,17 +1,17 @@
 //! The bands of a line: intervals whose motions go alike.
 
-use littlewood::{Class, Limits, ParameterError, PhaseSequence};
+use littlewood::{Limits, ParameterError, PhaseSequence, Summary};
 
 use super::Place;
 use super::cell::{Span, crossed};
 use crate::compute::Workers;
 use crate::grid::Grid;
 
-/// An interval of a line in which all motions have one class and begin with the same phases.
+/// An interval of a line in which all motions are of one kind and begin with the same phases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
-    /// The class, which is settled with the first lift-off.
-    pub class: Class,
+    /// The kind.
+    pub kind: u16,
     /// The first phases.
     pub phases: PhaseSequence,
     /// Whether more phases follow.
@@ -28,20 +28,22 @@ impl Band {
     /// Phases that a band knows of.
     pub const PHASES: usize = PHASES as usize;
 
-    /// The bands of a grid with one axis, from its first value to its last. Where neighbours on the grid differ, the boundary
-    /// between them is found by bisection, to this part of the line; a band between two of them can be missed. `told` is told of
-    /// the motions that have been followed. The result does not depend on the number of threads.
+    /// The bands of a grid with one axis, from its first value to its last, by the first phases and by kinds of the summaries of
+    /// its motions, each of which is followed to the limits. Where neighbours on the grid differ, the boundary between them is
+    /// found by bisection, to this part of the line; a band between two of them can be missed. `told` is told of the motions that
+    /// have been followed. The result does not depend on the number of threads.
     ///
     /// ```
-    /// use littlewood::{Class, HoopParameters, Limits, Quantity, Setup, Start};
+    /// use littlewood::{Class, HoopParameters, Limits, Quantity, Setup, Start, Summary};
     /// use littlewood_sweep::{Axis, Band, Grid, Workers};
     ///
     /// let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
     /// let rate = Axis::new(Quantity::ThetaRate, 0.1, 2.0, 40)?;
     /// let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.1)), vec![rate])?;
-    /// let bands = Band::along(&grid, Limits::default(), 1e-12, &Workers::new(None)?, &mut |_| {})?;
+    /// let class = |summary: &Summary| Class::of(summary).code().into();
+    /// let bands = Band::along(&grid, &class, Limits::default(), 1e-12, &Workers::new(None)?, &mut |_| {})?;
     /// let last = bands.last().expect("a band");
-    /// assert_eq!(last.class, Class::LeavesAtOnce);
+    /// assert_eq!(last.kind, Class::LeavesAtOnce.code().into());
     /// // h cos θ θ′² = 1 with h = 1/2, on the way from 0.1 to 2.
     /// assert!((last.range[0] - (2.0_f64.sqrt() - 0.1) / 1.9).abs() < 1e-11);
     /// # Ok::<(), littlewood_sweep::SweepError>(())
@@ -54,6 +56,7 @@ impl Band {
     /// If the grid has not one axis of two points or more.
     pub fn along(
         grid: &Grid,
+        kind: &dyn Fn(&Summary) -> u16,
         limits: Limits,
         width: f64,
         workers: &Workers,
@@ -65,10 +68,11 @@ impl Band {
         let mut followed = 0;
         let mut ask = |places: &[Place]| -> Result<Vec<u64>, ParameterError> {
             let points: Vec<_> = places.iter().map(|&place| grid.point_between(place)).collect();
-            let found = workers.settled(&points, grid.starts_of_a_hoop(), limits)?;
+            let key = |summary: &Summary| key_of(kind(summary), summary.sequence);
+            let keys = workers.keys(&points, grid.starts_of_a_hoop(), limits, &key)?;
             followed += places.len() as u64;
             told(followed);
-            Ok(found.into_iter().map(|(class, sequence)| key_of(class, sequence)).collect())
+            Ok(keys)
         };
         let places: Vec<Place> = (0..=last).map(|i| [i as f64 / last as f64, 0.0]).collect();
         let keys = ask(&places)?;
@@ -89,17 +93,16 @@ impl Band {
     }
 }
 
-/// The phases lowest, then whether more follow, then the class.
-fn key_of(class: Class, sequence: PhaseSequence) -> u64 {
+/// The phases lowest, then whether more follow, then the kind.
+fn key_of(kind: u16, sequence: PhaseSequence) -> u64 {
     let shown = sequence.bits() & ((1 << BITS) - 1);
     let has_more = sequence.is_truncated() || sequence.len() > PHASES;
-    shown | u64::from(has_more) << BITS | u64::from(class.code()) << (BITS + 1)
+    shown | u64::from(has_more) << BITS | u64::from(kind) << (BITS + 1)
 }
 
 fn band_of(key: u64) -> Band {
-    let class = u8::try_from(key >> (BITS + 1)).ok().and_then(|code| Class::try_from(code).ok());
     Band {
-        class: class.unwrap_or(Class::NotComputed),
+        kind: (key >> (BITS + 1)) as u16,
         phases: PhaseSequence::from_bits(key & ((1 << BITS) - 1)),
         has_more: key >> BITS & 1 == 1,
         range: [0.0, 1.0],
@@ -113,12 +116,12 @@ mod tests {
     #[test]
     fn a_band_comes_back_from_its_key() {
         let long = PhaseSequence::from_bits(0x1_2131_2131);
-        for class in Class::ALL {
-            let band = band_of(key_of(class, long));
-            assert_eq!((band.class, band.has_more), (class, true));
+        for kind in [0, 12, 0x1234, u16::MAX] {
+            let band = band_of(key_of(kind, long));
+            assert_eq!((band.kind, band.has_more), (kind, true));
             assert_eq!(band.phases.to_string(), long.to_string()[..8]);
             let short = PhaseSequence::from_bits(0x7312);
-            let band = band_of(key_of(class, short));
+            let band = band_of(key_of(kind, short));
             assert_eq!((band.phases, band.has_more), (short, false));
         }
     }
