@@ -27,6 +27,8 @@ __all__ = [
     "MAX_TRANSITIONS",
     "MIN_STARTS_FOR_TABLES",
     "MODES",
+    "MOST_POINTS",
+    "MOST_TRANSITIONS",
     "OUTCOMES",
     "OUTSIDE",
     "PHASES",
@@ -35,6 +37,7 @@ __all__ = [
     "REGIONS",
     "RESTITUTION_LAWS",
     "ROLLING_TYPES",
+    "SAMPLE_COUNTS",
     "SEQUENCE_CAPACITY",
     "SEQUENCE_ENCODING",
     "SEQUENCE_VERSION",
@@ -64,6 +67,7 @@ __all__ = [
     "gliding_time_to_plane",
     "hoop_from_si",
     "in_rolling_region",
+    "name_of_case",
     "quantities",
     "rolling_angle",
     "rolling_energy",
@@ -99,12 +103,15 @@ PROOF: str
 PROOFS: list[str]
 MIN_STARTS_FOR_TABLES: int
 MODES: list[tuple[int, str]]
+MOST_POINTS: int
+MOST_TRANSITIONS: int
 OUTCOMES: list[tuple[int, str, str, bool]]
 OUTSIDE: int
 PHASES: list[tuple[int, str, str]]
 REGIONS: list[tuple[int, str]]
 RESTITUTION_LAWS: list[tuple[int, str, str]]
 ROLLING_TYPES: list[tuple[int, str]]
+SAMPLE_COUNTS: tuple[int, int]
 SEQUENCE_CAPACITY: int
 SEQUENCE_ENCODING: str
 SEQUENCE_VERSION: int
@@ -187,6 +194,7 @@ def curves() -> list[tuple[str, str | None, str, float]]: ...
 def digest_line(block: int) -> str: ...
 def run_program(arguments: Sequence[str]) -> int: ...
 def cases() -> list[tuple[str, str, str, list[float | None], str | None, list[float]]]: ...
+def name_of_case(name: str) -> str | None: ...
 def edges() -> list[tuple[str, str | None, str, str, str, str | None, str]]: ...
 def sequence_names(bits: npt.NDArray[np.uint64]) -> list[str]: ...
 def rolling_energy(theta: _Reals, theta_rate: _Reals) -> _Reals: ...

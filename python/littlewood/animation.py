@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-import operator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .counts import checked_count
 from .extras import require
 from .plot.canvas import draw_hoop
 from .style import INK, MODE_COLOURS
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Animation"]
 
+# An hour and a half of a film: each is a picture of its own.
+_MOST_FRAMES = 300_000
 # Seconds that √(R/g) takes by default: that of a hoop of about a metre.
 _SECONDS = math.sqrt(0.1)
 
@@ -32,14 +34,13 @@ class Animation:
     motion : Trajectory
         The motion.
     frames : int, optional
-        Number of pictures, evenly spaced in time.
+        Number of pictures, evenly spaced in time, 2 to 300,000.
     seconds : float, optional
         How long it plays.
     """
 
     def __init__(self, motion: Trajectory, *, frames: int = 150, seconds: float | None = None) -> None:
-        if operator.index(frames) < 2:
-            raise ValueError(f"frames = {frames} must not be less than 2")
+        checked_count("frames", frames, 2, _MOST_FRAMES)
         if not motion.phases:
             raise ValueError(f"there is no motion to show: {motion.outcome}")
         begin, end = motion.start.time, motion.shown_until

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
@@ -10,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from .counts import checked_count
 from .elementwise import flat
 from .tables import AXES
 
@@ -24,9 +24,7 @@ class Limits(NamedTuple):
     @classmethod
     def checked(cls, until: float | None, max_transitions: int, proof: str) -> Limits:
         """Refuse limits without meaning, before anything is computed."""
-        transitions = operator.index(max_transitions)
-        if transitions < 0:
-            raise ValueError(f"max_transitions = {transitions} must not be negative")
+        transitions = checked_count("max_transitions", max_transitions, 0, _core.MOST_TRANSITIONS)
         limits = cls(None if until is None else float(until), transitions, proof)
         if limits.until is not None:
             _core.check_until(limits.until)

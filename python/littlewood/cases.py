@@ -74,7 +74,7 @@ def case(name: str) -> Case:
     Parameters
     ----------
     name : str
-        A key of :data:`CASES`.
+        A key of :data:`CASES`, or `libration`, which is short for `figure-2-libration`.
 
     Returns
     -------
@@ -85,9 +85,9 @@ def case(name: str) -> Case:
     KeyError
         If there is none; the message has the names that look most like it.
     """
-    try:
-        return CASES[name]
-    except KeyError:
+    found = _core.name_of_case(name)
+    if found is None:
         nearest = difflib.get_close_matches(name, CASES, cutoff=0.5) or list(CASES)
         names = " or ".join(repr(one) for one in nearest)
-        raise KeyError(f"there is no case named {name!r}; did you mean {names}?") from None
+        raise KeyError(f"there is no case named {name!r}; did you mean {names}?")
+    return CASES[found]

@@ -205,6 +205,8 @@ def _simulate(
         raise ValueError(f"threads = {threads} must not be less than 1")
     if chunks is not None:
         points = points.chunked(chunks)
+    elif not points.is_lazy and points.count > _core.MOST_POINTS:
+        raise ValueError(f"{points.count} points at once: there can be {_core.MOST_POINTS}; chunks= computes more")
     data: Mapping[str, Any]
     if points.is_lazy:
         if progress:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import operator
 from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
@@ -12,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from .counts import checked_count
 from .elementwise import flat
 from .extras import require
 from .html import trajectory_html, trajectory_text
@@ -54,9 +54,7 @@ class Trajectory:
     """
 
     def __init__(self, hoop: Hoop, start: Start, until: float | None, max_transitions: int, proof: str) -> None:
-        transitions = operator.index(max_transitions)
-        if transitions < 0:
-            raise ValueError(f"max_transitions = {transitions} must not be negative")
+        transitions = checked_count("max_transitions", max_transitions, 0, _core.MOST_TRANSITIONS)
         self._hoop = hoop
         self._start = start
         self._until = until
@@ -213,7 +211,7 @@ class Trajectory:
         Parameters
         ----------
         count : int, optional
-            Number of evenly spaced instants.
+            Number of evenly spaced instants, 2 to 10⁷.
         until : float, optional
             Last time, √(R/g); by default the end of the motion, or two periods of one that lasts for ever.
 
@@ -223,9 +221,7 @@ class Trajectory:
             Of shape (n,). A transition appears twice, as the last instant of the phase that ends and as the first of
             the phase that begins, because forces may jump there, and velocities in an impact.
         """
-        number = operator.index(count)
-        if number < 2:
-            raise ValueError(f"count = {number} must not be less than 2")
+        number = checked_count("count", count, *_core.SAMPLE_COUNTS)
         if until is None:
             until = self.shown_until
         if not (math.isfinite(until) and until >= self.start.time):

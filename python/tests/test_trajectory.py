@@ -146,7 +146,7 @@ def test_limits(hoop):
     assert (motion.outcome.kind, motion.outcome.is_final, motion.end_time) == ("time_limit", False, 0.7)
     stopped = hoop.simulate(theta=math.pi / 2, theta_rate=2.0, max_transitions=1)
     assert (stopped.outcome.kind, stopped.outcome.details["transitions"]) == ("transition_limit", 1)
-    with pytest.raises(ValueError, match="max_transitions = -1 must not be negative"):
+    with pytest.raises(ValueError, match="max_transitions = -1 must not be less than 0"):
         hoop.simulate(theta=0.0, theta_rate=1.0, max_transitions=-1)
     with pytest.raises(lw.ParameterError, match="no proof named 'perhaps'"):
         hoop.simulate(theta=0.0, theta_rate=1.0, proof="perhaps")

@@ -249,26 +249,17 @@ impl Inputs {
     }
 }
 
-/// Short for a case, as the third film of the paper is called.
-const SHORT: [(&str, &str); 1] = [("libration", "figure-2-libration")];
-
-/// The case of a name, or of one that is short for it.
-fn named(name: &str) -> Option<&'static NamedCase> {
-    let long = SHORT.into_iter().find(|(short, _)| *short == name).map_or(name, |(_, long)| long);
-    find_case(long)
-}
-
 fn find(case: Option<&str>, scenario: Option<&Scenario>) -> Result<Option<&'static NamedCase>, Error> {
     if let Some(name) = case {
         let unknown = || Error::UnknownCase { name: name.to_owned(), hint: nearest_case(name) };
-        return named(name).map(Some).ok_or_else(unknown);
+        return find_case(name).map(Some).ok_or_else(unknown);
     }
     let Some((scenario, (name, span))) = scenario.and_then(|scenario| Some((scenario, scenario.case()?)))
     else {
         return Ok(None);
     };
     let unknown = || scenario.complain(format!("there is no case named '{name}'"), nearest_case(name), span);
-    named(name).map(Some).ok_or_else(unknown)
+    find_case(name).map(Some).ok_or_else(unknown)
 }
 
 fn nearest_case(name: &str) -> String {

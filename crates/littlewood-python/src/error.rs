@@ -1,7 +1,9 @@
 //! Parameters without physical meaning, as a Python exception.
 
+use std::collections::TryReserveError;
+
 use littlewood::{ParameterError as Refusal, Proof, RestitutionLaw, UnknownName};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
 pyo3::create_exception!(
@@ -26,6 +28,11 @@ pub(crate) fn unknown_law(py: Python<'_>, error: &UnknownName) -> PyErr {
 pub(crate) fn unknown_proof(py: Python<'_>, error: &UnknownName) -> PyErr {
     let hint = format!("leave it out for '{}'", Proof::default());
     exception(py, error.to_string(), "proof", &hint, None)
+}
+
+/// The exception of arrays for which there is no memory.
+pub(crate) fn too_large(error: &TryReserveError) -> PyErr {
+    PyMemoryError::new_err(error.to_string())
 }
 
 fn exception(py: Python<'_>, message: String, quantity: &str, hint: &str, index: Option<usize>) -> PyErr {

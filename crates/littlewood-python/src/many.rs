@@ -12,9 +12,13 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 
-use crate::error::refuse;
+use crate::error::{refuse, too_large};
 use crate::record::{LawName, law, limits, setup};
+use crate::samples::with_room;
 use crate::waiting::{self, Cancelled, Signals};
+
+/// Points of a call at most: with more their summaries outgrow memory.
+const MOST_POINTS: usize = 100_000_000;
 
 /// Starts of a task: short enough to share the work evenly, long enough to pay for the task.
 const TASK: usize = 256;
@@ -221,6 +225,12 @@ fn summaries<'py>(
     if columns.iter().flatten().any(|column| column.0.len() != 1 && column.0.len() != count) {
         return Err(PyRuntimeError::new_err("columns of unequal length"));
     }
+    if count > MOST_POINTS {
+        let message = format!("{count} points at once: there can be {MOST_POINTS}");
+        return Err(PyValueError::new_err(message));
+    }
+    // What is needed at once, at least: without it the process would end.
+    with_room::<Row>(count).map_err(|error| too_large(&error))?;
     let points = Points { columns, law: law(py, &law_name)?, count };
     let limits = limits(py, until, max_transitions, proof)?;
     let result =
@@ -261,6 +271,7 @@ fn classes<'py>(
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("MIN_STARTS_FOR_TABLES", Engine::MIN_STARTS_FOR_TABLES)?;
+    module.add("MOST_POINTS", MOST_POINTS)?;
     module.add_function(wrap_pyfunction!(summaries, module)?)?;
     module.add_function(wrap_pyfunction!(classes, module)?)
 }

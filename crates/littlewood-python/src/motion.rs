@@ -1,5 +1,7 @@
 //! One hoop, one start, one motion.
 
+use std::collections::TryReserveError;
+
 use littlewood::{
     BouncingOrbit, Candidates, Classification, ContactVelocities, Detail, Direction, Hoop, HoopParameters,
     Impact, Limits, Mode, Phase, RestitutionLaw, RollingType, Sample, Start, Trajectory as Core,
@@ -9,7 +11,7 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::refuse;
+use crate::error::{refuse, too_large};
 use crate::record::{GivenHoop, StartNumbers, StateNumbers, hoop, limits, start, start_numbers};
 use crate::samples::Samples;
 
@@ -189,8 +191,8 @@ impl Trajectory {
         is_before: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let times: Vec<f64> = times.as_array().iter().copied().collect();
-        let samples = py.detach(|| {
-            let mut samples = Samples::with_capacity(times.len());
+        let samples = py.detach(|| -> Result<Samples, TryReserveError> {
+            let mut samples = Samples::with_room(times.len())?;
             for time in times {
                 let instant = if is_before { before(&self.0, time) } else { self.0.at(time).map(after) };
                 match instant {
@@ -198,21 +200,21 @@ impl Trajectory {
                     None => samples.push_nothing(time),
                 }
             }
-            samples
+            Ok(samples)
         });
-        samples.into_dict(py)
+        samples.map_err(|error| too_large(&error))?.into_dict(py)
     }
 
     /// `count` instants evenly spaced up to `until`, and both sides of each transition.
     fn sample_evenly<'py>(&self, py: Python<'py>, count: usize, until: f64) -> PyResult<Bound<'py, PyDict>> {
-        let samples = py.detach(|| {
-            let mut samples = Samples::with_capacity(count + 2 * self.0.transitions().len());
+        let samples = py.detach(|| -> Result<Samples, TryReserveError> {
+            let mut samples = Samples::with_room(count.saturating_add(2 * self.0.transitions().len()))?;
             for Instant { sample, mode, .. } in instants(&self.0, Sampling { count, until }) {
                 samples.push(&sample, mode);
             }
-            samples
+            Ok(samples)
         });
-        samples.into_dict(py)
+        samples.map_err(|error| too_large(&error))?.into_dict(py)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Instants of a motion, column by column.
 
+use std::collections::TryReserveError;
+
 use littlewood::{Direction, Mode, Sample, SampleColumn, SampleValue};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
@@ -14,16 +16,30 @@ enum Values {
     Real(Vec<f64>),
 }
 
+/// An empty list with room for so many values.
+pub(crate) fn with_room<T>(count: usize) -> Result<Vec<T>, TryReserveError> {
+    let mut values = Vec::new();
+    values.try_reserve_exact(count)?;
+    Ok(values)
+}
+
 /// Columns to which instants are added.
 pub(crate) struct Samples(Vec<(SampleColumn, Values)>);
 
 impl Samples {
-    pub(crate) fn with_capacity(capacity: usize) -> Self {
-        let values = |column: SampleColumn| match column.dimension() {
-            None => Values::Code(Vec::with_capacity(capacity)),
-            Some(_) => Values::Real(Vec::with_capacity(capacity)),
+    /// Columns with room for so many instants.
+    ///
+    /// # Errors
+    /// If there is not so much memory.
+    pub(crate) fn with_room(count: usize) -> Result<Self, TryReserveError> {
+        let column = |column: SampleColumn| {
+            let values = match column.dimension() {
+                None => with_room(count).map(Values::Code),
+                Some(_) => with_room(count).map(Values::Real),
+            };
+            values.map(|values| (column, values))
         };
-        Self(SampleColumn::ALL.into_iter().map(|column| (column, values(column))).collect())
+        SampleColumn::ALL.into_iter().map(column).collect::<Result<_, _>>().map(Self)
     }
 
     /// An instant; of one just before a jam there is no mode.

@@ -4,8 +4,9 @@
 use littlewood::{
     CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, ImpactCase, Limits, Mode, OutcomeKind,
     PhaseCode, PhaseSequence, Presence, Proof, Quantity, RestitutionLaw, RollingType, STANDARD_GRAVITY,
-    SampleColumn, StartRegion, State, SummaryColumn,
+    SampleColumn, StartRegion, State, SummaryColumn, find_case,
 };
+use littlewood_report::Sampling;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -113,6 +114,12 @@ type EdgeRow = (
     &'static str,
 );
 
+/// The name of the case of this name, or of one that is short for it.
+#[pyfunction]
+fn name_of_case(name: &str) -> Option<&'static str> {
+    find_case(name).map(|case| case.name)
+}
+
 /// The edges of the automaton.
 #[pyfunction]
 fn edges() -> Vec<EdgeRow> {
@@ -144,6 +151,8 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("STATE", State::COLUMNS.map(SampleColumn::name).to_vec())?;
     module.add("STANDARD_GRAVITY", STANDARD_GRAVITY)?;
     module.add("MAX_TRANSITIONS", Limits::default().transitions)?;
+    module.add("MOST_TRANSITIONS", usize::MAX)?;
+    module.add("SAMPLE_COUNTS", (*Sampling::COUNTS.start(), *Sampling::COUNTS.end()))?;
     module.add("PROOF", Limits::default().proof.name())?;
     module.add("PROOFS", Proof::NAMES.to_vec())?;
     module.add("OUTSIDE", OUTSIDE)?;
@@ -170,6 +179,7 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(sample_columns, module)?)?;
     module.add_function(wrap_pyfunction!(summary_columns, module)?)?;
     module.add_function(wrap_pyfunction!(cases, module)?)?;
+    module.add_function(wrap_pyfunction!(name_of_case, module)?)?;
     module.add_function(wrap_pyfunction!(edges, module)?)?;
     module.add_function(wrap_pyfunction!(sequence_names, module)?)
 }

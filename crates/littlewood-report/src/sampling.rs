@@ -1,5 +1,7 @@
 //! Which instants of a motion to report.
 
+use core::ops::RangeInclusive;
+
 use littlewood::Trajectory;
 
 /// Length of the samples of a motion that has neither an end nor a period.
@@ -15,6 +17,9 @@ pub struct Sampling {
 }
 
 impl Sampling {
+    /// Numbers of instants that can be asked for: with more a table outgrows memory.
+    pub const COUNTS: RangeInclusive<u64> = 2..=10_000_000;
+
     /// `count` instants of a motion, to its end. A motion without an end is sampled for two periods of the last
     /// phase, or for ten units of time where that has none.
     #[must_use]

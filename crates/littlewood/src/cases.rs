@@ -33,10 +33,14 @@ impl NamedCase {
     }
 }
 
-/// The case of this name.
+/// Short for a case, as the third film of the paper is called.
+const SHORT: (&str, &str) = ("libration", "figure-2-libration");
+
+/// The case of this name; `libration` is short for `figure-2-libration`.
 #[must_use]
 pub fn find_case(name: &str) -> Option<&'static NamedCase> {
-    CASES.iter().find(|case| case.name == name)
+    let long = if name == SHORT.0 { SHORT.1 } else { name };
+    CASES.iter().find(|case| case.name == long)
 }
 
 const THIN_HOOP: HoopParameters = HoopParameters::thin(1.0).with_friction(0.5, 0.4);

@@ -35,6 +35,7 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use littlewood_report::Sampling;
 
 #[cfg(feature = "film")]
 use self::animate::{ANIMATE, ANIMATE_EXAMPLES};
@@ -178,7 +179,7 @@ Examples:
   littlewood classify figure-3 --theta -.7 --theta-rate 1.6 --format json";
 
 /// Numbers of samples that can be asked for.
-pub(crate) const SAMPLES: RangeInclusive<u64> = 2..=10_000_000;
+pub(crate) const SAMPLES: RangeInclusive<u64> = Sampling::COUNTS;
 
 /// Arguments of `littlewood simulate`.
 #[derive(Debug, Args)]
