@@ -143,7 +143,7 @@ class FitResult:
         return self.hoop.inertia * self.hoop.require_units().inertia_kg_m2
 
     def __str__(self) -> str:
-        lines = [f"{name:<18}{estimate}" for name, estimate in self.estimates.items()]
+        lines = [f"{name:<17} {estimate}" for name, estimate in self.estimates.items()]
         lines.append(f"{'mu_s at least':<18}{self.mu_s_at_least:.4g}")
         lines.append(f"{'motion':<18}{self.motion.sequence}: {self.motion.outcome}")
         lines += [f"{'σ of ' + name:<18}{noise}" for name, noise in self.noise.items()]

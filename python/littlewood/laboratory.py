@@ -42,7 +42,10 @@ class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def __init__(self, motion: Trajectory, *, time: float | None = None, height: int = 820, **more: Any) -> None:
         if not _MODULE.exists():
-            raise RuntimeError("this build of littlewood has no laboratory: run web/build.sh before building the wheel")
+            raise RuntimeError(
+                "this build of littlewood has no laboratory: run web/build.sh in the repository (it needs node 20 and "
+                "`rustup target add wasm32-unknown-unknown`), then build and install the wheel again"
+            )
         self._esm = _MODULE.read_text(encoding="utf-8")
         instant = motion.start.time if time is None else time
         super().__init__(motion=motion, time=instant, link=link_of(motion, instant), height=height, **more)
