@@ -4,8 +4,15 @@ use std::collections::BTreeMap;
 
 use crate::random::Draw;
 use crate::support::winding;
-use littlewood::{CASES, Class, Hoop, Limits, Mode, OutcomeKind, Quantity, Setup, Start, Trajectory};
-use littlewood_figures::{Axis, Figure, FigureError, FigureInput, find_figure, plain};
+use littlewood::{CASES, Class, Hoop, Limits, Mode, OutcomeKind, Phase, Quantity, Setup, Start, Trajectory};
+use littlewood_figures::{Axis, Figure, FigureError, FigureInput, Panel, PlotAxis, View, find_figure, plain};
+
+/// The axes to the right and upwards.
+fn axes(panel: &Panel) -> [&PlotAxis; 2] {
+    match &panel.view {
+        View::Plane { x, y, .. } | View::Space { x, y, .. } => [x, y],
+    }
+}
 
 /// The pieces of each series of a panel, in a plane of two columns of the table.
 fn table(figure: &Figure, panel: &str, columns: [&str; 2]) -> BTreeMap<String, Vec<Vec<[f64; 2]>>> {
@@ -30,7 +37,7 @@ fn table(figure: &Figure, panel: &str, columns: [&str; 2]) -> BTreeMap<String, V
 
 /// The class of a motion: of its end, where it goes on after a landing.
 fn class(motion: &Trajectory) -> Class {
-    let first = motion.phases().first().map(|phase| phase.mode());
+    let first = motion.phases().first().map(Phase::mode);
     let flies = motion.phases().iter().any(|phase| phase.mode() == Mode::Flight);
     match motion.outcome().kind() {
         _ if motion.hoop().restitution().is_none() && first == Some(Mode::Flight) => Class::LeavesAtOnce,
@@ -42,8 +49,14 @@ fn class(motion: &Trajectory) -> Class {
         OutcomeKind::ParticleAtTop => Class::ParticleAtTop,
         OutcomeKind::ParticleAtBottom => Class::ParticleAtBottom,
         OutcomeKind::Inconsistent | OutcomeKind::Ambiguous | OutcomeKind::Singular => Class::Painleve,
-        OutcomeKind::TransitionLimit | OutcomeKind::TimeLimit => Class::InContact,
-        other => panic!("{other}"),
+        OutcomeKind::TransitionLimit
+        | OutcomeKind::TimeLimit
+        | OutcomeKind::StepLimit
+        | OutcomeKind::StaysInContact => Class::InContact,
+        OutcomeKind::Landing => Class::LiftsOffLater,
+        OutcomeKind::Unresolved => Class::Unresolved,
+        OutcomeKind::Invalid => Class::Invalid,
+        OutcomeKind::NotComputed => Class::NotComputed,
     }
 }
 
@@ -65,8 +78,7 @@ fn check_line(figure: &Figure, input: &FigureInput, axis: Axis, draw: &mut Draw)
     let name = varies.name();
     let bands = table(figure, "bands", [name, "share"]);
     let times = table(figure, "times", [name, "time"]);
-    let littlewood_figures::View::Plane { y, .. } = &figure.panels[1].view else { panic!("a plane") };
-    let until = y.range[1];
+    let until = axes(&figure.panels[1])[1].range[1];
     let limits = limits(figure, input.limits);
     let simulated = |value: f64| -> Option<Trajectory> {
         let mut setup = Setup::new(input.hoop.parameters(), input.start);
@@ -114,7 +126,7 @@ fn check_line(figure: &Figure, input: &FigureInput, axis: Axis, draw: &mut Draw)
                 .iter()
                 .filter(|(series, _)| !["boundary", "transition"].contains(&series.as_str()))
                 .filter(|(_, pieces)| {
-                    pieces.iter().any(|piece| winding(&[piece.clone()], [value, time]) != 0)
+                    pieces.iter().any(|piece| winding(std::slice::from_ref(piece), [value, time]) != 0)
                 })
                 .map(|(series, _)| series.as_str())
                 .collect();
@@ -192,12 +204,12 @@ fn outcomes_of_all_cases_are_what_the_simulation_does() {
         }
         let figure = find.figure(input).expect("it can be drawn");
         let regions = table(&figure, "plane", ["theta", "theta_rate"]);
-        let littlewood_figures::View::Plane { x, y, .. } = &figure.panels[0].view else { panic!("a plane") };
-        let side = [x, y].map(|axis| axis.range[1] - axis.range[0]);
+        let axes = axes(&figure.panels[0]);
+        let side = axes.map(|axis| axis.range[1] - axis.range[0]);
         let limits = limits(&figure, input.limits);
         let (mut compared, mut jumps, mut wrong) = (0, 0, 0);
         for _ in 0..300 {
-            let place = [x, y].map(|axis| draw.between(axis.range[0], axis.range[1]));
+            let place = axes.map(|axis| draw.between(axis.range[0], axis.range[1]));
             let seen = |[theta, rate]: [f64; 2]| {
                 let motion = input.hoop.simulate(Start::at(theta, rate), limits).expect("a motion");
                 let flies = motion.phases().iter().any(|phase| phase.mode() == Mode::Flight);
