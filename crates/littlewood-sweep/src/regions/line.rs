@@ -43,7 +43,7 @@ impl Band {
     /// let class = |summary: &Summary| Class::of(summary).code().into();
     /// let bands = Band::along(&grid, &class, Limits::default(), 1e-12, &Workers::new(None)?, &mut |_| {})?;
     /// let last = bands.last().expect("a band");
-    /// assert_eq!(last.kind, Class::LeavesAtOnce.code().into());
+    /// assert_eq!(last.kind, u16::from(Class::LeavesAtOnce.code()));
     /// // h cos θ θ′² = 1 with h = 1/2, on the way from 0.1 to 2.
     /// assert!((last.range[0] - (2.0_f64.sqrt() - 0.1) / 1.9).abs() < 1e-11);
     /// # Ok::<(), littlewood_sweep::SweepError>(())
