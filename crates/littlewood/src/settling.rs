@@ -6,9 +6,10 @@
 //! impact is homogeneous in (u, v), and the sum of all of them is found from a few: where it does the same each time, sticks,
 //! reverses or slips on, it is geometric. What is neglected is of the order of the square of the time that is left.
 //!
-//! Bounces never grow for e < 1, as they do for other bodies near k1 = 0 (reverse chatter). Where they stick, a drives the slip
-//! of each flight against sign B, so that k1 = C + μk |B| at first and k2 < k1 behind it: the ratio of the rates of successive
-//! bounces is at most e by each law. Where they slip it is e.
+//! The ratio of the rates of successive bounces decides, not e. Where they slip it is e. Where they stick, a drives the slip of
+//! each flight against sign B, so that k1 = C + μk |B| at first and k2 < k1 behind it: the ratio is then below e by the energetic
+//! law and by Poisson's, also for e = 1, and e by Newton's. It is e for all of them without friction, and where B or a vanishes.
+//! So bounces never grow for e < 1, as they do for other bodies near k1 = 0 (reverse chatter).
 
 use thiserror::Error;
 
@@ -22,8 +23,11 @@ use crate::state::State;
 /// the order of the error.
 const LONGEST: f64 = 1e-7;
 
-/// Largest part of W that may change on the way.
-const LARGEST_CHANGE: f64 = 1e-6;
+/// What the sum may be wrong by: in angle and position, in times and velocities in units of 1 + |θ′|.
+const ERROR: f64 = 10.0 * LONGEST * LONGEST;
+
+/// A ratio is the quotient of sums of a dozen products, all of one sign: so close to 1 it is not known to be less.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Slip velocities that are the same part of the rate of their bounces, but for this, repeat themselves.
 const SAME_KIND: f64 = 1e-14;
@@ -67,8 +71,9 @@ pub enum NoSettling {
         /// 1 − h cos θ θ′².
         contact: f64,
     },
-    /// The bounces do not shrink, e = 1. With e < 1 that would be reverse chatter, by which a hoop at rest against the plane
-    /// could as well begin to bounce; this body has none.
+    /// The bounces do not shrink, or not by more than rounding: e = 1 where they slip, without friction, and by Newton's law. With
+    /// e < 1 that would be reverse chatter, by which a hoop at rest against the plane could as well begin to bounce; this body
+    /// has none.
     #[error("each bounce is {ratio} times as fast as the one before")]
     Grows {
         /// Ratio of the rates of successive bounces.
@@ -77,7 +82,7 @@ pub enum NoSettling {
     /// The bounces change their kind more often than are summed.
     #[error("the bounces have not taken one kind within {bounces}")]
     Unsettled {
-        /// Number of bounces that were followed.
+        /// Number of bounces that were followed, many that slip alike at once.
         bounces: usize,
     },
 }
@@ -124,25 +129,35 @@ impl Hoop {
         restitution: Restitution,
     ) -> Option<Settling> {
         // No sum is shorter than its first bounce, and W ≤ 1 + h θ′².
-        if gap_rate > LONGEST * (1.0 + body.h * (state.theta_rate * state.theta_rate))
-            || restitution.coefficient() == 1.0
-        {
+        if gap_rate > LONGEST * (1.0 + body.h * (state.theta_rate * state.theta_rate)) {
             return None;
         }
+        let pace = 1.0 + state.theta_rate.abs();
         let bounces = Bounces::new(self, body, state, restitution).ok()?;
-        let rate = state.theta_rate.abs();
-        let is_short = |duration: f64, jump: f64| {
-            let change = body.h * (rate * rate * rate * duration + (2.0 * rate + jump) * jump);
-            duration * (1.0 + rate) <= LONGEST && change <= LARGEST_CHANGE * bounces.contact_force
-        };
-        if !is_short(2.0 * gap_rate / bounces.contact_force, 0.0) {
+        if 2.0 * gap_rate / bounces.contact_force * pace > LONGEST {
             return None;
         }
-        // An impact that ends the slip may change θ′ at once, however slow the bounce.
-        bounces.sum(state, gap_rate, LONGEST).ok().filter(|settling| {
-            let Impact { before, after, .. } = settling.impact;
-            is_short(settling.duration, (after.theta_rate - before.theta_rate).abs())
-        })
+        let settling = bounces.sum(state, gap_rate, LONGEST).ok()?;
+        let Settling { duration, impact: Impact { before, after, .. }, .. } = settling;
+        // An impact that ends the slip may change the velocities at once, however slow the bounce.
+        let spin = after.theta_rate - before.theta_rate;
+        if duration * pace > LONGEST || duration * (spin.abs() + (after.slip - before.slip).abs()) > ERROR {
+            return None;
+        }
+        // The angle and the rate change on the way: with those of later on the sum is the same.
+        let holds = [0.5, 1.0].into_iter().all(|part| {
+            let theta = state.theta + part * duration * state.theta_rate;
+            let later = State { theta, theta_rate: state.theta_rate + part * spin, ..*state };
+            let sum = Bounces::new(self, body, &later, restitution)
+                .and_then(|bounces| bounces.sum(&later, gap_rate, 2.0 * LONGEST));
+            sum.is_ok_and(|Settling { duration: other, impact, .. }| {
+                let other_spin = impact.after.theta_rate - impact.before.theta_rate;
+                (other - duration).abs() * pace <= ERROR
+                    && (other_spin - spin).abs() <= ERROR * pace
+                    && (impact.after.slip - after.slip).abs() <= ERROR * pace
+            })
+        });
+        holds.then_some(settling)
     }
 }
 
@@ -211,30 +226,36 @@ impl Bounces {
             };
             let impact = self.contact.impact(before, self.restitution);
             let ratio = impact.after.gap_rate / opening;
+            let shrinks = 1.0 - ratio > ROUNDING;
             // As long as the bounces do the same, everything changes from one to the next by this ratio.
-            let (count, squares) = (1.0 / (1.0 - ratio), 1.0 / (1.0 - ratio * ratio));
             let repeats = (impact.after.slip - slip * ratio).abs() <= SAME_KIND * slip.abs() * ratio;
             if repeats && impact.case != ImpactCase::Slides {
-                if ratio >= 1.0 {
+                if !shrinks {
                     return Err(NoSettling::Grows { ratio });
                 }
+                let (count, squares) =
+                    (geometric(ratio, f64::INFINITY), geometric(ratio * ratio, f64::INFINITY));
                 sums.add(duration, &impact, count, squares);
                 return Ok(self.settled((state, gap_rate), &sums, 0.0, (ratio, impact.case)));
             }
-            if impact.case == ImpactCase::Slides && ratio < 1.0 {
-                let change = impact.after.slip - slip;
-                let end = slip + change * count;
-                // The slip velocities before and after the impacts lie between those of this one and the end.
-                if before.slip * end > 0.0 && impact.after.slip * end > 0.0 {
-                    let mean = end * count + (0.5 * (before.slip - slip + change) - change * count) * squares;
-                    let friction_work = impact.impulse.friction * mean;
-                    sums.add(duration, &Impact { friction_work, ..impact }, count, squares);
-                    sums.friction_work += friction_work * (1.0 - squares);
-                    return Ok(self.settled((state, gap_rate), &sums, end, (ratio, impact.case)));
+            if impact.case == ImpactCase::Slides {
+                let slides = Slides { ratio, slip, before: before.slip, after: impact.after.slip };
+                let number = slides.number();
+                if number == f64::INFINITY && !shrinks {
+                    return Err(NoSettling::Grows { ratio });
                 }
+                let (count, squares) = (geometric(ratio, number), geometric(ratio * ratio, number));
+                sums.add(duration, &Impact { friction_work: 0.0, ..impact }, count, squares);
+                sums.friction_work += impact.impulse.friction * slides.slipped(number);
+                slip += (impact.after.slip - slip) * count;
+                if number == f64::INFINITY {
+                    return Ok(self.settled((state, gap_rate), &sums, slip, (ratio, impact.case)));
+                }
+                opening *= libm::pow(ratio, number);
+            } else {
+                sums.add(duration, &impact, 1.0, 1.0);
+                (slip, opening) = (impact.after.slip, impact.after.gap_rate);
             }
-            sums.add(duration, &impact, 1.0, 1.0);
-            (slip, opening) = (impact.after.slip, impact.after.gap_rate);
             if opening <= NEGLIGIBLE * gap_rate {
                 return Ok(self.settled((state, gap_rate), &sums, slip, (ratio, impact.case)));
             }
@@ -268,5 +289,56 @@ impl Bounces {
             friction_work: sums.friction_work,
         };
         Settling { gap_rate, duration: sums.duration, ratio, impact }
+    }
+}
+
+/// 1 + r + r² + …, so many terms.
+fn geometric(ratio: f64, count: f64) -> f64 {
+    if ratio == 1.0 || count <= 1.0 { count } else { libm::expm1(count * libm::log(ratio)) / (ratio - 1.0) }
+}
+
+/// Bounces that slip throughout, from one on: their slip velocities, behind one more and one more, are sₖ = s0 + (s1 − s0) gₖ with the
+/// geometric sum gₖ.
+#[derive(Clone, Copy, Debug)]
+struct Slides {
+    ratio: f64,
+    /// After the impact before the first.
+    slip: f64,
+    /// Before and after the first.
+    before: f64,
+    after: f64,
+}
+
+impl Slides {
+    /// Bounces that slip, this one among them: all, or about half of those that do, so that rounding does not lead past the last.
+    fn number(&self) -> f64 {
+        let Self { ratio, slip, before, after } = *self;
+        // A slip velocity, and how it changes with gₖ.
+        let further = |now: f64, change: f64| {
+            let until = -now / change;
+            if now == 0.0 {
+                0.0
+            } else if !(until > 0.0) || (1.0 - ratio) * until >= 1.0 {
+                f64::INFINITY
+            } else if ratio == 1.0 {
+                until
+            } else {
+                libm::log1p(-(1.0 - ratio) * until) / libm::log(ratio)
+            }
+        };
+        let change = after - slip;
+        let most =
+            further(before, change - (1.0 - ratio) * (before - slip)).min(further(after, change * ratio));
+        1.0 + (0.5 * most).floor()
+    }
+
+    /// The sum of the mean slip velocities in so many impacts, each in units of its impulse.
+    fn slipped(&self, number: f64) -> f64 {
+        let Self { ratio, slip, before, after } = *self;
+        let count = geometric(ratio, number);
+        let change = after - slip;
+        slip * count
+            + change * (ratio / (1.0 + ratio) * count * geometric(ratio, number - 1.0))
+            + 0.5 * (before - slip + change) * geometric(ratio * ratio, number)
     }
 }

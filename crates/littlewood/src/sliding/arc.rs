@@ -11,6 +11,7 @@ use crate::state::State;
 
 use super::leap::{Bounds, FEWEST, MOST, Passed, Place, Turns, section_of};
 use super::series::{DEGREE, LONGEST, Series, SlideSeries, crossing, root, value};
+use super::singular::{Approach, Fate};
 
 /// A step that moves the clock by no more than this part of itself has run into a singularity of the equations.
 const STALL: f64 = 4.0 * f64::EPSILON;
@@ -20,6 +21,10 @@ const PATIENCE: usize = 64;
 
 /// Steps that cost as much as a leap.
 const ATTEMPT: usize = 100;
+
+/// Least distance from P = 0 at which a slide is compared with the first terms in the distance, where there is one: its powers are then
+/// known to half of the digits, and so are the terms.
+const CLOSE: f64 = 1e-7;
 
 /// An angle so close to a section is on it.
 const AT_SECTION: f64 = 1e-9;
@@ -41,9 +46,9 @@ pub(crate) enum SlidingEnd {
     Rest(State),
     /// w = 0: the normal force vanishes.
     LiftOff(State),
-    /// P = 0 with N > 0, or steps that shrink to nothing in front of it: sliding has no solution beyond.
+    /// P = 0 with slip left and N beyond all bounds: sliding has no solution beyond.
     Singular(State),
-    /// Steps that shrink to nothing where P is not small: faster than the clock resolves.
+    /// Steps that shrink to nothing where P is not small, faster than the clock resolves, or next to P = 0 where rounding decides.
     Unresolved(State),
     /// The largest number of steps, or of turns; with an estimate of the time until η′ = 0.
     StepLimit { state: State, time_left: f64 },
@@ -195,12 +200,11 @@ impl Sliding {
                 return SlidingEnd::StepLimit { state, time_left: self.time_left(&here) };
             }
             if reach <= STALL * (start.time + here.elapsed).abs().max(1.0) {
-                let state = self.state_from(here);
                 // P ≥ Î unless it is on its way to zero.
                 return if series.solvability[0] < 0.5 * self.law.body.inertia {
-                    SlidingEnd::Singular(state)
+                    self.singular_end(here)
                 } else {
-                    SlidingEnd::Unresolved(state)
+                    SlidingEnd::Unresolved(self.state_from(here))
                 };
             }
             let last = allowed.is_some_and(|allowed| here.elapsed + reach >= allowed);
@@ -230,7 +234,7 @@ impl Sliding {
                 return match event {
                     Event::Rest => SlidingEnd::Rest(State { slip: 0.0, ..self.state_from(found) }),
                     Event::LiftOff => SlidingEnd::LiftOff(self.state_from(found)),
-                    Event::Singular => SlidingEnd::Singular(self.state_from(found)),
+                    Event::Singular => self.singular_end(found),
                 };
             }
             let theta_rate = value(&series.theta_rate, width);
@@ -257,6 +261,52 @@ impl Sliding {
                 return SlidingEnd::TimeLimit(self.state_from(next));
             }
             here = self.leap(&mut lookout, &series, (here, next), allowed).unwrap_or(next);
+        }
+    }
+
+    /// The end next to P = 0, with the numbers to which the slide comes while the angle and the time do not change any more.
+    fn singular_end(&mut self, here: Here) -> SlidingEnd {
+        let State { theta, theta_rate, slip, .. } = self.start;
+        let loss = self.law.friction * here.elapsed;
+        let (sin, cos) = libm::sincos(theta);
+        let terms = slip.abs()
+            + theta_rate.abs() * (1.0 + self.law.body.h * (cos.abs() + (self.law.friction * sin).abs()));
+        let steps = self.steps.len() as f64;
+        let approach = Approach {
+            law: &self.law,
+            theta: here.theta,
+            theta_rate: here.theta_rate,
+            rest: self.integral() - loss,
+            error: f64::EPSILON * (8.0 * terms + (8.0 + steps) * loss.abs()),
+        };
+        let is_earlier = |step: &&Step| (step.theta[0] - here.theta).abs() >= CLOSE;
+        let earlier =
+            self.steps.iter().rev().take_while(|step| step.turned.to_bits() == here.turned.to_bits());
+        let earlier = earlier.clone().find(is_earlier).or(earlier.last());
+        let fate = approach
+            .fate(earlier.map_or((here.theta, here.theta_rate), |step| (step.theta[0], step.theta_rate[0])));
+        let (theta_rate, comes_to_rest) = match fate {
+            Fate::Jams { theta_rate } | Fate::LiftsOff { theta_rate } => (theta_rate, false),
+            Fate::Sticks { theta_rate } => (theta_rate, true),
+            Fate::Unresolved => return SlidingEnd::Unresolved(self.state_from(here)),
+        };
+        let (sin, cos) = libm::sincos(here.theta);
+        let slip = if comes_to_rest { 0.0 } else { approach.rest + theta_rate * self.law.lever(sin, cos) };
+        let end = Here { theta_rate, slip, ..here };
+        let constant = |value: f64| core::array::from_fn(|n| if n == 0 { value } else { 0.0 });
+        self.steps.push(Step {
+            begin: here.elapsed,
+            turned: here.turned,
+            theta: constant(end.theta),
+            theta_rate: constant(theta_rate),
+            slip: constant(slip),
+        });
+        let state = self.state_from(end);
+        match fate {
+            Fate::Jams { .. } => SlidingEnd::Singular(state),
+            Fate::LiftsOff { .. } => SlidingEnd::LiftOff(state),
+            Fate::Sticks { .. } => SlidingEnd::Rest(state),
+            Fate::Unresolved => SlidingEnd::Unresolved(state),
         }
     }
 

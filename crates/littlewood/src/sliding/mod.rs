@@ -12,6 +12,7 @@ mod arc;
 mod leap;
 mod panel;
 mod series;
+mod singular;
 mod turn;
 
 pub use arc::Sliding;
