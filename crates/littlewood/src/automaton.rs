@@ -179,18 +179,6 @@ pub const EDGES: &[Edge] = {
         ),
         edge(
             Heavy,
-            (Some(Sliding), Some(Rolling)),
-            Cause::Jam,
-            ("P = 0, N > 0", "theta', eta' = 0 by the impact", "Painleve"),
-        ),
-        edge(
-            Heavy,
-            (Some(Sliding), Some(Sliding)),
-            Cause::Jam,
-            ("P = 0, N > 0", "theta', eta' = 0 by the impact", "Painleve"),
-        ),
-        edge(
-            Heavy,
             (Some(Sliding), Some(Flight)),
             Cause::Jam,
             ("P = 0, N > 0", "theta', eta' = 0, gap' by the impact", "Painleve"),

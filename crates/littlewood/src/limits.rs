@@ -13,7 +13,7 @@ pub struct Limits {
     /// Time τ at which to stop, if any. A motion that is proved to roll for ever is reported as such in any case.
     pub until: Option<f64>,
     /// Largest number of transitions. Light hoops on nearly smooth planes need it, whose friction takes off next to no energy,
-    /// and e = 1, where bounces need not end.
+    /// and e = 1, where bounces that slip, or on a plane without friction, do not end.
     pub transitions: usize,
     /// Which proofs end a motion that is not followed to a time limit.
     pub proof: Proof,

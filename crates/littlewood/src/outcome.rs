@@ -253,7 +253,7 @@ pub enum Outcome {
         time_left: f64,
     },
     /// The motion changes faster than its numbers resolve: a slide of a hoop of next to no inertia, its particle passing the
-    /// bottom; or an impact at an angle or a place beyond those that a start may have, or whose velocities are no numbers.
+    /// bottom, or one next to P = 0 whose end rounding decides; or an impact at an angle or a place beyond those that a start may have, or whose velocities are no numbers.
     Unresolved {
         /// State.
         state: State,

@@ -95,10 +95,11 @@ fn bounces_settle_where_brute_force_at_80_digits_does() {
         let end = settles.unwrap_or_else(|| panic!("settles: {record}")).after;
         let expected = &record["end"];
         let what = record.to_string();
-        close(&what, end.time, &expected["time"], 1e-12);
+        let size = start.theta_rate.abs().max(1.0);
+        close(&what, end.time, &expected["time"], 1e-12 / size);
         close(&what, end.theta, &expected["theta"], 1e-12);
-        close(&what, end.theta_rate, &expected["theta_rate"], 1e-12);
-        close(&what, end.slip, &expected["slip"], 1e-12);
+        close(&what, end.theta_rate, &expected["theta_rate"], 1e-12 * size);
+        close(&what, end.slip, &expected["slip"], 1e-12 * size);
         assert_eq!(end.slip == 0.0, record["sticks"].as_bool().expect("a flag"), "{what}");
     }
 }
@@ -127,7 +128,8 @@ fn figure_3_settles_and_rolls() {
 /// Wherever the sum of the bounces takes over, it leads to the same state but for the square of the time it covers.
 #[test]
 fn the_end_does_not_depend_on_where_the_sum_takes_over() {
-    for record in data("bounces") {
+    // The light hoops' motions have no derivatives of order one.
+    for record in data("bounces").into_iter().filter(|record| number(&record["hoop"][2]) > 1e-3) {
         let (hoop, start) = bouncing(&record);
         let restitution = hoop.restitution().expect("has restitution");
         let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
@@ -426,10 +428,76 @@ proptest! {
                     prop_assert!((change - answer[0] - answer[1]).abs() <= 1e-9 * size, "{:?} {:?}", settling, compliance);
                 }
             }
-            Err(NoSettling::Grows { .. }) => prop_assert!(restitution.coefficient() > 1.0 - 1e-12),
+            Err(NoSettling::Grows { ratio }) => {
+                prop_assert!(restitution.coefficient() > 1.0 - 1e-12 && ratio > 1.0 - 1e-12);
+            }
             Err(NoSettling::Unsettled { .. }) => prop_assert!(restitution.coefficient() > 0.98, "{:?}", restitution),
             Err(other) => prop_assert!(matches!(other, NoSettling::LeavesPlane { .. }), "{other}"),
         }
+    }
+
+    /// Where bounces stick, from k1, k2 and the slip that each flight adds: e = 1 settles where they differ, by the energetic law and by
+    /// Poisson's, and so does a motion thrown by so little that the sum is short. By Newton's law nothing shrinks.
+    #[test]
+    fn with_restitution_1_friction_makes_bounces_settle(
+        hoop in moderate_hoop(), theta in -3.1..3.1_f64, rate in -2.0..2.0_f64,
+    ) {
+        let compliance = hoop.compliance(theta).expect("heavy");
+        let (a, b, c) = (compliance.a, compliance.b, compliance.c);
+        let u = rate * rate;
+        let (force, drift) = (1.0 - hoop.h() * libm::cos(theta) * u, -hoop.h() * libm::sin(theta) * u);
+        prop_assume!(force > 1e-3 && b.abs() < 0.99 * hoop.mu_s() * a);
+        // Slip before each impact and the impulse that ends it, for the rate 1.
+        let slip = 2.0 * drift / force;
+        let (k1, k2) = (c - hoop.mu_k() * slip.signum() * b, c - b * b / a);
+        let slowing = hoop.mu_k() * a - slip.signum() * b;
+        let spent = slip.abs() / slowing;
+        prop_assume!(slowing > 0.0 && k1 * spent < 1.99);
+        let state = State::from(Start::at(theta, rate));
+        for law in RestitutionLaw::ALL {
+            let ratio = match law {
+                RestitutionLaw::Energetic => (1.0 - (k1 - k2) * spent * (2.0 - k1 * spent)).sqrt(),
+                RestitutionLaw::Poisson => 1.0 - (k1 - k2) * spent.min(2.0 / k1 - spent),
+                RestitutionLaw::Newton => 1.0,
+            };
+            for e in [1.0, 1.0 - 1e-12] {
+                let restitution = Restitution::new(e, law).expect("a coefficient");
+                let found = hoop.settling(&state, 1e-9, restitution);
+                if ratio < 1.0 - 1e-9 {
+                    let settling = found.expect("settles");
+                    prop_assert!((settling.ratio - ratio).abs() < 1e-11, "{law} {} {ratio}", settling.ratio);
+                    let thrown = 1e-9 * (1e-10 / settling.duration);
+                    let bouncing = hoop.with_restitution(restitution).expect("heavy");
+                    let motion = bouncing.simulate(Start::at(theta, rate).with_gap_rate(thrown), Limits::default().with_transitions(1));
+                    let motion = motion.expect("a valid start");
+                    prop_assert_eq!(motion.transitions()[0].cause, Cause::Settle);
+                    prop_assert!((motion.transitions()[0].time() - 1e-10).abs() < 1e-13);
+                } else if e == 1.0 && law == RestitutionLaw::Newton {
+                    prop_assert!(matches!(found, Err(NoSettling::Grows { .. })), "{found:?}");
+                }
+            }
+        }
+    }
+
+    /// Without friction, by Newton's law, and while they slip, bounces give back all that they take.
+    #[test]
+    fn bounces_without_loss_go_on_to_the_limit(
+        hoop in moderate_hoop(), theta in -3.1..3.1_f64, rate in -2.0..2.0_f64, slip in -1.0..1.0_f64, exponent in -14.0..0.0_f64,
+        law in prop::sample::select(RestitutionLaw::ALL.to_vec()), smooth in any::<bool>(),
+    ) {
+        let restitution = Restitution::new(1.0, law).expect("a coefficient");
+        let parameters = hoop.parameters();
+        let smooth = smooth || law != RestitutionLaw::Newton;
+        let hoop = if smooth {
+            Hoop::new(HoopParameters::new(parameters.mass_ratio, parameters.offset, parameters.inertia)).expect("the hoop")
+        } else {
+            hoop
+        };
+        let hoop = hoop.with_restitution(restitution).expect("heavy");
+        let start = Start::at(theta, rate).with_slip(slip).with_gap_rate(libm::pow(10.0, exponent));
+        let motion = hoop.simulate(start, Limits::default().with_transitions(300)).expect("a valid start");
+        prop_assert_eq!(motion.outcome().kind(), OutcomeKind::TransitionLimit, "{:?}", motion.outcome());
+        prop_assert!(motion.transitions().iter().all(|it| it.cause == Cause::Landing));
     }
 
     #[test]

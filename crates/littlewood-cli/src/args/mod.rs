@@ -152,8 +152,8 @@ Each of these is a result, not a failure.
 
 With --restitution the motion goes on after a landing: each impact is solved exactly, with friction, by the law of \
 --restitution-law, and bounces that accumulate are followed to their end. Where no motion is consistent the hoop then jams \
-(Painleve). With --restitution 1 bounces may never end: give --until. A massless hoop has no impact, for its rim has no \
-inertia that an impulse could act on.";
+(Painleve). With --restitution 1 bounces end by friction alone, where they do not slip, or never: give --until. A massless \
+hoop has no impact, for its rim has no inertia that an impulse could act on.";
 
 const SIMULATE_EXAMPLES: &str = "\
 Examples:

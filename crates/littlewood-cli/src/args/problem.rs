@@ -42,7 +42,7 @@ pub(crate) const MAX_TRANSITIONS: RangeInclusive<u64> = 1..=u64::MAX;
 fn max_transitions() -> String {
     format!(
         "Stop after this many transitions. Light hoops on nearly smooth planes make very many, and bounces without loss \
-         need not end [default: {}]",
+         do not end [default: {}]",
         Limits::default().transitions
     )
 }

@@ -190,18 +190,19 @@ impl Sliding {
                 series.slip[1] = slip_acceleration;
                 known_roots = if slip_acceleration == 0.0 { 2 } else { 1 };
             }
+            // P ≥ Î unless it is on its way to zero.
+            let is_near_zero = series.solvability[0] < 0.5 * self.law.body.inertia;
             let reach = if self.law.body.h == 0.0 {
                 series.straight_reach()
             } else {
-                series.reach(longest_step(self.steps.len()))
+                series.reach(longest_step(self.steps.len()), is_near_zero)
             };
             if self.work() >= most || lookout.has_passed_most {
                 let state = self.state_from(here);
                 return SlidingEnd::StepLimit { state, time_left: self.time_left(&here) };
             }
             if reach <= STALL * (start.time + here.elapsed).abs().max(1.0) {
-                // P ≥ Î unless it is on its way to zero.
-                return if series.solvability[0] < 0.5 * self.law.body.inertia {
+                return if is_near_zero {
                     self.singular_end(here)
                 } else {
                     SlidingEnd::Unresolved(self.state_from(here))
