@@ -318,7 +318,7 @@ impl Slides {
             let until = -now / change;
             if now == 0.0 {
                 0.0
-            } else if !(until > 0.0) || (1.0 - ratio) * until >= 1.0 {
+            } else if until <= 0.0 || (1.0 - ratio) * until >= 1.0 {
                 f64::INFINITY
             } else if ratio == 1.0 {
                 until
