@@ -1,5 +1,7 @@
 //! What the server answers, apart from how it is sent.
 
+use std::borrow::Cow;
+
 use super::assets::Asset;
 
 /// What the page may do: run its own code and WebAssembly, draw, and load from this server only. The page has the same
@@ -19,10 +21,12 @@ const HEADERS: [(&str, &str); 6] = [
 ];
 
 /// A request, as far as it matters.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Question<'a> {
     /// Whether it is GET or HEAD.
     pub(super) reads: bool,
+    /// Whether it says that a body follows.
+    pub(super) has_body: bool,
     /// The header `Host`.
     pub(super) host: Option<&'a str>,
     /// Path, with a query if there is one.
@@ -34,7 +38,33 @@ pub(super) struct Question<'a> {
 pub(super) struct Answer {
     pub(super) status: u16,
     pub(super) headers: Vec<(&'static str, String)>,
-    pub(super) body: Vec<u8>,
+    pub(super) body: Cow<'static, [u8]>,
+}
+
+/// A request that is not answered with a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Refusal {
+    status: u16,
+    text: &'static str,
+}
+
+const OTHER_HOST: Refusal =
+    Refusal { status: 421, text: "421: this server answers for 127.0.0.1 and localhost alone\n" };
+const WRITES: Refusal = Refusal { status: 405, text: "405: only GET and HEAD\n" };
+const HAS_BODY: Refusal = Refusal { status: 413, text: "413: a request has no body here\n" };
+const NO_FILE: Refusal = Refusal { status: 404, text: "404: there is no such file\n" };
+/// Of a request that is not HTTP/1.1.
+pub(super) const MALFORMED: Refusal = Refusal { status: 400, text: "400: this is no request of HTTP/1.1\n" };
+/// Of a request whose head does not end.
+pub(super) const TOO_LONG: Refusal =
+    Refusal { status: 431, text: "431: the head of the request is too long\n" };
+
+impl Refusal {
+    pub(super) fn answer(self) -> Answer {
+        let mut headers = vec![("Content-Type", "text/plain; charset=utf-8"), ("Cache-Control", "no-store")];
+        headers.extend((self == WRITES).then_some(("Allow", "GET, HEAD")));
+        with_headers(self.status, &headers, self.text.as_bytes().into())
+    }
 }
 
 /// Answers a request to the server on `port`.
@@ -44,10 +74,13 @@ pub(super) struct Answer {
 pub(super) fn answer(question: &Question<'_>, port: u16, find: impl Fn(&str) -> Option<Asset>) -> Answer {
     let ours = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
     if !question.host.is_some_and(|host| ours.iter().any(|name| name.eq_ignore_ascii_case(host))) {
-        return refusal(421, "421: this server answers for 127.0.0.1 and localhost alone\n", &[]);
+        return OTHER_HOST.answer();
     }
     if !question.reads {
-        return refusal(405, "405: only GET and HEAD\n", &[("Allow", "GET, HEAD")]);
+        return WRITES.answer();
+    }
+    if question.has_body {
+        return HAS_BODY.answer();
     }
     let path = question.path.split(['?', '#']).next().unwrap_or_default();
     let name = match path.strip_prefix('/') {
@@ -57,20 +90,14 @@ pub(super) fn answer(question: &Question<'_>, port: u16, find: impl Fn(&str) -> 
     };
     // The service worker would stay in the browser, with its files, for every port that was ever taken.
     let Some(Asset { content, kind }) = find(name).filter(|_| name != "sw.js") else {
-        return refusal(404, "404: there is no such file\n", &[]);
+        return NO_FILE.answer();
     };
     // The names of assets change with their content; the other files keep theirs.
     let lasts = if name.starts_with("assets/") { "max-age=31536000, immutable" } else { "no-cache" };
-    with_headers(200, &[("Content-Type", kind), ("Cache-Control", lasts)], content.into_owned())
+    with_headers(200, &[("Content-Type", kind), ("Cache-Control", lasts)], content)
 }
 
-fn refusal(status: u16, text: &str, headers: &[(&'static str, &str)]) -> Answer {
-    let mut all = vec![("Content-Type", "text/plain; charset=utf-8"), ("Cache-Control", "no-store")];
-    all.extend(headers);
-    with_headers(status, &all, text.as_bytes().to_vec())
-}
-
-fn with_headers(status: u16, headers: &[(&'static str, &str)], body: Vec<u8>) -> Answer {
+fn with_headers(status: u16, headers: &[(&'static str, &str)], body: Cow<'static, [u8]>) -> Answer {
     let headers = HEADERS.iter().chain(headers).map(|(name, value)| (*name, (*value).to_owned())).collect();
     Answer { status, headers, body }
 }
@@ -89,7 +116,7 @@ mod tests {
     }
 
     fn ask(host: Option<&str>, path: &str) -> Answer {
-        answer(&Question { reads: true, host, path }, 4000, page)
+        answer(&Question { reads: true, has_body: false, host, path }, 4000, page)
     }
 
     fn header<'a>(answer: &'a Answer, name: &str) -> Option<&'a str> {
@@ -99,7 +126,7 @@ mod tests {
     #[test]
     fn the_page_comes_with_its_policy() {
         let page = ask(Some("127.0.0.1:4000"), "/?x=1");
-        assert_eq!((page.status, page.body.as_slice()), (200, &b"<!doctype html>"[..]));
+        assert_eq!((page.status, &*page.body), (200, &b"<!doctype html>"[..]));
         assert_eq!(header(&page, "Content-Type"), Some("text/html; charset=utf-8"));
         assert_eq!(header(&page, "X-Content-Type-Options"), Some("nosniff"));
         assert!(header(&page, "Content-Security-Policy").is_some_and(|it| it.contains("default-src 'none'")));
@@ -121,8 +148,10 @@ mod tests {
 
     #[test]
     fn only_files_of_the_page_and_only_reading() {
-        let written = answer(&Question { reads: false, host: Some("localhost:4000"), path: "/" }, 4000, page);
+        let question = Question { reads: true, has_body: false, host: Some("localhost:4000"), path: "/" };
+        let written = answer(&Question { reads: false, ..question }, 4000, page);
         assert_eq!((written.status, header(&written, "Allow")), (405, Some("GET, HEAD")));
+        assert_eq!(answer(&Question { has_body: true, ..question }, 4000, page).status, 413);
         for path in ["/etc/passwd", "/../Cargo.toml", "//index.html", "index.html", "*", "/sw.js"] {
             assert_eq!(ask(Some("localhost:4000"), path).status, 404, "{path}");
         }
