@@ -143,12 +143,15 @@ class FitResult:
         return self.hoop.inertia * self.hoop.require_units().inertia_kg_m2
 
     def __str__(self) -> str:
-        lines = [f"{name:<17} {estimate}" for name, estimate in self.estimates.items()]
-        lines.append(f"{'mu_s at least':<18}{self.mu_s_at_least:.4g}")
-        lines.append(f"{'motion':<18}{self.motion.sequence}: {self.motion.outcome}")
-        lines += [f"{'σ of ' + name:<18}{noise}" for name, noise in self.noise.items()]
-        lines.append(f"{'reduced χ²':<18}{self.reduced_chi_square:.3f}")
-        return "\n".join(lines)
+        lines: dict[str, object] = {
+            **self.estimates,
+            "mu_s at least": f"{self.mu_s_at_least:.4g}",
+            "motion": f"{self.motion.sequence}: {self.motion.outcome}",
+            **{f"σ of {name}": noise for name, noise in self.noise.items()},
+            "reduced χ²": f"{self.reduced_chi_square:.3f}",
+        }
+        width = max(18, 2 + max(map(len, lines)))
+        return "\n".join(f"{name:<{width}}{value}" for name, value in lines.items())
 
     def _repr_html_(self) -> str:
         rows = "".join(

@@ -107,6 +107,9 @@ def test_what_the_camera_shows_wrong_is_found(motion):
     result = fit(track, motion, calibration=WRONG)
     for name, value in WRONG.items():
         estimate = result.estimates[f"camera_{name}"]
+        # The name, of whatever length, is apart from the number.
+        (line,) = [line for line in str(result).splitlines() if line.startswith(f"camera_{name} ")]
+        assert line.split()[1] == str(estimate).split()[0]
         # The constants are of first order, and some of them are of a per cent.
         assert abs(estimate.value - value) < 4.0 * estimate.std_error
         assert estimate.std_error < 0.5 * abs(value)
