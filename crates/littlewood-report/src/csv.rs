@@ -38,7 +38,7 @@ fn events<W: Write>(
 ) -> csv::Result<()> {
     // Without impacts every row has the state of its instant, and the gap does not open but by itself.
     let may_jump = trajectory.hoop().restitution().is_some() || subject.start.gap_rate != 0.0;
-    let mut rows = rows(subject, trajectory).into_iter().map(|row| {
+    let rows = rows(subject, trajectory).into_iter().map(|row| {
         let Row { state: at, edge, gap_rate, side, impact, transition } = row;
         let fields = state(&at).followed_by(edge);
         let fields = match subject.digits {
@@ -50,7 +50,7 @@ fn events<W: Write>(
         let fields = fields.followed_by(si_state(units, &at));
         if may_jump { fields.followed_by(si_jump(units, gap_rate, impact)) } else { fields }
     });
-    write_rows(writer, &mut rows).map(drop)
+    write_rows(writer, rows)
 }
 
 /// A row of the table of events.
@@ -146,7 +146,7 @@ fn samples<W: Write>(
     trajectory: &Trajectory,
     sampling: Sampling,
 ) -> csv::Result<()> {
-    let mut rows = instants(trajectory, sampling).map(|instant| {
+    let rows = instants(trajectory, sampling).map(|instant| {
         let event = [("event", Value::Word(Some(instant.event.unwrap_or_default())))];
         let row = sample(&instant).followed_by(event.into_iter().collect());
         match subject.units {
@@ -154,28 +154,18 @@ fn samples<W: Write>(
             None => row,
         }
     });
-    if write_rows(writer, &mut rows)? {
-        return Ok(());
-    }
-    // Nothing moves from here, so there is no instant to sample: the event rows say what was found.
-    drop(rows);
-    events(writer, subject, trajectory)
+    write_rows(writer, rows)
 }
 
-/// A line with the names, and one for each row: whether there was any.
-fn write_rows<W: Write>(
-    writer: &mut Writer<W>,
-    rows: &mut impl Iterator<Item = Fields>,
-) -> csv::Result<bool> {
-    let mut any = false;
-    for row in rows {
-        if !any {
+/// A line with the names, and one for each row.
+fn write_rows<W: Write>(writer: &mut Writer<W>, rows: impl Iterator<Item = Fields>) -> csv::Result<()> {
+    for (index, row) in rows.enumerate() {
+        if index == 0 {
             writer.write_record(row.names())?;
-            any = true;
         }
         writer.serialize(row.values().collect::<Vec<_>>())?;
     }
-    Ok(any)
+    Ok(())
 }
 
 fn into_io(error: csv::Error) -> io::Error {

@@ -11,7 +11,7 @@ pub struct Instant {
     pub sample: Sample,
     /// The mode; none where no motion is consistent, just before a jam.
     pub mode: Option<Mode>,
-    /// The event, `start` at first. A transition is named at the last instant of the phase that it ends; a jam that ends
+    /// The event, `start` at first, or the outcome where there is no motion. A transition is named at the last instant of the phase that it ends; a jam that ends
     /// none, at the first of the phase that begins.
     pub event: Option<&'static str>,
 }
@@ -25,8 +25,8 @@ impl Instant {
 /// What stands for an event at the first instant.
 pub(crate) const START: &str = "start";
 
-/// Evenly spaced instants of a motion, and every transition between them twice: just before it and just after. Where
-/// nothing moves, there are none.
+/// Evenly spaced instants of a motion, and every transition between them twice: just before it and just after. A motion
+/// that ends where it begins, because none is consistent, has its start alone.
 pub fn instants(trajectory: &Trajectory, sampling: Sampling) -> impl Iterator<Item = Instant> + '_ {
     Instants {
         trajectory,
@@ -34,7 +34,10 @@ pub fn instants(trajectory: &Trajectory, sampling: Sampling) -> impl Iterator<It
         phase: 0,
         has_begun: false,
         transition: 0,
-        held: None,
+        held: trajectory.only_instant().map(|sample| {
+            let event = Some(trajectory.outcome().kind().name());
+            Instant { sample, mode: None, event }
+        }),
     }
 }
 

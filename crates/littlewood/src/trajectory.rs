@@ -6,7 +6,7 @@ use crate::hoop::Hoop;
 use crate::mode::{Direction, Mode};
 use crate::outcome::Outcome;
 use crate::rolling::Rolling;
-use crate::sample::Sample;
+use crate::sample::{Instant, Sample};
 use crate::sliding::Sliding;
 use crate::state::State;
 use crate::transition::Transition;
@@ -226,6 +226,21 @@ impl Trajectory {
         let after = self.phases.partition_point(|phase| phase.start.time <= time);
         let phase = self.phases.get(after.checked_sub(1)?)?;
         Some(phase.sample(time - phase.start.time))
+    }
+
+    /// The one instant of a motion without a phase, since none is consistent at its start: the state, with its energy.
+    /// Accelerations and forces are NaN, and the mode says nothing. None for a motion that has a phase.
+    #[must_use]
+    pub fn only_instant(&self) -> Option<Sample> {
+        let unknown = (f64::NAN, f64::NAN);
+        let instant = Instant {
+            mode: Mode::Rolling,
+            direction: None,
+            accelerations: unknown,
+            forces: unknown,
+            gap: (0.0, 0.0),
+        };
+        self.phases.is_empty().then(|| instant.sample(&self.hoop, self.start))
     }
 
     /// The instants `times`, each as [`Trajectory::at`] has it.
