@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::law::RestitutionLaw;
-use crate::quantity::{Bound, Quantity, Reading};
+use crate::quantity::{Bound, Number, Quantity, Reading};
 
 /// A parameter of a hoop or of a start that has no physical meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -20,8 +20,9 @@ pub enum ParameterError {
     },
     /// A single point mass at the centre: nothing resists or drives a rotation, so there is no motion.
     #[error(
-        "offset = 0 and moment of inertia = 0 (mass_ratio = {mass_ratio}, inertia = 0): \
-         a point mass at the centre of the hoop has no equation of motion"
+        "offset = 0 and moment of inertia = 0 (mass_ratio = {}, inertia = 0): \
+         a point mass at the centre of the hoop has no equation of motion",
+        Number(*mass_ratio)
     )]
     NoMotion {
         /// The mass ratio that was given.
@@ -37,8 +38,9 @@ pub enum ParameterError {
     },
     /// A coefficient of restitution of a massless hoop.
     #[error(
-        "restitution = {restitution} of a massless hoop (mass_ratio = 0, inertia = 0): \
-         its rim has no inertia that an impulse could act on, so it has no impact"
+        "restitution = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
+         its rim has no inertia that an impulse could act on, so it has no impact",
+        Number(*restitution)
     )]
     MasslessImpact {
         /// The coefficient that was given.
@@ -46,8 +48,9 @@ pub enum ParameterError {
     },
     /// A massless hoop that is thrown: nothing determines how it turns in the air.
     #[error(
-        "gap_rate = {gap_rate} of a massless hoop (mass_ratio = 0, inertia = 0): \
-         without inertia its rotation in the air is not determined"
+        "gap_rate = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
+         without inertia its rotation in the air is not determined",
+        Number(*gap_rate)
     )]
     MasslessFlight {
         /// The rate that was given.

@@ -144,7 +144,7 @@ pub use mode::{Direction, Mode};
 pub use named::{UnknownCode, UnknownName};
 pub use outcome::{Outcome, OutcomeKind};
 pub use proof::Proof;
-pub use quantity::{Bound, Group, Presence, Quantity, QuantityRow, STANDARD_GRAVITY};
+pub use quantity::{Bound, Group, Number, Presence, Quantity, QuantityRow, STANDARD_GRAVITY};
 pub use region::{Equilibrium, PhasePlane, Stability};
 pub use restitution::Restitution;
 pub use rolling::{

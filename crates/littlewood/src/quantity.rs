@@ -173,7 +173,7 @@ impl fmt::Display for Bound {
             Self::Positive => f.write_str("must be greater than 0"),
             Self::NonNegative => f.write_str("must not be negative"),
             Self::AtMost(quantity, value) => write!(f, "must not exceed {}", Reading(*quantity, *value)),
-            Self::AtMostConstant(value) => write!(f, "must not exceed {value}"),
+            Self::AtMostConstant(value) => write!(f, "must not exceed {}", Number(*value)),
             Self::MagnitudeAtMost(value) => write!(f, "must lie between {:e} and {value:e}", -value),
             Self::AtLeast(quantity, value) => {
                 write!(f, "must not be less than {}", Reading(*quantity, *value))
@@ -189,8 +189,23 @@ impl fmt::Display for Reading {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(quantity, value) = self;
         match quantity.unit() {
-            "" => write!(f, "{quantity} = {value}"),
-            unit => write!(f, "{quantity} = {value} {unit}"),
+            "" => write!(f, "{quantity} = {}", Number(*value)),
+            unit => write!(f, "{quantity} = {} {unit}", Number(*value)),
+        }
+    }
+}
+
+/// A number as messages show it: with all its digits, and with an exponent where it would fill the line with zeros.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Number(pub f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = self;
+        if *value == 0.0 || !value.is_finite() || (1e-5..1e15).contains(&value.abs()) {
+            write!(f, "{value}")
+        } else {
+            write!(f, "{value:e}")
         }
     }
 }
