@@ -26,6 +26,7 @@ __all__ = [
     "IMPACT_CASES",
     "MAX_TRANSITIONS",
     "MIN_STARTS_FOR_TABLES",
+    "MOST_THREADS",
     "MODES",
     "MOST_POINTS",
     "MOST_TRANSITIONS",
@@ -102,6 +103,7 @@ MAX_TRANSITIONS: int
 PROOF: str
 PROOFS: list[str]
 MIN_STARTS_FOR_TABLES: int
+MOST_THREADS: int
 MODES: list[tuple[int, str]]
 MOST_POINTS: int
 MOST_TRANSITIONS: int

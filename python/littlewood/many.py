@@ -85,7 +85,7 @@ def simulate_many(
         Sizes of blocks, as :meth:`xarray.Dataset.chunk` takes them: the result is then lazy, an array of Dask whose
         blocks any scheduler can compute. Quantities that are arrays of Dask make it lazy, too.
     threads : int, optional
-        Number of threads; all cores by default. Blocks of Dask take one each.
+        Number of threads, at most 1024; all cores by default. Blocks of Dask take one each.
     progress : bool, optional
         Whether to show a progress bar (tqdm); for lazy results Dask has its own.
 
@@ -203,6 +203,8 @@ def _simulate(
     limits = Limits.checked(until, max_transitions, proof)
     if threads is not None and operator.index(threads) < 1:
         raise ValueError(f"threads = {threads} must not be less than 1")
+    if threads is not None and operator.index(threads) > _core.MOST_THREADS:
+        raise ValueError(f"threads = {threads} must not exceed {_core.MOST_THREADS}; leave it out for all cores")
     if chunks is not None:
         points = points.chunked(chunks)
     elif not points.is_lazy and points.count > _core.MOST_POINTS:

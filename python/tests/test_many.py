@@ -238,6 +238,10 @@ def test_what_is_missing_is_named(hoop):
         lw.outcome_map(hoop, theta=np.zeros((2, 2)), theta_rate=[1.0])
     with pytest.raises(ValueError, match="threads = 0"):
         lw.outcome_map(hoop, theta=[0.0], theta_rate=[1.0], threads=0)
+    # Far fewer than a system starts without an error, and than take seconds to start.
+    for threads in (1025, 10**9, 10**30):
+        with pytest.raises(ValueError, match=f"threads = {threads} must not exceed 1024"):
+            lw.outcome_map(hoop, theta=[0.0], theta_rate=[1.0], threads=threads)
     with pytest.raises((TypeError, ValueError), match="theta must hold real numbers"):
         lw.simulate_many(hoop, theta=["up"], theta_rate=1.0)
 

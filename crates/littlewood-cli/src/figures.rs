@@ -11,7 +11,7 @@ use littlewood_figures::{
 use crate::args::{FigureFormat, FigureLetters, FiguresArgs};
 use crate::error::Error;
 use crate::nearest;
-use crate::output::Output;
+use crate::output::{Output, check_folder};
 use crate::problem::Problem;
 use crate::progress::{Bar, Count};
 use crate::request::{Overrides, Request};
@@ -140,13 +140,17 @@ fn check_scale(scale: f64) -> Result<(), Error> {
     }
 }
 
-/// Makes the folder, if it is not there.
+/// Makes the folder in one that is there, unless it is there itself.
 fn prepare(folder: &Path) -> Result<(), Error> {
     let unwritable = |source: io::Error| Error::Unwritable { path: folder.to_owned(), source };
     if folder.exists() && !folder.is_dir() {
         return Err(unwritable(io::Error::new(io::ErrorKind::NotADirectory, "it is not a folder")));
     }
-    fs::create_dir_all(folder).map_err(unwritable)
+    check_folder(folder)?;
+    match fs::create_dir(folder) {
+        Err(error) if error.kind() != io::ErrorKind::AlreadyExists => Err(unwritable(error)),
+        _ => Ok(()),
+    }
 }
 
 /// The hoop and the start of a figure: those of its own case, as far as nothing else is asked for.

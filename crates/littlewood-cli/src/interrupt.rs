@@ -8,6 +8,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 
+#[cfg(unix)]
+use nix::sys::signal::{SigSet, Signal};
+
 use crate::error::Error;
 use crate::progress;
 use crate::unfinished;
@@ -23,6 +26,8 @@ static LOOKS: AtomicBool = AtomicBool::new(false);
 
 /// Listens for the signals that ask the program to end.
 pub(crate) fn install() {
+    #[cfg(unix)]
+    hold_back_limits();
     // Without a handler, which the system has no reason to refuse, a signal ends the program as ever; finished chunks
     // stay.
     let _ = ctrlc::set_handler(|| {
@@ -38,6 +43,16 @@ pub(crate) fn install() {
             end();
         }
     });
+}
+
+/// Holds back the signal that a file has reached the largest size allowed (`ulimit -f`): the write fails then, as on a full disk,
+/// and unfinished files are removed. Threads that are started later hold it back too; programs that are, do not.
+#[cfg(unix)]
+fn hold_back_limits() {
+    let mut signals = SigSet::empty();
+    signals.add(Signal::SIGXFSZ);
+    // Where it cannot be held back it ends the program as ever.
+    let _ = signals.thread_block();
 }
 
 /// The flag that becomes true with the signal, for work that looks at it from here on.

@@ -48,6 +48,9 @@ use crate::feature::Feature;
 /// Exit code of bad input.
 const BAD_INPUT: u8 = 2;
 
+/// Exit code of a failure of the system, or of the program.
+const FAILURE: u8 = 1;
+
 /// Runs the program with these arguments, the first of which is its name, and returns its exit code. Signals that ask it to end
 /// end the process.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {

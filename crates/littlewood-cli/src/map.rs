@@ -1,5 +1,6 @@
 //! `littlewood map`: a plane of two quantities.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -9,7 +10,7 @@ use crate::args::MapArgs;
 use crate::error::Error;
 use crate::interrupt;
 use crate::nearest;
-use crate::output::Output;
+use crate::output::{Output, place_of};
 use crate::plane::Plane;
 use crate::progress::Bar;
 use crate::report::sweep::{self, Run};
@@ -102,6 +103,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
             write(*kind, file)?;
             written.push(path.to_path_buf());
         }
+        remove_partial(&kinds);
     } else if report.computed + report.reused > 0 {
         // What is not complete does not take the place of what may be.
         drop(files);
@@ -158,6 +160,17 @@ fn drawn(_: Kind, _: &Drawing, _: Option<f64>) -> Result<Vec<u8>, Error> {
 fn partial(path: &Path) -> PathBuf {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     path.with_extension(format!("partial.{ending}"))
+}
+
+/// Removes what an earlier run has left that was stopped, unless that is an output itself. What cannot be removed stays.
+fn remove_partial(kinds: &[(Kind, &Path)]) {
+    let outputs: Vec<PathBuf> = kinds.iter().map(|(_, path)| place_of(path)).collect();
+    for (_, path) in kinds.iter().filter(|(kind, _)| kind.is_written_at_the_end()) {
+        let partial = partial(path);
+        if !outputs.contains(&place_of(&partial)) {
+            let _ = fs::remove_file(partial);
+        }
+    }
 }
 
 fn shade_of(name: &str) -> Result<Shade, Error> {

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
-use crate::unfinished::Temporary;
+use crate::unfinished::{Temporary, folder_of};
 
 /// An output that is open for writing.
 #[derive(Debug)]
@@ -100,18 +100,33 @@ fn open_file(path: &Path) -> io::Result<Output> {
     if path.file_name().is_none() {
         return Err(io::Error::new(ErrorKind::InvalidInput, "this is not the name of a file"));
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".littlewood-").suffix(".part");
     #[cfg(unix)]
     let permissions = {
         use std::os::unix::fs::PermissionsExt;
         // The process's mask is applied to this, as for any new file.
-        existing.map_or_else(|| fs::Permissions::from_mode(0o666), |existing| existing.permissions())
+        Some(existing.map_or_else(|| fs::Permissions::from_mode(0o666), |existing| existing.permissions()))
     };
-    #[cfg(unix)]
-    builder.permissions(permissions);
-    Ok(Output::File { temporary: Temporary::new(&builder, folder).map_err(without_path)?, path })
+    #[cfg(not(unix))]
+    let permissions = None;
+    let temporary = Temporary::new(&path, permissions).map_err(without_path)?;
+    Ok(Output::File { temporary, path })
+}
+
+/// The place that a path names, however it is written.
+pub(crate) fn place_of(path: &Path) -> PathBuf {
+    let in_folder =
+        || Ok::<_, io::Error>(fs::canonicalize(folder_of(path))?.join(path.file_name().unwrap_or_default()));
+    fs::canonicalize(path).or_else(|_| in_folder()).unwrap_or_else(|_| path.to_owned())
+}
+
+/// Refuses an output whose folder is not there: no command makes it, for it may be a mistake.
+///
+/// # Errors
+/// There is no such folder.
+pub(crate) fn check_folder(path: &Path) -> Result<(), Error> {
+    let refused = |source| Error::Unwritable { path: path.to_owned(), source };
+    let folder = fs::metadata(folder_of(path)).map_err(refused)?;
+    if folder.is_dir() { Ok(()) } else { Err(refused(ErrorKind::NotADirectory.into())) }
 }
 
 /// The message of the system alone: it leaves out the name of the temporary file.

@@ -13,6 +13,9 @@ use crate::report::{self, Sampling};
 use crate::request::Request;
 use crate::scenario::Scenario;
 
+/// Samples of a table at most: all its rows are in memory, 2.5 kB each, since they make the widths of its columns.
+const MOST_ROWS: u64 = 100_000;
+
 /// Runs the command.
 ///
 /// # Errors
@@ -22,11 +25,16 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     let scenario = problem.scenario();
     let samples = args.samples.or_else(|| scenario.and_then(Scenario::samples));
     let out = args.out.clone().or_else(|| scenario.and_then(Scenario::out));
-    let format = args
-        .format
-        .or_else(|| scenario.and_then(Scenario::format))
-        .unwrap_or_else(|| format_of(out.as_deref()));
+    let format = match args.format.or_else(|| scenario.and_then(Scenario::format)) {
+        Some(format) => format,
+        None => format_of(out.as_deref())?,
+    };
 
+    if format == Format::Table
+        && let Some(count) = samples.filter(|&count| count > MOST_ROWS)
+    {
+        return Err(Error::LongTable { count, most: MOST_ROWS });
+    }
     let output = Output::open(out.as_deref())?;
     let trajectory = problem.simulate()?;
     let sampling =
@@ -46,10 +54,18 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
     })
 }
 
-fn format_of(out: Option<&Path>) -> Format {
-    match out.and_then(Path::extension).and_then(|ending| ending.to_str()) {
-        Some("json") => Format::Json,
-        Some("csv") => Format::Csv,
-        _ => Format::Table,
+/// What the ending says; a name without one is a table.
+fn format_of(out: Option<&Path>) -> Result<Format, Error> {
+    let Some(path) = out else { return Ok(Format::Table) };
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    match ending.as_deref() {
+        None | Some("txt") => Ok(Format::Table),
+        Some("json") => Ok(Format::Json),
+        Some("csv") => Ok(Format::Csv),
+        Some(_) => Err(Error::Out {
+            path: path.to_owned(),
+            reason: "the ending does not say what it is to be".to_owned(),
+            hint: "names end in .txt, .csv or .json, unless --format says what it is".to_owned(),
+        }),
     }
 }

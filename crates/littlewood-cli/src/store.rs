@@ -6,6 +6,7 @@ use littlewood_sweep::Target;
 
 use crate::error::Error;
 use crate::feature::Feature;
+use crate::output::{check_folder, place_of};
 
 /// What an ending stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,19 +112,22 @@ impl Kind {
     }
 }
 
-/// What every `--out` is to be, each path once.
+/// What every `--out` is to be, each place once.
 ///
 /// # Errors
-/// Another ending than those of `allowed`, or a path that is given twice.
+/// Another ending than those of `allowed`, a place that is given twice, or a folder that is not there.
 pub(crate) fn kinds<'a>(out: &'a [PathBuf], allowed: &[Kind]) -> Result<Vec<(Kind, &'a Path)>, Error> {
     let mut kinds: Vec<(Kind, &Path)> = Vec::new();
     for path in out {
-        if kinds.iter().any(|(_, other)| *other == path) {
-            let reason = "this name is given twice".to_owned();
+        if kinds.iter().any(|(_, other)| place_of(other) == place_of(path)) {
+            let reason = "this place is given twice".to_owned();
             let hint = "give each output a name of its own".to_owned();
             return Err(Error::Out { path: path.clone(), reason, hint });
         }
         kinds.push((kind_of(path, allowed)?, path));
+    }
+    for (_, path) in &kinds {
+        check_folder(path)?;
     }
     Ok(kinds)
 }

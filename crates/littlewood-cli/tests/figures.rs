@@ -27,7 +27,7 @@ fn refusal(arguments: &[&str]) -> String {
 #[test]
 fn a_figure_is_written_as_drawing_picture_data_and_caption() {
     let folder = tempfile::tempdir().expect("a folder");
-    let out = folder.path().join("new").join("figures");
+    let out = folder.path().join("figures");
     let printed = text(&["figures", "figure-3b", "figure-1", "--out", out.to_str().expect("UTF-8")]);
     let wanted: Vec<String> = ["figure-1", "figure-3b"]
         .iter()

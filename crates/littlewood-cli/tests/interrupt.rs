@@ -100,7 +100,7 @@ fn ctrl_c_leaves_what_is_finished_and_resume_ends_as_if_nothing_had_been() {
     assert!(name("a.partial.png").exists() && !png.exists());
 
     succeed(&mut map(&[&zarr, &table, &png], &["--resume"]));
-    assert!(!parts(&table).exists());
+    assert_eq!(names(folder.path()), ["a.parquet", "a.png", "a.zarr"]);
     let whole = [name("b.zarr"), name("b.parquet"), name("b.png")];
     succeed(&mut map(&[&whole[0], &whole[1], &whole[2]], &[]));
     assert!(tree(&zarr) == tree(&whole[0]), "the store differs");
@@ -191,7 +191,7 @@ fn a_second_writer_is_refused() {
 fn with_small_files(bytes: u32, arguments: &[&str]) -> Output {
     Command::new("sh")
         .arg("-c")
-        .arg(format!("trap '' XFSZ; exec prlimit --fsize={bytes} \"$@\""))
+        .arg(format!("exec prlimit --fsize={bytes} \"$@\""))
         .args(["sh", env!("CARGO_BIN_EXE_littlewood")])
         .args(arguments)
         .output()
@@ -271,13 +271,13 @@ fn a_place_where_nothing_can_be_written_is_named() {
     for ending in ["zarr", "parquet"] {
         let below = file.join(format!("plane.{ending}"));
         let below = below.to_str().expect("a path");
-        let message = complaint(&["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", below], 1);
-        assert!(message.contains(&format!("cannot write {below}")), "{message}");
+        let message = complaint(&["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", below], 2);
+        assert!(message.contains(&format!("cannot write to {below}")), "{message}");
         assert!(message.contains("hint:") && !message.contains("readable"), "{message}");
     }
     #[cfg(target_os = "linux")]
     {
-        let sweep = |out: &str| complaint(&["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", out], 1);
+        let sweep = |out: &str| complaint(&["sweep", "figure-3", "--axis", "theta=0:1:3", "--out", out], 2);
         assert!(sweep("/proc/plane.zarr").contains("cannot write /proc/plane.zarr"));
         assert!(sweep("/proc/plane.parquet").contains("cannot write /proc/plane.parquet"));
         // A device that is always full.

@@ -111,6 +111,9 @@ fn bad_axes_are_refused_with_value_and_hint() {
         ("theta_rate=0:1:3", "twice"),
         ("mu_s=-1:1:3", "-1"),
         ("mu_s=0.1:1:3", "0.1"),
+        // The first value that is too large, of many.
+        ("mu_k=0:1:1000001", "mu_k: at 0.500001:"),
+        ("theta=0:1e300:3", "theta: at 1e300:"),
         ("offset=0:2:3", "2"),
     ] {
         let y = "theta_rate=-4:4:31";
@@ -118,6 +121,111 @@ fn bad_axes_are_refused_with_value_and_hint() {
         assert!(message.contains(said) && message.contains("hint:"), "{axis}: {message}");
         assert!(!Path::new(&out).exists());
     }
+}
+
+/// Runs the program with so many kilobytes of memory.
+#[cfg(target_os = "linux")]
+fn with_little_memory(kilobytes: u32, arguments: &[&str]) -> std::process::Output {
+    std::process::Command::new("sh")
+        .args(["-c", &format!("ulimit -v {kilobytes}; exec \"$@\""), "sh", env!("CARGO_BIN_EXE_littlewood")])
+        .args(arguments)
+        .output()
+        .expect("it runs")
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_grid_that_is_too_large_is_refused_before_anything_is_made_for_it() {
+    let folder = folder();
+    let outs = ["a.zarr", "a.parquet", "a.png"].map(|name| path(&folder, name));
+    for ((x, y), out, said) in [
+        (
+            ("theta=-3:3:1000000000", "theta_rate=-4:4:1000000000"),
+            &outs[..],
+            "1000000000000000000 starts in chunks of 65536",
+        ),
+        // The friction of each value is checked, too.
+        (("mu_s=0.4:1:1000000000", "theta_rate=-4:4:1000000000"), &outs[2..], "at most 262144"),
+        (
+            ("theta=-3:3:9000000000000000000", "theta_rate=-4:4:9000000000000000000"),
+            &outs[2..],
+            "81000000000000000000000000000000000000 points; at most 9223372036854775807",
+        ),
+        (
+            ("theta=-3:3:5000000", "theta_rate=-4:4:2"),
+            &outs[..1],
+            "axis theta: 5000000 points; an axis of a Zarr store has at most 4194304",
+        ),
+    ] {
+        let mut words = vec!["map", "figure-3", "--threads", "2", "--x", x, "--y", y];
+        out.iter().for_each(|out| words.extend(["--out", out.as_str()]));
+        let output = with_little_memory(1_000_000, &words);
+        let message = String::from_utf8(output.stderr).expect("UTF-8");
+        assert_eq!(output.status.code(), Some(2), "{words:?}: {message}");
+        assert!(message.contains(said) && message.contains("hint:"), "{message}");
+        assert!(fs::read_dir(folder.path()).expect("a folder").next().is_none(), "{words:?}");
+    }
+}
+
+#[test]
+fn more_threads_than_can_be_started_at_once_are_refused() {
+    let folder = folder();
+    let plane = [&["map", "figure-3"], &SMALL[..], &["--out"]].concat();
+    for threads in ["1025", "10000", "1000000000"] {
+        let png = path(&folder, "map.png");
+        let message = complaint(&[&plane[..], &[&png, "--threads", threads]].concat(), 2);
+        assert!(message.contains(&format!("{threads} threads: at most 1024")), "{message}");
+        assert!(message.contains("hint:"), "{message}");
+        assert!(fs::read_dir(folder.path()).expect("a folder").next().is_none());
+    }
+    text(&[&plane[..], &[&path(&folder, "map.png"), "--threads", "1024"]].concat());
+}
+
+#[test]
+fn a_place_is_taken_once_however_it_is_written() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("a")).expect("a folder");
+    let refused = |first: &str, second: &str| {
+        let words = [
+            "map",
+            "figure-3",
+            "--x",
+            "theta=0:1:3",
+            "--y",
+            "theta_rate=0:1:3",
+            "--out",
+            first,
+            "--out",
+            second,
+        ];
+        let output =
+            littlewood().current_dir(folder.path()).args(words).assert().code(2).get_output().stderr.clone();
+        let message = String::from_utf8(output).expect("UTF-8");
+        assert!(message.contains("this place is given twice"), "{first} {second}: {message}");
+    };
+    refused("m.png", "./m.png");
+    refused("m.zarr", "a/../m.zarr/");
+    refused("m.parquet", &path(&folder, "m.parquet"));
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("a", folder.path().join("b")).expect("a link");
+        refused("a/m.png", "b/m.png");
+    }
+}
+
+#[test]
+fn a_partial_picture_of_an_earlier_run_goes_unless_it_is_an_output() {
+    let folder = folder();
+    let names = ["m.png", "m.partial.png", "n.csv", "n.partial.csv"].map(|name| path(&folder, name));
+    for name in &names {
+        fs::write(name, "left").expect("written");
+    }
+    let plane = [&["map", "figure-3"], &SMALL[..]].concat();
+    text(&[&plane[..], &["--out", &names[0], "--out", &names[1], "--out", &names[2]]].concat());
+    assert!(fs::read(&names[1]).expect("a picture").starts_with(b"\x89PNG"));
+    assert!(!Path::new(&names[3]).exists());
+    text(&[&plane[..], &["--out", &names[0]]].concat());
+    assert!(!Path::new(&names[1]).exists());
 }
 
 #[test]

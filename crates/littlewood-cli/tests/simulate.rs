@@ -523,3 +523,63 @@ fn digits_say_what_the_start_determines() {
     assert_eq!(column[0], "");
     assert!(column[1..].iter().all(|digits| digits.parse::<u8>().unwrap() >= 13), "{column:?}");
 }
+
+#[test]
+fn a_motion_that_ends_where_it_begins_has_its_start_as_a_sample() {
+    // No motion is consistent at the start (Painlevé): where the hoop is and how it moves is known, forces are not.
+    let motion = json(&["simulate", "painleve", "--samples", "300"]);
+    let samples = motion["samples"].as_array().expect("samples");
+    assert_eq!(samples.len(), 1, "{samples:?}");
+    let sample = &samples[0];
+    for name in ["time", "theta", "theta_rate", "slip", "x"] {
+        assert_eq!(sample[name], motion["start"][name], "{name}");
+    }
+    for name in ["mode", "normal", "friction", "theta_acceleration", "slip_acceleration"] {
+        assert_eq!(sample[name], serde_json::Value::Null, "{name}");
+    }
+    let csv = text(&["simulate", "painleve", "--samples", "300", "--format", "csv"]);
+    let other = text(&["simulate", "figure-3", "--samples", "2", "--format", "csv"]);
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 2, "{csv}");
+    // The columns are those of the samples of any motion.
+    assert_eq!(Some(lines[0]), other.lines().next());
+    assert!(lines[1].starts_with("0.0,,0,0.7,0.5,1.0,0.0,") && lines[1].ends_with(",inconsistent"), "{csv}");
+}
+
+#[test]
+fn the_only_sample_has_the_energy_of_the_start() {
+    let [start, hoop] = ["start", "hoop"].map(|part| json(&["simulate", "painleve"])[part].clone());
+    let sample = json(&["simulate", "painleve", "--samples", "2"])["samples"][0].clone();
+    let (mass, offset) = (1.0 + number(&hoop["mass_ratio"]), number(&hoop["offset"]));
+    let [theta, rate, slip] = ["theta", "theta_rate", "slip"].map(|name| number(&start[name]));
+    let h = offset / mass;
+    // About the geometric centre the body has the moment of inertia of the disc and that of the particle.
+    let about_mass_centre = number(&hoop["inertia"]) + offset * offset - mass * h * h;
+    let (vx, vy) = (slip - (1.0 + h * libm::cos(theta)) * rate, -h * libm::sin(theta) * rate);
+    let energy =
+        0.5 * (mass * (vx * vx + vy * vy) + about_mass_centre * rate * rate) + offset * libm::cos(theta);
+    assert_close(number(&sample["energy"]), energy, 1e-14);
+}
+
+#[test]
+fn a_table_is_not_longer_than_memory() {
+    let message = complaint(&["simulate", "figure-3", "--samples", "100001"], 2);
+    assert!(message.contains("100001 samples: a table has at most 100000"), "{message}");
+    assert!(message.contains("hint: give --format csv"), "{message}");
+}
+
+#[test]
+fn numbers_in_messages_have_no_more_digits_than_a_double() {
+    for (value, shown) in [
+        ("1e300", "1e300"),
+        ("-1e300", "-1e300"),
+        ("1000000000000000", "1e15"),
+        ("999999999999999", "999999999999999"),
+        ("12345678.25", "12345678.25"),
+    ] {
+        let message = complaint(&["simulate", "figure-3", "--theta-rate", value], 2);
+        assert!(message.contains(&format!("theta_rate = {shown} sqrt(g/R) must lie between")), "{message}");
+    }
+    let message = complaint(&["simulate", "figure-3", "--mu-s", "-1e-300"], 2);
+    assert!(message.contains("mu_s = -1e-300 must"), "{message}");
+}

@@ -6,6 +6,7 @@ use littlewood::{
     Class, Engine, Group, Hoop, Limits, OutcomeKind, ParameterError, PhaseSequence, Quantity, RestitutionLaw,
     Setup, Summary, SummaryColumn, SummaryValue,
 };
+use littlewood_sweep::MOST_THREADS;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -272,6 +273,7 @@ fn classes<'py>(
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("MIN_STARTS_FOR_TABLES", Engine::MIN_STARTS_FOR_TABLES)?;
     module.add("MOST_POINTS", MOST_POINTS)?;
+    module.add("MOST_THREADS", MOST_THREADS)?;
     module.add_function(wrap_pyfunction!(summaries, module)?)?;
     module.add_function(wrap_pyfunction!(classes, module)?)
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use littlewood::{Dimension, Group, ParameterError, Quantity, Setup};
+use littlewood::{Dimension, Group, Number, ParameterError, Quantity, Setup};
 use thiserror::Error;
 
 /// What an axis varies.
@@ -109,7 +109,7 @@ pub enum AxisError {
         quantity: Quantity,
     },
     /// An end is NaN or infinite, or the ends are farther apart than a double can say.
-    #[error("axis {axis}: {value} is not a finite number")]
+    #[error("axis {axis}: {} is not a finite number", Number(*value))]
     NotFinite {
         /// The axis.
         axis: Varies,
@@ -123,7 +123,7 @@ pub enum AxisError {
         axis: Varies,
     },
     /// One point cannot have two ends.
-    #[error("axis {axis}: 1 point cannot include both ends, {from} and {to}")]
+    #[error("axis {axis}: 1 point cannot include both ends, {} and {}", Number(*from), Number(*to))]
     OnePointTwoEnds {
         /// The axis.
         axis: Varies,
@@ -133,7 +133,7 @@ pub enum AxisError {
         to: f64,
     },
     /// Many points at one value.
-    #[error("axis {axis}: {count} points from {from} to {from} are all the same")]
+    #[error("axis {axis}: {count} points from {} to {} are all the same", Number(*from), Number(*from))]
     NoExtent {
         /// The axis.
         axis: Varies,
@@ -143,7 +143,7 @@ pub enum AxisError {
         count: usize,
     },
     /// Equal factors lead from a number to another of the same sign only.
-    #[error("axis {axis}: equal factors cannot lead from {from} to {to}")]
+    #[error("axis {axis}: equal factors cannot lead from {} to {}", Number(*from), Number(*to))]
     NoFactor {
         /// The axis.
         axis: Varies,
@@ -162,10 +162,13 @@ pub enum AxisError {
         quantity: Quantity,
     },
     /// More points than 2⁶³.
-    #[error("the grid has more points than can be counted")]
-    TooMany,
+    #[error("the grid has {}{points} points; at most {} can be counted", if *points == u128::MAX { "more than " } else { "" }, i64::MAX)]
+    TooMany {
+        /// Number of points, or the largest number there is.
+        points: u128,
+    },
     /// A value on an axis has no physical meaning, whatever the other axes say.
-    #[error("axis {quantity}: at {value}: {source}")]
+    #[error("axis {quantity}: at {}: {source}", Number(*value))]
     Value {
         /// The quantity.
         quantity: Quantity,

@@ -3,6 +3,7 @@
 use littlewood::Setup;
 
 use crate::grid::Grid;
+use crate::options::MOST_CHUNK_POINTS;
 
 /// The chunks of a grid: equal boxes, those at the far ends cut off.
 ///
@@ -40,12 +41,12 @@ pub struct Chunk {
 }
 
 impl Chunks {
-    /// Cuts a grid into chunks of at most `points` points (at least one).
+    /// Cuts a grid into chunks of at most `points` points, from 1 to [`MOST_CHUNK_POINTS`].
     #[must_use]
     pub fn new(grid: &Grid, points: usize) -> Self {
         let axes = grid.axes();
         let mut shape = vec![1; axes.len()];
-        let mut room = points.max(1);
+        let mut room = points.clamp(1, MOST_CHUNK_POINTS);
         let order = (0..axes.len())
             .rev()
             .filter(|&i| !axes[i].is_of_the_hoop())
@@ -80,10 +81,10 @@ impl Chunks {
         &self.shape
     }
 
-    /// Number of chunks.
+    /// Number of chunks; `usize::MAX` if there are more.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.places().product()
+        self.places().fold(1, usize::saturating_mul)
     }
 
     fn places(&self) -> impl DoubleEndedIterator<Item = usize> + '_ {

@@ -22,14 +22,26 @@ const TASKS: usize = 4;
 /// Hoops whose engines are kept for the next call.
 const KEPT: usize = 8;
 
+/// Threads that can be asked for: more than any machine has cores, and few enough that all of them start in a moment.
+pub const MOST_THREADS: usize = 1024;
+
 /// Threads could not be started.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("cannot start {threads} threads: {reason}")]
-pub struct ThreadsError {
-    /// How many were asked for; 0 for as many as there are cores.
-    pub threads: usize,
-    /// Message of the operating system.
-    pub reason: String,
+pub enum ThreadsError {
+    /// More than [`MOST_THREADS`].
+    #[error("{threads} threads: at most {MOST_THREADS} can be asked for")]
+    TooMany {
+        /// How many were asked for.
+        threads: usize,
+    },
+    /// The operating system has not as many.
+    #[error("cannot start {threads} threads: {reason}")]
+    NotStarted {
+        /// How many were asked for; 0 for as many as there are cores.
+        threads: usize,
+        /// Message of the operating system.
+        reason: String,
+    },
 }
 
 /// The threads of a sweep, and the engines that they have prepared last.
@@ -101,16 +113,19 @@ pub(crate) enum Halt {
 }
 
 impl Workers {
-    /// Starts this many threads; all cores if none is given.
+    /// Starts this many threads; as many as there are cores if no number is given.
     ///
     /// # Errors
-    /// If threads could not be started.
+    /// More than [`MOST_THREADS`], or more than the operating system can start.
     pub fn new(threads: Option<NonZeroUsize>) -> Result<Self, ThreadsError> {
         let threads = threads.map_or(0, NonZeroUsize::get);
+        if threads > MOST_THREADS {
+            return Err(ThreadsError::TooMany { threads });
+        }
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
-            .map_err(|error| ThreadsError { threads, reason: error.to_string() })?;
+            .map_err(|error| ThreadsError::NotStarted { threads, reason: error.to_string() })?;
         Ok(Self { pool, engines: Mutex::new(Vec::new()) })
     }
 

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use littlewood::ParameterError;
 use thiserror::Error;
 
-use crate::axis::AxisError;
+use crate::axis::{AxisError, Varies};
 use crate::compute::ThreadsError;
+use crate::options::MOST_CHUNKS;
 use crate::picture::PictureError;
 use crate::starts::ListError;
 use crate::store::StoreError;
@@ -29,6 +30,30 @@ pub enum SweepError {
     /// The picture.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// More chunks than [`MOST_CHUNKS`].
+    #[error(
+        "{points} starts in chunks of {chunk} at most are {chunks} chunks; a run has at most {MOST_CHUNKS}"
+    )]
+    TooManyChunks {
+        /// Points of the run.
+        points: u64,
+        /// Points of a chunk, at most.
+        chunk: usize,
+        /// Number of chunks.
+        chunks: usize,
+    },
+    /// More values than the coordinates of a Zarr store can have.
+    #[error(
+        "axis {axis}: {count} points; an axis of a Zarr store has at most {most}, for its coordinates are one chunk"
+    )]
+    LongAxis {
+        /// The axis.
+        axis: Varies,
+        /// Number of its values.
+        count: usize,
+        /// Bound.
+        most: usize,
+    },
     /// A list has no place in a Zarr store, whose points stand on axes.
     #[error("{}: a list of starts does not fit a Zarr store", path.display())]
     ListAsZarr {

@@ -40,18 +40,16 @@ impl Grid {
         if axes.is_empty() {
             return Err(AxisError::None);
         }
-        let mut len = 1_u64;
+        let mut points = 1_u128;
         for (i, axis) in axes.iter().enumerate() {
             for quantity in axis.varies().quantities() {
                 if axes[..i].iter().any(|other| other.varies().quantities().any(|taken| taken == quantity)) {
                     return Err(AxisError::Twice { quantity });
                 }
             }
-            len = len
-                .checked_mul(axis.count() as u64)
-                .filter(|&len| len <= i64::MAX as u64)
-                .ok_or(AxisError::TooMany)?;
+            points = points.saturating_mul(axis.count() as u128);
         }
+        let len = i64::try_from(points).map_err(|_| AxisError::TooMany { points })?.unsigned_abs();
         let mut base = base;
         for axis in &axes {
             axis.varies().set(&mut base, axis.from());
@@ -169,8 +167,9 @@ impl Grid {
         Ok(())
     }
 
-    /// Checks quantities that can contradict each other: with one axis among them every value of the axis, with none
-    /// the fixed values.
+    /// Checks quantities that can contradict each other: with one axis among them its ends, with none the fixed values.
+    /// The values that contradict nothing are an interval, so that an axis between two of them has no others; of an axis
+    /// that leaves the interval the first value outside is named.
     fn check_together(&self, related: &[Quantity]) -> Result<(), AxisError> {
         let mut axes = related.iter().filter_map(|&quantity| Some((quantity, self.axis(quantity)?)));
         let mut point = Setup { hoop: WITHOUT_CONTRADICTION, ..self.base };
@@ -184,9 +183,24 @@ impl Grid {
                 Hoop::new(point.hoop)?;
             }
             (Some((quantity, axis)), None) => {
-                for value in axis.values() {
+                let check = |i: usize| {
+                    let value = axis.value(i);
+                    let mut point = point;
                     point.set(quantity, value);
-                    Hoop::new(point.hoop).map_err(|source| AxisError::Value { quantity, value, source })?;
+                    match Hoop::new(point.hoop) {
+                        Ok(_) => Ok(()),
+                        Err(source) => Err(AxisError::Value { quantity, value, source }),
+                    }
+                };
+                check(0)?;
+                let last = axis.count() - 1;
+                if check(last).is_err() {
+                    let (mut inside, mut outside) = (0, last);
+                    while outside - inside > 1 {
+                        let middle = inside + (outside - inside) / 2;
+                        *(if check(middle).is_ok() { &mut inside } else { &mut outside }) = middle;
+                    }
+                    check(outside)?;
                 }
             }
             (Some(_), Some(_)) => {}

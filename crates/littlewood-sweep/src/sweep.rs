@@ -11,7 +11,7 @@ use crate::description::Description;
 use crate::destination::{Destination, Target};
 use crate::error::SweepError;
 use crate::grid::Grid;
-use crate::options::Options;
+use crate::options::{MOST_CHUNK_POINTS, MOST_CHUNKS, Options};
 #[cfg(feature = "parquet")]
 use crate::parquet::Table;
 use crate::run::{Report, run};
@@ -31,7 +31,8 @@ pub type ChunkView<'a> = dyn FnMut(&Chunk, &Columns) + 'a;
 ///
 /// # Errors
 /// A target that is there already, unless it is resumed; one of other parameters or of another version of the format,
-/// which is left as it is; one that another process is writing to; a disk that is full; a limit without meaning.
+/// which is left as it is; one that another process is writing to; a disk that is full; a limit without meaning; more chunks
+/// than [`MOST_CHUNKS`].
 pub fn sweep_grid(
     grid: &Grid,
     limits: Limits,
@@ -41,6 +42,7 @@ pub fn sweep_grid(
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {
     let chunks = Chunks::new(grid, options.chunk_points);
+    check_chunks(grid.len(), options.chunk_points, chunks.count())?;
     let description = Description::of_grid(grid, limits, chunks.shape());
     #[cfg(feature = "parquet")]
     let table = || Table::of_grid(&description, chunks.count(), grid);
@@ -49,6 +51,7 @@ pub fn sweep_grid(
         .map(|target| match target {
             #[cfg(feature = "zarr")]
             Target::Zarr(path) => {
+                check_axes(grid)?;
                 Ok(Destination::store(path, Layout::new(grid, chunks.clone(), description.clone())))
             }
             #[cfg(feature = "parquet")]
@@ -80,9 +83,10 @@ pub fn sweep_list(
     workers: &Workers,
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {
-    let chunk = options.chunk_points.max(1);
+    let chunk = options.chunk_points.clamp(1, MOST_CHUNK_POINTS);
     let description = Description::of_list(list, limits, chunk);
     let mut source = ListSource::new(list, chunk);
+    check_chunks(source.total(), chunk, source.count())?;
     #[cfg(feature = "parquet")]
     let table = || Table::of_list(&description, source.count(), list);
     let destinations = targets
@@ -98,6 +102,23 @@ pub fn sweep_list(
         })
         .collect::<Result<Vec<_>, SweepError>>()?;
     run(&mut source, &destinations, None, limits, workers, options)
+}
+
+/// Refuses a run whose chunks cannot all be kept track of, before anything is written or allocated for them.
+const fn check_chunks(points: u64, chunk: usize, chunks: usize) -> Result<(), SweepError> {
+    if chunks > MOST_CHUNKS { Err(SweepError::TooManyChunks { points, chunk, chunks }) } else { Ok(()) }
+}
+
+/// Refuses a grid whose coordinates are too many for a Zarr store.
+#[cfg(feature = "zarr")]
+fn check_axes(grid: &Grid) -> Result<(), SweepError> {
+    match grid.axes().iter().find(|axis| axis.count() > Layout::MOST_COORDINATES) {
+        Some(axis) => {
+            let (axis, count) = (axis.varies(), axis.count());
+            Err(SweepError::LongAxis { axis, count, most: Layout::MOST_COORDINATES })
+        }
+        None => Ok(()),
+    }
 }
 
 /// The error about a target whose format is not in this build.

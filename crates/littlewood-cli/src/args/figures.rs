@@ -55,7 +55,7 @@ pub(crate) struct FiguresArgs {
     /// [default: theta_rate from 0]
     #[arg(long, value_name = "NAME=FROM:TO", value_parser = parse_line)]
     pub(crate) along: Option<TypedAxis>,
-    /// Folder for the files; it is made if it is not there
+    /// Folder for the files; it is made if it is not there, in one that is
     #[arg(long, value_name = "DIR", required_unless_present = "list", help_heading = "Output")]
     pub(crate) out: Option<PathBuf>,
     /// Formats, with commas between them

@@ -69,8 +69,11 @@ Examples:
   littlewood classify figure-7
   littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out map.png
 
-Exit codes: 0 for every result, 1 for a failure to write, 2 for bad input, 130 if Ctrl-C or a signal such as SIGTERM has
-ended it; files that were not finished are removed then, and a second signal does not wait for what is finished.";
+Outputs go into folders that are there; none is made for them.
+
+Exit codes: 0 for every result, 1 for a disk that is full and other failures of the system, 2 for bad input, such as a place
+where nothing can be written, 130 if Ctrl-C or a signal such as SIGTERM has ended it; files that were not finished are
+removed then, and a second signal does not wait for what is finished.";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
@@ -188,11 +191,12 @@ pub(crate) struct SimulateArgs {
     pub(crate) problem: ProblemArgs<true>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
-    /// Output format [default: by the ending of --out, else table]
+    /// Output format [default: by the ending of --out, .txt, .csv or .json, else table]
     #[arg(long, value_enum, help_heading = "Output")]
     pub(crate) format: Option<Format>,
     /// Add N instants, evenly spaced in time, and every transition between them. A motion without an end is sampled
-    /// for two periods of its last phase (10 units of time if that has no period), or to --until
+    /// for two periods of its last phase (10 units of time if that has no period), or to --until; one that ends where it
+    /// begins has its start alone
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(SAMPLES), help_heading = "Output")]
     pub(crate) samples: Option<u64>,
     /// Give every bounce and every phase a row of the table; otherwise many bounces share one, and long motions are

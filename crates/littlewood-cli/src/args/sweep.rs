@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use littlewood::Quantity;
+use littlewood_sweep::{CHUNK_POINTS, MOST_CHUNK_POINTS};
 
 use super::{ProblemArgs, RunArgs, ShortFormat, number};
 use crate::axis::{TypedAxis, parse_axis, si_quantities};
@@ -166,11 +167,11 @@ pub(crate) struct AtlasArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Work")]
 pub(crate) struct WorkArgs {
-    /// Number of threads; the result does not depend on it [default: all cores]
+    /// Number of threads, at most 1024; the result does not depend on it [default: all cores]
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<NonZeroUsize>,
-    /// Starts of a chunk, at most
-    #[arg(long, value_name = "N", default_value_t = littlewood_sweep::CHUNK_POINTS,
+    /// Starts of a chunk, at most; a run has at most 262144 chunks
+    #[arg(long, value_name = "N", default_value_t = CHUNK_POINTS,
           value_parser = chunk)]
     pub(crate) chunk: usize,
 }
@@ -201,7 +202,7 @@ pub(crate) fn size(text: &str) -> Result<(u32, u32), String> {
 /// A number of points of a chunk.
 fn chunk(text: &str) -> Result<usize, String> {
     match text.parse() {
-        Ok(count @ 1..=16_777_216) => Ok(count),
-        _ => Err("a chunk has 1 to 16777216 starts".to_owned()),
+        Ok(count @ 1..=MOST_CHUNK_POINTS) => Ok(count),
+        _ => Err(format!("a chunk has 1 to {MOST_CHUNK_POINTS} starts")),
     }
 }

@@ -4,7 +4,7 @@
 use littlewood::Quantity;
 #[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
-use littlewood_sweep::{AxisError, ListError, PictureError, StoreError, SweepError};
+use littlewood_sweep::{AxisError, ListError, MOST_CHUNK_POINTS, PictureError, StoreError, SweepError};
 
 use super::Error;
 
@@ -29,8 +29,9 @@ pub(super) fn of(error: &Error) -> Option<String> {
         ),
         Error::Unreadable { .. } => "--scenario takes the path of a TOML file in UTF-8".to_owned(),
         Error::Unwritable { .. } => {
-            "--out takes the path of a file in a folder that exists and can be written to".to_owned()
+            "an output goes into a folder that is there and can be written to".to_owned()
         }
+        Error::LongTable { .. } => "give --format csv, or --out NAME.csv".to_owned(),
         Error::WriteFile { .. } => "what stood there before has not been touched".to_owned(),
         Error::Sweep(error) => of_sweep(error),
         #[cfg(feature = "sweep")]
@@ -108,6 +109,12 @@ fn of_sweep(error: &SweepError) -> String {
         SweepError::Picture(error) => of_picture(error).to_owned(),
         SweepError::NotBuilt { .. } => "give a name that ends in another format".to_owned(),
         SweepError::Threads(_) => "give fewer --threads, or leave the flag out".to_owned(),
+        SweepError::TooManyChunks { .. } => {
+            format!("take fewer points, or larger chunks: --chunk N, {MOST_CHUNK_POINTS} at most")
+        }
+        SweepError::LongAxis { .. } => {
+            "take fewer points, or give --out NAME.parquet, which has no coordinates".to_owned()
+        }
     }
 }
 
@@ -136,7 +143,7 @@ fn of_list(error: &ListError) -> String {
 fn of_axis(error: &AxisError) -> String {
     match error {
         AxisError::Value { source, .. } | AxisError::Fixed(source) => source.hint().to_owned(),
-        AxisError::TooMany => "take fewer points".to_owned(),
+        AxisError::TooMany { .. } => "take fewer points".to_owned(),
         AxisError::Twice { .. } => "take each quantity for one axis".to_owned(),
         AxisError::NoFactor { .. } => {
             "an axis of equal factors (log) begins and ends on the same side of 0, such as mu=0.01:1:200:log"

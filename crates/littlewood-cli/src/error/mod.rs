@@ -3,7 +3,7 @@
 mod excerpt;
 mod hint;
 
-use std::io::{self, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::PathBuf;
 
 use anstyle::{AnsiColor, Style};
@@ -16,12 +16,12 @@ use littlewood_figures::FigureError;
 use littlewood_film::FilmError;
 #[cfg(feature = "sweep")]
 use littlewood_sweep::AxisError;
-use littlewood_sweep::{PictureError, StoreError, SweepError};
+use littlewood_sweep::{PictureError, StoreError, SweepError, ThreadsError};
 use thiserror::Error;
 
-use crate::BAD_INPUT;
 use crate::feature::Feature;
 use crate::interrupt::STOPPED;
+use crate::{BAD_INPUT, FAILURE};
 
 pub(crate) use excerpt::Excerpt;
 
@@ -145,6 +145,14 @@ pub(crate) enum Error {
         /// What to do.
         hint: String,
     },
+    /// More samples than a table can have.
+    #[error("{count} samples: a table has at most {most}")]
+    LongTable {
+        /// How many were asked for.
+        count: u64,
+        /// Bound.
+        most: u64,
+    },
     /// A column that a picture cannot show.
     #[error("--shade {name}: there is no such column")]
     UnknownShade {
@@ -222,26 +230,27 @@ pub(crate) enum Error {
 
 impl Error {
     #[allow(clippy::match_same_arms, reason = "an attribute holds for a whole arm")]
-    /// 2 for bad input, 1 for a failure to write, 0 where a reader has left.
+    /// 2 for bad input, which a place is where nothing can be written; 1 for another failure; 0 where a reader has left.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
             Self::ClosedPipe => 0,
-            Self::Write { .. } | Self::WriteFile { .. } => 1,
+            Self::Write { source, .. } | Self::WriteFile { source, .. } | Self::Unwritable { source, .. } => {
+                of_writing(source)
+            }
             #[cfg(feature = "lab")]
-            Self::NoPage { .. } | Self::Port { .. } => 1,
+            Self::NoPage { .. } | Self::Port { .. } => FAILURE,
             #[cfg(feature = "figures")]
-            Self::Figure(FigureError::Drawing(_)) => 1,
+            Self::Figure(FigureError::Drawing(_)) => FAILURE,
+            #[cfg(feature = "film")]
+            Self::Film(FilmError::Write(source)) => of_writing(source),
             #[cfg(feature = "film")]
             Self::Film(
-                FilmError::Write(_)
-                | FilmError::Encoding { .. }
-                | FilmError::NoFfmpeg { .. }
-                | FilmError::Ffmpeg { .. },
-            ) => 1,
+                FilmError::Encoding { .. } | FilmError::NoFfmpeg { .. } | FilmError::Ffmpeg { .. },
+            ) => FAILURE,
             Self::Interrupted { .. } | Self::Stopped => STOPPED,
             #[cfg(feature = "film")]
             Self::Film(FilmError::Stopped { .. }) => STOPPED,
-            Self::Sweep(error) if is_of_the_system(error) => 1,
+            Self::Sweep(error) => of_sweep(error),
             Self::Value { .. }
             | Self::ScenarioValue { .. }
             | Self::Scenario { .. }
@@ -249,9 +258,8 @@ impl Error {
             | Self::Missing { .. }
             | Self::Mixed { .. }
             | Self::Unreadable { .. }
-            | Self::Unwritable { .. }
-            | Self::Sweep(_)
             | Self::Out { .. }
+            | Self::LongTable { .. }
             | Self::UnknownShade { .. }
             | Self::NotBuilt { .. }
             | Self::InPackage { .. } => BAD_INPUT,
@@ -319,12 +327,38 @@ impl<E: Into<SweepError>> From<E> for Error {
     }
 }
 
-/// Whether the system is to blame, and not what was asked for.
-const fn is_of_the_system(error: &SweepError) -> bool {
-    matches!(
-        error,
-        SweepError::Store(StoreError::Unwritable { .. } | StoreError::Encoding { .. })
-            | SweepError::Picture(PictureError::Drawing(_))
-            | SweepError::Threads { .. }
-    )
+/// The exit code of a failure to write: bad input where the place is to blame, and not the medium.
+fn of_writing(source: &io::Error) -> u8 {
+    match source.kind() {
+        ErrorKind::NotFound
+        | ErrorKind::PermissionDenied
+        | ErrorKind::AlreadyExists
+        | ErrorKind::NotADirectory
+        | ErrorKind::IsADirectory
+        | ErrorKind::ReadOnlyFilesystem
+        | ErrorKind::InvalidInput
+        | ErrorKind::InvalidFilename
+        | ErrorKind::NotSeekable => BAD_INPUT,
+        _ => FAILURE,
+    }
+}
+
+/// The exit code of a sweep: bad input, unless the system is to blame.
+fn of_sweep(error: &SweepError) -> u8 {
+    match error {
+        SweepError::Store(StoreError::Unwritable { source, .. }) => of_writing(source),
+        SweepError::Store(StoreError::Encoding { .. })
+        | SweepError::Picture(PictureError::Drawing(_))
+        | SweepError::Threads(ThreadsError::NotStarted { .. }) => FAILURE,
+        SweepError::Axis(_)
+        | SweepError::Parameter(_)
+        | SweepError::List(_)
+        | SweepError::Store(_)
+        | SweepError::Picture(_)
+        | SweepError::TooManyChunks { .. }
+        | SweepError::LongAxis { .. }
+        | SweepError::ListAsZarr { .. }
+        | SweepError::NotBuilt { .. }
+        | SweepError::Threads(ThreadsError::TooMany { .. }) => BAD_INPUT,
+    }
 }

@@ -30,6 +30,9 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
+    /// Values of an axis at most: they are one chunk, of 34 MB.
+    pub(crate) const MOST_COORDINATES: usize = 1 << 22;
+
     pub(crate) fn new(grid: &Grid, chunks: Chunks, description: Description) -> Self {
         let names: Vec<&'static str> = grid.axes().iter().map(|axis| axis.varies().name()).collect();
         let coordinate = |axis: &Axis| Array {
