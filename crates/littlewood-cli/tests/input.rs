@@ -48,7 +48,7 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
         (&["--gap-rate", "1e7"], "gap_rate = 10000000 sqrt(g R) must lie between", "no longer resolves"),
         (&["--mu-k", "0.6"], "mu_k = 0.6 must not exceed mu_s = 0.5", "0 <= mu_k <= mu_s"),
         (&["--mu-s", "-0.1"], "mu_s = -0.1 must not be negative", "0 <= mu_k <= mu_s"),
-        (&["--mu-k=-1e-9"], "mu_k = -0.000000001 must not be negative", "0 <= mu_k <= mu_s"),
+        (&["--mu-k=-1e-9"], "mu_k = -1e-9 must not be negative", "0 <= mu_k <= mu_s"),
         (&["--offset", "1.5"], "offset = 1.5 must not exceed 1", "0 <= offset <= radius"),
         (&["--offset", "-1"], "offset = -1 must not be negative", "0 <= offset <= radius"),
         (&["--inertia", "-1"], "inertia = -1 must not be negative", "Izz = m1 R^2"),

@@ -170,7 +170,7 @@ pub(crate) struct WorkArgs {
     /// Number of threads, at most 1024; the result does not depend on it [default: all cores]
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<NonZeroUsize>,
-    /// Starts of a chunk, at most; a run has at most 262144 chunks
+    /// Largest number of starts of a chunk, up to 1048576
     #[arg(long, value_name = "N", default_value_t = CHUNK_POINTS,
           value_parser = chunk)]
     pub(crate) chunk: usize,
