@@ -133,7 +133,7 @@ fn grids_without_meaning_are_refused_and_say_why() {
     let long = |quantity| Axis::new(quantity, 0.0, 1.0, usize::MAX / 2).unwrap();
     assert_eq!(
         message(base, vec![long(Quantity::Theta), long(Quantity::Slip)]),
-        "the grid has more points than can be counted"
+        "the grid has 85070591730234615847396907784232501249 points; at most 9223372036854775807 can be counted"
     );
     // An axis takes the place of a fixed value, however wrong.
     nan = base;
