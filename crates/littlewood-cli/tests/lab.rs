@@ -153,7 +153,7 @@ fn what_is_no_request_is_refused() {
         ("GET / HTTP/1.1\r\n\r\n".to_owned(), "HTTP/1.1 421"),
         (format!("GET /index.html?{} HTTP/1.1\r\n{ours}\r\n", "a".repeat(20_000)), "HTTP/1.1 200"),
     ] {
-        assert_eq!(answer_to(lab.port, request.as_bytes()).0, expected, "{:.60?}", request);
+        assert_eq!(answer_to(lab.port, request.as_bytes()).0, expected, "{request:.60?}");
     }
 }
 

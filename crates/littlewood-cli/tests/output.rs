@@ -84,21 +84,22 @@ fn a_folder_that_is_not_there_is_not_made() {
     }
 }
 
-/// The unfinished file of a run that writes for a long time.
+/// A run that writes for a long time, and the name of its unfinished file.
 #[cfg(unix)]
 fn begun(path: &str, folder: &Path) -> (std::process::Child, String) {
     let program = littlewood().get_program().to_owned();
-    let run = Command::new(program)
+    let mut run = Command::new(program)
         .args(["simulate", "figure-3", "--samples", "10000000", "--out", path, "--format", "csv"])
         .spawn()
-        .unwrap();
+        .expect("it runs");
     for _ in 0..3000 {
-        let mut names = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name());
+        let mut names = fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.file_name());
         if let Some(name) = names.find(|name| name.to_string_lossy().ends_with(".part")) {
-            return (run, name.into_string().unwrap());
+            return (run, name.into_string().expect("UTF-8"));
         }
         std::thread::sleep(std::time::Duration::from_millis(10));
     }
+    let _ = run.kill().and_then(|()| run.wait());
     panic!("it does not begin");
 }
 
