@@ -37,17 +37,19 @@ pub(crate) trait Model {
     fn at(&self, step: f64) -> (f64, f64, f64);
     /// How far from the point the model is the function, to rounding.
     fn reach(&self) -> f64;
+    /// A length over which the function hardly takes another course.
+    fn scale(&self) -> f64;
 }
 
 /// The step of Halley's method, and whether its end is the root to the last digit of a number: its error is of the third
-/// power, unless another root is close.
-fn halley((value, slope, curvature): (f64, f64, f64), of: f64) -> (f64, bool) {
+/// power in units of a length, unless another root is close.
+fn halley((value, slope, curvature): (f64, f64, f64), of: f64, length: f64) -> (f64, bool) {
     let newton = -value / slope;
     // Far from the root the second derivative is not to be trusted.
     let bend = (0.5 * newton * curvature / slope).clamp(-0.5, 0.5);
     let step = newton / (1.0 + bend);
     // Next to another root a short step is not yet the last.
-    let is_last = step.abs() <= 1e-6 * of.abs() && bend * bend * step.abs() <= f64::EPSILON * of.abs();
+    let is_last = step.abs() <= 1e-6 * of.abs().min(length) && bend * bend * step.abs() <= f64::EPSILON * of.abs();
     (step, is_last)
 }
 
@@ -80,10 +82,10 @@ impl Bracket {
         self.iterate(guess, |x| {
             let model = model(x);
             let here = model.here();
-            let (mut step, mut is_last) = halley(here, x);
+            let (mut step, mut is_last) = halley(here, x, model.scale());
             let mut steps = 1;
             while !is_last && step.abs() <= model.reach() && steps < STEPS_OF_A_MODEL {
-                let (more, is_short) = halley(model.at(step), x);
+                let (more, is_short) = halley(model.at(step), x, model.scale());
                 step += more;
                 is_last = is_short && step.abs() <= model.reach();
                 steps += 1;
@@ -142,6 +144,10 @@ mod tests {
 
         fn reach(&self) -> f64 {
             self.reach
+        }
+
+        fn scale(&self) -> f64 {
+            1.0
         }
     }
 

@@ -4,7 +4,7 @@
 //! operation is an IEEE sum or product, so that the bits are the same on every platform, as with the `libm` crate; the
 //! error is below one unit in the last place, and the work a third.
 
-use core::f64::consts::FRAC_2_PI;
+use core::f64::consts::{FRAC_2_PI, TAU};
 
 /// Beyond this the two parts of π/2 do not suffice.
 const FAR: f64 = 1e5;
@@ -35,6 +35,12 @@ const fn series<const N: usize>(odd: f64) -> [f64; N] {
 
 const SINE: [f64; 8] = series(1.0);
 const COSINE: [f64; 9] = series(0.0);
+
+/// An angle without the turns in it: exact to its last digit.
+pub(crate) fn without_turns(x: f64) -> f64 {
+    let turns = (x / TAU).round();
+    (x - turns * (4.0 * HALF_PI_HIGH)) - turns * (4.0 * HALF_PI_LOW)
+}
 
 /// A polynomial, the highest power first; even and odd powers apart, two short chains instead of a long one.
 #[inline(always)]

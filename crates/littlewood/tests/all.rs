@@ -14,6 +14,7 @@ mod engine;
 mod equations;
 mod errata;
 mod extremes;
+mod flights;
 mod frictionless;
 mod impact;
 mod invariants;

@@ -5,12 +5,12 @@
 //! S² − C S′ = (φ cos φ/2 − 2 sin φ/2)² ≥ 0, C/S grows with φ, and there is one landing: the angle by which the hoop turns
 //! in the air is a function of the angle of the lift-off alone, and so is the angle at which the gap is largest.
 
-use core::f64::consts::TAU;
 use std::sync::LazyLock;
 
-use crate::flight::{Flight, TakeOff};
+use crate::flight::{Flight, TakeOff, is_told_by_rate};
 use crate::hoop::Heavy;
 use crate::state::State;
+use crate::trig::without_turns;
 
 use super::interpolant::{Basis, Interpolant, Slots, Tolerance};
 
@@ -22,6 +22,9 @@ const STEEPEST: f64 = 1.34;
 
 /// Nearer to the top, too, since the ratios that are interpolated end there.
 const FLATTEST: f64 = 1e-6;
+
+/// Farther out the turns in an angle are not taken off to the last digit.
+const FARTHEST: f64 = 1e6;
 
 /// Width of a piece in units of its distance from the singular angle.
 const GRADING: f64 = 0.2;
@@ -35,10 +38,15 @@ struct JumpTable {
 
 static JUMPS: LazyLock<Option<JumpTable>> = LazyLock::new(JumpTable::new);
 
-/// Angles of the landing and of the largest gap of the jump out of a slide, from the angle of the lift-off in the
-/// direction of rotation. None where it has to be solved.
-pub(super) fn angles(theta: f64) -> Option<[f64; 2]> {
-    JUMPS.as_ref()?.angles(theta)
+/// Angles of the landing and of the largest gap of the jump out of a slide, from the angle of the lift-off in the direction of
+/// rotation, its sine and cosine, and what rounding has left of h cos θ θ′² − 1. None where it has to be solved.
+pub(super) fn angles(theta: f64, (sin, cos): (f64, f64), opening: f64) -> Option<[f64; 2]> {
+    if theta.abs() > FARTHEST {
+        return None;
+    }
+    let angle = -without_turns(theta);
+    let told = is_told_by_rate(theta, (sin, cos));
+    JUMPS.as_ref()?.angles(if told { angle - opening * cos / sin } else { angle })
 }
 
 impl JumpTable {
@@ -67,8 +75,7 @@ impl JumpTable {
         Some(Self { pieces, slots })
     }
 
-    fn angles(&self, theta: f64) -> Option<[f64; 2]> {
-        let angle = TAU * (theta / TAU).round() - theta;
+    fn angles(&self, angle: f64) -> Option<[f64; 2]> {
         if !(FLATTEST..STEEPEST).contains(&angle) {
             return None;
         }
@@ -94,7 +101,7 @@ mod tests {
         let table = JumpTable::new().expect("converges");
         for k in 1..268 {
             let angle = 0.005 * f64::from(k);
-            let [landing, apex] = table.angles(TAU - angle).expect("within the table");
+            let [landing, apex] = table.angles(angle).expect("within the table");
             let (closed, highest) = slopes(landing, apex);
             let slope = libm::tan(angle);
             // The subtraction φ − sin φ keeps ε/φ² of its digits.
@@ -102,13 +109,13 @@ mod tests {
             assert!((closed / slope - 1.0).abs() < tolerance, "{angle}: {closed} {slope}");
             assert!((highest / slope - 1.0).abs() < tolerance, "{angle}: {highest} {slope}");
         }
-        let [landing, apex] = table.angles(-2e-6).expect("within the table");
+        let [landing, apex] = table.angles(2e-6).expect("within the table");
         assert!((landing / 8e-6 - 1.0).abs() < 1e-11 && (apex / 6e-6 - 1.0).abs() < 1e-11);
     }
 
     #[test]
     fn steep_and_flat_lift_offs_are_left_out() {
         let table = JumpTable::new().expect("converges");
-        assert!(table.angles(-1.35).is_none() && table.angles(0.0).is_none() && table.angles(0.4).is_none());
+        assert!(table.angles(1.35).is_none() && table.angles(0.0).is_none() && table.angles(-0.4).is_none());
     }
 }

@@ -292,6 +292,10 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
 
     #[inline(always)]
     fn decide(&self, place: &Place, arrival: Arrival) -> Next {
+        if arrival == Arrival::LiftOff {
+            // What the slide has found is not computed again.
+            return next_motion(self.hoop, &place.state, arrival);
+        }
         match self.clear_evidence(place, arrival) {
             Some(evidence) => weigh(self.hoop, self.phases.body(), &place.state, &evidence),
             None => next_motion(self.hoop, &place.state, arrival),
@@ -401,10 +405,13 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn fly(&self, place: &Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let state = place.state;
         let flight = match take_off {
-            TakeOff::Grazing => match jump::angles(place.travel() * state.theta) {
-                Some(angles) => Flight::with_angles(body, state, take_off, place.direction, angles),
-                None => Flight::from_direction(body, state, take_off, place.direction),
-            },
+            TakeOff::Grazing => {
+                let (travel, (sin, cos)) = (place.travel(), place.direction);
+                match jump::angles(travel * state.theta, (travel * sin, cos), -self.contact(place)) {
+                    Some(angles) => Flight::with_angles(body, state, take_off, place.direction, angles),
+                    None => Flight::from_direction(body, state, take_off, place.direction),
+                }
+            }
             // So close to w = 0 the exact rules have decided, with their own cosine.
             TakeOff::Unloaded if self.contact(place) > -UNCERTAIN_FORCES => {
                 Flight::new(body, state, take_off)

@@ -3,6 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::bracket::{Bracket, Model};
+use crate::trig::without_turns;
 
 use super::series::TruncatedSeries;
 
@@ -14,8 +15,10 @@ pub(super) struct Gap {
     pub(super) cos: f64,
     /// Rate of the gap in p at the start.
     pub(super) rise: f64,
-    /// Its second derivative at the start; exactly zero at a lift-off from sliding.
+    /// Its second derivative at the start, h c0 less the weight; exactly zero at a lift-off from sliding.
     pub(super) opening: f64,
+    /// The part of the second derivative that is the parabola's: 1/θ′², or 1 in time.
+    pub(super) weight: f64,
     /// dφ/dp.
     pub(super) spin: f64,
     /// θ0 in the direction of rotation.
@@ -139,12 +142,38 @@ impl<Q: Fn(f64, [f64; 4]) -> (f64, f64, f64)> Model for Near<Q> {
     fn reach(&self) -> f64 {
         self.expansion.reach()
     }
+
+    fn scale(&self) -> f64 {
+        1.0 / self.expansion.spin
+    }
 }
 
-/// Where tangents bound the gap by more than this part of the gaps they are computed from, it is open.
-const MIN_CLEARANCE: f64 = 1e-9;
+/// Whether at a lift-off the rate tells the direction better than the angle. A rounding of θ moves sin θ by cos θ ε |θ|/2, those on
+/// the way from θ′ to cos θ by cos² θ/sin θ times four of ε/2.
+pub(crate) fn is_told_by_rate(theta: f64, (sin, cos): (f64, f64)) -> bool {
+    (sin * theta).abs() > 4.0 * cos
+}
+
+/// Up to this angle the gap is taken from its expansion at the start, beyond from the parabola and the rim as they are.
+const NEAR: f64 = 1.0;
+
+/// Largest error of a bound by tangents, in parts of the terms of the gap: of the dozen operations from them to the bound each rounds
+/// by half a digit.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Gap {
+    /// The same where sliding lifts off, 1 = h c0 θ′². That holds to the rounding of θ0 and of θ′, and s0 follows from the one that
+    /// tells it better: b = 0, and the parabola has the weight of a body that turns at this rate.
+    pub(super) fn at_lift_off(self) -> Self {
+        let cos = self.weight / self.h;
+        let sin = if is_told_by_rate(self.theta, (self.sin, self.cos)) {
+            -((1.0 - cos) * (1.0 + cos)).max(0.0).sqrt()
+        } else {
+            self.sin
+        };
+        Self { cos, sin, opening: 0.0, ..self }
+    }
+
     /// Gap and slope at an argument.
     pub(super) fn bound(&self, at: f64) -> Bound {
         let Expansion { gap, slope, .. } = self.expansion(at);
@@ -154,18 +183,36 @@ impl Gap {
     /// The gap and its derivatives at an argument.
     #[inline]
     fn expansion(&self, at: f64) -> Expansion {
-        let Self { h, spin, rise, opening, .. } = *self;
-        let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(spin * at);
-        let (weight, lever) = (spin * spin, h * (spin * spin));
+        let Self { h, sin, cos, spin, rise, opening, weight, .. } = *self;
+        let turned = spin * at;
+        let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(turned);
+        let (square, lever) = (spin * spin, h * (spin * spin));
+        let (gap, slope) = if turned <= NEAR {
+            (
+                rise * at + (0.5 * opening * at * at - h * (cos * even + sin * odd)),
+                rise + (opening * at - h * spin * (cos * odd + sin * versine)),
+            )
+        } else {
+            // b is a difference, and its rounding would grow with the square of the angle.
+            (
+                at * (rise - 0.5 * weight * at) + h * (cos * versine - sin * odd),
+                (rise - weight * at) + h * spin * (cos * sine - sin * versine),
+            )
+        };
         Expansion {
             at,
-            gap: rise * at + (0.5 * opening * at * at - h * (self.cos * even + self.sin * odd)),
-            slope: rise + (opening * at - h * spin * (self.cos * odd + self.sin * versine)),
-            curvature: opening - lever * (self.cos * versine + self.sin * sine),
-            jerk: -lever * spin * (self.cos * sine + self.sin * (1.0 - versine)),
-            snap: -lever * weight * (self.cos * (1.0 - versine) - self.sin * sine),
+            gap,
+            slope,
+            curvature: opening - lever * (cos * versine + sin * sine),
+            jerk: -lever * spin * (cos * sine + sin * (1.0 - versine)),
+            snap: -lever * square * (cos * (1.0 - versine) - sin * sine),
             spin,
         }
+    }
+
+    /// Size of the terms of the gap up to an argument.
+    fn size(&self, at: f64) -> f64 {
+        at * (self.rise + self.weight * at) + self.h * (2.0 + self.spin * at)
     }
 
     /// The root of a quantity between two arguments, from a guess. The quantity and its first two derivatives follow from the
@@ -228,14 +275,14 @@ impl Gap {
     /// The zeros of gap″, at cos(θ0 + φ) = c0 − b/h, where it turns from + to − and back. The first is ahead of the start if
     /// gap″ ≥ 0 there. Otherwise it is the second turn ahead, behind the one from − to +.
     fn inflections(&self) -> Inflections {
-        let from_top = self.theta - TAU * (self.theta / TAU).round();
-        // A lift-off from sliding starts on the inflection −level itself.
-        let level = if self.opening == 0.0 {
-            from_top.abs()
+        let (from_top, level) = if self.opening == 0.0 {
+            // A lift-off from sliding starts on the inflection −level itself.
+            let from_top = libm::atan2(self.sin, self.cos);
+            (from_top, from_top.abs())
         } else {
             let half = libm::sin(0.5 * self.theta);
             let versine = (2.0 * half * half + self.opening / self.h).min(2.0);
-            2.0 * libm::atan2(versine.sqrt(), (2.0 - versine).sqrt())
+            (without_turns(self.theta), 2.0 * libm::atan2(versine.sqrt(), (2.0 - versine).sqrt()))
         };
         // level − |θ0| without cancellation: cos θ0 − cos(level) = b/h.
         let ahead = || {
@@ -308,7 +355,7 @@ impl Gap {
             if from.gap > highest.gap {
                 *highest = from;
             }
-        } else if from.slope < 0.0 && to.slope > 0.0 && bound <= MIN_CLEARANCE * (from.gap + to.gap) {
+        } else if from.slope < 0.0 && to.slope > 0.0 && bound <= ROUNDING * self.size(to.at) {
             let lowest = self.turning(&from, to);
             if lowest.gap <= 0.0 {
                 return Some(self.touchdown(&from, &lowest));
@@ -329,7 +376,7 @@ impl Gap {
     /// The largest gap of a flight of many turns: within half a turn of the top of the parabola.
     fn apex(&self, landing: f64) -> Bound {
         let inflections = self.inflections();
-        let top = ((self.rise - self.h * self.sin) / self.weight()).max(0.0);
+        let top = ((self.rise - self.h * self.sin) / self.weight).max(0.0);
         let mut index = inflections.last_before(top - TAU);
         let mut best = Bound::default();
         loop {
@@ -349,20 +396,15 @@ impl Gap {
         }
     }
 
-    /// 1/θ′² = h c0 − b, the weight in units of the centripetal force.
-    fn weight(&self) -> f64 {
-        self.h * self.cos - self.opening
-    }
-
     /// Where the parabola alone proves that the gap is open: gap ≥ h (c0 − 1) + (v/ω − h s0) φ − φ²/(2θ′²).
     fn clear(&self) -> (f64, f64) {
         let slope = self.rise - self.h * self.sin;
-        let discriminant = slope * slope - 2.0 * self.weight() * self.h * (1.0 - self.cos);
+        let discriminant = slope * slope - 2.0 * self.weight * self.h * (1.0 - self.cos);
         if slope <= 0.0 || discriminant <= 0.0 {
             return (f64::INFINITY, 0.0);
         }
         let root = discriminant.sqrt();
-        ((slope - root) / self.weight(), (slope + root) / self.weight())
+        ((slope - root) / self.weight, (slope + root) / self.weight)
     }
 }
 
@@ -394,7 +436,8 @@ mod tests {
     fn gap_at(theta: f64, rate: f64, gap_rate: f64) -> Gap {
         let (sin, cos) = libm::sincos(theta);
         let opening = (0.5 * (cos * (rate * rate)) - 1.0) / (rate * rate);
-        Gap { h: 0.5, sin, cos, rise: gap_rate / rate, opening, spin: 1.0, theta }
+        let weight = 1.0 / (rate * rate);
+        Gap { h: 0.5, sin, cos, rise: gap_rate / rate, opening, weight, spin: 1.0, theta }
     }
 
     #[test]
@@ -402,7 +445,13 @@ mod tests {
         for gap in [
             gap_at(-0.7, 2.0, 0.3),
             gap_at(1.2, 3.0, 1.0),
-            Gap { spin: 0.2, rise: 0.4, opening: -0.99, ..gap_at(0.3, 2.0, 0.0) },
+            Gap {
+                spin: 0.2,
+                rise: 0.4,
+                opening: 0.02 * libm::cos(0.3) - 1.0,
+                weight: 1.0,
+                ..gap_at(0.3, 2.0, 0.0)
+            },
         ] {
             for at in [0.02, 0.3, 0.9, 1.1, 5.0] {
                 let here = gap.expansion(at);
@@ -472,7 +521,8 @@ mod tests {
             let rate = 0.05 + 0.05 * f64::from(k);
             let (sin, cos) = libm::sincos(theta);
             let opening = 0.5 * cos * rate * rate - 1.0;
-            let gap = |rise: f64| Gap { h: 0.5, sin, cos, rise, opening, spin: rate, theta };
+            let gap =
+                |rise: f64| Gap { h: 0.5, sin, cos, rise, opening, weight: 1.0, spin: rate, theta };
             for rise in [1e-3, 0.1, 1.0, 3.0] {
                 let (guess, high) = gap(rise).about_only_landing();
                 let landing = gap(rise).only_landing().at;

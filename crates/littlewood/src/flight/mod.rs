@@ -8,7 +8,17 @@
 //! ```
 //!
 //! with a simple root at the start for v > 0, a double one for v = 0 and b > 0, and a triple one where sliding lifts off
-//! (v = b = 0). Those roots are never searched for. The second derivative b + h (cos(θ0 + φ) − c0) has known zeros, so that
+//! (v = b = 0). Those roots are never searched for. b is a difference, which of a fast hoop keeps few digits of the weight 1/θ′²
+//! that brings it down, and the sum is good near the start alone. Beyond a radian the same is
+//!
+//! ```text
+//! gap = v φ/ω − φ²/(2 θ′²) + h [c0 (1 − cos φ) − s0 S(φ)].
+//! ```
+//!
+//! Where sliding lifts off, h c0 θ′² = 1 holds to the last digits of θ0 and θ′. Both follow from one of them: b = 0 and
+//! c0 = 1/(h θ′²), and s0 from the angle or from c0, whichever tells it better.
+//!
+//! The second derivative b + h (cos(θ0 + φ) − c0) has known zeros, so that
 //! gap″, then gap′, then gap are monotone between points that follow from each other, and the first sign change after the
 //! start is the landing. Where h θ′² ≤ 1 it has none: the gap is concave in time, and there is one landing; the same
 //! formula is then taken in time, which a hoop needs that does not turn.
@@ -16,6 +26,7 @@
 mod gap;
 mod series;
 
+use crate::equations::energy;
 use crate::hoop::{Heavy, Hoop};
 use crate::mode::Mode;
 use crate::sample::{Instant, Sample};
@@ -23,6 +34,8 @@ use crate::state::State;
 use crate::trig::sincos;
 
 use gap::{Bound, Gap};
+
+pub(crate) use gap::is_told_by_rate;
 
 /// How the rim leaves the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,9 +66,6 @@ pub struct Flight {
     /// Bounces without number, all together: a gap below 1e-14.
     settles: bool,
 }
-
-/// Largest error of 1 − h cos θ θ′² at a lift-off from sliding for which the cosine of the angle is taken.
-const LARGEST_ROUNDING: f64 = 1e-6;
 
 impl Flight {
     /// From a state with the rim at the plane. The cosine is that of the decision on flight, so that its sign of
@@ -97,22 +107,31 @@ impl Flight {
         let h = body.h;
         let rate = start.theta_rate;
         let travel = if rate < 0.0 { -1.0 } else { 1.0 };
+        let square = rate * rate;
         // −w, of the w that decided on flight.
-        let opening = h * (cos * (rate * rate)) - 1.0;
-        // The cosine of a large angle may not resolve 1 = h cos θ θ′² at a large rate; the parabola must come down all the same.
-        let cos = match take_off {
-            TakeOff::Grazing if opening.abs() > LARGEST_ROUNDING => 1.0 / (h * (rate * rate)),
-            TakeOff::Grazing | TakeOff::Unloaded | TakeOff::Rising { .. } => cos,
+        let opening = h * (cos * square) - 1.0;
+        let weight = 1.0 / square;
+        let in_angle = Gap {
+            h,
+            sin: travel * sin,
+            cos,
+            rise: 0.0,
+            opening: opening * weight,
+            weight,
+            spin: 1.0,
+            theta: travel * start.theta,
+        };
+        let (gap, clock) = match take_off {
+            TakeOff::Grazing => (in_angle.at_lift_off(), rate.abs()),
+            TakeOff::Unloaded => (in_angle, rate.abs()),
+            TakeOff::Rising { gap_rate } if h * square <= 1.0 => {
+                (Gap { rise: gap_rate, opening, weight: 1.0, spin: rate.abs(), ..in_angle }, 1.0)
+            }
+            TakeOff::Rising { gap_rate } => (Gap { rise: gap_rate / rate.abs(), ..in_angle }, rate.abs()),
         };
         let gap_rate = match take_off {
             TakeOff::Rising { gap_rate } => gap_rate,
             TakeOff::Grazing | TakeOff::Unloaded => 0.0,
-        };
-        let in_time = gap_rate > 0.0 && h * (rate * rate) <= 1.0;
-        let (clock, spin, opening) = match (in_time, take_off) {
-            (true, _) => (1.0, rate.abs(), opening),
-            (false, TakeOff::Grazing) => (rate.abs(), 1.0, 0.0),
-            (false, TakeOff::Unloaded | TakeOff::Rising { .. }) => (rate.abs(), 1.0, opening / (rate * rate)),
         };
         Self {
             h,
@@ -120,15 +139,7 @@ impl Flight {
             vx: start.slip - (1.0 + h * cos) * rate,
             vy: gap_rate - h * sin * rate,
             mass_centre_x: start.x - h * sin,
-            gap: Gap {
-                h,
-                sin: travel * sin,
-                cos,
-                rise: gap_rate / clock,
-                opening,
-                spin,
-                theta: travel * start.theta,
-            },
+            gap,
             clock,
             landing: Bound::default(),
             apex: None,
@@ -143,7 +154,7 @@ impl Flight {
         let take_off = TakeOff::Rising { gap_rate };
         let flight = Self::without_landing(body, start, take_off, (sin, cos));
         let opening = body.h * (cos * (rate * rate)) - 1.0;
-        let gap = Gap { rise: gap_rate, opening, spin: rate.abs(), ..flight.gap };
+        let gap = Gap { rise: gap_rate, opening, weight: 1.0, spin: rate.abs(), ..flight.gap };
         let landing = Bound { at: duration, ..Bound::default() };
         Self { gap, clock: 1.0, landing, settles: true, ..flight }
     }
@@ -235,6 +246,8 @@ impl Flight {
             forces: (0.0, 0.0),
             gap,
         };
-        instant.sample(hoop, state)
+        // The energy is that of the start: of an angle far out the last digit, times the rate, is much of the velocities.
+        let energy = energy(hoop, &self.start, 0.0, self.take_off_rate());
+        Sample { energy, ..instant.sample(hoop, state) }
     }
 }

@@ -1,6 +1,9 @@
 //! Random hoops and starts, with a preference for what is nearly degenerate.
 #![allow(dead_code)] // each test file uses a part
 
+pub(crate) mod dd;
+pub(crate) mod landing;
+
 use std::f64::consts::PI;
 
 use littlewood::{Body, Direction, Hoop, HoopParameters, Limits, PhasePlane, Start, Trajectory};
