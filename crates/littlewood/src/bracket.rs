@@ -49,7 +49,8 @@ fn halley((value, slope, curvature): (f64, f64, f64), of: f64, length: f64) -> (
     let bend = (0.5 * newton * curvature / slope).clamp(-0.5, 0.5);
     let step = newton / (1.0 + bend);
     // Next to another root a short step is not yet the last.
-    let is_last = step.abs() <= 1e-6 * of.abs().min(length) && bend * bend * step.abs() <= f64::EPSILON * of.abs();
+    let is_last =
+        step.abs() <= 1e-6 * of.abs().min(length) && bend * bend * step.abs() <= f64::EPSILON * of.abs();
     (step, is_last)
 }
 

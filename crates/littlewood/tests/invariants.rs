@@ -3,6 +3,7 @@
 //! which its mode is the motion. A missed event breaks the latter.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
+use crate::common::flight::{check_flights, check_landings};
 use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start, whole_range};
 use littlewood::{
     Body, Cause, Direction, GlidingIntegrals, Hoop, Mode, Outcome, Phase, PhaseSolution, Sample, SlidingLaw,
@@ -109,19 +110,7 @@ fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> Result<(), 
                 let slipping = sign(phase.direction()) * now.state.slip;
                 prop_assert!(slipping > -1e-10 * size, "direction of slip at {elapsed}: {now:?}");
             }
-            PhaseSolution::Flight(flight) => {
-                prop_assert!((now.energy - first.energy).abs() < 1e-12 * size, "energy in flight");
-                prop_assert_eq!(now.state.theta_rate, first.state.theta_rate);
-                let momentum = |s: &Sample| {
-                    s.state.slip - (1.0 + hoop.h() * libm::cos(s.state.theta)) * s.state.theta_rate
-                };
-                prop_assert!((momentum(&now) - momentum(&first)).abs() < 1e-13 * size, "momentum in flight");
-                let (vx, vy) = flight.mass_centre_velocity(elapsed);
-                let rises = now.gap_rate - hoop.h() * libm::sin(now.state.theta) * now.state.theta_rate;
-                prop_assert!((vx - momentum(&first)).abs() < 1e-13 * size, "{vx} in flight");
-                prop_assert!((vy - rises).abs() < 1e-13 * size * (1.0 + elapsed), "{vy} {rises} in flight");
-                prop_assert!(now.gap > -1e-13 * size, "gap at {elapsed}: {}", now.gap);
-            }
+            PhaseSolution::Flight(_) => prop_assert_eq!(now.state.theta_rate, first.state.theta_rate),
         }
         before = now;
     }
@@ -205,7 +194,6 @@ fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), TestCaseErr
                 prop_assert!(libm::sin(last.state.theta) * last.state.theta_rate < 0.0, "rises at lift-off");
             }
             Cause::Landing => {
-                prop_assert!(last.gap.abs() < 1e-12 * size, "gap at landing: {}", last.gap);
                 prop_assert!(last.gap_rate <= 1e-13 * size, "gap rate at landing: {}", last.gap_rate);
             }
             _ => {}
@@ -232,6 +220,8 @@ fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
         check_minima(hoop, phase)?;
     }
     check_transitions(hoop, &motion)?;
+    check_landings(&motion);
+    check_flights(&motion);
     if let Outcome::TimeLimit { state } = motion.outcome() {
         prop_assert_eq!(state.time, 20.0);
     }

@@ -521,8 +521,7 @@ mod tests {
             let rate = 0.05 + 0.05 * f64::from(k);
             let (sin, cos) = libm::sincos(theta);
             let opening = 0.5 * cos * rate * rate - 1.0;
-            let gap =
-                |rise: f64| Gap { h: 0.5, sin, cos, rise, opening, weight: 1.0, spin: rate, theta };
+            let gap = |rise: f64| Gap { h: 0.5, sin, cos, rise, opening, weight: 1.0, spin: rate, theta };
             for rise in [1e-3, 0.1, 1.0, 3.0] {
                 let (guess, high) = gap(rise).about_only_landing();
                 let landing = gap(rise).only_landing().at;

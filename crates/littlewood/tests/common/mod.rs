@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each test file uses a part
 
 pub(crate) mod dd;
-pub(crate) mod landing;
+pub(crate) mod flight;
 
 use std::f64::consts::PI;
 
