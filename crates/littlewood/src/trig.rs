@@ -36,7 +36,7 @@ const fn series<const N: usize>(odd: f64) -> [f64; N] {
 const SINE: [f64; 8] = series(1.0);
 const COSINE: [f64; 9] = series(0.0);
 
-/// An angle without the turns in it: exact to its last digit.
+/// An angle without the turns in it: to its last digit, and below 2²⁰ turns to that of what is left.
 pub(crate) fn without_turns(x: f64) -> f64 {
     let turns = (x / TAU).round();
     (x - turns * (4.0 * HALF_PI_HIGH)) - turns * (4.0 * HALF_PI_LOW)
