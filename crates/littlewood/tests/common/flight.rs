@@ -54,10 +54,17 @@ impl TakeOff {
         if !lifts_off {
             return (gap.high, rounding);
         }
-        let rest = (h_ * cos0 * rate_ * rate_ - Dd::from(1.0)).high.abs();
         // By so much another cosine changes the gap, and the sine that goes with it.
         let change = versine + cos / sin * odd;
-        (gap.high, rounding + (rest / (rate * rate) + f64::EPSILON * h * cos) * change)
+        (gap.high, rounding + (self.rest() + f64::EPSILON * h * cos) * change)
+    }
+
+    /// Of h cos θ = 1/θ′² at a lift-off, what the printed state leaves.
+    fn rest(&self) -> f64 {
+        let (rate, (_, cos)) =
+            (Dd::from(self.state.theta_rate), Dd::from(self.state.theta).without_turns().sincos());
+        let rest = Dd::from(self.h) * cos * rate * rate - Dd::from(1.0);
+        if self.lifts_off { rest.high.abs() / (rate.high * rate.high) } else { 0.0 }
     }
 }
 
@@ -104,9 +111,10 @@ fn check_instant(hoop: &Hoop, phase: &Phase, (take_off, flight): (&TakeOff, &Fli
     let [vx, vy] = [now.slip - (1.0 + h * cos) * rate, slope - h * sin * rate];
     let (x, y) = flight.mass_centre_velocity(elapsed);
     let [along, up] = [now.slip.abs() + (1.0 + h) * rate.abs(), v + elapsed + h * rate.abs()];
-    // The last digit of an angle moves the rim.
+    // The last digit of an angle moves the rim, and so does the rest at a lift-off.
     let digit = f64::EPSILON * (1.0 + now.theta.abs() + first.state.theta.abs());
-    let swing = digit * h * rate.abs();
+    let lean = if take_off.lifts_off { 1.0 / libm::sin(first.state.theta).abs() } else { 0.0 };
+    let swing = (digit * h + 2.0 * take_off.rest() * lean) * rate.abs();
     assert!((vx - x).abs() <= 4.0 * f64::EPSILON * along, "{vx} {x} at {elapsed}: {first:?}");
     if flight.settles() {
         return;
