@@ -89,7 +89,7 @@ impl<'a, I> Instants<'a, I> {
 
     /// The event, if this is the last instant of the phase.
     fn ends(&mut self, sample: &Sample) -> Option<&'static str> {
-        let phase = self.current().filter(|phase| phase.end_time() <= sample.state.time)?;
+        let phase = self.current().filter(|phase| phase.end() == Some(sample.state))?;
         if self.phase + 1 < self.trajectory.phases().len() {
             self.phase += 1;
             self.has_begun = false;

@@ -95,6 +95,7 @@ mod limits;
 mod links;
 mod mode;
 mod named;
+mod origin;
 mod outcome;
 mod proof;
 mod proofs;

@@ -287,24 +287,8 @@ impl Outcome {
     /// The state that decides: at the end, or where the phase begins that lasts for ever.
     #[must_use]
     pub const fn state(&self) -> State {
-        match self {
-            Self::RollsForever { since, .. }
-            | Self::SlidesForever { since, .. }
-            | Self::RepeatsForever { since, .. } => *since,
-            Self::Landing { state, .. }
-            | Self::SlipsForever { state, .. }
-            | Self::StaysInContact { state }
-            | Self::ParticleAtPlane { state }
-            | Self::ParticleAtBottom { state }
-            | Self::ParticleAtTop { state }
-            | Self::TimeLimit { state }
-            | Self::TransitionLimit { state, .. }
-            | Self::Inconsistent { state, .. }
-            | Self::Ambiguous { state, .. }
-            | Self::Singular { state, .. }
-            | Self::StepLimit { state, .. }
-            | Self::Unresolved { state } => *state,
-        }
+        let mut copy = *self;
+        *copy.parts_mut().0
     }
 
     /// Whether the motion has been followed to its end, and not only to a limit.
@@ -316,24 +300,33 @@ impl Outcome {
     /// How a motion that lasts for ever recurs; none for the other outcomes.
     #[must_use]
     pub const fn recurrence(&self) -> Option<Recurrence> {
+        let mut copy = *self;
+        match copy.parts_mut().1 {
+            Some(recurrence) => Some(*recurrence),
+            None => None,
+        }
+    }
+
+    /// The parts that say where: the state, and how the motion recurs.
+    pub(crate) const fn parts_mut(&mut self) -> (&mut State, Option<&mut Recurrence>) {
         match self {
-            Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } => {
-                Some(*recurrence)
+            Self::RollsForever { since, recurrence } | Self::SlidesForever { since, recurrence } => {
+                (since, Some(recurrence))
             }
-            Self::Landing { .. }
-            | Self::SlipsForever { .. }
-            | Self::RepeatsForever { .. }
-            | Self::StaysInContact { .. }
-            | Self::ParticleAtPlane { .. }
-            | Self::ParticleAtBottom { .. }
-            | Self::ParticleAtTop { .. }
-            | Self::TimeLimit { .. }
-            | Self::TransitionLimit { .. }
-            | Self::Inconsistent { .. }
-            | Self::Ambiguous { .. }
-            | Self::Singular { .. }
-            | Self::StepLimit { .. }
-            | Self::Unresolved { .. } => None,
+            Self::RepeatsForever { since: state, .. }
+            | Self::Landing { state, .. }
+            | Self::SlipsForever { state, .. }
+            | Self::StaysInContact { state }
+            | Self::ParticleAtPlane { state }
+            | Self::ParticleAtBottom { state }
+            | Self::ParticleAtTop { state }
+            | Self::TimeLimit { state }
+            | Self::TransitionLimit { state, .. }
+            | Self::Inconsistent { state, .. }
+            | Self::Ambiguous { state, .. }
+            | Self::Singular { state, .. }
+            | Self::StepLimit { state, .. }
+            | Self::Unresolved { state } => (state, None),
         }
     }
 

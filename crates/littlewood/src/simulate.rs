@@ -7,6 +7,7 @@ use crate::hoop::{Body, Hoop};
 use crate::impact::Impact;
 use crate::limits::Limits;
 use crate::mode::Direction;
+use crate::origin::Origin;
 use crate::outcome::Outcome;
 use crate::proofs::Known;
 use crate::state::{Start, State};
@@ -38,16 +39,18 @@ impl Hoop {
     pub fn simulate(&self, start: Start, limits: Limits) -> Result<Trajectory, ParameterError> {
         let state = self.check(start)?;
         limits.check(&start)?;
+        let (origin, relative, limits) = Origin::of(state, limits);
         let mut trajectory = Trajectory {
             hoop: *self,
+            origin,
             start: state,
             phases: Vec::new(),
             transitions: Vec::new(),
-            outcome: Outcome::TimeLimit { state },
+            outcome: Outcome::TimeLimit { state: relative },
         };
         let solver = Exact::new(self, &limits);
         trajectory.outcome =
-            walk(&solver, (state, start.gap_rate), (&limits, Known::default()), &mut trajectory);
+            walk(&solver, (relative, start.gap_rate), (&limits, Known::default()), &mut trajectory);
         Ok(trajectory)
     }
 
@@ -66,7 +69,8 @@ impl Hoop {
 impl Recorder<PhaseSolution> for Trajectory {
     fn phase(&mut self, phase: PhaseSeen, solution: PhaseSolution) {
         let PhaseSeen { start, end, .. } = phase;
-        self.phases.push(Phase { hoop: self.hoop, solution, start, end, ended_by: None });
+        let Self { hoop, origin, .. } = *self;
+        self.phases.push(Phase { hoop, origin, solution, start, end, ended_by: None });
     }
 
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>) {
@@ -78,6 +82,7 @@ impl Recorder<PhaseSolution> for Trajectory {
         {
             phase.ended_by = Some(self.transitions.len());
         }
+        let [before, after] = [before, after].map(|state| self.origin.state(state));
         self.transitions.push(Transition { before, after, impact, from, to, direction, cause });
     }
 }

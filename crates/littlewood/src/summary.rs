@@ -7,10 +7,11 @@ use crate::flight::Flight;
 use crate::hoop::Hoop;
 use crate::impact::Impact;
 use crate::mode::{Direction, Mode};
+use crate::origin::Origin;
 use crate::outcome::OutcomeKind;
 use crate::sequence::PhaseSequence;
 use crate::state::State;
-use crate::trajectory::{PhaseSolution, Trajectory};
+use crate::trajectory::{Phase, PhaseSolution, Trajectory};
 use crate::transition::Transition;
 use crate::trig::sincos;
 use crate::walk::{MaybeFlight, PhaseSeen, Recorder, Wants};
@@ -81,6 +82,7 @@ impl Summary {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SummaryRecorder<'a> {
     hoop: &'a Hoop,
+    origin: Origin,
     summary: Summary,
     /// Where the last phase begins and with which rate of the gap, if it is a flight that no impact has ended.
     flight: Option<(State, f64)>,
@@ -99,7 +101,7 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
         self.flight = Some((phase.start, flight.take_off_rate()));
         self.summary.settle_time = f64::NAN;
         if self.summary.lift_off_time.is_nan() {
-            self.summary.lift_off_time = phase.start.time;
+            self.summary.lift_off_time = self.origin.time(phase.start.time);
         }
         if self.summary.landings == 0 {
             self.jump_height = flight.apex().1;
@@ -110,7 +112,7 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, _: Option<Direction>) {
         self.summary.transitions = self.summary.transitions.saturating_add(1);
         if event.cause == Cause::Slip && self.summary.first_slip_time.is_nan() {
-            self.summary.first_slip_time = event.state.time;
+            self.summary.first_slip_time = self.origin.time(event.state.time);
         }
         if event.cause == Cause::Landing {
             if self.summary.landings == 0
@@ -126,7 +128,7 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
             (self.flight, self.gap_rate) = (None, impact.after.gap_rate);
             self.summary.impact_energy_lost += impact.energy_lost();
             if event.from == Some(Mode::Flight) && event.to != Some(Mode::Flight) {
-                self.summary.settle_time = event.state.time;
+                self.summary.settle_time = self.origin.time(event.state.time);
             }
         }
     }
@@ -142,16 +144,17 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
 }
 
 impl<'a> SummaryRecorder<'a> {
-    pub(crate) const fn new(hoop: &'a Hoop) -> Self {
+    /// Of a motion that is followed from this origin.
+    pub(crate) const fn new(hoop: &'a Hoop, origin: Origin) -> Self {
         let summary =
             Summary { impact_energy_lost: 0.0, ..Summary::without_motion(OutcomeKind::NotComputed) };
-        Self { hoop, summary, flight: None, jump_height: f64::NAN, gap_rate: 0.0 }
+        Self { hoop, origin, summary, flight: None, jump_height: f64::NAN, gap_rate: 0.0 }
     }
 
-    /// The summary of a motion that ended in this way, at this state.
+    /// The summary of a motion that ended in this way, at this state, as seen from the origin.
     pub(crate) fn finish(self, outcome: OutcomeKind, end: State) -> Summary {
-        let Self { hoop, mut summary, flight, mut gap_rate, .. } = self;
-        (summary.outcome, summary.end) = (outcome, end);
+        let Self { hoop, origin, mut summary, flight, mut gap_rate, .. } = self;
+        (summary.outcome, summary.end) = (outcome, origin.state(end));
         summary.painleve |= outcome.is_painleve();
         let mut last = end;
         if let Some(start) = flight {
@@ -178,11 +181,14 @@ impl Trajectory {
     /// The motion in a few numbers.
     #[must_use]
     pub fn summary(&self) -> Summary {
-        let mut recorder = SummaryRecorder::new(self.hoop());
+        let mut recorder = SummaryRecorder::new(self.hoop(), self.origin);
         let mut transitions = self.transitions().iter().peekable();
-        let mut tell = |recorder: &mut SummaryRecorder<'_>, ends: bool| {
+        // A transition has its place at the end of a phase, as seen from the origin; a jam before a phase has none, and needs none.
+        let mut tell = |recorder: &mut SummaryRecorder<'_>, ended: Option<&Phase>| {
+            let ends = ended.is_some();
             while let Some(transition) = transitions.next_if(|next| next.from.is_some() == ends) {
-                let Transition { before: state, impact, from, to, direction, cause, .. } = *transition;
+                let Transition { before, impact, from, to, direction, cause, .. } = *transition;
+                let state = ended.and_then(|phase| phase.end).unwrap_or(before);
                 let event = Event { state, from, to, cause };
                 Recorder::<&PhaseSolution>::transition(recorder, &event, impact.as_ref(), direction);
                 if ends {
@@ -192,18 +198,17 @@ impl Trajectory {
         };
         for phase in self.phases() {
             // Jams from states without a consistent motion come before the phase that they lead to.
-            tell(&mut recorder, false);
+            tell(&mut recorder, None);
             let seen = PhaseSeen {
                 mode: phase.mode(),
                 direction: phase.direction(),
-                start: phase.start(),
-                end: phase.end(),
+                start: phase.start,
+                end: phase.end,
             };
             recorder.phase(seen, phase.solution());
-            tell(&mut recorder, true);
+            tell(&mut recorder, Some(phase));
         }
-        tell(&mut recorder, false);
-        let outcome = self.outcome();
-        recorder.finish(outcome.kind(), outcome.state())
+        tell(&mut recorder, None);
+        recorder.finish(self.outcome.kind(), self.outcome.state())
     }
 }

@@ -4,6 +4,7 @@ use crate::flight::Flight;
 use crate::gliding::Gliding;
 use crate::hoop::Hoop;
 use crate::mode::{Direction, Mode};
+use crate::origin::Origin;
 use crate::outcome::Outcome;
 use crate::rolling::Rolling;
 use crate::sample::{Instant, Sample};
@@ -15,14 +16,16 @@ use crate::transition::Transition;
 #[derive(Clone, Debug)]
 pub struct Phase {
     pub(crate) hoop: Hoop,
+    pub(crate) origin: Origin,
     pub(crate) solution: PhaseSolution,
+    /// The start as seen from the origin, and the end.
     pub(crate) start: State,
     pub(crate) end: Option<State>,
     /// Index of the transition that ends it.
     pub(crate) ended_by: Option<usize>,
 }
 
-/// The exact solution during a phase.
+/// The exact solution during a phase, with τ and x since the start of the motion, and θ without its whole turns there.
 #[derive(Clone, Debug)]
 pub enum PhaseSolution {
     /// Rolling along an orbit.
@@ -66,26 +69,46 @@ impl Phase {
     /// State at the start.
     #[must_use]
     pub const fn start(&self) -> State {
-        self.start
+        self.origin.state(self.start)
     }
 
     /// State at the end; none for a phase that lasts for ever. Its rate is infinite where a gliding particle reaches
     /// θ = 0 or ±π.
     #[must_use]
     pub const fn end(&self) -> Option<State> {
-        self.end
+        match self.end {
+            Some(end) => Some(self.origin.state(end)),
+            None => None,
+        }
     }
 
     /// Time at the end; infinite for a phase that lasts for ever.
     #[must_use]
     pub fn end_time(&self) -> f64 {
-        self.end.map_or(f64::INFINITY, |end| end.time)
+        self.end.map_or(f64::INFINITY, |end| self.origin.time(end.time))
     }
 
     /// Duration; infinite for a phase that lasts for ever.
     #[must_use]
     pub fn duration(&self) -> f64 {
-        self.end_time() - self.start.time
+        self.last_instant() - self.start.time
+    }
+
+    /// Time at the end since the start of the motion.
+    fn last_instant(&self) -> f64 {
+        self.end.map_or(f64::INFINITY, |end| end.time)
+    }
+
+    /// The instant `time`, the first or the last if it is not within the phase.
+    fn at(&self, time: f64) -> Sample {
+        let elapsed = if time <= self.origin.time(self.start.time) {
+            0.0
+        } else if time >= self.end_time() {
+            self.duration()
+        } else {
+            self.origin.elapsed(time) - self.start.time
+        };
+        self.sample(elapsed)
     }
 
     /// Energy lost to friction during the phase.
@@ -123,14 +146,14 @@ impl Phase {
             (_, PhaseSolution::Gliding(glide)) => glide.state(elapsed),
             (_, PhaseSolution::Flight(flight)) => flight.state(elapsed),
         };
-        match &self.solution {
+        self.origin.sample(match &self.solution {
             PhaseSolution::Rolling(rolling) => rolling.sample(&self.hoop, state),
             PhaseSolution::Sliding(slide) => slide.sample(&self.hoop, state),
             PhaseSolution::Gliding(glide) => glide.sample(&self.hoop, state),
             PhaseSolution::Flight(flight) => {
                 flight.sample(&self.hoop, state, flight.gap(elapsed.clamp(0.0, duration)))
             }
-        }
+        })
     }
 
     /// First instant.
@@ -142,7 +165,7 @@ impl Phase {
     /// Last instant, before the transition that ends the phase; none for a phase that lasts for ever.
     #[must_use]
     pub fn last(&self) -> Option<Sample> {
-        self.end.map(|end| self.sample(end.time - self.start.time))
+        self.end.map(|_| self.sample(self.duration()))
     }
 }
 
@@ -150,9 +173,11 @@ impl Phase {
 #[derive(Clone, Debug)]
 pub struct Trajectory {
     pub(crate) hoop: Hoop,
+    pub(crate) origin: Origin,
     pub(crate) start: State,
     pub(crate) phases: Vec<Phase>,
     pub(crate) transitions: Vec<Transition>,
+    /// As seen from the origin.
     pub(crate) outcome: Outcome,
 }
 
@@ -191,7 +216,7 @@ impl Trajectory {
     /// How the motion ended.
     #[must_use]
     pub const fn outcome(&self) -> Outcome {
-        self.outcome
+        self.origin.outcome(self.outcome)
     }
 
     /// Time at which the motion ends; infinite if it lasts for ever and no time limit was set.
@@ -223,9 +248,8 @@ impl Trajectory {
         if !(time.is_finite() && time >= self.start.time && time <= self.end_time()) {
             return None;
         }
-        let after = self.phases.partition_point(|phase| phase.start.time <= time);
-        let phase = self.phases.get(after.checked_sub(1)?)?;
-        Some(phase.sample(time - phase.start.time))
+        let after = self.phases.partition_point(|phase| phase.start().time <= time);
+        Some(self.phases.get(after.checked_sub(1)?)?.at(time))
     }
 
     /// The one instant of a motion without a phase, since none is consistent at its start: the state, with its energy.
@@ -256,15 +280,16 @@ impl Trajectory {
     /// every transition in between, which appears twice: as the last instant of the phase that ends and as the first
     /// of the phase that begins, because the forces may jump there.
     pub fn sample_evenly(&self, count: usize, until: f64) -> impl Iterator<Item = Sample> + '_ {
-        let begin = self.start.time;
-        let end = until.min(self.end_time());
+        // In the time since the start.
+        let last = self.phases.last().map_or(0.0, Phase::last_instant);
+        let end = if until < self.end_time() { self.origin.elapsed(until) } else { last };
         let intervals = count.saturating_sub(1).max(1);
         let grid = move |i: usize| {
-            if i == intervals { end } else { begin + (end - begin) * (i as f64 / intervals as f64) }
+            if i == intervals { end } else { end * (i as f64 / intervals as f64) }
         };
         // Number of grid points before a time, from an estimate that rounding may put one off.
         let before = move |time: f64| {
-            let estimate = (time - begin) / (end - begin) * intervals as f64;
+            let estimate = time / end * intervals as f64;
             let mut i = if estimate > 0.0 { (estimate as usize).min(count) } else { 0 };
             while i > 0 && grid(i - 1) >= time {
                 i -= 1;
@@ -280,7 +305,7 @@ impl Trajectory {
             .enumerate()
             .take_while(move |(i, phase)| *i == 0 || phase.start.time <= end)
             .flat_map(move |(index, phase)| {
-                let (start, stop) = (phase.start.time, phase.end_time());
+                let (start, stop) = (phase.start.time, phase.last_instant());
                 let first = (index > 0).then(|| phase.first());
                 // A grid point on a transition is the transition.
                 let from = before(start)

@@ -19,6 +19,7 @@ mod frictionless;
 mod impact;
 mod invariants;
 mod jam;
+mod origins;
 mod proofs;
 mod reference;
 mod serde;

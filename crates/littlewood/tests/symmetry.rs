@@ -91,15 +91,4 @@ proptest! {
         prop_assert!((back.theta_rate + start.theta_rate).abs() < 1e-11);
         prop_assert!((back.slip + start.slip).abs() < 1e-11);
     }
-
-    #[test]
-    fn a_time_shift_changes_nothing_else(hoop in moderate_hoop(), start in start()) {
-        let shifted = simulate(&hoop, start.with_time(64.0).with_x(-8.0));
-        let plain = simulate(&hoop, start);
-        prop_assert_eq!(plain.transitions().len(), shifted.transitions().len());
-        for (a, b) in plain.transitions().iter().zip(shifted.transitions()) {
-            prop_assert_eq!(a.cause, b.cause);
-            prop_assert!((a.time() + 64.0 - b.time()).abs() < 1e-12);
-        }
-    }
 }

@@ -28,6 +28,7 @@ use crate::exact::Exact;
 use crate::hoop::{Heavy, Hoop};
 use crate::lift_off::ContactProof;
 use crate::limits::Limits;
+use crate::origin::Origin;
 use crate::proofs::Known;
 use crate::solvability::is_solvable;
 use crate::state::{Start, State};
@@ -209,14 +210,20 @@ impl Engine {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
-        let state = (self.hoop.check(start)?, start.gap_rate);
+        let state = self.hoop.check(start)?;
         limits.check(&start)?;
+        let (origin, state, limits) = Origin::of(state, limits);
+        let state = (state, start.gap_rate);
+        let mut recorder = SummaryRecorder::new(&self.hoop, origin);
         Ok(match &self.source {
-            Source::Tables(tables) => self.fast_summary(tables.as_ref(), Some(&tables.chains), state, limits),
-            Source::Chained(chained) => self.fast_summary(&chained.0, Some(&chained.1), state, limits),
-            Source::Direct(direct) => self.fast_summary(direct, None, state, limits),
+            Source::Tables(tables) => {
+                self.fast_summary(tables.as_ref(), Some(&tables.chains), (state, limits), recorder)
+            }
+            Source::Chained(chained) => {
+                self.fast_summary(&chained.0, Some(&chained.1), (state, limits), recorder)
+            }
+            Source::Direct(direct) => self.fast_summary(direct, None, (state, limits), recorder),
             Source::Exact => {
-                let mut recorder = SummaryRecorder::new(&self.hoop);
                 let solver = Exact::new(&self.hoop, &limits);
                 let outcome = walk(&solver, state, (&limits, self.known(None)), &mut recorder);
                 recorder.finish(outcome.kind(), outcome.state())
@@ -228,11 +235,10 @@ impl Engine {
         &self,
         phases: &P,
         chains: Option<&Chains>,
-        state: (State, f64),
-        limits: Limits,
+        (state, limits): ((State, f64), Limits),
+        mut recorder: SummaryRecorder<'_>,
     ) -> Summary {
         let chains = chains.filter(|_| limits.transitions >= MIN_CHAIN_TRANSITIONS && self.passes_chains());
-        let mut recorder = SummaryRecorder::new(&self.hoop);
         let solver = FastSolver::new(&self.hoop, phases, chains, limits);
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
         recorder.finish(end.kind, end.state)
