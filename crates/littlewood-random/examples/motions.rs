@@ -5,7 +5,8 @@
 //! ```
 //!
 //! takes the number of motions, the seed, and what is drawn: `any`, `heavy` (no massless hoop) or `usual`. A line has the hoop, the
-//! start, the outcome, and each transition with the state before it and after it. The same numbers draw the same motions.
+//! start, the outcome, and each transition with the state before it and after it; with `digits` as the last word also with the digits that are
+//! trusted there. The same numbers draw the same motions.
 
 use std::env;
 use std::error::Error;
@@ -37,9 +38,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             other => return Err(format!("'{other}': any, heavy or usual").into()),
         };
-        let motion = hoop.simulate(start, Limits::default().with_transitions(100))?;
-        let transitions = Vec::from_iter(motion.transitions().iter().map(|it| {
+        let limits = Limits::default().with_transitions(100);
+        let motion = hoop.simulate(start, limits)?;
+        let digits = if word(3, "") == "digits" { hoop.digits(start, limits)? } else { Vec::new() };
+        let transitions = Vec::from_iter(motion.transitions().iter().enumerate().map(|(place, it)| {
             json!({
+                "digits": digits.get(place),
                 "cause": it.cause.name(),
                 "from": it.from.map(Mode::name),
                 "to": it.to.map(Mode::name),

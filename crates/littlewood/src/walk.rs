@@ -99,7 +99,7 @@ pub(crate) enum Ending<P, V> {
 
 impl<P, V> Ending<P, V> {
     /// The state at the end of the phase, if it has one.
-    fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
+    pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
         match self {
             Self::Event { place, .. } => Some(of(place)),
             Self::Landing { state, .. } | Self::Settled { state, .. } | Self::Singular { state, .. } => {

@@ -9,6 +9,7 @@ mod coincidences;
 mod common;
 mod counts;
 mod degenerate;
+mod digits;
 mod documentation;
 mod engine;
 mod equations;

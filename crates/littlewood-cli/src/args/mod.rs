@@ -203,8 +203,8 @@ pub(crate) struct SimulateArgs {
     /// shortened
     #[arg(long, help_heading = "Output")]
     pub(crate) all_bounces: bool,
-    /// Estimate how many digits of each transition the numbers of the hoop and the start determine, from motions that start a
-    /// last digit beside it
+    /// Say how many digits of each transition can be trusted, from motions that start a last digit beside it and motions that round
+    /// otherwise on the way
     #[arg(long, help_heading = "Output")]
     pub(crate) digits: bool,
     /// Write to this file; it is replaced only once everything has been written
