@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from pathlib import Path
 from typing import Any
 
 from ..tables import QUANTITIES
-from . import Case, CaseError, Refused, check
+from . import Case, CaseError, checker
 from .case import HOOP, HOOP_SI, LAWS, START
 
 EXAMPLE = (
@@ -44,15 +43,18 @@ def parser() -> argparse.ArgumentParser:
 def case_of(given: argparse.Namespace) -> Case:
     """Return the case of the command line."""
     if given.case is not None:
-        read = json.loads(given.case.read_text(encoding="utf-8"))
-        return Case.read(read.get("case", read))
+        found = checker.read(given.case.read_bytes())
+        if not isinstance(found, dict):
+            raise CaseError(f"{given.case} has no case")
+        return Case.read(found.get("case", found))
     si = given.disc_mass_kg is not None
     names = HOOP_SI if si else HOOP
     hoop: dict[str, Any] = {name: getattr(given, name) for name in names}
     missing = ["--" + name.replace("_", "-") for name, value in hoop.items() if value is None]
     if missing:
         raise CaseError(f"a hoop needs {', '.join(missing)}")
-    hoop |= {"restitution": given.restitution, "restitution_law": given.restitution_law}
+    if given.restitution is not None:
+        hoop |= {"restitution": given.restitution, "restitution_law": given.restitution_law}
     start = {name: getattr(given, name) for name in START}
     return Case.read({"units": "si" if si else "dimensionless", "hoop": hoop, "start": start, "until": given.until})
 
@@ -68,9 +70,7 @@ def main(arguments: list[str] | None = None) -> int:
     given = parser().parse_args(arguments)
     try:
         if given.check is not None:
-            found = check(json.loads(given.check.read_text(encoding="utf-8")))
-            print(f"{given.check}: {found['numbers']} numbers of {found['events']} events are right")
-            return 0
+            return checker.main([str(given.check)])
         from .certificate import certify, dump
 
         certificate = certify(case_of(given), given.most_bits)
@@ -79,16 +79,10 @@ def main(arguments: list[str] | None = None) -> int:
             sys.stdout.write(text)
         else:
             given.out.write_text(text, encoding="utf-8")
-    except Refused as refused:
-        print(f"refused: {refused}", file=sys.stderr)
-        return 1
     except CaseError as error:
         print(f"error: {error}\nhint: {EXAMPLE}", file=sys.stderr)
         return 2
-    except ImportError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    except (OSError, json.JSONDecodeError) as error:
+    except (ImportError, OSError, checker.Unreadable) as error:
         print(f"error: {error}", file=sys.stderr)
         return 2
     if not certificate["certified"]:

@@ -88,7 +88,11 @@ def ends(value: Ball) -> tuple[Fraction, Fraction]:
 
 
 def text(value: Ball) -> list[str]:
-    """Return midpoint and radius as decimal strings."""
+    """Return midpoint and radius as decimal strings.
+
+    The radius is ⌊d + 1/1000⌋ + 1 of the distance d in hundredths: at least d, and not above d + 1.001. The thousandth
+    is there for numbers whose d is whole, such as doubles: without it, what encloses them would never decide it.
+    """
     low, high = ends(value)
     if low == high == 0:
         return ["0", "0"]
@@ -127,12 +131,3 @@ def decimal(digits: int, exponent: int) -> str:
     if -5 <= exponent < 0:
         return f"{minus}0.{'0' * (-exponent - 1)}{body}"
     return f"{minus}{body[0]}{'.' + body[1:] if body[1:] else ''}e{exponent}"
-
-
-def bound(value: Ball) -> str:
-    """Return a lower bound with three digits."""
-    low = ends(value)[0]
-    if low == 0:
-        return "0"
-    exponent = _exponent(abs(low))
-    return decimal((low / Fraction(10) ** (exponent - 2)).__floor__(), exponent)

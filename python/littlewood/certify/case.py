@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from .checker import Refused, valid_case
+
 
 class CaseError(ValueError):
-    """A case that is not one: the message names the value, the bound and the unit."""
+    """A case that is not one: the message names the value and the bound, which are those of the checker."""
 
 
 @dataclass(frozen=True)
@@ -54,31 +55,10 @@ class Case:
     units: str = SYSTEMS[0]
 
     def __post_init__(self) -> None:
-        if self.units not in SYSTEMS:
-            raise CaseError(f"units = {self.units!r} must be one of {', '.join(SYSTEMS)}")
-        named = dict(zip(self.names() + START, self.hoop + self.start, strict=True))
-        for name, value in named.items():
-            if not math.isfinite(value):
-                raise CaseError(f"{name} = {value} must be finite")
-        for name, value in named.items():
-            if (name not in START and value < 0) or (name == "gap_rate" and value < 0):
-                raise CaseError(f"{name} = {value} must not be negative")
-        for name in ("particle_mass_kg", "radius_m", "gravity_m_per_s2"):
-            if named.get(name) == 0:
-                raise CaseError(f"{name} = 0 must be above 0")
-        exact = self.dimensionless()
-        if exact.offset > 1:
-            raise CaseError(f"the offset is {float(exact.offset)} R and must be at most 1 R")
-        if exact.mu_s < exact.mu_k:
-            raise CaseError(f"mu_s = {named['mu_s']} must not be below mu_k = {named['mu_k']}")
-        if (exact.mass_ratio == 0) != (exact.inertia == 0):
-            raise CaseError("mass and inertia of the hoop must both be 0, or neither")
-        if self.until is not None and not (math.isfinite(self.until) and self.until > 0):
-            raise CaseError(f"until = {self.until} must be finite and above 0")
-        if self.restitution is not None and not 0 <= self.restitution <= 1:
-            raise CaseError(f"restitution = {self.restitution} must be from 0 to 1")
-        if self.law not in LAWS:
-            raise CaseError(f"restitution_law = {self.law!r} must be one of {', '.join(LAWS)}")
+        try:
+            valid_case(self.written())
+        except Refused as refused:
+            raise CaseError(str(refused)) from None
 
     def names(self) -> tuple[str, ...]:
         """Return the names of the numbers of the hoop."""
@@ -115,22 +95,27 @@ class Case:
     @classmethod
     def read(cls, given: Mapping[str, Any]) -> Case:
         """Read a case as :meth:`written` has it."""
+        hoop, start = given.get("hoop"), given.get("start")
+        if isinstance(hoop, dict) and "restitution" in hoop:
+            hoop = {"restitution_law": LAWS[0], **hoop}
+        if isinstance(start, dict):
+            start = {"gap_rate": 0.0, **start}
+        rest = {key: value for key, value in given.items() if key not in ("hoop", "start")}
+        whole: dict[str, Any] = {"name": "motion", "family": "", "units": SYSTEMS[0], "until": None, **rest}
+        whole |= {key: value for key, value in (("hoop", hoop), ("start", start)) if value is not None}
         try:
-            hoop, start = given["hoop"], given["start"]
-            units = str(given.get("units", SYSTEMS[0]))
-            names = HOOP_SI if units == "si" else HOOP
-            theta, rate, slip = (float(start[name]) for name in START[:3])
-            return cls(
-                tuple(float(hoop[name]) for name in names),
-                (theta, rate, slip, float(start.get("gap_rate", 0.0))),
-                None if given.get("until") is None else float(given["until"]),
-                None if hoop.get("restitution") is None else float(hoop["restitution"]),
-                str(hoop.get("restitution_law", LAWS[0])),
-                str(given.get("name", "motion")),
-                str(given.get("family", "")),
-                units,
-            )
-        except KeyError as error:
-            raise CaseError(f"a case needs {error.args[0]}") from error
-        except (TypeError, AttributeError) as error:
-            raise CaseError(f"a case has a value of a wrong type: {error}") from error
+            valid_case(whole)
+        except Refused as refused:
+            raise CaseError(str(refused)) from None
+        hoop, start, units = whole["hoop"], whole["start"], whole["units"]
+        theta, rate, slip, gap_rate = (float(start[name]) for name in START)
+        return cls(
+            tuple(float(hoop[name]) for name in (HOOP_SI if units == "si" else HOOP)),
+            (theta, rate, slip, gap_rate),
+            None if whole["until"] is None else float(whole["until"]),
+            None if "restitution" not in hoop else float(hoop["restitution"]),
+            hoop.get("restitution_law", LAWS[0]),
+            whole["name"],
+            whole["family"],
+            units,
+        )

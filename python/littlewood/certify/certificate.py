@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from typing import Any
 
 from .balls import Ball, Beyond, Undecided, arb, ball, precision, text
 from .body import Body, State
 from .case import Case
+from .checker import digest
 from .motion import Event, Motion, Phase, Walk
 
 FORMAT = "littlewood-certificate"
-VERSION = 1
+VERSION = 2
 
 PRECISIONS = (144, 224, 384, 640, 1000)
 """Bits that are tried, one after the other, until every sign and every digit is decided."""
@@ -46,15 +46,7 @@ def certify(case: Case, most_bits: int = PRECISIONS[-1]) -> dict[str, Any]:
         except Beyond as beyond:
             reason = str(beyond)
             break
-        except RecursionError:
-            reason = f"intervals are divided without end with {bits} bits"
     return _sealed({"format": FORMAT, "version": VERSION, "certified": False, "reason": reason, "case": case.written()})
-
-
-def digest(certificate: dict[str, Any]) -> str:
-    """Return the SHA-256 of a certificate without its digest."""
-    rest = {key: value for key, value in certificate.items() if key != "digest"}
-    return hashlib.sha256(json.dumps(rest, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
 
 
 def dump(certificate: dict[str, Any]) -> str:
@@ -97,9 +89,16 @@ class Scales:
             "period": self.time,
         }
 
-    def text(self, name: str, value: Ball) -> list[str]:
+    def text(self, name: str, value: Ball, where: str) -> list[str]:
         """Return the text of a quantity."""
-        return text(value * self.of[name])
+        return _text(value * self.of[name], f"{name} of {where}")
+
+
+def _text(value: Ball, what: str) -> list[str]:
+    try:
+        return text(value)
+    except Undecided as undecided:
+        raise Undecided(f"{undecided}: {what}") from None
 
 
 def _written(case: Case, walk: Walk) -> dict[str, Any]:
@@ -108,7 +107,7 @@ def _written(case: Case, walk: Walk) -> dict[str, Any]:
     body = motion.body
     sliding = sum((_lost(body, p) for p in motion.phases), arb(0))
     impacts = sum((e.impact.lost for e in motion.events if e.impact is not None), arb(0))
-    start = body.energy(walk.state)
+    energies = {"start": body.energy(walk.state), "lost_in_slides": sliding, "lost_in_impacts": impacts}
     return {
         "format": FORMAT,
         "version": VERSION,
@@ -117,16 +116,12 @@ def _written(case: Case, walk: Walk) -> dict[str, Any]:
         "initial": {
             "mode": motion.initial.mode,
             "direction": motion.initial.direction,
-            "evidence": _evidence(motion.initial.evidence),
+            "evidence": _evidence(motion.initial.evidence, "the start"),
         },
-        "phases": [_phase(scales, body, phase) for phase in motion.phases],
-        "events": [_event(scales, body, event) for event in motion.events],
+        "phases": [_phase(scales, body, phase, f"phase {k}") for k, phase in enumerate(motion.phases)],
+        "events": [_event(scales, body, event, f"event {k}") for k, event in enumerate(motion.events)],
         "end": _end(scales, motion),
-        "energy": {
-            "start": scales.text("energy", start),
-            "lost_in_slides": scales.text("energy", sliding),
-            "lost_in_impacts": scales.text("energy", impacts),
-        },
+        "energy": {name: scales.text("energy", value, f"{name} in all") for name, value in energies.items()},
     }
 
 
@@ -136,11 +131,11 @@ def _lost(body: Body, phase: Phase) -> Ball:
     return body.energy(phase.start) - body.energy(phase.end)
 
 
-def _evidence(numbers: dict[str, Ball]) -> dict[str, list[str]]:
-    return {name: text(value) for name, value in numbers.items()}
+def _evidence(numbers: dict[str, Ball], where: str) -> dict[str, list[str]]:
+    return {name: _text(value, f"{name} of {where}") for name, value in numbers.items()}
 
 
-def _state(scales: Scales, body: Body, state: State) -> dict[str, list[str]]:
+def _state(scales: Scales, body: Body, state: State, where: str) -> dict[str, list[str]]:
     values = {
         "time": state.time,
         "theta": state.theta,
@@ -154,36 +149,39 @@ def _state(scales: Scales, body: Body, state: State) -> dict[str, list[str]]:
     if state.rate.is_nan():
         # The particle is at the plane: θ′ is infinite there, and its energy is that of before.
         del values["theta_rate"], values["energy"]
-    return {name: scales.text(name, value) for name, value in values.items()}
+    return {name: scales.text(name, value, where) for name, value in values.items()}
 
 
-def _phase(scales: Scales, body: Body, phase: Phase) -> dict[str, Any]:
+def _phase(scales: Scales, body: Body, phase: Phase, where: str) -> dict[str, Any]:
     samples = [
-        _state(scales, body, state)
-        | {"normal": scales.text("normal", normal), "friction": scales.text("friction", friction)}
+        _state(scales, body, state, where)
+        | {
+            "normal": scales.text("normal", normal, where),
+            "friction": scales.text("friction", friction, where),
+        }
         for state, normal, friction in phase.samples
     ]
-    return {"mode": phase.mode, "direction": phase.direction, "proof": phase.proof, "samples": samples}
+    return {"mode": phase.mode, "direction": phase.direction, "samples": samples}
 
 
-def _event(scales: Scales, body: Body, event: Event) -> dict[str, Any]:
+def _event(scales: Scales, body: Body, event: Event, where: str) -> dict[str, Any]:
     written: dict[str, Any] = {
         "cause": event.cause,
         "to": event.to,
         "direction": event.direction,
-        "state": _state(scales, body, event.after),
-        "evidence": _evidence(event.evidence),
+        "state": _state(scales, body, event.after, where),
+        "evidence": _evidence(event.evidence, where),
     }
     if event.impact is not None:
         hit = event.impact
         written["impact"] = {
             "case": hit.case,
-            "normal_impulse": scales.text("normal_impulse", hit.normal),
-            "friction_impulse": scales.text("friction_impulse", hit.friction),
-            "energy_lost": scales.text("energy_lost", hit.lost),
+            "normal_impulse": scales.text("normal_impulse", hit.normal, where),
+            "friction_impulse": scales.text("friction_impulse", hit.friction, where),
+            "energy_lost": scales.text("energy_lost", hit.lost, where),
         }
         if event.cause != "settle":
-            before = _state(scales, body, event.before)
+            before = _state(scales, body, event.before, f"before {where}")
             written["impact"]["before"] = {name: before[name] for name in ("theta_rate", "slip", "gap_rate")}
     return written
 
@@ -191,7 +189,7 @@ def _event(scales: Scales, body: Body, event: Event) -> dict[str, Any]:
 def _end(scales: Scales, motion: Motion) -> dict[str, Any]:
     end: dict[str, Any] = {"kind": motion.ending}
     if motion.end is not None:
-        end["state"] = _state(scales, motion.body, motion.end)
+        end["state"] = _state(scales, motion.body, motion.end, "the end")
     for name, value in motion.detail.items():
-        end[name] = value if isinstance(value, str) else scales.text(name, value)
+        end[name] = value if isinstance(value, str) else scales.text(name, value, "the end")
     return end

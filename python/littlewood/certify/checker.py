@@ -552,7 +552,7 @@ class State:
 
 
 def text_of(value: Range) -> list[str]:
-    """Return 30 digits and their error in hundredths of the last, rounded up; both ends have to agree on it."""
+    """Return 30 digits and ⌊d + 1/1000⌋ + 1 of their error d in hundredths of the last; both ends have to agree."""
     low, high = value.ends()
     if low == high == 0:
         return ["0", "0"]
@@ -705,7 +705,7 @@ _HOOPS = {
 def _case(value: Any, where: str) -> None:
     start = {"theta": _number(), "theta_rate": _number(), "slip": _number(), "gap_rate": _number(0)}
     units = _one_of(*_HOOPS)
-    until = (lambda one, where: None) if isinstance(value, dict) and value.get("until") is None else _number(above=0)
+    until = _one_of(None) if isinstance(value, dict) and value.get("until") is None else _number(above=0)
     if isinstance(value, dict) and "units" in value:
         units(value["units"], f"{where}.units" if where else "units")
     hoop = _HOOPS[value["units"]] if isinstance(value, dict) and "units" in value else _objects(_text())
@@ -867,8 +867,8 @@ class Given:
 # | gliding | w/(h s) | σ η′, until the particle falls to the plane (:func:`fall`) |
 # | flight | 0 | the gap |
 #
-# Slip and place are no further unknowns. Without friction the mass centre keeps its velocity along the plane, and a slide
-# has m x̄″ = −σ μk N, N = m (ȳ″ + 1); so with f = σ μk of a slide, else 0,
+# Slip and place are no further unknowns. Without friction the mass centre keeps its velocity along the plane, and a
+# slide has m x̄″ = −σ μk N, N = m (ȳ″ + 1); so with f = σ μk of a slide, else 0,
 #
 #     η′ = ω (1 + h c + f h s) − f τ + const,    x = h s − f (1 + h c + τ²/2) + const τ + const.
 
@@ -1250,8 +1250,9 @@ class Step:
 
 # A step of a flight.
 #
-# θ′ is constant, and the gap y = (y′ − h s ω) τ − τ²/2 − h (cos(θ + ω τ) − cos θ) has a series that is known. A fast hoop
-# turns many times in a flight; while (y′ − h s ω) τ − τ²/2 > h (1 − cos θ) it does not land, and one step leaps over this.
+# θ′ is constant, and the gap y = (y′ − h s ω) τ − τ²/2 − h (cos(θ + ω τ) − cos θ) has a series that is known. A fast
+# hoop turns many times in a flight; while (y′ − h s ω) τ − τ²/2 > h (1 − cos θ) it does not land, and one step leaps
+# over this.
 
 
 class FlightStep:
@@ -1294,8 +1295,8 @@ class FlightStep:
     def guards(self) -> dict[str, Guard]:
         """The gap, without its zero at the start.
 
-        Its derivatives of order k ≥ 3 are at most |ω|^k, and |ω| length < 1/2: what is left out is less than the bound
-        of the last term.
+        Its derivatives of order k ≥ 3 are at most h |ω|^k, and |ω| length < 1/2: what is left out is less than the
+        bound of the last term.
         """
         phase, rate, order = self.phase, self.phase.start.rate, self.order
         if self.leaps:
@@ -1305,19 +1306,20 @@ class FlightStep:
         now = phase.state(*self.moment(Range(0)))
         sin, cos = sine_and_cosine(now.theta)
         derivative = (cos, -sin, -cos, sin)
-        gap, power = [now.gap, now.gap_rate], rate
-        scale = last = one = Range(1 << Range.bits)
-        while len(gap) < 4 or exceeds(last, Range(64)):
-            k = len(gap)
-            power = power * rate / k
-            term = -(phase.body.h * derivative[k % 4] * power)
-            gap.append(term - one / 2 if k == 2 else term)
-            scale = scale * self.length if k > order + 1 else one
-            last = (power * scale).largest()
-        found, scale = [], one
-        for term in gap[order:]:
-            found.append(term * scale)
-            scale = scale * self.length
+        turn, half = rate * self.length, Range(1 << Range.bits - 1)
+        scale = power = 2 * half
+        found: list[Range] = []
+        k = 0
+        while k < 5 or exceeds(power.largest(), Range(64)):
+            if k:
+                # ω^k/k!, and a length for each order beyond that of the zero.
+                power = power * (turn if k > order else rate) / k
+            if k > order:
+                scale = scale * self.length
+            term = (now.gap, now.gap_rate)[k] * scale if k < 2 else -(phase.body.h * derivative[k % 4] * power)
+            found += [term - half * scale if k == 2 else term] if k >= order else []
+            k += 1
+        last = power.largest()
         return {GAP: Guard(found, last + Range(1), last * (2 * k) + Range(1))}
 
     def landing_rate(self, s: Range) -> Range:
@@ -1603,9 +1605,9 @@ def impact(body: Body, before: State, e: Range, law: str) -> Impact:
 # Bounces that accumulate: an enclosure of what infinitely many of them still do.
 #
 # While θ and θ′ stay within a margin of what they are, the rim is pulled back with between W1 and W2 > 0. A flight that
-# begins with the gap rate v takes from 2 v/W2 to 2 v/W1 and comes back with from v √(W1/W2) to v √(W2/W1), and an impact
-# makes at most e V of a rate V. So rates fall at least like qⁿ, q = e √(W2/W1) < 1, and sums over all bounces are at most
-# geometric ones. If by these sums the state stays within the margin, all of it holds for ever.
+# begins with the gap rate v takes from 2 v/W2 to 2 v/W1 and comes back with from v √(W1/W2) to v √(W2/W1), and an
+# impact makes at most e V of a rate V. So rates fall at least like qⁿ, q = e √(W2/W1) < 1, and sums over all bounces
+# are at most geometric ones. If by these sums the state stays within the margin, all of it holds for ever.
 #
 # That an impact makes at most e V of V is the law where the contact slips throughout. Where it sticks, the slip of the
 # flight before has the sign of −h s ω², so that σ B < 0 and k1 = C + μk |B| > k2, from which it follows for each law.
@@ -1613,8 +1615,10 @@ def impact(body: Body, before: State, e: Range, law: str) -> Impact:
 # With e = 1 bounces still settle where friction takes enough: where the contact sticks in each impact, an impact is
 # homogeneous in its rates, and that of the rate V/v and the slip −h s ω² T/v, in their bounds, says what q is.
 
-SLOWEST = 150
-"""Bounces are followed one by one until the gap opens more slowly than 2 to the power of minus this."""
+
+def slowest() -> Range:
+    """Return the gap rate down to which bounces are followed one by one: 2⁻¹⁵⁰, and less with more than 192 bits."""
+    return Range(1 << (3 * Range.bits - 408) // 4)
 
 
 @dataclass(frozen=True)
@@ -1690,6 +1694,40 @@ def rest_of_bounces(given: Given, start: State) -> Rest:
 def _demand(holds: bool, what: str) -> None:
     if not holds:
         raise Inconclusive(f"it is not seen that bounces {what}")
+
+
+def bounce(given: Given, start: State, landing: State) -> Impact:
+    """Follow the impact after a flight; all rates of one that begins without slip are those over its gap rate v.
+
+    So the radius of v does not grow from bounce to bounce. With φ = ω τ and the series C = (cos φ − 1 + φ²/2)/φ⁴,
+    S = (φ − sin φ)/φ³, Q = (1 − cos φ)/φ², y = 0 gives τ/v = 2/(w + 2 h ω³ τ (c φ C + s S)), and with it
+    y′/v = 1 − (w + h ω³ τ (c φ S + s Q)) τ/v and η′/v = −h ω² (s (1 − φ² S) + c φ (1/2 − φ² C)) τ/v.
+    """
+    body, omega, tau = given.body, start.rate, landing.time - start.time
+    assert given.restitution is not None
+    phi = omega * tau
+    if not start.slip.is_zero() or exceeds(2 * phi.largest(), 1):
+        return impact(body, landing, given.restitution, given.law)
+    (s, c), square = sine_and_cosine(start.theta), phi * phi
+    fourth, third, second = (_rest_of_series(square, n) for n in (4, 3, 2))
+    w, bend = body.weight(c, omega), body.h * omega * omega * phi
+    flight = 2 / (w + 2 * bend * (c * phi * fourth + s * third))
+    closing = 1 - (w + bend * (c * phi * third + s * second)) * flight
+    slip = -(body.h * omega * omega * (s * (1 - square * third) + c * phi * (1 - 2 * (square * fourth)) / 2) * flight)
+    hit = impact(body, replace(landing, rate=Range(0), slip=slip, gap_rate=closing), given.restitution, given.law)
+    v, after = start.gap_rate, hit.after
+    after = replace(after, rate=omega + after.rate * v, slip=after.slip * v, gap_rate=after.gap_rate * v)
+    return replace(hit, after=after, normal=hit.normal * v, friction=hit.friction * v)
+
+
+def _rest_of_series(square: Range, first: int) -> Range:
+    """Return 1/n! − φ²/(n + 2)! + φ⁴/(n + 4)! − …, |φ| < 1: what is left out is less than the last term."""
+    term = total = Range(1 << Range.bits) / math.factorial(first)
+    n = first
+    while exceeds(term.largest(), Range(64)):
+        term = -(term * square) / ((n + 1) * (n + 2))
+        total, n = total + term, n + 2
+    return total.widened(term.largest())
 
 
 # A motion followed again from its start, and written as a certificate has it.
@@ -1889,11 +1927,11 @@ class Walk:
         assert given.restitution is not None
         self.phases.append({"mode": FLIGHT, "direction": 0, "samples": []})
         state, normal, friction = first, Range(0), Range(0)
-        while not exceeds(Range(1 << max(0, Range.bits - SLOWEST)), state.gap_rate):
+        while not exceeds(slowest(), state.gap_rate):
             run = self.run(Phase(given, state, FLIGHT, 0, 1))
             if run.end is None or run.guard != GAP:
                 raise Refused("bounces do not settle before the time limit")
-            hit = impact(given.body, run.end, given.restitution, given.law)
+            hit = bounce(given, state, run.end)
             state, normal, friction = hit.after, normal + hit.normal, friction + hit.friction
         rest = rest_of_bounces(given, state)
         end, following = rest.end, decide(given, rest.end)

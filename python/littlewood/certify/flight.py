@@ -19,6 +19,7 @@ class Flight:
     def __init__(self, body: Body, start: State, order: int) -> None:
         self.body, self.start, self.order = body, start, order
         self.sin, self.cos = start.theta.sin(), start.theta.cos()
+        self.rise = start.gap_rate - body.h * self.sin * start.rate
         self.centre_rate = start.slip - (1 + body.h * self.cos) * start.rate
 
     def pieces(self) -> Iterator[Piece]:
@@ -36,7 +37,24 @@ class Flight:
             time = polynomial([elapsed, arb(1)], radius)
             yield Piece(arb(0), step, time, {GAP: gap}, self._at(elapsed))
             elapsed, order = elapsed + step, 0
+            high = self._high(elapsed)
+            if high is not None and high > 8 * step:
+                bound = [self._below(elapsed), self.rise - elapsed, arb(-0.5)]
+                time = polynomial([elapsed, arb(1)], 2 * high)
+                yield Piece(arb(0), high, time, {GAP: polynomial(bound, 2 * high)}, self._at(elapsed))
+                elapsed = elapsed + high
             step = (step * 2).mid().min((radius / 4).mid()).mid()
+
+    def _below(self, elapsed: Ball) -> Ball:
+        """Return a lower bound of the gap, in which the height of the mass centre falls freely."""
+        return self.rise * elapsed - elapsed * elapsed / 2 - self.body.h * (1 - self.cos)
+
+    def _high(self, elapsed: Ball) -> Ball | None:
+        """Return for how long the mass centre is too high for a landing: a fast hoop turns many times meanwhile."""
+        least = self.body.h * (2 - self.cos)
+        if not self._below(elapsed) > self.body.h:
+            return None
+        return (self.rise + (self.rise * self.rise - 2 * least).sqrt() - elapsed).mid()
 
     def _at(self, elapsed: Ball):  # type: ignore[no-untyped-def]
         return lambda at: self.state(elapsed + at)
@@ -46,8 +64,7 @@ class Flight:
         n = flint.ctx.cap
         angle = arb_series([start.theta + start.rate * elapsed, start.rate], n)
         turning = Model(angle.cos() * (-h), h * (abs(start.rate) * radius).cosh(), radius)
-        lift = start.gap_rate - h * self.sin * start.rate
-        rest = [lift * elapsed - elapsed * elapsed / 2 + h * self.cos, lift - elapsed, arb(-0.5)]
+        rest = [self.rise * elapsed - elapsed * elapsed / 2 + h * self.cos, self.rise - elapsed, arb(-0.5)]
         gap = turning + polynomial(rest, radius)
         if not elapsed.is_zero():
             return gap
@@ -61,7 +78,7 @@ class Flight:
         turned = start.rate * elapsed
         half, middle = (turned / 2).sin() * 2, start.theta + turned / 2
         sin_grows, cos_grows = half * middle.cos(), -half * middle.sin()
-        gap = (start.gap_rate - h * self.sin * start.rate) * elapsed - elapsed * elapsed / 2 - h * cos_grows
+        gap = self.rise * elapsed - elapsed * elapsed / 2 - h * cos_grows
         return State(
             start.time + elapsed,
             start.theta + turned,
@@ -100,6 +117,22 @@ class Flight:
             guess = time.mid()
         return self.landing(self.state(time))
 
+    def unit(self, at: State) -> State | None:
+        """Return slip and gap rate at the landing of a short flight without slip at its start, over the gap rate there.
+
+        Written without that rate, so that its radius does not grow from bounce to bounce.
+        """
+        start, h = self.start, self.body.h
+        phi = start.rate * (at.time - start.time)
+        if not (start.slip.is_zero() and abs(phi) < 0.5):
+            return None
+        fourth, third, second = (_tail(phi, n) for n in (4, 3, 2))
+        w, turned = self.body.contact(start.theta, start.rate), h * start.rate**2
+        time = 2 / (w + 2 * turned * phi * (self.cos * phi * fourth + self.sin * third))
+        closing = time * (w + turned * phi * (self.cos * phi * third + self.sin * second)) - 1
+        slip = -turned * time * (self.sin * (1 - phi**2 * third) + self.cos * phi * (arb(0.5) - phi**2 * fourth))
+        return replace(at, rate=arb(0), slip=slip, gap_rate=-closing)
+
     def landing(self, at: State) -> State:
         """Return the state at the time at which the gap vanishes.
 
@@ -117,17 +150,17 @@ class Flight:
 
 def _even(phi: Ball) -> Ball:
     """Return cos φ − 1 + φ²/2."""
-    return _tail(phi, 4) if abs(phi) < 0.5 else phi.cos() - 1 + phi * phi / 2
+    return phi**4 * _tail(phi, 4) if abs(phi) < 0.5 else phi.cos() - 1 + phi * phi / 2
 
 
 def _odd(phi: Ball) -> Ball:
     """Return φ − sin φ."""
-    return _tail(phi, 3) if abs(phi) < 0.5 else phi - phi.sin()
+    return phi**3 * _tail(phi, 3) if abs(phi) < 0.5 else phi - phi.sin()
 
 
 def _tail(phi: Ball, first: int) -> Ball:
-    """Return φⁿ/n! − φⁿ⁺²/(n + 2)! + …, whose terms decrease."""
-    term, total, n = phi**first / arb(first).gamma() / first, arb(0), first
+    """Return 1/n! − φ²/(n + 2)! + φ⁴/(n + 4)! − …, whose terms decrease."""
+    term, total, n = 1 / arb(first + 1).gamma(), arb(0), first
     while True:
         total += term
         term = -term * phi * phi / ((n + 1) * (n + 2))

@@ -19,6 +19,12 @@ class Impact:
     after: State
     evidence: dict[str, Ball]
 
+    def times(self, v: Ball, rate: Ball) -> Impact:
+        """Return the impact with all rates v times as large, and with θ′ beside that before it."""
+        after = self.after
+        after = replace(after, rate=rate + after.rate * v, slip=after.slip * v, gap_rate=after.gap_rate * v)
+        return replace(self, after=after, normal=self.normal * v, friction=self.friction * v, lost=self.lost * v * v)
+
 
 def impact(body: Body, before: State, restitution: Ball, law: str) -> Impact:
     """Compute the impact of a rim that comes down, or, with no gap rate, of one that jams."""

@@ -116,15 +116,6 @@ def polynomial(coefficients: list[Ball], radius: Ball) -> Model:
 
 
 @dataclass(frozen=True)
-class Cleared:
-    """An interval on which all guards are positive, with a lower bound for each."""
-
-    low: Ball
-    high: Ball
-    least: dict[str, Ball]
-
-
-@dataclass(frozen=True)
 class Crossing:
     """The first zero of a guard; all others are positive up to it."""
 
@@ -132,39 +123,42 @@ class Crossing:
     at: Ball
 
 
-def first_crossing(
-    guards: Mapping[str, Model], low: Ball, high: Ball, cover: list[Cleared], narrowest: int | None = None
-) -> Crossing | None:
+MOST_INTERVALS = 20_000
+"""Intervals after which the sign of a guard between two points counts as not decided."""
+
+
+def first_crossing(guards: Mapping[str, Model], low: Ball, high: Ball, halvings: int | None = None) -> Crossing | None:
     """Find the first zero between two points, or prove that there is none.
 
-    All guards are positive at the first point, or their zero there has been divided out. The proof is added to the
-    cover: on each interval each guard is enclosed and positive, or falls through its one zero.
+    All guards are positive at the first point, or their zero there has been divided out. Each interval is left with a
+    proof: each guard is enclosed and positive on it, or monotone and positive at its ends, or falls through its one
+    zero before which all others are positive.
     """
-    narrowest = 3 * flint.ctx.prec // 4 if narrowest is None else narrowest
-    values = {name: guard.value(low, high) for name, guard in guards.items()}
-    doubtful = [name for name, value in values.items() if not value > 0]
-    for name in list(doubtful):
-        guard = guards[name]
-        slope = guard.slope(low, high)
-        if slope > 0 or slope < 0:
-            at_low, at_high = guard.value(low, low), guard.value(high, high)
-            if at_low > 0 and at_high > 0:
-                doubtful.remove(name)
-                values[name] = at_low.min(at_high)
-            elif len(doubtful) == 1 and slope < 0 and at_low > 0 and at_high < 0:
-                values[name] = arb(0)
-                at = _refined(guard, low, high)
-                cover.append(Cleared(low, at, values))
-                return Crossing(name, at)
-    if not doubtful:
-        cover.append(Cleared(low, high, values))
-        return None
-    if narrowest == 0:
-        raise Undecided(f"whether {' and '.join(sorted(doubtful))} vanishes is not decided")
-    middle = ((low + high) / 2).mid()
-    return first_crossing(guards, low, middle, cover, narrowest - 1) or first_crossing(
-        guards, middle, high, cover, narrowest - 1
-    )
+    most = 3 * flint.ctx.prec // 4 if halvings is None else halvings
+    work = [(low, high, most)]
+    for _ in range(MOST_INTERVALS):
+        low, high, left = work.pop()
+        doubtful: dict[str, bool] = {}
+        for name, guard in guards.items():
+            if guard.value(low, high) > 0:
+                continue
+            slope, first = guard.slope(low, high), guard.value(low, low)
+            monotone = (slope > 0 or slope < 0) and first > 0
+            last = guard.value(high, high) if monotone else arb(0)
+            if last > 0:
+                continue
+            doubtful[name] = bool(slope < 0 and last < 0)
+        if len(doubtful) == 1 and all(doubtful.values()):
+            name = next(iter(doubtful))
+            return Crossing(name, _refined(guards[name], low, high))
+        if doubtful:
+            if left == 0:
+                raise Undecided(f"whether {' or '.join(sorted(doubtful))} vanishes is not decided")
+            middle = ((low + high) / 2).mid()
+            work += [(middle, high, left - 1), (low, middle, left - 1)]
+        if not work:
+            return None
+    raise Undecided(f"whether {' or '.join(sorted(guards))} vanishes is not decided on {MOST_INTERVALS} intervals")
 
 
 def _refined(guard: Model, low: Ball, high: Ball) -> Ball:

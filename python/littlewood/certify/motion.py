@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from .balls import Ball, Beyond, Undecided, arb, ball, bound, ends, sign
+from .balls import Ball, Beyond, Undecided, arb, ball, ends, sign
 from .body import Body, Next, State, decide
 from .case import Case
 from .flight import Flight
 from .gliding import PLANE, Glide, decide_massless
 from .impact import Impact, impact
-from .phase import TIME, Followed, follow
+from .phase import TIME, Followed, Piece, follow
 from .rolling import Roll
 from .settling import Rest, rest_of_bounces
 from .sliding import CONTACT, SLIP, SOLVABLE, Slide
@@ -19,18 +20,18 @@ from .sliding import CONTACT, SLIP, SOLVABLE, Slide
 LISTED = 1e-3
 """Bounces whose gap opens more slowly are not listed: they are part of the settlement."""
 
-MOST_EVENTS = 4000
+MOST_PIECES = 20_000
+"""Pieces of phases, impacts and events after which a motion is given up, whatever the precision."""
 
 
 @dataclass(frozen=True)
 class Phase:
-    """A phase: mode, direction of slip, the proof, samples."""
+    """A phase: mode, direction of slip, samples."""
 
     mode: str
     direction: int
     start: State
     end: State | None
-    proof: dict[str, object]
     samples: list[tuple[State, Ball, Ball]] = field(default_factory=list)
     """States with normal force and friction."""
 
@@ -46,7 +47,6 @@ class Event:
     direction: int
     evidence: dict[str, Ball]
     impact: Impact | None = None
-    bounces: int = 0
 
 
 @dataclass
@@ -69,7 +69,6 @@ class _Bouncing:
     before: State
     normal: Ball = field(default_factory=lambda: arb(0))
     friction: Ball = field(default_factory=lambda: arb(0))
-    count: int = 0
 
 
 class Walk:
@@ -77,15 +76,12 @@ class Walk:
 
     def __init__(self, case: Case) -> None:
         self.case, self.body = case, Body(case)
-        if self.body.is_massless and case.dimensionless().offset != 1:
-            raise Beyond("the gliding of a particle inside a massless hoop is not enclosed")
-        if self.body.is_massless and case.start[3] != 0:
-            raise Beyond("a massless hoop is not thrown")
         theta, rate, slip, gap_rate = (ball(Fraction(value)) for value in case.start)
         _, length, gravity = (ball(scale) for scale in case.scales())
         self.clock, speed = (length / gravity).sqrt(), (length * gravity).sqrt()
         self.state = State(arb(0), theta, rate * self.clock, slip / speed, arb(0), arb(0), gap_rate / speed)
         self.until = None if case.until is None else ball(Fraction(case.until)) / self.clock
+        self.pieces = 0
         self.restitution = None if case.restitution is None else ball(Fraction(case.restitution))
 
     def follow(self) -> Motion:
@@ -98,22 +94,38 @@ class Walk:
         motion = Motion(body, now)
         bouncing: _Bouncing | None = None
         while not motion.ending:
-            if len(motion.events) >= MOST_EVENTS:
-                raise Undecided(f"the motion has more than {MOST_EVENTS} events")
-            match now.mode:
-                case "rolling":
-                    state, now = self._roll(motion, state)
-                case "sliding":
-                    state, now = self._slide(motion, state, now)
-                case "gliding":
-                    state, now = self._glide(motion, state, now)
-                case "flight":
-                    state, now, bouncing = self._fly(motion, state, now, bouncing)
-                case "inconsistent" if self.restitution is not None:
-                    state, now, bouncing = self._hit(motion, "jam", state, None)
-                case _:
-                    motion.ending, motion.end = now.mode, state
+            try:
+                self._count(1)
+                match now.mode:
+                    case "rolling":
+                        state, now = self._roll(motion, state)
+                    case "sliding":
+                        state, now = self._slide(motion, state, now)
+                    case "gliding":
+                        state, now = self._glide(motion, state, now)
+                    case "flight":
+                        state, now, bouncing = self._fly(motion, state, now, bouncing)
+                    case "inconsistent" if self.restitution is not None:
+                        state, now, bouncing = self._hit(motion, "jam", state)
+                    case _:
+                        motion.ending, motion.end = now.mode, state
+            except (Undecided, Beyond) as error:
+                time, theta = (f"{float(one.mid()):.9g}" for one in (state.time * self.clock, state.theta))
+                place = f"{now.mode} from time {time} on, theta {theta}, after {len(motion.events)} events"
+                raise type(error)(f"{error}; {place}") from error
         return motion
+
+    def _count(self, pieces: int) -> None:
+        """Count pieces of phases, impacts and events."""
+        self.pieces += pieces
+        if self.pieces > MOST_PIECES:
+            raise Beyond(f"the motion takes more than {MOST_PIECES} pieces")
+
+    def _follow(self, start: Ball, pieces: Iterator[Piece]) -> Followed:
+        """Follow pieces, and count them."""
+        found = follow(start, pieces, self.until, MOST_PIECES - self.pieces)
+        self._count(len(found.pieces))
+        return found
 
     def _roll(self, motion: Motion, state: State) -> tuple[State, Next]:
         body = self.body
@@ -131,7 +143,7 @@ class Walk:
         for time in self._times(state.time, last, 4):
             one = roll.at_time(time - state.time)
             samples.append((one, *body.rolling_forces(one.theta, one.rate)))
-        motion.phases.append(Phase("rolling", 0, state, end, roll.proof(), samples))
+        motion.phases.append(Phase("rolling", 0, state, end, samples))
         if end is None or slip is None:
             return state, motion.initial
         end = end.at_rest()
@@ -148,7 +160,7 @@ class Walk:
 
     def _glide(self, motion: Motion, state: State, now: Next) -> tuple[State, Next]:
         glide = Glide(state, now.direction, now.order)
-        found = follow(state.time, glide.pieces(), self.until)
+        found = self._follow(state.time, glide.pieces())
         zero = arb(0)
         samples = [(glide.at_time(time), zero, zero) for time in self._times(state.time, found.end.time, 4)]
         end = found.end
@@ -156,7 +168,7 @@ class Walk:
             end = glide.state(arb(0), at_end=True)
         elif found.guard == SLIP:
             end = end.at_rest()
-        motion.phases.append(Phase("gliding", now.direction, state, end, _proof(found, now.order), samples))
+        motion.phases.append(Phase("gliding", now.direction, state, end, samples))
         if found.guard == TIME:
             motion.ending, motion.end = TIME, end
             return end, now
@@ -172,7 +184,7 @@ class Walk:
 
     def _slide(self, motion: Motion, state: State, now: Next) -> tuple[State, Next]:
         body, sigma = self.body, now.direction
-        found = follow(state.time, Slide(body, state, sigma, now.order).pieces(), self.until)
+        found = self._follow(state.time, Slide(body, state, sigma, now.order).pieces())
         samples = []
         for time in self._times(state.time, found.end.time, 4):
             one = found.at(state.time, time)
@@ -180,7 +192,7 @@ class Walk:
         end = found.end
         if found.guard == SLIP:
             end = end.at_rest()
-        motion.phases.append(Phase("sliding", sigma, state, end, _proof(found, now.order), samples))
+        motion.phases.append(Phase("sliding", sigma, state, end, samples))
         if found.guard == TIME:
             motion.ending, motion.end = TIME, end
             return end, now
@@ -205,7 +217,7 @@ class Walk:
     ) -> tuple[State, Next, _Bouncing | None]:
         body = self.body
         if bouncing is not None and self.restitution is not None:
-            rest = rest_of_bounces(body, state, self.restitution)
+            rest = rest_of_bounces(body, state, self.restitution, self.case.law)
             if rest is not None:
                 return self._settle(motion, bouncing, rest)
         flight = Flight(body, state, now.order)
@@ -213,13 +225,21 @@ class Walk:
             landing = flight.short()
             if self.until is not None and not landing.time < self.until:
                 raise Undecided("time is up while bounces accumulate")
-            return self._hit(motion, "landing", landing, bouncing)
-        found = follow(state.time, flight.pieces(), self.until)
+            unit = flight.unit(landing)
+            hit = impact(body, unit or landing, self.restitution, self.case.law)
+            if unit is not None:
+                hit = hit.times(state.gap_rate, state.rate)
+            bouncing.normal += hit.normal
+            bouncing.friction += hit.friction
+            if not hit.after.gap_rate > 0:
+                raise Undecided("bounces end one by one")
+            return hit.after, Next("flight", 0, {}, 1), bouncing
+        found = self._follow(state.time, flight.pieces())
         samples = [
             (found.at(state.time, time), arb(0), arb(0))
             for time in self._times(state.time, found.end.time, 4 if now.order > 1 else 2)
         ]
-        motion.phases.append(Phase("flight", 0, state, found.end, _proof(found, now.order), samples))
+        motion.phases.append(Phase("flight", 0, state, found.end, samples))
         end = found.end
         if found.guard == TIME:
             motion.ending, motion.end = TIME, end
@@ -229,11 +249,9 @@ class Walk:
             motion.events.append(Event("landing", landing, landing, None, 0, {"gap_rate": landing.gap_rate}))
             motion.ending, motion.end = "landing", landing
             return landing, now, None
-        return self._hit(motion, "landing", landing, None)
+        return self._hit(motion, "landing", landing)
 
-    def _hit(
-        self, motion: Motion, cause: str, before: State, bouncing: _Bouncing | None
-    ) -> tuple[State, Next, _Bouncing | None]:
+    def _hit(self, motion: Motion, cause: str, before: State) -> tuple[State, Next, _Bouncing | None]:
         assert self.restitution is not None
         hit = impact(self.body, before, self.restitution, self.case.law)
         after = hit.after
@@ -243,17 +261,11 @@ class Walk:
             if not after.gap_rate > 0:
                 raise Undecided("whether the gap opens after an impact is not decided")
             following = Next("flight", 0, {"gap_rate": after.gap_rate}, 1)
-        if bouncing is not None:
-            bouncing.normal += hit.normal
-            bouncing.friction += hit.friction
-            bouncing.count += 1
-            if following.mode != "flight":
-                raise Undecided("bounces end one by one")
-            return after, following, bouncing
         motion.events.append(
             Event(cause, before, after, following.mode, following.direction, hit.evidence | following.evidence, hit)
         )
-        slow = following.mode == "flight" and following.order == 1 and after.gap_rate < LISTED
+        slow = following.mode == "flight" and following.order == 1
+        slow = slow and sign(after.gap_rate - LISTED, "the gap rate after an impact, less the least that is listed") < 0
         return after, following, _Bouncing(after) if slow else None
 
     def _times(self, start: Ball, end: Ball, count: int) -> list[Ball]:
@@ -275,22 +287,12 @@ class Walk:
 
     def _settle(self, motion: Motion, bouncing: _Bouncing, rest: Rest) -> tuple[State, Next, None]:
         end, body = rest.end, self.body
+        if self.until is not None and not end.time < self.until:
+            raise Undecided("whether bounces settle before the time limit is not decided")
         following = decide(body, end)
         lost = body.energy(bouncing.before) - body.energy(end)
         normal, friction = bouncing.normal + rest.normal, bouncing.friction + rest.friction
         hit = Impact("sticks" if rest.sticks else "slides", normal, friction, lost, end, {})
-        motion.phases.append(Phase("flight", 0, bouncing.before, end, {"bounces_one_by_one": bouncing.count}))
-        motion.events.append(
-            Event("settle", end, end, following.mode, following.direction, following.evidence, hit, bouncing.count)
-        )
+        motion.phases.append(Phase("flight", 0, bouncing.before, end))
+        motion.events.append(Event("settle", end, end, following.mode, following.direction, following.evidence, hit))
         return end, following, None
-
-
-def _proof(found: Followed, order: int) -> dict[str, object]:
-    """The cover of a phase: times, and for each interval a lower bound of each guard on it."""
-    intervals = [(piece, one) for piece, _, cover in found.pieces for one in cover]
-    times = [f"{float(intervals[0][0].state(intervals[0][1].low).time.mid()):.12g}"]
-    times += [f"{float(piece.state(one.high).time.mid()):.12g}" for piece, one in intervals]
-    names = sorted(intervals[0][1].least)
-    least = {name: [bound(one.least[name]) for _, one in intervals] for name in names}
-    return {"zero_at_start": order, "times": times, "least": least, "falls": found.guard}

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from .balls import Ball, Undecided
+from .balls import Ball, Beyond, Undecided
 from .body import State
-from .model import Cleared, Model, crossing_of, first_crossing
+from .model import Model, crossing_of, first_crossing
 
 TIME = "time_limit"
 """The guard that falls through zero where time is up."""
@@ -32,12 +32,12 @@ class Followed:
     end: State
     guard: str
     """What vanishes there."""
-    pieces: list[tuple[Piece, Ball, list[Cleared]]]
-    """The pieces with their ends, and the intervals that cover them."""
+    pieces: list[tuple[Piece, Ball]]
+    """The pieces with their ends."""
 
     def at(self, start: Ball, time: Ball) -> State:
         """Return the state at a time."""
-        for piece, end, _ in self.pieces:
+        for piece, end in self.pieces:
             if not piece.state(end).time < time:
                 # A little beyond the end where the time may be that of the end.
                 last = end if piece.state(end).time > time else end + (end - piece.low) / 8
@@ -45,19 +45,18 @@ class Followed:
         raise Undecided("a sample is not within its phase")
 
 
-def follow(start: Ball, pieces: Iterator[Piece], until: Ball | None, most: int = 20000) -> Followed:
+def follow(start: Ball, pieces: Iterator[Piece], until: Ball | None, most: int) -> Followed:
     """Follow pieces to the first zero of a guard."""
-    passed: list[tuple[Piece, Ball, list[Cleared]]] = []
+    passed: list[tuple[Piece, Ball]] = []
     for piece in pieces:
         if len(passed) >= most:
             break
         guards = dict(piece.guards)
         if until is not None:
             guards[TIME] = (until - start) - piece.elapsed
-        cover: list[Cleared] = []
-        crossing = first_crossing(guards, piece.low, piece.high, cover)
+        crossing = first_crossing(guards, piece.low, piece.high)
         end = piece.high if crossing is None else crossing.at
-        passed.append((piece, end, cover))
+        passed.append((piece, end))
         if crossing is not None:
             return Followed(piece.state(end), crossing.guard, passed)
-    raise Undecided(f"the phase is longer than {most} pieces")
+    raise Beyond("the motion takes too many pieces")

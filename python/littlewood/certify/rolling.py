@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .balls import Ball, Undecided, acb, arb, bound, ends, flint, sign
+from .balls import Ball, Undecided, acb, arb, ends, flint, sign
 from .body import Body, State
-from .model import Cleared, Model, first_crossing, sine_and_cosine
+from .model import Model, first_crossing, sine_and_cosine
 
 FRICTION_UP, FRICTION_DOWN = "margin_positive", "margin_negative"
 """μs N − F and μs N + F, times D²."""
@@ -24,15 +24,6 @@ SIDES = {FRICTION_UP: 1, FRICTION_DOWN: -1, NORMAL: 0}
 
 WIDTH = 0.25
 """Length of the arcs by which angles are covered."""
-
-
-@dataclass(frozen=True)
-class Arc:
-    """The angles covered between two of them, in the direction of motion."""
-
-    start: Ball
-    direction: int
-    cleared: list[Cleared]
 
 
 @dataclass(frozen=True)
@@ -50,7 +41,6 @@ class Roll:
     def __init__(self, body: Body, start: State) -> None:
         self.body, self.start = body, start
         self.orbit = body.orbit(start.theta, start.rate)
-        self.arcs: list[Arc] = []
         self.kind = self._kind()
         self.direction = self._direction()
         self.turns = arb(0)
@@ -145,9 +135,7 @@ class Roll:
             step = arb(WIDTH)
             if done + WIDTH > whole:
                 step = (length - done).upper()
-            cleared: list[Cleared] = []
-            found = first_crossing(margins, arb(0), step, cleared)
-            self.arcs.append(Arc(center, direction, cleared))
+            found = first_crossing(margins, arb(0), step)
             if found is not None:
                 if ends_at_turn and not done + found.at < length:
                     raise Undecided("static friction gives way at the turning point")
@@ -306,16 +294,3 @@ class Roll:
         if self.body.is_balanced:
             return 2 * arb.pi() / abs(self.start.rate)
         return self._quadrature(self.first, self.first + 2 * arb.pi())
-
-    def proof(self) -> dict[str, object]:
-        """Return the cover: angles, and for each interval a lower bound of each margin on it."""
-        angles: list[str] = []
-        least: dict[str, list[str]] = {}
-        for arc in self.arcs:
-            for one in arc.cleared:
-                if not angles:
-                    angles.append(f"{float((arc.start + arc.direction * one.low).mid()):.12g}")
-                angles.append(f"{float((arc.start + arc.direction * one.high).mid()):.12g}")
-                for name, value in one.least.items():
-                    least.setdefault(name, []).append(bound(value))
-        return {"orbit": self.kind, "angles": angles, "least": least}

@@ -1,25 +1,27 @@
 """The end of bouncing: an enclosure of what infinitely many bounces still do.
 
 While the angle stays within δθ and θ′ within δω of what they are after a bounce, the rim is pulled back with an
-acceleration between W1 and W2 > 0. A flight that begins with the rate v then takes at most 2v/W1 and comes back with
-at most v √(W2/W1), and an impact makes of a rate V at most e V. So rates fall at least like qⁿ, q = e √(W2/W1); if q
-< 1 all sums are bounded by geometric ones. If the sums stay within δθ and δω, the assumption holds for ever
-(induction over the bounces).
+acceleration between W1 and W2 > 0. A flight that begins with the rate v then takes from 2v/W2 to 2v/W1 and comes
+back with from v √(W1/W2) to v √(W2/W1), and an impact makes of a rate V at most e V. So rates fall at least like
+qⁿ, q = e √(W2/W1); if q < 1 all sums are bounded by geometric ones. If the sums stay within δθ and δω, the
+assumption holds for ever (induction over the bounces).
 
 That an impact makes at most e V of V: for a contact that slips throughout it is the law. For one that sticks, the
 slip of the flight before has the sign of −h sin θ θ′², hence σB < 0 and k1 = C + μk|B| > C ≥ k2, from which it
 follows for each of the three laws.
+
+With e = 1 it is friction that takes: an impact that ends the slip of its flight, as the contact sticks, makes of the
+rate V and the slip −h sin θ θ′² T, both proportional to v, a rate that is proportional to v, too. The impact for v = 1,
+with balls for V and T, has that factor for q.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from .balls import Ball, arb
+from .balls import Ball, arb, flint
 from .body import Body, State
-
-SLOW = 2.0**-140
-"""Bounces are followed one by one until the gap opens more slowly."""
+from .impact import impact
 
 
 @dataclass(frozen=True)
@@ -32,33 +34,41 @@ class Rest:
     sticks: bool
 
 
-def rest_of_bounces(body: Body, start: State, restitution: Ball) -> Rest | None:
-    """Enclose the end of the bounces that begin with this flight; None where they are not seen to come to one."""
-    if not (start.gap_rate < SLOW and restitution < 1):
+def rest_of_bounces(body: Body, start: State, restitution: Ball, law: str) -> Rest | None:
+    """Enclose the end of the bounces that begin with this flight; None where they are not seen to come to one.
+
+    Bounces are followed one by one down to a gap rate of 2⁻¹³⁶, and less with more than 144 bits.
+    """
+    if not start.gap_rate < arb(2) ** -(100 + flint.ctx.prec // 4):
         return None
     v = start.gap_rate.upper()
     spread = v * 2**16
     for _ in range(40):
-        found = _within(body, start, restitution, v, spread)
+        found = _within(body, start, restitution, law, v, spread)
         if found is not None:
             return found
         spread = spread * 4
     return None
 
 
-def _within(body: Body, start: State, e: Ball, v: Ball, spread: Ball) -> Rest | None:
+def _within(body: Body, start: State, e: Ball, law: str, v: Ball, spread: Ball) -> Rest | None:
     theta = start.theta + arb(0, 1) * spread
     rate = start.rate + arb(0, 1) * spread
     pull = body.contact(theta, rate)
     if not pull > 0:
         return None
     least, largest = pull.lower(), pull.upper()
-    ratio = (e * (largest / least).sqrt()).upper()
+    uneven = (largest / least).sqrt()
+    ratio = (e * uneven).upper()
+    if not ratio < 1 and start.slip.is_zero():
+        slips = -body.h * theta.sin() * rate * rate * (2 / largest).union(2 / least)
+        landing = replace(start, theta=theta, rate=rate, slip=slips, gap_rate=-(1 / uneven).union(uneven))
+        ratio = impact(body, landing, e, law).after.gap_rate.upper()
     if not ratio < 1:
         return None
     a, b, c = body.compliance(theta)
     time = (2 * v / (least * (1 - ratio))).upper()
-    closing = (v * (largest / least).sqrt() / (1 - ratio)).upper()
+    closing = (v * uneven / (1 - ratio)).upper()
     drift = (body.h * theta.sin() * rate * rate).abs_upper()
     if start.slip.is_zero():
         k2 = c - b * b / a

@@ -111,7 +111,7 @@ class Slide:
     @staticmethod
     def _turning_point(family: Model) -> Ball | None:
         try:
-            found = first_crossing({"u": family}, arb(0), family.radius / 4, [], 24)
+            found = first_crossing({"u": family}, arb(0), family.radius / 4, 24)
         except Undecided:
             return None
         return None if found is None else found.at
