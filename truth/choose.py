@@ -215,13 +215,48 @@ def near_ties() -> Iterator[Draw]:
 
 
 def periodic() -> Iterator[Draw]:
-    """Restitution 1: the energy stays but for friction, and bounces do not end."""
+    """Restitution 1: the energy stays but for friction, and the bounces up to the time limit are all there are."""
 
     def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
         hoop = hoops(rng) | dict(restitution=1.0, law=rng.choice(["energetic", "poisson", "newton"]))
         return hoop, starts(rng, True, 1.0) | dict(gap_rate=round(rng.uniform(0.3, 1.2), 2)), 5.0
 
     yield from searched("elastic", 12, draw, lambda m: 2 <= causes(m).count("landing") <= 12)
+
+
+def elastic_settling() -> Iterator[Draw]:
+    """Restitution 1 and bounces that settle all the same, as the contact sticks in each: friction takes the energy."""
+    names = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k")
+    for number, (law, numbers, start, until) in enumerate(
+        [
+            ("energetic", (1.0, 1.0, 1.0, 0.5, 0.5), (1.0, 0.3, 0.5, 0.5), 27.5),
+            (
+                "energetic",
+                (1.7348422673698543, 0.3937041272098101, 1.28811503780063, 0.7856205442037261, 0.7856205442037261),
+                (0.9633791393074782, 3.9276452086581672, 0.0, 0.0),
+                2.0,
+            ),
+            (
+                "poisson",
+                (2.293298154652688, 0.869142754233778, 1.2550335485153497, 0.49625337032117806, 0.49625337032117806),
+                (-0.8343654715312427, -2.6327833968121177, 0.0, 0.0),
+                2.0,
+            ),
+            ("poisson", (1.0, 1.0, 1.0, 0.33, 0.33), (-1.62, -0.82, 0.0, 0.17), 3.0),
+            ("energetic", (0.25, 0.9, 0.125, 0.75, 0.75), (-2.78, -2.53, 0.0, 0.11), 1.5),
+            ("energetic", (0.25, 1.0, 0.1875, 0.67, 0.603), (-2.7, -1.72, -0.11, 0.29), 4.0),
+            ("energetic", (2.0, 0.75, 2.0, 0.5, 0.5), (2.87, 1.55, 0.0, 0.1), 5.0),
+            ("energetic", (1.0, 1.0, 0.5, 0.32, 0.256), (-2.27, -1.62, 0.0, 0.11), 2.5),
+            ("energetic", (0.5, 1.0, 0.25, 0.62, 0.62), (2.71, -2.63, 0.0, 0.29), 4.0),
+            ("energetic", (2.0, 0.75, 2.0, 0.63, 0.504), (1.33, 1.08, 0.0, 0.02), 1.5),
+            ("poisson", (0.25, 1.0, 0.25, 0.79, 0.632), (-2.62, -2.05, 0.0, 0.1), 1.5),
+            ("poisson", (0.5, 0.75, 0.5, 0.54, 0.486), (0.11, -1.12, 0.0, 0.05), 2.5),
+        ],
+        1,
+    ):
+        hoop = dict(zip(names, numbers, strict=True)) | dict(restitution=1.0, law=law)
+        first = dict(zip(("theta", "theta_rate", "slip", "gap_rate"), start, strict=True))
+        yield case("elastic-settling", number, hoop, first, until)
 
 
 def long_rolling() -> Iterator[Draw]:
@@ -334,8 +369,9 @@ def paper() -> Iterator[Draw]:
 
 
 FAMILIES = (
-    paper, slide_roll_slip, lift_off, landing, settlement, jam, reversals, near_ties, periodic, long_rolling, thrown,
-    unloaded, massless, si, )  # fmt: skip
+    paper, slide_roll_slip, lift_off, landing, settlement, jam, reversals, near_ties, periodic, elastic_settling,
+    long_rolling, thrown, unloaded, massless, si,
+)  # fmt: skip
 
 
 def main() -> None:

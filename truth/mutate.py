@@ -1,28 +1,31 @@
-"""Changes one thing of each kind in certificates, and says what the checker does not refuse.
+"""Forges certificates, and says what the checker does not refuse.
 
     python3 mutate.py [NAME ...]
 
-A kind is a place in a certificate without the numbers of phases, events and samples: the midpoint of the gap rate after
-an event, say. Of each kind in a certificate one number has one digit changed, or one name is replaced by another. The
-digest is made to fit, so that nothing but the checker can tell. Names are those of files in certificates/, or the
-beginnings of them; without any, the certificate of each family that is checked in the shortest time.
+Of each kind of place in a certificate (a place without the numbers of phases, events and samples) one digit, or one
+name, is changed; and phases, events, impacts, samples and names are deleted, merged, split, exchanged, replaced and
+added, as well as the last bounces before a settlement given to it. The digest is made to fit, so that nothing but the
+checker can tell. Names are those of files in certificates/, or the beginnings of them; without any, the certificate of
+each family that is checked in the shortest time, and four more that settle.
 """
 
 from __future__ import annotations
 
 import argparse
 import copy
-import hashlib
 import json
 import random
 import sys
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from littlewood.certify import Refused, check
-
 HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE.parent / "python" / "littlewood" / "certify"))
+from checker import Refused, check, digest  # noqa: E402
+
 SEED = 20261122
 
 QUICK = (
@@ -31,6 +34,9 @@ QUICK = (
     "slide-roll-slip-18", "thrown-01",
 )  # fmt: skip
 """Of each family the certificate that is checked in the shortest time."""
+
+SETTLES = ("settles-sliding-02", "settles-sliding-12", "settles-sticking-01", "settles-sticking-04")
+"""More that settle."""
 
 NAMES = {
     "mode": ("rolling", "sliding", "flight"),
@@ -54,7 +60,7 @@ def places(value: Any, path: Place = ()) -> Iterator[Place]:
             yield from ((*path, key, part) for part in (0, 1))
         elif key in NAMES and not isinstance(one, dict):
             yield (*path, key)
-        elif (*path, key) != ("case",) and key != "proof":
+        elif (*path, key) != ("case",):
             yield from places(one, (*path, key))
 
 
@@ -77,9 +83,12 @@ def changed(certificate: dict[str, Any], place: Place, rng: random.Random) -> di
         where = rng.choice([k for k, letter in enumerate(old) if letter.isdigit()])
         digit = rng.choice([one for one in "0123456789" if one != old[where]])
         at[place[-1]] = old[:where] + digit + old[where + 1 :]
-    rest = {key: value for key, value in found.items() if key != "digest"}
-    text = json.dumps(rest, sort_keys=True, separators=(",", ":"))
-    return found | {"digest": hashlib.sha256(text.encode()).hexdigest()}
+    return sealed(found)
+
+
+def sealed(certificate: dict[str, Any]) -> dict[str, Any]:
+    """Return a certificate with the digest that fits."""
+    return certificate | {"digest": digest(certificate)}
 
 
 def mutations(certificate: dict[str, Any], seed: int = SEED) -> Iterator[tuple[str, dict[str, Any]]]:
@@ -90,6 +99,118 @@ def mutations(certificate: dict[str, Any], seed: int = SEED) -> Iterator[tuple[s
         kinds.setdefault(kind(place), []).append(place)
     for name, found in sorted(kinds.items()):
         yield name, changed(certificate, rng.choice(found), rng)
+
+
+def lists(certificate: dict[str, Any]) -> Iterator[Place]:
+    """Yield the places of lists of phases, events and samples."""
+    yield from (("phases",), ("events",))
+    yield from (("phases", k, "samples") for k in range(len(certificate["phases"])))
+
+
+def objects(certificate: dict[str, Any]) -> Iterator[Place]:
+    """Yield the places of objects, but for the case."""
+
+    def within(value: Any, path: Place) -> Iterator[Place]:
+        if isinstance(value, dict):
+            yield path
+        for key, one in (
+            value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+        ):
+            if (*path, key) != ("case",):
+                yield from within(one, (*path, key))
+
+    yield from within(certificate, ())
+
+
+def structures(certificate: dict[str, Any], seed: int = SEED) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Yield forgeries of structure: the name of each, and the certificate."""
+    rng = random.Random(f"{seed} structure {certificate['case']['name']}")
+
+    def forged(change: Callable[[dict[str, Any]], None]) -> dict[str, Any]:
+        found = copy.deepcopy(certificate)
+        change(found)
+        return found
+
+    made = [("settle", one) for one in behind_settle(certificate)]
+    for place in lists(certificate):
+        parts, name = at(certificate, place), place[-1]
+        for k in range(len(parts)):
+            other = rng.randrange(len(parts))
+            made += [
+                (f"{name} deleted", forged(lambda c, p=place, k=k: at(c, p).pop(k))),
+                (f"{name} doubled", forged(lambda c, p=place, k=k: at(c, p).insert(k, copy.deepcopy(at(c, p)[k])))),
+                (f"{name} replaced", forged(lambda c, p=place, k=k, n=other: at(c, p).__setitem__(k, at(c, p)[n]))),
+                (f"{name} exchanged", forged(lambda c, p=place, k=k, n=other: exchange(at(c, p), k, n))),
+            ]
+        made += [
+            (f"{name} reversed", forged(lambda c, p=place: at(c, p).reverse())),
+            (f"{name} emptied", forged(lambda c, p=place: at(c, p).clear())),
+        ]
+    phases, events = certificate["phases"], certificate["events"]
+    for k in range(len(phases)):
+        made.append(("phase split", forged(lambda c, k=k: split(c, k))))
+        if k < len(events):
+            made.append(("phase and event deleted", forged(lambda c, k=k: (c["phases"].pop(k), c["events"].pop(k)))))
+        if k + 1 < len(phases):
+            made.append(("phases merged", forged(lambda c, k=k: merge(c, k))))
+    for place in objects(certificate):
+        one = at(certificate, place)
+        for key in one:
+            made.append((f"{key} deleted", forged(lambda c, p=place, key=key: at(c, p).pop(key))))
+            other = rng.choice(list(one))
+            made.append(("values exchanged", forged(lambda c, p=place, key=key, n=other: exchange(at(c, p), key, n))))
+        made.append(("a name added", forged(lambda c, p=place: at(c, p).update(proof={}))))
+    for name, one in made:
+        one = sealed(one) if "digest" in one else one
+        if one != certificate:
+            yield name, one
+
+
+def at(certificate: Any, place: Place) -> Any:
+    """Return what is at a place."""
+    for key in place:
+        certificate = certificate[key]
+    return certificate
+
+
+def exchange(parts: Any, one: Any, other: Any) -> None:
+    """Exchange two parts."""
+    parts[one], parts[other] = parts[other], parts[one]
+
+
+def split(certificate: dict[str, Any], k: int) -> None:
+    """Split a phase in its middle, by an event with the state of a sample."""
+    phase = certificate["phases"][k]
+    samples = phase["samples"]
+    half = len(samples) // 2
+    certificate["phases"][k : k + 1] = [phase | {"samples": samples[:half]}, phase | {"samples": samples[half:]}]
+    state = samples[half] if samples else certificate["end"].get("state", {})
+    event = {"cause": "stick", "to": phase["mode"], "direction": phase["direction"], "state": state, "evidence": {}}
+    certificate["events"].insert(k, event)
+
+
+def merge(certificate: dict[str, Any], k: int) -> None:
+    """Make one phase of two, without the event between them."""
+    one, other = certificate["phases"][k : k + 2]
+    certificate["phases"][k : k + 2] = [one | {"samples": one["samples"] + other["samples"]}]
+    del certificate["events"][k]
+
+
+def behind_settle(certificate: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Yield certificates in which some of the last bounces before a settlement are part of it, impulses and all."""
+    for place, event in enumerate(certificate["events"]):
+        first = place
+        while event["cause"] == "settle" and first > 0 and certificate["events"][first - 1]["cause"] == "landing":
+            first -= 1
+            found = copy.deepcopy(certificate)
+            # The first of them stays: the bounces after it are given to the settlement.
+            given = found["events"][first + 1 : place]
+            for name in ("normal_impulse", "friction_impulse", "energy_lost"):
+                whole = sum((Fraction(one["impact"][name][0]) for one in [*given, found["events"][place]]), Fraction(0))
+                found["events"][place]["impact"][name] = [f"{float(whole)!r}", "1e-17"]
+            del found["events"][first + 1 : place], found["phases"][first + 1 : place]
+            if given:
+                yield found
 
 
 def accepted(certificate: dict[str, Any]) -> bool:
@@ -114,15 +235,16 @@ def main() -> int:
     wanted = tuple(parser.parse_args().name)
     every = sorted(path.stem for path in (HERE / "certificates").glob("*.json"))
     tried = missed = 0
-    for name in [one for one in every if one.startswith(wanted)] if wanted else QUICK:
+    began = time.perf_counter()
+    for name in [one for one in every if one.startswith(wanted)] if wanted else QUICK + SETTLES:
         certificate = read(name)
         if not certificate["certified"]:
             continue
-        found = [(what, accepted(one)) for what, one in mutations(certificate)]
+        found = [(what, accepted(one)) for forge in (mutations, structures) for what, one in forge(certificate)]
         tried += len(found)
         missed += sum(taken for _, taken in found)
-        print(f"{name:24} {len(found)} kinds, not refused: {[what for what, taken in found if taken]}", flush=True)
-    print(f"{tried} changes, {tried - missed} refused")
+        print(f"{name:24} {len(found)} forgeries, not refused: {[what for what, taken in found if taken]}", flush=True)
+    print(f"{tried} forgeries, {tried - missed} refused, {time.perf_counter() - began:.0f} s")
     return 1 if missed else 0
 
 

@@ -70,7 +70,7 @@ const LISTINGS: &[Listing] = &[
         reason: "each number enters the exact fractions of the certifier by name",
     },
     Listing {
-        file: "python/littlewood/certify/checker/given.py",
+        file: "python/littlewood/certify/checker.py",
         table: QUANTITIES,
         reason: "the checker takes nothing over from the package whose certificates it checks",
     },

@@ -31,7 +31,7 @@ from pathlib import Path
 from threading import RLock
 from typing import Any, TypeAlias
 
-__all__ = ["Refused", "Unreadable", "check", "read", "valid", "valid_case"]
+__all__ = ["Refused", "Unreadable", "check", "digest", "intact", "read", "valid", "valid_case"]
 
 
 class Refused(Exception):
@@ -2000,11 +2000,8 @@ def check(certificate: Any, bits: tuple[int, ...] = BITS) -> dict[str, int]:
     Refused
         With the first thing that is not right.
     """
-    valid(certificate)
+    intact(certificate)
     case = certificate["case"]
-    valid_case(case, "case")
-    if digest(certificate) != certificate["digest"]:
-        raise Refused("the digest is not that of the certificate")
     if not certificate["certified"]:
         raise Refused(f"nothing is certified: {certificate['reason']}")
     motion, numbers = _motion(json.dumps(case), tuple(bits))
@@ -2012,6 +2009,14 @@ def check(certificate: Any, bits: tuple[int, ...] = BITS) -> dict[str, int]:
     head = {"format": "littlewood-certificate", "version": 2, "certified": True}
     _same({**head, "case": case, **found}, {key: certificate[key] for key in certificate if key != "digest"}, "")
     return {"phases": len(found["phases"]), "events": len(found["events"]), "numbers": numbers}
+
+
+def intact(certificate: Any) -> None:
+    """Refuse what has not the shape of a certificate, a case out of bounds, or another digest."""
+    valid(certificate)
+    valid_case(certificate["case"], "case")
+    if digest(certificate) != certificate["digest"]:
+        raise Refused("the digest is not that of the certificate")
 
 
 def digest(certificate: Mapping[str, Any]) -> str:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ..cases import case
-from ..certify import Case
+from ..certify import checker
 from ..certify.compare import simulated
 from ..trajectory import Trajectory
 from .convergence import convergence
@@ -59,10 +59,11 @@ def _motion(text: str) -> Trajectory:
     if not text.endswith(".json"):
         return case(text).simulate()
     try:
-        certificate = json.loads(Path(text).read_text(encoding="utf-8"))
-        return simulated(Case.read(certificate["case"]).written())
-    except (json.JSONDecodeError, KeyError, TypeError) as error:
+        certificate = checker.read(Path(text).read_bytes())
+        checker.intact(certificate)
+    except (checker.Refused, checker.Unreadable) as error:
         raise ValueError(f"{text} is no certificate: {error}") from None
+    return simulated(certificate["case"])
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
