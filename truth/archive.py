@@ -118,6 +118,7 @@ def contents() -> dict[str, bytes]:
     files = {f"tables/{name}.csv": table(rows) for name, rows in tables.items()}
     for path in [*(HERE / "certificates").glob("*.json"), HERE / "cases.json", HERE / "certificate.schema.json"]:
         files[str(path.relative_to(HERE).as_posix())] = path.read_bytes()
+    files["checker.py"] = (HERE.parent / "python" / "littlewood" / "certify" / "checker.py").read_bytes()
     for path in (HERE / "LICENSE", HERE / "families.md", HERE / "CITATION.cff"):
         files[path.name] = path.read_bytes()
     files["datapackage.json"] = package(tables, files)
