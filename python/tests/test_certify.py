@@ -22,6 +22,7 @@ from typing import Any
 
 import flint
 import pytest
+
 from littlewood.certify import Case, CaseError, Refused, certify, check, checker, dump
 from littlewood.certify.__main__ import main
 from littlewood.certify.checker import Range, digest, pi, precision, sine_and_cosine

@@ -282,9 +282,20 @@ def test_a_certificate_names_a_case(tmp_path, capsys):
     np.savetxt(path, np.column_stack(rows), fmt="%.17g", delimiter=",", header="time_s,x_m,y_m,theta_rad", comments="")
     assert main([str(certificate), str(path), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["scores"][0]["largest_error"]["state"] < 1e-13
-    other = write(tmp_path / "other.json", "{}", [])
-    assert main([str(other), str(path)]) == 2
-    assert "is no certificate" in capsys.readouterr().err
+    changed = json.loads(certificate.read_text(encoding="utf-8"))
+    changed["events"][0]["state"]["time"][0] = "9.9"
+    case_alone = {"case": changed["case"]}
+    for text, reason in (
+        ("{}", "must have format"),
+        (json.dumps(case_alone), "must have format"),
+        (json.dumps(changed), "the digest is not that of the certificate"),
+        ("[" * 200_000, "too deep"),
+        ("[", "this is no JSON"),
+    ):
+        other = write(tmp_path / "other.json", text, [])
+        assert main([str(other), str(path)]) == 2
+        message = capsys.readouterr().err
+        assert "is no certificate" in message and reason in message
 
 
 def test_the_command_refuses_with_the_reason(tmp_path, capsys):
