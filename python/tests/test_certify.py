@@ -345,22 +345,39 @@ def test_the_checker_takes_no_other_form_of_an_input(
         check(sealed(thrown | {"case": case}))
 
 
+def test_a_case_is_read_with_its_defaults_and_nothing_else() -> None:
+    hoop = dict(mass_ratio=1, offset=1.0, inertia=1.0, mu_s=0.5, mu_k=0.4)
+    start = dict(theta=0.4, theta_rate=-1.0, slip=0.25)
+    found = Case.read(dict(hoop=hoop | dict(restitution=0.5), start=start))
+    assert found == Case(THIN, (0.4, -1.0, 0.25, 0.0), restitution=0.5)
+    assert Case.read(found.written()) == found
+    for change, message in (
+        (dict(hoop=None), "the case = an object must have hoop"),
+        (dict(hoop=hoop | dict(mass_ratio="1")), "hoop.mass_ratio = '1' must be a number"),
+        (dict(colour=1), "the case = an object must not have 'colour'"),
+        (dict(start=dict(theta=0.4)), "start = an object must have theta_rate"),
+    ):
+        with pytest.raises(CaseError, match=re.escape(message)):
+            Case.read(dict(hoop=hoop, start=start) | change)
+
+
 def test_what_is_not_certified_says_what_and_where() -> None:
-    # From the separatrix: the hoop comes to the top in infinite time.
-    hoop = (1.0, 1.0, 1.0, 50.0, 0.4)
-    certificate = certify(Case(hoop, (0.0, 0.0, 0.0, 0.0), 1.0, restitution=None), most_bits=200)
-    assert certificate["certified"]
-    # Bounces with e = 1 that slip throughout do not settle, and become no slower than 10⁻³.
-    slides = Case((1.0, 0.5, 1.0, 0.3, 0.0), (0.4, 0.0, 1.0, 9e-4), 1.0, 1.0)
-    certificate = certify(slides, most_bits=200)
-    assert not certificate["certified"]
+    # Bounces with e = 1 that slip throughout do not settle, and are too slow to be listed.
+    certificate = certify(Case((1.0, 0.5, 1.0, 0.3, 0.0), (0.4, 0.0, 1.0, 9e-4), 1.0, 1.0), most_bits=200)
     reason = certificate["reason"]
     assert "time is up while bounces accumulate; flight from time 0.99" in reason and "theta 0." in reason, reason
     with pytest.raises(Refused, match="nothing is certified: time is up"):
         check(certificate)
-    # The digits of a number: a start that is 0 but for 10⁻³⁹.
-    certificate = certify(Case(THIN, (0.4, 1e-39, 0.0, 0.0), 1.0), most_bits=200)
-    assert certificate["certified"] or " of " in certificate["reason"]
+
+
+def test_digits_that_are_not_decided_are_named_and_more_bits_decide_them() -> None:
+    slow = Case(THIN, (0.4, 0.3, 0.0, 1e-12), 1.0, 0.5)
+    assert certify(slow, most_bits=200)["reason"] == (
+        "the digits of a number are not decided: time of event 1 with 144 bits"
+    )
+    certificate = certify(slow)
+    assert [one["cause"] for one in certificate["events"]] == ["landing", "settle"]
+    assert check(certificate)["events"] == 2
 
 
 def test_a_motion_of_too_many_pieces_is_given_up_soon(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -606,7 +606,7 @@ def _shown(value: Any) -> str:
 
 def _must(holds: bool, value: Any, where: str, what: str) -> None:
     if not holds:
-        raise Refused(f"{where} = {_shown(value)} must {what}")
+        raise Refused(f"{where or 'the case'} = {_shown(value)} must {what}")
 
 
 def _text(pattern: str = "") -> Shape:
