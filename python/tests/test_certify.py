@@ -162,8 +162,8 @@ def test_the_checker_refuses_forgeries_of_each_family(mutate: Any) -> None:
         assert mutate.accepted(certificate), name
         forged = [*mutate.mutations(certificate), *mutate.structures(certificate)]
         # `mutate.py` itself tries all of them.
-        for kind, changed in random.Random(name).sample(forged, min(len(forged), 150)):
-            assert changed != certificate and changed["digest"] == digest(changed)
+        for kind, changed in random.Random(name).sample(forged, min(len(forged), 160)):
+            assert changed != certificate and changed.get("digest") in (None, digest(changed))
             assert not mutate.accepted(changed), (name, kind)
             kinds.add(kind)
             count += 1
@@ -694,7 +694,7 @@ def test_the_checker_reads_what_the_schema_allows(schema: Any) -> None:
     documents.append({key: documents[0][key] for key in ("format", "version", "case", "digest")})
     documents[-1] |= {"certified": False, "reason": "another"}
     counts = [0, 0]
-    for _ in range(1500):
+    for _ in range(500):
         document = with_another_shape(rng.choice(documents), rng)
         allowed = schema.is_valid(document)
         counts[allowed] += 1
@@ -704,7 +704,7 @@ def test_the_checker_reads_what_the_schema_allows(schema: Any) -> None:
             assert not allowed, refused
         else:
             assert allowed, next(schema.iter_errors(document)).message
-    assert min(counts) > 60
+    assert min(counts) > 20
 
 
 VALUES = (
