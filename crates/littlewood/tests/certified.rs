@@ -21,7 +21,7 @@ fn bound(family: &str) -> f64 {
         "thrown" => 4.0,
         "jam" | "leaves-at-once" | "settles-sticking" => 16.0,
         "elastic" | "reversal-chain" | "settles-sliding" => 32.0,
-        "lift-off" => 64.0,
+        "elastic-settling" | "lift-off" => 64.0,
         "si" | "slide-roll-slip" => 256.0,
         "long-rolling" => 2048.0,
         "paper" => 4096.0,
@@ -176,5 +176,5 @@ fn every_certified_motion_is_that_of_the_library() {
     }
     println!("certified motions and the largest error of a number in units in the last place: {families:?}");
     assert!(wrong.is_empty(), "{wrong:#?}");
-    assert!(families.values().map(|(count, _)| count).sum::<u32>() >= 329, "{families:?}");
+    assert!(families.values().map(|(count, _)| count).sum::<u32>() >= 341, "{families:?}");
 }
