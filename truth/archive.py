@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).parent
-NAME = "littlewood-truth-1"
+NAME = "littlewood-truth-2"
 STATE = ("time", "theta", "theta_rate", "slip", "x", "gap", "gap_rate", "energy")
 TITLE = "Certified motions of Littlewood's hoop"
 
@@ -105,7 +105,7 @@ def package(tables: dict[str, list[Row]], files: dict[str, bytes]) -> bytes:
     described = {
         "name": NAME,
         "title": TITLE,
-        "version": "1",
+        "version": "2",
         "licenses": [{"name": "CC0-1.0", "path": "https://creativecommons.org/publicdomain/zero/1.0/"}],
         "resources": resources,
     }
