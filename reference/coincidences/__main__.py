@@ -11,7 +11,8 @@ import os
 import pickle
 import time
 
-from .arithmetic import FINE, Work
+from follower.arithmetic import FINE, Work
+
 from .comparison import Compared
 from .families import FAMILIES, QUICK, STARTS
 from .library import library

@@ -3,10 +3,9 @@
 import math
 
 import gmpy2
+from follower.arithmetic import ULP
+from follower.motion import MOST, NUMBERS
 from gmpy2 import mpfr
-
-from .arithmetic import ULP
-from .motion import MOST, NUMBERS
 
 
 def rounded(v):

@@ -2,7 +2,7 @@
 
 import math
 
-from .hoop import Hoop
+from follower.hoop import Hoop
 
 
 def signed(dice, low, high):

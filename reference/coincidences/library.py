@@ -4,7 +4,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from .motion import NUMBERS
+from follower.motion import NUMBERS
 
 
 def parsed(line):

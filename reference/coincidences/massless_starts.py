@@ -3,10 +3,10 @@
 import math
 
 import gmpy2
+from follower.hoop import Hoop
 from gmpy2 import mpfr
 
 from .draws import beside, signed
-from .hoop import Hoop
 from .orbit import rolled
 
 

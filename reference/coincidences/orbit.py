@@ -1,9 +1,8 @@
 """An orbit of rolling: its rates, its friction demand, its time."""
 
 import gmpy2
+from follower.hoop import rolling_forces
 from gmpy2 import mpfr
-
-from .hoop import rolling_forces
 
 
 def rolled(hoop, theta, rate, other):

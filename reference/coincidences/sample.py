@@ -3,11 +3,11 @@
 import math
 import random
 
+from follower.arithmetic import COARSE, FINE, ULP, Tie, Work
+from follower.motion import follow
 from gmpy2 import mpfr
 
-from .arithmetic import COARSE, FINE, ULP, Tie, Work
 from .families import FAMILIES
-from .motion import follow
 
 SHAKES = 2
 MORE_SHAKES = 12                 # of starts with an error above SUSPECT units, which few repetitions may have made small

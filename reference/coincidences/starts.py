@@ -3,13 +3,13 @@
 import math
 
 import gmpy2
+from follower.contact import drift
+from follower.hoop import Hoop, rolling_forces, unloaded
+from follower.roots import highest
 from gmpy2 import mpfr
 
-from .contact import drift
 from .draws import beside, frictions, signed, solvable
-from .hoop import Hoop, rolling_forces, unloaded
 from .orbit import demand, rolled, travel
-from .roots import highest
 
 
 def grazing_slip(dice, body):

@@ -11,25 +11,24 @@ from .series import slope, value
 def root(f, slope_of_f, low, high, sign):
     """Root of f between low and high, where sign*f goes from plus to minus: bisection, then Newton."""
     a, b = low, high
-    for _ in range(40):
-        t = (a + b) / 2
-        if sign * f(t) > 0:
-            a = t
-        else:
-            b = t
     t = (a + b) / 2
-    for _ in range(8):
-        step = f(t) / slope_of_f(t)
-        near = t - step
-        if not (low <= near <= high):
-            break
-        t = near
-        if abs(step) < mpfr(10)**-40 * (abs(t) + mpfr(10)**-30):
-            break
-    else:
-        return t
-    for _ in range(2):
-        t -= f(t) / slope_of_f(t)
+    for _ in range(30):
+        for _ in range(40):
+            t = (a + b) / 2
+            if sign * f(t) > 0:
+                a = t
+            else:
+                b = t
+        t = (a + b) / 2
+        for _ in range(8):
+            step = f(t) / slope_of_f(t)
+            if not a <= t - step <= b:
+                break
+            t -= step
+            if abs(step) < mpfr(10)**-40 * abs(t):
+                for _ in range(2):
+                    t -= f(t) / slope_of_f(t)
+                return t
     return t
 
 
@@ -66,18 +65,23 @@ def first_fall(f, df, low, high, parts=8):
 def fall_of(p, length, known=0):
     """The same for a polynomial on (0, length], with `known` roots at 0 divided out."""
     p = p[known:]
-    numbers = [abs(float(v)) for v in p]
+    if stays(p, length):
+        return None
+    d = slope(p)
+    return first_fall(lambda t: value(p, t), lambda t: value(d, t), mpfr(0), mpfr(length))
+
+
+def stays(p, length):
+    """Whether the first coefficient of a polynomial outweighs all others on (0, length]."""
     if p[0] > 0:
-        total, power = 0.0, 1.0
+        numbers, total, power = [abs(float(v)) for v in p], 0.0, 1.0
         for v in numbers[1:]:
             power *= length
             total += v * power
-        if numbers[0] > 1.001 * total:
-            return None
-    elif p[0] < 0:
+        return numbers[0] > 1.001 * total
+    if p[0] < 0:
         raise Tie("an event is over where its phase begins")
-    d = slope(p)
-    return first_fall(lambda t: value(p, t), lambda t: value(d, t), mpfr(0), mpfr(length))
+    return False
 
 
 def arb(v):

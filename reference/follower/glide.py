@@ -70,6 +70,8 @@ def glide(hoop, state, known, until):
         if not z.imag.contains(0):
             continue
         t = number(z.real)
+        if 0 < t <= 1e-40:
+            raise Tie("a rest where the glide begins")
         if 1e-40 < t < end - 1e-38 * (1 + end) and vx * side * (t - vy) < 0:
             rests.append(t)
     rests.sort()
