@@ -12,7 +12,7 @@ use std::env;
 use std::error::Error;
 use std::io::{self, Write};
 
-use littlewood::{Hoop, Limits, Mode, Setup, State};
+use littlewood::{Direction, Hoop, Limits, Mode, Setup, State};
 use littlewood_random::Draw;
 use serde_json::{Value, json};
 
@@ -47,6 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 "cause": it.cause.name(),
                 "from": it.from.map(Mode::name),
                 "to": it.to.map(Mode::name),
+                "direction": Direction::code(it.direction),
                 "before": state(&it.before),
                 "after": state(&it.after),
             })
