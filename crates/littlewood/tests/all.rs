@@ -1,5 +1,6 @@
 //! The tests of the core: one program, a module for each subject.
 
+mod accuracy;
 mod bounces;
 mod bounded;
 mod cases;

@@ -12,11 +12,11 @@ const REFERENCE: &str = include_str!("../../../reference/coincidences.json");
 const UNITS: f64 = 64.0;
 
 /// A number written as one, or as a word.
-fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
 }
 
-fn numbers<const N: usize>(value: &Value) -> [f64; N] {
+pub(crate) fn numbers<const N: usize>(value: &Value) -> [f64; N] {
     let list = Vec::from_iter(value.as_array().expect("a list").iter().map(number));
     list.try_into().expect("so many numbers")
 }
@@ -46,7 +46,7 @@ fn motions() -> Vec<Motion> {
     }))
 }
 
-fn of_state(state: &State) -> [(&'static str, f64); 5] {
+pub(crate) fn of_state(state: &State) -> [(&'static str, f64); 5] {
     let State { time, theta, theta_rate, slip, x } = *state;
     [("time", time), ("theta", theta), ("theta_rate", theta_rate), ("slip", slip), ("x", x)]
 }
