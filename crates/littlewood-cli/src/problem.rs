@@ -235,6 +235,7 @@ impl Inputs {
             ParameterError::LawAlone { .. } => self.law.as_ref().map(|given| &given.origin),
             ParameterError::OutOfBounds { .. }
             | ParameterError::NoMotion { .. }
+            | ParameterError::NearlyMassless { .. }
             | ParameterError::MasslessImpact { .. }
             | ParameterError::MasslessFlight { .. } => {
                 self.values.find(error.quantity()).map(|given| &given.origin)

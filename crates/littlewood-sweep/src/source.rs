@@ -134,6 +134,7 @@ impl Source for ListSource<'_> {
             ParameterError::OutOfBounds { quantity: Quantity::Until, .. } => Quantity::Time,
             ParameterError::OutOfBounds { quantity, .. } => quantity,
             ParameterError::NoMotion { .. }
+            | ParameterError::NearlyMassless { .. }
             | ParameterError::LawAlone { .. }
             | ParameterError::MasslessImpact { .. }
             | ParameterError::MasslessFlight { .. } => refused.error.quantity(),

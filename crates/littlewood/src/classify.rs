@@ -5,8 +5,10 @@ use crate::closed_form::{RollingType, rolling_energy};
 use crate::equations::{ContactForces, RollingLaw, contact, energy};
 use crate::error::ParameterError;
 use crate::hoop::{Body, Hoop};
+use crate::limits::Limits;
 use crate::mode::{Direction, Mode};
 use crate::named::named;
+use crate::origin::Origin;
 use crate::rolling::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
 use crate::state::Start;
 
@@ -75,7 +77,7 @@ impl Hoop {
     /// # Errors
     /// A start that is not finite.
     pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
-        let state = self.check(start)?;
+        let (origin, state, _) = Origin::of(self.check(start)?, Limits::default());
         let (theta, theta_rate) = (state.theta, state.theta_rate);
         let forces = RollingLaw::new(self).forces(theta, theta_rate);
         let contact = contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate));
@@ -100,9 +102,10 @@ impl Hoop {
                 let orbit = RollingOrbit::new(self, theta, theta_rate);
                 found.region = StartRegion::Rolling;
                 found.mode = Some(Mode::Rolling);
-                found.rolling_end = orbit.end();
-                found.recurrence = found.rolling_end.is_none().then(|| orbit.recurrence());
-                found.rolling_type = self.rolling_type(theta, theta_rate, found.rolling_end);
+                let end = orbit.end();
+                found.rolling_type = self.rolling_type(theta, theta_rate, end);
+                found.recurrence = end.is_none().then(|| origin.recurrence(orbit.recurrence()));
+                found.rolling_end = end.map(|end| RollingEnd { theta: origin.theta(end.theta), ..end });
             }
             Next::Slide { direction, .. } => {
                 found.region = match (state.slip == 0.0, forces.normal > 0.0) {

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::hoop::Heavy;
 use crate::law::RestitutionLaw;
 use crate::quantity::{Bound, Number, Quantity, Reading};
 
@@ -27,6 +28,15 @@ pub enum ParameterError {
     NoMotion {
         /// The mass ratio that was given.
         mass_ratio: f64,
+    },
+    /// A hoop that is all but massless: powers of 1/Î leave the range of doubles.
+    #[error(
+        "moment of inertia about the mass centre = {} m2 R^2 must be 0, or not less than {} m2 R^2",
+        Number(*inertia), Number(Heavy::LEAST_INERTIA)
+    )]
+    NearlyMassless {
+        /// Î.
+        inertia: f64,
     },
     /// A law of restitution that has nothing to act on.
     #[error(
@@ -68,6 +78,9 @@ impl ParameterError {
                 "leave it out, or give the hoop a mass or a moment of inertia"
             }
             Self::NoMotion { .. } => "give the disc a moment of inertia, or move the particle off the centre",
+            Self::NearlyMassless { .. } => {
+                "set mass_ratio and inertia to 0 for a massless hoop, or take 1e-16: no motion tells it from less"
+            }
             Self::OutOfBounds { bound: Bound::Finite, .. } => {
                 "NaN and infinities are not numbers to start from"
             }
@@ -84,6 +97,7 @@ impl ParameterError {
         match self {
             Self::OutOfBounds { quantity, .. } => *quantity,
             Self::NoMotion { .. } => Quantity::Offset,
+            Self::NearlyMassless { .. } => Quantity::Inertia,
             Self::LawAlone { .. } | Self::MasslessImpact { .. } => Quantity::Restitution,
             Self::MasslessFlight { .. } => Quantity::GapRate,
         }
@@ -95,6 +109,7 @@ impl ParameterError {
         matches!(
             self,
             Self::NoMotion { .. }
+                | Self::NearlyMassless { .. }
                 | Self::MasslessImpact { .. }
                 | Self::MasslessFlight { .. }
                 | Self::OutOfBounds { quantity: Quantity::MuK, bound: Bound::AtMost(..), .. }

@@ -94,6 +94,11 @@ pub struct Heavy {
     pub inertia: f64,
 }
 
+impl Heavy {
+    /// Least moment of inertia about the mass centre: fifth powers of its inverse are in the range of doubles.
+    pub const LEAST_INERTIA: f64 = 1e-60;
+}
+
 /// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Only [`Hoop::new`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -107,7 +112,7 @@ impl Hoop {
     ///
     /// # Errors
     /// Names the first value that breaks a bound. ℓ̂ = 0 with Î = 0 is refused: see
-    /// [`ParameterError::NoMotion`]; so are a law of restitution without a coefficient, and a coefficient of restitution
+    /// [`ParameterError::NoMotion`]; so are 0 < Î < 1e-60, a law of restitution without a coefficient, and a coefficient of restitution
     /// of a massless hoop, which no impulse can act on.
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
         let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } =
@@ -126,6 +131,9 @@ impl Hoop {
         let mass = 1.0 + mass_ratio;
         let about_mass_centre = inertia + mass_ratio * offset * offset / mass;
         let body = if about_mass_centre > 0.0 {
+            if about_mass_centre < Heavy::LEAST_INERTIA {
+                return Err(ParameterError::NearlyMassless { inertia: about_mass_centre });
+            }
             Body::Heavy(Heavy { mass, h: offset / mass, offset, inertia: about_mass_centre })
         } else if offset > 0.0 && mass_ratio == 0.0 {
             Body::Massless(Massless { offset })

@@ -62,7 +62,7 @@ impl Origin {
         time - self.time
     }
 
-    const fn theta(&self, theta: f64) -> f64 {
+    pub(crate) const fn theta(&self, theta: f64) -> f64 {
         let [turns, rest] = self.turns;
         turns + (rest + theta)
     }
@@ -87,14 +87,21 @@ impl Origin {
     pub(crate) const fn outcome(&self, mut outcome: Outcome) -> Outcome {
         let (state, recurrence) = outcome.parts_mut();
         *state = self.state(*state);
-        match recurrence {
-            Some(Recurrence::Libration { period: _, theta_min, theta_max }) => {
-                (*theta_min, *theta_max) = (self.theta(*theta_min), self.theta(*theta_max));
-            }
-            Some(Recurrence::Asymptotic { theta }) => *theta = self.theta(*theta),
-            Some(Recurrence::Rest | Recurrence::Rotation { .. }) | None => {}
+        if let Some(recurrence) = recurrence {
+            *recurrence = self.recurrence(*recurrence);
         }
         outcome
+    }
+
+    pub(crate) const fn recurrence(&self, recurrence: Recurrence) -> Recurrence {
+        match recurrence {
+            Recurrence::Libration { period, theta_min, theta_max } => {
+                let (theta_min, theta_max) = (self.theta(theta_min), self.theta(theta_max));
+                Recurrence::Libration { period, theta_min, theta_max }
+            }
+            Recurrence::Asymptotic { theta } => Recurrence::Asymptotic { theta: self.theta(theta) },
+            Recurrence::Rest | Recurrence::Rotation { .. } => recurrence,
+        }
     }
 }
 

@@ -7,8 +7,8 @@ use std::fs;
 use std::path::Path;
 
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, OutcomeKind, RestitutionLaw, SiParameters, SiState, Start, State,
-    Trajectory, Transition, Units,
+    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, SiParameters, SiState, Start,
+    State, Trajectory, Transition, Units,
 };
 use serde_json::Value;
 
@@ -109,13 +109,13 @@ fn pairs<'a>(events: &[Value], transitions: &'a [Transition]) -> Result<Vec<&'a 
     for (place, event) in events.iter().enumerate() {
         if event["cause"] == "settle" {
             // The library follows more bounces one by one before it sums the others.
-            let bounces = |next: &&&Transition| {
+            let bounces = |next: &&Transition| {
                 next.cause == Cause::Landing && next.to.is_some_and(|to| to.name() == "flight")
             };
-            while rest.next_if(|next| bounces(&next)).is_some() {}
+            while rest.next_if(bounces).is_some() {}
         }
         let ours = rest.next().ok_or_else(|| format!("no event {place}, {}", event["cause"]))?;
-        let to = ours.to.map(|mode| mode.name());
+        let to = ours.to.map(Mode::name);
         if event["cause"] != ours.cause.name() || event["to"].as_str() != to {
             return Err(format!(
                 "event {place}, {} to {}, is {} to {to:?}",

@@ -39,7 +39,8 @@ fn landings_over_the_whole_range_are_those_of_the_parabola() {
         let Some(phase) = motion.phases().last() else { unreachable!("it moves") };
         let PhaseSolution::Flight(flies) = phase.solution() else { unreachable!("it lands: {flight}") };
         assert_eq!(motion.transitions().len(), if lifts_off { 2 } else { 1 }, "{flight}");
-        let (_, rounding) = TakeOff { h, state: phase.start(), gap_rate, lifts_off }.gap(time);
+        let followed = flies.state(0.0).theta;
+        let (_, rounding) = TakeOff { h, state: phase.start(), gap_rate, lifts_off, followed }.gap(time);
         let tolerance = rounding / slope.abs();
         let error = (flies.duration() - time).abs();
         assert!(error <= tolerance, "{flight}: {} is off by {error:e} > {tolerance:e}", flies.duration());

@@ -13,6 +13,8 @@ pub(crate) struct TakeOff {
     pub(crate) gap_rate: f64,
     /// Out of sliding: 1 = h cos θ θ′².
     pub(crate) lifts_off: bool,
+    /// θ as it is followed, without whole turns of the start of the motion.
+    pub(crate) followed: f64,
 }
 
 impl TakeOff {
@@ -21,7 +23,8 @@ impl TakeOff {
         let state = motion.phases()[index].start();
         let slid = index > 0 && motion.phases()[index - 1].mode() == Mode::Sliding;
         let gap_rate = flight.take_off_rate();
-        Self { h: motion.hoop().h(), state, gap_rate, lifts_off: slid && gap_rate == 0.0 }
+        let lifts_off = slid && gap_rate == 0.0;
+        Self { h: motion.hoop().h(), state, gap_rate, lifts_off, followed: flight.state(0.0).theta }
     }
 
     /// Height of the rim over the plane after a time, by a parabola and a cosine added up as they stand, and what its computation in
@@ -30,7 +33,7 @@ impl TakeOff {
     /// The terms of the gap are rounded, each a few times; beyond a radian the whole terms, below what is left of them at the start.
     /// The time is known to its last digits. At a lift-off 1 = h cos θ θ′² is taken for exact, and the printed state leaves a rest.
     pub(crate) fn gap(&self, time: f64) -> (f64, f64) {
-        let Self { h, state: State { theta, theta_rate: rate, .. }, gap_rate, lifts_off } = *self;
+        let Self { h, state: State { theta, theta_rate: rate, .. }, gap_rate, lifts_off, followed } = *self;
         let (h_, rate_, time_) = (Dd::from(h), Dd::from(rate), Dd::from(time));
         let angle = Dd::from(theta).without_turns();
         let ((sin0, cos0), (sin1, cos1)) = (angle.sincos(), (angle + rate_ * time_).sincos());
@@ -50,7 +53,12 @@ impl TakeOff {
         let terms = gap_rate * time + 0.5 * (1.0 + bend) * time * time + h * (cos * even + sin * odd);
         // What sums of two doubles leave, of terms that cancel.
         let rest = 16.0 * f64::EPSILON * (gap_rate * time + time * time + h * (2.0 + turned));
-        let rounding = 4.0 * f64::EPSILON * (terms + time * slope.abs() + rest);
+        let mut rounding = 4.0 * f64::EPSILON * (terms + time * slope.abs() + rest);
+        if theta != followed {
+            // A motion is followed without the whole turns of its start: the printed angle is the rounded sum of both.
+            let digit = f64::EPSILON * theta.abs().max(followed.abs());
+            rounding += digit * h * (sin * versine + cos * odd);
+        }
         if !lifts_off {
             return (gap.high, rounding);
         }
