@@ -157,6 +157,10 @@ impl Description {
         let limits = Limits::default()
             .with_until(limits.get("until")?.as_f64())
             .with_transitions(usize::try_from(limits.get("transitions")?.as_u64()?).ok()?)
+            .with_slides(match limits.get("slides") {
+                Some(slides) => usize::try_from(slides.as_u64()?).ok()?,
+                None => Limits::default().slides,
+            })
             .with_proof(limits.get("proof")?.as_str()?.parse().ok()?);
         let chunk = value.get("chunk")?.as_array()?;
         let chunk =
@@ -166,7 +170,12 @@ impl Description {
 }
 
 fn of_limits(limits: Limits) -> Value {
-    json!({ "until": limits.until, "transitions": limits.transitions, "proof": limits.proof.name() })
+    let mut value =
+        json!({ "until": limits.until, "transitions": limits.transitions, "proof": limits.proof.name() });
+    if limits.slides != Limits::default().slides {
+        value["slides"] = json!(limits.slides);
+    }
+    value
 }
 
 fn compare(path: &str, there: Option<&Value>, here: Option<&Value>, differences: &mut Vec<String>) {

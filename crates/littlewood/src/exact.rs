@@ -1,7 +1,5 @@
 //! Phases solved exactly: closed forms, elliptic integrals and converged Taylor series.
 
-use core::cell::Cell;
-
 use crate::automaton::Cause;
 use crate::candidates::{Arrival, Next, next_motion};
 use crate::equations::SlidingLaw;
@@ -10,7 +8,7 @@ use crate::gliding::{GlideEntry, Gliding, GlidingEnd};
 use crate::hoop::{Heavy, Hoop, Massless};
 use crate::limits::Limits;
 use crate::mode::Direction;
-use crate::outcome::Outcome;
+use crate::outcome::{Outcome, SlideLimit};
 use crate::proof::Proof;
 use crate::rolling::Rolling;
 use crate::settling::Settling;
@@ -25,18 +23,16 @@ pub(crate) struct Exact<'a> {
     hoop: &'a Hoop,
     until: Option<f64>,
     proof: Proof,
-    /// Steps that slides may still take.
-    steps: Cell<usize>,
 }
 
-/// Largest number of steps of all slides of a motion: a quarter of a second, and 60 MB. Thousands of slides would take more.
+/// Largest number of steps of a slide: a quarter of a second, and 60 MB. None is known that takes a thousand.
 const MAX_STEPS: usize = 100_000;
 
 type ExactEnding = Ending<State, Outcome>;
 
 impl<'a> Exact<'a> {
     pub(crate) const fn new(hoop: &'a Hoop, limits: &Limits) -> Self {
-        Self { hoop, until: limits.until, proof: limits.proof(), steps: Cell::new(MAX_STEPS) }
+        Self { hoop, until: limits.until, proof: limits.proof() }
     }
 
     /// Time left until the limit.
@@ -120,9 +116,8 @@ impl Solver for Exact<'_> {
         let entry = slip_acceleration
             .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
-        let bounds = (self.allowed(state), self.steps.get());
+        let bounds = (self.allowed(state), MAX_STEPS);
         let (slide, end) = Sliding::run(law, *state, direction, entry, bounds);
-        self.steps.set(self.steps.get().saturating_sub(slide.work()));
         let ending = match end {
             SlidingEnd::Rest(place) => Ending::Event { place, cause: Cause::Stick, arrival: Arrival::Open },
             SlidingEnd::LiftOff(place) => {
@@ -142,7 +137,10 @@ impl Solver for Exact<'_> {
             SlidingEnd::StepLimit { state, time_left } => Ending::Motion {
                 event: None,
                 end: Some(state),
-                verdict: Outcome::StepLimit { state, steps: MAX_STEPS - self.steps.get(), time_left },
+                verdict: Outcome::StepLimit {
+                    state,
+                    limit: SlideLimit::One { steps: slide.work(), time_left },
+                },
             },
             SlidingEnd::TimeLimit(state) => self.stopped(state),
             SlidingEnd::Endless(recurrence) => {

@@ -143,7 +143,7 @@ pub use law::RestitutionLaw;
 pub use limits::Limits;
 pub use mode::{Direction, Mode};
 pub use named::{UnknownCode, UnknownName};
-pub use outcome::{Outcome, OutcomeKind};
+pub use outcome::{Outcome, OutcomeKind, SlideLimit};
 pub use proof::Proof;
 pub use quantity::{Bound, Group, Number, Presence, Quantity, QuantityRow, STANDARD_GRAVITY};
 pub use region::{Equilibrium, PhasePlane, Stability};

@@ -1,9 +1,13 @@
 //! Limits of a simulation.
 
 use crate::error::{ParameterError, within};
+use crate::hoop::{Body, Heavy, Hoop};
 use crate::proof::Proof;
 use crate::quantity::{Bound, Quantity};
-use crate::state::Start;
+use crate::state::{Start, State};
+
+/// The most that a slide counts: whole turns of a longer one are passed at once.
+const LONGEST_SLIDE: f64 = 32.0;
 
 /// When to stop a motion that has not come to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,14 +19,35 @@ pub struct Limits {
     /// Largest number of transitions. Light hoops on nearly smooth planes need it, whose friction takes off next to no energy,
     /// and e = 1, where bounces that slip, or on a plane without friction, do not end.
     pub transitions: usize,
+    /// Largest length of all slides together: of each, that of its chord in the plane of time and angle, √(Δτ² + Δθ²), but no more than 32, since
+    /// whole turns of a longer one are passed at once; times 1 + ln(1 + m/Î), since the particle of a light hoop passes the bottom in short steps.
+    /// Motions on planes of next to no friction need it, which slide thousands of times; the default takes about a quarter of a second.
+    pub slides: usize,
     /// Which proofs end a motion that is not followed to a time limit.
     pub proof: Proof,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { until: None, transitions: 10_000, proof: Proof::default() }
+        Self { until: None, transitions: 10_000, slides: 50_000, proof: Proof::default() }
     }
+}
+
+/// m/Î of lighter hoops tells no more: their slides are not resolved.
+const LIGHTEST: f64 = 1e18;
+
+/// What the length of the slides of a hoop is multiplied by.
+pub(crate) fn weight_of_slides(hoop: &Hoop) -> f64 {
+    match hoop.body() {
+        Body::Heavy(Heavy { mass, inertia, .. }) => 1.0 + libm::log1p((mass / inertia).min(LIGHTEST)),
+        Body::Massless(_) => 1.0,
+    }
+}
+
+/// What a slide from a state to another counts of the length of all slides.
+pub(crate) fn length_of_slide(from: &State, to: &State) -> f64 {
+    let (time, angle) = (to.time - from.time, to.theta - from.theta);
+    (time * time + angle * angle).sqrt().min(LONGEST_SLIDE)
 }
 
 impl Limits {
@@ -55,6 +80,12 @@ impl Limits {
     #[must_use]
     pub const fn with_transitions(self, transitions: usize) -> Self {
         Self { transitions, ..self }
+    }
+
+    /// The same limits with a largest length of all slides.
+    #[must_use]
+    pub const fn with_slides(self, slides: usize) -> Self {
+        Self { slides, ..self }
     }
 
     /// The same limits, ending a motion by these proofs.

@@ -8,6 +8,8 @@ use crate::state::State;
 pub(crate) struct Room<'a> {
     /// Most transitions.
     pub(crate) transitions: u32,
+    /// Largest length of slides.
+    pub(crate) slides: f64,
     /// Whether its phases are told: no more of them than a sequence holds.
     pub(crate) are_told: bool,
     /// Whether nothing that would end the motion is known in a state, where that is asked at each event; what is known in a state is known
@@ -21,6 +23,8 @@ pub(crate) struct Linked<P> {
     /// Of the slip there.
     pub(crate) direction: Direction,
     pub(crate) transitions: u32,
+    /// Length of the slides.
+    pub(crate) slid: f64,
     /// If they are told.
     pub(crate) phases: PhaseSequence,
 }

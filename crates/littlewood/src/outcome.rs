@@ -242,21 +242,37 @@ pub enum Outcome {
         /// P there.
         solvability: f64,
     },
-    /// The slides of the motion have taken more work than a motion is given; or a slide on a plane of next to no friction, or of a fast
-    /// hoop, has turned more often than angles resolve, or ends at a time beyond all numbers.
+    /// Slides were too long.
     StepLimit {
         /// State.
         state: State,
-        /// What all slides have taken, in steps.
-        steps: usize,
-        /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any, or if the time is beyond all numbers.
-        time_left: f64,
+        /// Which limit of slides was reached.
+        limit: SlideLimit,
     },
     /// The motion changes faster than its numbers resolve: a slide of a hoop of next to no inertia, its particle passing the
     /// bottom, or one next to P = 0 whose end rounding decides; or an impact at an angle or a place beyond those that a start may have, or whose velocities are no numbers.
     Unresolved {
         /// State.
         state: State,
+    },
+}
+
+/// A limit of slides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub enum SlideLimit {
+    /// The largest length of all slides together ([`crate::Limits::slides`]) was reached at the end of one.
+    All {
+        /// The limit.
+        slides: usize,
+    },
+    /// A single slide has taken more steps than a slide is given; or, on a plane of next to no friction, or of a fast hoop, it has turned more often
+    /// than angles resolve, or ends at a time beyond all numbers.
+    One {
+        /// Its steps.
+        steps: usize,
+        /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any, or if the time is beyond all numbers.
+        time_left: f64,
     },
 }
 
@@ -371,7 +387,10 @@ impl Outcome {
                 ("transitions", Detail::Count(transitions)),
             ],
             Self::TransitionLimit { transitions, .. } => vec![("transitions", Detail::Count(transitions))],
-            Self::StepLimit { steps, time_left, .. } => {
+            Self::StepLimit { limit: SlideLimit::All { slides }, .. } => {
+                vec![("slides", Detail::Count(slides))]
+            }
+            Self::StepLimit { limit: SlideLimit::One { steps, time_left }, .. } => {
                 vec![("steps", Detail::Count(steps)), ("time_left", Detail::Real(time_left, Dimension::Time))]
             }
             Self::Singular { solvability, .. } => {

@@ -12,10 +12,10 @@ use crate::flight::{Flight, TakeOff};
 use crate::gliding::GlideEntry;
 use crate::hoop::{Body, Heavy, Hoop, Massless};
 use crate::impact::{Contact, ContactVelocities, Impact};
-use crate::limits::Limits;
+use crate::limits::{Limits, length_of_slide, weight_of_slides};
 use crate::links::{Linked, Room};
 use crate::mode::{Direction, Mode};
-use crate::outcome::Outcome;
+use crate::outcome::{Outcome, SlideLimit};
 use crate::proofs::{Known, Proofs};
 use crate::rolling::RollingLimit;
 use crate::sequence::PhaseSequence;
@@ -198,10 +198,13 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     let limit = LastSlip::at_start(solver.hoop(), start, begin.direction());
     let mut now = Now { place, begin, limit, slips: None };
     let mut pending: Option<Event> = None;
-    let mut count = 0;
+    let (mut count, mut slid) = (0, 0.0);
+    let weight = weight_of_slides(solver.hoop());
     loop {
-        count +=
-            pass_links(solver, &mut now, recorder, &mut proofs, limits.transitions.saturating_sub(count));
+        let left = (limits.transitions.saturating_sub(count), limits.slides as f64 - slid);
+        let passed = pass_links(solver, &mut now, recorder, &mut proofs, left);
+        (count, slid) = (count + passed.0, slid + passed.1);
+        let (begins, mode) = (T::state(&now.place), now.begin.mode());
         let mut range = None;
         let seen = proofs.wants_range().then_some(&mut range);
         let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), seen) {
@@ -217,10 +220,19 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
             recorder.transition(&event, impact.as_deref(), direction);
         }
         count += 1;
+        if mode == Some(Mode::Sliding) {
+            slid += weight * length_of_slide(&begins, &event.state);
+        }
         let state = T::state(&now.place);
         let stopped = proofs.at_event(&event, (&state, direction), range).or_else(|| {
-            let limit = Outcome::TransitionLimit { state, transitions: limits.transitions };
-            (count >= limits.transitions && event.to.is_some()).then(|| proofs.at_limit(limit, event.to))
+            let limit = if count >= limits.transitions {
+                Outcome::TransitionLimit { state, transitions: limits.transitions }
+            } else if slid > limits.slides as f64 {
+                Outcome::StepLimit { state, limit: SlideLimit::All { slides: limits.slides } }
+            } else {
+                return None;
+            };
+            event.to.is_some().then(|| proofs.at_limit(limit, event.to))
         });
         if let Some(outcome) = stopped {
             flush(recorder, &mut pending, direction);
@@ -229,44 +241,45 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     }
 }
 
-/// Passes links of a chain of slips, if a slip out of rolling has been reached; the number of transitions.
+/// Passes links of a chain of slips, if a slip out of rolling has been reached, within a number of transitions and a length of slides: how many, and how long.
 #[inline(always)]
 fn pass_links<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     now: &mut Now<T::Place>,
     recorder: &mut R,
     proofs: &mut Proofs<'_>,
-    most: usize,
-) -> usize {
-    let mut passed = 0;
+    (most, longest): (usize, f64),
+) -> (usize, f64) {
+    let (mut passed, mut slid) = (0, 0.0);
     while let (Some(direction), Wants::Modes | Wants::Number, true) =
         (now.slips, recorder.wants(), proofs.may_pass_links())
     {
         let open = |state: &State| !proofs.ends_motion(state);
         let room = Room {
             transitions: u32::try_from(most - passed).unwrap_or(u32::MAX).saturating_sub(1),
+            slides: longest - slid,
             are_told: recorder.wants() == Wants::Modes,
             open: proofs.asks_each_state().then_some(&open),
         };
         let Some(linked) = solver.pass_links(&now.place, direction, &room) else { break };
-        let Linked { place, direction, transitions, phases } = linked;
+        let Linked { place, direction, transitions, slid: length, phases } = linked;
         recorder.links(transitions, phases);
-        passed += transitions as usize;
+        (passed, slid) = (passed + transitions as usize, slid + length);
         proofs.passed_to(&T::state(&place));
         *now = Now::slipping(solver, place, direction);
     }
-    passed
+    (passed, slid)
 }
 
-/// The next slip out of rolling after one, and its direction, if the motion comes to one before anything but slides and rolls, and within the
+/// The next slip out of rolling after one, its direction, and the length of the slides up to it, if the motion comes to one before anything but slides and rolls, and within the
 /// phases that `tell` accepts.
 pub(crate) fn next_slip<T: Solver>(
     solver: &T,
     slip: T::Place,
     direction: Direction,
     tell: impl FnMut(Mode, Option<Direction>) -> bool,
-) -> Option<(State, Direction)> {
-    let mut teller = Teller { tell, goes_on: true };
+) -> Option<(State, Direction, f64)> {
+    let mut teller = Teller { tell, goes_on: true, slid: 0.0 };
     let mut now = Now::slipping(solver, slip, direction);
     loop {
         let (_, impact) = follow(solver, &mut now, (&mut teller, &mut None), None).ok()?;
@@ -274,7 +287,8 @@ pub(crate) fn next_slip<T: Solver>(
             return None;
         }
         if let Some(direction) = now.slips {
-            return Some((T::state(&now.place), direction));
+            let slid = weight_of_slides(solver.hoop()) * teller.slid;
+            return Some((T::state(&now.place), direction, slid));
         }
     }
 }
@@ -283,12 +297,17 @@ pub(crate) fn next_slip<T: Solver>(
 struct Teller<F> {
     tell: F,
     goes_on: bool,
+    /// Length of the slides.
+    slid: f64,
 }
 
 impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for Teller<F> {
     fn phase(&mut self, phase: PhaseSeen, _: S) {
         let touches = matches!(phase.mode, Mode::Rolling | Mode::Sliding);
         self.goes_on &= touches && (self.tell)(phase.mode, phase.direction);
+        if let (Mode::Sliding, Some(end)) = (phase.mode, &phase.end) {
+            self.slid += length_of_slide(&phase.start, end);
+        }
     }
 
     fn transition(&mut self, _: &Event, _: Option<&Impact>, _: Option<Direction>) {}

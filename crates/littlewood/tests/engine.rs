@@ -7,9 +7,10 @@ use std::f64::consts::{PI, TAU};
 
 use crate::common::{heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start};
 use littlewood::{
-    Body, ColumnType, Engine, Hoop, HoopParameters, Limits, OutcomeKind, PhaseSequence, Restitution,
-    RestitutionLaw, Start, Summary, SummaryColumn, SummaryValue, Trajectory,
+    Body, ColumnType, Engine, Hoop, HoopParameters, Limits, Outcome, OutcomeKind, PhaseSequence, Proof,
+    Restitution, RestitutionLaw, SlideLimit, Start, Summary, SummaryColumn, SummaryValue, Trajectory,
 };
+use littlewood_random::Draw;
 use proptest::prelude::*;
 
 /// The real numbers of a summary.
@@ -309,6 +310,115 @@ fn agree_within(time: f64, hoop: &Hoop, starts: &[Start]) -> Result<(), TestCase
         }
     }
     Ok(())
+}
+
+/// How many motions have other codes or counts than in the simulation, with tables or without, and the first of them.
+fn differ<'a>(motions: impl IntoIterator<Item = (&'a Hoop, Start)>, limits: Limits) -> (usize, Vec<String>) {
+    let (mut all, mut differ) = (0, Vec::new());
+    let mut last: Option<(Hoop, [Engine; 2])> = None;
+    for (hoop, start) in motions {
+        let known = last.take().filter(|(known, _)| known == hoop);
+        let (hoop, engines) = &*last
+            .insert(known.unwrap_or_else(|| (*hoop, [Engine::new(hoop), Engine::without_tables(hoop)])));
+        let theirs = hoop.simulate(start, limits).expect("a valid start").summary();
+        for engine in engines {
+            let ours = engine.summary(start, limits).expect("a valid start");
+            all += 1;
+            if codes(&ours) != codes(&theirs) {
+                differ.push(format!("{:?} {start:?}\n{ours:?}\n{theirs:?}", hoop.parameters()));
+            }
+        }
+    }
+    (all, differ)
+}
+
+/// Rates, angles and slips of every size that is accepted, without restitution and with it: a row of a list has the outcome, the sequence and the
+/// number of transitions of the simulation, however long the list is, and so whether there are tables or not.
+#[test]
+fn the_whole_accepted_range_has_the_outcomes_of_the_simulation() {
+    let figure_2 = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    let bounces = Restitution::new(0.5, RestitutionLaw::Energetic).expect("a coefficient");
+    let bouncing = figure_2.with_restitution(bounces).expect("heavy");
+    let mut draw = Draw::of_case(32, 2, 0);
+    for hoop in [figure_2, bouncing] {
+        let starts: Vec<Start> = (0..3_000)
+            .map(|_| {
+                let mut signed = |powers: [f64; 2]| {
+                    let size = draw.of_any_size(powers);
+                    if draw.comes(0.5) { -size } else { size }
+                };
+                let start = Start::at(signed([-3.0, 9.0]), signed([-3.0, 6.0]));
+                let slip = signed([-3.0, 6.0]);
+                if draw.comes(0.5) { start.with_slip(slip) } else { start }
+            })
+            .collect();
+        let limits = Limits::default().with_transitions(60);
+        let (all, differ) = differ(starts.into_iter().map(|start| (&hoop, start)), limits);
+        assert!(differ.is_empty(), "{} of {all}: {}", differ.len(), differ[0]);
+    }
+    let motions: Vec<(Hoop, Start)> =
+        (0..600).map(|number| Draw::of_case(32, 3, number).heavy_motion()).collect();
+    let limits = Limits::default().with_transitions(60);
+    let (all, differ) = differ(motions.iter().map(|(hoop, start)| (hoop, *start)), limits);
+    assert!(differ.is_empty(), "{} of {all}: {}", differ.len(), differ[0]);
+}
+
+/// An angle of five million turns, and a rate at which 1 − h cos θ θ′² is known to 1e-4 only: a lift-off is no slide.
+#[test]
+fn a_lift_off_is_not_followed_by_a_slide_that_rounding_makes() {
+    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    for (start, sequence, transitions) in [
+        (Start::at(31_568_288.730_131_123, 1.850_239_055_064_361_3), None, 4),
+        (Start::at(-1.875_962_099_565_172_2, -262_167.054_687_522_5), Some("+R-F"), 4),
+        (Start::at(-2.293_191_047_483_457_4, -835_327.110_467_008_5), Some("+R-F"), 4),
+    ] {
+        for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+            let summary = engine.summary(start, Limits::default()).expect("a valid start");
+            assert_eq!(
+                (summary.outcome, summary.transitions),
+                (OutcomeKind::Landing, transitions),
+                "{start:?}"
+            );
+            if let Some(sequence) = sequence {
+                assert_eq!(summary.sequence.to_string(), sequence);
+            }
+        }
+    }
+}
+
+/// The walk counts the length of slides, whoever solves them, and chains of slips count theirs.
+#[test]
+fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
+    let start = Start::at(-0.377_337_068_499_461_6, 1.255_452_380_525_089_2);
+    let mut reached = 0;
+    for (hoop, start, slides) in [
+        (Hoop::figure_2(0.05, 1e-5), start, [1, 10, 100, 1_000]),
+        (Hoop::figure_2(0.05, 0.049), Start::at(-3.0, -2.5), [1, 5, 20, 60]),
+        (Hoop::figure_2(0.5, 0.499), Start::at(-3.0, -2.5), [1, 3, 10, 20]),
+    ] {
+        let hoop = hoop.expect("a hoop like that of Figure 2");
+        let engines = [Engine::new(&hoop), Engine::without_tables(&hoop)];
+        for slides in slides {
+            let limits = Limits::default().with_slides(slides).with_proof(Proof::None);
+            let motion = hoop.simulate(start, limits).expect("a valid start");
+            let theirs = motion.summary();
+            if let Outcome::StepLimit { limit, .. } = motion.outcome() {
+                assert_eq!(limit, SlideLimit::All { slides });
+                reached += 1;
+            }
+            for engine in &engines {
+                let ours = engine.summary(start, limits).expect("a valid start");
+                assert_eq!(codes(&ours), codes(&theirs), "{slides}");
+            }
+        }
+    }
+    assert!(reached >= 9, "{reached}");
+    let hoop = Hoop::figure_2(0.05, 1e-5).expect("a hoop like that of Figure 2");
+    let theirs = hoop.simulate(start, Limits::default()).expect("a valid start").summary();
+    for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+        let ours = engine.summary(start, Limits::default()).expect("a valid start");
+        assert_eq!(codes(&ours), codes(&theirs));
+    }
 }
 
 /// Regimes of all kinds, with their starts over the whole plane.

@@ -3,7 +3,7 @@
 
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Proof, Recurrence, RestitutionLaw,
-    Start,
+    SlideLimit, Start,
 };
 
 /// A balanced hoop slips for 1.2345/(μk (1 + m/Î)), however long that is.
@@ -41,7 +41,7 @@ fn a_slide_without_end_in_sight_says_how_much_is_left() {
     let known = hoop.simulate(start, Limits::default()).expect("a valid start");
     assert!(matches!(known.outcome(), Outcome::StaysInContact { .. }), "{:?}", known.outcome());
     let motion = hoop.simulate(start, Limits::default().with_proof(Proof::None)).expect("a valid start");
-    let Outcome::StepLimit { state, steps, time_left } = motion.outcome() else {
+    let Outcome::StepLimit { state, limit: SlideLimit::One { steps, time_left } } = motion.outcome() else {
         panic!("{:?}", motion.outcome())
     };
     assert!(steps < 1_000 && !motion.outcome().is_final());
@@ -75,7 +75,8 @@ fn a_balanced_hoop_slips_for_a_time_that_is_no_number() {
                 assert!(rest > f64::MAX / 4.0, "{mu} {rest} {:?}", motion.outcome());
                 assert!(matches!(motion.outcome(), Outcome::StaysInContact { .. }), "{:?}", motion.outcome());
                 let unproved = follow(Limits::default().with_proof(Proof::None));
-                let Outcome::StepLimit { time_left, .. } = unproved.outcome() else {
+                let Outcome::StepLimit { limit: SlideLimit::One { time_left, .. }, .. } = unproved.outcome()
+                else {
                     panic!("{:?}", unproved.outcome())
                 };
                 assert!(time_left == f64::INFINITY);

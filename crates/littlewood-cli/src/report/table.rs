@@ -5,8 +5,8 @@ use std::io::{self, Write};
 
 use littlewood::{
     CASES, Candidates, Classification, Digits, Dimension, Hoop, Impact, Outcome, Phase, Quantity, Recurrence,
-    RollingLimit, RollingType, SampleColumn, SampleValue, Setup, SiSetup, Start, StartRegion, State,
-    Trajectory,
+    RollingLimit, RollingType, SampleColumn, SampleValue, Setup, SiSetup, SlideLimit, Start, StartRegion,
+    State, Trajectory,
 };
 use littlewood_report::number::{brief, column};
 use littlewood_report::scale::Scale;
@@ -284,10 +284,15 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             there,
             place,
         ],
-        Outcome::StepLimit { steps, time_left, .. } => {
+        Outcome::StepLimit { limit: SlideLimit::All { slides }, .. } => vec![
+            format!("stopped at {at} after slides of the length {slides}, all together: the limit"),
+            there,
+            place,
+        ],
+        Outcome::StepLimit { limit: SlideLimit::One { steps, time_left }, .. } => {
             let left = scale.show_with_unit(Dimension::Time, time_left);
             vec![
-                format!("stopped at {at} after {steps} steps of slides: this one is too long to be followed"),
+                format!("stopped at {at} after {steps} steps of a slide: it is too long to be followed"),
                 format!("at its pace this slide would stick after another {left}"),
                 there,
                 place,

@@ -4,7 +4,7 @@ mod impact;
 
 use littlewood::{
     Candidates, Cause, ContactForces, Dimension, Mode, Outcome, Phase, PhaseSolution, Recurrence, RollingLaw,
-    Trajectory, Transition,
+    SlideLimit, Trajectory, Transition,
 };
 
 use crate::number::brief;
@@ -143,8 +143,13 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             let several: Vec<String> = candidates.consistent().map(|(mode, _)| mode.to_string()).collect();
             format!("Several motions are consistent here (Painlevé): {}.", several.join(", "))
         }
-        Outcome::StepLimit { steps, time_left, .. } => format!(
-            "Stopped after {steps} steps of slides: at its pace this one would stick after another {}.",
+        Outcome::StepLimit { limit: SlideLimit::All { slides }, .. } => {
+            format!(
+                "Stopped after slides of the length {slides}, all together: slips may shrink without end."
+            )
+        }
+        Outcome::StepLimit { limit: SlideLimit::One { steps, time_left }, .. } => format!(
+            "Stopped after {steps} steps of a slide: at its pace it would stick after another {}.",
             scale.show_with_unit(Dimension::Time, three(time_left))
         ),
         Outcome::Unresolved { .. } => {

@@ -9,6 +9,7 @@
 
 mod chain;
 mod direct;
+mod doubt;
 mod duration;
 mod frictionless;
 mod interpolant;
@@ -37,6 +38,7 @@ use crate::walk::walk;
 
 use chain::Chains;
 use direct::Direct;
+use doubt::Doubt;
 use roll::RollTable;
 use slide::SlideTable;
 use slip::SlipTable;
@@ -53,15 +55,22 @@ const MIN_INERTIA_DIRECT: f64 = 1e-4;
 /// which it slips are known to ε/h.
 const MIN_IMBALANCE: f64 = 1e-3;
 
+/// Hoops with less static friction, if there is any, are simulated: where |F| = μs N they slip at angles that are known to ε/μs.
+const MIN_FRICTION: f64 = 1e-9;
+
 /// To motions of fewer transitions chains are not worth what is prepared for them.
 const MIN_CHAIN_TRANSITIONS: usize = 256;
 
 /// Whether phases of a body of at least so much inertia, as a part of its mass, are computed otherwise than in the simulation.
-fn is_computed(body: &Heavy, least_inertia: f64) -> bool {
-    body.h >= MIN_IMBALANCE && body.inertia >= least_inertia * body.mass
+fn is_computed(hoop: &Hoop, body: &Heavy, least_inertia: f64) -> bool {
+    let resolves_slips = hoop.mu_s() == 0.0 || hoop.mu_s() >= MIN_FRICTION;
+    resolves_slips && body.h >= MIN_IMBALANCE && body.inertia >= least_inertia * body.mass
 }
 
 /// A hoop prepared for many motions.
+///
+/// The outcome, the sequence and the number of transitions of a motion are those of [`Hoop::simulate`], with tables or without. Times, states and energies may differ from it in their last
+/// digits, and so between an engine with tables and one without.
 ///
 /// ```
 /// use littlewood::{Engine, Hoop, Limits, Start};
@@ -115,8 +124,9 @@ impl Engine {
     /// balanced hoops, whose motions amplify rounding. Arcs on which sliding is not well posed (P ≤ 0) are left out of them.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        let tables =
-            Direct::new(hoop).filter(|direct| is_computed(direct.body(), MIN_INERTIA)).and_then(|direct| {
+        let tables = Direct::new(hoop)
+            .filter(|direct| is_computed(hoop, direct.body(), MIN_INERTIA))
+            .and_then(|direct| {
                 let body = *direct.body();
                 let (slide, roll) = SlideTable::new(&body, hoop.mu_k()).zip(RollTable::new(hoop))?;
                 let slip = SlipTable::new(&body, (hoop.mu_s(), hoop.mu_k()), &roll, &slide);
@@ -153,7 +163,7 @@ impl Engine {
     /// A hoop without tables: for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`]. Nothing is prepared.
     #[must_use]
     pub fn without_tables(hoop: &Hoop) -> Self {
-        let direct = Direct::new(hoop).filter(|direct| is_computed(direct.body(), MIN_INERTIA_DIRECT));
+        let direct = Direct::new(hoop).filter(|direct| is_computed(hoop, direct.body(), MIN_INERTIA_DIRECT));
         let source = direct.map_or(Source::Exact, Source::Direct);
         Self::with(hoop, source)
     }
@@ -214,7 +224,7 @@ impl Engine {
         limits.check(&start)?;
         let (origin, state, limits) = Origin::of(state, limits);
         let state = (state, start.gap_rate);
-        let mut recorder = SummaryRecorder::new(&self.hoop, origin);
+        let recorder = SummaryRecorder::new(&self.hoop, origin);
         Ok(match &self.source {
             Source::Tables(tables) => {
                 self.fast_summary(tables.as_ref(), Some(&tables.chains), (state, limits), recorder)
@@ -223,12 +233,18 @@ impl Engine {
                 self.fast_summary(&chained.0, Some(&chained.1), (state, limits), recorder)
             }
             Source::Direct(direct) => self.fast_summary(direct, None, (state, limits), recorder),
-            Source::Exact => {
-                let solver = Exact::new(&self.hoop, &limits);
-                let outcome = walk(&solver, state, (&limits, self.known(None)), &mut recorder);
-                recorder.finish(outcome.kind(), outcome.state())
-            }
+            Source::Exact => self.exact_summary((state, limits), recorder),
         })
+    }
+
+    fn exact_summary(
+        &self,
+        (state, limits): ((State, f64), Limits),
+        mut recorder: SummaryRecorder<'_>,
+    ) -> Summary {
+        let solver = Exact::new(&self.hoop, &limits);
+        let outcome = walk(&solver, state, (&limits, self.known(None)), &mut recorder);
+        recorder.finish(outcome.kind(), outcome.state())
     }
 
     fn fast_summary<P: Phases>(
@@ -236,11 +252,15 @@ impl Engine {
         phases: &P,
         chains: Option<&Chains>,
         (state, limits): ((State, f64), Limits),
-        mut recorder: SummaryRecorder<'_>,
+        empty: SummaryRecorder<'_>,
     ) -> Summary {
         let chains = chains.filter(|_| limits.transitions >= MIN_CHAIN_TRANSITIONS && self.passes_chains());
         let solver = FastSolver::new(&self.hoop, phases, chains, limits);
+        let mut recorder = empty;
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
+        if solver.is_in_doubt() {
+            return self.exact_summary((state, limits), empty);
+        }
         recorder.finish(end.kind, end.state)
     }
 
@@ -311,7 +331,7 @@ mod tests {
         let motion = hoop.simulate(start, Limits::default().with_transitions(transitions)).unwrap();
         let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
         let solver = FastSolver::new(hoop, tables.as_ref(), Some(&tables.chains), Limits::default());
-        let room = Room { transitions: 5_000, are_told: false, open: None };
+        let room = Room { transitions: 5_000, slides: f64::INFINITY, are_told: false, open: None };
         let place = solver.place(slip.before);
         let linked = solver.pass_links(&place, slip.direction.unwrap(), &room).expect("links");
         linked.transitions as usize

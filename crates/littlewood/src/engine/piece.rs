@@ -30,8 +30,9 @@ const LEAST_WIDTH: f64 = 1e-7;
 /// So many halvings, with two steps of a secant for each, take a way to that.
 const MOST_HALVINGS: usize = 80;
 
-/// η″ within this part of 1 + u of zero may have either sign.
-const UNCERTAIN: f64 = 1e-9;
+/// A number within this part of its terms of zero may have either sign in the simulation: rounding, as much as passages of the bottom of a light hoop and a small P
+/// amplify it. The exact solver tells.
+pub(super) const UNCERTAIN: f64 = 1e-9;
 
 /// Where η″ vanishes at an end of a way its sign is told so far inside, as a part of the way.
 const INSIDE: f64 = 1e-6;
@@ -105,6 +106,11 @@ impl<P: Piece> Way<'_, P> {
     #[inline]
     pub(super) fn slip(&self, rate: f64, lever: f64, elapsed: f64) -> f64 {
         self.sigma * (self.integral + rate * lever - self.law.friction * elapsed)
+    }
+
+    /// The size of the terms of η′ at a waypoint, in the first integral.
+    pub(super) fn size_of_slip(&self, at: &Waypoint) -> f64 {
+        1.0 + at.u.sqrt() + self.integral.abs()
     }
 
     /// Everything at z, from the way since `here`.

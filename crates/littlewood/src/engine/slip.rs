@@ -25,7 +25,7 @@ use super::slide::{SlideEvent, SlideStart, SlideTable};
 /// Pieces are not halved below this width.
 const NARROWEST: f64 = 1.0 / 128.0;
 
-/// A slide that may be with or without lift-off, within this of both, is followed on its own.
+/// A slide that may be with or without lift-off, within this part of the terms of both, is followed on its own.
 const UNCERTAIN_END: f64 = 1e-9;
 
 /// End of a slide out of rolling.
@@ -147,7 +147,12 @@ impl SlipTable {
         } else {
             0.0
         };
-        let sure = if lifts_off { slip > UNCERTAIN_END } else { w > UNCERTAIN_END };
+        let (u, most) = (rate * rate, rate.abs().max(theta_rate.abs()));
+        let sure = if lifts_off {
+            slip > UNCERTAIN_END * (1.0 + most)
+        } else {
+            w > UNCERTAIN_END * (1.0 + law.body.h * u)
+        };
         let rolls = family.rolls.find(point.angle, |piece| (piece.ends.left, piece.ends.right));
         let ahead = rolls.filter(|_| !lifts_off).map_or(Ahead::Open, |piece| {
             let [turned, elapsed] = piece.ends.at(point.angle);
@@ -324,7 +329,7 @@ impl Builder<'_> {
     fn start(&self, angle: f64) -> Option<SlideStart> {
         let (sin, cos) = sincos(angle);
         let u = self.roll.limit(self.side, angle)?;
-        if !(u > 0.0 && contact(1.0, self.body.h, cos * u) > UNCERTAIN_END) {
+        if !(u > 0.0 && contact(1.0, self.body.h, cos * u) > UNCERTAIN_END * (1.0 + self.body.h * u)) {
             return None;
         }
         let law: &RollingLaw = self.roll.law();

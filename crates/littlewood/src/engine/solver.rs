@@ -24,10 +24,7 @@ use super::orbit::{Orbit, Reached};
 use super::roll::{RollEnd, SlipPoint, direction_of};
 use super::slide::SlideEnd;
 use super::slip::Ahead;
-use super::{frictionless, jump};
-
-/// Forces within this part of the friction limit, or of lift-off, are weighed by the exact rules.
-const UNCERTAIN_FORCES: f64 = 1e-9;
+use super::{Doubt, frictionless, jump};
 
 /// Slower phases are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
 pub(super) const MIN_RATE: f64 = 4e-3;
@@ -69,6 +66,8 @@ pub(super) struct FastSolver<'a, P> {
     exact: Exact<'a>,
     /// What has been computed on the way.
     memory: Memory,
+    /// What has been lost on the way.
+    doubt: Doubt,
 }
 
 /// A state with the sine and cosine of its angle.
@@ -143,7 +142,13 @@ type Ended = Ending<Place, Verdict>;
 impl<'a, P: Phases> FastSolver<'a, P> {
     pub(super) fn new(hoop: &'a Hoop, phases: &'a P, chains: Option<&'a Chains>, limits: Limits) -> Self {
         let until = limits.until.unwrap_or(f64::INFINITY);
-        Self { hoop, phases, chains, until, exact: Exact::new(hoop, &limits), memory: Memory::default() }
+        let (exact, doubt) = (Exact::new(hoop, &limits), Doubt::new(phases.body()));
+        Self { hoop, phases, chains, until, exact, memory: Memory::default(), doubt }
+    }
+
+    /// Whether rounding may have decided on what follows otherwise than in the simulation.
+    pub(super) const fn is_in_doubt(&self) -> bool {
+        self.doubt.is_told()
     }
 
     /// Whether so much time is left at a state.
@@ -177,16 +182,20 @@ impl<'a, P: Phases> FastSolver<'a, P> {
         contact(1.0, self.phases.body().h, place.direction.1 * place.u())
     }
 
-    /// The evidence from the forces, where it is clear on which side of every limit they are.
+    /// The evidence from the forces, where it is clear on which side of every limit they are. A sign that is not may be another one in the
+    /// simulation, too, unless the state is that of the simulation to the last bit.
     #[inline(always)]
     fn clear_evidence(&self, place: &Place, arrival: Arrival) -> Option<Evidence<impl Fn(Direction) -> f64>> {
         let Place { state, direction: (sin, cos), .. } = *place;
         let w = self.contact(place);
-        if w.abs() <= UNCERTAIN_FORCES {
+        let Heavy { mass, h, inertia, .. } = *self.phases.body();
+        let doubt = &self.doubt;
+        if !doubt.is_clear(w, 1.0 + h * place.u()) {
             return None;
         }
         let slip = match Direction::of_sign(state.slip) {
             Some(direction) => SlipEvidence::Moving(direction),
+            None if !doubt.is_known(w, 1.0 + h * place.u()) => return None,
             None => self.clear_rest(place, w, arrival)?,
         };
         let solvability = move |direction| {
@@ -194,8 +203,12 @@ impl<'a, P: Phases> FastSolver<'a, P> {
             law.p(sin, law.q(1.0, sin, cos))
         };
         if !self.phases.is_solvable() {
-            let least = UNCERTAIN_FORCES * self.phases.body().mass;
-            if !Direction::ALL.iter().all(|direction| solvability(*direction) > least) {
+            let size = inertia + mass * h * (1.0 + self.hoop.mu_k());
+            let [negative, positive] = Direction::ALL.map(solvability);
+            if !(doubt.is_clear(negative, size)
+                && doubt.is_clear(positive, size)
+                && negative.min(positive) > 0.0)
+            {
                 return None;
             }
         }
@@ -210,20 +223,20 @@ impl<'a, P: Phases> FastSolver<'a, P> {
         let denominator = self.phases.denominator(place.direction);
         let forces = law.forces_at(place.direction, [1.0, u], denominator);
         let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
-        let is_clear = excess.abs() > UNCERTAIN_FORCES * (law.mass + forces.friction.abs() + u);
+        let size = law.mass * (1.0 + u) * (1.0 + self.hoop.mu_s());
         let hold = match arrival {
-            Arrival::Open | Arrival::GlideAtRest { .. } | Arrival::RollingLimit(_) | Arrival::LiftOff
-                if w < 0.0 =>
-            {
-                Hold::NoNormalForce
-            }
+            Arrival::Open | Arrival::RollingLimit(_) if w < 0.0 => Hold::NoNormalForce,
             Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
                 Hold::Slips { direction, excess: 0.0 }
             }
-            Arrival::Open if is_clear && excess < 0.0 && place.state.theta_rate != 0.0 => Hold::Holds,
-            Arrival::Open if is_clear && excess > 0.0 => {
-                Hold::Slips { direction: Direction::of_sign(-forces.friction)?, excess }
+            Arrival::Open if self.doubt.is_clear(excess, size) && place.state.theta_rate != 0.0 => {
+                if excess < 0.0 {
+                    Hold::Holds
+                } else {
+                    Hold::Slips { direction: Direction::of_sign(-forces.friction)?, excess }
+                }
             }
+            // Known by how it was reached, or from rest.
             Arrival::BackOnLimit(_)
             | Arrival::RollingLimit(RollingLimit::NormalForce)
             | Arrival::GlideAtRest { .. }
@@ -231,13 +244,34 @@ impl<'a, P: Phases> FastSolver<'a, P> {
             | Arrival::Open => return None,
         };
         if let Hold::Slips { excess, .. } = hold {
-            // The slip must begin clearly: with equal coefficients its acceleration vanishes on the limit.
+            // With equal coefficients the acceleration of the slip vanishes on the limit.
             let drive = excess + (self.hoop.mu_s() - self.hoop.mu_k()) * forces.normal;
-            if drive <= UNCERTAIN_FORCES {
+            if drive <= 0.0 {
                 return None;
             }
         }
         Some(SlipEvidence::AtRest { hold, rolling_forces: forces, denominator })
+    }
+
+    /// A slide as the simulation has it, but for the last digits of an acceleration from which it begins.
+    fn slide_exactly(
+        &self,
+        state: &State,
+        body: &Heavy,
+        direction: Direction,
+        slip_acceleration: Option<f64>,
+    ) -> SolvedBy<Self> {
+        let solved = self.exact.slide(state, body, direction, slip_acceleration);
+        if slip_acceleration.is_some_and(|acceleration| acceleration != 0.0) {
+            self.doubt.add_phase(state.theta);
+        }
+        Self::take(solved)
+    }
+
+    /// Takes note of a phase that was computed here, to a state.
+    #[inline(always)]
+    fn computed(&self, end: &State) {
+        self.doubt.add_phase(end.theta);
     }
 }
 
@@ -254,7 +288,7 @@ impl<P: Phases> FastSolver<'_, P> {
 }
 
 impl<P: Phases> Follow for FastSolver<'_, P> {
-    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, PhaseSequence)> {
+    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, f64, PhaseSequence)> {
         let solver = Self::new(self.hoop, self.phases, None, Limits::default());
         let state = State { time: 0.0, theta: slip.angle, theta_rate, slip: 0.0, x: 0.0 };
         let place = Place { slip: Some(slip), ..Place::new(state) };
@@ -263,9 +297,12 @@ impl<P: Phases> Follow for FastSolver<'_, P> {
             phases.push(mode, direction);
             !phases.is_truncated()
         };
-        let (end, direction) = next_slip(&solver, place, direction_of(slip.side, 1.0), tell)?;
+        let (end, direction, slid) = next_slip(&solver, place, direction_of(slip.side, 1.0), tell)?;
+        if solver.is_in_doubt() {
+            return None;
+        }
         let is_last = self.chains.is_some_and(|chains| chains.is_last(self.hoop, &state, &end, phases));
-        (!is_last).then_some((end, direction, phases))
+        (!is_last).then_some((end, direction, slid, phases))
     }
 }
 
@@ -306,6 +343,9 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = place.travel();
+        if self.doubt.is_far(state.theta) {
+            return Self::take(self.exact.roll(&state, on_limit));
+        }
         let ending: Ended = match self.phases.roll(place, on_limit, &self.memory) {
             Some(RollEnd::Never) => Ending::Motion {
                 event: None,
@@ -325,6 +365,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                     x: state.x - (theta - state.theta),
                 };
                 let limit = RollingLimit::Friction(towards);
+                self.computed(&end);
                 Ending::Event {
                     place: Place {
                         state: end,
@@ -364,8 +405,12 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             let ending = Ending::Motion { event: None, end: None, verdict: for_ever };
             Solved { solution: Kept::Nothing, direction: Some(direction), ending }
         };
-        if is_conservative && frictionless::is_next_to_separatrix(body, &state) {
-            return Self::take(self.exact.slide(&state, body, direction, slip_acceleration));
+        if self.doubt.is_far(state.theta)
+            || (slip_acceleration.is_some()
+                && !self.doubt.is_known(self.contact(place), 1.0 + body.h * place.u()))
+            || (is_conservative && frictionless::is_next_to_separatrix(body, &state))
+        {
+            return self.slide_exactly(&state, body, direction, slip_acceleration);
         }
         if is_conservative && self.until.is_infinite() && frictionless::slides_forever(body, &state) {
             return never();
@@ -376,7 +421,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             Some((SlideEnd::Event(event), ahead)) => (event, ahead, false),
             Some((SlideEnd::Cut(event), ahead)) => (event, ahead, true),
             Some((SlideEnd::Never, _)) => return never(),
-            None => return Self::take(self.exact.slide(&state, body, direction, slip_acceleration)),
+            None => return self.slide_exactly(&state, body, direction, slip_acceleration),
         };
         let law = self.phases.sliding(direction);
         let here = event.direction;
@@ -387,6 +432,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             slip: event.slip,
             x: law.path(&state, place.direction).x(event.elapsed, here),
         };
+        self.computed(&end);
         let solution = Kept::Slide(event.range_from(state.theta));
         if is_cut {
             let repeats = is_conservative && event.is_behind_a_period(state.theta);
@@ -404,6 +450,10 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     #[inline(always)]
     fn fly(&self, place: &Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let state = place.state;
+        // Whatever follows from a state of the simulation goes on as there.
+        if self.doubt.is_none() && self.hoop.restitution().is_some() {
+            return Self::take(self.exact.fly(&state, body, take_off));
+        }
         let flight = match take_off {
             TakeOff::Grazing => {
                 let (travel, (sin, cos)) = (place.travel(), place.direction);
@@ -413,7 +463,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                 }
             }
             // So close to w = 0 the exact rules have decided, with their own cosine.
-            TakeOff::Unloaded if self.contact(place) > -UNCERTAIN_FORCES => {
+            TakeOff::Unloaded if !self.doubt.is_clear(self.contact(place), 1.0 + body.h * place.u()) => {
                 Flight::new(body, state, take_off)
             }
             TakeOff::Unloaded | TakeOff::Rising { .. } => {
@@ -421,6 +471,9 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             }
         };
         let duration = flight.duration();
+        if let Some(restitution) = self.hoop.restitution() {
+            self.doubt.add_flight(&flight, &state, place.direction, restitution.coefficient());
+        }
         let ending = if self.is_in_time(&state, duration) {
             Ending::Landing { state: flight.state(duration), gap_rate: flight.landing_rate() }
         } else {
@@ -452,6 +505,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         };
         let has_room = |passage: &Passage| {
             passage.route.transitions <= room.transitions
+                && passage.slid <= room.slides
                 && self.is_in_time(&state, passage.elapsed)
                 && room.open.is_none_or(|open| after(passage).is_some_and(|(_, state)| open(&state)))
         };
@@ -463,10 +517,12 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         let (slip, end) = after(&passage)?;
         let place = Place { slip: Some(slip), ..Place::new(end) };
         let towards = direction_of(slip.side, place.travel());
+        self.computed(&end);
         Some(Linked {
             place,
             direction: towards,
             transitions: passage.route.transitions,
+            slid: passage.slid,
             phases: if travel < 0.0 { phases.mirrored() } else { phases },
         })
     }

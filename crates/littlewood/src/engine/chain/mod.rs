@@ -34,9 +34,9 @@ const AFTER_FAILURE: usize = 2;
 /// Follows a motion from a slip to the next.
 pub(super) trait Follow {
     /// The state at the end of the link that begins at a slip with this rate, travelling to positive angles from x = 0 at τ = 0, with the
-    /// direction of the slip there, and the phases; none where the motion comes to
+    /// direction of the slip there, the length of the slides, and the phases; none where the motion comes to
     /// another end, or it may be known there that it slips for ever.
-    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, PhaseSequence)>;
+    fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, f64, PhaseSequence)>;
 }
 
 /// The maps from slip to slip of one body.
@@ -168,8 +168,8 @@ impl Chains {
     fn value(&self, level: usize, point: Point, follow: &impl Follow) -> Option<(Passage, PhaseSequence)> {
         let Some(below) = level.checked_sub(1) else {
             let (slip, rate) = self.curves.slip(point)?;
-            let (end, direction, phases) = follow.link(slip, rate)?;
-            return Some((Passage::to(&end, self.point(&end, direction)?, phases), phases));
+            let (end, direction, slid, phases) = follow.link(slip, rate)?;
+            return Some((Passage::to(&end, self.point(&end, direction)?, slid, phases), phases));
         };
         let first = self.found(below, point, follow)?.from(point.at);
         let second = self.found(below, first.end, follow)?.from(first.end.at);

@@ -15,6 +15,8 @@ pub(in crate::engine) struct Passage {
     pub(in crate::engine) elapsed: f64,
     /// What is added to x.
     pub(in crate::engine) moved: f64,
+    /// Length of the slides.
+    pub(in crate::engine) slid: f64,
     pub(in crate::engine) route: Route,
 }
 
@@ -41,21 +43,21 @@ const fn mixed(first: u64, second: u64) -> u64 {
 
 impl Passage {
     /// The link that led to a state at a slip, travelling to positive angles from x = 0 at τ = 0.
-    pub(super) fn to(state: &State, end: Point, phases: PhaseSequence) -> Self {
+    pub(super) fn to(state: &State, end: Point, slid: f64, phases: PhaseSequence) -> Self {
         let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
         let turns = (travel * state.theta / TAU).floor();
         let route = Route { part: end.part, travel, turns, transitions: phases.len(), digest: phases.bits() };
-        Self { end, elapsed: state.time, moved: state.x, route }
+        Self { end, elapsed: state.time, moved: state.x, slid, route }
     }
 
     /// The numbers that are interpolated.
-    pub(super) const fn numbers(&self) -> [f64; 3] {
-        [self.end.at, self.elapsed, self.moved]
+    pub(super) const fn numbers(&self) -> [f64; 4] {
+        [self.end.at, self.elapsed, self.moved, self.slid]
     }
 
     /// From the numbers of a route.
-    pub(super) const fn with_numbers(route: Route, [at, elapsed, moved]: [f64; 3]) -> Self {
-        Self { end: Point { part: route.part, at }, elapsed, moved, route }
+    pub(super) const fn with_numbers(route: Route, [at, elapsed, moved, slid]: [f64; 4]) -> Self {
+        Self { end: Point { part: route.part, at }, elapsed, moved, slid, route }
     }
 
     /// Whether the hoop travels back at the end.
@@ -70,6 +72,7 @@ impl Passage {
             end: next.end,
             elapsed: self.elapsed + next.elapsed,
             moved: self.moved + first.travel * next.moved,
+            slid: self.slid + next.slid,
             route: Route {
                 part: second.part,
                 travel: first.travel * second.travel,

@@ -25,6 +25,9 @@ const LEVEL_ROUNDING: f64 = 0.25;
 /// Halvings after which an interval without links at its ends and its middle is taken to have none.
 const SEARCHED: u32 = 3;
 
+/// To this the length of slides is told.
+const COUNTED: f64 = 1e-9;
+
 /// By how many tolerances the polynomials may miss the links between the nodes.
 const MISSED: f64 = 8.0;
 
@@ -33,7 +36,7 @@ const MISSED: f64 = 8.0;
 pub(super) struct Found {
     route: Route,
     pub(super) phases: PhaseSequence,
-    numbers: Interpolant<3>,
+    numbers: Interpolant<4>,
 }
 
 impl Found {
@@ -142,7 +145,7 @@ where
         return divided();
     }
     let nodes = basis.nodes(left, right);
-    let mut numbers = [[0.0; 3]; NODES];
+    let mut numbers = [[0.0; 4]; NODES];
     for (at, numbers) in nodes.iter().zip(&mut numbers) {
         match value(*at).as_ref().and_then(same) {
             Some(found) => *numbers = found,
@@ -153,10 +156,12 @@ where
     let (first, last) = (&first.0.end, &last.0.end);
     let least = LEVEL_ROUNDING * tolerance * amplification(last.part, (first.at, last.at));
     let relative = Tolerance { relative: *tolerance, least };
-    // x comes back to where it was, unlike time.
-    let tolerances = [relative, relative, Tolerance { least: least.max(*tolerance), ..relative }];
+    // x comes back to where it was, unlike time; the length of slides is only counted.
+    let moved = Tolerance { least: least.max(*tolerance), ..relative };
+    let counted = Tolerance { relative: COUNTED, least: COUNTED };
+    let tolerances = [relative, relative, moved, counted];
     let Some(interpolant) = basis.through(left, right, &numbers, &tolerances) else { return divided() };
-    let agrees = |at: f64, expected: [f64; 3]| {
+    let agrees = |at: f64, expected: [f64; 4]| {
         let values = interpolant.at(at).into_iter().zip(expected).zip(&tolerances);
         values
             .into_iter()

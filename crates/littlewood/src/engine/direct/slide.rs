@@ -9,7 +9,7 @@
 
 use crate::equations::{SlidingLaw, contact};
 
-use super::super::piece::{End, Piece, Way, Waypoint};
+use super::super::piece::{End, Piece, UNCERTAIN, Way, Waypoint};
 use super::super::slide::{SlideEnd, SlideEvent, Turns};
 use super::cell::Cell;
 use super::expansion::{Expansion, Signs};
@@ -19,9 +19,6 @@ use super::turn::Turn;
 
 /// Most pieces: a slide over more than a few turns is left to the exact solver.
 const MOST_PIECES: usize = 512;
-
-/// Contact, and a slip at its least, within this of zero are in doubt.
-const UNCERTAIN: f64 = 1e-9;
 
 /// A turning point nearer than this part of the width on which u has converged is the centre of the next piece.
 const NEAR: f64 = 0.7;
@@ -200,8 +197,9 @@ fn pass_step(frame: &Frame<'_>, here: &Waypoint, step: &Step) -> Option<(End, Wa
     }
     let (sin, cos) = step.direction;
     let top = (-sin / ((1.0 + cos) * step.width)).clamp(here.z, 1.0);
-    let w = contact(1.0, frame.law().body.h, step.u(top));
-    if w.abs() < UNCERTAIN {
+    let (h, u) = (frame.law().body.h, step.u(top));
+    let w = contact(1.0, h, u);
+    if w.abs() < UNCERTAIN * (1.0 + h * u) {
         return None;
     }
     if w < 0.0 { pass(&way, (here, top), false, signs) } else { pass(&way, (here, 1.0), true, signs) }
@@ -238,15 +236,15 @@ fn pass<P: Piece>(
     held: bool,
     (signs, doubt): (Signs, f64),
 ) -> Option<(End, Waypoint)> {
-    let w =
-        if held { 1.0 } else { contact(1.0, way.law.body.h, way.piece.direction(to).1 * way.piece.u(to)) };
-    if w.abs() < UNCERTAIN {
+    let (h, u) = (way.law.body.h, way.piece.u(to));
+    let w = if held { 1.0 } else { contact(1.0, h, way.piece.direction(to).1 * u) };
+    if !held && w.abs() < UNCERTAIN * (1.0 + h * u) {
         return None;
     }
     let lifts_off = w < 0.0;
     let there = if lifts_off { way.lift_off(here, to)? } else { way.at(here, to)? };
     // Where the piece ends just at a zero of η′, which may be a touch, rounding would decide.
-    if there.slip.abs() <= UNCERTAIN * (1.0 + there.u.sqrt()) {
+    if there.slip.abs() <= UNCERTAIN * way.size_of_slip(&there) {
         return None;
     }
     let from_rest = here.slip <= 0.0;
@@ -277,7 +275,7 @@ fn pass<P: Piece>(
         Signs::Rising => {
             if let Some(least) = way.least(here, &there)? {
                 // Where it hardly vanishes, or hardly does not, rounding would decide.
-                let uncertain = doubt * (there.elapsed - here.elapsed) + UNCERTAIN * (1.0 + least.u.sqrt());
+                let uncertain = doubt * (there.elapsed - here.elapsed) + UNCERTAIN * way.size_of_slip(&least);
                 if least.slip.abs() <= uncertain {
                     return None;
                 }

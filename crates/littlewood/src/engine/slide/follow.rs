@@ -2,7 +2,7 @@
 
 use crate::equations::contact;
 
-use super::super::piece::{End, Piece, Way, Waypoint, may_rise};
+use super::super::piece::{End, Piece, UNCERTAIN, Way, Waypoint, may_rise};
 use super::super::solver::MIN_RATE;
 use super::cell::Cell;
 use super::crossing::{Crossing, EVEN, is_smooth, is_within};
@@ -17,9 +17,6 @@ const MOST_TURNS: usize = 16;
 
 /// So is a libration over more periods: rounding in its period would tell as often.
 const MOST_PERIODS: f64 = 64.0;
-
-/// η′ within this of zero is in doubt where it is least, and where contact ends.
-const UNCERTAIN: f64 = 1e-9;
 
 /// The rate at the entrance must be that of the way about a turning point to this: as small an error in η′.
 const RATE_ERROR: f64 = 1e-15;
@@ -45,14 +42,14 @@ fn may_be_least_between(here: &Waypoint, there: &Waypoint) -> bool {
 }
 
 /// Whether η′ is so close to zero that rounding tells its sign.
-fn is_doubtful(at: &Waypoint) -> bool {
-    at.slip.abs() <= UNCERTAIN * (1.0 + at.u.sqrt())
+fn is_doubtful<P: Piece>(way: &Way<'_, P>, at: &Waypoint) -> bool {
+    at.slip.abs() <= UNCERTAIN * way.size_of_slip(at)
 }
 
 /// The end of a way on which η″ changes its sign at most once, from a place to another, at which contact ends or not.
 fn pass<P: Piece>(way: &Way<'_, P>, here: &Waypoint, there: Waypoint, lifts_off: bool) -> Option<Passed> {
     // Where η′ hardly vanishes before contact ends, or hardly does not, rounding would decide.
-    if lifts_off && is_doubtful(&there) {
+    if lifts_off && is_doubtful(way, &there) {
         return None;
     }
     if there.slip <= 0.0 {
@@ -63,9 +60,9 @@ fn pass<P: Piece>(way: &Way<'_, P>, here: &Waypoint, there: Waypoint, lifts_off:
         return Some(passed);
     }
     let Some(least) = way.least(here, &there)? else {
-        return (!is_doubtful(here) && !is_doubtful(&there)).then_some(passed);
+        return (!is_doubtful(way, here) && !is_doubtful(way, &there)).then_some(passed);
     };
-    if is_doubtful(&least) {
+    if is_doubtful(way, &least) {
         return None;
     }
     if least.slip < 0.0 {
