@@ -193,7 +193,7 @@ class Hoop:
     ) -> Trajectory:
         """Follow a motion to its end, or to a limit.
 
-        Every transition is located to the last digits; none is missed.
+        Each transition is isolated as a root of the solution and located to machine precision.
 
         Parameters
         ----------

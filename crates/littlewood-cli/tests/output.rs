@@ -1,4 +1,5 @@
 //! Where the output goes: files that are replaced at the end only, closed pipes, and failures to write.
+#![allow(clippy::panic)] // a failed expectation
 
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Read};

@@ -10,7 +10,7 @@ mod hash;
 mod starts;
 
 pub use block::Block;
-pub use starts::{MOTIONS, setups};
+pub use starts::{MOTIONS, UNTIL, setups};
 
 /// Number of blocks.
 pub const BLOCKS: u32 = 100;

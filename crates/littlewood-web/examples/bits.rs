@@ -9,7 +9,7 @@
 use std::io::{self, BufWriter, Write};
 
 use littlewood::{CASES, Hoop, Setup};
-use littlewood_digest::{limits, setups};
+use littlewood_digest::{UNTIL, setups};
 use littlewood_web::{Motion, Problem, dimensionless_quantities};
 
 const SAMPLES: usize = 20;
@@ -33,13 +33,12 @@ fn word(number: Option<f64>) -> String {
     number.map_or_else(|| "-".to_owned(), |number| format!("{:016x}", number.to_bits()))
 }
 
-fn line(out: &mut impl Write, case: Option<&str>, setup: &Setup) -> io::Result<()> {
+fn line(out: &mut impl Write, case: Option<&str>, (setup, until): (&Setup, Option<f64>)) -> io::Result<()> {
     let numbers: Vec<f64> = dimensionless_quantities().filter_map(|quantity| setup.get(quantity)).collect();
     // The motion is checked where its parameters are; here it is enough that there is one.
     let restitution = Hoop::new(setup.hoop).ok().and_then(|hoop| hoop.restitution());
     let law = restitution.map(|it| it.law().name().to_owned());
     let coefficient = restitution.map(|it| it.coefficient());
-    let until = limits(setup).until;
     let motion = Problem::dimensionless(&numbers, coefficient, law.clone(), until)
         .and_then(|problem| Motion::new(&problem, case.map(str::to_owned)))
         .map_err(|refusal| io::Error::other(refusal.message()))?;
@@ -59,10 +58,11 @@ fn line(out: &mut impl Write, case: Option<&str>, setup: &Setup) -> io::Result<(
 fn main() -> io::Result<()> {
     let mut out = BufWriter::new(io::stdout().lock());
     for case in CASES {
-        line(&mut out, Some(case.name), &case.setup)?;
+        let until = case.setup.hoop.restitution.map(|_| UNTIL);
+        line(&mut out, Some(case.name), (&case.setup, until))?;
     }
-    for setup in setups(0) {
-        line(&mut out, None, &setup)?;
+    for (setup, limits) in setups(0) {
+        line(&mut out, None, (&setup, limits.until))?;
     }
     out.flush()
 }

@@ -18,7 +18,8 @@ use crate::walk::{PhaseSeen, Recorder, walk};
 impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.
     ///
-    /// Every transition is located to the last digits; none is missed. The result is the same on every platform,
+    /// Each transition is isolated as a root of the solution and located to machine precision: to a few units of what the last digits of
+    /// hoop and start determine (docs/accuracy.md measures it, and says where digits are lost). The result is the same on every platform,
     /// bit for bit. Without a coefficient of restitution the motion ends where the rim lands; with one it goes on.
     ///
     /// ```

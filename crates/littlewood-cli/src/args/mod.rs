@@ -52,7 +52,7 @@ use self::sweep::{ATLAS, ATLAS_EXAMPLES, SWEEP, SWEEP_EXAMPLES};
 /// Littlewood's hoop: the exact motion of a loaded hoop that rolls, slides, glides and jumps.
 ///
 /// A hoop (or disc) of mass m1 and radius R carries a particle of mass m2 at the distance l from its centre and moves
-/// on a rough horizontal plane. Every slip, stick, lift-off and landing is located to the last digits. Equation
+/// on a rough horizontal plane. Each slip, stick, lift-off and landing is located to machine precision. Equation
 /// numbers refer to Bronars and O'Reilly, Proc. R. Soc. A 475, 2019.
 #[derive(Debug, Parser)]
 #[command(name = "littlewood", version, arg_required_else_help = true, after_help = EXAMPLES)]
