@@ -29,7 +29,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { until: None, transitions: 10_000, slides: 50_000, proof: Proof::default() }
+        Self { until: None, transitions: 10_000, slides: 30_000, proof: Proof::default() }
     }
 }
 
