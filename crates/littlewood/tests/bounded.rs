@@ -1,4 +1,5 @@
-//! No call hangs: random hoops, starts and limits over the whole ranges of the quantities, each in bounded time.
+//! No call hangs: random hoops, starts and limits over the whole ranges of the quantities, each in bounded time, and each with a motion
+//! that keeps its laws and that the engine sums up alike.
 //!
 //! `LITTLEWOOD_CALLS=100000 cargo test --release -p littlewood bounded:: -- --nocapture` follows so many and prints how
 //! long they took; `LITTLEWOOD_FIRST_CALL` is the number of the first.
@@ -8,11 +9,15 @@ use std::collections::BTreeMap;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-use littlewood::{Hoop, Limits, Setup};
+use crate::invariants::check_laws;
+use littlewood::{Body, Engine, Hoop, Limits, Setup};
 use littlewood_random::{Draw, command};
 
 /// Seconds of a processor that a call may take; builds for tests are slower than those for use.
 const LONGEST: f64 = if cfg!(debug_assertions) { 10.0 } else { 1.0 };
+
+/// The laws of longer motions are not checked.
+const MOST_PHASES: usize = 60;
 
 /// Seed of all calls.
 const SEED: u64 = 2019;
@@ -37,11 +42,18 @@ impl Call {
     fn answer(&self) -> (String, f64) {
         let Ok(hoop) = Hoop::new(self.setup.hoop) else { return ("refused".to_owned(), 0.0) };
         let begin = clock();
-        let name = match hoop.simulate(self.setup.start, self.limits) {
-            Ok(motion) => motion.outcome().kind().to_string(),
-            Err(_) => "refused".to_owned(),
+        let Ok(motion) = hoop.simulate(self.setup.start, self.limits) else {
+            return ("refused".to_owned(), clock() - begin);
         };
-        (name, clock() - begin)
+        let seconds = clock() - begin;
+        if motion.phases().len() <= MOST_PHASES && matches!(hoop.body(), Body::Heavy(_)) {
+            check_laws(&motion).expect("a motion that keeps its laws");
+        }
+        let engine =
+            Engine::without_tables(&hoop).summary(self.setup.start, self.limits).expect("a valid start");
+        let kind = motion.outcome().kind();
+        assert_eq!((engine.outcome, engine.transitions as usize), (kind, motion.transitions().len()));
+        (kind.to_string(), seconds)
     }
 
     fn words(&self) -> String {
