@@ -195,7 +195,7 @@ impl Sliding {
             let reach = if self.law.body.h == 0.0 {
                 series.straight_reach()
             } else {
-                series.reach(longest_step(self.steps.len()), is_near_zero)
+                series.reach(longest_step(self.steps.len()))
             };
             if self.work() >= most || lookout.has_passed_most {
                 let state = self.state_from(here);

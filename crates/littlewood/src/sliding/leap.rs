@@ -110,7 +110,7 @@ impl Probe {
             let (sin, cos) = libm::sincos(here.theta);
             let mut series = SlideSeries::new(law, here.theta, here.rate, here.rate * law.lever(sin, cos));
             series.slip[1] += law.friction;
-            let width = series.reach(f64::INFINITY, false);
+            let width = series.reach(f64::INFINITY);
             if !(width > 0.0 && width.is_finite())
                 || crossing(&series.contact, width).is_some()
                 || crossing(&series.solvability, width).is_some()
@@ -537,7 +537,7 @@ impl Passed {
         let mut left = time - begin;
         for _ in 0..MOST_STEPS {
             let series = SlideSeries::new(law, here.theta, here.rate, 0.0);
-            let width = series.reach(f64::INFINITY, false).min(left);
+            let width = series.reach(f64::INFINITY).min(left);
             here = Place { theta: value(&series.theta, width), rate: value(&series.theta_rate, width) };
             left -= width;
             if left <= 0.0 {

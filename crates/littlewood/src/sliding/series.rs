@@ -111,11 +111,9 @@ impl SlideSeries {
     }
 
     /// Length of the step on which the series has converged to the last digit, from its last two coefficients
-    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); no longer than `longest`. P may be on its way to zero.
-    pub(super) fn reach(&self, longest: f64, is_near_zero: bool) -> f64 {
+    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); no longer than `longest`.
+    pub(super) fn reach(&self, longest: f64) -> f64 {
         let (rate, acceleration) = (self.theta_rate[0].abs(), self.theta_rate[1].abs());
-        // Next to P = 0 θ″ grows without bound, and θ′ does not.
-        let scale = rate.max(if is_near_zero { acceleration.min(1.0 + rate) } else { acceleration });
         let mut reach = longest;
         if !self.theta_rate[DEGREE].is_finite() || !self.slip[DEGREE].is_finite() {
             // Coefficients grow like reach^−n: overflow means a reach below 1e-13.
@@ -125,8 +123,13 @@ impl SlideSeries {
             let size = [&self.theta_rate, &self.slip, &self.contact, &self.solvability]
                 .iter()
                 .fold(0.0_f64, |size, series| size.max(series[order].abs()));
-            if size > 0.0 && scale > 0.0 {
-                reach = reach.min(libm::exp(libm::log(TOLERANCE * scale / size) / order as f64));
+            if size > 0.0 && rate.max(acceleration) > 0.0 {
+                let of =
+                    |scale: f64, order: usize| libm::exp(libm::log(TOLERANCE * scale / size) / order as f64);
+                // θ′ grows to the size of θ″ times the step: where a fast slip ends at once, and next to P = 0, θ″ is much larger.
+                let grown = of(acceleration, order - 1);
+                let grown = if grown <= 1.0 { grown } else { of(acceleration, order) };
+                reach = reach.min(of(rate, order).max(grown));
             }
         }
         reach
@@ -192,7 +195,7 @@ mod tests {
             prop_assert!((series.theta_rate[1] - expected.theta).abs() < 1e-14 * size);
             prop_assert!((series.slip[1] - expected.slip).abs() < 1e-13 * size);
             // The first integral holds along the series, term by term.
-            let at = 0.5 * series.reach(LONGEST, false);
+            let at = 0.5 * series.reach(LONGEST);
             let (theta_then, rate_then) = (value(&series.theta, at), value(&series.theta_rate, at));
             let drift = law.momentum_integral(at, theta_then, rate_then, value(&series.slip, at))
                 - law.momentum_integral(0.0, theta, rate, 0.25);
