@@ -266,7 +266,7 @@ pub enum SlideLimit {
         /// The limit.
         slides: usize,
     },
-    /// A single slide has taken more steps than a slide is given; or, on a plane of next to no friction, or of a fast hoop, it has turned more often
+    /// Slides of more than 2,000 steps have together taken more than 100,000, this one the last of them; or, on a plane of next to no friction, or of a fast hoop, it has turned more often
     /// than angles resolve, or ends at a time beyond all numbers.
     One {
         /// Its steps.
