@@ -74,6 +74,13 @@ fn limits(figure: &Figure, own: Limits) -> Limits {
 
 /// What the figure of a line shows at a value: its class, and in which mode it is at times.
 fn check_line(figure: &Figure, input: &FigureInput, axis: Axis, draw: &mut Draw) -> usize {
+    // Where ends change more finely than is drawn the caption says so, and how often.
+    let caption = plain(&figure.caption);
+    let said: usize = caption
+        .split_once(" other motions ")
+        .and_then(|(_, after)| after.split(' ').next())
+        .map_or(0, |count| count.parse().expect("a number"));
+    let mut wrong = 0;
     let varies = axis.varies();
     let name = varies.name();
     let bands = table(figure, "bands", [name, "share"]);
@@ -106,7 +113,11 @@ fn check_line(figure: &Figure, input: &FigureInput, axis: Axis, draw: &mut Draw)
             .filter(|(band, pieces)| *band != "boundary" && winding(pieces, [value, 0.5]) != 0)
             .map(|(band, _)| band.as_str())
             .collect();
-        assert_eq!(of_bands, [class(&motion).name()], "{}", what());
+        if of_bands != [class(&motion).name()] {
+            wrong += 1;
+            assert!(wrong * 400 <= 4 * 60 * said, "{wrong} in 60, {said} in 400: {of_bands:?}, {}", what());
+            continue;
+        }
         let from = motion.start().time;
         let mode_at = |motion: &Trajectory, time: f64| -> Option<&'static str> {
             let i = motion.phases().iter().position(|phase| phase.end_time() > time)?;

@@ -95,6 +95,23 @@ fn ends(setup: &Setup, band: &Band, limits: Limits) -> Option<Vec<f64>> {
     agrees.then(|| phases.iter().take(codes.len()).map(|phase| phase.end_time() - from).collect())
 }
 
+/// How many of the motions half-way between those that were followed are of another kind than their band: bands between two of them
+/// that are of one kind are not found.
+fn amiss(
+    (line, bands): (&Line, &[Band]),
+    kind: &dyn Fn(&Summary) -> u16,
+    limits: Limits,
+    workers: &mut Workers,
+) -> Result<usize, FigureError> {
+    let places: Vec<f64> = (1..MOTIONS).map(|i| (i as f64 - 0.5) / (MOTIONS - 1) as f64).collect();
+    let found = workers.compute(places.iter().map(|&place| line.setup(place)), limits)?;
+    let is_amiss = |(place, summary): &(&f64, Summary)| {
+        let is_here = |band: &&Band| (band.range[0]..=band.range[1]).contains(*place);
+        !bands.iter().filter(is_here).any(|band| band.kind == kind(summary))
+    };
+    Ok(places.iter().zip(found.summaries()).filter(is_amiss).count())
+}
+
 /// A place along the line, and the ends of the phases there.
 type Times = (f64, Vec<f64>);
 
@@ -357,7 +374,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     input.loaded(NAME)?;
     let line = Line::new(input)?;
     let total = 2 * MOTIONS as u64;
-    let workers = Workers::new(None)?;
+    let mut workers = Workers::new(None)?;
     let mut told = |followed: u64| watch(followed.min(total), total);
     // Every transition of a motion is drawn, and each may have a hoop of its own: no chain is passed at once.
     let engine = Engine::without_tables(&input.hoop);
@@ -370,6 +387,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     if bands.len() > MOST_BANDS {
         return Err(FigureError::TooManyBands { figure: NAME, along: varies, from, to, most: MOST_BANDS });
     }
+    let amiss = amiss((&line, &bands), &kind, limits, &mut workers)?;
     let drawn: Vec<Drawn> = bands.iter().map(|band| Drawn::new(&line, *band, limits)).collect();
     if drawn.iter().flat_map(Drawn::times).next().is_none() {
         return Err(FigureError::NoTransition { figure: NAME, along: varies, from, to });
@@ -405,9 +423,17 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let except: Vec<Quantity> = varies.quantities().collect();
     let cut = limits.transitions < input.limits.transitions
         && bands.iter().any(|band| class(band) == Class::InContact);
+    let finer = if amiss > 0 {
+        format!(
+            " Ends change more finely than is drawn: of {} other motions {amiss} end otherwise.",
+            MOTIONS - 1
+        )
+    } else {
+        String::new()
+    };
     let caption = format!(
         "How a motion{} changes with {}: above, the sequence of its phases ({}) and what becomes of it; below, in which mode it is \
-         at which time. White curves: transitions; where two meet the sequence changes. {} {}.",
+         at which time. White curves: transitions; where two meet the sequence changes. {}{finer} {}.",
         if cut { format!(", followed to {} transitions,", limits.transitions) } else { String::new() },
         say.varied_in_words(varies),
         letters.join(", "),
