@@ -4,8 +4,10 @@
 
 use crate::support::{bits, figure_2, map, mixed, reals, workers};
 use littlewood::{
-    Class, Hoop, HoopParameters, Limits, OutcomeKind, Quantity, Setup, Start, SummaryColumn, SummaryValue,
+    Class, Hoop, HoopParameters, Limits, OutcomeKind, Quantity, RestitutionLaw, Setup, Start, Summary,
+    SummaryColumn, SummaryValue,
 };
+use littlewood_random::Draw;
 use littlewood_sweep::{Axis, AxisError, Chunks, Grid};
 use proptest::prelude::*;
 
@@ -31,6 +33,39 @@ fn the_number_of_threads_does_not_matter() {
         for _ in 0..2 {
             let columns = many.compute(grid.points(0..grid.len()), limits).unwrap();
             assert_eq!(bits(&columns), bits(&one));
+        }
+    }
+}
+
+/// Outcome, sequence and number of transitions of a row are those of the simulation in lists of 1, 100 and 1,000 rows, of which the longest
+/// have tables.
+#[test]
+fn a_row_does_not_depend_on_the_length_of_its_list() {
+    let limits = Limits::until(40.0).with_transitions(200);
+    let codes = |summary: &Summary| (summary.outcome, summary.sequence, summary.transitions);
+    let bounces = figure_2().hoop.with_restitution(0.5, RestitutionLaw::Energetic);
+    let light = HoopParameters::new(0.0, 1.0, 1e-2).with_friction(0.5, 0.4);
+    for (stream, hoop) in [figure_2().hoop, bounces, light].into_iter().enumerate() {
+        let starts = Vec::from_iter((0..1000).map(|number| {
+            let mut draw = Draw::of_case(32, stream as u64, number);
+            let [theta, rate, slip] =
+                [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip].map(|it| draw.allowed(it));
+            Start::at(theta, rate).with_slip(if draw.comes(0.5) { slip } else { 0.0 })
+        }));
+        let of = |length: usize| -> Vec<_> {
+            let lists =
+                starts.chunks(length).map(|list| workers(2).compute_starts(hoop, list, limits).unwrap());
+            lists.flat_map(|columns| columns.summaries().map(|one| codes(&one)).collect::<Vec<_>>()).collect()
+        };
+        let long = of(1000);
+        assert_eq!(of(100), long);
+        let body = Hoop::new(hoop).unwrap();
+        for (start, (row, alone)) in starts.iter().zip(long.iter().zip(of(1))).step_by(3) {
+            assert_eq!(
+                (row, *row),
+                (&alone, codes(&body.simulate(*start, limits).unwrap().summary())),
+                "{start:?}"
+            );
         }
     }
 }

@@ -17,11 +17,12 @@ use crate::links::{Linked, Room};
 use crate::mode::{Direction, Mode};
 use crate::outcome::{Outcome, SlideLimit};
 use crate::proofs::{Known, Proofs};
+use crate::quantity::Quantity;
 use crate::rolling::RollingLimit;
 use crate::sequence::PhaseSequence;
 use crate::settling::Settling;
 use crate::slip::LastSlip;
-use crate::state::{Start, State};
+use crate::state::State;
 
 /// Solves phases of motion, each from the place where it begins to the event that ends it, or to the time limit.
 pub(crate) trait Solver {
@@ -468,7 +469,8 @@ fn lands<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, gap_rate:
     let hoop = solver.hoop();
     let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
     let event = Event::new(state, Mode::Flight, Cause::Landing);
-    if Start::from(state).check().is_err() {
+    let coordinates = [(Quantity::Time, state.time), (Quantity::Theta, state.theta), (Quantity::X, state.x)];
+    if coordinates.into_iter().any(|(quantity, value)| quantity.check(value).is_err()) {
         // A flight of many turns leads to angles at which no start is accepted either.
         return Some(Err(event));
     }
