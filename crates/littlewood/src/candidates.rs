@@ -308,7 +308,7 @@ fn weigh_all(
                 let drive = if direction == against {
                     slip_drive(hoop, &forces, (direction, excess))
                 } else {
-                    -forces.friction.abs() - hoop.mu_k() * forces.normal
+                    -direction.sign() * forces.friction - hoop.mu_k() * forces.normal
                 };
                 let p = solvability[place(direction)];
                 if !pressed(direction) {

@@ -101,6 +101,24 @@ fn a_hoop_that_is_all_but_massless_is_refused() {
     assert!(Hoop::new(HoopParameters::new(0.0, 1.0, 1e-60)).is_ok());
 }
 
+/// With μs = 1e9 rolling gives way where N is 1e-19, so that rounding tells the wrong side of the cone: the slide against the friction force is
+/// taken all the same. Times from a program of 60 digits (`reference/follower`).
+#[test]
+fn a_slip_at_huge_friction_goes_against_the_friction_force() {
+    let light = 3.093_124_034_665_051_7e-11;
+    let hoop = HoopParameters::new(light, 0.543_016_490_341_794_7, light)
+        .with_friction(1e9, 0.859_974_024_855_756_8);
+    let start = Start::at(-2.057_134_228_173_551_6, -2.610_392_130_121_690_4);
+    let motion =
+        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let times: Vec<f64> = motion.transitions().iter().map(|transition| transition.time()).collect();
+    let expected = [0.696_080_599_271_222, 1.337_471_157_519_41, 3.117_341_302_583_801_7];
+    assert_eq!(times.len(), 3, "{:?}", motion.outcome());
+    for (ours, theirs) in times.iter().zip(expected) {
+        assert!((ours - theirs).abs() < 1e-9, "{times:?}");
+    }
+}
+
 /// The lighter a hoop, the faster an impact turns it, up to rates at which it would start nowhere, and beyond all numbers.
 #[test]
 fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
