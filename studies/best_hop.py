@@ -254,24 +254,18 @@ def nudges() -> str:
     return f"{lifted} of {len(drawn)} leave the plane, and {hard} come to a place with P ≤ 0"
 
 
-def jammed(law: str) -> lw.Trajectory:
-    """Return the motion of a hoop that is so light and rough that it slides into P = 0 from a nudge."""
-    hoop = lw.Hoop(mass_ratio=0.003, offset=0.6, inertia=1.7e-5, mu_s=0.59, mu_k=0.59, restitution=0.5, law=law)
+def next_to_zero() -> lw.Trajectory:
+    """Return the motion of a hoop that is so light and rough that it slides towards P = 0 from a nudge."""
+    hoop = lw.Hoop(mass_ratio=0.003, offset=0.6, inertia=1.7e-5, mu_s=0.59, mu_k=0.59, restitution=0.5, law="poisson")
     return hoop.simulate(theta=1e-4, theta_rate=1e-4, max_transitions=6)
 
 
-def exception() -> str:
-    """What the light hoop does by two laws of restitution."""
-    thrown_up = jammed("poisson")
-    place = next(i for i, phase in enumerate(thrown_up.phases) if phase.mode == "flight")
-    jump, impact = thrown_up.phases[place], thrown_up.transitions[place - 1].impact
-    assert impact is not None
-    calm = "does not leave the plane" if "F" not in jammed("energetic").sequence else "leaves the plane, too"
-    angle = math.degrees(jump.start.theta)
-    return (
-        f"the plane throws it up by Poisson's law, at θ = {angle:.0f}° and at the rate "
-        f"{impact.after.gap_rate:.3f} √(g R), and by the energetic law it {calm}"
-    )
+def turns() -> str:
+    """Where the slide of the light hoop turns back."""
+    end = next_to_zero().phases[-1].end
+    assert end is not None
+    angle = math.degrees(end.theta) % 360
+    return f"that is at θ = {angle:.0f}°, with η′ = {end.slip:.2f} √(g R) left".replace("-", "−")
 
 
 def pushes() -> list[str]:
@@ -564,7 +558,7 @@ STUDY = Study(
     name="best-hop",
     texts={
         "nudges": nudges,
-        "exception": exception,
+        "turns": turns,
         "pushes": pushes,
         "bounds": bounds,
         "heights": heights,

@@ -60,8 +60,9 @@ WITH_COMMANDS = [
 
 @pytest.mark.parametrize("page", WITH_COMMANDS, ids=lambda page: str(page.relative_to(ROOT)))
 def test_commands_run(page, tmp_path):
-    for example in (ROOT / "crates" / "littlewood-cli" / "examples").glob("*.toml"):
-        (tmp_path / example.name).write_bytes(example.read_bytes())
+    for example in (ROOT / "crates" / "littlewood-cli" / "examples").iterdir():
+        if example.suffix in {".toml", ".csv"}:
+            (tmp_path / example.name).write_bytes(example.read_bytes())
     for kind, text in blocks(page):
         if kind != "sh":
             continue
