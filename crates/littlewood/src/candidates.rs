@@ -308,7 +308,11 @@ fn weigh_all(
                 let drive = if direction == against {
                     slip_drive(hoop, &forces, (direction, excess))
                 } else {
-                    -direction.sign() * forces.friction - hoop.mu_k() * forces.normal
+                    // On the limit of a large coefficient F may be zero but for rounding, which then tells either side of the cone.
+                    let rounds = excess == 0.0 && hoop.mu_s() > 1.0;
+                    let along =
+                        if rounds { direction.sign() * forces.friction } else { forces.friction.abs() };
+                    -along - hoop.mu_k() * forces.normal
                 };
                 let p = solvability[place(direction)];
                 if !pressed(direction) {
