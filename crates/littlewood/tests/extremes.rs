@@ -3,7 +3,7 @@
 
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Proof, Recurrence, RestitutionLaw,
-    SlideLimit, Start,
+    SlideLimit, Start, Transition,
 };
 
 /// A balanced hoop slips for 1.2345/(μk (1 + m/Î)), however long that is.
@@ -111,7 +111,7 @@ fn a_slip_at_huge_friction_goes_against_the_friction_force() {
     let start = Start::at(-2.057_134_228_173_551_6, -2.610_392_130_121_690_4);
     let motion =
         Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
-    let times: Vec<f64> = motion.transitions().iter().map(|transition| transition.time()).collect();
+    let times: Vec<f64> = motion.transitions().iter().map(Transition::time).collect();
     let expected = [0.696_080_599_271_222, 1.337_471_157_519_41, 3.117_341_302_583_801_7];
     assert_eq!(times.len(), 3, "{:?}", motion.outcome());
     for (ours, theirs) in times.iter().zip(expected) {
