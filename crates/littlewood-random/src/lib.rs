@@ -178,13 +178,7 @@ impl Draw {
     pub fn on_boundary(&mut self, hoop: &Hoop) -> Option<Start> {
         let plane = PhasePlane::new(hoop);
         let theta = self.between([-PI, PI]);
-        let rate = match self.below(5) {
-            0 => plane.normal_force_rate(theta),
-            1 => plane.slip_rate(theta, Direction::Positive),
-            2 => plane.slip_rate(theta, Direction::Negative),
-            3 => plane.lift_off_rate(theta),
-            _ => Some(plane.separatrix_rate(theta)),
-        }?;
+        let rate = boundary_rate(&plane, theta, self.below(BOUNDARIES))?;
         let nudge = self.one_of(&[0.0, 0.0, 0.0, 1e-15, -1e-15, 1e-9, -1e-9, 1e-6]);
         let rate = (if self.comes(0.5) { -rate } else { rate }) * (1.0 + nudge);
         Quantity::ThetaRate.check(rate).is_ok().then(|| Start::at(theta, rate))
@@ -245,6 +239,21 @@ impl Draw {
         };
         let limits = Limits::default().with_until(until);
         if self.comes(0.3) { limits.with_transitions(self.one_of(&[1, 2, 3, 7, 100])) } else { limits }
+    }
+}
+
+/// Boundaries of the phase plane: N = 0 and slip to either side in rolling, lift-off, and the separatrix.
+pub const BOUNDARIES: usize = 5;
+
+/// θ′ on one of them, by its number, at an angle; none where it does not cross the angle.
+#[must_use]
+pub fn boundary_rate(plane: &PhasePlane, theta: f64, which: usize) -> Option<f64> {
+    match which {
+        0 => plane.normal_force_rate(theta),
+        1 => plane.slip_rate(theta, Direction::Positive),
+        2 => plane.slip_rate(theta, Direction::Negative),
+        3 => plane.lift_off_rate(theta),
+        _ => Some(plane.separatrix_rate(theta)),
     }
 }
 

@@ -6,8 +6,8 @@ pub(crate) mod flight;
 
 use std::f64::consts::PI;
 
-use littlewood::{Body, Direction, Hoop, HoopParameters, Limits, PhasePlane, Start, Trajectory};
-use littlewood_random::Draw;
+use littlewood::{Body, Hoop, HoopParameters, Limits, PhasePlane, Start, Trajectory};
+use littlewood_random::{BOUNDARIES, Draw, boundary_rate};
 use proptest::prelude::*;
 
 /// A factor from 1e-9 to 10, uniform in its logarithm.
@@ -92,17 +92,10 @@ pub(crate) fn start() -> impl Strategy<Value = Start> {
 /// A hoop with a start that lies on a boundary of its phase plane, to the last digit or nearly so.
 pub(crate) fn boundary_start() -> impl Strategy<Value = (Hoop, Start)> {
     let nudge = prop_oneof![2 => Just(0.0), 1 => -1e-15..1e-15_f64, 1 => -1e-9..1e-9_f64];
-    (heavy_hoop(), -PI..PI, any::<bool>(), 0..5_usize, nudge).prop_filter_map(
+    (heavy_hoop(), -PI..PI, any::<bool>(), 0..BOUNDARIES, nudge).prop_filter_map(
         "a boundary over this angle",
         |(hoop, theta, backwards, which, nudge)| {
-            let plane = PhasePlane::new(&hoop);
-            let rate = match which {
-                0 => plane.normal_force_rate(theta),
-                1 => plane.slip_rate(theta, Direction::Positive),
-                2 => plane.slip_rate(theta, Direction::Negative),
-                3 => plane.lift_off_rate(theta),
-                _ => Some(plane.separatrix_rate(theta)),
-            }?;
+            let rate = boundary_rate(&PhasePlane::new(&hoop), theta, which)?;
             let rate = (if backwards { -rate } else { rate }) * (1.0 + nudge);
             (rate.abs() < 1e6).then(|| (hoop, Start::at(theta, rate)))
         },
