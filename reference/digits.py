@@ -34,7 +34,7 @@ COARSEST = -6                            # decade of rates, for all below it
 def library(kind, count):
     """Motions as the library draws and follows them, with its claims."""
     cargo = ["cargo", "run", "--release", "--quiet", "--locked", "-p", "littlewood-random", "--example", "motions", "--"]
-    run = subprocess.run([*cargo, str(count), "2019", kind, "digits"], capture_output=True, text=True, check=False, cwd=Path(__file__).parent)
+    run = subprocess.run([*cargo, str(count), "2019", kind, str(EVENTS), "digits"], capture_output=True, text=True, check=False, cwd=Path(__file__).parent)
     if run.returncode:
         sys.exit(run.stderr)
     return {f"{kind} {line['number']}": line for line in map(json.loads, run.stdout.splitlines())}

@@ -4,9 +4,9 @@
 //! cargo run --release -p littlewood-random --example motions -- 1000 2019 heavy
 //! ```
 //!
-//! takes the number of motions, the seed, and what is drawn: `any`, `heavy` (no massless hoop) or `usual`. A line has the hoop, the
-//! start, the outcome, and each transition with the state before it and after it; with `digits` as the last word also with the digits that are
-//! trusted there. The same numbers draw the same motions.
+//! takes the number of motions, the seed, and what is drawn: `any`, `heavy` (no massless hoop) or `usual`; then, if they are wanted, the
+//! largest number of transitions (100) and the word `digits`. A line has the hoop, the start, the outcome, and each transition with the
+//! state before it and after it, and the digits that are trusted there. The same numbers draw the same motions.
 
 use std::env;
 use std::error::Error;
@@ -26,6 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let word = |place: usize, default: &str| words.get(place).map_or(default, String::as_str).to_owned();
     let (count, seed): (u64, u64) = (word(0, "1000").parse()?, word(1, "2019").parse()?);
     let kind = word(2, "any");
+    let limits = Limits::default().with_transitions(word(3, "100").parse()?);
     let mut out = io::BufWriter::new(io::stdout().lock());
     for number in 0..count {
         let mut draw = Draw::of_case(seed, 0, number);
@@ -38,9 +39,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             other => return Err(format!("'{other}': any, heavy or usual").into()),
         };
-        let limits = Limits::default().with_transitions(100);
         let motion = hoop.simulate(start, limits)?;
-        let digits = if word(3, "") == "digits" { hoop.digits(start, limits)? } else { Vec::new() };
+        let digits = if word(4, "") == "digits" { hoop.digits(start, limits)? } else { Vec::new() };
         let transitions = Vec::from_iter(motion.transitions().iter().enumerate().map(|(place, it)| {
             json!({
                 "digits": digits.get(place),
