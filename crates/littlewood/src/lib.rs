@@ -64,6 +64,10 @@
 //! have converged to rounding. Events are isolated, not sampled: see `DESIGN.md`. Constants that decide are
 //! at the level of rounding; the user chooses none.
 
+#[cfg(feature = "ablation")]
+pub mod ablation;
+#[cfg(not(feature = "ablation"))]
+mod ablation;
 mod automaton;
 mod bernstein;
 mod bouncing;

@@ -24,6 +24,7 @@ mod slip;
 mod solver;
 mod tabulated;
 
+use crate::ablation::{Part, is_on};
 use crate::error::ParameterError;
 use crate::exact::Exact;
 use crate::hoop::{Heavy, Hoop};
@@ -254,7 +255,7 @@ impl Engine {
         (state, limits): ((State, f64), Limits),
         empty: SummaryRecorder<'_>,
     ) -> Summary {
-        let chains = chains.filter(|_| limits.transitions >= MIN_CHAIN_TRANSITIONS && self.passes_chains());
+        let chains = chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS && self.passes_chains());
         let solver = FastSolver::new(&self.hoop, phases, chains, limits);
         let mut recorder = empty;
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);

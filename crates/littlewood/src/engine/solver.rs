@@ -1,5 +1,6 @@
 //! Phases from a fast source where this resolves them to rounding, and solved exactly elsewhere.
 
+use crate::ablation::{Part, is_on};
 use crate::automaton::Cause;
 use crate::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
 use crate::equations::{RollingLaw, SlidingLaw, contact};
@@ -412,7 +413,10 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         {
             return self.slide_exactly(&state, body, direction, slip_acceleration);
         }
-        if is_conservative && self.until.is_infinite() && frictionless::slides_forever(body, &state) {
+        if is_conservative
+            && is_on(Part::ClosedForms)
+            && self.until.is_infinite()
+            && frictionless::slides_forever(body, &state) {
             return never();
         }
         let allowed = self.until - state.time;

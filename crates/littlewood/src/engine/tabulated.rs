@@ -1,5 +1,6 @@
 //! Phases looked up in the tables of a hoop, and computed directly where these do not resolve them.
 
+use crate::ablation::{Part, is_on};
 use crate::equations::{RollingLaw, SlidingLaw};
 use crate::hoop::Heavy;
 use crate::mode::Direction;
@@ -15,7 +16,7 @@ impl Tables {
     #[inline(always)]
     fn known_roll(&self, place: &Place, on_limit: bool) -> Option<RollEnd> {
         let (state, travel) = (place.state, place.travel());
-        if state.theta_rate.abs() < MIN_RATE {
+        if state.theta_rate.abs() < MIN_RATE || !is_on(Part::RollTables) {
             return None;
         }
         let ahead = match &place.ahead {
@@ -36,7 +37,7 @@ impl Tables {
     ) -> Result<(SlideEnd, Ahead), Unknown> {
         let (state, travel, sigma) = (place.state, place.travel(), direction.sign());
         let (sin, cos) = place.direction;
-        let known = place.slip.and_then(|point| {
+        let known = place.slip.filter(|_| is_on(Part::Families)).and_then(|point| {
             self.slip.follow(point, travel * state.theta, travel * state.theta_rate, (travel * sin, cos))
         });
         let known =
@@ -52,6 +53,7 @@ impl Tables {
                 let end = self.slide.follow(start, allowed - elapsed)?;
                 end.map(|event| SlideEvent { elapsed: elapsed + event.elapsed, ..event })
             }
+            (None, Some(_) | None) if !is_on(Part::SlideTables) => return Err(Unknown::Doubt),
             (None, Some(_) | None) => {
                 let start = SlideStart {
                     theta: sigma * state.theta,

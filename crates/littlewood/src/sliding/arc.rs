@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use crate::ablation::{Part, is_on};
 use crate::equations::{SlidePath, SlidingLaw};
 use crate::hoop::Hoop;
 use crate::mode::{Direction, Mode};
@@ -320,7 +321,7 @@ impl Sliding {
         allowed: Option<f64>,
     ) -> Option<Here> {
         let SlidingLaw { body, friction } = self.law;
-        if friction == 0.0 || body.h == 0.0 {
+        if friction == 0.0 || body.h == 0.0 || !is_on(Part::WholeTurns) {
             return None;
         }
         let integral = self.integral();

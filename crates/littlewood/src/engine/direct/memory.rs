@@ -2,6 +2,7 @@
 
 use core::cell::{self, OnceCell};
 
+use crate::ablation::{Part, is_on};
 use crate::equations::SlidingLaw;
 
 use super::cell::{CELLS, Cell};
@@ -31,7 +32,7 @@ impl Memory {
     /// With a phase that begins: what is known, if the motion is so long that it pays.
     pub(super) fn recall(&self) -> Option<&Contents> {
         let phases = self.phases.get();
-        if phases < PHASES_WITHOUT {
+        if phases < PHASES_WITHOUT || !is_on(Part::KeptCells) {
             self.phases.set(phases + 1);
             return None;
         }
