@@ -23,7 +23,7 @@ const SOURCES: [(&str, &[&str]); 3] = [
 /// Folders and files of sources that are not written by hand.
 const GENERATED: [&str; 3] = ["web/src/generated", "web/src/wasm", "python/littlewood/laboratory.js"];
 
-const QUANTITIES: &str = "crates/littlewood/src/quantity.rs";
+const QUANTITIES: &str = "crates/littlewood/src/model/quantity.rs";
 const CURVES: &str = "crates/littlewood-style/src/curve.rs";
 
 /// Where texts of a table are allowed to stand a second time.
@@ -35,12 +35,12 @@ struct Exception {
 
 const EXCEPTIONS: &[Exception] = &[
     Exception {
-        file: "crates/littlewood/src/outcome.rs",
+        file: "crates/littlewood/src/walk/outcome.rs",
         texts: &["gap_rate", "transitions"],
         reason: "details of an outcome; the columns depend on outcomes, so that this file cannot ask them",
     },
     Exception {
-        file: "crates/littlewood/src/mode.rs",
+        file: "crates/littlewood/src/model/mode.rs",
         texts: &["mode of motion"],
         reason: "the noun of a message about an unknown name",
     },
@@ -166,26 +166,26 @@ fn tables() -> Vec<Table> {
             &[Quantity::ALL.map(Quantity::long_name), Quantity::ALL.map(|quantity| quantity.row().help)]
                 .concat(),
         ),
-        table("crates/littlewood/src/automaton.rs", &Cause::NAMES, &Cause::ALL.map(Cause::label)),
+        table("crates/littlewood/src/walk/automaton.rs", &Cause::NAMES, &Cause::ALL.map(Cause::label)),
         table(
-            "crates/littlewood/src/outcome.rs",
+            "crates/littlewood/src/walk/outcome.rs",
             &OutcomeKind::NAMES,
             &OutcomeKind::ALL.map(OutcomeKind::label),
         ),
-        table("crates/littlewood/src/class.rs", &Class::NAMES, &Class::ALL.map(Class::label)),
+        table("crates/littlewood/src/motion/class.rs", &Class::NAMES, &Class::ALL.map(Class::label)),
         table(
-            "crates/littlewood/src/columns.rs",
+            "crates/littlewood/src/motion/columns.rs",
             &SampleColumn::NAMES,
             &SampleColumn::ALL.map(SampleColumn::long_name),
         ),
         table(
-            "crates/littlewood/src/columns.rs",
+            "crates/littlewood/src/motion/columns.rs",
             &SummaryColumn::NAMES,
             &SummaryColumn::ALL.map(SummaryColumn::long_name),
         ),
-        table("crates/littlewood/src/sequence.rs", &[], &PhaseCode::ALL.map(PhaseCode::meaning)),
-        table("crates/littlewood/src/classify.rs", &StartRegion::NAMES, &[]),
-        table("crates/littlewood/src/rolling/recurrence.rs", &RecurrenceKind::NAMES, &[]),
+        table("crates/littlewood/src/walk/sequence.rs", &[], &PhaseCode::ALL.map(PhaseCode::meaning)),
+        table("crates/littlewood/src/motion/classify.rs", &StartRegion::NAMES, &[]),
+        table("crates/littlewood/src/modes/rolling/recurrence.rs", &RecurrenceKind::NAMES, &[]),
         table(CURVES, &Curve::ALL.map(Curve::name), &Curve::ALL.map(Curve::label)),
     ]
 }

@@ -53,7 +53,8 @@ impl Regime {
 }
 
 fn regimes() -> Vec<Regime> {
-    let thin = |mass_ratio: f64, mu_s: f64, mu_k: f64| HoopParameters::thin(mass_ratio).with_friction(mu_s, mu_k);
+    let thin =
+        |mass_ratio: f64, mu_s: f64, mu_k: f64| HoopParameters::thin(mass_ratio).with_friction(mu_s, mu_k);
     let of = |mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64| {
         HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k)
     };

@@ -2,13 +2,13 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::error::ParameterError;
-use crate::hoop::{Hoop, HoopParameters};
-use crate::law::RestitutionLaw;
-use crate::limits::Limits;
-use crate::setup::Setup;
-use crate::state::Start;
-use crate::trajectory::Trajectory;
+use crate::model::error::ParameterError;
+use crate::model::hoop::{Hoop, HoopParameters};
+use crate::model::law::RestitutionLaw;
+use crate::model::limits::Limits;
+use crate::model::setup::Setup;
+use crate::model::state::Start;
+use crate::motion::trajectory::Trajectory;
 
 /// A motion of the paper: a hoop and a start.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,10 +4,10 @@
 
 use core::cell::Cell;
 
-use crate::flight::Flight;
-use crate::hoop::Heavy;
-use crate::state::State;
-use crate::trig::sincos;
+use crate::math::trig::sincos;
+use crate::model::hoop::Heavy;
+use crate::model::state::State;
+use crate::modes::flight::Flight;
 
 /// Rounding of the evidence at a state, as a part of its terms: a few products and sums of numbers that are known to the last digit.
 const EVIDENCE: f64 = 64.0 * f64::EPSILON;

@@ -9,7 +9,7 @@
 //! where β = 4ℓ̂ over the top, and the energy over the bottom on others. In t = tan(ψ − ψm) about the middle of a panel sine and cosine are
 //! linear functions of t over √(1 + t²), so that a node costs a square root and a division.
 
-use crate::trig::sincos;
+use crate::math::trig::sincos;
 
 use super::quadrature::{LONG_NODE, LONG_WEIGHT, NODE, WEIGHT};
 
@@ -108,7 +108,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::rolling::time_from_bottom;
+    use crate::modes::rolling::time_from_bottom;
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]

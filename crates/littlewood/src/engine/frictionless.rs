@@ -4,12 +4,12 @@
 //! towards the top as long as u ≥ 0; η′ vanishes only where A² J = (C − 2 m h c)(1 + h c)², a cubic equation. C, A and J are those of
 //! [`FrictionlessIntegrals`].
 
-use crate::bernstein::Bernstein;
-use crate::equations::contact;
-use crate::frictionless::FrictionlessIntegrals;
-use crate::hoop::Heavy;
-use crate::state::State;
-use crate::trig::sincos;
+use crate::math::bernstein::Bernstein;
+use crate::math::trig::sincos;
+use crate::mechanics::equations::contact;
+use crate::mechanics::frictionless::FrictionlessIntegrals;
+use crate::model::hoop::Heavy;
+use crate::model::state::State;
 
 /// A lift-off, a turning point at the top, or a zero of η′ that is nearer than this part of the terms is left to the solvers of phases.
 const UNCERTAIN: f64 = 1e-9;
@@ -51,10 +51,10 @@ pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hoop::{Body, Hoop};
-    use crate::limits::Limits;
-    use crate::outcome::OutcomeKind;
-    use crate::state::Start;
+    use crate::model::hoop::{Body, Hoop};
+    use crate::model::limits::Limits;
+    use crate::model::state::Start;
+    use crate::walk::outcome::OutcomeKind;
 
     /// What is not known to slide for ever is only followed for longer, which no test of answers would notice.
     #[test]

@@ -7,10 +7,10 @@
 
 use std::sync::LazyLock;
 
-use crate::flight::{Flight, TakeOff, is_told_by_rate};
-use crate::hoop::Heavy;
-use crate::state::State;
-use crate::trig::without_turns;
+use crate::math::trig::without_turns;
+use crate::model::hoop::Heavy;
+use crate::model::state::State;
+use crate::modes::flight::{Flight, TakeOff, is_told_by_rate};
 
 use super::interpolant::{Basis, Interpolant, Slots, Tolerance};
 

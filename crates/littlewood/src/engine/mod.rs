@@ -1,7 +1,7 @@
 //! A faster implementation of the same simulation, table-driven for many starts of one hoop.
 //!
 //! What depends on the body and the coefficients of friction alone is computed once: where the orbits of rolling slip
-//! ([`roll`]), and the slides ([`slide`]). The walk along the automaton is that of [`crate::walk`], as for
+//! ([`roll`]), and the slides ([`slide`]). The walk along the automaton is that of [`crate::walk::follow`], as for
 //! [`Hoop::simulate`]; a phase is looked up in the tables. A phase that the tables do not resolve, with a margin close to zero, a turning
 //! point, a shape of η′ that might touch zero, a slow phase, is solved exactly.
 //!
@@ -25,17 +25,17 @@ mod solver;
 mod tabulated;
 
 use crate::ablation::{Part, is_on};
-use crate::error::ParameterError;
-use crate::exact::Exact;
-use crate::hoop::{Heavy, Hoop};
-use crate::lift_off::ContactProof;
-use crate::limits::Limits;
-use crate::origin::Origin;
-use crate::proofs::Known;
-use crate::solvability::is_solvable;
-use crate::state::{Start, State};
-use crate::summary::{Summary, SummaryRecorder};
-use crate::walk::walk;
+use crate::mechanics::lift_off::ContactProof;
+use crate::mechanics::solvability::is_solvable;
+use crate::model::error::ParameterError;
+use crate::model::hoop::{Heavy, Hoop};
+use crate::model::limits::Limits;
+use crate::model::state::{Start, State};
+use crate::motion::summary::{Summary, SummaryRecorder};
+use crate::walk::exact::Exact;
+use crate::walk::follow::walk;
+use crate::walk::origin::Origin;
+use crate::walk::proofs::Known;
 
 use chain::Chains;
 use direct::Direct;
@@ -255,7 +255,9 @@ impl Engine {
         (state, limits): ((State, f64), Limits),
         empty: SummaryRecorder<'_>,
     ) -> Summary {
-        let chains = chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS && self.passes_chains());
+        let chains = chains.filter(|_| {
+            is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS && self.passes_chains()
+        });
         let solver = FastSolver::new(&self.hoop, phases, chains, limits);
         let mut recorder = empty;
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
@@ -273,10 +275,10 @@ impl Engine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::automaton::Cause;
-    use crate::hoop::HoopParameters;
-    use crate::links::Room;
-    use crate::walk::Solver;
+    use crate::model::hoop::HoopParameters;
+    use crate::walk::automaton::Cause;
+    use crate::walk::follow::Solver;
+    use crate::walk::links::Room;
 
     /// How many of the decisions and phases of a plane are left to the exact solver.
     fn left_to_the_exact_solver<P: Phases>(hoop: &Hoop, phases: &P) -> (usize, [usize; 3]) {

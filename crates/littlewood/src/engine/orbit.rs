@@ -5,9 +5,9 @@
 
 use core::f64::consts::TAU;
 
-use crate::equations::RollingLaw;
-use crate::rolling::time_from_bottom;
-use crate::trig::sincos;
+use crate::math::trig::sincos;
+use crate::mechanics::equations::RollingLaw;
+use crate::modes::rolling::time_from_bottom;
 
 use super::duration::{duration, slowness};
 
@@ -171,9 +171,9 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::hoop::{Hoop, HoopParameters};
-    use crate::rolling::Rolling;
-    use crate::state::State;
+    use crate::model::hoop::{Hoop, HoopParameters};
+    use crate::model::state::State;
+    use crate::modes::rolling::Rolling;
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]

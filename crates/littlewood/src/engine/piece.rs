@@ -1,8 +1,8 @@
 //! A piece of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
 
-use crate::bracket::Bracket;
-use crate::equations::{SlidingLaw, contact};
-use crate::hoop::Heavy;
+use crate::math::bracket::Bracket;
+use crate::mechanics::equations::{SlidingLaw, contact};
+use crate::model::hoop::Heavy;
 
 /// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 + |θ′|), so that below this
 /// part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.

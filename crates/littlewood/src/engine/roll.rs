@@ -5,18 +5,18 @@
 //! changes sign at most once *whatever the orbit*: its signs at the ends of the pieces show all slips of an orbit, or
 //! prove that there is none. The time is a Gauss sum.
 //!
-//! Everything is seen in the direction of motion, as in [`crate::rolling`].
+//! Everything is seen in the direction of motion, as in [`crate::modes::rolling`].
 
 use core::f64::consts::{PI, TAU};
 
-use crate::bracket::Bracket;
-use crate::equations::RollingLaw;
-use crate::form::{Form, Trigonometric};
-use crate::hoop::Hoop;
-use crate::mode::Direction;
-use crate::rolling::margin_forms;
-use crate::state::State;
-use crate::trig::sincos;
+use crate::math::bracket::Bracket;
+use crate::math::form::{Form, Trigonometric};
+use crate::math::trig::sincos;
+use crate::mechanics::equations::RollingLaw;
+use crate::model::hoop::Hoop;
+use crate::model::mode::Direction;
+use crate::model::state::State;
+use crate::modes::rolling::margin_forms;
 
 use super::duration::duration;
 
@@ -368,7 +368,7 @@ impl RollTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hoop::HoopParameters;
+    use crate::model::hoop::HoopParameters;
 
     #[test]
     fn the_limit_has_its_slope_its_zeros_and_its_extrema() {

@@ -13,10 +13,10 @@
 
 use core::f64::consts::TAU;
 
-use crate::equations::{RollingLaw, SlidingLaw, contact};
-use crate::hoop::Heavy;
-use crate::mode::Direction;
-use crate::trig::sincos;
+use crate::math::trig::sincos;
+use crate::mechanics::equations::{RollingLaw, SlidingLaw, contact};
+use crate::model::hoop::Heavy;
+use crate::model::mode::Direction;
 
 use super::interpolant::{Basis, Interpolant, NODES, Slots, Tolerance};
 use super::roll::{RollAhead, RollEnd, RollTable, SlipPiece, SlipPoint, direction_of};

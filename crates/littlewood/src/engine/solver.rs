@@ -1,23 +1,23 @@
 //! Phases from a fast source where this resolves them to rounding, and solved exactly elsewhere.
 
 use crate::ablation::{Part, is_on};
-use crate::automaton::Cause;
-use crate::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
-use crate::equations::{RollingLaw, SlidingLaw, contact};
-use crate::exact::Exact;
-use crate::flight::{Flight, TakeOff};
-use crate::gliding::GlideEntry;
-use crate::hoop::{Heavy, Hoop, Massless};
-use crate::limits::Limits;
-use crate::links::{Linked, Room};
-use crate::mode::Direction;
-use crate::outcome::{Outcome, OutcomeKind};
-use crate::rolling::{Hold, RollingLimit};
-use crate::sequence::PhaseSequence;
-use crate::settling::Settling;
-use crate::state::State;
-use crate::trig::sincos;
-use crate::walk::{Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver, next_slip};
+use crate::math::trig::sincos;
+use crate::mechanics::equations::{RollingLaw, SlidingLaw, contact};
+use crate::mechanics::settling::Settling;
+use crate::model::hoop::{Heavy, Hoop, Massless};
+use crate::model::limits::Limits;
+use crate::model::mode::Direction;
+use crate::model::state::State;
+use crate::modes::flight::{Flight, TakeOff};
+use crate::modes::gliding::GlideEntry;
+use crate::modes::rolling::{Hold, RollingLimit};
+use crate::walk::automaton::Cause;
+use crate::walk::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
+use crate::walk::exact::Exact;
+use crate::walk::follow::{Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver, next_slip};
+use crate::walk::links::{Linked, Room};
+use crate::walk::outcome::{Outcome, OutcomeKind};
+use crate::walk::sequence::PhaseSequence;
 
 use super::chain::{Chains, Follow, Passage};
 use super::direct::Memory;
@@ -416,7 +416,8 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         if is_conservative
             && is_on(Part::ClosedForms)
             && self.until.is_infinite()
-            && frictionless::slides_forever(body, &state) {
+            && frictionless::slides_forever(body, &state)
+        {
             return never();
         }
         let allowed = self.until - state.time;
@@ -535,7 +536,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
 #[cfg(test)]
 impl<P: Phases> FastSolver<'_, P> {
     /// Whether the decision at a start, the rolling or the slide that begins there are left to the exact solver.
-    pub(super) fn left_to_the_exact_solver(&self, start: crate::state::Start) -> [bool; 3] {
+    pub(super) fn left_to_the_exact_solver(&self, start: crate::model::state::Start) -> [bool; 3] {
         let place = Place::new(State::from(start));
         let is_open = self.clear_evidence(&place, Arrival::Open).is_none();
         match self.decide(&place, Arrival::Open) {

@@ -1,9 +1,9 @@
 //! Phases looked up in the tables of a hoop, and computed directly where these do not resolve them.
 
 use crate::ablation::{Part, is_on};
-use crate::equations::{RollingLaw, SlidingLaw};
-use crate::hoop::Heavy;
-use crate::mode::Direction;
+use crate::mechanics::equations::{RollingLaw, SlidingLaw};
+use crate::model::hoop::Heavy;
+use crate::model::mode::Direction;
 
 use super::Tables;
 use super::direct::Memory;

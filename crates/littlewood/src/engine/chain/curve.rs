@@ -1,6 +1,6 @@
 //! The curves on which rolling slips, |F| = μs N, and coordinates on them.
 
-use crate::bracket::Bracket;
+use crate::math::bracket::Bracket;
 
 use super::super::roll::{RollTable, SlipPiece, SlipPoint};
 

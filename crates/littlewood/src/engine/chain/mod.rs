@@ -12,11 +12,11 @@ mod curve;
 mod passage;
 mod tree;
 
-use crate::hoop::{Heavy, Hoop};
-use crate::mode::Direction;
-use crate::rolling::Levels;
-use crate::sequence::PhaseSequence;
-use crate::state::State;
+use crate::model::hoop::{Heavy, Hoop};
+use crate::model::mode::Direction;
+use crate::model::state::State;
+use crate::modes::rolling::Levels;
+use crate::walk::sequence::PhaseSequence;
 
 use super::interpolant::Basis;
 use super::roll::{RollTable, SlipPoint};

@@ -2,8 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use crate::sequence::PhaseSequence;
-use crate::state::State;
+use crate::model::state::State;
+use crate::walk::sequence::PhaseSequence;
 
 use super::curve::Point;
 

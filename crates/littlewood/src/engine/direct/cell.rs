@@ -5,8 +5,8 @@
 
 use core::f64::consts::TAU;
 
-use crate::equations::SlidingLaw;
-use crate::trig::sincos;
+use crate::math::trig::sincos;
+use crate::mechanics::equations::SlidingLaw;
 
 use super::super::piece::Waypoint;
 use super::super::polynomial::value;
@@ -126,8 +126,8 @@ mod tests {
     use crate::engine::direct::expansion::{Expansion, Signs};
     use crate::engine::piece::Piece;
     use crate::engine::piece::check::is_a_slide;
-    use crate::hoop::{Body, Hoop};
-    use crate::mode::Direction;
+    use crate::model::hoop::{Body, Hoop};
+    use crate::model::mode::Direction;
 
     /// All cells of a hoop, with their laws and signs.
     fn cells(hoop: &Hoop) -> Vec<(SlidingLaw, f64, usize, Cell)> {

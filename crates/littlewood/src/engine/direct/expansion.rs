@@ -11,8 +11,8 @@
 //! Its coefficients are polynomials: each coefficient of u follows from the six before it. The series converges up to the nearest
 //! zero of P, or to z = ± i.
 
-use crate::equations::SlidingLaw;
-use crate::hoop::Heavy;
+use crate::mechanics::equations::SlidingLaw;
+use crate::model::hoop::Heavy;
 
 /// Degree of the series.
 pub(super) const DEGREE: usize = 32;
@@ -388,8 +388,8 @@ pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hoop::{Body, Hoop};
-    use crate::mode::Direction;
+    use crate::model::hoop::{Body, Hoop};
+    use crate::model::mode::Direction;
 
     /// The pattern of coefficients that are these multiples of the band.
     fn seen(coefficients: [f64; LOW + 1]) -> Signs {

@@ -3,7 +3,7 @@
 use core::cell::{self, OnceCell};
 
 use crate::ablation::{Part, is_on};
-use crate::equations::SlidingLaw;
+use crate::mechanics::equations::SlidingLaw;
 
 use super::cell::{CELLS, Cell};
 use super::roll::{Margins, OCTANTS, Octant};

@@ -10,10 +10,10 @@ mod slide;
 mod step;
 mod turn;
 
-use crate::equations::{RollingLaw, SlidingLaw};
-use crate::hoop::{Body, Heavy, Hoop};
-use crate::mode::Direction;
-use crate::rolling::margin_forms;
+use crate::mechanics::equations::{RollingLaw, SlidingLaw};
+use crate::model::hoop::{Body, Heavy, Hoop};
+use crate::model::mode::Direction;
+use crate::modes::rolling::margin_forms;
 
 use super::orbit::Orbit;
 use super::piece::Waypoint;
@@ -147,13 +147,13 @@ impl Phases for Direct {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::automaton::Cause;
-    use crate::limits::Limits;
-    use crate::mode::Mode;
-    use crate::proof::Proof;
-    use crate::state::Start;
-    use crate::transition::Transition;
-    use crate::trig::sincos;
+    use crate::math::trig::sincos;
+    use crate::model::limits::Limits;
+    use crate::model::mode::Mode;
+    use crate::model::proof::Proof;
+    use crate::model::state::Start;
+    use crate::walk::automaton::Cause;
+    use crate::walk::transition::Transition;
 
     /// With equal coefficients, where η″ = 0 at the start, too.
     #[test]

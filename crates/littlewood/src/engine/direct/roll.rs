@@ -1,6 +1,6 @@
 //! Rolling along one orbit, to its slip.
 //!
-//! Where it slips is a zero of the forms of [`crate::rolling`] on the arcs ahead, isolated in Bernstein form; when, an elliptic
+//! Where it slips is a zero of the forms of [`crate::modes::rolling`] on the arcs ahead, isolated in Bernstein form; when, an elliptic
 //! integral. Both are those of the exact solver; only the root is found with fewer steps, and no time is computed that is not
 //! needed.
 //!
@@ -8,7 +8,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::form::{Form, HalfAngle, on_arc};
+use crate::math::form::{Form, HalfAngle, on_arc};
 
 use super::super::orbit::{Orbit, Pass};
 use super::super::roll::{RollEnd, SlipPoint, breaks, holds};
@@ -281,10 +281,10 @@ fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Option<RollEnd> {
 mod tests {
     use super::super::super::roll::RollTable;
     use super::*;
-    use crate::equations::RollingLaw;
-    use crate::hoop::{Hoop, HoopParameters};
-    use crate::rolling::{Rolling, margin_forms};
-    use crate::state::State;
+    use crate::mechanics::equations::RollingLaw;
+    use crate::model::hoop::{Hoop, HoopParameters};
+    use crate::model::state::State;
+    use crate::modes::rolling::{Rolling, margin_forms};
 
     fn half_angle(theta: f64) -> HalfAngle {
         let (y, x) = libm::sincos(0.5 * theta);

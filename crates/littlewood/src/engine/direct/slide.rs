@@ -7,7 +7,7 @@
 //! - the signs of η″ tell whether η′ is monotone, or has one extremum: its values there and at the end tell whether it has
 //!   vanished.
 
-use crate::equations::{SlidingLaw, contact};
+use crate::mechanics::equations::{SlidingLaw, contact};
 
 use super::super::piece::{End, Piece, UNCERTAIN, Way, Waypoint};
 use super::super::slide::{SlideEnd, SlideEvent, Turns};

@@ -100,9 +100,9 @@ impl Piece for Turn {
 mod tests {
     use super::*;
     use crate::engine::piece::check::is_a_slide;
-    use crate::equations::SlidingLaw;
-    use crate::hoop::{Body, Hoop};
-    use crate::mode::Direction;
+    use crate::mechanics::equations::SlidingLaw;
+    use crate::model::hoop::{Body, Hoop};
+    use crate::model::mode::Direction;
 
     #[test]
     fn a_turn_is_a_slide_that_comes_back() {

@@ -1,8 +1,8 @@
 //! A cell of angles, with the slides through it as polynomials.
 
-use crate::equations::SlidingLaw;
-use crate::hoop::Heavy;
-use crate::trig::{sincos, sincos_small};
+use crate::math::trig::{sincos, sincos_small};
+use crate::mechanics::equations::SlidingLaw;
+use crate::model::hoop::Heavy;
 
 use super::super::polynomial::value;
 use super::super::quadrature::{MIDDLE_NODE, MIDDLE_NODES, MIDDLE_WEIGHT, NODE, NODES, WEIGHT};

@@ -92,7 +92,7 @@ mod tests {
     use super::super::turning::Turning;
     use super::*;
     use crate::engine::piece::check::{finds_places, is_a_slide};
-    use crate::hoop::{Body, Hoop};
+    use crate::model::hoop::{Body, Hoop};
 
     /// Through all cells at some levels, forth and back, or about a turning point where u vanishes in a cell.
     #[test]

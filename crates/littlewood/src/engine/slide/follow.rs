@@ -1,6 +1,6 @@
 //! The walk of a slide through the cells, to its event.
 
-use crate::equations::contact;
+use crate::mechanics::equations::contact;
 
 use super::super::piece::{End, Piece, UNCERTAIN, Way, Waypoint, may_rise};
 use super::super::solver::MIN_RATE;
@@ -460,7 +460,7 @@ impl<'a> Follower<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hoop::{Body, Hoop};
+    use crate::model::hoop::{Body, Hoop};
 
     /// Cells are crossed one after the other up to the bottom, or as many as are asked for: to where they are passed one by one.
     #[test]

@@ -23,11 +23,11 @@ mod turning;
 
 use core::f64::consts::{PI, TAU};
 
-use crate::equations::{SlidingLaw, contact};
-use crate::form::Trigonometric;
-use crate::hoop::Heavy;
-use crate::mode::Direction;
-use crate::solvability::solvability;
+use crate::math::form::Trigonometric;
+use crate::mechanics::equations::{SlidingLaw, contact};
+use crate::mechanics::solvability::solvability;
+use crate::model::hoop::Heavy;
+use crate::model::mode::Direction;
 
 use self::cell::Cell;
 
@@ -354,8 +354,8 @@ impl SlideTable {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::hoop::{Body, Hoop, HoopParameters};
-    use crate::trig::sincos;
+    use crate::math::trig::sincos;
+    use crate::model::hoop::{Body, Hoop, HoopParameters};
 
     /// du/dϑ = 2 m q (1 − h c u)/P from one angle to another, by the classical Runge–Kutta method.
     fn continued(law: &SlidingLaw, from: f64, to: f64, mut u: f64) -> f64 {

@@ -1,0 +1,284 @@
+//! Isolation of the first sign change of a polynomial, by variation diminishing instead of sampling.
+//!
+//! In Bernstein form on [0, 1] a polynomial has at most as many roots in (0, 1) as its coefficients have sign
+//! changes, and the same parity. No change to a negative sign proves that it stays non-negative, one change
+//! proves that there is exactly one root; anything else is halved (de Casteljau) and examined again, left part
+//! first. So a crossing is neither missed nor stepped over, however short the excursion. Only an excursion
+//! shorter than 2⁻⁵⁰ of the interval, which doubles do not resolve from a touch, is decided by its end values.
+
+use crate::math::bracket::Bracket;
+
+/// Largest degree in use: a Taylor step of a slide, with room to spare.
+pub(crate) const MAX_DEGREE: usize = 24;
+
+/// Halvings after which an undecided interval is narrower than the numbers resolve.
+const MAX_HALVINGS: u32 = 50;
+
+/// A polynomial of degree at most [`MAX_DEGREE`] on [0, 1] in Bernstein form.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bernstein {
+    coefficients: [f64; MAX_DEGREE + 1],
+    degree: usize,
+}
+
+/// Binomial coefficients, `BINOMIAL[n][k]`.
+const BINOMIAL: [[f64; MAX_DEGREE + 1]; MAX_DEGREE + 1] = {
+    let mut table = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
+    let mut n = 0;
+    while n <= MAX_DEGREE {
+        table[n][0] = 1.0;
+        let mut k = 1;
+        while k <= n {
+            table[n][k] = table[n - 1][k - 1] + if k < n { table[n - 1][k] } else { 0.0 };
+            k += 1;
+        }
+        n += 1;
+    }
+    table
+};
+
+impl Bernstein {
+    /// From Taylor coefficients about 0 on [0, width]: b_j = Σ_{i ≤ j} C(j, i)/C(n, i) a_i width^i.
+    pub(crate) fn from_taylor(taylor: &[f64], width: f64) -> Self {
+        let degree = taylor.len() - 1;
+        let mut scaled = [0.0; MAX_DEGREE + 1];
+        let mut power = 1.0;
+        for (i, a) in taylor.iter().enumerate() {
+            scaled[i] = a * power / BINOMIAL[degree][i];
+            // The coefficients of a slide of 1e30 time units are zero from the third on, and zero times infinity is no number.
+            power = (power * width).min(f64::MAX);
+        }
+        let mut coefficients = [0.0; MAX_DEGREE + 1];
+        for j in 0..=degree {
+            let mut sum = 0.0;
+            for i in (0..=j).rev() {
+                sum += BINOMIAL[j][i] * scaled[i];
+            }
+            coefficients[j] = sum;
+        }
+        Self { coefficients, degree }
+    }
+
+    /// From the coefficients of a form Σ g_k a^{n−k} b^k in the barycentric coordinates of an arc.
+    pub(crate) fn from_form(form: &[f64]) -> Self {
+        let degree = form.len() - 1;
+        let mut coefficients = [0.0; MAX_DEGREE + 1];
+        for (k, g) in form.iter().enumerate() {
+            coefficients[k] = g / BINOMIAL[degree][k];
+        }
+        Self { coefficients, degree }
+    }
+
+    pub(crate) fn coefficients(&self) -> &[f64] {
+        &self.coefficients[..=self.degree]
+    }
+
+    /// The negative of the polynomial.
+    pub(crate) fn negated(mut self) -> Self {
+        for b in &mut self.coefficients[..=self.degree] {
+            *b = -*b;
+        }
+        self
+    }
+
+    /// Sign just right of 0, which is that of the first coefficient other than 0.
+    pub(crate) fn initial_sign(&self) -> f64 {
+        self.coefficients().iter().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
+    }
+
+    /// Value and derivative at x by de Casteljau's scheme, stable on [0, 1].
+    pub(crate) fn value_and_slope(&self, x: f64) -> (f64, f64) {
+        if self.degree == 0 {
+            return (self.coefficients[0], 0.0);
+        }
+        let mut work = self.coefficients;
+        for level in (1..self.degree).rev() {
+            for i in 0..=level {
+                work[i] = (1.0 - x) * work[i] + x * work[i + 1];
+            }
+        }
+        let degree = f64::from(u32::try_from(self.degree).unwrap_or(0));
+        ((1.0 - x) * work[0] + x * work[1], degree * (work[1] - work[0]))
+    }
+
+    /// The same polynomial where it is known to be zero at 0, but for rounding.
+    pub(crate) fn starting_at_zero(mut self) -> Self {
+        self.coefficients[0] = 0.0;
+        self
+    }
+
+    /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right of 0 crosses
+    /// at 0; a root where it only touches zero is no crossing.
+    pub(crate) fn first_crossing(&self) -> Option<Bracket> {
+        self.search(0.0, 1.0, 0)
+    }
+
+    /// All points of (0, 1) at which the sign changes, in order. A zero that is only touched is none.
+    pub(crate) fn sign_changes(&self) -> Vec<f64> {
+        let mut changes = Vec::new();
+        self.collect(0.0, 1.0, 0, &mut changes);
+        changes
+    }
+
+    fn collect(&self, low: f64, high: f64, halvings: u32, changes: &mut Vec<f64>) {
+        let signs = || self.coefficients().iter().copied().filter(|b| *b != 0.0).map(f64::signum);
+        let (Some(first), Some(last)) = (signs().next(), signs().next_back()) else { return };
+        let variations = signs().zip(signs().skip(1)).filter(|(a, b)| a != b).count();
+        if variations == 1 || (halvings == MAX_HALVINGS && first != last) {
+            let falling = if first > 0.0 { *self } else { self.negated() };
+            let at = Bracket { low: 0.0, high: 1.0 }.refine(|x| falling.value_and_slope(x));
+            changes.push(low + at * (high - low));
+        } else if variations > 1 && halvings < MAX_HALVINGS {
+            let (left, right) = self.halves();
+            let middle = 0.5 * (low + high);
+            left.collect(low, middle, halvings + 1, changes);
+            // A zero at the middle itself is in neither half.
+            let ends = (left.final_sign(), right.initial_sign());
+            if left.coefficients().last() == Some(&0.0) && ends.0 * ends.1 < 0.0 {
+                changes.push(middle);
+            }
+            right.collect(middle, high, halvings + 1, changes);
+        }
+    }
+
+    /// Sign just left of 1.
+    pub(crate) fn final_sign(&self) -> f64 {
+        self.coefficients().iter().rev().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
+    }
+
+    fn search(&self, low: f64, high: f64, halvings: u32) -> Option<Bracket> {
+        let coefficients = self.coefficients();
+        let mut changes = 0;
+        let mut last = 0.0_f64;
+        for &b in coefficients {
+            if b == 0.0 {
+                continue;
+            }
+            if last == 0.0 && b < 0.0 {
+                return Some(Bracket { low, high: low });
+            }
+            if last * b.signum() < 0.0 {
+                changes += 1;
+            }
+            last = b.signum();
+        }
+        match changes {
+            0 => None,
+            1 => Some(Bracket { low, high }),
+            _ if halvings == MAX_HALVINGS => (last < 0.0).then_some(Bracket { low, high }),
+            _ => {
+                let (left, right) = self.halves();
+                let middle = 0.5 * (low + high);
+                left.search(low, middle, halvings + 1).or_else(|| right.search(middle, high, halvings + 1))
+            }
+        }
+    }
+
+    fn halves(&self) -> (Self, Self) {
+        let mut left = *self;
+        let mut right = *self;
+        for level in 1..=self.degree {
+            for i in 0..=self.degree - level {
+                right.coefficients[i] = 0.5 * (right.coefficients[i] + right.coefficients[i + 1]);
+            }
+            left.coefficients[level] = right.coefficients[0];
+        }
+        (left, right)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Bernstein form of Π (x − r) times a sign, by multiplying linear factors.
+    fn planted(roots: &[f64], sign: f64) -> Bernstein {
+        let mut taylor = vec![sign];
+        for r in roots {
+            let mut next = vec![0.0; taylor.len() + 1];
+            for (i, a) in taylor.iter().enumerate() {
+                next[i] -= r * a;
+                next[i + 1] += a;
+            }
+            taylor = next;
+        }
+        Bernstein::from_taylor(&taylor, 1.0)
+    }
+
+    fn first_root(polynomial: &Bernstein) -> Option<f64> {
+        polynomial.first_crossing().map(|bracket| bracket.refine(|x| polynomial.value_and_slope(x)))
+    }
+
+    #[test]
+    fn the_slope_is_that_of_the_value() {
+        // (x − 1/4)(x − 1/2)(x − 1), and its derivative.
+        let polynomial = planted(&[0.25, 0.5, 1.0], 1.0);
+        for k in 0..=10 {
+            let x = 0.1 * f64::from(k);
+            let (value, slope) = polynomial.value_and_slope(x);
+            let (a, b, c) = (x - 0.25, x - 0.5, x - 1.0);
+            assert!((value - a * b * c).abs() < 1e-15, "{x}: {value}");
+            assert!((slope - (a * b + a * c + b * c)).abs() < 1e-14, "{x}: {slope}");
+        }
+        assert_eq!(Bernstein::from_taylor(&[3.0], 1.0).value_and_slope(0.3), (3.0, 0.0));
+    }
+
+    #[test]
+    fn a_double_root_is_a_touch_and_no_crossing() {
+        assert_eq!(planted(&[0.5, 0.5], 1.0).first_crossing(), None);
+        let found = first_root(&planted(&[0.5, 0.5, 0.75], -1.0)).expect("the simple root behind the touch");
+        assert!((found - 0.75).abs() < 1e-14);
+    }
+
+    #[test]
+    fn all_sign_changes_are_found_where_they_are() {
+        let roots = [0.05, 0.2, 0.45, 0.46, 0.8, 0.97];
+        for sign in [1.0, -1.0] {
+            let found = planted(&roots, sign).sign_changes();
+            assert_eq!(found.len(), roots.len());
+            for (found, root) in found.into_iter().zip(roots) {
+                assert!((found - root).abs() < 1e-10, "{found} {root}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_zero_that_is_touched_is_no_sign_change() {
+        let found = planted(&[0.3, 0.3, 0.7], 1.0).sign_changes();
+        // Rounding may part the two.
+        assert!(found.len() % 2 == 1 && found.len() <= 3, "{found:?}");
+        assert!(found.last().is_some_and(|root| (root - 0.7).abs() < 1e-12), "{found:?}");
+        assert!(found.iter().rev().skip(1).all(|root| (root - 0.3).abs() < 1e-7), "{found:?}");
+    }
+
+    #[test]
+    fn a_root_at_the_start_is_judged_by_what_follows() {
+        assert_eq!(planted(&[0.0], 1.0).first_crossing(), None);
+        assert_eq!(planted(&[0.0], -1.0).first_crossing(), Some(Bracket { low: 0.0, high: 0.0 }));
+        let found = first_root(&planted(&[0.0, 0.25], -1.0)).expect("the second root");
+        assert!((found - 0.25).abs() < 1e-15);
+    }
+
+    proptest! {
+        #[test]
+        fn planted_roots_are_found(
+            first in 0.01..0.9_f64, gap in 1e-6..0.1_f64, outside in prop::collection::vec(1.1..3.0_f64, 0..6),
+        ) {
+            // Two close roots: an excursion of width `gap` that sampling would step over.
+            let mut roots = vec![first, first + gap];
+            roots.extend(&outside);
+            let sign = if outside.len() % 2 == 0 { 1.0 } else { -1.0 };
+            let found = first_root(&planted(&roots, sign));
+            let found = found.expect("an excursion below zero");
+            // Rounding of the coefficients moves a root by about ε·(size of the coefficients)/slope.
+            prop_assert!((found - first).abs() < 1e-11 / gap, "{found} {first}");
+        }
+
+        #[test]
+        fn taylor_and_bernstein_forms_agree(a in prop::collection::vec(-1.0..1.0_f64, 1..20), x in 0.0..1.0_f64) {
+            let horner = a.iter().rev().fold(0.0, |sum, c| sum * (0.5 * x) + c);
+            prop_assert!((Bernstein::from_taylor(&a, 0.5).value_and_slope(x).0 - horner).abs() < 1e-13);
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! Polynomials, roots and elliptic integrals: nothing here knows of the hoop.
+
+pub(crate) mod bernstein;
+pub(crate) mod bracket;
+pub(crate) mod carlson;
+pub(crate) mod form;
+pub(crate) mod trig;

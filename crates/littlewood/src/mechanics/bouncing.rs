@@ -1,0 +1,94 @@
+//! Motions that bounce for ever: two symmetric flights a turn, without slip at any impact.
+//!
+//! With e = 1 and enough friction there is a motion for each angle φ of the impact. From θ = −φ the hoop flies over the top to
+//! θ = φ at the rate ω1, and from there under the bottom to θ = 2π − φ at the rate ω2. Each flight is symmetric in time, so that
+//! the slip velocity, which is zero at its start, is zero at its end, and the gap closes as fast as it has opened, at v:
+//!
+//! ```text
+//! v = φ/ω1 − h sin φ ω1 = (π − φ)/ω2 + h sin φ ω2,   ω2 − ω1 = κ v,   κ = 2 m h sin φ/D(φ).
+//! ```
+//!
+//! The last is the jump of the rate in an impact that sticks and loses nothing. With α = 1 − κ h sin φ, the square X = ω1² solves
+//!
+//! ```text
+//! h sin φ α (1 + α) X² + (π − 2 α² φ) X − α κ φ² = 0.
+//! ```
+
+use core::f64::consts::PI;
+
+use crate::model::hoop::{Body, Hoop};
+use crate::model::state::Start;
+
+/// A motion that bounces for ever.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct BouncingOrbit {
+    /// Angle φ of the impacts, 0 < φ < π.
+    pub angle: f64,
+    /// Rate ω1 of the flight over the top.
+    pub top_rate: f64,
+    /// Rate ω2 of the flight under the bottom.
+    pub bottom_rate: f64,
+    /// Rate v at which the gap opens after each impact.
+    pub gap_rate: f64,
+    /// Coefficient of static friction that sticking in the impacts needs.
+    pub friction: f64,
+}
+
+impl BouncingOrbit {
+    /// The motion of a hoop with impacts at this angle; none for a massless or a balanced hoop, for an angle outside 0 to π, and
+    /// where the rim would have to pass through the plane.
+    ///
+    /// ```
+    /// use littlewood::{BouncingOrbit, Hoop};
+    ///
+    /// let hoop = Hoop::figure_2(0.5, 0.4)?;
+    /// let orbit = BouncingOrbit::new(&hoop, 1.0).expect("bounces");
+    /// assert!((orbit.gap_rate - (1.0 / orbit.top_rate - 0.5 * 1.0_f64.sin() * orbit.top_rate)).abs() < 1e-14);
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn new(hoop: &Hoop, angle: f64) -> Option<Self> {
+        let Body::Heavy(body) = hoop.body() else { return None };
+        if !(angle > 0.0 && angle < PI) || body.h == 0.0 {
+            return None;
+        }
+        let (sin, cos) = libm::sincos(angle);
+        let (arm, lever) = (body.h * sin, 1.0 + body.h * cos);
+        let about_contact = body.inertia + body.mass * lever * lever;
+        let kappa = 2.0 * body.mass * arm / (about_contact + body.mass * arm * arm);
+        let alpha = 1.0 - kappa * arm;
+        let (square, linear, constant) =
+            (arm * alpha * (1.0 + alpha), PI - 2.0 * alpha * alpha * angle, -alpha * kappa * angle * angle);
+        // The larger root, without cancellation: of opposite sign to the other if α > 0.
+        let root = (linear * linear - 4.0 * square * constant).max(0.0).sqrt();
+        let top_square =
+            if linear > 0.0 { -2.0 * constant / (linear + root) } else { (root - linear) / (2.0 * square) };
+        let top_rate = top_square.sqrt();
+        let gap_rate = angle / top_rate - arm * top_rate;
+        let orbit = Self {
+            angle,
+            top_rate,
+            bottom_rate: top_rate + kappa * gap_rate,
+            gap_rate,
+            friction: body.mass * arm * lever / about_contact,
+        };
+        // With α ≤ 0 the rates have no positive solution. Under the bottom the gap falls from the middle of the flight to its
+        // ends. Over the top its slope changes sign once at most on the way, so that it is open if it is in the middle,
+        // where it is (φ/ω1)²/2 − h (1 − cos φ); then it closes at the end, v > 0.
+        let in_the_middle = angle / top_rate > 2.0 * body.h.sqrt() * libm::sin(0.5 * angle);
+        (alpha > 0.0 && in_the_middle).then_some(orbit)
+    }
+
+    /// Period: the time of a turn.
+    #[must_use]
+    pub fn period(&self) -> f64 {
+        2.0 * (self.angle / self.top_rate + (PI - self.angle) / self.bottom_rate)
+    }
+
+    /// The start of the flight over the top.
+    #[must_use]
+    pub fn start(&self) -> Start {
+        Start::at(-self.angle, self.top_rate).with_gap_rate(self.gap_rate)
+    }
+}

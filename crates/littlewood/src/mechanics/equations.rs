@@ -1,0 +1,343 @@
+//! The equations of motion, each written once: those of rolling (2.8, 2.11, 2.12), of sliding (2.15, 2.16, 2.18), and
+//! 1 − h cos θ θ′² of contact.
+//!
+//! Every formula takes the sine and the cosine of θ and u = θ′², so that a solver that has them computes nothing
+//! twice. Where a formula is linear in (1, u), or in (1, sin θ, cos θ), its first argument stands for the 1: with the
+//! coefficients of power series in place of numbers the same formula gives the series.
+//!
+//! | equation | what | here |
+//! |---|---|---|
+//! | (2.8) | energy | [`energy`], [`RollingLaw::energy`] |
+//! | (2.11) | θ″ of rolling, with the denominator D | [`RollingLaw::acceleration`], [`RollingLaw::denominator`] |
+//! | (2.12) | N and F of rolling | [`RollingLaw::forces_at`] |
+//! | (2.15), (2.18) | N and F of sliding | [`SlidingLaw::forces`] |
+//! | (2.16) | θ″ and η″ of sliding | [`SlidingLaw::accelerations`] |
+//! | (3.1) to (3.20) | the massless hoop | [`crate::mechanics::closed_form`], [`crate::modes::gliding`] |
+//!
+//! Symbols: m total mass, h distance and Î moment of inertia of the mass centre, ℓ̂ = m h, σ = sign(η′).
+
+use crate::math::form::Trigonometric;
+use crate::math::trig::above_bottom;
+use crate::model::hoop::{Body, Heavy, Hoop};
+use crate::model::mode::Direction;
+use crate::model::state::State;
+
+/// Contact forces, over m2 g.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ContactForces {
+    /// Normal force N.
+    pub normal: f64,
+    /// Friction force F along E1.
+    pub friction: f64,
+}
+
+impl ContactForces {
+    /// Friction demand |F|/N: the coefficient of friction that this motion needs. Infinite for N ≤ 0.
+    #[must_use]
+    pub fn demand(&self) -> f64 {
+        if self.normal > 0.0 { self.friction.abs() / self.normal } else { f64::INFINITY }
+    }
+}
+
+/// Accelerations of a motion in contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accelerations {
+    /// Angular acceleration θ″.
+    pub theta: f64,
+    /// Acceleration η″ of the slip.
+    pub slip: f64,
+}
+
+/// w = 1 − h cos θ θ′², from cos θ θ′². The plane presses on a hoop in contact while w > 0; sliding lifts off where
+/// w = 0 (2.18), whatever μk.
+#[inline]
+pub(crate) fn contact(one: f64, h: f64, cos_u: f64) -> f64 {
+    one - h * cos_u
+}
+
+/// Flight: w < 0, or w = 0 and falling. At w = 0, w′ = h sin θ θ′³; where that vanishes too, at the top,
+/// w″ = h cos θ θ′⁴ > 0 and the body stays.
+pub(crate) fn leaves_plane(w: f64, sin: f64, theta_rate: f64) -> bool {
+    w < 0.0 || (w == 0.0 && sin * theta_rate < 0.0)
+}
+
+/// σ η″ at η′ = 0 where the forces of rolling exceed static friction: −σ D (F + μk σ N)/(m P) with N and F of (2.12),
+/// from |F| − μk N (`drive`) and D.
+#[inline]
+pub(crate) fn slip_acceleration_at_rest(mass: f64, denominator: f64, drive: f64, p: f64) -> f64 {
+    denominator * drive / (mass * p)
+}
+
+/// Kinetic plus potential energy of a body in contact or above the plane, from velocities alone (2.8).
+pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64 {
+    energy_at(hoop, state, libm::sincos(state.theta), (gap, gap_rate))
+}
+
+/// The same with the sine and cosine of the angle.
+#[inline]
+pub(crate) fn energy_at(
+    hoop: &Hoop,
+    state: &State,
+    (sin, cos): (f64, f64),
+    (gap, gap_rate): (f64, f64),
+) -> f64 {
+    let (m, h, rate) = (hoop.mass(), hoop.h(), state.theta_rate);
+    let vx = state.slip - (1.0 + h * cos) * rate;
+    let vy = gap_rate - h * sin * rate;
+    let spin = hoop.body().inertia_about_mass_centre() * rate * rate;
+    0.5 * (m * (vx * vx + vy * vy) + spin) + hoop.offset() * cos + m * gap
+}
+
+/// The equation of rolling of one body, massless or not: what (2.10) to (2.12) depend on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RollingLaw {
+    pub(crate) mass: f64,
+    pub(crate) offset: f64,
+    /// D(0) = Î + m(1 + h)².
+    pub(crate) top: f64,
+    /// D(π) = Î + m(1 − h)². Zero only for a massless hoop with the particle on the rim.
+    pub(crate) bottom: f64,
+}
+
+impl RollingLaw {
+    /// The law of a hoop.
+    #[must_use]
+    pub fn new(hoop: &Hoop) -> Self {
+        Self::of_body(hoop.mass(), hoop.offset(), hoop.h(), hoop.body().inertia_about_mass_centre())
+    }
+
+    fn of_body(mass: f64, offset: f64, h: f64, inertia: f64) -> Self {
+        Self {
+            mass,
+            offset,
+            top: inertia + mass * (1.0 + h) * (1.0 + h),
+            bottom: inertia + mass * (1.0 - h) * (1.0 - h),
+        }
+    }
+
+    /// D(θ), the denominator of (2.11): twice the kinetic energy of rolling over θ′². Measured from the bottom, where
+    /// D of a light hoop is small.
+    #[must_use]
+    pub fn denominator(&self, theta: f64) -> f64 {
+        let cos_half = libm::cos(0.5 * theta);
+        self.bottom + 4.0 * self.offset * cos_half * cos_half
+    }
+
+    /// The same from cos θ: it loses the digits of D(π)/D near the bottom, where this is small.
+    #[inline]
+    pub(crate) fn denominator_at(&self, cos: f64) -> f64 {
+        self.mean_denominator() + 2.0 * self.offset * cos
+    }
+
+    /// The same from sin θ and cos θ, with all digits.
+    #[inline]
+    pub(crate) fn denominator_of(&self, direction: (f64, f64)) -> f64 {
+        self.bottom + 2.0 * self.offset * above_bottom(direction)
+    }
+
+    /// The same as a trigonometric polynomial.
+    pub(crate) fn denominator_polynomial(&self) -> Trigonometric {
+        Trigonometric::linear(self.mean_denominator(), 0.0, 2.0 * self.offset)
+    }
+
+    /// D(π/2), the mean of D over a turn.
+    #[inline]
+    pub(crate) fn mean_denominator(&self) -> f64 {
+        0.5 * (self.top + self.bottom)
+    }
+
+    /// θ″ = ℓ̂ sin θ (1 + u)/D (2.11), from 1 + u and D.
+    #[inline]
+    pub(crate) fn acceleration(&self, sin: f64, one_plus_u: f64, denominator: f64) -> f64 {
+        self.offset * sin * one_plus_u / denominator
+    }
+
+    /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Not defined where D = 0 (footnote 8).
+    #[must_use]
+    pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
+        self.acceleration(libm::sin(theta), 1.0 + theta_rate * theta_rate, self.denominator(theta))
+    }
+
+    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ (2.12), from D.
+    #[inline]
+    pub(crate) fn forces_at(
+        &self,
+        (sin, cos): (f64, f64),
+        [one, u]: [f64; 2],
+        denominator: f64,
+    ) -> ContactForces {
+        let acceleration = self.acceleration(sin, one + u, denominator);
+        ContactForces {
+            normal: self.mass * one - self.offset * (sin * acceleration + cos * u),
+            friction: self.offset * sin * u - (self.mass + self.offset * cos) * acceleration,
+        }
+    }
+
+    /// Normal and friction force (2.12). In 𝓡 of (2.14) they hold the body in rolling; elsewhere they say what
+    /// would be needed.
+    #[must_use]
+    pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
+        self.forces_at(libm::sincos(theta), [1.0, theta_rate * theta_rate], self.denominator(theta))
+    }
+
+    /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ (2.8, and 3.2 for Littlewood's hoop).
+    #[must_use]
+    pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
+        0.5 * self.denominator(theta) * theta_rate * theta_rate + self.offset * libm::cos(theta)
+    }
+
+    /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂.
+    #[must_use]
+    pub const fn separatrix_energy(&self) -> f64 {
+        self.offset
+    }
+}
+
+/// The equations of sliding of a heavy hoop in one direction.
+///
+/// With q = h sin θ − μk σ (1 + h cos θ), solving (2.16) for the accelerations gives
+///
+/// ```text
+/// w = 1 − h cos θ θ′²,      P = Î + m h sin θ q,
+/// N = Î m w/P,              θ″ = N q/Î = m q w/P,
+/// η″ = −μk σ N/m + (1 + h cos θ) θ″ − h sin θ θ′².
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlidingLaw {
+    pub(crate) body: Heavy,
+    /// μk σ.
+    pub(crate) friction: f64,
+}
+
+impl SlidingLaw {
+    /// The law of a hoop that slips in `direction`; none for a massless hoop, which glides.
+    #[must_use]
+    pub fn new(hoop: &Hoop, direction: Direction) -> Option<Self> {
+        match hoop.body() {
+            Body::Heavy(body) => Some(Self::of_body(body, hoop.mu_k(), direction)),
+            Body::Massless(_) => None,
+        }
+    }
+
+    pub(crate) fn of_body(body: Heavy, mu_k: f64, direction: Direction) -> Self {
+        Self { body, friction: mu_k * direction.sign() }
+    }
+
+    /// q = h sin θ − μk σ (1 + h cos θ).
+    #[inline]
+    pub(crate) fn q(&self, one: f64, sin: f64, cos: f64) -> f64 {
+        let h = self.body.h;
+        h * sin - self.friction * (one + h * cos)
+    }
+
+    /// P = Î + m h sin θ q.
+    #[inline]
+    pub(crate) fn p(&self, sin: f64, q: f64) -> f64 {
+        let Heavy { mass, h, inertia, .. } = self.body;
+        inertia + mass * h * sin * q
+    }
+
+    /// 1 + h cos θ + μk σ h sin θ, the lever of θ′ in the first integral.
+    #[inline]
+    pub(crate) fn lever(&self, sin: f64, cos: f64) -> f64 {
+        1.0 + self.body.h * (cos + self.friction * sin)
+    }
+
+    /// a of the linear equation du/dθ = a w: twice θ″/w.
+    #[inline]
+    pub(crate) fn drive(&self, sin: f64, cos: f64) -> f64 {
+        let q = self.q(1.0, sin, cos);
+        2.0 * self.body.mass * q / self.p(sin, q)
+    }
+
+    /// η″ = α + β u of (2.16), sorted by u: with one division where [`SlidingLaw::accelerations`] has two.
+    #[inline]
+    pub(crate) fn slip_acceleration(&self, sin: f64, cos: f64) -> (f64, f64) {
+        let Heavy { mass, h, inertia, .. } = self.body;
+        let q = self.q(1.0, sin, cos);
+        let alpha = ((1.0 + h * cos) * mass * q - self.friction * inertia) / self.p(sin, q);
+        (alpha, -h * cos * alpha - h * sin)
+    }
+
+    /// w = 1 − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where w = 0, whatever μk.
+    #[must_use]
+    pub fn contact(&self, theta: f64, theta_rate: f64) -> f64 {
+        contact(1.0, self.body.h, libm::cos(theta) * (theta_rate * theta_rate))
+    }
+
+    /// P = Î + m h sin θ q. Where P ≤ 0 sliding has no solution with N > 0, or several motions are possible.
+    #[must_use]
+    pub fn solvability(&self, theta: f64) -> f64 {
+        let (sin, cos) = libm::sincos(theta);
+        self.p(sin, self.q(1.0, sin, cos))
+    }
+
+    /// N = Î m w/P and F = −μk σ N (2.15, 2.18).
+    #[must_use]
+    pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
+        let normal =
+            self.body.inertia * self.body.mass * self.contact(theta, theta_rate) / self.solvability(theta);
+        ContactForces { normal, friction: -self.friction * normal }
+    }
+
+    /// θ″ and η″ of (2.16), solved.
+    #[must_use]
+    pub fn accelerations(&self, theta: f64, theta_rate: f64) -> Accelerations {
+        let (sin, cos) = libm::sincos(theta);
+        let Heavy { mass, h, inertia, .. } = self.body;
+        let w = self.contact(theta, theta_rate);
+        let q = self.q(1.0, sin, cos);
+        let p = self.p(sin, q);
+        let theta_acceleration = mass * q * w / p;
+        let normal_over_mass = inertia * w / p;
+        Accelerations {
+            theta: theta_acceleration,
+            slip: (1.0 + h * cos) * theta_acceleration
+                - self.friction * normal_over_mass
+                - h * sin * theta_rate * theta_rate,
+        }
+    }
+
+    /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + μk σ τ.
+    #[must_use]
+    pub fn momentum_integral(&self, time: f64, theta: f64, theta_rate: f64, slip: f64) -> f64 {
+        let (sin, cos) = libm::sincos(theta);
+        slip - theta_rate * self.lever(sin, cos) + self.friction * time
+    }
+
+    /// The second integral, x̄ + μk σ (ȳ + τ²/2) − linear, of the slide that begins at a state.
+    pub(crate) fn path(&self, start: &State, (sin, cos): (f64, f64)) -> SlidePath {
+        let h = self.body.h;
+        let vx = start.slip - (1.0 + h * cos) * start.theta_rate;
+        let vy = -h * sin * start.theta_rate;
+        SlidePath {
+            h,
+            friction: self.friction,
+            mass_centre_x: start.x - h * sin,
+            drift: vx + self.friction * vy,
+            cos_start: cos,
+        }
+    }
+}
+
+/// Where the geometric centre is during a slide, by the second integral.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SlidePath {
+    h: f64,
+    friction: f64,
+    /// x̄0, x̄′ + μk σ ȳ′ and cos θ0: the constants of the integral.
+    mass_centre_x: f64,
+    drift: f64,
+    cos_start: f64,
+}
+
+impl SlidePath {
+    /// x after the time `elapsed`, at this angle.
+    #[inline]
+    pub(crate) fn x(&self, elapsed: f64, (sin, cos): (f64, f64)) -> f64 {
+        let fall = self.h * (cos - self.cos_start) + 0.5 * elapsed * elapsed;
+        let mass_centre = self.mass_centre_x + self.drift * elapsed - self.friction * fall;
+        mass_centre + self.h * sin
+    }
+}

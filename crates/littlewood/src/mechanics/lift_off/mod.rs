@@ -1,0 +1,128 @@
+//! The energy that a lift-off needs, and the proof that there is none.
+
+mod turn;
+
+use std::sync::OnceLock;
+
+use crate::math::bernstein::Bernstein;
+use crate::math::trig::sincos;
+use crate::mechanics::equations::energy;
+use crate::mechanics::frictionless::FrictionlessIntegrals;
+use crate::mechanics::solvability::lowest_zero;
+use crate::model::hoop::{Body, Heavy, Hoop};
+use crate::model::state::State;
+use turn::WholeTurns;
+
+/// Relative error that an energy may have.
+const ROUNDING: f64 = 1e-12;
+
+impl Hoop {
+    /// Least energy (2.8) of a lift-off, Î/(2h) + ℓ̂. Infinite for a balanced hoop, whose normal force is constant; none for a
+    /// massless hoop, which stays at the plane.
+    ///
+    /// A hoop in contact leaves the plane only where h cos θ θ′² ≥ 1 (2.18). Its energy is at least
+    /// ½ (Î + m h² sin²θ) θ′² + ℓ̂ cos θ, the mass centre moving up and down only, which with θ′² = 1/(h cos θ) falls as cos θ grows,
+    /// to Î/(2h) + ℓ̂ at the top. Sliding takes energy off and rolling conserves it,
+    /// so that a hoop in contact with less never comes to a lift-off.
+    ///
+    /// ```
+    /// let hoop = littlewood::Hoop::figure_2(0.5, 0.4)?;
+    /// assert_eq!(hoop.lift_off_energy(), Some(2.5));
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    #[must_use]
+    pub fn lift_off_energy(&self) -> Option<f64> {
+        match self.body() {
+            Body::Heavy(body) if body.h == 0.0 => Some(f64::INFINITY),
+            Body::Heavy(body) => Some(0.5 * body.inertia / body.h + body.offset),
+            Body::Massless(_) => None,
+        }
+    }
+
+    /// Whether energy and momentum prove that a hoop that is in contact at this state never lifts off, by a margin that covers rounding.
+    /// Only where P > 0 at all angles that it may reach, ℓ̂ cos θ ≤ E: elsewhere an impact without a collision may throw it up.
+    ///
+    /// It has less energy than [`Hoop::lift_off_energy`], or it has less without the part m V²/2 of the mass centre's horizontal velocity
+    /// V, and V is too small for friction to make up for that: at any instant, or over a whole turn.
+    #[must_use]
+    pub fn never_lifts_off(&self, state: &State) -> bool {
+        ContactProof::default().holds(self, state)
+    }
+}
+
+/// The proof that a hoop never lifts off, for many states of one hoop.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ContactProof {
+    /// The least cosine of an angle at which P vanishes, if there is one, once it is needed.
+    lowest_zero: OnceLock<Option<f64>>,
+    /// What the work of friction over whole turns proves, if anything, once it is needed.
+    whole_turns: OnceLock<Option<WholeTurns>>,
+}
+
+impl ContactProof {
+    /// [`Hoop::never_lifts_off`].
+    pub(crate) fn holds(&self, hoop: &Hoop, state: &State) -> bool {
+        let Body::Heavy(body) = hoop.body() else { return false };
+        let Some(needed) = hoop.lift_off_energy() else { return false };
+        let energy = at_most(energy(hoop, state, 0.0, 0.0));
+        let suffices = || {
+            let turning = at_most(FrictionlessIntegrals::new(&body, state, sincos(state.theta)).energy);
+            let (energy, needed) = (2.0 * energy, 2.0 * needed);
+            let whole_turns = || WholeTurns::new(&body, [hoop.mu_s(), hoop.mu_k()], needed);
+            turning < needed
+                && (turns_too_slowly(&body, energy, needed)
+                    || self
+                        .whole_turns
+                        .get_or_init(whole_turns)
+                        .is_some_and(|whole| turning < whole.turning && energy < whole.energy))
+        };
+        let zero = self.lowest_zero.get_or_init(|| lowest_zero(&body, hoop.mu_k()));
+        zero.is_none_or(|cos| cos > energy / body.offset) && (energy < needed || suffices())
+    }
+}
+
+/// What a quantity is at most, whose terms have been rounded.
+fn at_most(quantity: f64) -> f64 {
+    quantity + ROUNDING * (1.0 + quantity.abs())
+}
+
+/// Whether the energy without that of the horizontal velocity V is less than a lift-off needs, and stays so.
+///
+/// With C twice that energy, dC = 2 m (η′ − V) dV and m dV = −σ μ N dτ: C grows only where V has the sign of −θ′ and is not smaller than θ′ (1 + h cos θ),
+/// since η′ = V + θ′ (1 + h cos θ), in rolling as in sliding. At the C of a lift-off this is no less than its least value on a turn, while m V² is at most
+/// what of the energy C leaves.
+fn turns_too_slowly(body: &Heavy, energy: f64, needed: f64) -> bool {
+    let fastest = FrictionlessIntegrals { energy: needed, momentum: ((energy - needed) / body.mass).sqrt() };
+    // In powers of cos θ + 1.
+    let terms = fastest.standstills(body, -1.0);
+    let size = terms.iter().flatten().fold(0.0, |size: f64, term| size.max(term.abs()));
+    let mut excess = terms.map(|[first, second]| first + second);
+    excess[0] += ROUNDING * size;
+    Bernstein::from_taylor(&excess, 2.0).negated().first_crossing().is_none()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::solvability::solvability;
+    use crate::model::hoop::HoopParameters;
+    use crate::model::state::Start;
+
+    #[test]
+    fn no_lift_off_is_proved_as_far_up_as_p_is_positive() {
+        for (mass_ratio, offset, inertia, mu) in
+            [(0.2, 0.5, 0.02, 3.0), (0.1, 0.7, 0.03, 1.5), (0.2, 1.0, 0.1, 1.4)]
+        {
+            let parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu, mu);
+            let hoop = Hoop::new(parameters).unwrap();
+            let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+            let zeros = solvability(&body, mu).0.sign_changes();
+            let lowest = zeros.into_iter().map(libm::cos).fold(f64::INFINITY, f64::min);
+            assert!(lowest > -0.998 && lowest < 0.998, "{lowest}");
+            // At rest E = ℓ̂ cos θ.
+            let at_rest = |cos: f64| State::from(Start::at(libm::acos(cos), 0.0));
+            assert!(hoop.never_lifts_off(&at_rest(lowest - 1e-3)), "{lowest}");
+            assert!(!hoop.never_lifts_off(&at_rest(lowest + 1e-3)), "{lowest}");
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! What friction does over a whole turn: whether it can turn a hoop faster, to a lift-off.
+
+use core::f64::consts::PI;
+use std::sync::LazyLock;
+
+use super::{ROUNDING, at_most};
+use crate::model::hoop::Heavy;
+
+/// Cells of half a turn, in each of which every quantity is bounded. None crosses θ = π/2.
+const CELLS: usize = 256;
+
+/// Least part of J that J − a²/J is computed for: cancellation leaves it thirteen digits.
+const LEAST_DENOMINATOR: f64 = 1e-3;
+
+/// Cosines at the ends of the cells, from the bottom on.
+static COSINES: LazyLock<[f64; CELLS + 1]> =
+    LazyLock::new(|| core::array::from_fn(|k| -libm::cos(PI * k as f64 / CELLS as f64)));
+
+/// The proof that a hoop never lifts off, by the work of friction over whole turns.
+///
+/// C is twice the energy without that of the horizontal velocity V of the mass centre, v = −V sign θ′, ω = |θ′| (1 + h cos θ), and F the friction
+/// force in the direction of the rotation. A lift-off needs C = L, twice [`crate::Hoop::lift_off_energy`], and above 2 ℓ̂ the hoop rotates. Then
+///
+/// ```text
+/// dC/d|θ| = 2 F (1 + h cos θ),    F = φ m Î w/(J + φ m h sin |θ| (1 + h cos θ)),    J = Î + m h² sin² θ,
+/// ```
+///
+/// where φ = μk for v > ω, φ = −μk for v < ω, and |φ| ≤ μs in rolling, v = ω. F grows with φ. Hence C grows in a turn by no more than some Δ. A motion that comes
+/// from C < L − Δ to L takes more than a turn for the last Δ, and grows in the last turn before L. Then v is at least v* somewhere in that turn, if friction with
+/// φ = μs where ω ≤ v* and with φ = −μk elsewhere does no work on C, and twice the energy is at least L − Δ + m v*². It never grows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct WholeTurns {
+    /// L − Δ: what C has to be below.
+    pub(super) turning: f64,
+    /// L − Δ + m v*²: what twice the energy has to be below.
+    pub(super) energy: f64,
+}
+
+/// Bounds in a cell, for sin θ of either sign.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    /// Least ω.
+    least_velocity: f64,
+    /// Half of what C gains at most with φ = μs.
+    gain: f64,
+    /// Half of what it loses at least with φ = −μk.
+    loss: f64,
+}
+
+impl WholeTurns {
+    /// For a hoop with P > 0 at every angle, of which L is needed. None where Δ covers all of the rotations below L.
+    pub(super) fn new(body: &Heavy, friction: [f64; 2], needed: f64) -> Option<Self> {
+        let ends = || COSINES.windows(2).map(|ends| [ends[0], ends[1]]);
+        let separatrix = 2.0 * body.offset;
+        let room = 0.5 * (needed - separatrix);
+        let gain = ends().try_fold(0.0, |gain, ends| {
+            let gain = gain + Cell::new(body, friction, ends, [separatrix, needed]).gain;
+            (gain < room).then_some(gain)
+        })?;
+        let turning = needed - at_most(2.0 * gain);
+        if turning <= at_most(separatrix) {
+            return None;
+        }
+        let mut cells: Vec<Cell> =
+            ends().map(|ends| Cell::new(body, friction, ends, [turning, needed])).collect();
+        cells.sort_unstable_by(|a, b| a.least_velocity.total_cmp(&b.least_velocity));
+        let mut work = -cells.iter().map(|cell| cell.loss).sum::<f64>() * (1.0 - ROUNDING);
+        let fastest = cells.iter().find(|cell| {
+            work += (cell.gain + cell.loss) * (1.0 + ROUNDING);
+            work > 0.0
+        });
+        // Without friction C stays as it is.
+        let velocity = fastest.map_or(f64::INFINITY, |cell| cell.least_velocity * (1.0 - ROUNDING));
+        Some(Self { turning, energy: turning + body.mass * velocity * velocity })
+    }
+}
+
+impl Cell {
+    /// Between two cosines of which the first is the lower, for these values of C.
+    fn new(body: &Heavy, [mu_s, mu_k]: [f64; 2], [low, high]: [f64; 2], [least, most]: [f64; 2]) -> Self {
+        let Heavy { mass, h, inertia, offset } = *body;
+        let is_above = low + high > 0.0;
+        let [inner, outer] = if is_above { [low, high] } else { [high, low] };
+        let sine_square = |cos: f64| (1.0 - cos) * (1.0 + cos);
+        let spin = |cos: f64| inertia + mass * h * h * sine_square(cos);
+        let [light, heavy] = [spin(outer), spin(inner)];
+        let [short, long] = [1.0 + h * low, 1.0 + h * high];
+        let [slow, fast] = [(least - 2.0 * offset * high) / heavy, (most - 2.0 * offset * low) / light];
+        // w = 1 − h cos θ u, which is not below 0 before a lift-off.
+        let [weak, strong] = if is_above {
+            [1.0 - h * high * fast, 1.0 - h * low * slow]
+        } else {
+            [1.0 - h * high * slow, 1.0 - h * low * fast]
+        };
+        // The mean of 1/(J ± a) is 1/(J − a²/J).
+        let coupling = mu_s * mass * h * long;
+        let denominator = light - coupling * coupling * sine_square(inner) / light;
+        let scale = 2.0 * PI / CELLS as f64 * mass * inertia;
+        Self {
+            least_velocity: short * slow.max(0.0).sqrt(),
+            gain: if denominator > LEAST_DENOMINATOR * light {
+                scale * mu_s * strong * long / denominator
+            } else {
+                f64::INFINITY
+            },
+            loss: scale * mu_k * weak.max(0.0) * short / heavy,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::lift_off::ContactProof;
+    use crate::model::hoop::{Body, Hoop, HoopParameters};
+    use crate::model::limits::Limits;
+    use crate::model::mode::Mode;
+    use crate::model::proof::Proof;
+    use crate::model::state::{Start, State};
+
+    const HOOPS: [[f64; 5]; 6] = [
+        [1.0, 1.0, 0.5, 1e-3, 1e-3],
+        [0.3, 0.7, 0.3, 1e-2, 1e-2],
+        [0.3, 0.7, 0.05, 1e-3, 8e-4],
+        [2.0, 0.2, 1.0, 0.05, 0.02],
+        [0.05, 1.0, 0.1, 1e-4, 1e-4],
+        [1.0, 0.9, 0.5, 1e-6, 9e-7],
+    ];
+
+    fn hoop([mass_ratio, offset, inertia, mu_s, mu_k]: [f64; 5]) -> (Hoop, Heavy) {
+        let parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+        let hoop = Hoop::new(parameters).unwrap();
+        let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+        (hoop, body)
+    }
+
+    /// u and ω at an angle with C.
+    fn rotation(body: &Heavy, theta: f64, turning: f64) -> (f64, f64) {
+        let (sin, cos) = libm::sincos(theta);
+        let arm = body.h * sin;
+        let u = (turning - 2.0 * body.offset * cos) / (body.inertia + body.mass * arm * arm);
+        (u, (1.0 + body.h * cos) * u.sqrt())
+    }
+
+    /// 2 F (1 + h cos θ) with F = φ N.
+    fn growth(body: &Heavy, theta: f64, u: f64, phi: f64) -> f64 {
+        let (sin, cos) = libm::sincos(theta);
+        let lever = 1.0 + body.h * cos;
+        let p = body.inertia + body.mass * body.h * sin * (body.h * sin + phi * lever);
+        2.0 * lever * phi * body.inertia * body.mass * (1.0 - body.h * cos * u) / p
+    }
+
+    /// The integral over a turn of a function of the angle.
+    fn over_a_turn(function: impl Fn(f64) -> f64) -> f64 {
+        let steps = 40_000;
+        let width = 2.0 * PI / f64::from(steps);
+        (0..steps).map(|k| width * function(width * (f64::from(k) + 0.5))).sum()
+    }
+
+    /// v* by quadrature, for C between L − Δ and L.
+    fn velocity(body: &Heavy, [mu_s, mu_k]: [f64; 2], [least, most]: [f64; 2]) -> f64 {
+        let work = |velocity: f64| {
+            over_a_turn(|theta| {
+                let (slow, fastest) = rotation(body, theta, least);
+                let (fast, _) = rotation(body, theta, most);
+                let phi = if fastest <= velocity { mu_s } else { -mu_k };
+                growth(body, theta, slow, phi).max(growth(body, theta, fast, phi))
+            })
+        };
+        let (mut low, mut high) = (0.0, 1e3);
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            if work(middle) > 0.0 { high = middle } else { low = middle }
+        }
+        low
+    }
+
+    #[test]
+    fn the_bounds_are_those_of_quadratures() {
+        for parameters in HOOPS {
+            let (hoop, body) = hoop(parameters);
+            let friction = [hoop.mu_s(), hoop.mu_k()];
+            let needed = 2.0 * hoop.lift_off_energy().unwrap();
+            let whole = WholeTurns::new(&body, friction, needed).unwrap();
+            let gain = over_a_turn(|theta| {
+                let growth =
+                    |turning: f64| growth(&body, theta, rotation(&body, theta, turning).0, hoop.mu_s());
+                growth(2.0 * body.offset).max(growth(needed))
+            });
+            let bound = needed - whole.turning;
+            assert!(bound > gain && bound < 1.1 * gain, "{parameters:?}: {bound} {gain}");
+            let velocity = velocity(&body, friction, [whole.turning, needed]);
+            let bound = ((whole.energy - whole.turning) / body.mass).sqrt();
+            assert!(bound < velocity && bound > 0.9 * velocity, "{parameters:?}: {bound} {velocity}");
+        }
+    }
+
+    /// States at angles of a turn with these parts of C and of v*.
+    fn states(body: &Heavy, whole: &WholeTurns, [turning, velocity]: [f64; 2]) -> Vec<State> {
+        let turning = turning * whole.turning;
+        let velocity = velocity * ((whole.energy - turning) / body.mass).sqrt();
+        let angles = (0..6).map(|k| PI * (f64::from(k) / 3.0 - 1.0));
+        angles
+            .map(|theta| {
+                let (u, faster) = rotation(body, theta, turning);
+                State { time: 0.0, theta, theta_rate: u.sqrt(), slip: faster - velocity, x: 0.0 }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn motions_next_to_the_bounds_do_not_lift_off() {
+        for parameters in HOOPS {
+            let (hoop, body) = hoop(parameters);
+            let needed = 2.0 * hoop.lift_off_energy().unwrap();
+            let whole = WholeTurns::new(&body, [hoop.mu_s(), hoop.mu_k()], needed).unwrap();
+            let limits = Limits::default().with_transitions(300).with_proof(Proof::None);
+            for state in states(&body, &whole, [1.0 - 1e-9; 2]) {
+                assert!(ContactProof::default().holds(&hoop, &state), "{parameters:?}");
+                let motion = hoop.simulate(Start::from(state), limits).unwrap();
+                assert!(motion.phases().iter().all(|phase| phase.mode() != Mode::Flight), "{parameters:?}");
+            }
+        }
+    }
+
+    /// With one coefficient, and a Δ that is small, the bounds are nearly sharp.
+    #[test]
+    fn motions_a_little_beyond_the_bounds_lift_off() {
+        for parameters in HOOPS.into_iter().filter(|[.., mu_s, mu_k]| mu_s == mu_k) {
+            let (hoop, body) = hoop(parameters);
+            let needed = 2.0 * hoop.lift_off_energy().unwrap();
+            let whole = WholeTurns::new(&body, [hoop.mu_s(), hoop.mu_k()], needed).unwrap();
+            let limits = Limits::default().with_transitions(300).with_proof(Proof::None);
+            let part = 1.0 - 0.1 * (needed - whole.turning) / needed;
+            let jumps = states(&body, &whole, [part, 1.2]).into_iter().any(|state| {
+                let motion = hoop.simulate(Start::from(state), limits).unwrap();
+                motion.phases().iter().any(|phase| phase.mode() == Mode::Flight)
+            });
+            assert!(jumps, "{parameters:?}");
+        }
+    }
+}

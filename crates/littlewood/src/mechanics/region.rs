@@ -1,0 +1,168 @@
+//! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundary curves, separatrix and equilibria.
+
+use crate::mechanics::equations::{ContactForces, RollingLaw};
+use crate::model::hoop::{Body, Hoop};
+use crate::model::mode::Direction;
+
+/// The phase plane of the rolling motions of one hoop.
+///
+/// ```
+/// use littlewood::{Direction, Hoop, PhasePlane};
+///
+/// let plane = PhasePlane::new(&Hoop::figure_2(0.5, 0.4)?);
+/// assert!(plane.in_rolling_region(0.5, 0.2));
+/// let rate = plane.slip_rate(4.0, Direction::Positive).expect("the curve f passes over θ = 4");
+/// let forces = plane.forces(4.0, rate);
+/// assert!((forces.demand() - 0.5).abs() < 1e-14);
+/// # Ok::<(), littlewood::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct PhasePlane {
+    law: RollingLaw,
+    offset: f64,
+    h: f64,
+    mu_s: f64,
+    body: Body,
+}
+
+/// Stability of an equilibrium in rolling.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stability {
+    /// Centre, with this angular frequency √(ℓ̂/D(π)) of small oscillations.
+    Stable {
+        /// Frequency.
+        frequency: f64,
+    },
+    /// Saddle, with exponents ±√(ℓ̂/D(0)).
+    Unstable {
+        /// Exponent.
+        exponent: f64,
+    },
+    /// Homogeneous disc: every angle is an equilibrium.
+    Neutral,
+}
+
+/// An equilibrium of (2.10), at θ′ = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// Angle.
+    pub theta: f64,
+    /// Stability.
+    pub stability: Stability,
+}
+
+/// N and F as linear functions of u = θ′² at one angle.
+struct Line {
+    normal: [f64; 2],
+    friction: [f64; 2],
+}
+
+impl PhasePlane {
+    /// The plane of a hoop.
+    #[must_use]
+    pub fn new(hoop: &Hoop) -> Self {
+        Self {
+            law: RollingLaw::new(hoop),
+            offset: hoop.offset(),
+            h: hoop.h(),
+            mu_s: hoop.mu_s(),
+            body: hoop.body(),
+        }
+    }
+
+    /// Normal and friction force that rolling needs (2.12).
+    #[must_use]
+    pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
+        self.law.forces(theta, theta_rate)
+    }
+
+    /// Region 𝓝 of (2.14): N > 0.
+    #[must_use]
+    pub fn in_contact_region(&self, theta: f64, theta_rate: f64) -> bool {
+        self.forces(theta, theta_rate).normal > 0.0
+    }
+
+    /// Region 𝓡 of (2.14): |F| ≤ μs N and N > 0. For Littlewood's hoop (3.10): |θ| ≤ θ_s and |θ′| < 1.
+    #[must_use]
+    pub fn in_rolling_region(&self, theta: f64, theta_rate: f64) -> bool {
+        let forces = self.forces(theta, theta_rate);
+        forces.normal > 0.0 && forces.friction.abs() <= self.mu_s * forces.normal
+    }
+
+    fn line(&self, theta: f64) -> Line {
+        let (sin, cos) = libm::sincos(theta);
+        let d = self.law.denominator(theta);
+        let [constant, slope] =
+            [[1.0, 0.0], [0.0, 1.0]].map(|one_u| self.law.forces_at((sin, cos), one_u, d));
+        Line { normal: [constant.normal, slope.normal], friction: [constant.friction, slope.friction] }
+    }
+
+    /// |θ′| on the curve n, where N = 0 in rolling; none where N does not vanish at any rate.
+    #[must_use]
+    pub fn normal_force_rate(&self, theta: f64) -> Option<f64> {
+        let Line { normal: [constant, slope], .. } = self.line(theta);
+        rate_of(-constant / slope)
+    }
+
+    /// |θ′| on the curve f, where |F| = μs N with N ≥ 0 in rolling and the slip that follows has this direction; none
+    /// where the curve does not pass over θ. For a massless hoop f is a vertical line: [`crate::mechanics::closed_form::slip_angle`].
+    #[must_use]
+    pub fn slip_rate(&self, theta: f64, direction: Direction) -> Option<f64> {
+        if matches!(self.body, Body::Massless(_)) {
+            return None;
+        }
+        let Line { normal, friction } = self.line(theta);
+        let cone = direction.sign() * self.mu_s;
+        let u = -(friction[0] + cone * normal[0]) / (friction[1] + cone * normal[1]);
+        let rate = rate_of(u)?;
+        (normal[0] + normal[1] * u >= 0.0).then_some(rate)
+    }
+
+    /// |θ′| above which the body cannot stay in contact, 1 = h cos θ θ′²: sliding lifts off here, whatever μk. Below
+    /// this curve and above n the body slides at once although rolling would need N < 0.
+    #[must_use]
+    pub fn lift_off_rate(&self, theta: f64) -> Option<f64> {
+        rate_of(1.0 / (self.h * libm::cos(theta)))
+    }
+
+    /// |θ′| on the separatrix through the unstable equilibrium, θ′² = 4ℓ̂ sin²(θ/2)/D(θ).
+    #[must_use]
+    pub fn separatrix_rate(&self, theta: f64) -> f64 {
+        self.level_rate(theta, self.law.separatrix_energy()).unwrap_or(0.0)
+    }
+
+    /// |θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ); none where the orbit does not reach θ.
+    #[must_use]
+    pub fn level_rate(&self, theta: f64, energy: f64) -> Option<f64> {
+        let sin_half = libm::sin(0.5 * theta);
+        // E − ℓ̂ cos θ, without cancellation near the top.
+        let kinetic = (energy - self.offset) + 2.0 * self.offset * sin_half * sin_half;
+        rate_of(2.0 * kinetic / self.law.denominator(theta))
+    }
+
+    /// The equilibria of rolling in (−π, π]. A massless hoop with the particle on the rim has none at θ = π (§3a).
+    #[must_use]
+    pub fn equilibria(&self) -> Vec<Equilibrium> {
+        let (top, bottom) = (self.law.denominator(0.0), self.law.denominator(core::f64::consts::PI));
+        if self.offset == 0.0 {
+            return [0.0, core::f64::consts::PI]
+                .map(|theta| Equilibrium { theta, stability: Stability::Neutral })
+                .to_vec();
+        }
+        let mut equilibria = vec![Equilibrium {
+            theta: 0.0,
+            stability: Stability::Unstable { exponent: (self.offset / top).sqrt() },
+        }];
+        if !(matches!(self.body, Body::Massless(_)) && self.offset == 1.0) {
+            equilibria.push(Equilibrium {
+                theta: core::f64::consts::PI,
+                stability: Stability::Stable { frequency: (self.offset / bottom).sqrt() },
+            });
+        }
+        equilibria
+    }
+}
+
+fn rate_of(u: f64) -> Option<f64> {
+    (u >= 0.0 && u.is_finite()).then(|| u.sqrt())
+}

@@ -1,0 +1,72 @@
+//! Where sliding is well posed: P = Î + m h sin θ q as a trigonometric polynomial, and its zeros.
+
+use crate::math::form::Trigonometric;
+use crate::model::hoop::Heavy;
+
+/// P and q of slides with σ = +1 at every angle, with this coefficient of friction; those with σ = −1 are the mirror image.
+pub(crate) fn solvability(body: &Heavy, mu: f64) -> (Trigonometric, Trigonometric) {
+    let Heavy { mass, h, inertia, .. } = *body;
+    let q = Trigonometric::linear(-mu, h, -mu * h);
+    let p = Trigonometric::sin().times(&q).scaled(mass * h).plus(&Trigonometric::linear(inertia, 0.0, 0.0));
+    (p, q)
+}
+
+/// Whether P > 0 at every angle.
+pub(crate) fn is_solvable(body: &Heavy, mu: f64) -> bool {
+    body.inertia > 0.0 && lowest_zero(body, mu).is_none()
+}
+
+/// Least cosine of the angles, of either direction of slip, at which P vanishes: below P > 0, since at the bottom P is Î. None where P has no zeros.
+pub(crate) fn lowest_zero(body: &Heavy, mu: f64) -> Option<f64> {
+    // With y = h |s|, P ≥ Î − m y μ (1 + h) + m y², which is least at y = μ (1 + h)/2.
+    let y = 0.5 * mu * (1.0 + body.h);
+    if body.mass * y * y < (1.0 - 1e-9) * body.inertia {
+        return None;
+    }
+    solvability(body, mu).0.sign_changes().into_iter().map(libm::cos).reduce(f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::PI;
+
+    /// Also next to where the bound of P tells that it has no zeros.
+    #[test]
+    fn the_lowest_zero_is_where_p_vanishes_first_on_the_way_up() {
+        let (mut with, mut without) = (0, 0);
+        for h in [0.05, 0.3, 0.7, 1.0] {
+            for mu in [0.1, 0.8, 3.0] {
+                let bound = 0.25 * mu * mu * (1.0 + h) * (1.0 + h);
+                for part in [0.05, 0.3, 0.6, 0.9, 1.0 - 1e-6, 1.0 + 1e-6, 2.0] {
+                    let body = Heavy { mass: 1.0, h, offset: h, inertia: bound * part };
+                    let p = |theta: f64, sigma: f64| {
+                        let (sin, cos) = libm::sincos(theta);
+                        body.inertia + h * sin * (h * sin - sigma * mu * (1.0 + h * cos))
+                    };
+                    let lowest = lowest_zero(&body, mu);
+                    let seen = (0..=20_000)
+                        .map(|k| PI * (1.0 - f64::from(k) / 20_000.0))
+                        .find(|theta| p(*theta, 1.0) <= 0.0 || p(*theta, -1.0) <= 0.0);
+                    let Some(lowest) = lowest else {
+                        assert_eq!(seen, None, "{body:?} {mu}");
+                        without += 1;
+                        continue;
+                    };
+                    if let Some(theta) = seen {
+                        with += 1;
+                        assert!(
+                            lowest <= libm::cos(theta) && lowest > libm::cos(theta + PI / 20_000.0),
+                            "{body:?} {mu}"
+                        );
+                    } else {
+                        // Between two angles at which P was looked at.
+                        let least = p(libm::acos(lowest), 1.0).min(p(libm::acos(lowest), -1.0));
+                        assert!(least.abs() < 1e-12, "{body:?} {mu}: {least}");
+                    }
+                }
+            }
+        }
+        assert!(with > 20 && without > 20, "{with} {without}");
+    }
+}

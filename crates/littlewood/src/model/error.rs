@@ -1,0 +1,149 @@
+//! Errors of parameters: the quantity, its value, the bound it breaks and its unit.
+
+use thiserror::Error;
+
+use crate::model::hoop::Heavy;
+use crate::model::law::RestitutionLaw;
+use crate::model::quantity::{Bound, Number, Quantity, Reading};
+
+/// A parameter of a hoop or of a start that has no physical meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum ParameterError {
+    /// One value breaks one bound.
+    #[error("{} {bound}", Reading(*quantity, *value))]
+    OutOfBounds {
+        /// The quantity that was given.
+        quantity: Quantity,
+        /// Its value.
+        value: f64,
+        /// The bound it breaks.
+        bound: Bound,
+    },
+    /// A single point mass at the centre: nothing resists or drives a rotation, so there is no motion.
+    #[error(
+        "offset = 0 and moment of inertia = 0 (mass_ratio = {}, inertia = 0): \
+         a point mass at the centre of the hoop has no equation of motion",
+        Number(*mass_ratio)
+    )]
+    NoMotion {
+        /// The mass ratio that was given.
+        mass_ratio: f64,
+    },
+    /// A hoop that is all but massless: powers of 1/Î leave the range of doubles.
+    #[error(
+        "moment of inertia about the mass centre = {} m2 R^2 must be 0, or not less than {} m2 R^2",
+        Number(*inertia), Number(Heavy::LEAST_INERTIA)
+    )]
+    NearlyMassless {
+        /// Î.
+        inertia: f64,
+    },
+    /// A law of restitution that has nothing to act on.
+    #[error(
+        "restitution_law = {law} without restitution: without a coefficient the motion ends where the rim lands"
+    )]
+    LawAlone {
+        /// The law that was given.
+        law: RestitutionLaw,
+    },
+    /// A coefficient of restitution of a massless hoop.
+    #[error(
+        "restitution = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
+         its rim has no inertia that an impulse could act on, so it has no impact",
+        Number(*restitution)
+    )]
+    MasslessImpact {
+        /// The coefficient that was given.
+        restitution: f64,
+    },
+    /// A massless hoop that is thrown: nothing determines how it turns in the air.
+    #[error(
+        "gap_rate = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
+         without inertia its rotation in the air is not determined",
+        Number(*gap_rate)
+    )]
+    MasslessFlight {
+        /// The rate that was given.
+        gap_rate: f64,
+    },
+}
+
+impl ParameterError {
+    /// Advice for the person who typed the value.
+    #[must_use]
+    pub const fn hint(&self) -> &'static str {
+        match self {
+            Self::LawAlone { .. } => "give the coefficient too, 0 to 1, or leave out the law",
+            Self::MasslessImpact { .. } | Self::MasslessFlight { .. } => {
+                "leave it out, or give the hoop a mass or a moment of inertia"
+            }
+            Self::NoMotion { .. } => "give the disc a moment of inertia, or move the particle off the centre",
+            Self::NearlyMassless { .. } => {
+                "set mass_ratio and inertia to 0 for a massless hoop, or take 1e-16: no motion tells it from less"
+            }
+            Self::OutOfBounds { bound: Bound::Finite, .. } => {
+                "NaN and infinities are not numbers to start from"
+            }
+            Self::OutOfBounds { bound: Bound::MagnitudeAtMost(_), .. } => {
+                "beyond this bound a double no longer resolves the motion"
+            }
+            Self::OutOfBounds { quantity, .. } => quantity.hint(),
+        }
+    }
+
+    /// The quantity that it is about: one of those that would have to change.
+    #[must_use]
+    pub const fn quantity(&self) -> Quantity {
+        match self {
+            Self::OutOfBounds { quantity, .. } => *quantity,
+            Self::NoMotion { .. } => Quantity::Offset,
+            Self::NearlyMassless { .. } => Quantity::Inertia,
+            Self::LawAlone { .. } | Self::MasslessImpact { .. } => Quantity::Restitution,
+            Self::MasslessFlight { .. } => Quantity::GapRate,
+        }
+    }
+
+    /// Whether two values contradict each other that have a meaning each by itself, such as μk > μs.
+    #[must_use]
+    pub const fn is_contradiction(&self) -> bool {
+        matches!(
+            self,
+            Self::NoMotion { .. }
+                | Self::NearlyMassless { .. }
+                | Self::MasslessImpact { .. }
+                | Self::MasslessFlight { .. }
+                | Self::OutOfBounds { quantity: Quantity::MuK, bound: Bound::AtMost(..), .. }
+        )
+    }
+}
+
+impl Quantity {
+    /// Refuses what is not a finite number within the bounds of the table.
+    ///
+    /// # Errors
+    /// Names the first bound that the value breaks.
+    #[inline(always)]
+    pub fn check(self, value: f64) -> Result<f64, ParameterError> {
+        // Without a loop the bounds of a quantity that is known are folded.
+        let keeps = match self.bounds() {
+            [] => true,
+            [only] => only.allows(value),
+            [first, second] => first.allows(value) && second.allows(value),
+            more => more.iter().all(|bound| bound.allows(value)),
+        };
+        if value.is_finite() && keeps { Ok(value) } else { Err(self.refusal(value)) }
+    }
+
+    /// The first bound that a value breaks.
+    #[cold]
+    fn refusal(self, value: f64) -> ParameterError {
+        let broken = self.bounds().iter().find(|bound| value.is_finite() && !bound.allows(value));
+        let bound = broken.copied().unwrap_or(Bound::Finite);
+        ParameterError::OutOfBounds { quantity: self, value, bound }
+    }
+}
+
+/// Passes `value` on when the bound allows it.
+pub(crate) fn within(quantity: Quantity, value: f64, bound: Bound) -> Result<f64, ParameterError> {
+    if bound.allows(value) { Ok(value) } else { Err(ParameterError::OutOfBounds { quantity, value, bound }) }
+}

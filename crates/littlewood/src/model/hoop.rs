@@ -1,0 +1,257 @@
+//! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
+
+use crate::mechanics::equations::energy;
+use crate::model::error::{ParameterError, within};
+use crate::model::law::RestitutionLaw;
+use crate::model::quantity::{Bound, Quantity};
+use crate::model::restitution::Restitution;
+use crate::model::state::Start;
+
+/// The numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
+///
+/// ```
+/// use littlewood::{Hoop, HoopParameters};
+///
+/// // m̂1 = ℓ̂ = Î_zz = 1, μs = 0.5, μk = 0.4.
+/// let hoop = Hoop::new(HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4))?;
+/// assert_eq!(hoop.offset(), 1.0);
+/// # Ok::<(), littlewood::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct HoopParameters {
+    /// Mass of the disc over that of the particle, m̂1 = m1/m2 ≥ 0.
+    pub mass_ratio: f64,
+    /// Distance of the particle from the centre over the radius, 0 ≤ ℓ̂ = ℓ/R ≤ 1.
+    pub offset: f64,
+    /// Moment of inertia of the disc about its centre, Î_zz = I_zz/(m2 R²) ≥ 0.
+    pub inertia: f64,
+    /// Coefficient of static friction, μs ≥ μk.
+    pub mu_s: f64,
+    /// Coefficient of kinetic friction, μk ≥ 0.
+    pub mu_k: f64,
+    /// Coefficient of restitution 0 ≤ e ≤ 1; without one a motion ends where the rim lands.
+    pub restitution: Option<f64>,
+    /// What e is a ratio of; the energetic law where e is given alone.
+    pub restitution_law: Option<RestitutionLaw>,
+}
+
+impl HoopParameters {
+    /// Mass ratio m̂1, offset ℓ̂ and moment of inertia Î_zz, without friction.
+    #[must_use]
+    pub const fn new(mass_ratio: f64, offset: f64, inertia: f64) -> Self {
+        Self { mass_ratio, offset, inertia, mu_s: 0.0, mu_k: 0.0, restitution: None, restitution_law: None }
+    }
+
+    /// A thin hoop with the particle on its rim, without friction: ℓ = R, I_zz = m1 R².
+    #[must_use]
+    pub const fn thin(mass_ratio: f64) -> Self {
+        Self::new(mass_ratio, 1.0, mass_ratio)
+    }
+
+    /// The same hoop with these coefficients of static and kinetic friction.
+    #[must_use]
+    pub const fn with_friction(self, mu_s: f64, mu_k: f64) -> Self {
+        Self { mu_s, mu_k, ..self }
+    }
+
+    /// The same hoop with this coefficient of restitution, by this law: its motion goes on after a landing.
+    #[must_use]
+    pub const fn with_restitution(self, coefficient: f64, law: RestitutionLaw) -> Self {
+        Self { restitution: Some(coefficient), restitution_law: Some(law), ..self }
+    }
+}
+
+/// A hoop whose parameters have been checked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hoop {
+    parameters: HoopParameters,
+    body: Body,
+    restitution: Option<Restitution>,
+}
+
+/// The two bodies of the paper, which obey different equations: with inertia (§2) and without (§3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Body {
+    /// Î > 0: rolls, slides and flies.
+    Heavy(Heavy),
+    /// Î = 0 and m̂1 = 0: rolls and glides.
+    Massless(Massless),
+}
+
+/// A hoop with inertia; its mass ratio may be 0. Only [`Hoop::new`] makes one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Heavy {
+    /// Total mass m = 1 + m̂1.
+    pub mass: f64,
+    /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).
+    pub h: f64,
+    /// Offset of the particle, ℓ̂ = m h.
+    pub offset: f64,
+    /// Moment of inertia about the mass centre, Î = Î_zz + m̂1 ℓ̂²/(1 + m̂1) (2.1).
+    pub inertia: f64,
+}
+
+impl Heavy {
+    /// Least moment of inertia about the mass centre: fifth powers of its inverse are in the range of doubles.
+    pub const LEAST_INERTIA: f64 = 1e-60;
+}
+
+/// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Only [`Hoop::new`] makes one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Massless {
+    /// Offset of the particle, ℓ̂ = h. Littlewood has ℓ̂ = 1; footnote 7 of the paper relaxes it.
+    pub offset: f64,
+}
+
+impl Hoop {
+    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, 0 ≤ e ≤ 1, and a body that can move.
+    ///
+    /// # Errors
+    /// Names the first value that breaks a bound. ℓ̂ = 0 with Î = 0 is refused: see
+    /// [`ParameterError::NoMotion`]; so are 0 < Î < 1e-60, a law of restitution without a coefficient, and a coefficient of restitution
+    /// of a massless hoop, which no impulse can act on.
+    pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } =
+            parameters;
+        for (quantity, value) in [
+            (Quantity::MassRatio, mass_ratio),
+            (Quantity::Offset, offset),
+            (Quantity::Inertia, inertia),
+            (Quantity::MuS, mu_s),
+            (Quantity::MuK, mu_k),
+        ] {
+            quantity.check(value)?;
+        }
+        within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
+
+        let mass = 1.0 + mass_ratio;
+        let about_mass_centre = inertia + mass_ratio * offset * offset / mass;
+        let body = if about_mass_centre > 0.0 {
+            if about_mass_centre < Heavy::LEAST_INERTIA {
+                return Err(ParameterError::NearlyMassless { inertia: about_mass_centre });
+            }
+            Body::Heavy(Heavy { mass, h: offset / mass, offset, inertia: about_mass_centre })
+        } else if offset > 0.0 && mass_ratio == 0.0 {
+            Body::Massless(Massless { offset })
+        } else {
+            return Err(ParameterError::NoMotion { mass_ratio });
+        };
+        let restitution = match (body, restitution, restitution_law) {
+            (_, None, Some(law)) => return Err(ParameterError::LawAlone { law }),
+            (_, None, None) => None,
+            (Body::Massless(_), Some(restitution), _) => {
+                Quantity::Restitution.check(restitution)?;
+                return Err(ParameterError::MasslessImpact { restitution });
+            }
+            (Body::Heavy(_), Some(coefficient), law) => {
+                Some(Restitution::new(coefficient, law.unwrap_or_default())?)
+            }
+        };
+        Ok(Self { parameters, body, restitution })
+    }
+
+    /// Littlewood's own hoop (§3): massless, the particle on the rim.
+    ///
+    /// # Errors
+    /// As [`Hoop::new`].
+    pub fn littlewood(mu_s: f64, mu_k: f64) -> Result<Self, ParameterError> {
+        Self::new(HoopParameters::thin(0.0).with_friction(mu_s, mu_k))
+    }
+
+    /// The thin hoop of Figures 2 and 3: m1 = m2, ℓ = R, I_zz = m1 R².
+    ///
+    /// # Errors
+    /// As [`Hoop::new`].
+    pub fn figure_2(mu_s: f64, mu_k: f64) -> Result<Self, ParameterError> {
+        Self::new(HoopParameters::thin(1.0).with_friction(mu_s, mu_k))
+    }
+
+    /// The parameters as they were given.
+    #[must_use]
+    pub const fn parameters(&self) -> HoopParameters {
+        self.parameters
+    }
+
+    /// Mass ratio m̂1 = m1/m2.
+    #[must_use]
+    pub const fn mass_ratio(&self) -> f64 {
+        self.parameters.mass_ratio
+    }
+
+    /// Offset ℓ̂ = ℓ/R.
+    #[must_use]
+    pub const fn offset(&self) -> f64 {
+        self.parameters.offset
+    }
+
+    /// Moment of inertia Î_zz of the disc about its centre.
+    #[must_use]
+    pub const fn inertia(&self) -> f64 {
+        self.parameters.inertia
+    }
+
+    /// Coefficient of static friction μs.
+    #[must_use]
+    pub const fn mu_s(&self) -> f64 {
+        self.parameters.mu_s
+    }
+
+    /// Coefficient of kinetic friction μk.
+    #[must_use]
+    pub const fn mu_k(&self) -> f64 {
+        self.parameters.mu_k
+    }
+
+    /// The restitution of an impact; none where a motion ends at the landing.
+    #[must_use]
+    pub const fn restitution(&self) -> Option<Restitution> {
+        self.restitution
+    }
+
+    /// The same hoop with a restitution.
+    ///
+    /// # Errors
+    /// A massless hoop has none.
+    pub fn with_restitution(&self, restitution: Restitution) -> Result<Self, ParameterError> {
+        Self::new(self.parameters.with_restitution(restitution.coefficient(), restitution.law()))
+    }
+
+    /// The body with or without inertia.
+    #[must_use]
+    pub const fn body(&self) -> Body {
+        self.body
+    }
+
+    /// Total mass m = 1 + m̂1.
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        1.0 + self.parameters.mass_ratio
+    }
+
+    /// Kinetic and potential energy of a start (2.8).
+    #[must_use]
+    pub fn energy_of(&self, start: &Start) -> f64 {
+        energy(self, &start.state(), 0.0, start.gap_rate)
+    }
+
+    /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).
+    #[must_use]
+    pub fn h(&self) -> f64 {
+        self.parameters.offset / self.mass()
+    }
+}
+
+impl Body {
+    /// Moment of inertia about the mass centre, Î of (2.9); zero for a massless hoop.
+    #[must_use]
+    pub const fn inertia_about_mass_centre(&self) -> f64 {
+        match self {
+            Self::Heavy(heavy) => heavy.inertia,
+            Self::Massless(_) => 0.0,
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! A hoop and a start together, by the quantities of the table.
+
+use crate::model::hoop::HoopParameters;
+use crate::model::quantity::Quantity;
+use crate::model::state::Start;
+
+/// A hoop and a start as they are given, not yet checked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Setup {
+    /// The hoop, in the dimensionless parameters of (2.9).
+    pub hoop: HoopParameters,
+    /// The start, dimensionless.
+    pub start: Start,
+}
+
+/// Where a quantity stands in a setup.
+enum Place<'a> {
+    Number(&'a mut f64),
+    Optional(&'a mut Option<f64>),
+}
+
+impl Setup {
+    /// A hoop with a start.
+    #[must_use]
+    pub const fn new(hoop: HoopParameters, start: Start) -> Self {
+        Self { hoop, start }
+    }
+
+    /// Where a quantity stands; none for a limit and for what is in SI units.
+    const fn place(&mut self, quantity: Quantity) -> Option<Place<'_>> {
+        let Self { hoop, start } = self;
+        Some(Place::Number(match quantity {
+            Quantity::MassRatio => &mut hoop.mass_ratio,
+            Quantity::Offset => &mut hoop.offset,
+            Quantity::Inertia => &mut hoop.inertia,
+            Quantity::MuS => &mut hoop.mu_s,
+            Quantity::MuK => &mut hoop.mu_k,
+            Quantity::Restitution => return Some(Place::Optional(&mut hoop.restitution)),
+            Quantity::Theta => &mut start.theta,
+            Quantity::ThetaRate => &mut start.theta_rate,
+            Quantity::Slip => &mut start.slip,
+            Quantity::GapRate => &mut start.gap_rate,
+            Quantity::X => &mut start.x,
+            Quantity::Time => &mut start.time,
+            Quantity::Until
+            | Quantity::DiscMassKg
+            | Quantity::ParticleMassKg
+            | Quantity::RadiusM
+            | Quantity::OffsetM
+            | Quantity::InertiaKgM2
+            | Quantity::GravityMPerS2
+            | Quantity::ThetaRateRadPerS
+            | Quantity::SlipMPerS
+            | Quantity::GapRateMPerS
+            | Quantity::XM
+            | Quantity::TimeS
+            | Quantity::UntilS => return None,
+        }))
+    }
+
+    /// The value of a quantity; none for one that is not given, for a limit and for what is in SI units.
+    #[must_use]
+    pub fn get(&self, quantity: Quantity) -> Option<f64> {
+        Self::value(&mut { *self }, quantity)
+    }
+
+    const fn value(&mut self, quantity: Quantity) -> Option<f64> {
+        match self.place(quantity) {
+            Some(Place::Number(value)) => Some(*value),
+            Some(Place::Optional(value)) => *value,
+            None => None,
+        }
+    }
+
+    /// Sets a quantity; nothing happens for a limit and for what is in SI units.
+    pub const fn set(&mut self, quantity: Quantity, value: f64) {
+        match self.place(quantity) {
+            Some(Place::Number(place)) => *place = value,
+            Some(Place::Optional(place)) => *place = Some(value),
+            None => {}
+        }
+    }
+
+    /// The values of some quantities; NaN for those that are not given or not part of a setup.
+    #[must_use]
+    pub fn values<const N: usize>(&self, quantities: [Quantity; N]) -> [f64; N] {
+        let mut copy = *self;
+        let mut values = [f64::NAN; N];
+        for (value, quantity) in values.iter_mut().zip(quantities) {
+            *value = copy.value(quantity).unwrap_or(f64::NAN);
+        }
+        values
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_setup_has_every_quantity_of_a_hoop_and_a_start() {
+        let mut setup = Setup::new(HoopParameters::default(), Start::default());
+        for (value, quantity) in (1_u8..).zip(Quantity::HOOP.into_iter().chain(Quantity::START)) {
+            setup.set(quantity, f64::from(value));
+        }
+        for (value, quantity) in (1_u8..).zip(Quantity::HOOP.into_iter().chain(Quantity::START)) {
+            assert_eq!(setup.get(quantity), Some(f64::from(value)));
+            assert_eq!(setup.get(quantity.si_twin().unwrap_or(Quantity::Until)), None);
+        }
+        assert!(Quantity::AXES.iter().all(|axis| setup.get(*axis).is_some()));
+        let bare = Setup::new(HoopParameters::default(), Start::default());
+        assert_eq!(bare.get(Quantity::Restitution), None);
+        assert!(bare.values([Quantity::Restitution])[0].is_nan());
+    }
+}

@@ -1,0 +1,326 @@
+//! Conversion between SI units and the dimensionless quantities of (2.9), both ways.
+
+use crate::model::dimension::Dimension;
+use crate::model::error::{ParameterError, within};
+use crate::model::hoop::{Hoop, HoopParameters};
+use crate::model::law::RestitutionLaw;
+use crate::model::quantity::{Bound, Quantity};
+use crate::model::setup::Setup;
+use crate::model::state::{Start, State};
+use crate::model::units::Units;
+
+/// A hoop in SI units.
+///
+/// ```
+/// use littlewood::SiParameters;
+///
+/// // A hula hoop of 0.4 kg with a battery of 0.14 kg on the rim.
+/// let (hoop, units) = SiParameters {
+///     disc_mass_kg: 0.4,
+///     particle_mass_kg: 0.14,
+///     radius_m: 0.45,
+///     offset_m: 0.45,
+///     inertia_kg_m2: 0.4 * 0.45 * 0.45,
+///     gravity_m_per_s2: 9.81,
+///     mu_s: 0.5,
+///     mu_k: 0.4,
+///     restitution: None,
+///     restitution_law: None,
+/// }
+/// .to_hoop()?;
+/// assert!((hoop.mass_ratio() - 0.4 / 0.14).abs() < 1e-15);
+/// assert!((units.time_s - (0.45_f64 / 9.81).sqrt()).abs() < 1e-16);
+/// # Ok::<(), littlewood::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SiParameters {
+    /// Mass m1 of the disc or hoop, kg.
+    pub disc_mass_kg: f64,
+    /// Mass m2 of the particle, kg.
+    pub particle_mass_kg: f64,
+    /// Outer radius R, m.
+    pub radius_m: f64,
+    /// Distance ℓ of the particle from the geometric centre, m.
+    pub offset_m: f64,
+    /// Moment of inertia `I_zz` of the disc about its centre, kg m².
+    pub inertia_kg_m2: f64,
+    /// Gravitational acceleration g, m/s².
+    pub gravity_m_per_s2: f64,
+    /// Coefficient of static friction μs.
+    pub mu_s: f64,
+    /// Coefficient of kinetic friction μk.
+    pub mu_k: f64,
+    /// Coefficient of restitution e, if the motion goes on after a landing.
+    pub restitution: Option<f64>,
+    /// Law of restitution; the energetic one where e is given alone.
+    pub restitution_law: Option<RestitutionLaw>,
+}
+
+/// A start, or a state, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SiState {
+    /// Time t, s.
+    pub time_s: f64,
+    /// Angle θ, rad.
+    pub theta_rad: f64,
+    /// Rate dθ/dt, rad/s.
+    pub theta_rate_rad_per_s: f64,
+    /// Slip velocity dη/dt, m/s.
+    pub slip_m_per_s: f64,
+    /// Rate at which the gap under the rim opens, m/s. Of a state in flight it is not told: zero.
+    pub gap_rate_m_per_s: f64,
+    /// Position x of the geometric centre, m.
+    pub x_m: f64,
+}
+
+impl SiParameters {
+    /// The dimensionless hoop, and the units to convert its motion with.
+    ///
+    /// # Errors
+    /// m2, R, g > 0; m1, `I_zz` ≥ 0; 0 ≤ ℓ ≤ R; 0 ≤ μk ≤ μs; all finite; and as [`Hoop::new`].
+    pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
+        let Self {
+            disc_mass_kg,
+            particle_mass_kg,
+            radius_m,
+            offset_m,
+            inertia_kg_m2,
+            gravity_m_per_s2,
+            mu_s,
+            mu_k,
+            restitution,
+            restitution_law,
+        } = *self;
+        let mass = Quantity::DiscMassKg.check(disc_mass_kg)?;
+        let radius = Quantity::RadiusM.check(radius_m)?;
+        let offset = Quantity::OffsetM.check(offset_m)?;
+        within(Quantity::OffsetM, offset, Bound::AtMost(Quantity::RadiusM, radius))?;
+        let inertia = Quantity::InertiaKgM2.check(inertia_kg_m2)?;
+        let units = Units::new(particle_mass_kg, radius, gravity_m_per_s2)?;
+        let plain = |quantity: Quantity, value| units.from_si(quantity.dimension(), value);
+        let parameters = HoopParameters::new(
+            plain(Quantity::DiscMassKg, mass),
+            plain(Quantity::OffsetM, offset),
+            plain(Quantity::InertiaKgM2, inertia),
+        )
+        .with_friction(mu_s, mu_k);
+        Ok((Hoop::new(HoopParameters { restitution, restitution_law, ..parameters })?, units))
+    }
+
+    /// The parameters of a hoop, which need not have been checked, in SI units.
+    #[must_use]
+    pub fn new(hoop: &HoopParameters, units: &Units) -> Self {
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } = *hoop;
+        let si = |quantity: Quantity, value| units.to_si(quantity.dimension(), value);
+        Self {
+            disc_mass_kg: si(Quantity::DiscMassKg, mass_ratio),
+            particle_mass_kg: units.mass_kg,
+            radius_m: units.length_m,
+            offset_m: si(Quantity::OffsetM, offset),
+            inertia_kg_m2: si(Quantity::InertiaKgM2, inertia),
+            gravity_m_per_s2: units.gravity_m_per_s2,
+            mu_s,
+            mu_k,
+            restitution,
+            restitution_law,
+        }
+    }
+}
+
+/// A hoop and a start in SI units, by the quantities of the table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SiSetup {
+    /// The hoop.
+    pub hoop: SiParameters,
+    /// The start.
+    pub start: SiState,
+}
+
+impl SiSetup {
+    /// A setup in SI units.
+    #[must_use]
+    pub fn new(setup: &Setup, units: &Units) -> Self {
+        let gap_rate = units.to_si(Quantity::GapRateMPerS.dimension(), setup.start.gap_rate);
+        let start = SiState { gap_rate_m_per_s: gap_rate, ..units.state(&setup.start.into()) };
+        Self { hoop: SiParameters::new(&setup.hoop, units), start }
+    }
+
+    /// From the value of each quantity of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. What must be given and is not is
+    /// NaN, which [`SiSetup::to_setup`] refuses.
+    #[must_use]
+    pub fn from_values(
+        value: impl Fn(Quantity) -> Option<f64>,
+        restitution_law: Option<RestitutionLaw>,
+    ) -> Self {
+        let number = |quantity| value(quantity).unwrap_or(f64::NAN);
+        Self {
+            hoop: SiParameters {
+                disc_mass_kg: number(Quantity::DiscMassKg),
+                particle_mass_kg: number(Quantity::ParticleMassKg),
+                radius_m: number(Quantity::RadiusM),
+                offset_m: number(Quantity::OffsetM),
+                inertia_kg_m2: number(Quantity::InertiaKgM2),
+                gravity_m_per_s2: number(Quantity::GravityMPerS2),
+                mu_s: number(Quantity::MuS),
+                mu_k: number(Quantity::MuK),
+                restitution: value(Quantity::Restitution),
+                restitution_law,
+            },
+            start: SiState {
+                time_s: number(Quantity::TimeS),
+                theta_rad: number(Quantity::Theta),
+                theta_rate_rad_per_s: number(Quantity::ThetaRateRadPerS),
+                slip_m_per_s: number(Quantity::SlipMPerS),
+                gap_rate_m_per_s: number(Quantity::GapRateMPerS),
+                x_m: number(Quantity::XM),
+            },
+        }
+    }
+
+    /// The value of a quantity; none for what is dimensionless only, and for a limit.
+    #[must_use]
+    pub const fn get(&self, quantity: Quantity) -> Option<f64> {
+        let Self { hoop, start } = self;
+        Some(match quantity {
+            Quantity::DiscMassKg => hoop.disc_mass_kg,
+            Quantity::ParticleMassKg => hoop.particle_mass_kg,
+            Quantity::RadiusM => hoop.radius_m,
+            Quantity::OffsetM => hoop.offset_m,
+            Quantity::InertiaKgM2 => hoop.inertia_kg_m2,
+            Quantity::GravityMPerS2 => hoop.gravity_m_per_s2,
+            Quantity::MuS => hoop.mu_s,
+            Quantity::MuK => hoop.mu_k,
+            Quantity::Restitution => return hoop.restitution,
+            Quantity::Theta => start.theta_rad,
+            Quantity::ThetaRateRadPerS => start.theta_rate_rad_per_s,
+            Quantity::SlipMPerS => start.slip_m_per_s,
+            Quantity::GapRateMPerS => start.gap_rate_m_per_s,
+            Quantity::XM => start.x_m,
+            Quantity::TimeS => start.time_s,
+            Quantity::MassRatio
+            | Quantity::Offset
+            | Quantity::Inertia
+            | Quantity::ThetaRate
+            | Quantity::Slip
+            | Quantity::GapRate
+            | Quantity::X
+            | Quantity::Time
+            | Quantity::Until
+            | Quantity::UntilS => return None,
+        })
+    }
+
+    /// The checked hoop, the start, and the units to convert the motion with.
+    ///
+    /// # Errors
+    /// As [`SiParameters::to_hoop`] and [`Units::start`].
+    pub fn to_setup(&self) -> Result<(Setup, Units), ParameterError> {
+        let (hoop, units) = self.hoop.to_hoop()?;
+        Ok((Setup::new(hoop.parameters(), units.start(&self.start)?), units))
+    }
+}
+
+impl Units {
+    /// A start given in SI units.
+    ///
+    /// # Errors
+    /// All values must be finite, the rate of the gap not negative.
+    pub fn start(&self, si: &SiState) -> Result<Start, ParameterError> {
+        let plain = |quantity: Quantity, value: f64| -> Result<f64, ParameterError> {
+            Ok(self.from_si(quantity.dimension(), within(quantity, value, Bound::Finite)?))
+        };
+        Ok(Start {
+            time: plain(Quantity::TimeS, si.time_s)?,
+            theta: plain(Quantity::Theta, si.theta_rad)?,
+            theta_rate: plain(Quantity::ThetaRateRadPerS, si.theta_rate_rad_per_s)?,
+            slip: plain(Quantity::SlipMPerS, si.slip_m_per_s)?,
+            gap_rate: {
+                Quantity::GapRateMPerS.check(si.gap_rate_m_per_s)?;
+                plain(Quantity::GapRateMPerS, si.gap_rate_m_per_s)?
+            },
+            x: plain(Quantity::XM, si.x_m)?,
+        })
+    }
+
+    /// A time limit given in seconds, for a motion that starts at `start`, dimensionless.
+    ///
+    /// # Errors
+    /// It must be finite and not before the start: said in seconds.
+    pub fn until(&self, until_s: f64, start: &Start) -> Result<f64, ParameterError> {
+        let until = self.from_si(Dimension::Time, Quantity::UntilS.check(until_s)?);
+        if until < start.time {
+            let bound = Bound::AtLeast(Quantity::TimeS, self.to_si(Dimension::Time, start.time));
+            return Err(ParameterError::OutOfBounds { quantity: Quantity::UntilS, value: until_s, bound });
+        }
+        Ok(until)
+    }
+
+    /// A state in SI units.
+    #[must_use]
+    pub fn state(&self, state: &State) -> SiState {
+        let si = |quantity: Quantity, value| self.to_si(quantity.dimension(), value);
+        SiState {
+            time_s: si(Quantity::TimeS, state.time),
+            theta_rad: state.theta,
+            theta_rate_rad_per_s: si(Quantity::ThetaRateRadPerS, state.theta_rate),
+            slip_m_per_s: si(Quantity::SlipMPerS, state.slip),
+            gap_rate_m_per_s: 0.0,
+            x_m: si(Quantity::XM, state.x),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn conversion_goes_both_ways(
+            m1 in 0.0..5.0_f64, m2 in 0.01..5.0_f64, radius in 0.01..3.0_f64, part in 0.01..1.0_f64,
+            inertia in 0.001..4.0_f64, g in 0.1..30.0_f64, time in -9.0..9.0_f64, slip in -9.0..9.0_f64,
+        ) {
+            let si = SiParameters {
+                disc_mass_kg: m1, particle_mass_kg: m2, radius_m: radius, offset_m: part * radius,
+                inertia_kg_m2: inertia, gravity_m_per_s2: g, mu_s: 0.5, mu_k: 0.25,
+                restitution: None, restitution_law: None,
+            };
+            let (hoop, units) = si.to_hoop().unwrap();
+            let back = SiParameters::new(&hoop.parameters(), &units);
+            for (a, b) in [
+                (si.disc_mass_kg, back.disc_mass_kg), (si.offset_m, back.offset_m),
+                (si.inertia_kg_m2, back.inertia_kg_m2), (si.radius_m, back.radius_m),
+            ] {
+                prop_assert!((a - b).abs() <= 4.0 * f64::EPSILON * a.abs());
+            }
+            let state = SiState { time_s: time, theta_rad: 1.0, theta_rate_rad_per_s: -time, slip_m_per_s: slip, gap_rate_m_per_s: 0.0, x_m: slip };
+            let start = units.start(&state).unwrap();
+            let again = units.state(&start.check().unwrap());
+            for (a, b) in [
+                (state.time_s, again.time_s), (state.theta_rate_rad_per_s, again.theta_rate_rad_per_s),
+                (state.slip_m_per_s, again.slip_m_per_s), (state.x_m, again.x_m),
+            ] {
+                prop_assert!((a - b).abs() <= 4.0 * f64::EPSILON * a.abs());
+            }
+        }
+    }
+
+    #[test]
+    fn a_particle_outside_the_hoop_is_refused_in_metres() {
+        let si = SiParameters {
+            disc_mass_kg: 1.0,
+            particle_mass_kg: 1.0,
+            radius_m: 0.5,
+            offset_m: 0.6,
+            inertia_kg_m2: 0.25,
+            gravity_m_per_s2: 9.81,
+            mu_s: 0.5,
+            mu_k: 0.4,
+            restitution: None,
+            restitution_law: None,
+        };
+        let error = si.to_hoop().unwrap_err();
+        assert_eq!(error.to_string(), "offset_m = 0.6 m must not exceed radius_m = 0.5 m");
+    }
+}

@@ -1,0 +1,114 @@
+//! Starts and states.
+
+use crate::model::error::ParameterError;
+use crate::model::quantity::Quantity;
+
+/// A start with the rim at the plane: dimensionless time, angle, rate, slip velocity, rate of the gap and position.
+///
+/// ```
+/// let start = littlewood::Start::at(0.5, -1.0).with_slip(0.25);
+/// assert_eq!(start.slip, 0.25);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Start {
+    /// Time τ.
+    pub time: f64,
+    /// Angle θ of the particle from the upward vertical, counterclockwise, not reduced.
+    pub theta: f64,
+    /// Rate θ′.
+    pub theta_rate: f64,
+    /// Slip velocity η′ of the contact point (2.7).
+    pub slip: f64,
+    /// Rate at which the gap under the rim opens, zero or positive: a hoop thrown from the plane.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub gap_rate: f64,
+    /// Horizontal position x of the geometric centre.
+    pub x: f64,
+}
+
+impl Start {
+    /// A start at τ = 0, x = 0 without slip.
+    #[must_use]
+    pub const fn at(theta: f64, theta_rate: f64) -> Self {
+        Self { time: 0.0, theta, theta_rate, slip: 0.0, gap_rate: 0.0, x: 0.0 }
+    }
+
+    /// The same start with a slip velocity η′.
+    #[must_use]
+    pub const fn with_slip(self, slip: f64) -> Self {
+        Self { slip, ..self }
+    }
+
+    /// The same start, but leaving the plane at this rate.
+    #[must_use]
+    pub const fn with_gap_rate(self, gap_rate: f64) -> Self {
+        Self { gap_rate, ..self }
+    }
+
+    /// The same start at another time τ.
+    #[must_use]
+    pub const fn with_time(self, time: f64) -> Self {
+        Self { time, ..self }
+    }
+
+    /// The same start at another position x.
+    #[must_use]
+    pub const fn with_x(self, x: f64) -> Self {
+        Self { x, ..self }
+    }
+
+    /// The state without the rate of the gap.
+    pub(crate) const fn state(&self) -> State {
+        let Self { time, theta, theta_rate, slip, gap_rate: _, x } = *self;
+        State { time, theta, theta_rate, slip, x }
+    }
+
+    /// Refuses what is not finite, and what a double no longer resolves.
+    ///
+    /// # Errors
+    /// Names the first value that breaks a bound of [`Quantity::START`].
+    pub fn check(self) -> Result<State, ParameterError> {
+        Quantity::GapRate.check(self.gap_rate)?;
+        Ok(State {
+            time: Quantity::Time.check(self.time)?,
+            theta: Quantity::Theta.check(self.theta)?,
+            theta_rate: Quantity::ThetaRate.check(self.theta_rate)?,
+            slip: Quantity::Slip.check(self.slip)?,
+            x: Quantity::X.check(self.x)?,
+        })
+    }
+}
+
+impl From<State> for Start {
+    fn from(state: State) -> Self {
+        let State { time, theta, theta_rate, slip, x } = state;
+        Self { time, theta, theta_rate, slip, gap_rate: 0.0, x }
+    }
+}
+
+/// The state of the body at an instant. In flight `slip` is the horizontal velocity of the lowest point of the
+/// rim, which is the slip velocity that a landing there would have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct State {
+    /// Time τ.
+    pub time: f64,
+    /// Angle θ, not reduced.
+    pub theta: f64,
+    /// Rate θ′.
+    pub theta_rate: f64,
+    /// Slip velocity η′.
+    pub slip: f64,
+    /// Horizontal position x of the geometric centre.
+    pub x: f64,
+}
+
+/// A start that has not been checked, as a state, which has no rate of the gap.
+impl From<Start> for State {
+    fn from(start: Start) -> Self {
+        let Start { time, theta, theta_rate, slip, x, .. } = start;
+        Self { time, theta, theta_rate, slip, x }
+    }
+}

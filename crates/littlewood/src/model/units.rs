@@ -1,0 +1,135 @@
+//! Conversion between (2.9) and SI units, from the exponents of the dimensions.
+
+use crate::model::dimension::Dimension;
+use crate::model::error::ParameterError;
+use crate::model::quantity::Quantity;
+
+/// The units of (2.9): SI value = dimensionless value × unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    /// Mass m2, kg.
+    pub mass_kg: f64,
+    /// Length R, m.
+    pub length_m: f64,
+    /// Time √(R/g), s.
+    pub time_s: f64,
+    /// Gravitational acceleration g, m/s².
+    pub gravity_m_per_s2: f64,
+}
+
+impl Units {
+    /// From m2, R and g.
+    ///
+    /// # Errors
+    /// All three must be finite and greater than zero.
+    pub fn new(particle_mass_kg: f64, radius_m: f64, gravity_m_per_s2: f64) -> Result<Self, ParameterError> {
+        let mass_kg = Quantity::ParticleMassKg.check(particle_mass_kg)?;
+        let length_m = Quantity::RadiusM.check(radius_m)?;
+        let gravity = Quantity::GravityMPerS2.check(gravity_m_per_s2)?;
+        Ok(Self { mass_kg, length_m, time_s: (length_m / gravity).sqrt(), gravity_m_per_s2: gravity })
+    }
+
+    /// The unit of a dimension as a fraction, by the exponents of m2, R and g. Powers of R/g alone are powers of the
+    /// unit of time; an odd power of √g brings one unit of time.
+    fn fraction(&self, dimension: Dimension) -> (Option<f64>, f64) {
+        let [mass, mut length, mut gravity] = dimension.halves();
+        let mut time = 0;
+        if length == -gravity {
+            (time, length, gravity) = (length, 0, 0);
+        } else if gravity % 2 != 0 {
+            (time, length, gravity) = (-1, length + 1, gravity - 1);
+        }
+        let powers = [
+            (self.mass_kg, mass / 2),
+            (self.gravity_m_per_s2, gravity / 2),
+            (self.length_m, length / 2),
+            (self.time_s, time),
+        ];
+        let product = |sign: i8| {
+            let factors =
+                powers.iter().flat_map(|&(unit, power)| (0..(sign * power).max(0)).map(move |_| unit));
+            factors.reduce(|product, unit| product * unit)
+        };
+        (product(1), product(-1).unwrap_or(1.0))
+    }
+
+    /// The SI value of one unit of (2.9).
+    #[must_use]
+    pub fn unit(&self, dimension: Dimension) -> f64 {
+        let (above, below) = self.fraction(dimension);
+        above.unwrap_or(1.0) / below
+    }
+
+    /// A dimensionless value in SI units.
+    #[must_use]
+    pub fn to_si(&self, dimension: Dimension, value: f64) -> f64 {
+        match self.fraction(dimension) {
+            // A quotient, not a product with the reciprocal: one rounding less.
+            (None, below) => value / below,
+            (Some(above), below) => value * (above / below),
+        }
+    }
+
+    /// A value in SI units without dimension.
+    #[must_use]
+    pub fn from_si(&self, dimension: Dimension, value: f64) -> f64 {
+        match self.fraction(dimension) {
+            (None, below) => value * below,
+            (Some(above), below) => value / (above / below),
+        }
+    }
+
+    /// Velocity √(g R), m/s.
+    #[must_use]
+    pub fn velocity_m_per_s(&self) -> f64 {
+        self.unit(Dimension::Velocity)
+    }
+
+    /// Force m2 g, N.
+    #[must_use]
+    pub fn force_n(&self) -> f64 {
+        self.unit(Dimension::Force)
+    }
+
+    /// Energy m2 g R, J.
+    #[must_use]
+    pub fn energy_j(&self) -> f64 {
+        self.unit(Dimension::Energy)
+    }
+
+    /// Moment of inertia m2 R², kg m².
+    #[must_use]
+    pub fn inertia_kg_m2(&self) -> f64 {
+        self.unit(Dimension::Inertia)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_the_powers_of_mass_length_and_gravity() {
+        let units = Units::new(0.14, 0.45, 9.81).expect("three positive numbers");
+        let (m, r, g) = (0.14_f64, 0.45_f64, 9.81_f64);
+        for (dimension, expected) in [
+            (Dimension::Ratio, 1.0),
+            (Dimension::Angle, 1.0),
+            (Dimension::Mass, m),
+            (Dimension::Length, r),
+            (Dimension::Time, (r / g).sqrt()),
+            (Dimension::AngularRate, (g / r).sqrt()),
+            (Dimension::AngularAcceleration, g / r),
+            (Dimension::Velocity, (g * r).sqrt()),
+            (Dimension::Acceleration, g),
+            (Dimension::Force, m * g),
+            (Dimension::Energy, m * g * r),
+            (Dimension::Impulse, m * (g * r).sqrt()),
+            (Dimension::Inertia, m * r * r),
+        ] {
+            assert!((units.unit(dimension) / expected - 1.0).abs() < 1e-15, "{dimension:?}");
+            assert!((units.from_si(dimension, units.to_si(dimension, 0.7)) - 0.7).abs() < 1e-15);
+            assert!((units.to_si(dimension, 0.7) / (0.7 * expected) - 1.0).abs() < 1e-15, "{dimension:?}");
+        }
+    }
+}

@@ -1,0 +1,551 @@
+//! The gap under the rim in flight: where it turns, and where it closes first.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::math::bracket::{Bracket, Model};
+use crate::math::trig::without_turns;
+
+use super::series::TruncatedSeries;
+
+/// The gap as a function of its argument p: the angle φ, or the time where the hoop turns so slowly that the gap is concave.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gap {
+    pub(super) h: f64,
+    pub(super) sin: f64,
+    pub(super) cos: f64,
+    /// Rate of the gap in p at the start.
+    pub(super) rise: f64,
+    /// Its second derivative at the start, h c0 less the weight; exactly zero at a lift-off from sliding.
+    pub(super) opening: f64,
+    /// The part of the second derivative that is the parabola's: 1/θ′², or 1 in time.
+    pub(super) weight: f64,
+    /// dφ/dp.
+    pub(super) spin: f64,
+    /// θ0 in the direction of rotation.
+    pub(super) theta: f64,
+}
+
+/// The gap and its slope at an argument.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Bound {
+    pub(super) at: f64,
+    pub(super) gap: f64,
+    pub(super) slope: f64,
+}
+
+impl Bound {
+    /// Gap where the tangents of two ends meet.
+    fn tangents_meet(&self, other: &Self) -> f64 {
+        let way = (other.gap - self.gap - other.slope * (other.at - self.at)) / (self.slope - other.slope);
+        self.gap + self.slope * way
+    }
+
+    /// About where the gap turns between two inflections: where the slope has the course of the cubic 3 t² − 2 t³.
+    fn about_turning(&self, other: &Self) -> f64 {
+        let part = self.slope / (self.slope - other.slope);
+        let way = 0.5 - libm::sin(libm::asin(1.0 - 2.0 * part) / 3.0);
+        self.at + (other.at - self.at) * way
+    }
+
+    /// About where the gap closes before the other end: on the parabola through this end, with its slope, and the other.
+    fn about_touchdown(&self, other: &Self) -> f64 {
+        let width = other.at - self.at;
+        let bend = (other.gap - self.gap - self.slope * width) / (width * width);
+        let root = (self.slope * self.slope - 4.0 * bend * self.gap).max(0.0).sqrt();
+        self.at + 2.0 * self.gap / (root - self.slope)
+    }
+}
+
+/// The gap near an argument, from its derivatives there: polynomials, without another sine or cosine.
+///
+/// From the third derivative on they are those of −h cos(θ0 + φ) alone, so that a step of s, which turns the hoop by y = spin s,
+/// adds jerk s³ (y − sin y)/y³ + snap s⁴ (cos y − 1 + y²/2)/y⁴ to the parabola.
+#[derive(Clone, Copy, Debug)]
+struct Expansion {
+    at: f64,
+    gap: f64,
+    slope: f64,
+    curvature: f64,
+    jerk: f64,
+    snap: f64,
+    spin: f64,
+}
+
+/// How far an expansion reaches, in φ.
+const REACH: f64 = 0.125;
+
+/// Nearer to the start, where gap, slope and curvature may vanish together, an expansion reaches this part of the way.
+const PART: f64 = 0.125;
+
+/// (−1)^k/(2k + n)! for k = 3, 2, 1, 0: terms of (sin y)/y, (1 − cos y)/y², (y − sin y)/y³ and so on for n = 1, 2, 3 and 4. Up to
+/// [`REACH`] those left out are below the last digit of the gap and of its slope.
+const fn terms(n: usize) -> [f64; 4] {
+    let mut term = 1.0;
+    let mut i = 1;
+    while i <= n {
+        term /= i as f64;
+        i += 1;
+    }
+    let mut terms = [0.0; 4];
+    let mut k = 0;
+    while k < 4 {
+        terms[3 - k] = term;
+        let power = (2 * k + n) as f64;
+        term /= -((power + 1.0) * (power + 2.0));
+        k += 1;
+    }
+    terms
+}
+
+const TERMS: [[f64; 4]; 4] = [terms(1), terms(2), terms(3), terms(4)];
+
+impl Expansion {
+    fn reach(&self) -> f64 {
+        (REACH / self.spin).min(PART * self.at)
+    }
+
+    /// The gap and its first three derivatives after a step.
+    #[inline]
+    fn derivatives(&self, step: f64) -> [f64; 4] {
+        let turn = self.spin * step;
+        let square = turn * turn;
+        let [first, second, third, fourth] =
+            TERMS.map(|[a, b, c, d]| ((a * square + b) * square + c) * square + d);
+        let (jerk, snap) = (self.jerk * step, self.snap * step * step);
+        [
+            self.gap + step * (self.slope + step * (0.5 * self.curvature + (jerk * third + snap * fourth))),
+            self.slope + step * (self.curvature + (jerk * second + snap * third)),
+            self.curvature + (jerk * first + snap * second),
+            self.jerk * (1.0 - square * second) + self.snap * (step * first),
+        ]
+    }
+}
+
+/// A quantity near an argument, from the expansion of the gap there.
+struct Near<Q> {
+    expansion: Expansion,
+    quantity: Q,
+}
+
+impl<Q: Fn(f64, [f64; 4]) -> (f64, f64, f64)> Model for Near<Q> {
+    #[inline]
+    fn here(&self) -> (f64, f64, f64) {
+        let Expansion { at, gap, slope, curvature, jerk, .. } = self.expansion;
+        (self.quantity)(at, [gap, slope, curvature, jerk])
+    }
+
+    #[inline]
+    fn at(&self, step: f64) -> (f64, f64, f64) {
+        (self.quantity)(self.expansion.at + step, self.expansion.derivatives(step))
+    }
+
+    fn reach(&self) -> f64 {
+        self.expansion.reach()
+    }
+
+    fn scale(&self) -> f64 {
+        1.0 / self.expansion.spin
+    }
+}
+
+/// Whether at a lift-off the rate tells the direction better than the angle. A rounding of θ moves sin θ by cos θ ε |θ|/2, those on
+/// the way from θ′ to cos θ by cos² θ/sin θ times four of ε/2.
+pub(crate) fn is_told_by_rate(theta: f64, (sin, cos): (f64, f64)) -> bool {
+    (sin * theta).abs() > 4.0 * cos
+}
+
+/// Up to this angle the gap is taken from its expansion at the start, beyond from the parabola and the rim as they are.
+const NEAR: f64 = 1.0;
+
+/// Largest error of a bound by tangents, in parts of the terms of the gap: of the dozen operations from them to the bound each rounds
+/// by half a digit.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+impl Gap {
+    /// The same where sliding lifts off, 1 = h c0 θ′². That holds to the rounding of θ0 and of θ′, and s0 follows from the one that
+    /// tells it better: b = 0, and the parabola has the weight of a body that turns at this rate.
+    pub(super) fn at_lift_off(self) -> Self {
+        let cos = self.weight / self.h;
+        let sin = if is_told_by_rate(self.theta, (self.sin, self.cos)) {
+            -((1.0 - cos) * (1.0 + cos)).max(0.0).sqrt()
+        } else {
+            self.sin
+        };
+        Self { cos, sin, opening: 0.0, ..self }
+    }
+
+    /// Gap and slope at an argument.
+    pub(super) fn bound(&self, at: f64) -> Bound {
+        let Expansion { gap, slope, .. } = self.expansion(at);
+        Bound { at, gap, slope }
+    }
+
+    /// The gap and its derivatives at an argument.
+    #[inline]
+    fn expansion(&self, at: f64) -> Expansion {
+        let Self { h, sin, cos, spin, rise, opening, weight, .. } = *self;
+        let turned = spin * at;
+        let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(turned);
+        let (square, lever) = (spin * spin, h * (spin * spin));
+        let (gap, slope) = if turned <= NEAR {
+            (
+                rise * at + (0.5 * opening * at * at - h * (cos * even + sin * odd)),
+                rise + (opening * at - h * spin * (cos * odd + sin * versine)),
+            )
+        } else {
+            // b is a difference, and its rounding would grow with the square of the angle.
+            (
+                at * (rise - 0.5 * weight * at) + h * (cos * versine - sin * odd),
+                (rise - weight * at) + h * spin * (cos * sine - sin * versine),
+            )
+        };
+        Expansion {
+            at,
+            gap,
+            slope,
+            curvature: opening - lever * (cos * versine + sin * sine),
+            jerk: -lever * spin * (cos * sine + sin * (1.0 - versine)),
+            snap: -lever * square * (cos * (1.0 - versine) - sin * sine),
+            spin,
+        }
+    }
+
+    /// Size of the terms of the gap up to an argument.
+    fn size(&self, at: f64) -> f64 {
+        at * (self.rise + self.weight * at) + self.h * (2.0 + self.spin * at)
+    }
+
+    /// The root of a quantity between two arguments, from a guess. The quantity and its first two derivatives follow from the
+    /// argument, and the gap and its first three derivatives there.
+    fn root(
+        &self,
+        bracket: Bracket,
+        guess: f64,
+        quantity: impl Fn(f64, [f64; 4]) -> (f64, f64, f64) + Copy,
+    ) -> Bound {
+        let mut last = None;
+        let root = bracket.refine_by(guess, |at| {
+            let expansion = self.expansion(at);
+            last = Some(expansion);
+            Near { expansion, quantity }
+        });
+        match last {
+            Some(near) if (root - near.at).abs() <= near.reach() => {
+                let [gap, slope, ..] = near.derivatives(root - near.at);
+                Bound { at: root, gap, slope }
+            }
+            Some(_) | None => self.bound(root),
+        }
+    }
+
+    /// The landing of a gap that is concave: between zero, where the gap rises, and the landing of a gap that is wider.
+    pub(super) fn only_landing(&self) -> Bound {
+        let (guess, high) = self.about_only_landing();
+        let bracket = Bracket { low: 0.0, high: high * (1.0 + 8.0 * f64::EPSILON) };
+        // gap/p, which falls: a convex combination of the slopes up to p. It has no root at zero.
+        self.root(bracket, guess, |p, [gap, slope, curvature, _]| {
+            let (value, fall) = (gap / p, slope / p);
+            (value, fall - value / p, (curvature - 2.0 * (fall - value / p)) / p)
+        })
+    }
+
+    /// A guess of the landing of a gap that is concave, and the landing of a gap that is wider.
+    fn about_only_landing(&self) -> (f64, f64) {
+        // With the time as p, gap″ = −1 + h θ′² cos(θ0 + φ): the gap falls faster than with h θ′² − 1, and than the
+        // parabola of the mass centre with a rim 2 h lower.
+        let fast = self.h * self.spin * self.spin;
+        let drift = self.rise - self.h * self.sin * self.spin;
+        let widest = drift + (drift * drift + 4.0 * self.h).sqrt();
+        let high = if fast < 1.0 { (2.0 * self.rise / (1.0 - fast)).min(widest) } else { widest };
+        // The parabola at the start, then one with the third derivative there.
+        let weight = -self.opening;
+        let flat = 2.0 * self.rise / weight;
+        let jerk = self.h * self.sin * self.spin * self.spin * self.spin / 3.0;
+        (if weight > 0.0 { flat * weight / (weight + jerk * flat) } else { high }, high)
+    }
+
+    /// The largest gap of one that is concave, before the landing.
+    pub(super) fn only_apex(&self, landing: f64) -> Bound {
+        let guess = if self.opening < 0.0 { self.rise / -self.opening } else { 0.5 * landing };
+        self.root(Bracket { low: 0.0, high: landing }, guess, |_, [_, slope, curvature, jerk]| {
+            (slope, curvature, jerk)
+        })
+    }
+
+    /// The zeros of gap″, at cos(θ0 + φ) = c0 − b/h, where it turns from + to − and back. The first is ahead of the start if
+    /// gap″ ≥ 0 there. Otherwise it is the second turn ahead, behind the one from − to +.
+    fn inflections(&self) -> Inflections {
+        let (from_top, level) = if self.opening == 0.0 {
+            // A lift-off from sliding starts on the inflection −level itself.
+            let from_top = libm::atan2(self.sin, self.cos);
+            (from_top, from_top.abs())
+        } else {
+            let half = libm::sin(0.5 * self.theta);
+            let versine = (2.0 * half * half + self.opening / self.h).min(2.0);
+            (without_turns(self.theta), 2.0 * libm::atan2(versine.sqrt(), (2.0 - versine).sqrt()))
+        };
+        // level − |θ0| without cancellation: cos θ0 − cos(level) = b/h.
+        let ahead = || {
+            let sine = self.opening / (2.0 * self.h * libm::sin(0.5 * (level + from_top.abs())));
+            2.0 * libm::asin(sine.min(1.0))
+        };
+        let fall = 2.0 * (PI - level);
+        if self.opening >= 0.0 {
+            let first = if from_top > 0.0 { ahead() } else { level - from_top };
+            Inflections { first, fall }
+        } else {
+            let turn = if from_top > 0.0 { fall + ahead() } else { -ahead() };
+            Inflections { first: turn + 2.0 * level, fall }
+        }
+    }
+
+    /// Where gap′ vanishes between two inflections at which it has these values of different sign.
+    fn turning(&self, from: &Bound, to: &Bound) -> Bound {
+        let sign = from.slope.signum();
+        let bracket = Bracket { low: from.at, high: to.at };
+        self.root(bracket, from.about_turning(to), |_, [_, slope, curvature, jerk]| {
+            (sign * slope, sign * curvature, sign * jerk)
+        })
+    }
+
+    /// The largest gap, and the landing.
+    pub(super) fn extent(&self) -> (Bound, Bound) {
+        let inflections = self.inflections();
+        let (opens, closes) = self.clear();
+        let mut highest = Bound::default();
+        let mut index = 0;
+        let mut known = None;
+        if self.opening < 0.0 {
+            // The gap is concave at first. It is convex from the turn before the first.
+            let turn = self.bound(inflections.first - (TAU - inflections.fall));
+            let first = self.bound(inflections.first);
+            let start = Bound { at: 0.0, gap: 0.0, slope: self.rise };
+            known = Some(first);
+            for (start, end) in [(start, turn), (turn, first)] {
+                if let Some(landing) = self.advance(start, &end, &mut highest) {
+                    return (highest, landing);
+                }
+            }
+        }
+        // Otherwise gap′ and gap grow from the start to the first inflection.
+        let mut skipped = false;
+        loop {
+            let last = inflections.last_before(closes);
+            let at = inflections.at(index);
+            if at >= opens && at < closes && last > index {
+                // Many turns may pass before the parabola comes down; none of them needs a look.
+                (skipped, index, known) = (true, last, None);
+            }
+            let from = known.unwrap_or_else(|| self.bound(inflections.at(index)));
+            let to = self.bound(inflections.at(index + 1));
+            if let Some(landing) = self.advance(from, &to, &mut highest) {
+                return (if skipped { self.apex(landing.at) } else { highest }, landing);
+            }
+            index += 1;
+            known = Some(to);
+        }
+    }
+
+    /// The landing between two inflections, if there is one; the largest gap so far is kept.
+    fn advance(&self, mut from: Bound, to: &Bound, highest: &mut Bound) -> Option<Bound> {
+        // Between inflections the gap is concave or convex: the tangents at the ends bound its extremum.
+        let bound = from.tangents_meet(to);
+        if from.slope > 0.0 && to.slope <= 0.0 && bound > highest.gap {
+            from = self.turning(&from, to);
+            if from.gap > highest.gap {
+                *highest = from;
+            }
+        } else if from.slope < 0.0 && to.slope > 0.0 && bound <= ROUNDING * self.size(to.at) {
+            let lowest = self.turning(&from, to);
+            if lowest.gap <= 0.0 {
+                return Some(self.touchdown(&from, &lowest));
+            }
+            from = lowest;
+        }
+        // Where an inflection rounds to the start itself, the gap has only begun to open.
+        let has_only_opened = from.gap == 0.0 && from.slope > 0.0 && to.slope > 0.0;
+        (to.gap <= 0.0 && !has_only_opened).then(|| self.touchdown(&from, to))
+    }
+
+    /// Where the gap, which falls from `from` to `to`, closes.
+    fn touchdown(&self, from: &Bound, to: &Bound) -> Bound {
+        let bracket = Bracket { low: from.at, high: to.at };
+        self.root(bracket, from.about_touchdown(to), |_, [gap, slope, curvature, _]| (gap, slope, curvature))
+    }
+
+    /// The largest gap of a flight of many turns: within half a turn of the top of the parabola.
+    fn apex(&self, landing: f64) -> Bound {
+        let inflections = self.inflections();
+        let top = ((self.rise - self.h * self.sin) / self.weight).max(0.0);
+        let mut index = inflections.last_before(top - TAU);
+        let mut best = Bound::default();
+        loop {
+            // Maxima lie where gap″ < 0, between an inflection of even index and the next.
+            let (from, to) = (inflections.at(index), inflections.at(index + 1));
+            if from >= landing || from > top + TAU {
+                return best;
+            }
+            let (start, end) = (self.bound(from), self.bound(to));
+            if start.slope > 0.0 && end.slope <= 0.0 {
+                let highest = self.turning(&start, &end);
+                if highest.gap > best.gap && highest.at < landing {
+                    best = highest;
+                }
+            }
+            index += 2;
+        }
+    }
+
+    /// Where the parabola alone proves that the gap is open: gap ≥ h (c0 − 1) + (v/ω − h s0) φ − φ²/(2θ′²).
+    fn clear(&self) -> (f64, f64) {
+        let slope = self.rise - self.h * self.sin;
+        let discriminant = slope * slope - 2.0 * self.weight * self.h * (1.0 - self.cos);
+        if slope <= 0.0 || discriminant <= 0.0 {
+            return (f64::INFINITY, 0.0);
+        }
+        let root = discriminant.sqrt();
+        ((slope - root) / self.weight, (slope + root) / self.weight)
+    }
+}
+
+/// The zeros of gap″: a sequence of angles with two alternating distances that add up to a turn.
+#[derive(Clone, Copy, Debug)]
+struct Inflections {
+    first: f64,
+    fall: f64,
+}
+
+impl Inflections {
+    fn at(&self, index: u64) -> f64 {
+        let odd = if index % 2 == 1 { self.fall } else { 0.0 };
+        self.first + (index / 2) as f64 * TAU + odd
+    }
+
+    /// Index of the last inflection from + to − at or before an angle, at least the first.
+    fn last_before(&self, angle: f64) -> u64 {
+        let turns = ((angle - self.first) / TAU).floor();
+        if turns > 0.0 { 2 * turns as u64 } else { 0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A gap at an angle of a hoop with h = 0.5 that turns at a rate, with a rate of the gap.
+    fn gap_at(theta: f64, rate: f64, gap_rate: f64) -> Gap {
+        let (sin, cos) = libm::sincos(theta);
+        let opening = (0.5 * (cos * (rate * rate)) - 1.0) / (rate * rate);
+        let weight = 1.0 / (rate * rate);
+        Gap { h: 0.5, sin, cos, rise: gap_rate / rate, opening, weight, spin: 1.0, theta }
+    }
+
+    #[test]
+    fn an_expansion_is_the_gap_as_far_as_it_reaches() {
+        for gap in [
+            gap_at(-0.7, 2.0, 0.3),
+            gap_at(1.2, 3.0, 1.0),
+            Gap {
+                spin: 0.2,
+                rise: 0.4,
+                opening: 0.02 * libm::cos(0.3) - 1.0,
+                weight: 1.0,
+                ..gap_at(0.3, 2.0, 0.0)
+            },
+        ] {
+            for at in [0.02, 0.3, 0.9, 1.1, 5.0] {
+                let here = gap.expansion(at);
+                for part in [-1.0, -0.3, 0.3, 1.0] {
+                    let step = part * here.reach();
+                    let there = gap.expansion(at + step);
+                    let [value, slope, curvature, jerk] = here.derivatives(step);
+                    let rounding = 2e-15 * (1.0 + at * at);
+                    for (near, there, error) in [
+                        (value, there.gap, rounding),
+                        (slope, there.slope, rounding),
+                        // These only lead on to the root.
+                        (curvature, there.curvature, 1e-13),
+                        (jerk, there.jerk, 1e-12),
+                    ] {
+                        assert!((near - there).abs() < error, "{at} {part}: {near} {there}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_gap_turns_and_closes_where_it_says() {
+        for theta in [-2.0, -1.0, 0.5] {
+            let gap = gap_at(theta, 4.0, 3.0);
+            let (highest, landing) = gap.extent();
+            for found in [highest, landing] {
+                // The terms of the gap grow with the square of the angle.
+                let rounding = 4e-16 * (1.0 + found.at * found.at);
+                let there = gap.bound(found.at);
+                assert!((there.gap - found.gap).abs() < rounding, "{theta}: {there:?} {found:?}");
+                assert!((there.slope - found.slope).abs() < rounding, "{theta}: {there:?} {found:?}");
+                let zero = if found.at == landing.at { there.gap } else { there.slope };
+                assert!(zero.abs() < rounding, "{theta}: {there:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_parabola_closes_where_it_is_guessed() {
+        // (p + 1)(2 − p) from its top on, and (p − 2)(p − 4) in front of its bottom.
+        for (at, to, closed) in [(0.5, 3.0, 2.0), (1.0, 2.5, 2.0), (0.0, 2.0, 2.0)] {
+            let bound = |p: f64| Bound { at: p, gap: (p + 1.0) * (2.0 - p), slope: 1.0 - 2.0 * p };
+            let found = bound(at).about_touchdown(&bound(to));
+            assert!((found - closed).abs() < 1e-14, "{at} {to}: {found}");
+        }
+        let bound = |p: f64| Bound { at: p, gap: (p - 2.0) * (p - 4.0), slope: 2.0 * p - 6.0 };
+        assert!((bound(1.0).about_touchdown(&bound(2.5)) - 2.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_cubic_turns_where_it_is_guessed() {
+        // Slopes with the course of 1 − (3 t² − 2 t³)/q, which vanishes where 3 t² − 2 t³ = q.
+        for t in [0.1, 0.3, 0.5, 0.8] {
+            let part = t * t * (3.0 - 2.0 * t);
+            let [from, to] =
+                [(2.0, 1.0), (5.0, 1.0 - 1.0 / part)].map(|(at, slope)| Bound { at, gap: 0.0, slope });
+            assert!((from.about_turning(&to) - (2.0 + 3.0 * t)).abs() < 1e-14, "{t}");
+        }
+    }
+
+    #[test]
+    fn the_only_landing_is_about_where_it_is_guessed() {
+        for (k, theta) in (0..24).map(|k| (k, 0.26 * f64::from(k) - 3.1)) {
+            // h θ′² ≤ 1, and so small a rate of the gap that the hoop hardly turns before it lands.
+            let rate = 0.05 + 0.05 * f64::from(k);
+            let (sin, cos) = libm::sincos(theta);
+            let opening = 0.5 * cos * rate * rate - 1.0;
+            let gap = |rise: f64| Gap { h: 0.5, sin, cos, rise, opening, weight: 1.0, spin: rate, theta };
+            for rise in [1e-3, 0.1, 1.0, 3.0] {
+                let (guess, high) = gap(rise).about_only_landing();
+                let landing = gap(rise).only_landing().at;
+                assert!(landing <= high * (1.0 + 4.0 * f64::EPSILON), "{theta} {rise}: {landing} {high}");
+                // The guess has an error of the second order.
+                let turned = rate * landing;
+                assert!(
+                    (guess / landing - 1.0).abs() <= turned * turned,
+                    "{theta} {rise}: {landing} {guess}"
+                );
+            }
+            // A body that does not turn is on a parabola, whose landing is known.
+            let still = Gap { spin: 0.0, opening: -1.0, ..gap(0.7) };
+            let (guess, high) = still.about_only_landing();
+            assert!((guess - 1.4).abs() < 1e-14 && (high - 1.4).abs() < 1e-14, "{guess} {high}");
+        }
+    }
+
+    #[test]
+    fn tangents_of_a_parabola_meet_half_way() {
+        // Those of p² at a and b meet at (a + b)/2, where they are a b.
+        for (a, b) in [(-1.0, 2.0), (0.5, 3.0), (-4.0, -0.5)] {
+            let [from, to] = [a, b].map(|phi: f64| Bound { at: phi, gap: phi * phi, slope: 2.0 * phi });
+            assert!((from.tangents_meet(&to) - a * b).abs() < 1e-14, "{a} {b}");
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! Free flight (§2e): the mass centre on a parabola, the rotation at constant rate, until the rim touches down.
+//!
+//! A flight begins with the rim at the plane: where a normal force has vanished, or with a rate v ≥ 0 of the gap, after an
+//! impact or thrown. In the angle φ = ω Δτ since the start, ω = |θ′|, seen in the direction of rotation, the gap under the rim is
+//!
+//! ```text
+//! gap = v φ/ω + b φ²/2 − h [c0 C(φ) + s0 S(φ)],   C = cos φ − 1 + φ²/2,   S = φ − sin φ,   b = h c0 − 1/θ′²,
+//! ```
+//!
+//! with a simple root at the start for v > 0, a double one for v = 0 and b > 0, and a triple one where sliding lifts off
+//! (v = b = 0). Those roots are never searched for. b is a difference, which of a fast hoop keeps few digits of the weight 1/θ′²
+//! that brings it down, and the sum is good near the start alone. Beyond a radian the same is
+//!
+//! ```text
+//! gap = v φ/ω − φ²/(2 θ′²) + h [c0 (1 − cos φ) − s0 S(φ)].
+//! ```
+//!
+//! Where sliding lifts off, h c0 θ′² = 1 holds to the last digits of θ0 and θ′. Both follow from one of them: b = 0 and
+//! c0 = 1/(h θ′²), and s0 from the angle or from c0, whichever tells it better.
+//!
+//! The second derivative b + h (cos(θ0 + φ) − c0) has known zeros, so that
+//! gap″, then gap′, then gap are monotone between points that follow from each other, and the first sign change after the
+//! start is the landing. Where h θ′² ≤ 1 it has none: the gap is concave in time, and there is one landing; the same
+//! formula is then taken in time, which a hoop needs that does not turn.
+
+mod gap;
+mod series;
+
+use crate::math::trig::sincos;
+use crate::mechanics::equations::energy;
+use crate::model::hoop::{Heavy, Hoop};
+use crate::model::mode::Mode;
+use crate::model::state::State;
+use crate::motion::sample::{Instant, Sample};
+
+use gap::{Bound, Gap};
+
+pub(crate) use gap::is_told_by_rate;
+
+/// How the rim leaves the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum TakeOff {
+    /// The normal force has just vanished: 1 = h cos θ θ′².
+    Grazing,
+    /// 1 < h cos θ θ′²: the plane cannot hold the rim.
+    Unloaded,
+    /// The gap opens at this rate.
+    Rising { gap_rate: f64 },
+}
+
+/// A phase of flight.
+#[derive(Clone, Copy, Debug)]
+pub struct Flight {
+    h: f64,
+    start: State,
+    /// Velocity of the mass centre.
+    vx: f64,
+    vy: f64,
+    mass_centre_x: f64,
+    gap: Gap,
+    /// Rate of the argument of the gap in time: |θ′|, or 1.
+    clock: f64,
+    landing: Bound,
+    /// Where the gap is largest; none where it is found once it is asked for.
+    apex: Option<Bound>,
+    /// Bounces without number, all together: a gap below 1e-14.
+    settles: bool,
+}
+
+impl Flight {
+    /// From a state with the rim at the plane. The cosine is that of the decision on flight, so that its sign of
+    /// 1 − h cos θ θ′² is found again.
+    pub(crate) fn new(body: &Heavy, start: State, take_off: TakeOff) -> Self {
+        Self::from_direction(body, start, take_off, libm::sincos(start.theta))
+    }
+
+    /// The same with the sine and cosine of the angle.
+    pub(crate) fn from_direction(
+        body: &Heavy,
+        start: State,
+        take_off: TakeOff,
+        (sin, cos): (f64, f64),
+    ) -> Self {
+        let flight = Self::without_landing(body, start, take_off, (sin, cos));
+        if flight.is_concave() {
+            return Self { landing: flight.gap.only_landing(), ..flight };
+        }
+        let (apex, landing) = flight.gap.extent();
+        Self { landing, apex: Some(apex), ..flight }
+    }
+
+    /// The same where the angles φ of the landing and of the largest gap are known.
+    pub(crate) fn with_angles(
+        body: &Heavy,
+        start: State,
+        take_off: TakeOff,
+        (sin, cos): (f64, f64),
+        angles: [f64; 2],
+    ) -> Self {
+        let flight = Self::without_landing(body, start, take_off, (sin, cos));
+        let [landing, apex] = angles.map(|phi| flight.gap.bound(phi));
+        Self { landing, apex: Some(apex), ..flight }
+    }
+
+    /// The same before it is known where it ends.
+    fn without_landing(body: &Heavy, start: State, take_off: TakeOff, (sin, cos): (f64, f64)) -> Self {
+        let h = body.h;
+        let rate = start.theta_rate;
+        let travel = if rate < 0.0 { -1.0 } else { 1.0 };
+        let square = rate * rate;
+        // −w, of the w that decided on flight.
+        let opening = h * (cos * square) - 1.0;
+        let weight = 1.0 / square;
+        let in_angle = Gap {
+            h,
+            sin: travel * sin,
+            cos,
+            rise: 0.0,
+            opening: opening * weight,
+            weight,
+            spin: 1.0,
+            theta: travel * start.theta,
+        };
+        let (gap, clock) = match take_off {
+            TakeOff::Grazing => (in_angle.at_lift_off(), rate.abs()),
+            TakeOff::Unloaded => (in_angle, rate.abs()),
+            TakeOff::Rising { gap_rate } if h * square <= 1.0 => {
+                (Gap { rise: gap_rate, opening, weight: 1.0, spin: rate.abs(), ..in_angle }, 1.0)
+            }
+            TakeOff::Rising { gap_rate } => (Gap { rise: gap_rate / rate.abs(), ..in_angle }, rate.abs()),
+        };
+        let gap_rate = match take_off {
+            TakeOff::Rising { gap_rate } => gap_rate,
+            TakeOff::Grazing | TakeOff::Unloaded => 0.0,
+        };
+        Self {
+            h,
+            start,
+            vx: start.slip - (1.0 + h * cos) * rate,
+            vy: gap_rate - h * sin * rate,
+            mass_centre_x: start.x - h * sin,
+            gap,
+            clock,
+            landing: Bound::default(),
+            apex: None,
+            settles: false,
+        }
+    }
+
+    /// Bounces without number that take so much time together, as one flight.
+    pub(crate) fn settling(body: &Heavy, start: State, gap_rate: f64, duration: f64) -> Self {
+        let (sin, cos) = libm::sincos(start.theta);
+        let rate = start.theta_rate;
+        let take_off = TakeOff::Rising { gap_rate };
+        let flight = Self::without_landing(body, start, take_off, (sin, cos));
+        let opening = body.h * (cos * (rate * rate)) - 1.0;
+        let gap = Gap { rise: gap_rate, opening, weight: 1.0, spin: rate.abs(), ..flight.gap };
+        let landing = Bound { at: duration, ..Bound::default() };
+        Self { gap, clock: 1.0, landing, settles: true, ..flight }
+    }
+
+    /// Whether the gap is concave, and taken in time.
+    fn is_concave(&self) -> bool {
+        self.gap.rise > 0.0 && self.h * (self.start.theta_rate * self.start.theta_rate) <= 1.0
+    }
+
+    /// Whether it stands for bounces without number, by which the hoop settles.
+    #[must_use]
+    pub const fn settles(&self) -> bool {
+        self.settles
+    }
+
+    /// Where the gap is largest.
+    fn highest(&self) -> Bound {
+        self.apex.unwrap_or_else(|| self.gap.only_apex(self.landing.at))
+    }
+
+    /// Arguments of the landing and of the largest gap.
+    pub(crate) fn angles(&self) -> [f64; 2] {
+        [self.landing.at, self.highest().at]
+    }
+
+    /// Rate of the gap at the start.
+    #[must_use]
+    pub fn take_off_rate(&self) -> f64 {
+        self.gap.rise * self.clock
+    }
+
+    /// Time from the start of the flight to the landing.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.landing.at / self.clock
+    }
+
+    /// Rate of the gap at the landing.
+    pub(crate) fn landing_rate(&self) -> f64 {
+        self.clock * self.landing.slope
+    }
+
+    /// Time since the start, and height, of the largest gap between the rim and the plane. Of bounces by which the hoop
+    /// settles it is not resolved: zero.
+    #[must_use]
+    pub fn apex(&self) -> (f64, f64) {
+        if self.settles {
+            return (0.0, 0.0);
+        }
+        let Bound { at, gap, .. } = self.highest();
+        (at / self.clock, gap)
+    }
+
+    /// State after the time `elapsed`.
+    #[must_use]
+    pub fn state(&self, elapsed: f64) -> State {
+        let rate = self.start.theta_rate;
+        let theta = self.start.theta + rate * elapsed;
+        let (sin, cos) = sincos(theta);
+        State {
+            time: self.start.time + elapsed,
+            theta,
+            theta_rate: rate,
+            slip: self.vx + (1.0 + self.h * cos) * rate,
+            x: self.mass_centre_x + self.vx * elapsed + self.h * sin,
+        }
+    }
+
+    /// Gap under the rim and its rate after the time `elapsed`. Where bounces settle the gap is zero, and its rate that of a
+    /// flight without impacts, whose impulses come together at the end.
+    #[must_use]
+    pub fn gap(&self, elapsed: f64) -> (f64, f64) {
+        let Bound { gap, slope, .. } = self.gap.bound(self.clock * elapsed);
+        (if self.settles { 0.0 } else { gap }, self.clock * slope)
+    }
+
+    /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved.
+    #[must_use]
+    pub fn mass_centre_velocity(&self, elapsed: f64) -> (f64, f64) {
+        (self.vx, self.vy - elapsed)
+    }
+
+    pub(crate) fn sample(&self, hoop: &Hoop, state: State, gap: (f64, f64)) -> Sample {
+        let rate = state.theta_rate;
+        let instant = Instant {
+            mode: Mode::Flight,
+            direction: None,
+            accelerations: (0.0, -self.h * libm::sin(state.theta) * rate * rate),
+            forces: (0.0, 0.0),
+            gap,
+        };
+        // The energy is that of the start: of an angle far out the last digit, times the rate, is much of the velocities.
+        let energy = energy(hoop, &self.start, 0.0, self.take_off_rate());
+        Sample { energy, ..instant.sample(hoop, state) }
+    }
+}

@@ -1,0 +1,184 @@
+//! Gliding of a massless hoop (§3c–e): in contact with the plane, without any force from it, N = F = 0.
+//!
+//! The particle falls freely (3.19) and the hoop, which has no mass, follows: ȳ = 1 + ℓ̂ cos θ, x̄′ = η′ − θ′(1 + ℓ̂c).
+//! Everything is algebraic in the time: with V = ȳ′ = V0 − Δτ,
+//!
+//! ```text
+//! ℓ̂ (1 − cos θ) = 2 ℓ̂ sin²(θ0/2) − V0 Δτ + Δτ²/2,    θ′ = −V/(ℓ̂ sin θ),    η′ = v + θ′ (1 + ℓ̂ cos θ).
+//! ```
+//!
+//! So are the rests of the slip, roots of a polynomial of degree three in the height of the particle ([`rest`]).
+//!
+//! Conserved are the vertical energy of the particle w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ (the w printed in (3.18) is not
+//! conserved by (3.17)), the energy e_s and the horizontal momentum v.
+
+mod cubic;
+mod particle;
+mod rest;
+
+use crate::model::hoop::{Hoop, Massless};
+use crate::model::mode::{Direction, Mode};
+use crate::model::state::State;
+use crate::motion::sample::{Instant, Sample};
+
+use self::particle::{Particle, Place};
+use self::rest::Slip;
+
+/// How a glide begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum GlideEntry {
+    /// With η′ ≠ 0.
+    Moving,
+    /// With η′ = 0. The event that led there may know whether the normal force of rolling is positive.
+    FromRest { presses: Option<bool> },
+    /// With η′ = η″ = 0, on N = 0 of rolling.
+    Unloaded,
+}
+
+/// A phase of gliding in one direction of slip.
+#[derive(Clone, Copy, Debug)]
+pub struct Gliding {
+    offset: f64,
+    start: State,
+    direction: Direction,
+    particle: Particle,
+    limit_of_small_inertia: bool,
+}
+
+/// Integrals of gliding (3.18), with the first one corrected.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GlidingIntegrals {
+    /// Vertical energy of the particle about the centre, w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ.
+    pub w: f64,
+    /// Total energy e_s.
+    pub energy: f64,
+    /// Horizontal momentum v = η′ − θ′ (1 + ℓ̂ cos θ).
+    pub momentum: f64,
+}
+
+impl GlidingIntegrals {
+    /// At a state of a massless hoop.
+    #[must_use]
+    pub fn at(hoop: &Massless, theta: f64, theta_rate: f64, slip: f64) -> Self {
+        let (sin, cos) = libm::sincos(theta);
+        let l = hoop.offset;
+        let rise = l * sin * theta_rate;
+        let momentum = slip - theta_rate * (1.0 + l * cos);
+        Self {
+            w: 0.5 * rise * rise + l * cos,
+            energy: 0.5 * (rise * rise + momentum * momentum) + l * cos,
+            momentum,
+        }
+    }
+}
+
+/// Accelerations θ″ and η″ of gliding (3.17), for a particle at 0 < ℓ̂ ≤ 1. Not defined at θ = 0, ±π.
+#[must_use]
+pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f64, f64) {
+    let (sin, cos) = libm::sincos(theta);
+    let l = hoop.offset;
+    let u = theta_rate * theta_rate;
+    ((1.0 - l * cos * u) / (l * sin), (1.0 + l * cos - u * l * (l + cos)) / (l * sin))
+}
+
+/// How a phase of gliding ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum GlidingEnd {
+    /// η′ = 0, and whether the normal force of rolling is positive there.
+    Rest { state: State, presses: bool },
+    /// The particle comes down to its lowest place under the centre, θ = ±π, with unbounded θ′ (3.20). The state has
+    /// an infinite rate.
+    Bottom(State),
+    /// The particle comes up to its highest place with velocity to spare: it would lift the hoop.
+    Top(State),
+    /// The time limit.
+    TimeLimit(State),
+}
+
+impl Gliding {
+    /// Follows the glide to its end, or for the time `allowed`.
+    pub(crate) fn run(
+        body: &Massless,
+        mu_k: f64,
+        start: State,
+        entry: GlideEntry,
+        allowed: Option<f64>,
+    ) -> (Self, GlidingEnd) {
+        let particle = Particle::new(body, &start);
+        let slip = Slip::of(&particle, start.slip, entry);
+        let last = slip.rest.unwrap_or_else(|| particle.end());
+        let is_stopped = allowed.is_some_and(|allowed| allowed < last.elapsed);
+        let place = match allowed {
+            Some(allowed) if is_stopped => particle.place(allowed),
+            Some(_) | None => last,
+        };
+        let mut glide = Self {
+            offset: body.offset,
+            start,
+            direction: slip.direction,
+            particle,
+            limit_of_small_inertia: true,
+        };
+        glide.limit_of_small_inertia = glide.is_limit_of_small_inertia(mu_k, &place);
+        let state = particle.state(&place);
+        let end = if is_stopped {
+            GlidingEnd::TimeLimit(if place.elapsed == 0.0 { start } else { state })
+        } else if slip.rest.is_some() {
+            // N has the sign of η″ on the side of the particle, and η″ that of the slip to come.
+            GlidingEnd::Rest {
+                state: State { slip: 0.0, ..state },
+                presses: slip.direction.sign() * particle.side < 0.0,
+            }
+        } else if particle.reaches_top() {
+            GlidingEnd::Top(state)
+        } else {
+            GlidingEnd::Bottom(state)
+        };
+        (glide, end)
+    }
+
+    /// Direction of slip.
+    #[must_use]
+    pub const fn direction(&self) -> Option<Direction> {
+        Some(self.direction)
+    }
+
+    /// Whether this phase is the limit of the motions of a heavy hoop as its inertia vanishes. It is not where μk σ sin θ is positive
+    /// and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ): a sliding hoop of small inertia has no such motion (Painlevé).
+    #[must_use]
+    pub const fn is_small_inertia_limit(&self) -> bool {
+        self.limit_of_small_inertia
+    }
+
+    fn is_limit_of_small_inertia(&self, mu_k: f64, end: &Place) -> bool {
+        let particle = &self.particle;
+        if self.direction.sign() * particle.side < 0.0 {
+            return true;
+        }
+        // ℓ̂|sin θ|/(1 + ℓ̂ cos θ) has one maximum on a side, so it is least at the ends and where θ turns back.
+        let turning = particle.rise;
+        let turns = (turning > 0.0 && turning < end.elapsed).then(|| particle.place(turning));
+        [particle.place(0.0), *end]
+            .into_iter()
+            .chain(turns)
+            .all(|place| place.arm() >= mu_k * (particle.inside + place.above_bottom))
+    }
+
+    /// State after the time `elapsed`.
+    #[must_use]
+    pub fn state(&self, elapsed: f64) -> State {
+        if elapsed == 0.0 { self.start } else { self.particle.state(&self.particle.place(elapsed)) }
+    }
+
+    pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
+        let body = Massless { offset: self.offset };
+        let instant = Instant {
+            mode: Mode::Gliding,
+            direction: Some(self.direction),
+            accelerations: gliding_accelerations(&body, state.theta, state.theta_rate),
+            forces: (0.0, 0.0),
+            gap: (0.0, 0.0),
+        };
+        instant.sample(hoop, state)
+    }
+}

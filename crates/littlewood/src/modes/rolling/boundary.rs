@@ -1,0 +1,148 @@
+//! Where rolling gives way: the boundary of 𝓡 (2.14) on an orbit, as roots of forms in the half angle.
+//!
+//! On an orbit with constant K, N D² and F D² are trigonometric polynomials of degree three in θ (rolling is
+//! algebraic), that is, forms of degree six in X = cos(θ/2), Y = sin(θ/2), with 1 = X² + Y²,
+//! cos θ = X² − Y², sin θ = 2XY:
+//!
+//! ```text
+//! N D² = (m + ℓ̂c) D² − ℓ̂² K s² − ℓ̂ c K D
+//! F D² = s [ℓ̂ K (D − m − ℓ̂c) − ℓ̂ D²]
+//! ```
+//!
+//! [`crate::math::form`] restricts them to an arc, where the first crossing is isolated. For a massless hoop the resultant of N and F points at the particle,
+//! F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
+
+use crate::math::bernstein::Bernstein;
+use crate::math::form::{Form, HalfAngle};
+use crate::mechanics::equations::RollingLaw;
+use crate::model::hoop::{Body, Hoop};
+use crate::model::mode::Direction;
+use crate::walk::automaton::Cause;
+
+/// What gives way where rolling ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum RollingLimit {
+    /// |F| = μs N: the body begins to slip in this direction (opposite to the friction force).
+    Friction(Direction),
+    /// N = 0 before static friction gives way: only a massless hoop, where N and F vanish together.
+    NormalForce,
+}
+
+impl RollingLimit {
+    /// The event.
+    #[must_use]
+    pub const fn cause(self) -> Cause {
+        match self {
+            Self::Friction(_) => Cause::Slip,
+            Self::NormalForce => Cause::NormalForceZero,
+        }
+    }
+
+    /// The direction in which the body begins to slip; none where the normal force gives way.
+    #[must_use]
+    pub const fn direction(self) -> Option<Direction> {
+        match self {
+            Self::Friction(direction) => Some(direction),
+            Self::NormalForce => None,
+        }
+    }
+}
+
+/// Product of quadratic forms that have only even powers, a0 X² + a1 Y².
+fn even_product<const P: usize, const Q: usize, const R: usize>(p: [f64; P], q: [f64; Q]) -> [f64; R] {
+    let mut product = [0.0; R];
+    for (i, a) in p.iter().enumerate() {
+        for (j, b) in q.iter().enumerate() {
+            product[i + j] += a * b;
+        }
+    }
+    product
+}
+
+/// X² + Y² = 1.
+const ONE: [f64; 2] = [1.0, 1.0];
+
+/// The forms that must stay non-negative while the body rolls, in a frame where it moves towards larger angles.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Boundary {
+    /// (μs N − F) D² and (μs N + F) D².
+    Heavy([Form<7>; 2]),
+    /// μs ± ℓ̂ s/(1 + ℓ̂c) and N, each over a positive factor.
+    Massless([Form<3>; 2], Form<5>),
+}
+
+impl Boundary {
+    /// On the orbit with constant K.
+    pub(super) fn new(hoop: &Hoop, law: &RollingLaw, k: f64) -> Self {
+        let (l, mu) = (law.offset, hoop.mu_s());
+        let d = [law.top, law.bottom];
+        match hoop.body() {
+            Body::Heavy(heavy) => {
+                let carried = [law.mass + l, law.mass - l];
+                // D − m − ℓ̂ c = Î + m h² + ℓ̂ c
+                let about_centre = heavy.inertia + l * heavy.h;
+                let rest = [about_centre + l, about_centre - l];
+                let d2: [f64; 3] = even_product(d, d);
+                let n_inertial: [f64; 4] = even_product(d2, carried);
+                let c_d: [f64; 3] = even_product([l, -l], d);
+                let n_centripetal: [f64; 3] = [c_d[0], c_d[1] + 4.0 * l * l, c_d[2]];
+                let n_driven: [f64; 4] = even_product(n_centripetal, ONE);
+                let f_driven: [f64; 3] = even_product(rest, ONE);
+                let mut minus = [0.0; 7];
+                let mut plus = [0.0; 7];
+                for i in 0..4 {
+                    let normal = n_inertial[i] - k * n_driven[i];
+                    minus[2 * i] = mu * normal;
+                    plus[2 * i] = mu * normal;
+                }
+                for i in 0..3 {
+                    let friction = 2.0 * l * (k * f_driven[i] - d2[i]);
+                    minus[2 * i + 1] = -friction;
+                    plus[2 * i + 1] = friction;
+                }
+                Self::Heavy([Form(minus), Form(plus)])
+            }
+            Body::Massless(_) => {
+                let lever = [1.0 + l, 1.0 - l];
+                let cone = |sign: f64| Form([mu * lever[0], sign * 2.0 * l, mu * lever[1]]);
+                // N D/(1 + ℓ̂c) = (1 + ℓ̂c) D − ℓ̂(ℓ̂ + c)(K − D)
+                let pull = [l * (1.0 + l), -l * (1.0 - l)];
+                let held: [f64; 3] = even_product([lever[0] + pull[0], lever[1] + pull[1]], d);
+                let pulled: [f64; 3] = even_product(pull, ONE);
+                let normal: [f64; 3] = core::array::from_fn(|i| held[i] - k * pulled[i]);
+                Self::Massless([cone(1.0), cone(-1.0)], Form([normal[0], 0.0, normal[1], 0.0, normal[2]]))
+            }
+        }
+    }
+
+    /// The coefficients of (μs N ∓ F) D²; none for a massless hoop.
+    pub(super) const fn heavy_forms(&self) -> Option<[Form<7>; 2]> {
+        match self {
+            Self::Heavy([minus, plus]) => Some([*minus, *plus]),
+            Self::Massless(..) => None,
+        }
+    }
+
+    /// The margins on an arc, each with what gives way when it becomes negative.
+    pub(super) fn on_arc(
+        &self,
+        from: HalfAngle,
+        to: HalfAngle,
+    ) -> impl Iterator<Item = (Bernstein, RollingLimit)> + use<> {
+        let negative = RollingLimit::Friction(Direction::Negative);
+        let positive = RollingLimit::Friction(Direction::Positive);
+        match self {
+            Self::Heavy([minus, plus]) => {
+                [Some((minus.on_arc(from, to), negative)), Some((plus.on_arc(from, to), positive)), None]
+            }
+            Self::Massless([minus, plus], normal) => [
+                Some((normal.on_arc(from, to), RollingLimit::NormalForce)),
+                Some((minus.on_arc(from, to), negative)),
+                Some((plus.on_arc(from, to), positive)),
+            ],
+        }
+        .into_iter()
+        .flatten()
+    }
+}

@@ -1,0 +1,226 @@
+//! The orbit of rolling that grazes the limit of static friction: towards it equal coefficients of friction lead.
+//!
+//! On the orbit with constant K the margin (μs N − F) D² is A(θ) + K B(θ), and vanishes where K is the level −A/B. Rolling
+//! holds for ever below the least level that the orbit meets, K*; at K* the margin touches zero at an angle θ*. That is a
+//! minimum of the level, or, in libration, a turning point. (The margin of the other side is the mirror image.)
+//!
+//! With μs = μk a slip out of an orbit a little above, at the energy E = E* + ε, begins with η″ = 0. Along the orbit the
+//! excess |F| − μ N is a ε′ − ω t² with ε′ = K − K* = 2ε, the time t from its maximum, and the constants
+//!
+//! ```text
+//! a = −B/D²,               ω = ½ (A + K* B)″ θ′²/D²       at a minimum of the level,
+//! a = −(B + (A + K* B)′/D′)/D²,  ω = ½ (A + K* B)′ θ″/D²    at a turning point.
+//! ```
+//!
+//! The slip velocity is the integral of D (|F| − μN)/(m P): it grows from −t0 to t0 = √(aε′/ω), and is back at zero at 2 t0.
+//! The friction force takes μ N ∫ |η′| dτ off the energy:
+//!
+//! ```text
+//! ΔE = c ε²,    c = 9 μ N a² D/(m P ω).
+//! ```
+//!
+//! So ε falls like 1/(c n) with the number n of slips, and never to zero.
+
+use core::f64::consts::PI;
+
+use std::sync::OnceLock;
+
+use crate::math::form::Trigonometric;
+use crate::mechanics::equations::{RollingLaw, SlidingLaw};
+use crate::model::dimension::Dimension;
+use crate::model::hoop::{Body, Heavy, Hoop};
+use crate::model::mode::Direction;
+use crate::model::state::State;
+use crate::walk::detail::Detail;
+
+use super::margin_forms;
+use super::orbit::RollingOrbit;
+use super::recurrence::Recurrence;
+
+/// Angles at which a level has extrema, when they are closer, are one.
+const SAME_ANGLE: f64 = 1e-7;
+
+/// The orbit of rolling that grazes the limit of static friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct GrazingOrbit {
+    /// Energy E* of the orbit: below it, and near it, static friction holds for ever.
+    pub energy: f64,
+    /// Angle in 0 to π at which |F| = μs N; the orbit grazes the limit at the opposite angle, too.
+    pub theta: f64,
+    /// |θ′| there; zero at a turning point.
+    pub theta_rate: f64,
+    /// How the orbit recurs.
+    pub recurrence: Recurrence,
+    /// c of the loss c (E − E*)² of a slip with μk = μs, in the limit E → E*.
+    pub loss: f64,
+    /// Energy below which the limit is exceeded at the angle θ* only.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(crate) ceiling: f64,
+}
+
+impl GrazingOrbit {
+    /// The grazing orbit of the highest energy below this one, among the orbits that rotate, if such an orbit has this energy, or
+    /// librate, if it librates. None if all orbits hold down to the lowest energy, or none does; none of a massless hoop.
+    #[must_use]
+    pub fn below(hoop: &Hoop, energy: f64) -> Option<Self> {
+        Levels::new(hoop)?.orbit_below(hoop, energy)
+    }
+
+    /// Its numbers, with the names that records use.
+    pub(crate) fn details(&self) -> Vec<(&'static str, Detail)> {
+        let mut details = vec![
+            ("grazing_energy", Detail::Real(self.energy, Dimension::Energy)),
+            ("grazing_theta", Detail::Real(self.theta, Dimension::Angle)),
+            ("grazing_theta_rate", Detail::Real(self.theta_rate, Dimension::AngularRate)),
+        ];
+        details.extend(self.recurrence.details());
+        details
+    }
+
+    /// Whether slips with μk = μs from this energy to that one lead towards this orbit for ever: the energy is above E*, the
+    /// limit is exceeded at θ* only, and the slip has lost what the law of the loss says, a small part of its distance from
+    /// E*, so that all later ones do.
+    fn attracts(&self, before: f64, after: f64) -> bool {
+        /// Largest part of E − E* that the slip may have lost.
+        const SMALL_LOSS: f64 = 0.125;
+        let distance = before - self.energy;
+        let expected = self.loss * distance * distance;
+        let lost = before - after;
+        // The loss of a slip so close to E* that it drowns in the rounding of the energy.
+        let rounding = 64.0 * f64::EPSILON * (1.0 + before.abs());
+        after > self.energy
+            && before < self.ceiling
+            && expected <= SMALL_LOSS * distance
+            && (lost - expected).abs() <= 0.5 * expected + rounding
+    }
+}
+
+/// The levels at which the limit of static friction begins, or ceases, to be exceeded on the orbits of a hoop.
+#[derive(Clone, Debug)]
+pub(crate) struct Levels {
+    law: RollingLaw,
+    body: Heavy,
+    mu_k: f64,
+    /// The margin (μs N − F) D² = A + K B of one side.
+    constant: Trigonometric,
+    slope: Trigonometric,
+    /// By their constant K, the lowest first.
+    levels: Vec<Level>,
+}
+
+/// A level at which a margin may begin to vanish.
+#[derive(Clone, Debug)]
+struct Level {
+    constant: f64,
+    angle: f64,
+    at_turning_point: bool,
+    /// The grazing orbit there, if there is one, once it is asked for.
+    orbit: OnceLock<Option<GrazingOrbit>>,
+}
+
+impl Level {
+    const fn new(constant: f64, angle: f64, at_turning_point: bool) -> Self {
+        Self { constant, angle, at_turning_point, orbit: OnceLock::new() }
+    }
+}
+
+impl Levels {
+    /// Of a heavy hoop that is not balanced.
+    pub(crate) fn new(hoop: &Hoop) -> Option<Self> {
+        let Body::Heavy(body) = hoop.body() else { return None };
+        if body.h == 0.0 {
+            return None;
+        }
+        let [[a, b], _] = margin_forms(hoop)?.map(|parts| parts.map(|part| Trigonometric::from_form(&part)));
+        let law = RollingLaw::new(hoop);
+        let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes();
+        let inside = extrema.into_iter().filter_map(|angle| {
+            let constant = -a.value(angle) / b.value(angle);
+            (constant > law.denominator(angle)).then(|| Level::new(constant, angle, false))
+        });
+        // A body at rest is on the limit where A + D B = 0.
+        let at_rest = a.plus(&law.denominator_polynomial().times(&b)).sign_changes().into_iter();
+        let at_rest = at_rest.map(|angle| Level::new(law.denominator(angle), angle, true));
+        let mut levels: Vec<Level> = inside.chain(at_rest).collect();
+        levels.sort_by(|a, b| a.constant.total_cmp(&b.constant));
+        levels.dedup_by(|a, b| {
+            (a.angle - b.angle).abs() < SAME_ANGLE && a.at_turning_point == b.at_turning_point
+        });
+        Some(Self { law, body, mu_k: hoop.mu_k(), constant: a, slope: b, levels })
+    }
+
+    /// K = 2E + D(π/2).
+    fn constant_of(&self, energy: f64) -> f64 {
+        2.0 * energy + self.law.mean_denominator()
+    }
+
+    fn energy_of(&self, constant: f64) -> f64 {
+        0.5 * (constant - self.law.mean_denominator())
+    }
+
+    /// The energy of a state of rolling.
+    pub(crate) fn energy(&self, state: &State) -> f64 {
+        self.law.energy(state.theta, state.theta_rate)
+    }
+
+    /// The grazing orbit to which a slip with μk = μs from one energy to another is known to lead.
+    pub(crate) fn attracting(&self, hoop: &Hoop, before: f64, after: f64) -> Option<GrazingOrbit> {
+        self.orbit_below(hoop, after).filter(|orbit| orbit.attracts(before, after))
+    }
+
+    /// The grazing orbit of the highest energy below this one.
+    fn orbit_below(&self, hoop: &Hoop, energy: f64) -> Option<GrazingOrbit> {
+        let above = self.levels.partition_point(|level| level.constant < self.constant_of(energy));
+        let rotates = energy > self.law.separatrix_energy();
+        let swing = |level: &Level| rotates == (level.constant > self.law.top);
+        (0..above)
+            .rev()
+            .take_while(|at| swing(&self.levels[*at]))
+            .find_map(|at| *self.levels[at].orbit.get_or_init(|| self.orbit_at(hoop, at)))
+    }
+
+    /// The grazing orbit at a level, if it is one above which the limit is exceeded, and not below.
+    fn orbit_at(&self, hoop: &Hoop, at: usize) -> Option<GrazingOrbit> {
+        let Level { constant, angle, at_turning_point, .. } = self.levels[at];
+        let lowest = if constant > self.law.top { self.law.top } else { self.law.bottom };
+        let floor = at.checked_sub(1).map_or(lowest, |lower| self.levels[lower].constant.max(lowest));
+        let ceiling = self.levels.get(at + 1).map_or(f64::INFINITY, |next| self.energy_of(next.constant));
+
+        let d = self.law.denominator(angle);
+        let (sin, cos) = libm::sincos(angle);
+        let u = if at_turning_point { 0.0 } else { (constant - d) / d };
+        let margin = self.constant.plus(&self.slope.scaled(constant));
+        let slope = margin.derivative();
+        let (rise, fall) = if at_turning_point {
+            let steepness = -2.0 * self.law.offset * sin;
+            let acceleration = self.law.acceleration(sin, 1.0, d);
+            let along = slope.value(angle);
+            (-(self.slope.value(angle) + along / steepness), 0.5 * along * acceleration)
+        } else {
+            (-self.slope.value(angle), 0.5 * slope.derivative().value(angle) * u)
+        };
+        let sliding = SlidingLaw::of_body(self.body, self.mu_k, Direction::Negative);
+        let solvability = sliding.p(sin, sliding.q(1.0, sin, cos));
+        let normal = self.law.forces_at((sin, cos), [1.0, u], d).normal;
+        let begins = solvability > 0.0 && normal > 0.0 && rise > 0.0 && fall > 0.0;
+        (begins && self.holds(hoop, 0.5 * (floor + constant))).then(|| {
+            let theta_rate = u.sqrt();
+            GrazingOrbit {
+                energy: self.energy_of(constant),
+                theta: if angle > PI { 2.0 * PI - angle } else { angle },
+                theta_rate,
+                recurrence: RollingOrbit::new(hoop, angle, theta_rate).recurrence(),
+                loss: 9.0 * self.mu_k * normal * rise * rise / (self.body.mass * solvability * d * fall),
+                ceiling,
+            }
+        })
+    }
+
+    /// Whether static friction holds on the whole orbit with this constant.
+    fn holds(&self, hoop: &Hoop, constant: f64) -> bool {
+        let u = (constant - self.law.bottom) / self.law.bottom;
+        RollingOrbit::new(hoop, PI, u.max(0.0).sqrt()).end().is_none()
+    }
+}

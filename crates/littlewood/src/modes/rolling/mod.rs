@@ -1,0 +1,100 @@
+//! Rolling (§2a, §3a): η′ = 0, held by static friction.
+//!
+//! With D(θ) = Î + m(1 + h² + 2h cos θ), the denominator of (2.11), energy conservation reads
+//!
+//! ```text
+//! D(θ) (θ′² + 1) = K,     K = 2E + Î + m(1 + h²) constant,
+//! ```
+//!
+//! so that θ′², θ″, N and F are functions of θ alone on an orbit: rolling is algebraic. [`orbit`] gives the time as
+//! an elliptic integral, [`boundary`] the angle at which static friction gives way as a root of a polynomial.
+
+mod boundary;
+mod end;
+mod grazing;
+mod orbit;
+mod recurrence;
+mod rim;
+
+pub use boundary::RollingLimit;
+pub(crate) use end::Hold;
+pub use end::RollingEnd;
+pub use grazing::GrazingOrbit;
+pub(crate) use grazing::Levels;
+pub use orbit::RollingOrbit;
+pub(crate) use orbit::time_from_bottom;
+pub use recurrence::{Recurrence, RecurrenceKind};
+
+use crate::math::form::Form;
+use crate::mechanics::equations::RollingLaw;
+use crate::model::hoop::Hoop;
+use crate::model::mode::Mode;
+use crate::model::state::State;
+use crate::motion::sample::{Instant, Sample};
+
+/// The margins (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2): for each its parts A and B, of which it
+/// is A + K B on the orbit with constant K; none for a massless hoop.
+pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
+    let on_orbit = |k| boundary::Boundary::new(hoop, &RollingLaw::new(hoop), k).heavy_forms();
+    let (zero, one) = (on_orbit(0.0)?, on_orbit(1.0)?);
+    let parts = |i: usize| [zero[i], Form(core::array::from_fn(|k| one[i].0[k] - zero[i].0[k]))];
+    Some([parts(0), parts(1)])
+}
+
+/// A phase of rolling: an orbit entered at a state.
+#[derive(Clone, Copy, Debug)]
+pub struct Rolling {
+    law: RollingLaw,
+    orbit: RollingOrbit,
+    start: State,
+}
+
+impl Rolling {
+    pub(crate) fn new(hoop: &Hoop, start: State) -> Self {
+        let start = State { slip: 0.0, ..start };
+        Self {
+            law: RollingLaw::new(hoop),
+            orbit: RollingOrbit::new(hoop, start.theta, start.theta_rate),
+            start,
+        }
+    }
+
+    /// The orbit in the (θ, θ′) plane.
+    #[must_use]
+    pub const fn orbit(&self) -> &RollingOrbit {
+        &self.orbit
+    }
+
+    /// State after the time `elapsed` since the phase began. The cost does not depend on `elapsed`.
+    #[must_use]
+    pub fn state(&self, elapsed: f64) -> State {
+        if elapsed == 0.0 {
+            return self.start;
+        }
+        let (theta, theta_rate) = self.orbit.position(elapsed);
+        self.state_at(theta, theta_rate, elapsed)
+    }
+
+    /// The constraint x + θ = const of rolling gives the position.
+    pub(crate) fn state_at(&self, theta: f64, theta_rate: f64, elapsed: f64) -> State {
+        State {
+            time: self.start.time + elapsed,
+            theta,
+            theta_rate,
+            slip: 0.0,
+            x: self.start.x - (theta - self.start.theta),
+        }
+    }
+
+    pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
+        let forces = self.law.forces(state.theta, state.theta_rate);
+        let instant = Instant {
+            mode: Mode::Rolling,
+            direction: None,
+            accelerations: (self.law.theta_acceleration(state.theta, state.theta_rate), 0.0),
+            forces: (forces.normal, forces.friction),
+            gap: (0.0, 0.0),
+        };
+        instant.sample(hoop, state)
+    }
+}

@@ -1,0 +1,475 @@
+//! The orbit of a rolling body: time as an elliptic integral, the way back, and the end of rolling.
+//!
+//! Measured from the bottom, z = −cos(ϑ/2) = k sin ψ, where ϑ is the angle in the direction of motion and
+//! k² = (K − D(π))/(4ℓ̂) in libration, k = 1 in rotation. With β = 4ℓ̂k² and κ = K − D(0), the energy over the top,
+//!
+//! ```text
+//! dτ = 2 sqrt(D / (|κ| + β cos²ψ)) dψ,     D = D(π) + β sin²ψ,
+//! τ(ψ) = 2 sqrt(D(π)/γ) [s R_F(c², q², p) + β s³/(3 D(π)) R_J(c², q², p, 1)],
+//! ```
+//!
+//! with s = sin ψ, c = cos ψ, γ = |κ| + β, q² = (|κ| + βc²)/γ, p = 1 + βs²/D(π): an integral of the third kind in
+//! Carlson's symmetric form (DLMF 19.25.14) whose two terms have the same sign, so that nothing cancels. It holds
+//! for libration, rotation and the separatrix alike.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::math::bernstein::Bernstein;
+use crate::math::carlson::{rf, rj};
+use crate::math::form::{HalfAngle, on_arc};
+use crate::mechanics::equations::RollingLaw;
+use crate::model::hoop::Hoop;
+use crate::model::mode::Direction;
+
+use super::boundary::{Boundary, RollingLimit};
+use super::end::{Hold, RollingEnd, turned};
+use super::recurrence::Recurrence;
+use super::rim::RimOrbit;
+
+/// The orbit of a rolling body through a state.
+#[derive(Clone, Copy, Debug)]
+pub struct RollingOrbit(Kind);
+
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Elliptic(Elliptic),
+    Rim(RimOrbit),
+}
+
+/// The orbit where D(π) > 0: every body but Littlewood's own.
+#[derive(Clone, Copy, Debug)]
+struct Elliptic {
+    law: RollingLaw,
+    boundary: Boundary,
+    /// Direction of motion at the start: ϑ = travel·θ grows.
+    travel: f64,
+    motion: Swing,
+    /// ϑ and D ϑ′² at the start.
+    angle: f64,
+    kinetic: f64,
+    /// |κ|, with κ = K − D(0).
+    excess: f64,
+    /// β = 4ℓ̂k².
+    swing: f64,
+    /// Number of the turn of ϑ, and the start within it.
+    lap: f64,
+    z: f64,
+    y: f64,
+    /// Time from the bottom to the start, and to the top or the turning point.
+    entered: f64,
+    quarter: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Swing {
+    Rest,
+    Libration,
+    Rotation,
+}
+
+impl RollingOrbit {
+    /// The orbit of `hoop` through (θ, θ′).
+    #[must_use]
+    pub fn new(hoop: &Hoop, theta: f64, theta_rate: f64) -> Self {
+        let law = RollingLaw::new(hoop);
+        Self(if law.bottom > 0.0 {
+            Kind::Elliptic(Elliptic::new(hoop, law, theta, theta_rate))
+        } else {
+            Kind::Rim(RimOrbit::new(hoop.mu_s(), theta, theta_rate))
+        })
+    }
+
+    /// (θ, θ′) after the time `elapsed`.
+    #[must_use]
+    pub fn position(&self, elapsed: f64) -> (f64, f64) {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.position(elapsed),
+            Kind::Rim(orbit) => orbit.position(elapsed),
+        }
+    }
+
+    /// Time until the orbit first reaches the angle `theta` (not reduced), if it ever does: an elliptic integral, whose
+    /// cost does not grow with the number of turns.
+    #[must_use]
+    pub fn time_to(&self, theta: f64) -> Option<f64> {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.time_to(theta),
+            Kind::Rim(orbit) => orbit.time_to(theta),
+        }
+    }
+
+    /// The first point ahead at which rolling gives way; none proves that the body rolls for ever.
+    #[must_use]
+    pub fn end(&self) -> Option<RollingEnd> {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.end(false),
+            Kind::Rim(orbit) => orbit.end(),
+        }
+    }
+
+    /// The same from a point on the limit of static friction, from where it holds: no end at once.
+    pub(crate) fn end_from_limit(&self) -> Option<RollingEnd> {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.end(true),
+            Kind::Rim(orbit) => orbit.end(),
+        }
+    }
+
+    /// How the orbit recurs if friction and the normal force hold.
+    #[must_use]
+    pub fn recurrence(&self) -> Recurrence {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.recurrence(),
+            Kind::Rim(orbit) => orbit.recurrence(),
+        }
+    }
+
+    pub(crate) fn hold(&self) -> Hold {
+        match &self.0 {
+            Kind::Elliptic(orbit) => orbit.hold(),
+            Kind::Rim(orbit) => orbit.hold(),
+        }
+    }
+}
+
+impl Elliptic {
+    fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
+        // At a turning point gravity decides where the body goes.
+        let travel = match Direction::of_sign(theta_rate).or_else(|| Direction::of_sign(libm::sin(theta))) {
+            Some(direction) => direction.sign(),
+            None => 1.0,
+        };
+        let (lap, z, y) = reduce(travel * theta);
+        let four_l = 4.0 * law.offset;
+        let denominator = law.bottom + four_l * z * z;
+        let kinetic = denominator * theta_rate * theta_rate;
+        if kinetic == 0.0 && theta_rate != 0.0 {
+            // A rate whose energy is not representable: a turning point, at which gravity decides.
+            return Self::new(hoop, law, theta, 0.0);
+        }
+        // Energy over the top and over the bottom, each from terms that do not cancel more than they must.
+        let over_top = kinetic - four_l * y * y;
+        let over_bottom = kinetic + four_l * z * z;
+        let rotates = over_top >= 0.0;
+        let motion = match (rotates, theta_rate == 0.0 && libm::sin(theta) * law.offset == 0.0) {
+            (_, true) => Swing::Rest,
+            (true, false) => Swing::Rotation,
+            (false, false) => Swing::Libration,
+        };
+        let mut orbit = Self {
+            law,
+            boundary: Boundary::new(hoop, &law, law.bottom + over_bottom),
+            travel,
+            motion,
+            angle: travel * theta,
+            kinetic,
+            excess: over_top.abs(),
+            swing: if rotates { four_l } else { over_bottom },
+            lap,
+            z,
+            y,
+            entered: 0.0,
+            quarter: f64::INFINITY,
+        };
+        if motion == Swing::Libration && orbit.amplitude() <= 0.5 * f64::EPSILON * theta.abs() {
+            // Both turning points round to the angle of the start: no double lies between them.
+            orbit.motion = Swing::Rest;
+        }
+        if orbit.motion != Swing::Rest {
+            orbit.entered = match orbit.motion {
+                Swing::Libration if kinetic == 0.0 => -orbit.time_from_bottom(1.0, 0.0),
+                Swing::Libration => {
+                    orbit.time_from_bottom(orbit.phase_sine(z), (kinetic / orbit.swing).sqrt())
+                }
+                Swing::Rest | Swing::Rotation => orbit.time_from_bottom(z, y),
+            };
+            if orbit.excess > 0.0 {
+                orbit.quarter = orbit.time_from_bottom(1.0, 0.0);
+            }
+        }
+        orbit
+    }
+
+    /// Half the width of the libration in θ.
+    fn amplitude(&self) -> f64 {
+        2.0 * libm::atan2(self.swing.sqrt(), self.excess.sqrt())
+    }
+
+    /// D ϑ′² at another angle of the same turn, with its z, from that at the start: K − D changes by 4ℓ̂ (z0² − z²),
+    /// whose factor z0 − z is taken from the angles to avoid cancellation next to a turning point.
+    fn kinetic_at(&self, angle: f64, z: f64) -> f64 {
+        let difference = -2.0
+            * flip(self.lap)
+            * libm::sin(0.25 * (angle + self.angle))
+            * libm::sin(0.25 * (angle - self.angle));
+        self.kinetic + 4.0 * self.law.offset * difference * (self.z + z)
+    }
+
+    /// sin ψ = z/k.
+    fn phase_sine(&self, z: f64) -> f64 {
+        z * (4.0 * self.law.offset / self.swing).sqrt()
+    }
+
+    /// τ(ψ) − τ(0) for ψ in [−π/2, π/2], given by its sine and cosine.
+    fn time_from_bottom(&self, sine: f64, cosine: f64) -> f64 {
+        time_from_bottom(self.law.bottom, (self.excess, self.swing), (sine, cosine))
+    }
+
+    /// dτ/dψ.
+    fn phase_slowness(&self, sine: f64, cosine: f64) -> f64 {
+        let d = self.law.bottom + self.swing * sine * sine;
+        2.0 * (d / (self.excess + self.swing * cosine * cosine)).sqrt()
+    }
+
+    fn position(&self, elapsed: f64) -> (f64, f64) {
+        if self.motion == Swing::Rest {
+            return (self.travel * self.angle_of(self.lap, self.z, self.y), 0.0);
+        }
+        let total = self.entered + elapsed;
+        let half_period = 2.0 * self.quarter;
+        let (turns, local) = if half_period.is_finite() {
+            let turns = ((total + self.quarter) / half_period).floor();
+            (turns, total - half_period * turns)
+        } else {
+            (0.0, total)
+        };
+        let (sine, cosine) = self.phase_at(local);
+        let d = self.law.bottom + self.swing * sine * sine;
+        if self.motion == Swing::Rotation {
+            let theta = self.angle_of(self.lap + turns, sine, cosine);
+            let rate = ((self.excess + self.swing * cosine * cosine) / d).sqrt();
+            (self.travel * theta, self.travel * rate)
+        } else {
+            let back = if turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
+            let four_l = 4.0 * self.law.offset;
+            let z = back * sine * (self.swing / four_l).sqrt();
+            let y = ((self.excess + self.swing * cosine * cosine) / four_l).sqrt();
+            let rate = back * cosine * (self.swing / d).sqrt();
+            (self.travel * self.angle_of(self.lap, z, y), self.travel * rate)
+        }
+    }
+
+    fn time_to(&self, theta: f64) -> Option<f64> {
+        let (lap, z, y) = reduce(self.travel * theta);
+        let elapsed = match self.motion {
+            Swing::Rest => (theta == self.travel * self.angle_of(self.lap, self.z, self.y)).then_some(0.0),
+            Swing::Rotation => {
+                let laps = lap - self.lap;
+                let turns = if laps == 0.0 { 0.0 } else { 2.0 * self.quarter * laps };
+                Some(turns + self.time_from_bottom(z, y) - self.entered)
+            }
+            Swing::Libration => {
+                let left = self.kinetic_at(self.travel * theta, z);
+                (lap == self.lap && left >= 0.0).then(|| {
+                    let from_bottom = self.time_from_bottom(self.phase_sine(z), (left / self.swing).sqrt());
+                    let first = from_bottom - self.entered;
+                    if first >= 0.0 { first } else { 2.0 * self.quarter - from_bottom - self.entered }
+                })
+            }
+        };
+        elapsed.filter(|elapsed| *elapsed >= 0.0 && elapsed.is_finite())
+    }
+
+    /// Inverts τ(ψ): Newton's method in a bracket. τ grows with ψ.
+    fn phase_at(&self, local: f64) -> (f64, f64) {
+        let (mut low, mut high) = (-FRAC_PI_2, FRAC_PI_2);
+        let mut psi =
+            if self.quarter.is_finite() { (local / self.quarter * FRAC_PI_2).clamp(low, high) } else { 0.0 };
+        loop {
+            let (sine, cosine) = libm::sincos(psi);
+            let cosine = cosine.max(0.0);
+            let ahead = local - self.time_from_bottom(sine, cosine);
+            if ahead > 0.0 {
+                low = psi;
+            } else {
+                high = psi;
+            }
+            let newton = psi + ahead / self.phase_slowness(sine, cosine);
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            let done = (next - psi).abs() <= f64::EPSILON * psi.abs().max(f64::EPSILON)
+                || next <= low
+                || next >= high;
+            psi = next;
+            if done {
+                let (sine, cosine) = libm::sincos(psi);
+                return (sine, cosine.max(0.0));
+            }
+        }
+    }
+
+    /// ϑ on a turn, from z = −cos(ϑ/2) and y = sin(ϑ/2).
+    fn angle_of(&self, lap: f64, z: f64, y: f64) -> f64 {
+        TAU * lap + 2.0 * libm::atan2(y, -z)
+    }
+
+    fn recurrence(&self) -> Recurrence {
+        match self.motion {
+            Swing::Rest => Recurrence::Rest,
+            Swing::Rotation if self.quarter.is_finite() => {
+                Recurrence::Rotation { period: 2.0 * self.quarter }
+            }
+            Swing::Rotation => {
+                Recurrence::Asymptotic { theta: self.travel * self.angle_of(self.lap, 1.0, 0.0) }
+            }
+            Swing::Libration => {
+                let bottom = self.travel * self.angle_of(self.lap, 0.0, 1.0);
+                let amplitude = self.amplitude();
+                Recurrence::Libration {
+                    period: 4.0 * self.quarter,
+                    theta_min: bottom - amplitude,
+                    theta_max: bottom + amplitude,
+                }
+            }
+        }
+    }
+
+    /// The arcs that lie ahead, until every point of the orbit has been passed.
+    fn arcs(&self) -> impl Iterator<Item = Arc> {
+        let here = [-self.z, self.y];
+        let bottom = [0.0, 1.0];
+        let past_bottom = self.z >= 0.0;
+        let first = |to: HalfAngle| {
+            let ahead = Arc { from: if past_bottom { here } else { bottom }, to, pass: Pass::First };
+            [(!past_bottom).then_some(Arc { from: here, to: bottom, pass: Pass::First }), Some(ahead)]
+        };
+        let arcs = match self.motion {
+            Swing::Rest => [None; 4],
+            Swing::Rotation => {
+                let [a, b] = first([-1.0, 0.0]);
+                let again = |from, to| Arc { from, to, pass: Pass::NextTurn };
+                let next = if self.quarter.is_finite() {
+                    let to_bottom = again([1.0, 0.0], if past_bottom { bottom } else { here });
+                    [Some(to_bottom), past_bottom.then_some(again(bottom, here))]
+                } else {
+                    [None; 2]
+                };
+                [a, b, next[0], next[1]]
+            }
+            Swing::Libration => {
+                let four_l = 4.0 * self.law.offset;
+                let (k, y) = ((self.swing / four_l).sqrt(), (self.excess / four_l).sqrt());
+                let [a, b] = first([-k, y]);
+                let back = |from, to| Some(Arc { from, to, pass: Pass::WayBack });
+                [a, b, back([-k, y], bottom), back(bottom, [k, y])]
+            }
+        };
+        arcs.into_iter().flatten().filter(|arc| arc.from != arc.to)
+    }
+
+    fn end(&self, from_limit: bool) -> Option<RollingEnd> {
+        self.arcs().enumerate().find_map(|(passed, arc)| {
+            let at_limit = (from_limit && passed == 0).then(|| self.limit_at_start(&arc)).flatten();
+            let crossings = self.boundary.on_arc(arc.from, arc.to).filter_map(|(margin, limit)| {
+                let margin = if at_limit == Some(limit) { margin.starting_at_zero() } else { margin };
+                let bracket = margin.first_crossing()?;
+                Some((bracket.refine(|x| margin.value_and_slope(x)), limit))
+            });
+            let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
+            Some(self.end_at(&arc, at, limit))
+        })
+    }
+
+    /// The limit whose margin is nearest to zero at the start.
+    fn limit_at_start(&self, arc: &Arc) -> Option<RollingLimit> {
+        let margins =
+            self.boundary.on_arc(arc.from, arc.to).map(|(margin, limit)| (start_value(&margin).abs(), limit));
+        margins.min_by(|a, b| a.0.total_cmp(&b.0)).map(|nearest| nearest.1)
+    }
+
+    fn end_at(&self, arc: &Arc, at: f64, limit: RollingLimit) -> RollingEnd {
+        let [x, y] = on_arc(arc.from, arc.to, at);
+        let z = -x;
+        let four_l = 4.0 * self.law.offset;
+        let d = self.law.bottom + four_l * z * z;
+        let angle = self.angle_of(self.lap, z, y);
+        let (from_bottom, speed) = if self.motion == Swing::Rotation {
+            (self.time_from_bottom(z, y), ((self.excess + four_l * y * y) / d).sqrt())
+        } else {
+            let left = self.kinetic_at(angle, z).max(0.0);
+            let cosine = (left / self.swing).sqrt();
+            (self.time_from_bottom(self.phase_sine(z).clamp(-1.0, 1.0), cosine), (left / d).sqrt())
+        };
+        let half_period = 2.0 * self.quarter;
+        let (elapsed, lap, rate) = match arc.pass {
+            Pass::First => (from_bottom - self.entered, self.lap, speed),
+            Pass::NextTurn => (half_period + from_bottom - self.entered, self.lap + 1.0, speed),
+            Pass::WayBack => (half_period - from_bottom - self.entered, self.lap, -speed),
+        };
+        RollingEnd {
+            elapsed: elapsed.max(0.0),
+            theta: self.travel * self.angle_of(lap, z, y),
+            theta_rate: self.travel * rate,
+            limit: turned(limit, self.travel),
+        }
+    }
+
+    fn hold(&self) -> Hold {
+        let Some(arc) = self.arcs().next() else { return Hold::Holds };
+        let d = self.law.bottom + 4.0 * self.law.offset * self.z * self.z;
+        let mut hold = Hold::Holds;
+        for (margin, limit) in self.boundary.on_arc(arc.from, arc.to) {
+            if margin.initial_sign() >= 0.0 {
+                continue;
+            }
+            hold = match (hold, turned(limit, self.travel)) {
+                // Both cones are left at once only where N < 0.
+                (Hold::Slips { .. } | Hold::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
+                    Hold::NoNormalForce
+                }
+                (Hold::Holds, RollingLimit::Friction(direction)) => {
+                    Hold::Slips { direction, excess: -start_value(&margin) / (d * d) }
+                }
+            };
+        }
+        hold
+    }
+}
+
+/// τ(ψ) − τ(0) for ψ in [−π/2, π/2], given by its sine and cosine, from D(π), |κ| and β.
+pub(crate) fn time_from_bottom(bottom: f64, (excess, swing): (f64, f64), (sine, cosine): (f64, f64)) -> f64 {
+    let gamma = excess + swing;
+    let c2 = cosine * cosine;
+    let q2 = (excess + swing * c2) / gamma;
+    let lift = swing * sine * sine / bottom;
+    let first = rf(c2, q2, 1.0 + lift);
+    let third = if lift == 0.0 { 0.0 } else { lift / 3.0 * rj(c2, q2, 1.0 + lift, 1.0) };
+    2.0 * (bottom / gamma).sqrt() * sine * (first + third)
+}
+
+fn start_value(margin: &Bernstein) -> f64 {
+    margin.coefficients()[0]
+}
+
+/// Part of an orbit between two directions of the half angle.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    from: HalfAngle,
+    to: HalfAngle,
+    pass: Pass,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Pass {
+    First,
+    NextTurn,
+    WayBack,
+}
+
+/// Sign of cos(ϑ/2) relative to the first turn.
+fn flip(lap: f64) -> f64 {
+    if lap.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 }
+}
+
+/// Turn number and (−cos, sin) of half the angle within the turn, sin ≥ 0.
+fn reduce(angle: f64) -> (f64, f64, f64) {
+    let mut lap = (angle / TAU).floor();
+    let (sin, cos) = libm::sincos(0.5 * angle);
+    let flip = flip(lap);
+    let (mut x, mut y) = (flip * cos, flip * sin);
+    if y < 0.0 {
+        // Rounding put the angle on the wrong side of a multiple of 2π.
+        lap += if x > 0.0 { -1.0 } else { 1.0 };
+        (x, y) = (-x, -y);
+    }
+    (lap, -x, y)
+}

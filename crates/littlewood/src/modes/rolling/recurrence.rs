@@ -1,0 +1,86 @@
+//! How a motion that lasts for ever recurs.
+
+use crate::model::dimension::Dimension;
+use crate::model::named::named;
+use crate::walk::detail::Detail;
+
+/// How a motion that lasts for ever recurs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Recurrence {
+    /// At rest in an equilibrium (or a homogeneous disc at rest anywhere).
+    Rest,
+    /// Back and forth about the stable equilibrium.
+    Libration {
+        /// Time of one oscillation.
+        period: f64,
+        /// Smallest angle.
+        theta_min: f64,
+        /// Largest angle.
+        theta_max: f64,
+    },
+    /// Over the top, always in the same direction.
+    Rotation {
+        /// Time of one turn.
+        period: f64,
+    },
+    /// On the separatrix towards the unstable equilibrium, which is not reached in finite time.
+    Asymptotic {
+        /// Angle of that equilibrium.
+        theta: f64,
+    },
+}
+
+named! {
+    /// A kind of recurrence, by its name.
+    pub enum RecurrenceKind, "recurrence" {
+        /// [`Recurrence::Rest`].
+        Rest = 0, "rest";
+        /// [`Recurrence::Libration`].
+        Libration = 1, "libration";
+        /// [`Recurrence::Rotation`].
+        Rotation = 2, "rotation";
+        /// [`Recurrence::Asymptotic`].
+        Asymptotic = 3, "asymptotic";
+    }
+}
+
+impl Recurrence {
+    /// Its kind, which has a name.
+    #[must_use]
+    pub const fn kind(&self) -> RecurrenceKind {
+        match self {
+            Self::Rest => RecurrenceKind::Rest,
+            Self::Libration { .. } => RecurrenceKind::Libration,
+            Self::Rotation { .. } => RecurrenceKind::Rotation,
+            Self::Asymptotic { .. } => RecurrenceKind::Asymptotic,
+        }
+    }
+
+    /// Period; none at rest and on the separatrix.
+    #[must_use]
+    pub const fn period(&self) -> Option<f64> {
+        match self {
+            Self::Libration { period, .. } | Self::Rotation { period } => Some(*period),
+            Self::Rest | Self::Asymptotic { .. } => None,
+        }
+    }
+
+    /// Kind and numbers, with the names that records use.
+    #[must_use]
+    pub fn details(&self) -> Vec<(&'static str, Detail)> {
+        let mut details = vec![("recurrence", Detail::Word(self.kind().name()))];
+        let angle = |value| Detail::Real(value, Dimension::Angle);
+        if let Some(period) = self.period() {
+            details.push(("period", Detail::Real(period, Dimension::Time)));
+        }
+        match *self {
+            Self::Libration { theta_min, theta_max, .. } => {
+                details.extend([("theta_min", angle(theta_min)), ("theta_max", angle(theta_max))]);
+            }
+            Self::Asymptotic { theta } => details.push(("theta_limit", angle(theta))),
+            Self::Rest | Self::Rotation { .. } => {}
+        }
+        details
+    }
+}

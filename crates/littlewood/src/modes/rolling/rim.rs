@@ -1,0 +1,125 @@
+//! Rolling of Littlewood's own hoop, massless with the particle on the rim (§3a), in closed form.
+//!
+//! D = 2(1 + cos θ) vanishes at θ = ±π, and (3.1) becomes linear in Z = sin(θ/2): Z″ = Z/4. With
+//! a = Z0 and b = 2Z0′ = θ0′ cos(θ0/2),
+//!
+//! ```text
+//! Z(τ) = a cosh(Δτ/2) + b sinh(Δτ/2),     2Z′(τ) = a sinh(Δτ/2) + b cosh(Δτ/2).
+//! ```
+//!
+//! This is (3.3) for every start: the α of (3.4) is a + b, for θ0′ of either sign, and no division by it is needed.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::model::mode::Direction;
+
+use super::boundary::RollingLimit;
+use super::end::{Hold, RollingEnd};
+use super::recurrence::Recurrence;
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RimOrbit {
+    /// Number of turns to the nearest top.
+    lap: f64,
+    /// Z0 = sin(θ0/2) and 2Z0′.
+    a: f64,
+    b: f64,
+    theta_rate: f64,
+    /// sin²(θ_s/2) of (3.9).
+    slip: f64,
+}
+
+impl RimOrbit {
+    pub(super) fn new(mu_s: f64, theta: f64, theta_rate: f64) -> Self {
+        let lap = (theta / TAU).round();
+        let (sin, cos) = libm::sincos(0.5 * theta);
+        let flip = if cos < 0.0 { -1.0 } else { 1.0 };
+        Self {
+            lap,
+            a: flip * sin,
+            b: theta_rate * cos.abs(),
+            theta_rate,
+            slip: mu_s * mu_s / (1.0 + mu_s * mu_s),
+        }
+    }
+
+    pub(super) fn position(&self, elapsed: f64) -> (f64, f64) {
+        if self.a == 0.0 && self.b == 0.0 {
+            return (TAU * self.lap, 0.0);
+        }
+        let growth = libm::exp(0.5 * elapsed);
+        let (out, back) = (0.5 * (self.a + self.b) * growth, 0.5 * (self.a - self.b) / growth);
+        self.angle(out + back, out - back)
+    }
+
+    /// θ and θ′ from Z and 2Z′.
+    fn angle(&self, z: f64, twice_rate: f64) -> (f64, f64) {
+        let x = (1.0 - z * z).max(0.0).sqrt();
+        (TAU * self.lap + 2.0 * libm::atan2(z, x), twice_rate / x)
+    }
+
+    /// sin²(θ/2) where N = 0, that is θ′² = 1, on this orbit.
+    fn unloaded(&self) -> f64 {
+        0.5 * (1.0 + self.a * self.a - self.b * self.b)
+    }
+
+    pub(super) fn time_to(&self, theta: f64) -> Option<f64> {
+        let target = libm::sin(0.5 * (theta - TAU * self.lap));
+        let square = target * target - self.a * self.a + self.b * self.b;
+        if square < 0.0 || (theta - TAU * self.lap).abs() > PI {
+            return None;
+        }
+        let (sum, difference) = (self.a + self.b, self.a - self.b);
+        let time = |twice_rate: f64| {
+            // Z + 2Z′ grows like e^(Δτ/2), Z − 2Z′ decays: divide by the one that is not small.
+            let growth = if sum.abs() >= difference.abs() {
+                (target + twice_rate) / sum
+            } else {
+                difference / (target - twice_rate)
+            };
+            (growth >= 1.0).then(|| 2.0 * libm::log(growth))
+        };
+        let root = square.sqrt();
+        [time(root), time(-root)].into_iter().flatten().min_by(f64::total_cmp)
+    }
+
+    pub(super) fn end(&self) -> Option<RollingEnd> {
+        let outward = Direction::of_sign(self.a + self.b)?;
+        let unloaded = self.unloaded();
+        let (square, limit) = if unloaded <= self.slip {
+            (unloaded, RollingLimit::NormalForce)
+        } else {
+            (self.slip, RollingLimit::Friction(outward))
+        };
+        let z = outward.sign() * square.sqrt();
+        let twice_rate = outward.sign() * (square - self.a * self.a + self.b * self.b).max(0.0).sqrt();
+        let elapsed = 2.0 * libm::log((z + twice_rate) / (self.a + self.b));
+        let (theta, theta_rate) = self.angle(z, twice_rate);
+        Some(RollingEnd { elapsed: elapsed.max(0.0), theta, theta_rate, limit })
+    }
+
+    pub(super) fn recurrence(&self) -> Recurrence {
+        if self.a == 0.0 && self.b == 0.0 {
+            Recurrence::Rest
+        } else {
+            Recurrence::Asymptotic { theta: TAU * self.lap }
+        }
+    }
+
+    pub(super) fn hold(&self) -> Hold {
+        let inward = self.a * self.b < 0.0;
+        let unloading = 1.0 - self.theta_rate * self.theta_rate;
+        if unloading < 0.0 || (unloading == 0.0 && !inward) {
+            return Hold::NoNormalForce;
+        }
+        let margin = self.slip - self.a * self.a;
+        if margin > 0.0 || (margin == 0.0 && (inward || (self.a == 0.0 && self.b == 0.0))) {
+            Hold::Holds
+        } else {
+            match Direction::of_sign(self.a).or_else(|| Direction::of_sign(self.b)) {
+                Some(direction) => Hold::Slips { direction, excess: -margin },
+                None => Hold::Holds,
+            }
+        }
+    }
+}

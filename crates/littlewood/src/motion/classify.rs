@@ -1,0 +1,154 @@
+//! Where a start lies in the plane of the paper, and what follows at once.
+
+use crate::mechanics::closed_form::{RollingType, rolling_energy};
+use crate::mechanics::equations::{ContactForces, RollingLaw, contact, energy};
+use crate::model::error::ParameterError;
+use crate::model::hoop::{Body, Hoop};
+use crate::model::limits::Limits;
+use crate::model::mode::{Direction, Mode};
+use crate::model::named::named;
+use crate::model::state::Start;
+use crate::modes::rolling::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
+use crate::walk::candidates::{Arrival, Candidates, Next, next_motion};
+use crate::walk::origin::Origin;
+
+named! {
+    /// The part of the state space that a start lies in.
+    pub enum StartRegion, "region of starts" {
+        /// 𝓡 of (2.14), (3.10): rolls.
+        Rolling = 0, "rolling_region";
+        /// 𝓝 but not 𝓡: N > 0, static friction does not suffice.
+        BeyondFriction = 1, "beyond_friction";
+        /// N ≤ 0 in rolling, yet 1 − h cos θ θ′² > 0: slides in contact. The paper calls it loss of contact.
+        SlidingBand = 2, "sliding_band";
+        /// 1 − h cos θ θ′² < 0, or zero and falling, or a start at which the gap opens: leaves the plane.
+        LossOfContact = 3, "loss_of_contact";
+        /// η′ ≠ 0 and in contact.
+        Slipping = 4, "slipping";
+        /// Massless hoop outside 𝓡, or with η′ ≠ 0: glides.
+        Gliding = 5, "gliding";
+        /// No motion is consistent.
+        Inconsistent = 6, "inconsistent";
+        /// Several motions are consistent.
+        Ambiguous = 7, "ambiguous";
+    }
+}
+
+/// What is known of a start without simulating it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Classification {
+    /// Region.
+    pub region: StartRegion,
+    /// Mode that begins, if exactly one is consistent.
+    pub mode: Option<Mode>,
+    /// Direction of slip that begins; none for rolling and flight, and for a glide from η′ = 0, where it follows from
+    /// the glide.
+    pub direction: Option<Direction>,
+    /// Energy E (2.8).
+    pub energy: f64,
+    /// N and F that rolling from here would need (2.12).
+    pub rolling_forces: ContactForces,
+    /// 1 − h cos θ θ′².
+    pub contact: f64,
+    /// For a start in 𝓡: where rolling ends; none if it does not start there, or rolls for ever.
+    pub rolling_end: Option<RollingEnd>,
+    /// For a start in 𝓡 that rolls for ever: how the motion comes back.
+    pub recurrence: Option<Recurrence>,
+    /// For Littlewood's hoop in 𝓡: Type I, II or III. None on the stable manifold.
+    pub rolling_type: Option<RollingType>,
+    /// What was examined, where no motion or several are consistent.
+    pub candidates: Option<Candidates>,
+}
+
+impl Hoop {
+    /// Says which region a start lies in, what begins there, and, for Littlewood's hoop, of which type it is.
+    ///
+    /// ```
+    /// use littlewood::{Hoop, RollingType, Start};
+    ///
+    /// let hoop = Hoop::littlewood(0.5, 0.4)?;
+    /// let start = hoop.classify(Start::at(0.0, 0.5))?;
+    /// assert_eq!(start.rolling_type, Some(RollingType::III));
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A start that is not finite.
+    pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
+        let (origin, state, _) = Origin::of(self.check(start)?, Limits::default());
+        let (theta, theta_rate) = (state.theta, state.theta_rate);
+        let forces = RollingLaw::new(self).forces(theta, theta_rate);
+        let contact = contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate));
+        let mut found = Classification {
+            region: StartRegion::Slipping,
+            mode: None,
+            direction: None,
+            energy: energy(self, &state, 0.0, start.gap_rate),
+            rolling_forces: forces,
+            contact,
+            rolling_end: None,
+            recurrence: None,
+            rolling_type: None,
+            candidates: None,
+        };
+        if start.gap_rate > 0.0 {
+            (found.region, found.mode) = (StartRegion::LossOfContact, Some(Mode::Flight));
+            return Ok(found);
+        }
+        match next_motion(self, &state, Arrival::Open) {
+            Next::Roll { .. } => {
+                let orbit = RollingOrbit::new(self, theta, theta_rate);
+                found.region = StartRegion::Rolling;
+                found.mode = Some(Mode::Rolling);
+                let end = orbit.end();
+                found.rolling_type = self.rolling_type(theta, theta_rate, end);
+                found.recurrence = end.is_none().then(|| origin.recurrence(orbit.recurrence()));
+                found.rolling_end = end.map(|end| RollingEnd { theta: origin.theta(end.theta), ..end });
+            }
+            Next::Slide { direction, .. } => {
+                found.region = match (state.slip == 0.0, forces.normal > 0.0) {
+                    (false, _) => StartRegion::Slipping,
+                    (true, true) => StartRegion::BeyondFriction,
+                    (true, false) => StartRegion::SlidingBand,
+                };
+                found.mode = Some(Mode::Sliding);
+                found.direction = Some(direction);
+            }
+            Next::Glide { .. } => {
+                found.region = StartRegion::Gliding;
+                found.mode = Some(Mode::Gliding);
+                found.direction = Direction::of_sign(state.slip);
+            }
+            Next::Fly { .. } => {
+                found.region = StartRegion::LossOfContact;
+                found.mode = Some(Mode::Flight);
+            }
+            Next::None(candidates) => {
+                found.region = StartRegion::Inconsistent;
+                found.candidates = Some(*candidates);
+            }
+            Next::Several(candidates) => {
+                found.region = StartRegion::Ambiguous;
+                found.candidates = Some(*candidates);
+            }
+        }
+        Ok(found)
+    }
+
+    fn rolling_type(&self, theta: f64, theta_rate: f64, end: Option<RollingEnd>) -> Option<RollingType> {
+        match self.body() {
+            Body::Massless(body) if body.offset == 1.0 => {
+                let by_energy = RollingType::of_energy(rolling_energy(theta, theta_rate), self.mu_s())?;
+                // Near e = 1 + 2 cos θ_s the energy may round to either side; the end of rolling decides.
+                match (end?.limit, by_energy) {
+                    (_, RollingType::II) => Some(RollingType::II),
+                    (RollingLimit::NormalForce, _) => Some(RollingType::I),
+                    (RollingLimit::Friction(_), _) => Some(RollingType::III),
+                }
+            }
+            Body::Massless(_) | Body::Heavy(_) => None,
+        }
+    }
+}

@@ -1,0 +1,411 @@
+//! The columns of a sample and of a summary: name, dimension, meaning, and how each is computed.
+
+use crate::model::dimension::Dimension;
+use crate::model::mode::{Direction, Mode};
+use crate::model::named::named;
+use crate::model::state::State;
+use crate::motion::sample::Sample;
+use crate::motion::summary::Summary;
+use crate::walk::outcome::OutcomeKind;
+use crate::walk::sequence::PhaseSequence;
+
+named! {
+    /// A column of the samples of a motion, in the order of records.
+    pub enum SampleColumn, "column of a sample" {
+        /// Time τ.
+        Time = 0, "time";
+        /// Mode of motion.
+        Mode = 1, "mode";
+        /// Direction of slip.
+        Direction = 2, "direction";
+        /// Angle θ.
+        Theta = 3, "theta";
+        /// Rate θ′.
+        ThetaRate = 4, "theta_rate";
+        /// Slip velocity η′.
+        Slip = 5, "slip";
+        /// Position x of the geometric centre.
+        X = 6, "x";
+        /// Angular acceleration θ″.
+        ThetaAcceleration = 7, "theta_acceleration";
+        /// Acceleration η″ of the slip.
+        SlipAcceleration = 8, "slip_acceleration";
+        /// Normal force N.
+        Normal = 9, "normal";
+        /// Friction force F.
+        Friction = 10, "friction";
+        /// Gap between the rim and the plane.
+        Gap = 11, "gap";
+        /// Rate of the gap.
+        GapRate = 12, "gap_rate";
+        /// Energy E (2.8).
+        Energy = 13, "energy";
+        /// Height of the geometric centre.
+        CentreY = 14, "centre_y";
+        /// Horizontal position of the mass centre.
+        MassCentreX = 15, "mass_centre_x";
+        /// Height of the mass centre.
+        MassCentreY = 16, "mass_centre_y";
+        /// Horizontal position of the particle.
+        ParticleX = 17, "particle_x";
+        /// Height of the particle.
+        ParticleY = 18, "particle_y";
+    }
+}
+
+impl State {
+    /// The columns that make a state, in the order of records.
+    pub const COLUMNS: [SampleColumn; 5] = [
+        SampleColumn::Time,
+        SampleColumn::Theta,
+        SampleColumn::ThetaRate,
+        SampleColumn::Slip,
+        SampleColumn::X,
+    ];
+
+    /// The numbers, in the order of [`State::COLUMNS`].
+    #[must_use]
+    pub const fn numbers(&self) -> [f64; 5] {
+        let Self { time, theta, theta_rate, slip, x } = *self;
+        [time, theta, theta_rate, slip, x]
+    }
+}
+
+/// A value of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SampleValue {
+    /// A mode.
+    Mode(Mode),
+    /// A direction of slip.
+    Direction(Option<Direction>),
+    /// A number.
+    Real(f64),
+}
+
+impl SampleValue {
+    /// As a number: the code of a mode, σ of a direction.
+    #[must_use]
+    pub fn number(self) -> f64 {
+        match self {
+            Self::Mode(mode) => f64::from(mode.code()),
+            Self::Direction(direction) => f64::from(Direction::code(direction)),
+            Self::Real(value) => value,
+        }
+    }
+}
+
+impl SampleColumn {
+    /// Its value in a sample.
+    #[must_use]
+    pub const fn of(self, sample: &Sample) -> SampleValue {
+        SampleValue::Real(match self {
+            Self::Mode => return SampleValue::Mode(sample.mode),
+            Self::Direction => return SampleValue::Direction(sample.direction),
+            Self::Time => sample.state.time,
+            Self::Theta => sample.state.theta,
+            Self::ThetaRate => sample.state.theta_rate,
+            Self::Slip => sample.state.slip,
+            Self::X => sample.state.x,
+            Self::ThetaAcceleration => sample.theta_acceleration,
+            Self::SlipAcceleration => sample.slip_acceleration,
+            Self::Normal => sample.normal,
+            Self::Friction => sample.friction,
+            Self::Gap => sample.gap,
+            Self::GapRate => sample.gap_rate,
+            Self::Energy => sample.energy,
+            Self::CentreY => sample.centre.y,
+            Self::MassCentreX => sample.mass_centre.x,
+            Self::MassCentreY => sample.mass_centre.y,
+            Self::ParticleX => sample.particle.x,
+            Self::ParticleY => sample.particle.y,
+        })
+    }
+
+    const fn row(self) -> (Option<Dimension>, &'static str, &'static str) {
+        use Dimension as D;
+        match self {
+            Self::Time => (Some(D::Time), "τ", "time"),
+            Self::Mode => (None, "", "mode of motion"),
+            Self::Direction => (None, "σ", "sign of the slip velocity; 0 for rolling and flight"),
+            Self::Theta => (Some(D::Angle), "θ", "angle of the particle from the upward vertical"),
+            Self::ThetaRate => (Some(D::AngularRate), "θ′", "rate of the angle"),
+            Self::Slip => (Some(D::Velocity), "η′", "slip velocity of the contact point"),
+            Self::X => (Some(D::Length), "x", "horizontal position of the geometric centre"),
+            Self::ThetaAcceleration => (Some(D::AngularAcceleration), "θ″", "angular acceleration"),
+            Self::SlipAcceleration => (Some(D::Acceleration), "η″", "acceleration of the slip"),
+            Self::Normal => (Some(D::Force), "N", "normal force"),
+            Self::Friction => (Some(D::Force), "F", "friction force"),
+            Self::Gap => (Some(D::Length), "gap", "height of the lowest point of the rim over the plane"),
+            Self::GapRate => (Some(D::Velocity), "gap′", "rate of the gap"),
+            Self::Energy => (Some(D::Energy), "E", "kinetic and potential energy"),
+            Self::CentreY => (Some(D::Length), "y", "height of the geometric centre"),
+            Self::MassCentreX => (Some(D::Length), "x̄", "horizontal position of the mass centre"),
+            Self::MassCentreY => (Some(D::Length), "ȳ", "height of the mass centre"),
+            Self::ParticleX => (Some(D::Length), "x₂", "horizontal position of the particle"),
+            Self::ParticleY => (Some(D::Length), "y₂", "height of the particle"),
+        }
+    }
+
+    /// Dimension; none for a code.
+    #[must_use]
+    pub const fn dimension(self) -> Option<Dimension> {
+        self.row().0
+    }
+
+    /// Symbol as it is printed.
+    #[must_use]
+    pub const fn sign(self) -> &'static str {
+        self.row().1
+    }
+
+    /// What it is, in words.
+    #[must_use]
+    pub const fn long_name(self) -> &'static str {
+        self.row().2
+    }
+
+    /// Name of the column in SI units; none for a code, which has no unit.
+    #[must_use]
+    pub fn si_name(self) -> Option<String> {
+        self.dimension().map(|dimension| format!("{self}{}", dimension.si_suffix()))
+    }
+}
+
+named! {
+    /// A column of the results of a sweep, in the order of stores.
+    pub enum SummaryColumn, "column of a summary" {
+        /// [`Summary::outcome`].
+        Outcome = 0, "outcome";
+        /// [`Summary::sequence`].
+        Sequence = 1, "sequence";
+        /// [`Summary::transitions`].
+        Transitions = 2, "transitions";
+        /// [`Summary::painleve`].
+        Painleve = 3, "painleve";
+        /// Time at the end.
+        EndTime = 4, "end_time";
+        /// Angle at the end.
+        EndTheta = 5, "end_theta";
+        /// Rate at the end.
+        EndThetaRate = 6, "end_theta_rate";
+        /// Slip velocity at the end.
+        EndSlip = 7, "end_slip";
+        /// Position at the end.
+        EndX = 8, "end_x";
+        /// [`Summary::energy`].
+        Energy = 9, "energy";
+        /// [`Summary::first_slip_time`].
+        FirstSlipTime = 10, "first_slip_time";
+        /// [`Summary::lift_off_time`].
+        LiftOffTime = 11, "lift_off_time";
+        /// [`Summary::jump_length`].
+        JumpLength = 12, "jump_length";
+        /// [`Summary::jump_height`].
+        JumpHeight = 13, "jump_height";
+        /// [`Summary::landings`].
+        Landings = 14, "landings";
+        /// [`Summary::impact_energy_lost`].
+        ImpactEnergyLost = 15, "impact_energy_lost";
+        /// [`Summary::settle_time`].
+        SettleTime = 16, "settle_time";
+    }
+}
+
+/// The type of a column of a summary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ColumnType {
+    /// The code of an [`OutcomeKind`], 8 bits.
+    Outcome,
+    /// The bits of a [`PhaseSequence`], 64 bits.
+    Sequence,
+    /// A count, 32 bits.
+    Count,
+    /// Yes or no, 8 bits.
+    Flag,
+    /// A number in double precision; NaN where there is nothing.
+    Real,
+}
+
+/// A value of a summary, as arrays hold it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SummaryValue {
+    /// 8 bits.
+    U8(u8),
+    /// 32 bits.
+    U32(u32),
+    /// 64 bits.
+    U64(u64),
+    /// Double precision.
+    F64(f64),
+}
+
+/// The place of a value in a summary.
+enum Place<'a> {
+    Outcome(&'a mut OutcomeKind),
+    Sequence(&'a mut PhaseSequence),
+    Count(&'a mut u32),
+    Flag(&'a mut bool),
+    Real(&'a mut f64),
+}
+
+impl SummaryColumn {
+    const fn place(self, summary: &mut Summary) -> Place<'_> {
+        Place::Real(match self {
+            Self::Outcome => return Place::Outcome(&mut summary.outcome),
+            Self::Sequence => return Place::Sequence(&mut summary.sequence),
+            Self::Transitions => return Place::Count(&mut summary.transitions),
+            Self::Painleve => return Place::Flag(&mut summary.painleve),
+            Self::EndTime => &mut summary.end.time,
+            Self::EndTheta => &mut summary.end.theta,
+            Self::EndThetaRate => &mut summary.end.theta_rate,
+            Self::EndSlip => &mut summary.end.slip,
+            Self::EndX => &mut summary.end.x,
+            Self::Energy => &mut summary.energy,
+            Self::FirstSlipTime => &mut summary.first_slip_time,
+            Self::LiftOffTime => &mut summary.lift_off_time,
+            Self::JumpLength => &mut summary.jump_length,
+            Self::JumpHeight => &mut summary.jump_height,
+            Self::Landings => return Place::Count(&mut summary.landings),
+            Self::ImpactEnergyLost => &mut summary.impact_energy_lost,
+            Self::SettleTime => &mut summary.settle_time,
+        })
+    }
+
+    const fn row(self) -> (ColumnType, Dimension, &'static str) {
+        use Dimension as D;
+        let (dimension, long_name) = match self {
+            Self::Outcome => return (ColumnType::Outcome, D::Ratio, "outcome"),
+            Self::Sequence => return (ColumnType::Sequence, D::Ratio, "sequence of phases"),
+            Self::Transitions => return (ColumnType::Count, D::Ratio, "number of transitions"),
+            Self::Painleve => {
+                return (ColumnType::Flag, D::Ratio, "whether the motion met a Painlevé paradox");
+            }
+            Self::EndTime => (D::Time, "time at the end, or where the phase begins that lasts for ever"),
+            Self::EndTheta => (D::Angle, "angle at the end"),
+            Self::EndThetaRate => (D::AngularRate, "rate of the angle at the end"),
+            Self::EndSlip => (D::Velocity, "slip velocity at the end"),
+            Self::EndX => (D::Length, "position of the geometric centre at the end"),
+            Self::Energy => (D::Energy, "energy at the end"),
+            Self::FirstSlipTime => (D::Time, "time of the first slip out of rolling"),
+            Self::LiftOffTime => (D::Time, "time of lift-off"),
+            Self::JumpLength => (D::Length, "length of the first jump"),
+            Self::JumpHeight => (D::Length, "height of the first jump"),
+            Self::Landings => return (ColumnType::Count, D::Ratio, "number of landings"),
+            Self::ImpactEnergyLost => (D::Energy, "energy lost in impacts"),
+            Self::SettleTime => (D::Time, "time from which on the rim stays at the plane"),
+        };
+        (ColumnType::Real, dimension, long_name)
+    }
+
+    /// Type.
+    #[must_use]
+    pub const fn column_type(self) -> ColumnType {
+        self.row().0
+    }
+
+    /// Dimension; that of a ratio for counts and codes.
+    #[must_use]
+    pub const fn dimension(self) -> Dimension {
+        self.row().1
+    }
+
+    /// What it is, in words.
+    #[must_use]
+    pub const fn long_name(self) -> &'static str {
+        self.row().2
+    }
+
+    /// The columns of numbers: real ones, and counts.
+    pub fn numbers() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|column| match column.column_type() {
+            ColumnType::Real | ColumnType::Count => true,
+            ColumnType::Outcome | ColumnType::Sequence | ColumnType::Flag => false,
+        })
+    }
+
+    /// The columns of real numbers.
+    pub fn reals() -> impl Iterator<Item = Self> {
+        Self::ALL.into_iter().filter(|column| column.column_type() == ColumnType::Real)
+    }
+
+    /// Its value in a summary. There is one NaN: the sign and payload of one that arithmetic makes are not specified.
+    #[must_use]
+    pub fn of(self, summary: &Summary) -> SummaryValue {
+        self.place(&mut { *summary }).value()
+    }
+
+    /// Sets its value in a summary. A value of another type, or a number that is no code, is not taken: false.
+    pub fn set(self, summary: &mut Summary, value: SummaryValue) -> bool {
+        match (self.place(summary), value) {
+            (Place::Outcome(outcome), SummaryValue::U8(code)) => match OutcomeKind::try_from(code) {
+                Ok(kind) => *outcome = kind,
+                Err(_) => return false,
+            },
+            (Place::Sequence(sequence), SummaryValue::U64(bits)) => {
+                *sequence = PhaseSequence::from_bits(bits);
+            }
+            (Place::Count(count), SummaryValue::U32(value)) => *count = value,
+            (Place::Flag(flag), SummaryValue::U8(value)) => *flag = value != 0,
+            (Place::Real(real), SummaryValue::F64(value)) => *real = value,
+            (
+                Place::Outcome(_) | Place::Sequence(_) | Place::Count(_) | Place::Flag(_) | Place::Real(_),
+                _,
+            ) => {
+                return false;
+            }
+        }
+        true
+    }
+}
+
+impl Place<'_> {
+    const fn value(self) -> SummaryValue {
+        match self {
+            Self::Outcome(outcome) => SummaryValue::U8(outcome.code()),
+            Self::Sequence(sequence) => SummaryValue::U64(sequence.bits()),
+            Self::Count(count) => SummaryValue::U32(*count),
+            Self::Flag(flag) => SummaryValue::U8(*flag as u8),
+            Self::Real(value) => SummaryValue::F64(if value.is_nan() { f64::NAN } else { *value }),
+        }
+    }
+}
+
+impl Summary {
+    /// The values of all columns, in the order of [`SummaryColumn::ALL`].
+    #[must_use]
+    pub fn values(&self) -> [SummaryValue; SummaryColumn::ALL.len()] {
+        let mut copy = *self;
+        SummaryColumn::ALL.map(|column| column.place(&mut copy).value())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_summary_comes_back_from_its_columns() {
+        let mut summary = Summary::NOT_COMPUTED;
+        let mut number = 1.0;
+        for column in SummaryColumn::ALL {
+            number += 0.5;
+            let value = match column.column_type() {
+                ColumnType::Outcome => SummaryValue::U8(OutcomeKind::Singular.code()),
+                ColumnType::Sequence => SummaryValue::U64(0x71),
+                ColumnType::Count => SummaryValue::U32(7),
+                ColumnType::Flag => SummaryValue::U8(1),
+                ColumnType::Real => SummaryValue::F64(number),
+            };
+            assert!(column.set(&mut summary, value));
+            assert_eq!(column.of(&summary), value, "{column}");
+            assert_eq!(summary.values()[usize::from(column.code())], value, "{column}");
+        }
+        let mut copy = Summary::INVALID;
+        for column in SummaryColumn::ALL {
+            assert!(column.set(&mut copy, column.of(&summary)));
+        }
+        assert_eq!(copy, summary);
+        assert!(!SummaryColumn::Outcome.set(&mut copy, SummaryValue::U8(77)));
+        assert!(!SummaryColumn::Energy.set(&mut copy, SummaryValue::U8(1)));
+    }
+}

@@ -1,0 +1,87 @@
+//! All that is known of an instant of a motion.
+
+use crate::mechanics::equations::energy;
+use crate::model::hoop::Hoop;
+use crate::model::mode::{Direction, Mode};
+use crate::model::state::State;
+
+/// Everything about one instant of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Sample {
+    /// State.
+    pub state: State,
+    /// Mode of motion.
+    pub mode: Mode,
+    /// Direction of slip; none for rolling and flight.
+    pub direction: Option<Direction>,
+    /// Angular acceleration θ″.
+    pub theta_acceleration: f64,
+    /// Acceleration η″ of the slip.
+    pub slip_acceleration: f64,
+    /// Normal force N/(m2 g).
+    pub normal: f64,
+    /// Friction force F/(m2 g), positive along E1.
+    pub friction: f64,
+    /// Height of the lowest point of the rim over the plane; zero in contact.
+    pub gap: f64,
+    /// Rate of the gap; zero in contact.
+    pub gap_rate: f64,
+    /// Total energy E = T + U over m2 g R (2.8); the potential energy is ℓ̂ cos θ + m gap.
+    pub energy: f64,
+    /// Geometric centre C.
+    pub centre: Position,
+    /// Mass centre X̄ = C + h e2.
+    pub mass_centre: Position,
+    /// Particle, C + ℓ̂ e2.
+    pub particle: Position,
+}
+
+/// A point of the plane of motion, in radii.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Position {
+    /// Horizontal coordinate along E1.
+    pub x: f64,
+    /// Height over the plane.
+    pub y: f64,
+}
+
+/// Values at an instant that depend on the mode; the rest follows for all modes alike.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Instant {
+    pub(crate) mode: Mode,
+    pub(crate) direction: Option<Direction>,
+    /// θ″ and η″.
+    pub(crate) accelerations: (f64, f64),
+    /// N and F.
+    pub(crate) forces: (f64, f64),
+    /// The gap and its rate.
+    pub(crate) gap: (f64, f64),
+}
+
+impl Instant {
+    pub(crate) fn sample(self, hoop: &Hoop, state: State) -> Sample {
+        let (gap, gap_rate) = self.gap;
+        let (sin, cos) = libm::sincos(state.theta);
+        let centre = Position { x: state.x, y: 1.0 + gap };
+        let along_radius =
+            |distance: f64| Position { x: centre.x - distance * sin, y: centre.y + distance * cos };
+        Sample {
+            state,
+            mode: self.mode,
+            direction: self.direction,
+            theta_acceleration: self.accelerations.0,
+            slip_acceleration: self.accelerations.1,
+            normal: self.forces.0,
+            friction: self.forces.1,
+            gap,
+            gap_rate,
+            energy: energy(hoop, &state, gap, gap_rate),
+            centre,
+            mass_centre: along_radius(hoop.h()),
+            particle: along_radius(hoop.offset()),
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! The simulation: the walk along the automaton with exact solutions, kept as a trajectory.
+
+use crate::mechanics::impact::Impact;
+use crate::model::error::ParameterError;
+use crate::model::hoop::{Body, Hoop};
+use crate::model::limits::Limits;
+use crate::model::mode::Direction;
+use crate::model::state::{Start, State};
+use crate::motion::trajectory::{Phase, PhaseSolution, Trajectory};
+use crate::walk::event::Event;
+use crate::walk::exact::Exact;
+use crate::walk::follow::{PhaseSeen, Recorder, walk};
+use crate::walk::origin::Origin;
+use crate::walk::outcome::Outcome;
+use crate::walk::proofs::Known;
+use crate::walk::transition::Transition;
+
+impl Hoop {
+    /// Simulates the motion from `start` to its end, or to a limit.
+    ///
+    /// Each transition is isolated as a root of the solution and located to machine precision: to a few units of what the last digits of
+    /// hoop and start determine (docs/accuracy.md measures it, and says where digits are lost). The result is the same on every platform,
+    /// bit for bit. Without a coefficient of restitution the motion ends where the rim lands; with one it goes on.
+    ///
+    /// ```
+    /// use littlewood::{Hoop, Limits, Mode, Start};
+    ///
+    /// // Figure 3 of the paper: slides, rolls, slides, jumps.
+    /// let hoop = Hoop::figure_2(0.5, 0.4)?;
+    /// let start = Start::at(std::f64::consts::FRAC_PI_2, 2.0);
+    /// let motion = hoop.simulate(start, Limits::default())?;
+    /// let modes: Vec<Mode> = motion.phases().iter().map(|phase| phase.mode()).collect();
+    /// assert_eq!(modes, [Mode::Sliding, Mode::Rolling, Mode::Sliding, Mode::Flight]);
+    /// assert!((motion.phases()[3].start().time - 1.518_670_213_819_437).abs() < 1e-14);
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A start or a limit that is not finite, or a time limit before the start.
+    pub fn simulate(&self, start: Start, limits: Limits) -> Result<Trajectory, ParameterError> {
+        let state = self.check(start)?;
+        limits.check(&start)?;
+        let (origin, relative, limits) = Origin::of(state, limits);
+        let mut trajectory = Trajectory {
+            hoop: *self,
+            origin,
+            start: state,
+            phases: Vec::new(),
+            transitions: Vec::new(),
+            outcome: Outcome::TimeLimit { state: relative },
+        };
+        let solver = Exact::new(self, &limits);
+        trajectory.outcome =
+            walk(&solver, (relative, start.gap_rate), (&limits, Known::default()), &mut trajectory);
+        Ok(trajectory)
+    }
+
+    /// Refuses a start that this hoop cannot have.
+    pub(crate) fn check(&self, start: Start) -> Result<State, ParameterError> {
+        let state = start.check()?;
+        match self.body() {
+            Body::Massless(_) if start.gap_rate > 0.0 => {
+                Err(ParameterError::MasslessFlight { gap_rate: start.gap_rate })
+            }
+            Body::Massless(_) | Body::Heavy(_) => Ok(state),
+        }
+    }
+}
+
+impl Recorder<PhaseSolution> for Trajectory {
+    fn phase(&mut self, phase: PhaseSeen, solution: PhaseSolution) {
+        let PhaseSeen { start, end, .. } = phase;
+        let Self { hoop, origin, .. } = *self;
+        self.phases.push(Phase { hoop, origin, solution, start, end, ended_by: None });
+    }
+
+    fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>) {
+        let Event { state: before, from, to, cause } = *event;
+        let after = impact.map_or(before, |impact| impact.state_after(&before));
+        let impact = impact.copied();
+        if from.is_some()
+            && let Some(phase) = self.phases.last_mut()
+        {
+            phase.ended_by = Some(self.transitions.len());
+        }
+        let [before, after] = [before, after].map(|state| self.origin.state(state));
+        self.transitions.push(Transition { before, after, impact, from, to, direction, cause });
+    }
+}

@@ -1,0 +1,319 @@
+//! A motion as a whole: its phases, the transitions between them, how it ends, and the state at any time.
+
+use crate::model::hoop::Hoop;
+use crate::model::mode::{Direction, Mode};
+use crate::model::state::State;
+use crate::modes::flight::Flight;
+use crate::modes::gliding::Gliding;
+use crate::modes::rolling::Rolling;
+use crate::modes::sliding::Sliding;
+use crate::motion::sample::{Instant, Sample};
+use crate::walk::origin::Origin;
+use crate::walk::outcome::Outcome;
+use crate::walk::transition::Transition;
+
+/// A phase of motion in one mode.
+#[derive(Clone, Debug)]
+pub struct Phase {
+    pub(crate) hoop: Hoop,
+    pub(crate) origin: Origin,
+    pub(crate) solution: PhaseSolution,
+    /// The start as seen from the origin, and the end.
+    pub(crate) start: State,
+    pub(crate) end: Option<State>,
+    /// Index of the transition that ends it.
+    pub(crate) ended_by: Option<usize>,
+}
+
+/// The exact solution during a phase, with τ and x since the start of the motion, and θ without its whole turns there.
+#[derive(Clone, Debug)]
+pub enum PhaseSolution {
+    /// Rolling along an orbit.
+    Rolling(Rolling),
+    /// Sliding in one direction.
+    Sliding(Box<Sliding>),
+    /// Gliding of a massless hoop.
+    Gliding(Gliding),
+    /// Flight.
+    Flight(Flight),
+}
+
+impl Phase {
+    /// Mode of motion.
+    #[must_use]
+    pub const fn mode(&self) -> Mode {
+        match self.solution {
+            PhaseSolution::Rolling(_) => Mode::Rolling,
+            PhaseSolution::Sliding(_) => Mode::Sliding,
+            PhaseSolution::Gliding(_) => Mode::Gliding,
+            PhaseSolution::Flight(_) => Mode::Flight,
+        }
+    }
+
+    /// Direction of slip; none for rolling and flight.
+    #[must_use]
+    pub fn direction(&self) -> Option<Direction> {
+        match &self.solution {
+            PhaseSolution::Sliding(slide) => Some(slide.direction()),
+            PhaseSolution::Gliding(glide) => glide.direction(),
+            PhaseSolution::Rolling(_) | PhaseSolution::Flight(_) => None,
+        }
+    }
+
+    /// The solution itself.
+    #[must_use]
+    pub const fn solution(&self) -> &PhaseSolution {
+        &self.solution
+    }
+
+    /// State at the start.
+    #[must_use]
+    pub const fn start(&self) -> State {
+        self.origin.state(self.start)
+    }
+
+    /// State at the end; none for a phase that lasts for ever. Its rate is infinite where a gliding particle reaches
+    /// θ = 0 or ±π.
+    #[must_use]
+    pub const fn end(&self) -> Option<State> {
+        match self.end {
+            Some(end) => Some(self.origin.state(end)),
+            None => None,
+        }
+    }
+
+    /// Time at the end; infinite for a phase that lasts for ever.
+    #[must_use]
+    pub fn end_time(&self) -> f64 {
+        self.end.map_or(f64::INFINITY, |end| self.origin.time(end.time))
+    }
+
+    /// Duration; infinite for a phase that lasts for ever.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.last_instant() - self.start.time
+    }
+
+    /// Time at the end since the start of the motion.
+    fn last_instant(&self) -> f64 {
+        self.end.map_or(f64::INFINITY, |end| end.time)
+    }
+
+    /// The instant `time`, the first or the last if it is not within the phase.
+    fn at(&self, time: f64) -> Sample {
+        let elapsed = if time <= self.origin.time(self.start.time) {
+            0.0
+        } else if time >= self.end_time() {
+            self.duration()
+        } else {
+            self.origin.elapsed(time) - self.start.time
+        };
+        self.sample(elapsed)
+    }
+
+    /// Energy lost to friction during the phase.
+    #[must_use]
+    pub fn energy_lost(&self) -> f64 {
+        match &self.solution {
+            PhaseSolution::Sliding(_) if self.hoop.mu_k() > 0.0 => {
+                self.last().map_or(0.0, |last| self.first().energy - last.energy)
+            }
+            PhaseSolution::Rolling(_)
+            | PhaseSolution::Sliding(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Flight(_) => 0.0,
+        }
+    }
+
+    /// Gliding that is not the limit of the motions of a heavy hoop as its inertia vanishes; false for the other modes.
+    #[must_use]
+    pub const fn is_outside_small_inertia_limit(&self) -> bool {
+        match &self.solution {
+            PhaseSolution::Gliding(glide) => !glide.is_small_inertia_limit(),
+            PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Flight(_) => false,
+        }
+    }
+
+    /// The instant `elapsed` after the start of the phase, as this phase sees it.
+    #[must_use]
+    pub fn sample(&self, elapsed: f64) -> Sample {
+        let duration = self.duration();
+        let state = match (self.end, &self.solution) {
+            _ if elapsed <= 0.0 => self.start,
+            (Some(end), _) if elapsed >= duration => end,
+            (_, PhaseSolution::Rolling(rolling)) => rolling.state(elapsed),
+            (_, PhaseSolution::Sliding(slide)) => slide.state(elapsed),
+            (_, PhaseSolution::Gliding(glide)) => glide.state(elapsed),
+            (_, PhaseSolution::Flight(flight)) => flight.state(elapsed),
+        };
+        self.origin.sample(match &self.solution {
+            PhaseSolution::Rolling(rolling) => rolling.sample(&self.hoop, state),
+            PhaseSolution::Sliding(slide) => slide.sample(&self.hoop, state),
+            PhaseSolution::Gliding(glide) => glide.sample(&self.hoop, state),
+            PhaseSolution::Flight(flight) => {
+                flight.sample(&self.hoop, state, flight.gap(elapsed.clamp(0.0, duration)))
+            }
+        })
+    }
+
+    /// First instant.
+    #[must_use]
+    pub fn first(&self) -> Sample {
+        self.sample(0.0)
+    }
+
+    /// Last instant, before the transition that ends the phase; none for a phase that lasts for ever.
+    #[must_use]
+    pub fn last(&self) -> Option<Sample> {
+        self.end.map(|_| self.sample(self.duration()))
+    }
+}
+
+/// A simulated motion.
+#[derive(Clone, Debug)]
+pub struct Trajectory {
+    pub(crate) hoop: Hoop,
+    pub(crate) origin: Origin,
+    pub(crate) start: State,
+    pub(crate) phases: Vec<Phase>,
+    pub(crate) transitions: Vec<Transition>,
+    /// As seen from the origin.
+    pub(crate) outcome: Outcome,
+}
+
+impl Trajectory {
+    /// The hoop.
+    #[must_use]
+    pub const fn hoop(&self) -> &Hoop {
+        &self.hoop
+    }
+
+    /// The start.
+    #[must_use]
+    pub const fn start(&self) -> State {
+        self.start
+    }
+
+    /// The phases in order. Empty where no motion, or more than one, is consistent at the start.
+    #[must_use]
+    pub fn phases(&self) -> &[Phase] {
+        &self.phases
+    }
+
+    /// The transitions in order. Each ends a phase, but for a jam from a state at which no motion was consistent:
+    /// [`Trajectory::end_of`] says which ends a phase.
+    #[must_use]
+    pub fn transitions(&self) -> &[Transition] {
+        &self.transitions
+    }
+
+    /// The transition that ends a phase; none for the last phase of a motion that stops or lasts for ever.
+    #[must_use]
+    pub fn end_of(&self, phase: &Phase) -> Option<&Transition> {
+        self.transitions.get(phase.ended_by?)
+    }
+
+    /// How the motion ended.
+    #[must_use]
+    pub const fn outcome(&self) -> Outcome {
+        self.origin.outcome(self.outcome)
+    }
+
+    /// Time at which the motion ends; infinite if it lasts for ever and no time limit was set.
+    #[must_use]
+    pub fn end_time(&self) -> f64 {
+        self.phases.last().map_or(self.start.time, Phase::end_time)
+    }
+
+    /// Energy lost: to friction in sliding, and in impacts.
+    #[must_use]
+    pub fn energy_lost(&self) -> f64 {
+        self.phases.iter().map(Phase::energy_lost).sum::<f64>() + self.impact_energy_lost()
+    }
+
+    /// Energy lost in impacts.
+    #[must_use]
+    pub fn impact_energy_lost(&self) -> f64 {
+        self.transitions
+            .iter()
+            .filter_map(|transition| transition.impact)
+            .map(|impact| impact.energy_lost())
+            .sum()
+    }
+
+    /// The instant `time`, found in O(log n) of the number of phases and steps; none outside the motion. At a
+    /// transition it is the first instant of the motion that begins.
+    #[must_use]
+    pub fn at(&self, time: f64) -> Option<Sample> {
+        if !(time.is_finite() && time >= self.start.time && time <= self.end_time()) {
+            return None;
+        }
+        let after = self.phases.partition_point(|phase| phase.start().time <= time);
+        Some(self.phases.get(after.checked_sub(1)?)?.at(time))
+    }
+
+    /// The one instant of a motion without a phase, since none is consistent at its start: the state, with its energy.
+    /// Accelerations and forces are NaN, and the mode says nothing. None for a motion that has a phase.
+    #[must_use]
+    pub fn only_instant(&self) -> Option<Sample> {
+        let unknown = (f64::NAN, f64::NAN);
+        let instant = Instant {
+            mode: Mode::Rolling,
+            direction: None,
+            accelerations: unknown,
+            forces: unknown,
+            gap: (0.0, 0.0),
+        };
+        self.phases.is_empty().then(|| instant.sample(&self.hoop, self.start))
+    }
+
+    /// The instants `times`, each as [`Trajectory::at`] has it.
+    pub fn sample<'a, I>(&'a self, times: I) -> impl Iterator<Item = Option<Sample>> + use<'a, I>
+    where
+        I: IntoIterator<Item = f64>,
+        I::IntoIter: 'a,
+    {
+        times.into_iter().map(|time| self.at(time))
+    }
+
+    /// `count` instants evenly spaced from the start to `until` (or to the end, if that comes first), together with
+    /// every transition in between, which appears twice: as the last instant of the phase that ends and as the first
+    /// of the phase that begins, because the forces may jump there.
+    pub fn sample_evenly(&self, count: usize, until: f64) -> impl Iterator<Item = Sample> + '_ {
+        // In the time since the start.
+        let last = self.phases.last().map_or(0.0, Phase::last_instant);
+        let end = if until < self.end_time() { self.origin.elapsed(until) } else { last };
+        let intervals = count.saturating_sub(1).max(1);
+        let grid = move |i: usize| {
+            if i == intervals { end } else { end * (i as f64 / intervals as f64) }
+        };
+        // Number of grid points before a time, from an estimate that rounding may put one off.
+        let before = move |time: f64| {
+            let estimate = time / end * intervals as f64;
+            let mut i = if estimate > 0.0 { (estimate as usize).min(count) } else { 0 };
+            while i > 0 && grid(i - 1) >= time {
+                i -= 1;
+            }
+            while i < count && grid(i) < time {
+                i += 1;
+            }
+            i
+        };
+        let last = self.phases.len().saturating_sub(1);
+        self.phases
+            .iter()
+            .enumerate()
+            .take_while(move |(i, phase)| *i == 0 || phase.start.time <= end)
+            .flat_map(move |(index, phase)| {
+                let (start, stop) = (phase.start.time, phase.last_instant());
+                let first = (index > 0).then(|| phase.first());
+                // A grid point on a transition is the transition.
+                let from = before(start)
+                    + usize::from(index > 0 && before(start) < count && grid(before(start)) == start);
+                let to = if index == last { count } else { before(stop) };
+                let between = (from..to.max(from)).map(move |i| phase.sample(grid(i) - start));
+                let final_instant = phase.last().filter(|_| index < last && stop <= end);
+                first.into_iter().chain(between).chain(final_instant)
+            })
+    }
+}

@@ -1,0 +1,241 @@
+//! The automaton of the paper as a table of edges: from which mode, on which event, to which mode.
+//!
+//! [`crate::Hoop::simulate`] takes no other edge; the tests hold every simulated transition against this table, and
+//! the table against the motions, so that no edge is there for show.
+
+use crate::model::mode::Mode;
+use crate::model::named::named;
+
+named! {
+    /// What ends a phase of motion.
+    pub enum Cause, "cause of a transition" {
+        /// Rolling: static friction gives way, |F| = μs N (2.13, 3.9).
+        Slip = 0, "slip";
+        /// Rolling of a massless hoop: N = 0 before static friction gives way (3.8).
+        NormalForceZero = 1, "normal_force_zero";
+        /// Sliding or gliding: η′ = 0, and static friction holds.
+        Stick = 2, "stick";
+        /// Sliding or gliding: η′ = 0, and the slip goes on in the other direction.
+        Reversal = 3, "reversal";
+        /// Sliding or gliding: η′ = 0 is touched, and the slip goes on in the same direction.
+        Graze = 4, "graze";
+        /// Sliding: N = 0 with the mass centre rising (§2d).
+        LiftOff = 5, "lift_off";
+        /// Flight: the rim touches the plane (§2e). With a coefficient of restitution the impact is part of it.
+        Landing = 6, "landing";
+        /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
+        ParticleAtPlane = 7, "particle_at_plane";
+        /// Gliding: a particle inside the rim reaches its lowest place, θ = ±π.
+        ParticleAtBottom = 8, "particle_at_bottom";
+        /// Gliding: the particle reaches θ = 0 with velocity to spare.
+        ParticleAtTop = 9, "particle_at_top";
+        /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
+        Singularity = 10, "singularity";
+        /// Flight: bounces without number have come to their end, and the rim stays at the plane.
+        Settle = 11, "settle";
+        /// Sliding where P ≤ 0: an impact without a collision ends the slip (Painlevé).
+        Jam = 12, "jam";
+    }
+}
+
+impl Cause {
+    /// In words, for tables and pictures.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Slip => "slip",
+            Self::NormalForceZero => "N = 0",
+            Self::Stick => "stick",
+            Self::Reversal => "reversal",
+            Self::Graze => "graze",
+            Self::LiftOff => "lift-off",
+            Self::Landing => "landing",
+            Self::ParticleAtPlane => "particle at the plane",
+            Self::ParticleAtBottom => "particle at the bottom",
+            Self::ParticleAtTop => "particle at the top",
+            Self::Singularity => "P = 0",
+            Self::Settle => "settles",
+            Self::Jam => "jam",
+        }
+    }
+}
+
+named! {
+    /// A class of bodies.
+    pub enum BodyClass, "class of bodies" {
+        /// Î > 0.
+        Heavy = 0, "heavy";
+        /// Î = 0.
+        Massless = 1, "massless";
+    }
+}
+
+/// An edge of the automaton.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// Bodies that have it.
+    pub body: BodyClass,
+    /// Mode that ends; none where no motion was consistent.
+    pub from: Option<Mode>,
+    /// Event.
+    pub cause: Cause,
+    /// Condition, in the symbols of the paper.
+    pub guard: &'static str,
+    /// What is set at the transition; everything else is continuous.
+    pub reset: &'static str,
+    /// Mode that begins; none where the simulation ends.
+    pub to: Option<Mode>,
+    /// Where the paper has it.
+    pub source: &'static str,
+}
+
+const fn edge(
+    body: BodyClass,
+    (from, to): (Option<Mode>, Option<Mode>),
+    cause: Cause,
+    (guard, reset, source): (&'static str, &'static str, &'static str),
+) -> Edge {
+    Edge { body, from, cause, guard, reset, to, source }
+}
+
+/// All edges.
+pub const EDGES: &[Edge] = {
+    use BodyClass::{Heavy, Massless};
+    use Mode::{Flight, Gliding, Rolling, Sliding};
+    &[
+        edge(
+            Heavy,
+            (Some(Rolling), Some(Sliding)),
+            Cause::Slip,
+            ("|F| = mu_s N and |F| - mu_s N grows", "sigma = -sign F", "(2.13), 2(c)"),
+        ),
+        edge(
+            Heavy,
+            (Some(Sliding), Some(Rolling)),
+            Cause::Stick,
+            ("eta' = 0 and |F_roll| <= mu_s N_roll", "eta' = 0", "2(c)"),
+        ),
+        edge(
+            Heavy,
+            (Some(Sliding), Some(Sliding)),
+            Cause::Reversal,
+            ("eta' = 0 and |F_roll| > mu_s N_roll", "sigma = -sigma", "2(c)"),
+        ),
+        edge(Heavy, (Some(Sliding), Some(Sliding)), Cause::Graze, ("eta' = 0 and eta'' = 0", "none", "2(c)")),
+        edge(
+            Heavy,
+            (Some(Sliding), Some(Flight)),
+            Cause::LiftOff,
+            ("h cos(theta) theta'^2 = 1 and sin(theta) theta' < 0", "none", "(2.18), 2(d)"),
+        ),
+        edge(Heavy, (Some(Flight), None), Cause::Landing, ("gap = 0, falling, no e", "none", "2(e)")),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Flight)),
+            Cause::Landing,
+            ("gap = 0, falling", "theta', eta', gap' by the impact", "Routh, Keller"),
+        ),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Rolling)),
+            Cause::Landing,
+            ("gap = 0, falling, e = 0", "theta', eta' = 0 by the impact", "Routh, Keller"),
+        ),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Sliding)),
+            Cause::Landing,
+            ("gap = 0, falling, e = 0", "theta', eta' by the impact", "Routh, Keller"),
+        ),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Rolling)),
+            Cause::Settle,
+            ("bounces accumulate", "theta', eta' = 0 by the sum of the impacts", "Zeno"),
+        ),
+        edge(
+            Heavy,
+            (Some(Flight), Some(Sliding)),
+            Cause::Settle,
+            ("bounces accumulate", "theta', eta' by the sum of the impacts", "Zeno"),
+        ),
+        edge(
+            Heavy,
+            (None, Some(Rolling)),
+            Cause::Jam,
+            ("P <= 0, e = 0", "theta', eta' = 0 by the impact", "Painleve"),
+        ),
+        edge(
+            Heavy,
+            (None, Some(Sliding)),
+            Cause::Jam,
+            ("P <= 0, e = 0", "theta', eta' = 0 by the impact", "Painleve"),
+        ),
+        edge(
+            Heavy,
+            (None, Some(Flight)),
+            Cause::Jam,
+            ("P <= 0", "theta', eta' = 0, gap' by the impact", "Painleve"),
+        ),
+        edge(
+            Heavy,
+            (Some(Sliding), Some(Flight)),
+            Cause::Jam,
+            ("P = 0, N > 0", "theta', eta' = 0, gap' by the impact", "Painleve"),
+        ),
+        edge(Heavy, (Some(Sliding), None), Cause::Singularity, ("P = 0, N > 0, no e", "none", "Painleve")),
+        edge(
+            Massless,
+            (Some(Rolling), Some(Gliding)),
+            Cause::Slip,
+            ("|tan(theta/2)| = mu_s, leaving", "N = F = 0", "(3.9), 3(d)"),
+        ),
+        edge(
+            Massless,
+            (Some(Rolling), Some(Gliding)),
+            Cause::NormalForceZero,
+            ("theta'^2 = 1, growing", "N = F = 0", "(3.8), 3(d)"),
+        ),
+        edge(
+            Massless,
+            (Some(Gliding), Some(Rolling)),
+            Cause::Stick,
+            ("eta' = 0 inside R", "eta' = 0", "(3.10), 3(e)"),
+        ),
+        edge(
+            Massless,
+            (Some(Gliding), Some(Gliding)),
+            Cause::Reversal,
+            ("eta' = 0 outside R", "sigma = -sigma", "3(e)"),
+        ),
+        edge(
+            Massless,
+            (Some(Gliding), None),
+            Cause::ParticleAtPlane,
+            ("theta = +-pi, l = 1", "none", "(3.20)"),
+        ),
+        edge(
+            Massless,
+            (Some(Gliding), None),
+            Cause::ParticleAtBottom,
+            ("theta = +-pi, l < 1", "none", "(3.20)"),
+        ),
+        edge(
+            Massless,
+            (Some(Gliding), None),
+            Cause::ParticleAtTop,
+            ("theta = 0 with l sin(theta) theta' not 0", "none", "(3.18)"),
+        ),
+    ]
+};
+
+/// The edge that a transition takes, if the table has it.
+#[must_use]
+pub fn find_edge(
+    body: BodyClass,
+    from: Option<Mode>,
+    cause: Cause,
+    to: Option<Mode>,
+) -> Option<&'static Edge> {
+    EDGES.iter().find(|edge| edge.body == body && edge.from == from && edge.cause == cause && edge.to == to)
+}

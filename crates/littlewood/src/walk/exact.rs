@@ -1,0 +1,239 @@
+//! Phases solved exactly: closed forms, elliptic integrals and converged Taylor series.
+
+use core::cell::Cell;
+
+use crate::mechanics::equations::SlidingLaw;
+use crate::mechanics::settling::Settling;
+use crate::model::hoop::{Heavy, Hoop, Massless};
+use crate::model::limits::Limits;
+use crate::model::mode::Direction;
+use crate::model::proof::Proof;
+use crate::model::state::State;
+use crate::modes::flight::{Flight, TakeOff};
+use crate::modes::gliding::{GlideEntry, Gliding, GlidingEnd};
+use crate::modes::rolling::Rolling;
+use crate::modes::sliding::{Entry, Sliding, SlidingEnd};
+use crate::motion::trajectory::PhaseSolution;
+use crate::walk::automaton::Cause;
+use crate::walk::candidates::{Arrival, Next, next_motion};
+use crate::walk::follow::{Ending, MaybeFlight, Solution, Solved, Solver};
+use crate::walk::outcome::{Outcome, SlideLimit};
+
+/// Solves the phases of one hoop.
+#[derive(Clone, Debug)]
+pub(crate) struct Exact<'a> {
+    hoop: &'a Hoop,
+    until: Option<f64>,
+    proof: Proof,
+    /// Steps that hard slides may still take.
+    steps: Cell<usize>,
+}
+
+/// Largest number of steps of all hard slides of a motion: a quarter of a second, and 60 MB. Their length says nothing of them: a hoop of Î = 1e-12 m that comes
+/// to rest next to a graze needs 43,000 steps for a length of 4e-4.
+const MAX_STEPS: usize = 100_000;
+
+/// Slides of no more steps are not hard: the length of all slides limits them. Whoever computes phases otherwise leaves the hard ones to this solver, so that
+/// they are counted alike.
+const ORDINARY: usize = 2_000;
+
+type ExactEnding = Ending<State, Outcome>;
+
+impl<'a> Exact<'a> {
+    pub(crate) const fn new(hoop: &'a Hoop, limits: &Limits) -> Self {
+        Self { hoop, until: limits.until, proof: limits.proof(), steps: Cell::new(MAX_STEPS) }
+    }
+
+    /// Time left until the limit.
+    fn allowed(&self, state: &State) -> Option<f64> {
+        self.until.map(|until| until - state.time)
+    }
+
+    /// A phase cut at the time limit, with just the time that was asked for.
+    fn stopped(&self, state: State) -> ExactEnding {
+        let state = State { time: self.until.unwrap_or(state.time), ..state };
+        Ending::Motion { event: None, end: Some(state), verdict: Outcome::TimeLimit { state } }
+    }
+
+    /// The end of the motion in an event.
+    const fn ended(cause: Cause, state: State, outcome: Outcome) -> ExactEnding {
+        Ending::Motion { event: Some((cause, state)), end: Some(state), verdict: outcome }
+    }
+
+    /// A phase without end; of one with a time limit the state there is its end.
+    fn endless(&self, start: &State, at: impl Fn(f64) -> State, outcome: Outcome) -> ExactEnding {
+        let end = self.allowed(start).map(|allowed| {
+            let state = at(allowed);
+            State { time: self.until.unwrap_or(state.time), ..state }
+        });
+        Ending::Motion { event: None, end, verdict: outcome }
+    }
+}
+
+impl Solver for Exact<'_> {
+    type Place = State;
+    type Solution = PhaseSolution;
+    type Verdict = Outcome;
+
+    fn hoop(&self) -> &Hoop {
+        self.hoop
+    }
+
+    fn until(&self) -> f64 {
+        self.until.unwrap_or(f64::INFINITY)
+    }
+
+    fn place(&self, state: State) -> State {
+        state
+    }
+
+    fn state(place: &State) -> State {
+        *place
+    }
+
+    fn decide(&self, state: &State, arrival: Arrival) -> Next {
+        next_motion(self.hoop, state, arrival)
+    }
+
+    fn roll(&self, state: &State, on_limit: bool) -> Solved<PhaseSolution, State, Outcome> {
+        let rolling = Rolling::new(self.hoop, *state);
+        let allowed = self.allowed(state);
+        let end = if on_limit { rolling.orbit().end_from_limit() } else { rolling.orbit().end() };
+        let ending = match end {
+            Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => Ending::Event {
+                place: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
+                cause: end.limit.cause(),
+                arrival: Arrival::RollingLimit(end.limit),
+            },
+            Some(_) => self.stopped(rolling.state(allowed.unwrap_or(0.0))),
+            None => {
+                let recurrence = rolling.orbit().recurrence();
+                let outcome = Outcome::RollsForever { since: *state, recurrence };
+                self.endless(state, |allowed| rolling.state(allowed), outcome)
+            }
+        };
+        Solved { solution: PhaseSolution::Rolling(rolling), direction: None, ending }
+    }
+
+    fn slide(
+        &self,
+        state: &State,
+        body: &Heavy,
+        direction: Direction,
+        slip_acceleration: Option<f64>,
+    ) -> Solved<PhaseSolution, State, Outcome> {
+        let entry = slip_acceleration
+            .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
+        let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
+        let bounds = (self.allowed(state), self.steps.get().max(ORDINARY));
+        let (slide, end) = Sliding::run(law, *state, direction, entry, bounds);
+        if slide.work() > ORDINARY {
+            self.steps.set(self.steps.get().saturating_sub(slide.work()));
+        }
+        let ending = match end {
+            SlidingEnd::Rest(place) => Ending::Event { place, cause: Cause::Stick, arrival: Arrival::Open },
+            SlidingEnd::LiftOff(place) => {
+                Ending::Event { place, cause: Cause::LiftOff, arrival: Arrival::LiftOff }
+            }
+            SlidingEnd::Singular(place) => {
+                Ending::Singular { state: place, solvability: law.solvability(place.theta) }
+            }
+            SlidingEnd::Unresolved(state) => {
+                Ending::Motion { event: None, end: Some(state), verdict: Outcome::Unresolved { state } }
+            }
+            SlidingEnd::StepLimit { state, .. }
+                if self.proof != Proof::None && self.hoop.never_lifts_off(&state) =>
+            {
+                Ending::Motion { event: None, end: Some(state), verdict: Outcome::StaysInContact { state } }
+            }
+            SlidingEnd::StepLimit { state, time_left } => Ending::Motion {
+                event: None,
+                end: Some(state),
+                verdict: Outcome::StepLimit {
+                    state,
+                    limit: SlideLimit::One { steps: slide.work(), time_left },
+                },
+            },
+            SlidingEnd::TimeLimit(state) => self.stopped(state),
+            SlidingEnd::Endless(recurrence) => {
+                let outcome = Outcome::SlidesForever { since: *state, recurrence };
+                self.endless(state, |allowed| slide.state(allowed), outcome)
+            }
+        };
+        let solution = PhaseSolution::Sliding(Box::new(slide));
+        Solved { solution, direction: Some(direction), ending }
+    }
+
+    fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> Solved<PhaseSolution, State, Outcome> {
+        let flight = Flight::new(body, *state, take_off);
+        let duration = flight.duration();
+        let ending = match self.allowed(state) {
+            Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
+            Some(_) | None => {
+                Ending::Landing { state: flight.state(duration), gap_rate: flight.landing_rate() }
+            }
+        };
+        Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
+    }
+
+    fn settle(
+        &self,
+        state: &State,
+        body: &Heavy,
+        settling: &Settling,
+    ) -> Solved<PhaseSolution, State, Outcome> {
+        let duration = settling.duration;
+        let flight = Flight::settling(body, *state, settling.gap_rate, duration);
+        let ending = match self.allowed(state) {
+            Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
+            Some(_) | None => {
+                Ending::Settled { state: flight.state(duration), settling: Box::new(*settling) }
+            }
+        };
+        Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
+    }
+
+    fn glide(
+        &self,
+        state: &State,
+        body: &Massless,
+        entry: GlideEntry,
+    ) -> Solved<PhaseSolution, State, Outcome> {
+        let allowed = self.allowed(state);
+        let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
+        let ending = match end {
+            GlidingEnd::Rest { state, presses } => {
+                Ending::Event { place: state, cause: Cause::Stick, arrival: Arrival::GlideAtRest { presses } }
+            }
+            GlidingEnd::Bottom(state) if body.offset < 1.0 => {
+                Self::ended(Cause::ParticleAtBottom, state, Outcome::ParticleAtBottom { state })
+            }
+            GlidingEnd::Bottom(state) => {
+                Self::ended(Cause::ParticleAtPlane, state, Outcome::ParticleAtPlane { state })
+            }
+            GlidingEnd::Top(state) => {
+                Self::ended(Cause::ParticleAtTop, state, Outcome::ParticleAtTop { state })
+            }
+            GlidingEnd::TimeLimit(state) => self.stopped(state),
+        };
+        Solved { solution: PhaseSolution::Gliding(glide), direction: glide.direction(), ending }
+    }
+}
+
+impl MaybeFlight for PhaseSolution {
+    fn flight(&self) -> Option<&Flight> {
+        match self {
+            Self::Flight(flight) => Some(flight),
+            Self::Rolling(_) | Self::Sliding(_) | Self::Gliding(_) => None,
+        }
+    }
+}
+
+impl Solution for PhaseSolution {
+    fn theta_range(&self) -> Option<(f64, f64)> {
+        match self {
+            Self::Sliding(slide) => Some(slide.theta_range()),
+            Self::Rolling(_) | Self::Gliding(_) | Self::Flight(_) => None,
+        }
+    }
+}

@@ -1,0 +1,409 @@
+//! How a motion ends: as a number for arrays ([`OutcomeKind`]), and with all that is known ([`Outcome`]).
+
+use crate::model::dimension::Dimension;
+use crate::model::named::named;
+use crate::model::state::State;
+use crate::modes::rolling::{GrazingOrbit, Recurrence};
+use crate::walk::automaton::Cause;
+use crate::walk::candidates::Candidates;
+use crate::walk::detail::Detail;
+
+named! {
+    /// How a motion ended, as a number. The last two are those of points in an array that have no motion.
+    pub enum OutcomeKind, "outcome" {
+        /// [`Outcome::Landing`].
+        Landing = 0, "landing";
+        /// [`Outcome::RollsForever`].
+        RollsForever = 1, "rolls_forever";
+        /// [`Outcome::SlidesForever`].
+        SlidesForever = 2, "slides_forever";
+        /// [`Outcome::ParticleAtPlane`].
+        ParticleAtPlane = 3, "particle_at_plane";
+        /// [`Outcome::ParticleAtBottom`].
+        ParticleAtBottom = 4, "particle_at_bottom";
+        /// [`Outcome::ParticleAtTop`].
+        ParticleAtTop = 5, "particle_at_top";
+        /// [`Outcome::TimeLimit`].
+        TimeLimit = 6, "time_limit";
+        /// [`Outcome::TransitionLimit`].
+        TransitionLimit = 7, "transition_limit";
+        /// [`Outcome::Inconsistent`].
+        Inconsistent = 8, "inconsistent";
+        /// [`Outcome::Ambiguous`].
+        Ambiguous = 9, "ambiguous";
+        /// [`Outcome::Singular`].
+        Singular = 10, "singular";
+        /// [`Outcome::Unresolved`].
+        Unresolved = 11, "unresolved";
+        /// [`Outcome::StepLimit`].
+        StepLimit = 12, "step_limit";
+        /// [`Outcome::SlipsForever`].
+        SlipsForever = 13, "slips_forever";
+        /// [`Outcome::RepeatsForever`].
+        RepeatsForever = 14, "repeats_forever";
+        /// [`Outcome::StaysInContact`].
+        StaysInContact = 15, "stays_in_contact";
+        /// A point that has not been computed: what a partial grid holds where chunks are missing.
+        NotComputed = 254, "not_computed";
+        /// A point whose hoop has no physical meaning because two parameters contradict each other, such as μk > μs.
+        Invalid = 255, "invalid";
+    }
+}
+
+impl OutcomeKind {
+    /// In words, for tables and pictures.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Landing => "lands",
+            Self::RollsForever => "rolls for ever",
+            Self::SlidesForever => "slides for ever",
+            Self::ParticleAtPlane => "particle at the plane",
+            Self::ParticleAtBottom => "particle at the bottom",
+            Self::ParticleAtTop => "particle at the top",
+            Self::TimeLimit => "time limit",
+            Self::TransitionLimit => "transition limit",
+            Self::Inconsistent => "no motion is consistent",
+            Self::Ambiguous => "several motions are consistent",
+            Self::Singular => "sliding is not solvable",
+            Self::Unresolved => "unresolved",
+            Self::StepLimit => "step limit",
+            Self::SlipsForever => "slips for ever",
+            Self::RepeatsForever => "repeats for ever",
+            Self::StaysInContact => "stays in contact",
+            Self::NotComputed => "not computed",
+            Self::Invalid => "invalid parameters",
+        }
+    }
+
+    /// Whether the motion has been followed to its end, and not only to a limit.
+    #[must_use]
+    pub const fn is_final(self) -> bool {
+        match self {
+            Self::Landing
+            | Self::RollsForever
+            | Self::SlidesForever
+            | Self::SlipsForever
+            | Self::RepeatsForever
+            | Self::StaysInContact
+            | Self::ParticleAtPlane
+            | Self::ParticleAtBottom
+            | Self::ParticleAtTop
+            | Self::Inconsistent
+            | Self::Ambiguous
+            | Self::Singular => true,
+            Self::TimeLimit
+            | Self::TransitionLimit
+            | Self::StepLimit
+            | Self::Unresolved
+            | Self::NotComputed
+            | Self::Invalid => false,
+        }
+    }
+
+    /// Whether the last phase lasts for ever.
+    #[must_use]
+    pub const fn is_forever(self) -> bool {
+        matches!(self, Self::RollsForever | Self::SlidesForever)
+    }
+
+    /// Whether the motion met P ≤ 0 (Painlevé): no motion, several, or a slide that runs into P = 0.
+    #[must_use]
+    pub const fn is_painleve(self) -> bool {
+        matches!(self, Self::Inconsistent | Self::Ambiguous | Self::Singular)
+    }
+
+    /// The event that is this outcome, the last transition of the motion; none where the motion ends without one.
+    #[must_use]
+    pub const fn last_event(self) -> Option<Cause> {
+        match self {
+            Self::Landing => Some(Cause::Landing),
+            Self::ParticleAtPlane => Some(Cause::ParticleAtPlane),
+            Self::ParticleAtBottom => Some(Cause::ParticleAtBottom),
+            Self::ParticleAtTop => Some(Cause::ParticleAtTop),
+            Self::Singular => Some(Cause::Singularity),
+            Self::RollsForever
+            | Self::SlidesForever
+            | Self::SlipsForever
+            | Self::RepeatsForever
+            | Self::StaysInContact
+            | Self::TimeLimit
+            | Self::TransitionLimit
+            | Self::StepLimit
+            | Self::Inconsistent
+            | Self::Ambiguous
+            | Self::Unresolved
+            | Self::NotComputed
+            | Self::Invalid => None,
+        }
+    }
+}
+
+/// How a simulation ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub enum Outcome {
+    /// The body has come down from a flight; the state is that just before the impact.
+    Landing {
+        /// State.
+        state: State,
+        /// Rate at which the gap closes, negative.
+        gap_rate: f64,
+    },
+    /// Static friction holds on the whole orbit ahead.
+    RollsForever {
+        /// State at the start of the last phase.
+        since: State,
+        /// How the motion recurs.
+        recurrence: Recurrence,
+    },
+    /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period has passed without
+    /// an event.
+    SlidesForever {
+        /// State at the start of the last phase.
+        since: State,
+        /// How θ and θ′ recur.
+        recurrence: Recurrence,
+    },
+    /// With μs = μk the motion rolls and slips for ever: its slips shrink towards the orbit of rolling that grazes the limit of
+    /// static friction, E − E* like 1/n with their number n. Said where a slip ends whose loss shows it.
+    SlipsForever {
+        /// State at the end of that slip.
+        state: State,
+        /// The grazing orbit.
+        orbit: GrazingOrbit,
+        /// Number of slips, 1/(c (E − E*)), in which E − E* halves.
+        slips_to_halve: f64,
+    },
+    /// Without kinetic friction, or without mass, energy is conserved in contact, and the motion has come back to an event: it
+    /// repeats itself.
+    RepeatsForever {
+        /// State at the first of the two events.
+        since: State,
+        /// Time between them.
+        period: f64,
+        /// What θ gains in a period, a multiple of 2π.
+        theta_gained: f64,
+        /// Number of transitions in a period.
+        transitions: usize,
+    },
+    /// Energy and momentum do not suffice for a lift-off, now and later ([`crate::Hoop::never_lifts_off`]); the motion in contact has been
+    /// followed to here only, because no more was asked for or because a limit was reached.
+    StaysInContact {
+        /// State.
+        state: State,
+    },
+    /// The particle on the rim of a massless hoop has reached the plane, θ = ±π. No impact follows: the rim has no inertia that
+    /// an impulse could act on.
+    ParticleAtPlane {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The particle inside the rim of a massless hoop has reached its lowest place, θ = ±π.
+    ParticleAtBottom {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The particle of a massless hoop has reached its highest place with velocity to spare.
+    ParticleAtTop {
+        /// State, with an infinite rate.
+        state: State,
+    },
+    /// The time limit was reached.
+    TimeLimit {
+        /// State.
+        state: State,
+    },
+    /// The largest number of transitions was reached.
+    TransitionLimit {
+        /// State.
+        state: State,
+        /// The limit.
+        transitions: usize,
+    },
+    /// No motion is consistent with the laws of friction and contact.
+    Inconsistent {
+        /// State.
+        state: State,
+        /// The candidates, none of which is consistent.
+        candidates: Candidates,
+    },
+    /// Several motions are consistent.
+    Ambiguous {
+        /// State.
+        state: State,
+        /// The candidates.
+        candidates: Candidates,
+    },
+    /// A slide has run into P = 0 with N > 0, beyond which it has no solution (Painlevé).
+    Singular {
+        /// State.
+        state: State,
+        /// P there.
+        solvability: f64,
+    },
+    /// Slides were too long.
+    StepLimit {
+        /// State.
+        state: State,
+        /// Which limit of slides was reached.
+        limit: SlideLimit,
+    },
+    /// The motion changes faster than its numbers resolve: a slide of a hoop of next to no inertia, its particle passing the
+    /// bottom, or one next to P = 0 whose end rounding decides; or an impact at an angle or a place beyond those that a start may have, or whose velocities are no numbers.
+    Unresolved {
+        /// State.
+        state: State,
+    },
+}
+
+/// A limit of slides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub enum SlideLimit {
+    /// The largest length of all slides together ([`crate::Limits::slides`]) was reached at the end of one.
+    All {
+        /// The limit.
+        slides: usize,
+    },
+    /// Slides of more than 2,000 steps have together taken more than 100,000, this one the last of them; or, on a plane of next to no friction, or of a fast hoop, it has turned more often
+    /// than angles resolve, or ends at a time beyond all numbers.
+    One {
+        /// Its steps.
+        steps: usize,
+        /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any, or if the time is beyond all numbers.
+        time_left: f64,
+    },
+}
+
+impl Outcome {
+    /// The kind, which has a name, a number and a label.
+    #[must_use]
+    pub const fn kind(&self) -> OutcomeKind {
+        match self {
+            Self::Landing { .. } => OutcomeKind::Landing,
+            Self::RollsForever { .. } => OutcomeKind::RollsForever,
+            Self::SlidesForever { .. } => OutcomeKind::SlidesForever,
+            Self::ParticleAtPlane { .. } => OutcomeKind::ParticleAtPlane,
+            Self::ParticleAtBottom { .. } => OutcomeKind::ParticleAtBottom,
+            Self::ParticleAtTop { .. } => OutcomeKind::ParticleAtTop,
+            Self::TimeLimit { .. } => OutcomeKind::TimeLimit,
+            Self::TransitionLimit { .. } => OutcomeKind::TransitionLimit,
+            Self::Inconsistent { .. } => OutcomeKind::Inconsistent,
+            Self::Ambiguous { .. } => OutcomeKind::Ambiguous,
+            Self::Singular { .. } => OutcomeKind::Singular,
+            Self::Unresolved { .. } => OutcomeKind::Unresolved,
+            Self::StepLimit { .. } => OutcomeKind::StepLimit,
+            Self::SlipsForever { .. } => OutcomeKind::SlipsForever,
+            Self::RepeatsForever { .. } => OutcomeKind::RepeatsForever,
+            Self::StaysInContact { .. } => OutcomeKind::StaysInContact,
+        }
+    }
+
+    /// The state that decides: at the end, or where the phase begins that lasts for ever.
+    #[must_use]
+    pub const fn state(&self) -> State {
+        let mut copy = *self;
+        *copy.parts_mut().0
+    }
+
+    /// Whether the motion has been followed to its end, and not only to a limit.
+    #[must_use]
+    pub const fn is_final(&self) -> bool {
+        self.kind().is_final()
+    }
+
+    /// How a motion that lasts for ever recurs; none for the other outcomes.
+    #[must_use]
+    pub const fn recurrence(&self) -> Option<Recurrence> {
+        let mut copy = *self;
+        match copy.parts_mut().1 {
+            Some(recurrence) => Some(*recurrence),
+            None => None,
+        }
+    }
+
+    /// The parts that say where: the state, and how the motion recurs.
+    pub(crate) const fn parts_mut(&mut self) -> (&mut State, Option<&mut Recurrence>) {
+        match self {
+            Self::RollsForever { since, recurrence } | Self::SlidesForever { since, recurrence } => {
+                (since, Some(recurrence))
+            }
+            Self::RepeatsForever { since: state, .. }
+            | Self::Landing { state, .. }
+            | Self::SlipsForever { state, .. }
+            | Self::StaysInContact { state }
+            | Self::ParticleAtPlane { state }
+            | Self::ParticleAtBottom { state }
+            | Self::ParticleAtTop { state }
+            | Self::TimeLimit { state }
+            | Self::TransitionLimit { state, .. }
+            | Self::Inconsistent { state, .. }
+            | Self::Ambiguous { state, .. }
+            | Self::Singular { state, .. }
+            | Self::StepLimit { state, .. }
+            | Self::Unresolved { state } => (state, None),
+        }
+    }
+
+    /// The candidates that were examined where no motion, or more than one, is consistent.
+    #[must_use]
+    pub const fn candidates(&self) -> Option<Candidates> {
+        match self {
+            Self::Inconsistent { candidates, .. } | Self::Ambiguous { candidates, .. } => Some(*candidates),
+            Self::Landing { .. }
+            | Self::RollsForever { .. }
+            | Self::SlidesForever { .. }
+            | Self::SlipsForever { .. }
+            | Self::RepeatsForever { .. }
+            | Self::StaysInContact { .. }
+            | Self::ParticleAtPlane { .. }
+            | Self::ParticleAtBottom { .. }
+            | Self::ParticleAtTop { .. }
+            | Self::TimeLimit { .. }
+            | Self::TransitionLimit { .. }
+            | Self::Singular { .. }
+            | Self::StepLimit { .. }
+            | Self::Unresolved { .. } => None,
+        }
+    }
+
+    /// What is known besides kind, state and candidates, with the names that records use.
+    #[must_use]
+    pub fn details(&self) -> Vec<(&'static str, Detail)> {
+        match *self {
+            Self::Landing { gap_rate, .. } => vec![("gap_rate", Detail::Real(gap_rate, Dimension::Velocity))],
+            Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } => {
+                recurrence.details()
+            }
+            Self::SlipsForever { orbit, slips_to_halve, .. } => orbit
+                .details()
+                .into_iter()
+                .chain([("slips_to_halve", Detail::Real(slips_to_halve, Dimension::Ratio))])
+                .collect(),
+            Self::RepeatsForever { period, theta_gained, transitions, .. } => vec![
+                ("period", Detail::Real(period, Dimension::Time)),
+                ("theta_gained", Detail::Real(theta_gained, Dimension::Angle)),
+                ("transitions", Detail::Count(transitions)),
+            ],
+            Self::TransitionLimit { transitions, .. } => vec![("transitions", Detail::Count(transitions))],
+            Self::StepLimit { limit: SlideLimit::All { slides }, .. } => {
+                vec![("slides", Detail::Count(slides))]
+            }
+            Self::StepLimit { limit: SlideLimit::One { steps, time_left }, .. } => {
+                vec![("steps", Detail::Count(steps)), ("time_left", Detail::Real(time_left, Dimension::Time))]
+            }
+            Self::Singular { solvability, .. } => {
+                vec![("solvability", Detail::Real(solvability, Dimension::Ratio))]
+            }
+            Self::ParticleAtPlane { .. }
+            | Self::ParticleAtBottom { .. }
+            | Self::ParticleAtTop { .. }
+            | Self::TimeLimit { .. }
+            | Self::StaysInContact { .. }
+            | Self::Inconsistent { .. }
+            | Self::Ambiguous { .. }
+            | Self::Unresolved { .. } => Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! The modes that a motion passes through, in 64 bits.
+
+use core::fmt;
+
+use crate::model::mode::{Direction, Mode};
+use crate::model::named::named;
+
+named! {
+    /// What a phase is in a sequence: its mode with its direction of slip.
+    pub enum PhaseCode, "phase" {
+        /// Rolling.
+        Rolling = 1, "R";
+        /// Sliding with negative slip velocity.
+        SlidingNegative = 2, "-";
+        /// Sliding with positive slip velocity.
+        SlidingPositive = 3, "+";
+        /// Gliding with negative slip velocity.
+        GlidingNegative = 4, "n";
+        /// Gliding with positive slip velocity.
+        GlidingPositive = 5, "g";
+        /// Gliding without slip.
+        GlidingWithoutSlip = 6, "G";
+        /// Flight.
+        Flight = 7, "F";
+    }
+}
+
+impl PhaseCode {
+    /// Of a mode and its direction of slip.
+    #[must_use]
+    pub const fn new(mode: Mode, direction: Option<Direction>) -> Self {
+        match (mode, direction) {
+            (Mode::Rolling, _) => Self::Rolling,
+            (Mode::Sliding, Some(Direction::Positive)) => Self::SlidingPositive,
+            (Mode::Sliding, Some(Direction::Negative) | None) => Self::SlidingNegative,
+            (Mode::Gliding, Some(Direction::Negative)) => Self::GlidingNegative,
+            (Mode::Gliding, Some(Direction::Positive)) => Self::GlidingPositive,
+            (Mode::Gliding, None) => Self::GlidingWithoutSlip,
+            (Mode::Flight, _) => Self::Flight,
+        }
+    }
+
+    /// The mode and its direction of slip.
+    #[must_use]
+    pub const fn mode(self) -> (Mode, Option<Direction>) {
+        match self {
+            Self::Rolling => (Mode::Rolling, None),
+            Self::SlidingNegative => (Mode::Sliding, Some(Direction::Negative)),
+            Self::SlidingPositive => (Mode::Sliding, Some(Direction::Positive)),
+            Self::GlidingNegative => (Mode::Gliding, Some(Direction::Negative)),
+            Self::GlidingPositive => (Mode::Gliding, Some(Direction::Positive)),
+            Self::GlidingWithoutSlip => (Mode::Gliding, None),
+            Self::Flight => (Mode::Flight, None),
+        }
+    }
+
+    /// What the letter stands for, for legends.
+    #[must_use]
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Rolling => "rolling",
+            Self::SlidingNegative => "sliding with negative slip velocity",
+            Self::SlidingPositive => "sliding with positive slip velocity",
+            Self::GlidingNegative => "gliding with negative slip velocity",
+            Self::GlidingPositive => "gliding with positive slip velocity",
+            Self::GlidingWithoutSlip => "gliding without slip",
+            Self::Flight => "flight",
+        }
+    }
+}
+
+/// A sequence of phases in 64 bits: up to [`PhaseSequence::CAPACITY`] phases of four bits each, then a mark that more
+/// follow.
+///
+/// Written with one letter a phase, the name of its [`PhaseCode`]; `…` where more phases follow than fit.
+///
+/// ```
+/// use littlewood::{Hoop, Limits, Start};
+///
+/// let hoop = Hoop::figure_2(0.5, 0.4)?;
+/// let motion = hoop.simulate(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
+/// assert_eq!(motion.summary().sequence.to_string(), "-R+F");
+/// # Ok::<(), littlewood::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct PhaseSequence(u64);
+
+impl PhaseSequence {
+    /// Number of phases that fit.
+    pub const CAPACITY: u32 = 15;
+
+    /// Version of the code. Version 1 had three bits a phase.
+    pub const VERSION: u32 = 2;
+
+    /// How the bits are to be read.
+    pub const ENCODING: &'static str =
+        "4 bits a phase, the first phase lowest, up to 15 phases; bit 63 is set if there are more";
+
+    /// Bits of a phase; 0 ends the sequence.
+    pub const BITS: u32 = 4;
+
+    const OVERFLOW: u64 = 1 << 63;
+
+    /// The bits of all phases that fit.
+    const PHASES: u64 = (1 << (Self::BITS * Self::CAPACITY)) - 1;
+
+    /// The last bit of each.
+    const LAST_BITS: u64 = Self::PHASES / ((1 << Self::BITS) - 1);
+
+    /// From the 64 bits of [`PhaseSequence::bits`].
+    #[must_use]
+    pub const fn from_bits(bits: u64) -> Self {
+        Self(bits)
+    }
+
+    /// The number that arrays hold; [`PhaseSequence::ENCODING`] says how.
+    #[must_use]
+    pub const fn bits(self) -> u64 {
+        self.0
+    }
+
+    /// Adds a phase.
+    pub const fn push(&mut self, mode: Mode, direction: Option<Direction>) {
+        let length = self.len();
+        if length < Self::CAPACITY {
+            self.0 |= (PhaseCode::new(mode, direction).code() as u64) << (Self::BITS * length);
+        } else {
+            self.0 |= Self::OVERFLOW;
+        }
+    }
+
+    /// Adds the phases of another sequence.
+    pub(crate) const fn append(&mut self, other: Self) {
+        let length = self.len();
+        // What does not fit is shifted out.
+        self.0 |= ((other.0 & Self::PHASES) << (Self::BITS * length)) & Self::PHASES;
+        if other.is_truncated() || length + other.len() > Self::CAPACITY {
+            self.0 |= Self::OVERFLOW;
+        }
+    }
+
+    /// The phases of the mirror image of a motion.
+    pub(crate) const fn mirrored(self) -> Self {
+        // The codes of opposite directions differ in their last bit: those of sliding, 2 and 3, and of gliding, 4 and 5, alone have
+        // one of the two bits before it.
+        let directed = ((self.0 >> 1) ^ (self.0 >> 2)) & Self::LAST_BITS;
+        Self(self.0 ^ directed)
+    }
+
+    /// Number of phases that are kept.
+    #[must_use]
+    pub const fn len(self) -> u32 {
+        let used = u64::BITS - (self.0 & !Self::OVERFLOW).leading_zeros();
+        used.div_ceil(Self::BITS)
+    }
+
+    /// Whether there is no phase: no motion was consistent at the start.
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Whether there were more phases than fit.
+    #[must_use]
+    pub const fn is_truncated(self) -> bool {
+        self.0 & Self::OVERFLOW != 0
+    }
+
+    /// The first phase, if there is one.
+    #[must_use]
+    pub fn first(self) -> Option<(Mode, Option<Direction>)> {
+        self.codes().next().and_then(Result::ok).map(PhaseCode::mode)
+    }
+
+    /// The phases that are kept; a number that is no code of a phase is an error.
+    pub fn codes(self) -> impl Iterator<Item = Result<PhaseCode, crate::model::named::UnknownCode>> {
+        (0..self.len()).map(move |i| PhaseCode::try_from((self.0 >> (Self::BITS * i)) as u8 & 0xf))
+    }
+}
+
+impl fmt::Display for PhaseSequence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text: String = self.codes().map(|code| code.map_or("?", PhaseCode::name)).collect();
+        if self.is_truncated() {
+            text.push('…');
+        }
+        f.pad(&text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// As many phases as there are kinds of them, some more than once.
+    fn phases(count: usize) -> Vec<(Mode, Option<Direction>)> {
+        PhaseCode::ALL.iter().cycle().take(count).map(|code| code.mode()).collect()
+    }
+
+    fn sequence(phases: &[(Mode, Option<Direction>)]) -> PhaseSequence {
+        let mut sequence = PhaseSequence::default();
+        for (mode, direction) in phases {
+            sequence.push(*mode, *direction);
+        }
+        sequence
+    }
+
+    #[test]
+    fn phases_are_added_one_by_one_or_together() {
+        for (first, second) in (0..18).flat_map(|i| (0..18).map(move |j| (i, j))) {
+            let all = phases(first + second);
+            let mut together = sequence(&all[..first]);
+            together.append(sequence(&all[first..]));
+            assert_eq!(together, sequence(&all), "{first} {second}");
+        }
+    }
+
+    #[test]
+    fn the_mirror_image_slips_the_other_way() {
+        for count in 0..18 {
+            let all = phases(count);
+            let mirrored: Vec<_> =
+                all.iter().map(|(mode, direction)| (*mode, direction.map(Direction::reversed))).collect();
+            assert_eq!(sequence(&all).mirrored(), sequence(&mirrored), "{count}");
+            assert_eq!(sequence(&all).mirrored().mirrored(), sequence(&all), "{count}");
+        }
+    }
+}
