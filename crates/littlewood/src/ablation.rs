@@ -6,8 +6,6 @@
 /// A part that can be switched off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// Tables of the slides that begin where rolling slips, as functions of one angle.
-    Families,
     /// Chains of slips, passed by whole links.
     Chains,
     /// Cells of slides and octants of rolling that a motion keeps.
@@ -16,23 +14,14 @@ pub enum Part {
     WholeTurns,
     /// Without kinetic friction, the proof that a slide has no event.
     ClosedForms,
-    /// Tables of rolling.
-    RollTables,
-    /// Tables of slides.
-    SlideTables,
+    /// The table of jumps out of slides.
+    Jumps,
 }
 
 impl Part {
     /// Every part.
-    pub const ALL: [Self; 7] = [
-        Self::Families,
-        Self::Chains,
-        Self::KeptCells,
-        Self::WholeTurns,
-        Self::ClosedForms,
-        Self::RollTables,
-        Self::SlideTables,
-    ];
+    pub const ALL: [Self; 5] =
+        [Self::Chains, Self::KeptCells, Self::WholeTurns, Self::ClosedForms, Self::Jumps];
 }
 
 #[cfg(feature = "ablation")]

@@ -78,7 +78,7 @@ mod motion;
 mod walk;
 
 pub use cases::{CASES, NamedCase, find_case};
-pub use engine::Engine;
+pub use engine::{Doubt, Engine};
 pub use mechanics::bouncing::BouncingOrbit;
 pub use mechanics::closed_form;
 pub use mechanics::closed_form::RollingType;

@@ -204,14 +204,6 @@ fn figure_3_has_the_times_of_the_40_digit_table() {
 }
 
 #[test]
-fn the_tables_are_as_large_as_they_were() {
-    // Cells of the table of slides of the Figure 2 hoop, and pieces of the family of slides out of rolling: more of them
-    // would mean a slower preparation.
-    let engine = Engine::new(&Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2"));
-    assert_eq!((engine.cells(), engine.slip_pieces()), (40, 86));
-}
-
-#[test]
 fn bodies_that_cannot_be_prepared_are_simulated() {
     let parameters = [
         HoopParameters::new(0.0, 1.0, 0.0).with_friction(0.5, 0.4),

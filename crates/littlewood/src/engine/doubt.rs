@@ -1,152 +1,57 @@
-//! What is lost on the way of a motion: by how much its state may differ from that of the simulation, which rounds at other places.
-//!
-//! A decision by a number that is nearer to zero than that may be another one in the simulation. Such a motion is simulated.
+//! Why a phase, or a whole motion, is left to the simulation.
 
-use core::cell::Cell;
+use core::sync::atomic::{AtomicU64, Ordering};
 
-use crate::math::trig::sincos;
-use crate::model::hoop::Heavy;
-use crate::model::state::State;
-use crate::modes::flight::Flight;
+use crate::model::named::named;
 
-/// Rounding of the evidence at a state, as a part of its terms: a few products and sums of numbers that are known to the last digit.
-const EVIDENCE: f64 = 64.0 * f64::EPSILON;
-
-/// Where 1 − h cos θ θ′² is a smaller part of its terms, the normal force has lost the digits by which rolling and slipping are told apart. Chosen: of the
-/// motions of the tests that need it, fast ones with coefficients of friction of 1e9, the worst has 3e-8.
-const CANCELLED: f64 = 2.5e-7;
-
-/// Rounding of a phase, as a part of the numbers at its end.
-const PHASE: f64 = 64.0 * f64::EPSILON;
-
-/// Light hoops amplify rounding by (Î/m)^(−1/2) at each passage of the bottom; this part of it is in PHASE.
-const AMPLIFIED: f64 = 0.1;
-
-/// A state that is known to no more than this is lost: impacts and slides decide by numbers that are not looked at.
-const LOST: f64 = 1e-4;
-
-/// Beyond this angle phases are those of the simulation: whole turns of it are not taken off to the last digits.
-const FAR: f64 = 1e5;
-
-/// What is lost.
-#[derive(Clone, Debug)]
-pub(super) struct Doubt {
-    h: f64,
-    phase: f64,
-    /// By how much of the closing rate an impact changes the rates of slip and rotation, at most.
-    impact: f64,
-    lost: Cell<Lost>,
-    is_told: Cell<bool>,
+named! {
+    /// Why the engine leaves a phase, or a whole motion, to the solvers of [`crate::Hoop::simulate`].
+    pub enum Doubt, "reason of doubt" {
+        /// The normal force next to zero at the end of a piece of a slide.
+        Contact = 0, "contact";
+        /// The slip velocity next to zero at the end of a piece, or where it is least.
+        Slip = 1, "slip";
+        /// The sign of the slip acceleration is not known on a piece.
+        SlipAcceleration = 2, "slip_acceleration";
+        /// The slip velocity vanishes so slowly that the first integral does not tell when.
+        SlowStop = 3, "slow_stop";
+        /// Turning points of a slide next to each other, or next to the top.
+        TurningPoint = 4, "turning_point";
+        /// P next to zero (3.5).
+        Pole = 5, "pole";
+        /// An orbit next to the separatrix.
+        Separatrix = 6, "separatrix";
+        /// Rolling next to the limit of static friction where it begins.
+        FrictionLimit = 7, "friction_limit";
+        /// Rolling that slips next to a standstill, or from rest.
+        Standstill = 8, "standstill";
+        /// A phase of too many turns.
+        TooLong = 9, "too_long";
+        /// An angle of so many turns that its last digits are lost.
+        Far = 10, "far";
+        /// A normal force in which the terms cancel.
+        Cancelled = 11, "cancelled";
+        /// The whole motion: a decision by a number that is smaller than the drift of the state.
+        Drift = 12, "drift";
+    }
 }
 
-/// Bounds on the differences of a state from that of the simulation: zero where it is the same to the last bit.
-#[derive(Clone, Copy, Debug, Default)]
-struct Lost {
-    theta: f64,
-    /// Of θ′ and η′, as a part of 1 + |θ′|.
-    rate: f64,
-    gap_rate: f64,
+/// How often each doubt was met.
+#[derive(Debug, Default)]
+pub(super) struct Tally([AtomicU64; Doubt::ALL.len()]);
+
+impl Tally {
+    pub(super) fn add(&self, doubt: Doubt) {
+        self.0[doubt as usize].fetch_add(1, Ordering::Relaxed);
+    }
+
+    pub(super) fn counts(&self) -> impl Iterator<Item = (Doubt, u64)> {
+        Doubt::ALL.into_iter().map(|doubt| (doubt, self.0[doubt as usize].load(Ordering::Relaxed)))
+    }
 }
 
-impl Doubt {
-    pub(super) fn new(body: &Heavy) -> Self {
-        let amplification = (body.mass / body.inertia).sqrt();
-        Self {
-            h: body.h,
-            phase: PHASE * (AMPLIFIED * amplification).max(1.0),
-            impact: 1.0 + amplification,
-            lost: Cell::default(),
-            is_told: Cell::new(false),
-        }
-    }
-
-    /// Whether a decision may be another one.
-    pub(super) const fn is_told(&self) -> bool {
-        self.is_told.get()
-    }
-
-    fn largest(&self) -> f64 {
-        let Lost { theta, rate, .. } = self.lost.get();
-        theta.max(rate)
-    }
-
-    /// Whether the state is that of the simulation to the last bit.
-    pub(super) fn is_none(&self) -> bool {
-        self.largest() == 0.0
-    }
-
-    /// Whether the phase from an angle is solved as in the simulation.
-    pub(super) const fn is_far(&self, theta: f64) -> bool {
-        theta.abs() > FAR
-    }
-
-    /// Whether 1 − h cos θ θ′², with terms of this size, is far enough from zero to compare forces.
-    #[inline(always)]
-    pub(super) fn is_known(&self, number: f64, size: f64) -> bool {
-        self.exceeds(number, CANCELLED * size, size)
-    }
-
-    /// Whether the sign of a number with terms of this size is known.
-    #[inline(always)]
-    pub(super) fn is_clear(&self, number: f64, size: f64) -> bool {
-        self.exceeds(number, EVIDENCE * size, size)
-    }
-
-    /// Whether a number with terms of this size is larger than a bound and what is lost.
-    #[inline(always)]
-    fn exceeds(&self, number: f64, bound: f64, size: f64) -> bool {
-        let lost = self.largest();
-        let is_clear = number.abs() > bound + 2.0 * lost * size;
-        if !is_clear && lost > 0.0 {
-            self.is_told.set(true);
-        }
-        is_clear
-    }
-
-    /// Takes note of a phase in contact, or several, that lead to an angle. Friction makes motions in contact forget, and amplifies nothing.
-    #[inline(always)]
-    pub(super) fn add_phase(&self, theta: f64) {
-        let lost = self.largest().max(self.phase + f64::EPSILON * theta.abs());
-        self.lost.set(Lost { theta: lost, rate: lost, gap_rate: 0.0 });
-    }
-
-    /// Takes note of a flight and of the impact behind it: how its end moves with the angle and the rates of its start.
-    pub(super) fn add_flight(
-        &self,
-        flight: &Flight,
-        start: &State,
-        (sin, cos): (f64, f64),
-        coefficient: f64,
-    ) {
-        let Lost { theta, rate, gap_rate } = self.lost.get();
-        let (h, time, turns) = (self.h, flight.duration(), start.theta_rate);
-        let (end_sin, end_cos) = sincos(flight.state(time).theta);
-        let closes = flight.landing_rate();
-        let scale = 1.0 + turns.abs();
-        let (risen, falls) = (h * (end_sin - sin), h * end_cos * (turns * turns) - 1.0);
-        // What the gap, its rate, and the angle at a time change by, with the angle, the rate, and the rate of the gap at the start.
-        let changes = [
-            (theta, [risen - h * cos * turns * time, h * turns * (end_cos - cos), 1.0]),
-            (rate * scale, [risen * time, risen + h * end_cos * turns * time, time]),
-            (gap_rate, [time, 1.0, 0.0]),
-        ];
-        let (mut turned, mut closing) = (0.0, 0.0);
-        for (lost, [gap, rate, angle]) in changes {
-            let later = -gap / closes;
-            turned += lost * (angle + turns * later).abs();
-            closing += lost * (rate + falls * later).abs();
-        }
-        let rounding = self.phase + f64::EPSILON * flight.state(time).theta.abs();
-        let lost = Lost {
-            theta: turned + rounding,
-            rate: rate + self.impact * (closing / scale + turned) + rounding,
-            gap_rate: coefficient * closing + closes.abs() * turned + rounding * scale,
-        };
-        self.lost.set(lost);
-        // No number is not known either.
-        let is_known = lost.theta < LOST && lost.rate < LOST;
-        if !is_known {
-            self.is_told.set(true);
-        }
+impl Clone for Tally {
+    fn clone(&self) -> Self {
+        Self(core::array::from_fn(|i| AtomicU64::new(self.0[i].load(Ordering::Relaxed))))
     }
 }

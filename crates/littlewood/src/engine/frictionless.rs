@@ -14,10 +14,13 @@ use crate::model::state::State;
 /// A lift-off, a turning point at the top, or a zero of η′ that is nearer than this part of the terms is left to the solvers of phases.
 const UNCERTAIN: f64 = 1e-9;
 
-/// Whether a slide without kinetic friction comes so close to the top, at so low a rate, that rounding tells whether it passes.
-pub(super) fn is_next_to_separatrix(body: &Heavy, state: &State) -> bool {
+/// Whether a slide without kinetic friction comes so close to the top, at so low a rate, or stays so close to rest at the bottom, that
+/// rounding tells whether it passes, or which way it goes.
+pub(super) fn is_next_to_equilibrium(body: &Heavy, state: &State) -> bool {
     let energy = FrictionlessIntegrals::new(body, state, sincos(state.theta)).energy;
-    (energy - 2.0 * body.offset).abs() <= UNCERTAIN * energy.abs()
+    let over_bottom = energy + 2.0 * body.offset;
+    over_bottom <= 8.0 * f64::EPSILON * body.offset
+        || (energy - 2.0 * body.offset).abs() <= UNCERTAIN * energy.abs()
 }
 
 /// Whether a slide without kinetic friction is proved to have no event: it repeats itself for ever.

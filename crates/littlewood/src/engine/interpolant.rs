@@ -27,7 +27,6 @@ impl Tolerance {
 /// `LANES` polynomials on one interval.
 #[derive(Clone, Debug)]
 pub(super) struct Interpolant<const LANES: usize> {
-    pub(super) left: f64,
     pub(super) right: f64,
     centre: f64,
     /// 1 over half the width.
@@ -112,7 +111,7 @@ impl Basis {
             series[NODES - 1][lane] += level[lane];
         }
         let (centre, scale) = (0.5 * (left + right), 2.0 / (right - left));
-        Some(Interpolant { left, right, centre, scale, series })
+        Some(Interpolant { right, centre, scale, series })
     }
 }
 

@@ -7,6 +7,7 @@
 
 use std::sync::LazyLock;
 
+use crate::ablation::{Part, is_on};
 use crate::math::trig::without_turns;
 use crate::model::hoop::Heavy;
 use crate::model::state::State;
@@ -41,7 +42,7 @@ static JUMPS: LazyLock<Option<JumpTable>> = LazyLock::new(JumpTable::new);
 /// Angles of the landing and of the largest gap of the jump out of a slide, from the angle of the lift-off in the direction of
 /// rotation, its sine and cosine, and what rounding has left of h cos θ θ′² − 1. None where it has to be solved.
 pub(super) fn angles(theta: f64, (sin, cos): (f64, f64), opening: f64) -> Option<[f64; 2]> {
-    if theta.abs() > FARTHEST {
+    if theta.abs() > FARTHEST || !is_on(Part::Jumps) {
         return None;
     }
     let angle = -without_turns(theta);

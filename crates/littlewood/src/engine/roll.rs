@@ -1,52 +1,20 @@
-//! Rolling of one body, for every orbit at once.
+//! Rolling along one orbit, to its slip.
 //!
-//! The margins (μs N ∓ F) D² of an orbit are linear in its constant K: A(ϑ) + K B(ϑ). The level K*(ϑ) = −A/B at which
-//! a margin vanishes belongs to the body. Between its extrema and poles it is monotone, so that on such a piece a margin
-//! changes sign at most once *whatever the orbit*: its signs at the ends of the pieces show all slips of an orbit, or
-//! prove that there is none. The time is a Gauss sum.
+//! Where it slips is a zero of the forms of [`crate::modes::rolling`] on the arcs ahead, isolated in Bernstein form; when, an elliptic
+//! integral. Both are those of the exact solver; only the root is found with fewer steps, and no time is computed that is not
+//! needed.
 //!
-//! Everything is seen in the direction of motion, as in [`crate::modes::rolling`].
+//! Everything is seen in the direction of motion.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use crate::math::bracket::Bracket;
-use crate::math::form::{Form, Trigonometric};
-use crate::math::trig::sincos;
-use crate::mechanics::equations::RollingLaw;
-use crate::model::hoop::Hoop;
+use crate::math::form::{Form, HalfAngle, on_arc};
 use crate::model::mode::Direction;
-use crate::model::state::State;
-use crate::modes::rolling::margin_forms;
 
-use super::duration::duration;
-
-/// A margin, a form of degree six in (cos ϑ/2, sin ϑ/2).
-type Margin = Form<7>;
-
-/// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a turn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct SlipPoint {
-    pub(super) side: usize,
-    pub(super) angle: f64,
-}
-
-/// A piece of a turn on which orbits pass from a positive to a negative margin of a side.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct SlipPiece {
-    pub(super) left: f64,
-    pub(super) right: f64,
-    /// The stop at its right end.
-    stop: usize,
-}
-
-impl SlipPoint {
-    /// Of a state at which a hoop slips.
-    pub(super) fn of(state: &State, direction: Direction) -> Self {
-        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
-        let theta = travel * state.theta;
-        Self { side: side_of(direction, travel), angle: theta - TAU * (theta / TAU).floor() }
-    }
-}
+use super::atlas::Atlas;
+use super::doubt::Doubt;
+use super::orbit::{Orbit, Pass};
 
 /// The side of a slip in the frame of motion, of a hoop that travels in the direction `travel`, 1 or −1.
 pub(super) fn side_of(direction: Direction, travel: f64) -> usize {
@@ -61,63 +29,76 @@ pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
 /// A margin within this part of its terms of zero is solved exactly.
 const UNCERTAIN_MARGIN: f64 = 1e-12;
 
-/// The end of a piece.
-#[derive(Clone, Copy, Debug)]
-struct Stop {
-    angle: f64,
-    x: f64,
-    y: f64,
-    /// A and B of the margins of friction to the negative and to the positive side.
-    margins: [[f64; 2]; 2],
-    /// Constants K of the orbits that hold here on both sides by more than the uncertainty.
-    holds: (f64, f64),
-}
-
-/// The rolling orbits of one body.
-#[derive(Clone, Debug)]
-pub(super) struct RollTable {
-    law: RollingLaw,
-    forms: [[Margin; 2]; 2],
-    /// From 0 to 2π, ends included.
-    stops: Vec<Stop>,
-}
+/// Slower slips are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
+const MIN_RATE: f64 = 4e-3;
 
 /// End of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum RollEnd {
-    /// Slips at the angle, in the frame of motion.
-    Slip { elapsed: f64, theta: f64, theta_rate: f64, point: SlipPoint, stop: usize, direction: (f64, f64) },
+    /// Slips at the angle, in the frame of motion, to a side.
+    Slip { elapsed: f64, theta: f64, theta_rate: f64, side: usize, direction: (f64, f64) },
     /// Never slips.
     Never,
 }
 
-/// The roll that follows a slide, known beforehand but for the proof that the slip is the first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct RollAhead {
-    /// The stop before which it slips, and the side.
-    pub(super) stop: usize,
-    pub(super) side: usize,
-    /// Angle and time up to the slip.
-    pub(super) turned: f64,
-    pub(super) elapsed: f64,
-}
+/// Parts of a turn, each of an eighth.
+pub(super) const OCTANTS: usize = 8;
 
-/// Where an orbit is at the start: its constant, the angle reduced to a turn, and the turns.
-#[derive(Clone, Copy, Debug)]
-struct Orbit {
-    k: f64,
-    angle: f64,
-    turns: f64,
-}
+/// Directions of the half angle at the ends of the octants.
+const EDGES: [HalfAngle; OCTANTS + 1] = {
+    const COS: f64 = 0.923_879_532_511_286_7;
+    const SIN: f64 = 0.382_683_432_365_089_8;
+    const BOTH: f64 = core::f64::consts::FRAC_1_SQRT_2;
+    [
+        [1.0, 0.0],
+        [COS, SIN],
+        [BOTH, BOTH],
+        [SIN, COS],
+        [0.0, 1.0],
+        [-SIN, COS],
+        [-BOTH, BOTH],
+        [-COS, SIN],
+        [-1.0, 0.0],
+    ]
+};
 
-impl Stop {
-    fn surely_holds(&self, k: f64) -> bool {
-        k > self.holds.0 && k < self.holds.1
+/// The margins of one body as A + K B, side by side.
+pub(super) type Margins = [[Form<7>; 2]; 2];
+
+/// The forms X^(6−k) Y^k in the barycentric coordinates of each octant, by the power of these, then by k.
+const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
+    let mut table = [[[0.0; 7]; 7]; OCTANTS];
+    let mut octant = 0;
+    while octant < OCTANTS {
+        let mut k = 0;
+        while k < 7 {
+            let mut form = [0.0; 7];
+            form[0] = 1.0;
+            let mut factor = 0;
+            while factor < 6 {
+                let axis = if factor < k { 1 } else { 0 };
+                let mut i = 6;
+                while i > 0 {
+                    form[i] = form[i] * EDGES[octant][axis] + form[i - 1] * EDGES[octant + 1][axis];
+                    i -= 1;
+                }
+                form[0] *= EDGES[octant][axis];
+                factor += 1;
+            }
+            let mut i = 0;
+            while i < 7 {
+                table[octant][i][k] = form[i];
+                i += 1;
+            }
+            k += 1;
+        }
+        octant += 1;
     }
-}
+    table
+};
 
 /// The constants K for which all sums A + K B are positive, narrowed by what is in doubt.
-pub(super) fn holds(sums: impl IntoIterator<Item = [f64; 2]>) -> (f64, f64) {
+fn holds(sums: impl IntoIterator<Item = [f64; 2]>) -> (f64, f64) {
     let mut bounds = (0.0, f64::INFINITY);
     for [a, b] in sums {
         let level = -a / b;
@@ -133,7 +114,7 @@ pub(super) fn holds(sums: impl IntoIterator<Item = [f64; 2]>) -> (f64, f64) {
 }
 
 /// Which of two margins A + K B is negative, if one is. None where one is in doubt, or both are negative.
-pub(super) fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
+fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
     let mut broken = None;
     for (side, [a, b]) in margins.iter().enumerate() {
         let margin = a + k * b;
@@ -150,282 +131,379 @@ pub(super) fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
     Some(broken)
 }
 
-impl RollTable {
-    /// Prepares the orbits of a heavy hoop; none of a massless one.
-    pub(super) fn new(hoop: &Hoop) -> Option<Self> {
-        let forms = margin_forms(hoop)?;
-        let mut angles = vec![0.0, 0.5 * PI, PI, 1.5 * PI, TAU];
-        for form in &forms {
-            // The poles of −A/B, and its extrema, the zeros of A′B − AB′.
-            let [a, b] = [0, 1].map(|k: usize| Trigonometric::from_form(&form[k]));
-            angles.extend(b.sign_changes());
-            angles.extend(a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes());
-        }
-        angles.sort_by(f64::total_cmp);
-        angles.dedup_by(|a, b| *a - *b < 1e-9);
-        let stops = angles
-            .into_iter()
-            .map(|angle| {
-                let (y, x) = sincos(0.5 * angle);
-                let margins = [0, 1].map(|i: usize| [0, 1].map(|k: usize| forms[i][k].value([x, y])));
-                Stop { angle, x, y, margins, holds: holds(margins) }
+/// The margins on an octant.
+#[derive(Clone, Debug)]
+pub(super) struct Octant {
+    /// In its barycentric coordinates.
+    margins: Margins,
+    /// The constants K of the orbits that certainly hold everywhere on it.
+    levels: (f64, f64),
+}
+
+impl Octant {
+    pub(super) fn new(margins: &Margins, octant: usize) -> Self {
+        let powers = &POWERS[octant];
+        let margins = margins.map(|parts| {
+            parts.map(|Form(part)| {
+                Form(powers.map(|powers| powers.iter().zip(part).map(|(power, c)| power * c).sum()))
             })
-            .collect();
-        let law = RollingLaw::new(hoop);
-        Some(Self { law, forms, stops })
+        });
+        let sums = margins.iter().flat_map(|[a, b]| (0..7).map(|k| [a.0[k], b.0[k]]));
+        Self { levels: holds(sums), margins }
     }
 
-    /// The equations.
-    pub(super) const fn law(&self) -> &RollingLaw {
-        &self.law
+    /// The constants K of the orbits that certainly hold everywhere on it.
+    pub(super) const fn levels(&self) -> (f64, f64) {
+        self.levels
     }
 
-    /// θ′² where the margin of a side vanishes on the orbit that reaches it at this angle.
-    pub(super) fn limit(&self, side: usize, angle: f64) -> Option<f64> {
-        let (y, x) = libm::sincos(0.5 * angle);
-        let [a, b] = &self.forms[side];
-        let k = -a.value([x, y]) / b.value([x, y]);
-        let d = self.law.denominator(angle);
-        k.is_finite().then_some((k - d) / d)
+    /// Whether an orbit holds everywhere on it.
+    fn holds(&self, k: f64) -> bool {
+        k > self.levels.0 && k < self.levels.1
     }
 
-    /// The same with its derivative by the angle.
-    pub(super) fn limit_and_slope(&self, side: usize, angle: f64) -> (f64, f64) {
-        let (y, x) = libm::sincos(0.5 * angle);
-        let [(a, a_slope), (b, b_slope)] =
-            [0, 1].map(|i: usize| self.forms[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
-        let d = self.law.denominator(angle);
-        let d_slope = -4.0 * self.law.offset * x * y;
-        let k = -a / b;
-        let k_slope = -(a_slope + k * b_slope) / b;
-        let u = (k - d) / d;
-        (u, (k_slope - (1.0 + u) * d_slope) / d)
-    }
-
-    /// The angles at which θ′² of [`RollTable::limit`] vanishes, and those at which it has an extremum.
-    pub(super) fn rests_and_extrema(&self, side: usize) -> (Vec<f64>, Vec<f64>) {
-        let [a, b] = [0, 1].map(|i: usize| Trigonometric::from_form(&self.forms[side][i]));
-        let b = b.times(&self.law.denominator_polynomial());
-        let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative()));
-        (a.plus(&b).sign_changes(), extrema.sign_changes())
-    }
-
-    /// 1/K of the orbit whose margin of a side vanishes at this angle.
-    pub(super) fn inverse_level(&self, side: usize, angle: f64) -> f64 {
-        let (y, x) = libm::sincos(0.5 * angle);
-        let [a, b] = &self.forms[side];
-        -b.value([x, y]) / a.value([x, y])
-    }
-
-    /// The pieces of a turn on which orbits pass from a positive to a negative margin of a side.
-    pub(super) fn slips(&self, side: usize) -> Vec<SlipPiece> {
-        let mut slips = Vec::new();
-        for (stop, pair) in (1..).zip(self.stops.windows(2)) {
-            let (left, right) = (pair[0].angle, pair[1].angle);
-            let Some(u) = self.limit(side, 0.5 * (left + right)) else { continue };
-            let k = self.law.denominator(0.5 * (left + right)) * (1.0 + u);
-            // The margin for the level at the middle, before and behind: it falls through zero there or rises, as at all levels of the
-            // piece, those among them that no orbit has (u < 0).
-            let margin = |angle: f64| {
-                let (y, x) = libm::sincos(0.5 * angle);
-                let [a, b] = &self.forms[side];
-                a.value([x, y]) + k * b.value([x, y])
-            };
-            if margin(left) > margin(right) {
-                slips.push(SlipPiece { left, right, stop });
-            }
-        }
-        slips
-    }
-
-    /// The angle on a piece at which the orbit with the constant K slips.
-    pub(super) fn slip_on(&self, piece: &SlipPiece, side: usize, k: f64) -> Option<f64> {
-        let stop = &self.stops[piece.stop];
-        k.is_finite().then(|| self.slip(k, piece.left, stop, side).0)
-    }
-
-    /// Follows an orbit on which rolling holds at the start, perhaps just so (`on_limit`), from an angle ϑ that grows at a rate ϑ′. None where a
-    /// margin is in doubt or the orbit comes close to a standstill before it slips. If the first slip is the one `ahead`,
-    /// it need not be computed.
-    pub(super) fn follow(
-        &self,
-        (theta, theta_rate): (f64, f64),
-        cos: f64,
-        on_limit: bool,
-        ahead: Option<&RollAhead>,
-    ) -> Option<RollEnd> {
-        let turns = (theta / TAU).floor();
-        let angle = theta - TAU * turns;
-        let k = self.law.denominator_at(cos) * (1.0 + theta_rate * theta_rate);
-        let over_top = k - self.law.top;
-        let end = if over_top > 1e-9 * k {
-            self.rotation(Orbit { k, angle, turns }, on_limit, ahead)
-        } else if over_top < -1e-9 * k {
-            self.libration(k)
+    /// What is known of the margin of a side on the orbit with constant K, passed from `from` to `to` in its barycentric coordinate.
+    fn margin(&self, side: usize, k: f64, is_up: bool) -> Known {
+        let form = on_orbit(&self.margins[side], k);
+        // By the signs of its coefficients, in order of passage.
+        let is_positive = |i: usize| form.0[if is_up { i } else { 6 - i }] > 0.0;
+        let holds = (0..7).take_while(|i| is_positive(*i)).count();
+        if holds == 7 {
+            Known::Holds
+        } else if holds > 0 && (holds..7).all(|i| !is_positive(i)) && form.0[if is_up { 6 } else { 0 }] < 0.0
+        {
+            Known::Falls(form)
         } else {
-            None
-        };
-        // An orbit on the limit is beyond it on the other side.
-        end.filter(|end| !(on_limit && *end == RollEnd::Never))
+            Known::Nothing
+        }
     }
+}
 
-    fn rotation(&self, orbit: Orbit, on_limit: bool, ahead: Option<&RollAhead>) -> Option<RollEnd> {
-        let first = self.stops.partition_point(|stop| stop.angle <= orbit.angle);
-        let laps =
-            (first..self.stops.len()).map(|stop| (stop, 0.0)).chain((0..first).map(|stop| (stop, TAU)));
-        for (stop, lap) in laps {
-            if self.stops[stop].surely_holds(orbit.k) {
+/// What the coefficients of a margin on an octant tell.
+enum Known {
+    /// It is positive.
+    Holds,
+    /// It falls through zero once: its coefficients change their sign once.
+    Falls(Form<7>),
+    Nothing,
+}
+
+/// The margin of a side on the orbit with constant K.
+fn on_orbit([a, b]: &[Form<7>; 2], k: f64) -> Form<7> {
+    Form(core::array::from_fn(|i| a.0[i] + k * b.0[i]))
+}
+
+/// Positive where the second direction lies ahead of the first.
+fn cross([x0, y0]: HalfAngle, [x1, y1]: HalfAngle) -> f64 {
+    x0 * y1 - y0 * x1
+}
+
+/// Part of an orbit between two directions of the half angle.
+#[derive(Clone, Copy, Debug)]
+struct Arc {
+    from: HalfAngle,
+    to: HalfAngle,
+    pass: Pass,
+}
+
+impl Arc {
+    /// Its parts on the octants, in order.
+    fn parts(self) -> impl Iterator<Item = (usize, Self)> {
+        let Self { from, to, pass } = self;
+        let is_up = cross(from, to) > 0.0;
+        let is_behind = |edge: &HalfAngle| {
+            let side = cross(*edge, from);
+            side > 0.0 || (is_up && side == 0.0)
+        };
+        let mut octant = EDGES[1..OCTANTS].iter().filter(|edge| is_behind(edge)).count();
+        let mut left = Some(from);
+        core::iter::from_fn(move || {
+            let from = left?;
+            let edge = EDGES[if is_up { octant + 1 } else { octant }];
+            let ahead = cross(edge, to);
+            let goes_on = if is_up { ahead > 0.0 && octant + 1 < OCTANTS } else { ahead < 0.0 && octant > 0 };
+            let number = octant;
+            if goes_on {
+                left = Some(edge);
+                octant = if is_up { octant + 1 } else { octant - 1 };
+            } else {
+                left = None;
+            }
+            Some((number, Self { from, to: if goes_on { edge } else { to }, pass }))
+        })
+    }
+}
+
+/// The first of two crossings, the second of a side.
+fn earlier(first: Option<(f64, usize)>, at: Option<f64>, side: usize) -> Option<(f64, usize)> {
+    match (first, at) {
+        (Some((before, _)), Some(at)) if at >= before => first,
+        (_, Some(at)) => Some((at, side)),
+        (_, None) => first,
+    }
+}
+
+/// Follows an orbit on which rolling holds where it is entered, perhaps just so (`on_limit`). `kept` are the octants of
+/// long motions.
+pub(super) fn follow(
+    orbit: &Orbit<'_>,
+    margins: &Margins,
+    on_limit: bool,
+    kept: Option<&Atlas>,
+) -> Result<RollEnd, Doubt> {
+    let k = orbit.k();
+    if let (Some(kept), false) = (kept, on_limit)
+        && kept.holds(margins, k)
+    {
+        return Ok(RollEnd::Never);
+    }
+    let here = margins.map(|parts| parts.map(|part| part.value([-orbit.z, orbit.y])));
+    let limit = on_limit.then(|| {
+        let [negative, positive] = here.map(|[a, b]| (a + k * b).abs());
+        usize::from(positive < negative)
+    });
+    // So close to the limit rounding would tell whether it slips at once.
+    if breaks(k, &limit.map_or(here, |side| [here[1 - side]; 2])) != Some(None) {
+        return Err(Doubt::FrictionLimit);
+    }
+    let slip_on = |arc: &Arc, starts_at_zero: Option<usize>, holds: &dyn Fn(usize) -> bool| {
+        let mut first: Option<(f64, usize)> = None;
+        for (side, parts) in margins.iter().enumerate() {
+            if holds(side) {
                 continue;
             }
-            if let Some(side) = breaks(orbit.k, &self.stops[stop].margins)? {
-                // From the limit on a margin grows, and has no second zero on the same piece.
-                if on_limit && stop == first && lap == 0.0 {
-                    return None;
-                }
-                let (found, direction, elapsed) = match ahead {
-                    Some(ahead) if ahead.stop == stop && ahead.side == side => {
-                        let found = orbit.angle + ahead.turned - lap;
-                        (found, sincos(found), ahead.elapsed)
-                    }
-                    _ => {
-                        let begin = stop.checked_sub(1).map_or(0.0, |before| self.stops[before].angle);
-                        let begin = if lap == 0.0 { begin.max(orbit.angle) } else { begin };
-                        let (found, direction) = self.slip(orbit.k, begin, &self.stops[stop], side);
-                        (found, direction, self.time(orbit.k, orbit.angle, found + lap)?)
-                    }
-                };
-                let d = self.law.denominator_at(direction.1);
-                return Some(RollEnd::Slip {
-                    elapsed,
-                    theta: TAU * orbit.turns + (found + lap),
-                    theta_rate: ((orbit.k - d) / d).sqrt(),
-                    point: SlipPoint { side, angle: found },
-                    stop,
-                    direction,
-                });
+            let margin = on_orbit(parts, k).restricted(arc.from, arc.to);
+            if starts_at_zero == Some(side) {
+                let margin = margin.bernstein().starting_at_zero();
+                let at = margin.first_crossing().map(|bracket| bracket.refine(|t| margin.value_and_slope(t)));
+                first = earlier(first, at, side);
+                continue;
+            }
+            // No crossing without a change of sign.
+            if margin.0.iter().all(|c| *c > 0.0) {
+                continue;
+            }
+            let at = margin.bernstein().first_crossing().map(|bracket| {
+                bracket.refine_from_secant(|t| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]))
+            });
+            first = earlier(first, at, side);
+        }
+        first
+    };
+    let Some(kept) = kept else {
+        for (number, arc) in arcs(orbit).enumerate() {
+            if let Some((at, side)) = slip_on(&arc, limit.filter(|_| number == 0), &|_| false) {
+                return slip(orbit, &arc, at, side);
             }
         }
-        Some(RollEnd::Never)
-    }
-
-    /// Only the proof that nothing slips between the turning points: a slip on the way is solved exactly.
-    fn libration(&self, k: f64) -> Option<RollEnd> {
-        // cos of the turning angle, where K = D.
-        let cos = (k - self.law.mean_denominator()) / (2.0 * self.law.offset);
-        if !(cos > -1.0 && cos < 1.0) {
-            return None;
+        return Ok(RollEnd::Never);
+    };
+    for (passed, (number, arc)) in arcs(orbit).flat_map(Arc::parts).enumerate() {
+        let octant = kept.octant(margins, number);
+        if octant.holds(k) {
+            continue;
         }
-        let (x, y) = ((0.5 * (1.0 + cos)).sqrt(), (0.5 * (1.0 - cos)).sqrt());
-        for x in [x, -x] {
-            let margins = [0, 1].map(|i: usize| [0, 1].map(|k: usize| self.forms[i][k].value([x, y])));
-            if breaks(k, &margins)?.is_some() {
-                return None;
-            }
-        }
-        // The arc between the turning points is where cos ϑ is below that of them.
-        for stop in &self.stops {
-            let inside = stop.x * stop.x < x * x;
-            if inside && !stop.surely_holds(k) && breaks(k, &stop.margins)?.is_some() {
-                return None;
-            }
-        }
-        Some(RollEnd::Never)
-    }
-
-    /// The slip between `begin` and the end of the piece at `stop`, as a root in the half angle: the angle, its sine
-    /// and its cosine.
-    fn slip(&self, k: f64, begin: f64, stop: &Stop, side: usize) -> (f64, (f64, f64)) {
-        let [a, b] = &self.forms[side];
-        let form: [f64; 7] = core::array::from_fn(|i| a.0[i] + k * b.0[i]);
-        // In a chart of the half angle without a pole on the piece: pieces end at odd multiples of π/2.
-        let middle = 0.5 * (begin + stop.angle);
-        let steep = middle > 0.5 * PI && middle < 1.5 * PI;
-        let (y0, x0) = sincos(0.5 * begin);
-        let (low, high) = if steep { (x0 / y0, stop.x / stop.y) } else { (y0 / x0, stop.y / stop.x) };
-        let horner = |t: f64| {
-            let fold = |(value, slope): (f64, f64), c: &f64| (value * t + c, slope * t + value);
-            if steep { form.iter().fold((0.0, 0.0), fold) } else { form.iter().rev().fold((0.0, 0.0), fold) }
+        let is_up = cross(arc.from, arc.to) > 0.0;
+        let starts_at_zero = limit.filter(|_| passed == 0);
+        let known = [0, 1].map(|side| octant.margin(side, k, is_up));
+        let falling = match &known {
+            [Known::Falls(form), Known::Holds] => Some((form, 0)),
+            [Known::Holds, Known::Falls(form)] => Some((form, 1)),
+            _ => None,
         };
-        // The margin has the sign of the form, or the other, and may be seen from behind.
-        let falls = if (horner(high).0 < 0.0) == (low < high) { 1.0 } else { -1.0 };
-        let t = Bracket { low: low.min(high), high: low.max(high) }.refine_from_secant(|t| {
-            let (value, slope) = horner(t);
-            (falls * value, falls * slope)
-        });
-        let (x, y) = if steep { (t, 1.0) } else { (1.0, t) };
-        let (x, y) = if y < 0.0 || (y == 0.0 && x < 0.0) { (-x, -y) } else { (x, y) };
-        let length = x * x + y * y;
-        (2.0 * libm::atan2(y, x), (2.0 * x * y / length, (x * x - y * y) / length))
+        // The margin is positive where the arc begins: it falls ahead.
+        let (begin, end) = (EDGES[number], EDGES[number + 1]);
+        if let (Some((form, side)), None, true) =
+            (falling, starts_at_zero, arc.to == if is_up { end } else { begin })
+        {
+            let (from, to) = if is_up { (begin, end) } else { (end, begin) };
+            let at = Bracket { low: 0.0, high: 1.0 }.refine_from_secant(|t| {
+                if is_up {
+                    form.value_and_slope([1.0 - t, t], [-1.0, 1.0])
+                } else {
+                    form.value_and_slope([t, 1.0 - t], [1.0, -1.0])
+                }
+            });
+            return slip(orbit, &Arc { from, to, ..arc }, at, side);
+        }
+        if let Some((at, side)) = slip_on(&arc, starts_at_zero, &|side| matches!(known[side], Known::Holds)) {
+            return slip(orbit, &arc, at, side);
+        }
     }
+    Ok(RollEnd::Never)
+}
 
-    /// The time from angle to angle on an orbit over the top.
-    fn time(&self, k: f64, from: f64, to: f64) -> Option<f64> {
-        let (y, x) = sincos(0.5 * from);
-        duration(self.law.bottom, (k - self.law.top, 4.0 * self.law.offset), (-x, y), 0.5 * (to - from))
+/// The arcs that lie ahead, until every point of the orbit has been passed.
+fn arcs(orbit: &Orbit<'_>) -> impl Iterator<Item = Arc> {
+    let here = [-orbit.z, orbit.y];
+    let bottom = [0.0, 1.0];
+    let past_bottom = orbit.z >= 0.0;
+    let arc = |from, to, pass| Arc { from, to, pass };
+    let farthest = if orbit.rotates {
+        [-1.0, 0.0]
+    } else {
+        let four_l = 4.0 * orbit.law.offset;
+        [-(orbit.swing / four_l).sqrt(), (orbit.excess / four_l).sqrt()]
+    };
+    let first = (!past_bottom).then(|| arc(here, bottom, Pass::First));
+    let second = arc(if past_bottom { here } else { bottom }, farthest, Pass::First);
+    let (third, fourth) = if orbit.rotates {
+        let third = arc([1.0, 0.0], if past_bottom { bottom } else { here }, Pass::NextTurn);
+        (third, past_bottom.then(|| arc(bottom, here, Pass::NextTurn)))
+    } else {
+        let [x, y] = farthest;
+        (arc(farthest, bottom, Pass::WayBack), Some(arc(bottom, [-x, y], Pass::WayBack)))
+    };
+    [first, Some(second), Some(third), fourth].into_iter().flatten().filter(|arc| arc.from != arc.to)
+}
+
+/// The slip at a point of an arc.
+fn slip(orbit: &Orbit<'_>, arc: &Arc, at: f64, side: usize) -> Result<RollEnd, Doubt> {
+    let [x, y] = on_arc(arc.from, arc.to, at);
+    let z = -x;
+    let four_l = 4.0 * orbit.law.offset;
+    let d = orbit.law.bottom + four_l * z * z;
+    // K − D changes by 4ℓ̂ (z0² − z²).
+    let kinetic = if orbit.rotates {
+        orbit.excess + four_l * y * y
+    } else {
+        (orbit.kinetic + four_l * (orbit.z - z) * (orbit.z + z)).max(0.0)
+    };
+    let rate = (kinetic / d).sqrt();
+    if rate < MIN_RATE {
+        return Err(Doubt::Standstill);
     }
+    let (lap, rate) = match arc.pass {
+        Pass::First => (orbit.lap, rate),
+        Pass::NextTurn => (orbit.lap + 1.0, rate),
+        Pass::WayBack => (orbit.lap, -rate),
+    };
+    let angle = 2.0 * libm::atan2(y, -z);
+    Ok(RollEnd::Slip {
+        elapsed: orbit.time(orbit.phase(z, y, kinetic), arc.pass),
+        theta: TAU * lap + angle,
+        theta_rate: rate,
+        side,
+        direction: (-2.0 * y * z, z * z - y * y),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::hoop::HoopParameters;
+    use crate::engine::chain::SlipCurves;
+    use crate::mechanics::equations::RollingLaw;
+    use crate::model::hoop::{Hoop, HoopParameters};
+    use crate::model::state::State;
+    use crate::modes::rolling::{Rolling, margin_forms};
 
+    fn half_angle(theta: f64) -> HalfAngle {
+        let (y, x) = libm::sincos(0.5 * theta);
+        [x, y]
+    }
+
+    /// Where a margin vanishes and grows behind, on both sides of the body, forth and back: the exact solver's slip, by the orbit alone and by what is kept
+    /// of it.
     #[test]
-    fn the_limit_has_its_slope_its_zeros_and_its_extrema() {
-        let mut found = (0, 0);
-        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
-            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, mu_s);
-            let roll = RollTable::new(&Hoop::new(hoop).unwrap()).unwrap();
-            for side in [0, 1] {
-                let mut compared = 0;
-                for k in 1..200 {
-                    let angle = TAU / 200.0 * f64::from(k);
-                    let (u, slope) = roll.limit_and_slope(side, angle);
-                    assert_eq!(roll.limit(side, angle), Some(u));
-                    let [before, after] = [-1e-6, 1e-6].map(|step| roll.limit(side, angle + step).unwrap());
-                    let quotient = (after - before) / 2e-6;
-                    if quotient.abs() < 100.0 {
-                        assert!(
-                            (slope - quotient).abs() < 1e-6 * (1.0 + u * u),
-                            "{angle}: {slope} {quotient}"
-                        );
-                        compared += 1;
+    fn an_orbit_on_the_limit_slips_where_it_does_for_the_exact_solver() {
+        let mut slips = 0;
+        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.9)] {
+            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, 0.0);
+            let hoop = Hoop::new(hoop).unwrap();
+            let (margins, law) = (margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop));
+            let curve = SlipCurves::new(margins, law);
+            for (step, side) in (0..300).flat_map(|step| [0, 1].map(|side| (step, side))) {
+                let theta = 0.021 * f64::from(step) - 3.1;
+                let Some(u) = curve.limit(side, theta).filter(|u| *u > 1e-2) else { continue };
+                let rate = u.sqrt();
+                let Some(orbit) = Orbit::enter(&law, theta, rate) else { continue };
+                let ahead = on_orbit(&margins[side], orbit.k()).value(half_angle(theta + 1e-4));
+                if ahead < 1e-9 {
+                    continue;
+                }
+                let start = State { time: 0.0, theta, theta_rate: rate, slip: 0.0, x: 0.0 };
+                let expected = Rolling::new(&hoop, start).orbit().end_from_limit();
+                let atlas = Atlas::default();
+                for kept in [None, Some(&atlas)] {
+                    let found = follow(&orbit, &margins, true, kept);
+                    match (found, expected) {
+                        (Ok(RollEnd::Slip { elapsed, theta, theta_rate, .. }), Some(end)) => {
+                            for (found, expected) in
+                                [(elapsed, end.elapsed), (theta, end.theta), (theta_rate, end.theta_rate)]
+                            {
+                                let allowed = 1e-12 * (1.0 + expected.abs());
+                                assert!((found - expected).abs() < allowed, "{orbit:?}: {found} {expected}");
+                            }
+                            slips += 1;
+                        }
+                        (Ok(RollEnd::Never), _) | (Ok(_), None) => {
+                            panic!("{orbit:?} {found:?} {expected:?}")
+                        }
+                        (Err(_), _) => {}
                     }
-                }
-                assert!(compared > 100, "{compared}");
-                let (rests, extrema) = roll.rests_and_extrema(side);
-                found = (found.0 + rests.len(), found.1 + extrema.len());
-                for angle in rests {
-                    assert!(roll.limit(side, angle).unwrap().abs() < 1e-12, "{angle}");
-                }
-                for angle in extrema {
-                    let (u, slope) = roll.limit_and_slope(side, angle);
-                    assert!(slope.abs() < 1e-11 * (1.0 + u * u), "{angle}: {u} {slope}");
                 }
             }
         }
-        assert!(found.0 > 4 && found.1 > 4, "{found:?}");
+        assert!(slips > 500, "{slips}");
     }
 
     #[test]
-    fn a_slip_that_is_known_beforehand_is_taken_only_at_its_stop_and_side() {
-        let roll = RollTable::new(&Hoop::figure_2(0.5, 0.4).unwrap()).unwrap();
-        let mut slips = 0;
-        for k in 0..60 {
-            let (theta, rate) = (0.1 * f64::from(k), 1.9);
-            let follow = |ahead: Option<RollAhead>| {
-                roll.follow((theta, rate), libm::cos(theta), false, ahead.as_ref())
-            };
-            let found = follow(None);
-            let Some(RollEnd::Slip { stop, point, .. }) = found else { continue };
-            slips += 1;
-            let known = RollAhead { stop, side: point.side, turned: 0.25, elapsed: 7.0 };
-            assert_eq!(follow(Some(RollAhead { stop: stop + 1, ..known })), found);
-            assert_eq!(follow(Some(RollAhead { side: 1 - known.side, ..known })), found);
-            let Some(RollEnd::Slip { elapsed, .. }) = follow(Some(known)) else { panic!("{theta}") };
-            assert_eq!(elapsed, 7.0);
+    fn the_parts_of_an_arc_are_the_arc() {
+        let at = |turns: f64| {
+            let (y, x) = libm::sincos(core::f64::consts::PI * turns);
+            [x, y]
+        };
+        // From octants 0.8 to 5.3, back, inside one, and from edge to edge.
+        for (from, to, octants) in [
+            (at(0.1), at(0.66), vec![0, 1, 2, 3, 4, 5]),
+            (at(0.66), at(0.1), vec![5, 4, 3, 2, 1, 0]),
+            (at(0.3), at(0.35), vec![2]),
+            (at(0.35), at(0.3), vec![2]),
+            (EDGES[0], EDGES[4], vec![0, 1, 2, 3]),
+            (EDGES[4], EDGES[8], vec![4, 5, 6, 7]),
+            (EDGES[4], EDGES[2], vec![3, 2]),
+            ([-1.0, 0.0], EDGES[4], vec![7, 6, 5, 4]),
+        ] {
+            let parts: Vec<(usize, Arc)> = Arc { from, to, pass: Pass::First }.parts().collect();
+            assert_eq!(parts.iter().map(|part| part.0).collect::<Vec<_>>(), octants);
+            assert_eq!((parts[0].1.from, parts[parts.len() - 1].1.to), (from, to));
+            assert!(parts.windows(2).all(|pair| pair[0].1.to == pair[1].1.from));
+            for (octant, Arc { from, to, .. }) in parts {
+                let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
+                assert!(cross(EDGES[octant], middle) > 0.0 && cross(middle, EDGES[octant + 1]) > 0.0);
+            }
         }
-        assert!(slips > 20, "{slips}");
+    }
+
+    #[test]
+    fn orbits_that_hold_on_an_octant_have_positive_margins() {
+        let (mut held, mut broken) = (0, 0);
+        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
+            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, mu_s);
+            let hoop = Hoop::new(hoop).unwrap();
+            let (margins, law) = (margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop));
+            for octant in 0..OCTANTS {
+                let known = Octant::new(&margins, octant);
+                for step in 0..40 {
+                    let k = law.top * (0.5 + 0.2 * f64::from(step));
+                    for side in [0, 1] {
+                        let form = on_orbit(&margins[side], k);
+                        let least = (0..=30)
+                            .map(|i| {
+                                form.value(on_arc(EDGES[octant], EDGES[octant + 1], f64::from(i) / 30.0))
+                            })
+                            .fold(f64::INFINITY, f64::min);
+                        if known.holds(k) || matches!(known.margin(side, k, true), Known::Holds) {
+                            assert!(least > 0.0, "{octant} {k} {side}: {least}");
+                            held += 1;
+                        } else if least < 0.0 {
+                            broken += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(held > 300 && broken > 300, "{held} {broken}");
     }
 
     #[test]

@@ -1,8 +1,9 @@
-//! Phases from a fast source where this resolves them to rounding, and solved exactly elsewhere.
+//! Phases from [`Laws`] where these resolve them to rounding, and solved exactly elsewhere.
+
+use core::cell::Cell;
 
 use crate::ablation::{Part, is_on};
-use crate::math::trig::sincos;
-use crate::mechanics::equations::{RollingLaw, SlidingLaw, contact};
+use crate::mechanics::equations::contact;
 use crate::mechanics::settling::Settling;
 use crate::model::hoop::{Heavy, Hoop, Massless};
 use crate::model::limits::Limits;
@@ -19,83 +20,33 @@ use crate::walk::links::{Linked, Room};
 use crate::walk::outcome::{Outcome, OutcomeKind};
 use crate::walk::sequence::PhaseSequence;
 
-use super::chain::{Chains, Follow, Passage};
-use super::direct::Memory;
-use super::orbit::{Orbit, Reached};
-use super::roll::{RollEnd, SlipPoint, direction_of};
+use super::Engine;
+use super::atlas::Atlas;
+use super::chain::{Chains, Follow, Passage, SlipPoint};
+use super::doubt::Doubt;
+use super::drift::Drift;
+use super::laws::Laws;
+use super::orbit::Reached;
+use super::place::Place;
+use super::roll::{RollEnd, direction_of};
 use super::slide::SlideEnd;
-use super::slip::Ahead;
-use super::{Doubt, frictionless, jump};
+use super::{frictionless, jump};
 
-/// Slower phases are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
-pub(super) const MIN_RATE: f64 = 4e-3;
+/// Phases that are computed before cells are kept for a hoop that is not prepared: few motions have more, and those go on for long.
+const PHASES_WITHOUT_CELLS: u32 = 4;
 
-/// A source of phases of a heavy hoop: each is none where it is not resolved to rounding.
-pub(super) trait Phases {
-    /// The body.
-    fn body(&self) -> &Heavy;
-    /// The equations of sliding in a direction.
-    fn sliding(&self, direction: Direction) -> &SlidingLaw;
-    /// The equations of rolling.
-    fn rolling(&self) -> &RollingLaw;
-    /// D at a sine and a cosine.
-    fn denominator(&self, direction: (f64, f64)) -> f64;
-    /// Whether P is positive at every angle, for either direction of slip.
-    fn is_solvable(&self) -> bool;
-    /// The end of the rolling that begins at a place, in the frame of motion, on the limit of static friction or not; `memory` is that of the motion.
-    fn roll(&self, place: &Place, on_limit: bool, memory: &Memory) -> Option<RollEnd>;
-    /// The end of the slide that begins at a place, or where it is cut after the time `allowed`, and what is known of the phase behind
-    /// it. `slip_acceleration` where η′ = 0 at the start.
-    fn slide(
-        &self,
-        place: &Place,
-        direction: Direction,
-        slip_acceleration: Option<f64>,
-        allowed: f64,
-        memory: &Memory,
-    ) -> Option<(SlideEnd, Ahead)>;
-}
-
-/// Solves the phases of a hoop that has a fast source of them.
+/// Solves the phases of a hoop.
 #[derive(Clone, Debug)]
-pub(super) struct FastSolver<'a, P> {
-    hoop: &'a Hoop,
-    phases: &'a P,
+pub(super) struct FastSolver<'a> {
+    engine: &'a Engine,
+    laws: &'a Laws,
     /// Chains of slips, if they are passed by whole links.
     chains: Option<&'a Chains>,
     until: f64,
     exact: Exact<'a>,
-    /// What has been computed on the way.
-    memory: Memory,
-    /// What has been lost on the way.
-    doubt: Doubt,
-}
-
-/// A state with the sine and cosine of its angle.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub(super) state: State,
-    pub(super) direction: (f64, f64),
-    /// Where it is the end of rolling by the table.
-    pub(super) slip: Option<SlipPoint>,
-    /// Precomputed data of the phase that begins here.
-    pub(super) ahead: Ahead,
-}
-
-impl Place {
-    fn new(state: State) -> Self {
-        Self { state, direction: sincos(state.theta), slip: None, ahead: Ahead::Open }
-    }
-
-    /// Sign of θ′.
-    pub(super) fn travel(&self) -> f64 {
-        if self.state.theta_rate < 0.0 { -1.0 } else { 1.0 }
-    }
-
-    /// u = θ′².
-    fn u(&self) -> f64 {
-        self.state.theta_rate * self.state.theta_rate
-    }
+    /// Phases that have been computed, as many as matter.
+    phases: Cell<u32>,
+    drift: Drift,
 }
 
 /// How a motion ended, as far as a summary tells.
@@ -140,16 +91,40 @@ impl Solution for Kept {
 
 type Ended = Ending<Place, Verdict>;
 
-impl<'a, P: Phases> FastSolver<'a, P> {
-    pub(super) fn new(hoop: &'a Hoop, phases: &'a P, chains: Option<&'a Chains>, limits: Limits) -> Self {
+impl<'a> FastSolver<'a> {
+    pub(super) fn new(
+        engine: &'a Engine,
+        laws: &'a Laws,
+        chains: Option<&'a Chains>,
+        limits: Limits,
+    ) -> Self {
         let until = limits.until.unwrap_or(f64::INFINITY);
-        let (exact, doubt) = (Exact::new(hoop, &limits), Doubt::new(phases.body()));
-        Self { hoop, phases, chains, until, exact, memory: Memory::default(), doubt }
+        let (exact, drift) = (Exact::new(&engine.hoop, &limits), Drift::new(&laws.body));
+        Self { engine, laws, chains, until, exact, phases: Cell::new(0), drift }
+    }
+
+    /// With a phase that begins: the cells that are kept, if the motion is so long, or the hoop has so many, that they pay. This depends on the
+    /// motion and the hoop alone: the same motion has the same bits wherever it is computed.
+    fn kept(&self) -> Option<&'a Atlas> {
+        let phases = self.phases.get();
+        if !is_on(Part::KeptCells) {
+            return None;
+        }
+        if !self.engine.is_prepared && phases < PHASES_WITHOUT_CELLS {
+            self.phases.set(phases + 1);
+            return None;
+        }
+        Some(&self.engine.atlas)
+    }
+
+    /// Counts a doubt.
+    fn tell(&self, doubt: Doubt) {
+        self.engine.tally.add(doubt);
     }
 
     /// Whether rounding may have decided on what follows otherwise than in the simulation.
-    pub(super) const fn is_in_doubt(&self) -> bool {
-        self.doubt.is_told()
+    pub(super) const fn has_drifted(&self) -> bool {
+        self.drift.is_told()
     }
 
     /// Whether so much time is left at a state.
@@ -180,7 +155,7 @@ impl<'a, P: Phases> FastSolver<'a, P> {
     }
 
     fn contact(&self, place: &Place) -> f64 {
-        contact(1.0, self.phases.body().h, place.direction.1 * place.u())
+        contact(1.0, self.laws.body.h, place.direction.1 * place.u())
     }
 
     /// The evidence from the forces, where it is clear on which side of every limit they are. A sign that is not may be another one in the
@@ -189,25 +164,25 @@ impl<'a, P: Phases> FastSolver<'a, P> {
     fn clear_evidence(&self, place: &Place, arrival: Arrival) -> Option<Evidence<impl Fn(Direction) -> f64>> {
         let Place { state, direction: (sin, cos), .. } = *place;
         let w = self.contact(place);
-        let Heavy { mass, h, inertia, .. } = *self.phases.body();
-        let doubt = &self.doubt;
-        if !doubt.is_clear(w, 1.0 + h * place.u()) {
+        let Heavy { mass, h, inertia, .. } = self.laws.body;
+        let drift = &self.drift;
+        if !drift.is_clear(w, 1.0 + h * place.u()) {
             return None;
         }
         let slip = match Direction::of_sign(state.slip) {
             Some(direction) => SlipEvidence::Moving(direction),
-            None if !doubt.is_known(w, 1.0 + h * place.u()) => return None,
+            None if !drift.is_known(w, 1.0 + h * place.u()) => return None,
             None => self.clear_rest(place, w, arrival)?,
         };
         let solvability = move |direction| {
-            let law = self.phases.sliding(direction);
+            let law = self.laws.sliding(direction);
             law.p(sin, law.q(1.0, sin, cos))
         };
-        if !self.phases.is_solvable() {
-            let size = inertia + mass * h * (1.0 + self.hoop.mu_k());
+        if !self.laws.is_solvable {
+            let size = inertia + mass * h * (1.0 + self.engine.hoop.mu_k());
             let [negative, positive] = Direction::ALL.map(solvability);
-            if !(doubt.is_clear(negative, size)
-                && doubt.is_clear(positive, size)
+            if !(drift.is_clear(negative, size)
+                && drift.is_clear(positive, size)
                 && negative.min(positive) > 0.0)
             {
                 return None;
@@ -219,18 +194,18 @@ impl<'a, P: Phases> FastSolver<'a, P> {
     /// The same at η′ = 0.
     #[inline(always)]
     fn clear_rest(&self, place: &Place, w: f64, arrival: Arrival) -> Option<SlipEvidence> {
-        let law = self.phases.rolling();
+        let law = &self.laws.rolling;
         let u = place.u();
-        let denominator = self.phases.denominator(place.direction);
+        let denominator = law.denominator_of(place.direction);
         let forces = law.forces_at(place.direction, [1.0, u], denominator);
-        let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
-        let size = law.mass * (1.0 + u) * (1.0 + self.hoop.mu_s());
+        let excess = forces.friction.abs() - self.engine.hoop.mu_s() * forces.normal;
+        let size = law.mass * (1.0 + u) * (1.0 + self.engine.hoop.mu_s());
         let hold = match arrival {
             Arrival::Open | Arrival::RollingLimit(_) if w < 0.0 => Hold::NoNormalForce,
             Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
                 Hold::Slips { direction, excess: 0.0 }
             }
-            Arrival::Open if self.doubt.is_clear(excess, size) && place.state.theta_rate != 0.0 => {
+            Arrival::Open if self.drift.is_clear(excess, size) && place.state.theta_rate != 0.0 => {
                 if excess < 0.0 {
                     Hold::Holds
                 } else {
@@ -246,7 +221,7 @@ impl<'a, P: Phases> FastSolver<'a, P> {
         };
         if let Hold::Slips { excess, .. } = hold {
             // With equal coefficients the acceleration of the slip vanishes on the limit.
-            let drive = excess + (self.hoop.mu_s() - self.hoop.mu_k()) * forces.normal;
+            let drive = excess + (self.engine.hoop.mu_s() - self.engine.hoop.mu_k()) * forces.normal;
             if drive <= 0.0 {
                 return None;
             }
@@ -264,7 +239,7 @@ impl<'a, P: Phases> FastSolver<'a, P> {
     ) -> SolvedBy<Self> {
         let solved = self.exact.slide(state, body, direction, slip_acceleration);
         if slip_acceleration.is_some_and(|acceleration| acceleration != 0.0) {
-            self.doubt.add_phase(state.theta);
+            self.drift.add_phase(state.theta);
         }
         Self::take(solved)
     }
@@ -272,15 +247,15 @@ impl<'a, P: Phases> FastSolver<'a, P> {
     /// Takes note of a phase that was computed here, to a state.
     #[inline(always)]
     fn computed(&self, end: &State) {
-        self.doubt.add_phase(end.theta);
+        self.drift.add_phase(end.theta);
     }
 }
 
-impl<P: Phases> FastSolver<'_, P> {
+impl FastSolver<'_> {
     /// Where rolling from a place has led at the limit of time.
     fn rolled(&self, place: &Place) -> Option<State> {
         let (state, travel) = (place.state, place.travel());
-        let orbit = Orbit::enter(self.phases.rolling(), travel * state.theta, travel * state.theta_rate)?;
+        let orbit = self.laws.orbit(place).ok()?;
         let Reached { theta, theta_rate } = orbit.after(self.until - state.time)?;
         let theta = travel * theta;
         let x = state.x - (theta - state.theta);
@@ -288,32 +263,33 @@ impl<P: Phases> FastSolver<'_, P> {
     }
 }
 
-impl<P: Phases> Follow for FastSolver<'_, P> {
+impl Follow for FastSolver<'_> {
     fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, f64, PhaseSequence)> {
-        let solver = Self::new(self.hoop, self.phases, None, Limits::default());
+        let solver = Self::new(self.engine, self.laws, None, Limits::default());
         let state = State { time: 0.0, theta: slip.angle, theta_rate, slip: 0.0, x: 0.0 };
-        let place = Place { slip: Some(slip), ..Place::new(state) };
+        let place = Place::new(state);
         let mut phases = PhaseSequence::default();
         let tell = |mode, direction| {
             phases.push(mode, direction);
             !phases.is_truncated()
         };
         let (end, direction, slid) = next_slip(&solver, place, direction_of(slip.side, 1.0), tell)?;
-        if solver.is_in_doubt() {
+        if solver.has_drifted() {
             return None;
         }
-        let is_last = self.chains.is_some_and(|chains| chains.is_last(self.hoop, &state, &end, phases));
+        let is_last =
+            self.chains.is_some_and(|chains| chains.is_last(&self.engine.hoop, &state, &end, phases));
         (!is_last).then_some((end, direction, slid, phases))
     }
 }
 
-impl<P: Phases> Solver for FastSolver<'_, P> {
+impl Solver for FastSolver<'_> {
     type Place = Place;
     type Solution = Kept;
     type Verdict = Verdict;
 
     fn hoop(&self) -> &Hoop {
-        self.hoop
+        &self.engine.hoop
     }
 
     fn until(&self) -> f64 {
@@ -332,11 +308,11 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn decide(&self, place: &Place, arrival: Arrival) -> Next {
         if arrival == Arrival::LiftOff {
             // What the slide has found is not computed again.
-            return next_motion(self.hoop, &place.state, arrival);
+            return next_motion(&self.engine.hoop, &place.state, arrival);
         }
         match self.clear_evidence(place, arrival) {
-            Some(evidence) => weigh(self.hoop, self.phases.body(), &place.state, &evidence),
-            None => next_motion(self.hoop, &place.state, arrival),
+            Some(evidence) => weigh(&self.engine.hoop, &self.laws.body, &place.state, &evidence),
+            None => next_motion(&self.engine.hoop, &place.state, arrival),
         }
     }
 
@@ -344,20 +320,24 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn roll(&self, place: &Place, on_limit: bool) -> SolvedBy<Self> {
         let state = place.state;
         let travel = place.travel();
-        if self.doubt.is_far(state.theta) {
-            return Self::take(self.exact.roll(&state, on_limit));
+        let left_to_the_simulation = |doubt: Doubt| {
+            self.tell(doubt);
+            Self::take(self.exact.roll(&state, on_limit))
+        };
+        if self.drift.is_far(state.theta) {
+            return left_to_the_simulation(Doubt::Far);
         }
-        let ending: Ended = match self.phases.roll(place, on_limit, &self.memory) {
-            Some(RollEnd::Never) => Ending::Motion {
+        let ending: Ended = match self.laws.roll(place, on_limit, self.kept()) {
+            Ok(RollEnd::Never) => Ending::Motion {
                 event: None,
                 end: None,
                 verdict: Verdict { kind: OutcomeKind::RollsForever, state },
             },
-            Some(RollEnd::Slip { elapsed, theta, theta_rate, point, direction: (sin, cos), .. })
+            Ok(RollEnd::Slip { elapsed, theta, theta_rate, side, direction: (sin, cos) })
                 if self.is_in_time(&state, elapsed) =>
             {
                 let theta = travel * theta;
-                let towards = direction_of(point.side, travel);
+                let towards = direction_of(side, travel);
                 let end = State {
                     time: state.time + elapsed,
                     theta,
@@ -368,25 +348,20 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                 let limit = RollingLimit::Friction(towards);
                 self.computed(&end);
                 Ending::Event {
-                    place: Place {
-                        state: end,
-                        direction: (travel * sin, cos),
-                        slip: Some(point),
-                        ahead: Ahead::Open,
-                    },
+                    place: Place { state: end, direction: (travel * sin, cos) },
                     cause: limit.cause(),
                     arrival: Arrival::RollingLimit(limit),
                 }
             }
-            Some(RollEnd::Slip { .. }) => match self.rolled(place) {
+            Ok(RollEnd::Slip { .. }) => match self.rolled(place) {
                 Some(end) => Ending::Motion {
                     event: None,
                     end: Some(end),
                     verdict: Verdict { kind: OutcomeKind::TimeLimit, state: end },
                 },
-                None => return Self::take(self.exact.roll(&state, on_limit)),
+                None => return left_to_the_simulation(Doubt::Separatrix),
             },
-            None => return Self::take(self.exact.roll(&state, on_limit)),
+            Err(doubt) => return left_to_the_simulation(doubt),
         };
         Solved { solution: Kept::Nothing, direction: None, ending }
     }
@@ -400,18 +375,25 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         slip_acceleration: Option<f64>,
     ) -> SolvedBy<Self> {
         let state = place.state;
-        let is_conservative = self.hoop.mu_k() == 0.0;
+        let is_conservative = self.engine.hoop.mu_k() == 0.0;
         let for_ever = Verdict { kind: OutcomeKind::SlidesForever, state };
         let never = || {
             let ending = Ending::Motion { event: None, end: None, verdict: for_ever };
             Solved { solution: Kept::Nothing, direction: Some(direction), ending }
         };
-        if self.doubt.is_far(state.theta)
-            || (slip_acceleration.is_some()
-                && !self.doubt.is_known(self.contact(place), 1.0 + body.h * place.u()))
-            || (is_conservative && frictionless::is_next_to_separatrix(body, &state))
+        let left_to_the_simulation = |doubt: Doubt| {
+            self.tell(doubt);
+            self.slide_exactly(&state, body, direction, slip_acceleration)
+        };
+        if self.drift.is_far(state.theta) {
+            return left_to_the_simulation(Doubt::Far);
+        }
+        if slip_acceleration.is_some() && !self.drift.is_known(self.contact(place), 1.0 + body.h * place.u())
         {
-            return self.slide_exactly(&state, body, direction, slip_acceleration);
+            return left_to_the_simulation(Doubt::Cancelled);
+        }
+        if is_conservative && frictionless::is_next_to_equilibrium(body, &state) {
+            return left_to_the_simulation(Doubt::Separatrix);
         }
         if is_conservative
             && is_on(Part::ClosedForms)
@@ -421,14 +403,15 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             return never();
         }
         let allowed = self.until - state.time;
-        let followed = self.phases.slide(place, direction, slip_acceleration, allowed, &self.memory);
-        let (event, ahead, is_cut) = match followed {
-            Some((SlideEnd::Event(event), ahead)) => (event, ahead, false),
-            Some((SlideEnd::Cut(event), ahead)) => (event, ahead, true),
-            Some((SlideEnd::Never, _)) => return never(),
-            None => return self.slide_exactly(&state, body, direction, slip_acceleration),
+        // On the static limit with equal coefficients η″ vanishes, too.
+        let from_limit = slip_acceleration == Some(0.0);
+        let (event, is_cut) = match self.laws.slide(place, direction, from_limit, allowed, self.kept()) {
+            Ok(SlideEnd::Event(event)) => (event, false),
+            Ok(SlideEnd::Cut(event)) => (event, true),
+            Ok(SlideEnd::Never) => return never(),
+            Err(doubt) => return left_to_the_simulation(doubt),
         };
-        let law = self.phases.sliding(direction);
+        let law = self.laws.sliding(direction);
         let here = event.direction;
         let end = State {
             time: if is_cut { self.until } else { state.time + event.elapsed },
@@ -448,7 +431,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
         }
         let (cause, arrival) =
             if event.lifts_off { (Cause::LiftOff, Arrival::LiftOff) } else { (Cause::Stick, Arrival::Open) };
-        let place = Place { state: end, direction: here, slip: None, ahead };
+        let place = Place { state: end, direction: here };
         Solved { solution, direction: Some(direction), ending: Ending::Event { place, cause, arrival } }
     }
 
@@ -456,7 +439,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
     fn fly(&self, place: &Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let state = place.state;
         // Whatever follows from a state of the simulation goes on as there.
-        if self.doubt.is_none() && self.hoop.restitution().is_some() {
+        if self.drift.is_none() && self.engine.hoop.restitution().is_some() {
             return Self::take(self.exact.fly(&state, body, take_off));
         }
         let flight = match take_off {
@@ -468,7 +451,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
                 }
             }
             // So close to w = 0 the exact rules have decided, with their own cosine.
-            TakeOff::Unloaded if !self.doubt.is_clear(self.contact(place), 1.0 + body.h * place.u()) => {
+            TakeOff::Unloaded if !self.drift.is_clear(self.contact(place), 1.0 + body.h * place.u()) => {
                 Flight::new(body, state, take_off)
             }
             TakeOff::Unloaded | TakeOff::Rising { .. } => {
@@ -476,8 +459,8 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             }
         };
         let duration = flight.duration();
-        if let Some(restitution) = self.hoop.restitution() {
-            self.doubt.add_flight(&flight, &state, place.direction, restitution.coefficient());
+        if let Some(restitution) = self.engine.hoop.restitution() {
+            self.drift.add_flight(&flight, &state, place.direction, restitution.coefficient());
         }
         let ending = if self.is_in_time(&state, duration) {
             Ending::Landing { state: flight.state(duration), gap_rate: flight.landing_rate() }
@@ -520,7 +503,7 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             (chains.pass(point, self, has_room)?, PhaseSequence::default())
         };
         let (slip, end) = after(&passage)?;
-        let place = Place { slip: Some(slip), ..Place::new(end) };
+        let place = Place::new(end);
         let towards = direction_of(slip.side, place.travel());
         self.computed(&end);
         Some(Linked {
@@ -530,27 +513,5 @@ impl<P: Phases> Solver for FastSolver<'_, P> {
             slid: passage.slid,
             phases: if travel < 0.0 { phases.mirrored() } else { phases },
         })
-    }
-}
-
-#[cfg(test)]
-impl<P: Phases> FastSolver<'_, P> {
-    /// Whether the decision at a start, the rolling or the slide that begins there are left to the exact solver.
-    pub(super) fn left_to_the_exact_solver(&self, start: crate::model::state::Start) -> [bool; 3] {
-        let place = Place::new(State::from(start));
-        let is_open = self.clear_evidence(&place, Arrival::Open).is_none();
-        match self.decide(&place, Arrival::Open) {
-            Next::Roll { on_limit } => {
-                [is_open, self.phases.roll(&place, on_limit, &self.memory).is_none(), false]
-            }
-            Next::Slide { direction, slip_acceleration, .. } => {
-                let slide =
-                    self.phases.slide(&place, direction, slip_acceleration, f64::INFINITY, &self.memory);
-                [is_open, false, slide.is_none()]
-            }
-            Next::Fly { .. } | Next::Glide { .. } | Next::None(_) | Next::Several(_) => {
-                [is_open, false, false]
-            }
-        }
     }
 }

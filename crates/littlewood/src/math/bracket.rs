@@ -10,16 +10,16 @@ pub(crate) struct Bracket {
 }
 
 /// A step towards a root.
-struct Step {
+pub(crate) struct Step {
     /// Value where the step begins.
-    value: f64,
-    step: f64,
+    pub(crate) value: f64,
+    pub(crate) step: f64,
     /// Its end is the root if it is no longer than this.
-    last: f64,
+    pub(crate) last: f64,
 }
 
 /// The last digit of a number.
-fn last_digit(x: f64) -> f64 {
+pub(crate) fn last_digit(x: f64) -> f64 {
     0.5 * f64::EPSILON * x.abs()
 }
 
@@ -95,7 +95,7 @@ impl Bracket {
         })
     }
 
-    fn iterate(self, guess: f64, mut next_step: impl FnMut(f64) -> Step) -> f64 {
+    pub(crate) fn iterate(self, guess: f64, mut next_step: impl FnMut(f64) -> Step) -> f64 {
         let (mut low, mut high) = (self.low, self.high);
         if high <= low {
             return low;

@@ -95,15 +95,6 @@ fn core_sincos(r: f64, rest: f64) -> (f64, f64) {
     (r + (rest + r * (square * sine)), one + (lost + (square * square * cosine - r * rest)))
 }
 
-/// (sin r, cos r) for |r| below 0.45: fewer terms, no reduction.
-#[inline]
-pub(crate) fn sincos_small(r: f64) -> (f64, f64) {
-    let square = r * r;
-    let sine = polynomial(&SINE[2..], square);
-    let cosine = polynomial(&COSINE[2..], square);
-    (r + r * (square * sine), 1.0 + square * cosine)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -130,12 +121,6 @@ mod tests {
             prop_assert!((c - cos).abs() <= f64::EPSILON * cos.abs(), "{x}: {c} {cos}");
         }
 
-        #[test]
-        fn small_angles_agree_to_the_last_digit(x in -0.45..0.45_f64) {
-            let ((s, c), (sin, cos)) = (sincos_small(x), libm::sincos(x));
-            prop_assert!((s - sin).abs() <= f64::EPSILON * sin.abs(), "{x}: {s} {sin}");
-            prop_assert!((c - cos).abs() <= f64::EPSILON * cos.abs(), "{x}: {c} {cos}");
-        }
     }
 
     #[test]

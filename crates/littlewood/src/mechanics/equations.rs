@@ -124,13 +124,7 @@ impl RollingLaw {
         self.bottom + 4.0 * self.offset * cos_half * cos_half
     }
 
-    /// The same from cos θ: it loses the digits of D(π)/D near the bottom, where this is small.
-    #[inline]
-    pub(crate) fn denominator_at(&self, cos: f64) -> f64 {
-        self.mean_denominator() + 2.0 * self.offset * cos
-    }
-
-    /// The same from sin θ and cos θ, with all digits.
+    /// The same from sin θ and cos θ.
     #[inline]
     pub(crate) fn denominator_of(&self, direction: (f64, f64)) -> f64 {
         self.bottom + 2.0 * self.offset * above_bottom(direction)

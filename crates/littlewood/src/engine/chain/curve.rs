@@ -2,7 +2,7 @@
 
 use crate::math::bracket::Bracket;
 
-use super::super::roll::{RollTable, SlipPiece, SlipPoint};
+use super::limit::{SlipCurves, SlipPoint};
 
 /// A slip on one of the curves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,8 @@ enum Coordinate {
 #[derive(Clone, Debug)]
 struct Part {
     side: usize,
-    piece: SlipPiece,
+    /// Angles between which the level is monotone.
+    piece: (f64, f64),
     coordinate: Coordinate,
     /// Angles of its ends.
     angles: (f64, f64),
@@ -39,7 +40,7 @@ struct Part {
 /// The curves of one body, in parts.
 #[derive(Clone, Debug)]
 pub(super) struct Curves {
-    roll: RollTable,
+    slips: SlipCurves,
     parts: Vec<Part>,
 }
 
@@ -53,16 +54,16 @@ const HALVINGS_TO_REST: u32 = 3;
 const POLE: f64 = 1e-9;
 
 impl Curves {
-    pub(super) fn new(roll: &RollTable) -> Self {
+    pub(super) fn new(slips: SlipCurves) -> Self {
         let mut parts = Vec::new();
         for side in [0, 1] {
-            let (rests, extrema) = roll.rests_and_extrema(side);
-            for piece in roll.slips(side) {
+            let (rests, extrema) = slips.rests_and_extrema(side);
+            for piece in slips.slips(side) {
                 let inside = |cuts: &[f64]| -> Vec<f64> {
-                    cuts.iter().copied().filter(|angle| piece.left < *angle && *angle < piece.right).collect()
+                    cuts.iter().copied().filter(|angle| piece.0 < *angle && *angle < piece.1).collect()
                 };
                 let rests = inside(&rests);
-                let mut ends = vec![piece.left, piece.right];
+                let mut ends = vec![piece.0, piece.1];
                 if !rests.is_empty() {
                     ends.extend(&rests);
                     ends.extend(inside(&extrema));
@@ -70,14 +71,14 @@ impl Curves {
                 }
                 for pair in ends.windows(2) {
                     let middle = 0.5 * (pair[0] + pair[1]);
-                    if !roll.limit(side, middle).is_some_and(|u| u > 0.0) {
+                    if !slips.limit(side, middle).is_some_and(|u| u > 0.0) {
                         continue;
                     }
-                    let slowest = POLE * roll.inverse_level(side, middle).abs();
+                    let slowest = POLE * slips.inverse_level(side, middle).abs();
                     let half = |end: f64| {
                         let coordinate = if rests.contains(&end) {
                             Coordinate::Rate
-                        } else if roll.inverse_level(side, end).abs() <= slowest {
+                        } else if slips.inverse_level(side, end).abs() <= slowest {
                             Coordinate::InverseLevel
                         } else {
                             Coordinate::Angle
@@ -85,8 +86,8 @@ impl Curves {
                         let angles = (end.min(middle), end.max(middle));
                         let at = |angle: f64| match coordinate {
                             Coordinate::Angle => angle,
-                            Coordinate::InverseLevel => roll.inverse_level(side, angle).max(0.0),
-                            Coordinate::Rate => roll.limit(side, angle).map_or(0.0, |u| u.max(0.0).sqrt()),
+                            Coordinate::InverseLevel => slips.inverse_level(side, angle).max(0.0),
+                            Coordinate::Rate => slips.limit(side, angle).map_or(0.0, |u| u.max(0.0).sqrt()),
                         };
                         let (one, other) = (at(angles.0), at(angles.1));
                         Part { side, piece, coordinate, angles, bounds: (one.min(other), one.max(other)) }
@@ -95,7 +96,7 @@ impl Curves {
                 }
             }
         }
-        Self { roll: roll.clone(), parts }
+        Self { slips, parts }
     }
 
     /// The coordinates of the ends of the parts.
@@ -106,10 +107,10 @@ impl Curves {
     /// The angle of a slip at a rate, on a part on which rates rise or fall.
     fn angle_at(&self, part: &Part, rate: f64) -> f64 {
         let (low, high) = part.angles;
-        let [first, last] = [low, high].map(|angle| self.roll.limit(part.side, angle).unwrap_or(0.0));
+        let [first, last] = [low, high].map(|angle| self.slips.limit(part.side, angle).unwrap_or(0.0));
         let falls = if first > last { 1.0 } else { -1.0 };
         Bracket { low, high }.refine(|angle| {
-            let (u, slope) = self.roll.limit_and_slope(part.side, angle);
+            let (u, slope) = self.slips.limit_and_slope(part.side, angle);
             (falls * (u - rate * rate), falls * slope)
         })
     }
@@ -123,7 +124,7 @@ impl Curves {
         let at = match self.parts[index].coordinate {
             Coordinate::Angle => slip.angle,
             Coordinate::InverseLevel => {
-                1.0 / (self.roll.law().denominator(slip.angle) * (1.0 + theta_rate * theta_rate))
+                1.0 / (self.slips.denominator(slip.angle) * (1.0 + theta_rate * theta_rate))
             }
             Coordinate::Rate => theta_rate.abs(),
         };
@@ -143,7 +144,7 @@ impl Curves {
     pub(super) fn amplification(&self, part: usize, (from, to): (f64, f64)) -> f64 {
         let part = &self.parts[part];
         let moves = |angles: [f64; 2]| {
-            let [first, last] = angles.map(|angle| self.roll.inverse_level(part.side, angle));
+            let [first, last] = angles.map(|angle| self.slips.inverse_level(part.side, angle));
             (first * (to - from) / (last - first)).abs()
         };
         match part.coordinate {
@@ -158,17 +159,17 @@ impl Curves {
         let part = &self.parts[point.part];
         let side = part.side;
         let (angle, k) = match part.coordinate {
-            Coordinate::Angle => (point.at, 1.0 / self.roll.inverse_level(side, point.at)),
+            Coordinate::Angle => (point.at, 1.0 / self.slips.inverse_level(side, point.at)),
             Coordinate::InverseLevel => {
                 let k = 1.0 / point.at;
-                (self.roll.slip_on(&part.piece, side, k)?, k)
+                (self.slips.slip_on(part.piece, side, k)?, k)
             }
             Coordinate::Rate => {
                 let slip = SlipPoint { side, angle: self.angle_at(part, point.at) };
                 return (point.at > 0.0).then_some((slip, point.at));
             }
         };
-        let d = self.roll.law().denominator(angle);
+        let d = self.slips.denominator(angle);
         let u = (k - d) / d;
         (u > 0.0 && u.is_finite()).then(|| (SlipPoint { side, angle }, u.sqrt()))
     }

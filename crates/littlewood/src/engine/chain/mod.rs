@@ -9,6 +9,7 @@
 //! Pieces are made when a motion first needs them, and are the same whichever motion that is.
 
 mod curve;
+mod limit;
 mod passage;
 mod tree;
 
@@ -19,10 +20,11 @@ use crate::modes::rolling::Levels;
 use crate::walk::sequence::PhaseSequence;
 
 use super::interpolant::Basis;
-use super::roll::{RollTable, SlipPoint};
+use super::laws::Laws;
 use curve::{Curves, Point};
 use tree::{Found, Making, Tree};
 
+pub(super) use limit::{SlipCurves, SlipPoint};
 pub(super) use passage::Passage;
 
 /// Powers of two: most limits of transitions are below 2^14.
@@ -53,15 +55,16 @@ pub(super) struct Chains {
 }
 
 impl Chains {
-    /// Of a body with these orbits of rolling. Nothing is computed yet.
-    pub(super) fn new(hoop: &Hoop, body: &Heavy, roll: &RollTable) -> Self {
-        let curves = Curves::new(roll);
+    /// Of a hoop with these equations. Nothing is computed yet.
+    pub(super) fn new(hoop: &Hoop, laws: &Laws) -> Self {
+        let Heavy { mass, inertia, .. } = laws.body;
+        let curves = Curves::new(SlipCurves::new(laws.margins, laws.rolling));
         let level = curves.bounds().map(|(left, right)| Tree::new(left, right)).collect();
         Self {
             curves,
             basis: Basis::new(),
             levels: vec![level; LEVELS],
-            noise: (body.mass / body.inertia).sqrt().max(1.0),
+            noise: (mass / inertia).sqrt().max(1.0),
             grazing: if hoop.mu_s() == hoop.mu_k() { Levels::new(hoop) } else { None },
         }
     }

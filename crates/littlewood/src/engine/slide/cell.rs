@@ -1,27 +1,67 @@
-//! A cell of angles, with the slides through it as polynomials.
+//! All slides of a body in one direction about an angle.
+//!
+//! There every slide is u = p + u_c h, with two series and one number u_c that belongs to the slide. They reach to both sides, twice as
+//! far as the series of one slide from where it begins, and serve every slide of a motion that comes there.
 
-use crate::math::trig::{sincos, sincos_small};
+use core::f64::consts::TAU;
+
+use crate::engine::polynomial::value;
+use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
+use crate::math::trig::sincos;
 use crate::mechanics::equations::SlidingLaw;
-use crate::model::hoop::Heavy;
 
-use super::super::polynomial::value;
-use super::super::quadrature::{MIDDLE_NODE, MIDDLE_NODES, MIDDLE_WEIGHT, NODE, NODES, WEIGHT};
+use super::piece::Waypoint;
+use super::series::{
+    CONVERGED, Low, Polynomials, Series, Signs, bernstein, from_both_sides, least, pattern, reach, scaled,
+    sum_of_sizes,
+};
+use super::step::{Step, rotated};
 
-/// Degree of the polynomials of a cell.
-pub(super) const DEGREE: usize = 18;
+/// Cells of a turn, evenly spaced. They overlap, wherever P is not close to zero.
+pub(in crate::engine) const CELLS: usize = 16;
 
-/// A series has converged when its last coefficients are below this part of the largest.
-const CONVERGED: f64 = 1e-17;
+/// Largest z of a cell, tan π/16: the centre of the next one. In wider cells u changes more than the Gauss sum of the time allows.
+const WIDEST: f64 = 0.198_912_367_379_658_02;
 
-/// Coefficients of the powers of z, the lowest first.
-pub(super) type Polynomial = [f64; DEGREE + 1];
+/// The tiles of the cells, up to this z, tan π/32, cover a turn.
+const TILE: f64 = 0.098_491_403_357_164_26;
 
-/// What belongs to the body at the end of a cell.
+/// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
+#[derive(Clone, Debug)]
+pub(in crate::engine) struct Cell {
+    /// sin ϑ and cos ϑ at the centre.
+    direction: (f64, f64),
+    /// z at the end.
+    width: f64,
+    /// u = p + u_c h, truncated at the first of these degrees, which are even, and on the tile at the second.
+    p: Series,
+    h: Series,
+    degrees: (usize, usize),
+    /// The Bernstein coefficients of n³ P σ η″ = a + u_c b, and what each leaves out.
+    a: (Low, f64),
+    b: (Low, f64),
+    /// P is nowhere less.
+    least: f64,
+    /// t at the end of its tile; 1 where it does not reach so far.
+    end: f64,
+    /// p and h at the beginning of its tile.
+    entry: (f64, f64),
+    /// The end of its tile.
+    exit: Edge,
+    /// p, h, and the weight of 1/√u in the time, at the Gauss nodes of its tile.
+    nodes: [[f64; NODES]; 3],
+    /// Sums of the sizes of the terms of p and h, from the linear ones on, up to the ellipse on which u has no zero if they are small.
+    terms: (f64, f64),
+    /// The largest |η″| is at most the first and |u_c| times the second.
+    most: (f64, f64),
+}
+
+/// The end of a tile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
-    pub(super) p: f64,
-    pub(super) h: f64,
-    pub(super) cos: f64,
+    p: f64,
+    h: f64,
+    pub(super) direction: (f64, f64),
     /// 1 + h cos ϑ + μk h sin ϑ.
     pub(super) lever: f64,
     /// η″ = α + β u.
@@ -29,192 +69,301 @@ pub(super) struct Edge {
     pub(super) beta: f64,
 }
 
-/// A cell, z ∈ [−1, 1] from its left end to its right.
-#[derive(Clone, Debug)]
-pub(super) struct Cell {
-    pub(super) left: f64,
-    pub(super) centre: f64,
-    pub(super) half: f64,
-    /// sin ϑ and cos ϑ at the centre.
-    pub(super) direction: (f64, f64),
-    pub(super) p: Polynomial,
-    pub(super) h: Polynomial,
-    pub(super) p_nodes: [f64; NODES],
-    pub(super) h_nodes: [f64; NODES],
-    /// At the nodes of the middle rule.
-    p_middle: [f64; MIDDLE_NODES],
-    h_middle: [f64; MIDDLE_NODES],
-    /// At z = −1 and z = 1.
-    pub(super) edges: [Edge; 2],
-    /// Whether it is left out: P ≤ 0, or so close to a zero of P that its series do not converge. Nothing else holds of it then.
-    pub(super) is_gap: bool,
+fn largest(series: &Series) -> f64 {
+    series.iter().fold(0.0, |largest, c| largest.max(c.abs()))
 }
 
-impl Edge {
-    fn new(law: &SlidingLaw, theta: f64, p: f64, h: f64) -> Self {
-        let (sin, cos) = sincos(theta);
-        let (alpha, beta) = law.slip_acceleration(sin, cos);
-        Self { p, h, cos, lever: law.lever(sin, cos), alpha, beta }
-    }
+/// The even degree at which two series are truncated up to this t.
+fn degree_of(series: [&Series; 2], t: f64) -> usize {
+    let degrees = series.map(|series| {
+        let terms = scaled(*series, t);
+        let least = CONVERGED * largest(&terms);
+        terms.iter().rposition(|c| c.abs() > least).unwrap_or(0)
+    });
+    degrees[0].max(degrees[1]).next_multiple_of(2)
 }
 
 impl Cell {
-    /// The cell about `left..right`, if its series converge.
-    pub(super) fn new(law: &SlidingLaw, left: f64, right: f64) -> Option<Self> {
-        let Heavy { mass, h, inertia, .. } = law.body;
-        let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
-        let mut sin = [0.0; DEGREE + 1];
-        let mut cos = [0.0; DEGREE + 1];
-        (sin[0], cos[0]) = libm::sincos(centre);
-        for k in 1..=DEGREE {
-            let factor = half / k as f64;
-            sin[k] = factor * cos[k - 1];
-            cos[k] = -factor * sin[k - 1];
-        }
-        let q: Polynomial = core::array::from_fn(|k| law.q(if k == 0 { 1.0 } else { 0.0 }, sin[k], cos[k]));
-        let mut solvability = product(&sin, &q).map(|c| mass * h * c);
-        solvability[0] += inertia;
-        let drive = quotient(&q.map(|c| 2.0 * mass * c), &solvability);
-        let weight = product(&cos, &drive).map(|c| -h * c);
-        let (mut u_p, mut u_h) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
-        u_h[0] = 1.0;
-        for k in 0..DEGREE {
-            let factor = half / (k + 1) as f64;
-            let (mut sum_p, mut sum_h) = (drive[k], 0.0);
-            for j in 0..=k {
-                sum_p += weight[j] * u_p[k - j];
-                sum_h += weight[j] * u_h[k - j];
-            }
-            u_p[k + 1] = factor * sum_p;
-            u_h[k + 1] = factor * sum_h;
-        }
-        let converged = |series: &Polynomial| {
-            let largest = series.iter().fold(0.0_f64, |max, c| max.max(c.abs()));
-            series[DEGREE - 2..].iter().all(|c| c.abs() <= CONVERGED * largest.max(1e-3))
-        };
-        if !(converged(&u_p) && converged(&u_h)) {
+    /// The cell whose centre is the next ahead of an angle, and the one before.
+    pub(super) fn about(theta: f64) -> [usize; 2] {
+        let place = theta * (CELLS as f64 / TAU);
+        let turns = (place / CELLS as f64).floor();
+        let before = (place - CELLS as f64 * turns) as usize % CELLS;
+        [Self::next(before), before]
+    }
+
+    /// The cell whose tile begins where that of another ends.
+    pub(super) const fn next(number: usize) -> usize {
+        (number + 1) % CELLS
+    }
+
+    /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not known to be positive.
+    pub(in crate::engine) fn new(law: &SlidingLaw, sigma: f64, cell: usize) -> Option<Self> {
+        let direction = sincos(cell as f64 * (TAU / CELLS as f64));
+        let polynomials = Polynomials::new(law, sigma, direction);
+        let [p, h] = polynomials.solutions([0.0, 1.0], [1.0, 0.0]);
+        let size = largest(&scaled(p, WIDEST));
+        let width = reach(&p, 0, size).min(reach(&h, 0, 1.0)).min(WIDEST);
+        let [p, h] = [p, h].map(|series| scaled(series, width));
+        let least = least(from_both_sides(polynomials.p(width)));
+        if !(least > 0.0 && width > 0.0) {
             return None;
         }
-        let edge = |theta, z| Edge::new(law, theta, value(&u_p, z), value(&u_h, z));
+        let signs = |u: &Series, part_of_a: f64| {
+            let (low, band) = polynomials.slip_acceleration(u, width, part_of_a);
+            (bernstein(from_both_sides(low)), band)
+        };
+        let (a, b) = (signs(&p, 1.0), signs(&h, 0.0));
+        let at = |t: f64| [&p, &h].map(|series| value(series, t));
+        let end = (TILE / width).min(1.0);
+        let degrees = (degree_of([&p, &h], 1.0), degree_of([&p, &h], end));
+        let [entry, exit] = [at(-end), at(end)];
+        let far = Step::far(-end, end);
+        let [p_terms, h_terms] = [&p, &h].map(|series| far * sum_of_sizes(&series[1..], far));
+        let most = |(low, band): &(Low, f64)| {
+            let largest = low.iter().fold(0.0_f64, |largest, c| largest.max(c.abs()));
+            (largest + band) / least
+        };
+        let nodes = NODE.map(|node| at(end * node));
+        let weight = |j: usize| {
+            let z = TILE * NODE[j];
+            2.0 * TILE * WEIGHT[j] / (1.0 + z * z)
+        };
+        let (sin, cos) = rotated(direction, TILE);
+        let (alpha, beta) = law.slip_acceleration(sin, cos);
         Some(Self {
-            left,
-            centre,
-            half,
-            direction: (sin[0], cos[0]),
-            p_nodes: NODE.map(|z| value(&u_p, z)),
-            h_nodes: NODE.map(|z| value(&u_h, z)),
-            p_middle: MIDDLE_NODE.map(|z| value(&u_p, z)),
-            h_middle: MIDDLE_NODE.map(|z| value(&u_h, z)),
-            edges: [edge(left, -1.0), edge(right, 1.0)],
-            p: u_p,
-            h: u_h,
-            is_gap: false,
+            direction,
+            width,
+            degrees,
+            least,
+            end,
+            entry: (entry[0], entry[1]),
+            exit: Edge {
+                p: exit[0],
+                h: exit[1],
+                direction: (sin, cos),
+                lever: law.lever(sin, cos),
+                alpha,
+                beta,
+            },
+            nodes: [nodes.map(|node| node[0]), nodes.map(|node| node[1]), core::array::from_fn(weight)],
+            terms: (p_terms, h_terms),
+            most: (most(&a), most(&b)),
+            p,
+            h,
+            a,
+            b,
         })
     }
 
-    /// The cell about `left..right`, left out.
-    pub(super) fn gap(law: &SlidingLaw, left: f64, right: f64) -> Self {
-        let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
-        Self {
-            left,
-            centre,
-            half,
-            direction: sincos(centre),
-            p: [0.0; DEGREE + 1],
-            h: [0.0; DEGREE + 1],
-            p_nodes: [0.0; NODES],
-            h_nodes: [0.0; NODES],
-            p_middle: [0.0; MIDDLE_NODES],
-            h_middle: [0.0; MIDDLE_NODES],
-            edges: [left, right].map(|theta| Edge::new(law, theta, 0.0, 0.0)),
-            is_gap: true,
-        }
-    }
-}
-
-fn product(a: &Polynomial, b: &Polynomial) -> Polynomial {
-    let mut result = [0.0; DEGREE + 1];
-    for k in 0..=DEGREE {
-        for j in 0..=k {
-            result[k] += a[j] * b[k - j];
-        }
-    }
-    result
-}
-
-fn quotient(a: &Polynomial, b: &Polynomial) -> Polynomial {
-    let mut result = [0.0; DEGREE + 1];
-    for k in 0..=DEGREE {
-        let mut rest = a[k];
-        for j in 1..=k {
-            rest -= b[j] * result[k - j];
-        }
-        result[k] = rest / b[0];
-    }
-    result
-}
-
-impl Cell {
-    /// sin ϑ and cos ϑ at z, by the addition theorems.
-    pub(super) fn direction(&self, z: f64) -> (f64, f64) {
-        let ((sin, cos), (turn_sin, turn_cos)) = (self.direction, sincos_small(self.half * z));
-        (sin * turn_cos + cos * turn_sin, cos * turn_cos - sin * turn_sin)
+    /// Where a direction is.
+    fn place(&self, (sin, cos): (f64, f64)) -> f64 {
+        let (middle_sin, middle_cos) = self.direction;
+        let (turn_sin, turn_cos) = (sin * middle_cos - cos * middle_sin, cos * middle_cos + sin * middle_sin);
+        turn_sin / ((1.0 + turn_cos) * self.width)
     }
 
-    /// u_c of the motion that has u at z.
-    pub(super) fn level(&self, u: f64, z: f64) -> f64 {
-        (u - value(&self.p, z)) / value(&self.h, z)
+    /// Of a slide with this u at the beginning of the tile: u_c, and u at the end of the tile. None where u is not known to stay away from zero.
+    pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
+        let level = (u - self.entry.0) / self.entry.1;
+        let is_clear = self.terms.0 + level * self.terms.1 <= Step::SMOOTH * level;
+        (self.end < 1.0 && is_clear).then(|| (level, self.exit.p + level * self.exit.h))
     }
 
-    /// u of one motion as a polynomial in z.
-    pub(super) fn motion(&self, level: f64) -> Polynomial {
-        core::array::from_fn(|k| self.p[k] + level * self.h[k])
-    }
-
-    /// ∫ dϑ/√u over the whole cell, with the shorter rule if u changes very little (`is_even`).
-    pub(super) fn whole_time(&self, level: f64, is_even: bool) -> f64 {
+    /// The time from the beginning of the tile to its end.
+    pub(super) fn time(&self, level: f64) -> f64 {
+        let [p, h, weight] = &self.nodes;
         let mut sum = 0.0;
-        if is_even {
-            for ((weight, p), h) in WEIGHT.iter().zip(&self.p_nodes).zip(&self.h_nodes) {
-                sum += weight / (p + level * h).sqrt();
-            }
-        } else {
-            for ((weight, p), h) in MIDDLE_WEIGHT.iter().zip(&self.p_middle).zip(&self.h_middle) {
-                sum += weight / (p + level * h).sqrt();
-            }
+        for j in 0..NODES {
+            sum += weight[j] / (p[j] + level * h[j]).sqrt();
         }
-        self.half * sum
+        sum
     }
 
-    /// ∫ dϑ/√u from z = from to z = to, not smaller, with the shorter rule if u changes very little.
-    pub(super) fn time(&self, motion: &Polynomial, from: f64, to: f64, is_even: bool) -> f64 {
-        if is_even {
-            self.sum(motion, (from, to), (&NODE, &WEIGHT))
-        } else {
-            self.sum(motion, (from, to), (&MIDDLE_NODE, &MIDDLE_WEIGHT))
-        }
+    /// |η″| is at most this.
+    pub(super) fn swing(&self, level: f64) -> f64 {
+        self.most.0 + level * self.most.1
     }
 
-    /// The same by a rule.
-    #[inline]
-    fn sum<const N: usize>(
-        &self,
-        motion: &Polynomial,
-        (from, to): (f64, f64),
-        (nodes, weights): (&[f64; N], &[f64; N]),
-    ) -> f64 {
-        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let z = nodes.map(|node| middle + half * node);
-        let mut u = [motion[DEGREE]; N];
-        for c in motion[..DEGREE].iter().rev() {
-            for j in 0..N {
-                u[j] = u[j] * z[j] + c;
+    /// The end of the tile.
+    pub(super) const fn exit(&self) -> &Edge {
+        &self.exit
+    }
+
+    /// The step over the whole tile of a slide that crosses it, and its place at the beginning. None where η″ may change its sign twice.
+    pub(super) fn whole_step(&self, here: &Waypoint, level: f64) -> Option<(Waypoint, Step)> {
+        let place = Waypoint { z: -self.end, ..*here };
+        Some((place, self.step_at(level, self.degrees.1, Some((place.z, self.time(level))))?))
+    }
+
+    /// The step of a slide with this direction and u to the end of the tile, or of a narrower cell, and its place there. None at other places,
+    /// where u is not known to stay away from zero, and where η″ may change its sign twice.
+    pub(super) fn step(&self, here: &Waypoint) -> Option<(Waypoint, Step)> {
+        let (z, end) = (self.place(here.direction), self.end);
+        if !(z >= -1.0 && z < end) {
+            return None;
+        }
+        let degree = if z >= -end { self.degrees.1 } else { self.degrees.0 };
+        let at_place = |series: &Series| value(&series[..=degree], z);
+        let level = (here.u - at_place(&self.p)) / at_place(&self.h);
+        // What fails mostly does so by the slope.
+        if !Step::is_nearly_even(level, self.p[1] + level * self.h[1], (z, end)) {
+            return None;
+        }
+        let step = self.step_at(level, degree, None)?;
+        Step::is_clear(&step.u[..=degree], (z, end)).then_some((Waypoint { z, ..*here }, step))
+    }
+
+    fn step_at(&self, level: f64, degree: usize, known: Option<(f64, f64)>) -> Option<Step> {
+        let (a, b) = (&self.a, &self.b);
+        let signs: Low = core::array::from_fn(|k| a.0[k] + level * b.0[k]);
+        let band = a.1 + level.abs() * b.1;
+        let signs = pattern(&signs, band);
+        (signs != Signs::Unknown).then(|| Step {
+            width: self.width,
+            u: core::array::from_fn(|k| self.p[k] + level * self.h[k]),
+            degree,
+            signs,
+            doubt: 2.0 * band / self.least,
+            direction: self.direction,
+            end: self.end,
+            known,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::slide::piece::Piece;
+    use crate::engine::slide::piece::check::is_a_slide;
+    use crate::engine::slide::series::Expansion;
+    use crate::model::hoop::{Body, Hoop};
+    use crate::model::mode::Direction;
+
+    /// All cells of a hoop, with their laws and signs.
+    fn cells(hoop: &Hoop) -> Vec<(SlidingLaw, f64, usize, Cell)> {
+        let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+        let laws = [Direction::Negative, Direction::Positive]
+            .map(|direction| (SlidingLaw::of_body(body, hoop.mu_k(), direction), direction.sign()));
+        laws.into_iter()
+            .flat_map(|(law, sigma)| {
+                (0..CELLS)
+                    .filter_map(move |number| Some((law, sigma, number, Cell::new(&law, sigma, number)?)))
+            })
+            .collect()
+    }
+
+    fn waypoint(cell: &Cell, t: f64, u: f64) -> Waypoint {
+        let direction = rotated(cell.direction, cell.width * t);
+        Waypoint { z: 0.0, u, elapsed: 0.0, slip: 0.1, slip_acceleration: 0.0, direction }
+    }
+
+    #[test]
+    fn a_step_through_a_cell_is_a_slide() {
+        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+        let (cells, mut steps) = (cells(&hoop), 0);
+        assert_eq!(cells.len(), 2 * CELLS);
+        for (law, sigma, number, cell) in &cells {
+            for (from, u) in [(-0.9, 3.0), (-0.4, 1.3), (0.3, 0.6), (0.0, 20.0)] {
+                let Some((place, step)) = cell.step(&waypoint(cell, from, u)) else { continue };
+                assert!((place.z - from).abs() < 1e-15);
+                steps += 1;
+                assert!((step.u(from) - u).abs() < 1e-15 * (4.0 + u), "{number} {from}");
+                is_a_slide(&step, law, (from, step.end));
+                // The same slide by its own series, as far as that goes.
+                let direction = step.direction(from);
+                let expansion = Expansion::new(law, *sigma, direction, u);
+                let own = Step::new(&expansion, direction, expansion.reach(0), false).unwrap();
+                let turned = step.turned_by(step.end) - step.turned_by(from);
+                let t = libm::tan(0.5 * turned) / own.width;
+                if t <= 1.0 {
+                    let (end, there) = (step.u(step.end), own.u(t));
+                    assert!((end - there).abs() < 4e-15 * (1.0 + u), "{number} {from}: {end} {there}");
+                    let [time, expected] = [step.time(from, step.end), own.time(0.0, t)];
+                    assert!((time - expected).abs() < 4e-15, "{number} {from}: {time} {expected}");
+                }
             }
         }
-        let mut sum = 0.0;
-        for (weight, u) in weights.iter().zip(u) {
-            sum += weight / u.sqrt();
+        assert!(steps > 2 * cells.len(), "{steps}");
+    }
+
+    /// What is kept of whole cells is what their series have.
+    #[test]
+    fn crossings_of_whole_cells_are_steps() {
+        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+        let mut crossings = 0;
+        for (law, sigma, number, cell) in cells(&hoop) {
+            let next = Cell::new(&law, sigma, Cell::next(number)).unwrap();
+            let there = rotated(next.direction, -TILE);
+            for u in [0.6, 1.3, 3.0, 20.0, 1e4] {
+                let Some((level, end)) = cell.crossing(u) else { continue };
+                let (place, step) = cell.step(&waypoint(&cell, -cell.end, u)).unwrap();
+                crossings += 1;
+                assert!((end - step.u(cell.end)).abs() < 4e-15 * (1.0 + u), "{number} {u}");
+                let (time, expected) = (cell.time(level), step.time(place.z, cell.end));
+                assert!((time - expected).abs() < 4e-15 * expected, "{number} {u}: {time} {expected}");
+                let edge = cell.exit();
+                let (sin, cos) = edge.direction;
+                assert!((sin - there.0).abs() < 1e-15 && (cos - there.1).abs() < 1e-15, "{number}");
+                let accelerates = law.accelerations(libm::atan2(sin, cos), end.sqrt()).slip;
+                assert!((edge.alpha + edge.beta * end - accelerates).abs() < 1e-14 * (1.0 + u));
+                let most = cell.swing(level);
+                for t in [-cell.end, -0.3, 0.0, 0.3, cell.end] {
+                    let (sin, cos) = step.direction(t);
+                    let (alpha, beta) = law.slip_acceleration(sin, cos);
+                    assert!((alpha + beta * step.u(t)).abs() <= most, "{number} {u} {t}");
+                }
+            }
         }
-        self.half * half * sum
+        assert!(crossings > 80, "{crossings}");
+    }
+
+    /// The sign of η″ is told for a slide as it is at points of the cell.
+    #[test]
+    fn signs_in_a_cell_are_those_of_the_slip_acceleration() {
+        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+        let (mut same, mut changes) = (0, 0);
+        for (law, sigma, number, cell) in cells(&hoop) {
+            for u in [0.5, 1.0, 1.5, 2.0, 3.0, 5.0] {
+                let Some((_, step)) = cell.step(&waypoint(&cell, -0.9, u)) else { continue };
+                let at = |t: f64| {
+                    let (sin, cos) = step.direction(t);
+                    let (alpha, beta) = law.slip_acceleration(sin, cos);
+                    sigma * (alpha + beta * step.u(t))
+                };
+                let seen: Vec<f64> = (0..=40).map(|k| at(-0.9 + 0.0475 * f64::from(k))).collect();
+                let clear = |value: &&f64| value.abs() > step.doubt;
+                let positive = |value: &f64| *value > 0.0;
+                let (first, last) = (positive(&seen[0]), positive(&seen[40]));
+                match step.signs {
+                    Signs::Positive => assert!(seen.iter().all(positive), "{number} {u}"),
+                    Signs::Negative => assert!(!seen.iter().any(positive), "{number} {u}"),
+                    Signs::Falling | Signs::Rising => {
+                        assert_eq!(
+                            (first, last),
+                            (step.signs == Signs::Falling, step.signs == Signs::Rising)
+                        );
+                        let clear: Vec<bool> = seen.iter().filter(clear).map(positive).collect();
+                        assert_eq!(clear.windows(2).filter(|pair| pair[0] != pair[1]).count(), 1);
+                        changes += 1;
+                    }
+                    Signs::Unknown => continue,
+                }
+                same += 1;
+            }
+        }
+        assert!(same > 60 && changes > 3, "{same} {changes}");
+    }
+
+    #[test]
+    fn angles_lie_between_the_centres_about_them() {
+        for turns in [-3.0, 0.0, 7.0] {
+            for number in 0..CELLS {
+                let theta = TAU * (turns + (number as f64 + 0.3) / CELLS as f64);
+                assert_eq!(Cell::about(theta), [(number + 1) % CELLS, number]);
+            }
+        }
+        assert_eq!((Cell::about(0.0), Cell::about(-1e-300)), ([1, 0], [1, 0]));
     }
 }

@@ -1,27 +1,101 @@
-//! The walk of a slide through the cells, to its event.
+//! A slide, followed piece by piece to its event.
+//!
+//! Everything is seen in the frame of motion, ϑ growing. On a piece
+//!
+//! - 1 − h cos ϑ u can fall through zero only where sin ϑ < 0, since there its derivative is h sin ϑ θ′³: where sin ϑ keeps its sign,
+//!   or turns from positive to negative, its sign at the end tells whether it has; over the top its sign there tells;
+//! - the signs of η″ tell whether η′ is monotone, or has one extremum: its values there and at the end tell whether it has
+//!   vanished.
+//!
+//! *Periods.* Friction does not depend on the sign of θ′, so that in a libration θ′² is the same function of the angle in every period, and η′
+//! falls by μk times the period in each: periods without an event are passed at once. Without kinetic friction rotations are periodic, too, and
+//! no event follows a whole period without one.
 
-use crate::mechanics::equations::contact;
+use core::f64::consts::{FRAC_PI_8, TAU};
 
-use super::super::piece::{End, Piece, UNCERTAIN, Way, Waypoint, may_rise};
-use super::super::solver::MIN_RATE;
-use super::cell::Cell;
-use super::crossing::{Crossing, EVEN, is_smooth, is_within};
-use super::turning::Turning;
-use super::{SlideEnd, SlideEvent, SlideStart, SlideTable, Turns, Unknown};
+use crate::engine::atlas::Atlas;
+use crate::engine::doubt::Doubt;
+use crate::mechanics::equations::{SlidingLaw, contact};
 
-/// Ratio of the ends of u from which a turning point is looked for.
-const UNEVEN: f64 = 2.0;
+use super::cell::{CELLS, Cell};
+use super::piece::{Piece, UNCERTAIN, Way, Waypoint};
+use super::series::{Expansion, Signs};
+use super::step::{Step, rotated};
+use super::turn::Turn;
+use super::{SlideEnd, SlideEvent, Turns};
 
-/// A slide over more turns than this is followed otherwise.
-const MOST_TURNS: usize = 16;
+/// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole turns.
+const MOST_PIECES: usize = 512;
 
-/// So is a libration over more periods: rounding in its period would tell as often.
+/// A slide over more turns than this is left to the exact solver.
+const MOST_TURNS: f64 = 16.0;
+
+/// So is a libration over more periods: the rounding of its period would be multiplied by as many.
 const MOST_PERIODS: f64 = 64.0;
 
-/// The rate at the entrance must be that of the way about a turning point to this: as small an error in η′.
-const RATE_ERROR: f64 = 1e-15;
+/// Fewer periods are followed one by one.
+const FEWEST_PERIODS: f64 = 3.0;
 
-/// Where a way has led.
+/// A place is the same after a period if its angle is the same to this.
+const SAME_ANGLE: f64 = 1e-12;
+
+/// A turning point nearer than this part of the width on which u has converged is the centre of the next piece.
+const NEAR: f64 = 0.7;
+
+/// A turning point behind is the centre of the next piece if it is nearer than this part of the piece.
+const BEHIND: f64 = 0.5;
+
+/// No cell holds a slide whose u changes by more than itself over this z.
+const STEEP: f64 = 0.25;
+
+/// How a slide is seen: perhaps mirrored.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::engine) struct Frame<'a> {
+    /// The laws for σ = −1 and σ = +1.
+    pub(in crate::engine) laws: &'a [SlidingLaw; 2],
+    /// −1 where the frame is mirrored.
+    pub(in crate::engine) sign: f64,
+    /// The angle at which the slide is.
+    pub(in crate::engine) theta: f64,
+    /// Sign of η′.
+    pub(in crate::engine) sigma: f64,
+    /// The constant of the first integral.
+    pub(in crate::engine) integral: f64,
+}
+
+impl Frame<'_> {
+    fn mirrored(self) -> Self {
+        let Self { laws, sign, theta, sigma, integral } = self;
+        Self { laws, sign: -sign, theta: -theta, sigma: -sigma, integral: -integral }
+    }
+
+    const fn law(&self) -> &SlidingLaw {
+        &self.laws[if self.sigma > 0.0 { 1 } else { 0 }]
+    }
+
+    const fn way<'b, P: Piece>(&'b self, piece: &'b P) -> Way<'b, P> {
+        Way { law: self.law(), piece, sigma: self.sigma, integral: self.integral }
+    }
+}
+
+fn mirrored((sin, cos): (f64, f64)) -> (f64, f64) {
+    (-sin, cos)
+}
+
+/// How a part of a slide ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    /// The slide goes on.
+    Open,
+    /// η′ = 0.
+    Rest,
+    /// w = 0.
+    LiftOff,
+    /// By a limit of time.
+    Cut,
+}
+
+/// Where a piece has led.
 #[derive(Clone, Copy, Debug)]
 struct Passed {
     end: End,
@@ -36,460 +110,405 @@ impl Passed {
     }
 }
 
-/// Whether η′ may have a minimum between two waypoints, between which η″ changes its sign at most once.
-fn may_be_least_between(here: &Waypoint, there: &Waypoint) -> bool {
-    here.slip > 0.0 && may_rise(here.slip_acceleration, there.slip_acceleration, here.u.max(there.u))
-}
-
-/// Whether η′ is so close to zero that rounding tells its sign.
-fn is_doubtful<P: Piece>(way: &Way<'_, P>, at: &Waypoint) -> bool {
-    at.slip.abs() <= UNCERTAIN * way.size_of_slip(at)
-}
-
-/// The end of a way on which η″ changes its sign at most once, from a place to another, at which contact ends or not.
-fn pass<P: Piece>(way: &Way<'_, P>, here: &Waypoint, there: Waypoint, lifts_off: bool) -> Option<Passed> {
-    // Where η′ hardly vanishes before contact ends, or hardly does not, rounding would decide.
-    if lifts_off && is_doubtful(way, &there) {
-        return None;
-    }
-    // From η′ = 0 a slip that is lost in rounding has not ended: with coefficients next to each other it hardly grows.
-    if here.slip <= 0.0 && is_doubtful(way, &there) {
-        return None;
-    }
-    if there.slip <= 0.0 {
-        return Some(Passed::to(End::Rest, way.rest(here, &there)?));
-    }
-    let passed = Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there);
-    if !may_be_least_between(here, &there) {
-        return Some(passed);
-    }
-    let Some(least) = way.least(here, &there)? else {
-        return (!is_doubtful(way, here) && !is_doubtful(way, &there)).then_some(passed);
-    };
-    if is_doubtful(way, &least) {
-        return None;
-    }
-    if least.slip < 0.0 {
-        return Some(Passed::to(End::Rest, way.rest(here, &least)?));
-    }
-    Some(Passed { least: least.slip, ..passed })
-}
-
-/// The same up to a coordinate.
-fn pass_to<P: Piece>(way: &Way<'_, P>, here: &Waypoint, to: f64) -> Option<Passed> {
-    let (_, cos) = way.piece.direction(to);
-    let lifts_off = contact(1.0, way.law.body.h, cos * way.piece.u(to)) < 0.0;
-    let there = if lifts_off { way.lift_off(here, to)? } else { way.at(here, to)? };
-    pass(way, here, there, lifts_off)
-}
-
-/// Whether the time is known from the angle.
-fn is_fast(at: &Waypoint) -> bool {
-    at.u >= MIN_RATE * MIN_RATE
-}
-
-/// A passage of the bottom.
+/// A place to which periodic slides come back.
 #[derive(Clone, Copy, Debug)]
-struct Passage {
+struct Mark {
+    sign: f64,
+    theta: f64,
     elapsed: f64,
-    /// The multiple of a turn.
-    offset: f64,
-    /// Sign of θ′.
-    travel: f64,
+    /// Turning points before it.
+    turns: f64,
+    /// Number of the piece that ended there.
+    piece: usize,
 }
 
-/// A slide on its way through the cells.
-#[derive(Clone, Copy, Debug)]
-struct Follower<'a> {
-    table: &'a SlideTable,
-    /// The time that it may take.
-    allowed: f64,
-    /// The constant of the first integral.
-    integral: f64,
-    /// The cell, and the multiple of a turn that its angles stand for.
-    index: usize,
-    offset: f64,
-    /// Sign of θ′.
-    travel: f64,
+/// A slide on its way.
+struct Slide<'a> {
+    frame: Frame<'a>,
     here: Waypoint,
-    /// Whether the way through the cell begins at its end.
-    whole: bool,
+    /// The cell at whose beginning it is.
+    edge: Option<usize>,
     turns: Option<Turns>,
-    /// The first passage of the bottom, and then each in the same direction.
-    last: Option<Passage>,
-    /// The least η′ since then, or since the start.
+    mark: Option<Mark>,
+    /// The least η′ since the mark.
     least: f64,
-    /// What is known of its end, if it is far.
-    far: Option<Far>,
+    pieces: usize,
+    allowed: f64,
+    cells: Option<&'a Atlas>,
 }
 
-/// An end that is not looked for.
-#[derive(Clone, Copy, Debug)]
-enum Far {
-    /// Behind too many turns.
-    Long,
-    /// Never.
-    Never,
-}
-
-impl SlideTable {
-    /// Follows a slide to its event, or to where it is after the time that is `allowed`.
-    pub(in crate::engine) fn follow(&self, start: SlideStart, allowed: f64) -> Result<SlideEnd, Unknown> {
-        let mut follower = Follower::new(self, &start, allowed).ok_or(Unknown::Doubt)?;
-        let mut left = 2 * MOST_TURNS * self.cells.len();
-        while left > 0 {
-            left -= follower.cross_cells(left);
-            if left > 0 && follower.far.is_none() {
-                left -= 1;
-                match follower.pass_cell() {
-                    None => return Err(Unknown::Doubt),
-                    Some(Some(end)) => return Ok(end),
-                    Some(None) => {}
-                }
-            }
-            match follower.far {
-                None => {}
-                Some(Far::Never) => return Ok(SlideEnd::Never),
-                Some(Far::Long) => break,
-            }
-        }
-        Err(Unknown::Long)
-    }
-
-    /// To its event, if θ′ keeps its sign.
-    pub(in crate::engine) fn follow_one_way(&self, start: SlideStart) -> Option<SlideEvent> {
-        match self.follow(start, f64::INFINITY) {
-            Ok(SlideEnd::Event(event)) if event.turns.is_none() => Some(event),
-            Ok(SlideEnd::Event(_) | SlideEnd::Cut(_) | SlideEnd::Never) | Err(_) => None,
+/// Follows a slide from a place to its event, or to where it is after the time that is `allowed`; `from_limit` where η′ = η″ = 0 at
+/// the place. `cells` are those that are kept.
+pub(in crate::engine) fn follow(
+    frame: Frame<'_>,
+    here: Waypoint,
+    from_limit: bool,
+    allowed: f64,
+    cells: Option<&Atlas>,
+) -> Result<SlideEnd, Doubt> {
+    let (edge, turns, mark, least) = (None, None, None, here.slip);
+    let mut slide = Slide { frame, here, edge, turns, mark, least, pieces: 0, allowed, cells };
+    if from_limit {
+        // Its signs are known, however short a turning point makes the step.
+        let expansion = Expansion::new(slide.frame.law(), slide.frame.sigma, here.direction, here.u);
+        if let Some(end) = slide.own_step(&expansion, true)? {
+            return Ok(end);
         }
     }
+    while slide.pieces < MOST_PIECES {
+        slide.pieces += 1;
+        if let Some(end) = slide.pass_piece()? {
+            return Ok(end);
+        }
+    }
+    Err(Doubt::TooLong)
 }
 
-impl<'a> Follower<'a> {
-    fn new(table: &'a SlideTable, start: &SlideStart, allowed: f64) -> Option<Self> {
-        if start.theta_rate == 0.0 || start.theta_rate.is_nan() {
+impl<'a> Slide<'a> {
+    /// Passes what lies ahead: a cell, a turn, or a step of its own series.
+    fn pass_piece(&mut self) -> Result<Option<SlideEnd>, Doubt> {
+        if let Some(cells) = self.cells {
+            if let Some(end) = self.cross_tiles(cells)? {
+                return Ok(Some(end));
+            }
+            if let Some((number, place, step)) = self.in_cell(cells) {
+                let edge = (step.end < 1.0).then(|| Cell::next(number));
+                return self.pass_step(&place, &step, edge);
+            }
+        }
+        let Self { frame, here, .. } = *self;
+        let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
+        match turn_about(&frame, &here, &expansion) {
+            Some((before, place, turn)) => self.pass_turn(before, &place, &turn),
+            None => self.own_step(&expansion, false),
+        }
+    }
+
+    /// The cell that holds the slide, its place in it, and the step to its end.
+    fn in_cell(&self, cells: &'a Atlas) -> Option<(usize, Waypoint, Step)> {
+        let (frame, here) = (&self.frame, &self.here);
+        let ((sin, cos), law) = (here.direction, frame.law());
+        // du/dz: where u is steep it is not known to stay away from zero, and this is known soonest.
+        let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
+        if STEEP * slope.abs() > here.u {
             return None;
         }
-        let (index, offset) = table.entrance(start);
-        let cell = &table.cells[index];
-        if cell.is_gap {
+        if self.edge.is_some() {
+            // Its tile is not crossed.
             return None;
         }
-        let z = ((start.theta - offset - cell.centre) / cell.half).clamp(-1.0, 1.0);
-        let (sin, cos) = start.direction;
-        let (alpha, beta) = table.law.slip_acceleration(sin, cos);
-        let u = start.theta_rate * start.theta_rate;
-        let slip_acceleration = alpha + beta * u;
-        Some(Self {
-            table,
-            allowed,
-            integral: start.slip - start.theta_rate * table.law.lever(sin, cos),
-            index,
-            offset,
-            travel: start.theta_rate.signum(),
-            here: Waypoint { z, u, elapsed: 0.0, slip: start.slip, slip_acceleration, direction: (sin, cos) },
-            whole: false,
-            turns: None,
-            least: start.slip,
-            last: None,
-            far: None,
+        Cell::about(frame.theta).into_iter().find_map(|number| {
+            let cell = cells.cell(law, frame.sigma, number)?;
+            let (place, step) = cell.step(here)?;
+            Some((number, place, step))
         })
     }
 
-    /// Crosses whole cells in which nothing happens and θ′ changes little, at most so many: how many.
-    fn cross_cells(&mut self, most: usize) -> usize {
-        if !(self.whole && is_fast(&self.here)) {
-            return 0;
-        }
-        let Self { table, allowed, integral, travel, .. } = *self;
-        let law = &table.law;
-        let forward = travel > 0.0;
-        let bottom = self.bottom();
-        let Waypoint { mut u, mut elapsed, mut slip, mut slip_acceleration, mut direction, .. } = self.here;
-        let (mut index, mut offset, mut least) = (self.index, self.offset, self.least);
-        let mut crossed = 0;
-        while crossed < most {
-            let cell = &table.cells[index];
-            if cell.is_gap {
-                break;
-            }
-            let (entry, exit) = (&cell.edges[usize::from(!forward)], &cell.edges[usize::from(forward)]);
-            let level = (u - entry.p) / entry.h;
-            let exit_u = exit.p + level * exit.h;
-            let stays = contact(1.0, law.body.h, exit.cos * exit_u) >= 0.0;
-            if !(is_smooth(u, exit_u) && stays && exit_u >= MIN_RATE * MIN_RATE) {
-                break;
-            }
-            let exit_acceleration = exit.alpha + exit.beta * exit_u;
-            if may_rise(slip_acceleration, exit_acceleration, exit_u) && slip > 0.0 {
-                break;
-            }
-            let later = elapsed + cell.whole_time(level, is_within(EVEN, (u, exit_u)));
-            let exit_slip = integral + travel * exit_u.sqrt() * exit.lever - law.friction * later;
-            if exit_slip <= 0.0 || later > allowed {
-                break;
-            }
-            (u, elapsed, slip, slip_acceleration) = (exit_u, later, exit_slip, exit_acceleration);
-            direction = (0.0, exit.cos);
-            least = least.min(slip);
-            (index, offset) = table.neighbour(index, offset, forward);
-            crossed += 1;
-            if index == bottom {
-                break;
-            }
-        }
-        if crossed > 0 {
-            self.here = Waypoint { z: -travel, u, elapsed, slip, slip_acceleration, direction };
-            (self.index, self.offset, self.least) = (index, offset, least);
-            if index == bottom {
-                self.pass_bottom();
-            }
-        }
-        crossed
-    }
-
-    /// The cell behind the bottom on the way.
-    fn bottom(&self) -> usize {
-        if self.travel > 0.0 { self.table.bottom } else { self.table.bottom - 1 }
-    }
-
-    /// Passes a cell, or leads to the end in it.
-    fn pass_cell(&mut self) -> Option<Option<SlideEnd>> {
-        let Self { table, index, travel, here, .. } = *self;
-        let cell = &table.cells[index];
-        if cell.is_gap {
-            return None;
-        }
-        let level = if self.whole {
-            let entry = &cell.edges[usize::from(travel < 0.0)];
-            (here.u - entry.p) / entry.h
-        } else {
-            cell.level(here.u, here.z)
-        };
-        let exit = &cell.edges[usize::from(travel > 0.0)];
-        let exit_u = exit.p + level * exit.h;
-        if !is_smooth(here.u, exit_u) {
-            return self.pass_unevenly(cell, level, exit_u);
-        }
-        let lifts_off = contact(1.0, table.law.body.h, exit.cos * exit_u) < 0.0;
-        let crossing = || Crossing { cell, motion: cell.motion(level), travel };
-        let there = if lifts_off {
-            self.way(&crossing(), travel).lift_off(&here, travel)?
-        } else {
-            let is_even = is_within(EVEN, (here.u, exit_u));
-            let time = if self.whole {
-                cell.whole_time(level, is_even)
-            } else {
-                cell.time(&cell.motion(level), here.z.min(travel), here.z.max(travel), is_even)
-            };
-            let elapsed = here.elapsed + time;
-            let rate = travel * exit_u.sqrt();
-            Waypoint {
-                z: travel,
-                u: exit_u,
+    /// Crosses whole tiles, until something happens in one, or a series of its own is needed.
+    fn cross_tiles(&mut self, cells: &'a Atlas) -> Result<Option<SlideEnd>, Doubt> {
+        let Self { frame, allowed, .. } = *self;
+        let law = frame.law();
+        while let Some(number) = self.edge
+            && self.pieces < MOST_PIECES
+            && let Some(cell) = cells.cell(law, frame.sigma, number)
+            && let Some((level, u)) = cell.crossing(self.here.u)
+        {
+            let here = &self.here;
+            let elapsed = here.elapsed + cell.time(level);
+            let edge = cell.exit();
+            let at = Waypoint {
+                z: 1.0,
+                u,
                 elapsed,
-                slip: self.integral + rate * exit.lever - table.law.friction * elapsed,
-                slip_acceleration: exit.alpha + exit.beta * exit_u,
-                direction: (0.0, exit.cos),
+                slip: frame.sigma * (frame.integral + u.sqrt() * edge.lever - law.friction * elapsed),
+                slip_acceleration: frame.sigma * (edge.alpha + edge.beta * u),
+                direction: edge.direction,
+            };
+            let stays = |cos: f64, u: f64| {
+                let cos_u = law.body.h * cos * u;
+                contact(1.0, 1.0, cos_u) > UNCERTAIN * (1.0 + law.body.h * u)
+            };
+            // The top is in the middle of the first.
+            let stays = stays(edge.direction.1, u) && (number != 0 || stays(1.0, level));
+            let least = here.slip.min(at.slip);
+            let next = Some(Cell::next(number));
+            let end = if stays && elapsed <= allowed && least > cell.swing(level) * (elapsed - here.elapsed) {
+                self.frame.theta += FRAC_PI_8;
+                (self.edge, self.here) = (next, at);
+                self.go_on(least, true)?
+            } else {
+                let Some((place, step)) = cell.whole_step(here, level) else { break };
+                self.pass_step(&place, &step, next)?
+            };
+            if end.is_some() {
+                return Ok(end);
             }
-        };
-        let passed = if lifts_off || there.slip <= 0.0 || may_be_least_between(&here, &there) {
-            pass(&self.way(&crossing(), travel), &here, there, lifts_off)?
-        } else {
-            Passed::to(End::Open, there)
-        };
-        if passed.at.elapsed > self.allowed {
-            let cut = self.cut(&self.way(&crossing(), travel), &here, passed)?;
-            return self.cross(&cut);
+            self.pieces += 1;
         }
-        self.cross(&passed)
+        Ok(None)
+    }
+
+    /// A step until its series ends.
+    fn own_step(&mut self, expansion: &Expansion, from_limit: bool) -> Result<Option<SlideEnd>, Doubt> {
+        let step = Step::new(expansion, self.here.direction, expansion.reach(0), from_limit)?;
+        self.pass_step(&Waypoint { z: 0.0, ..self.here }, &step, None)
+    }
+
+    /// Passes a step from a place in it, at whose end the slide is at an edge, or not.
+    fn pass_step(
+        &mut self,
+        place: &Waypoint,
+        step: &Step,
+        edge: Option<usize>,
+    ) -> Result<Option<SlideEnd>, Doubt> {
+        let frame = self.frame;
+        let way = frame.way(step);
+        let passed = self.cut(&way, place, over_step(&way, place, step)?);
+        let at = passed.at;
+        self.frame.theta += step.turned_by(at.z) - step.turned_by(place.z);
+        if passed.end == End::Open {
+            (self.edge, self.here) = (edge, at);
+            return self.go_on(passed.least, edge.is_some());
+        }
+        Ok(Some(self.ended(&passed, step.rate(at.z, at.u))))
+    }
+
+    /// Passes a turn, in the frame before the turning point, from a place in it.
+    fn pass_turn(
+        &mut self,
+        before: Frame<'a>,
+        place: &Waypoint,
+        turn: &Turn,
+    ) -> Result<Option<SlideEnd>, Doubt> {
+        // Towards larger angles, and back.
+        let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
+        if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
+            return Err(Doubt::TurningPoint);
+        }
+        let way = before.way(turn);
+        let passed = self.cut(&way, place, over_turn(&way, place)?);
+        let at = passed.at;
+        if place.z < 0.0 && at.z > 0.0 {
+            self.turns = Some(Turns::another(self.turns, before.sign * before.theta));
+        }
+        self.frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
+        if passed.end == End::Open {
+            self.frame = self.frame.mirrored();
+            self.edge = None;
+            self.here = Waypoint { direction: mirrored(at.direction), ..at };
+            return self.go_on(passed.least, true);
+        }
+        Ok(Some(self.ended(&passed, turn.rate(at.z, at.u))))
     }
 
     /// What was passed from a place on, cut at the limit of time.
-    fn cut<P: Piece>(&self, way: &Way<'_, P>, here: &Waypoint, passed: Passed) -> Option<Passed> {
+    fn cut<P: Piece>(&self, way: &Way<'_, P>, place: &Waypoint, passed: Passed) -> Passed {
         if passed.at.elapsed <= self.allowed {
-            return Some(passed);
+            return passed;
         }
-        way.at_time(here, &passed.at, self.allowed).map(|at| Passed::to(End::Cut, at))
+        Passed::to(End::Cut, way.at_time(place, &passed.at, self.allowed))
     }
 
-    /// Goes on behind a cell that was crossed, or says where the slide has ended in it.
-    fn cross(&mut self, passed: &Passed) -> Option<Option<SlideEnd>> {
-        let at = &passed.at;
-        let is_fast = is_fast(&self.here) && is_fast(at);
-        is_fast.then(|| self.go_on(passed, at.z, self.travel * at.u.sqrt()))
-    }
-
-    /// Passes a cell in which θ′ changes much, or its sign.
-    fn pass_unevenly(&mut self, cell: &Cell, level: f64, exit_u: f64) -> Option<Option<SlideEnd>> {
-        let (here, travel) = (self.here, self.travel);
-        let motion = cell.motion(level);
-        let ratio = exit_u / here.u;
-        let is_steep = !(ratio > 1.0 / UNEVEN && ratio < UNEVEN);
-        let turning =
-            is_steep.then(|| Turning::new(cell, &motion, (here.z, here.u), (travel, exit_u))).flatten();
-        let Some(turning) = turning else {
-            let crossing = Crossing { cell, motion, travel };
-            let way = self.way(&crossing, travel);
-            let passed = self.cut(&way, &here, pass_to(&way, &here, travel)?)?;
-            return self.cross(&passed);
-        };
-        let way = self.way(&turning, 1.0);
-        let is_before = turning.travel() == travel;
-        let entrance = turning.coordinate_of(here.z, here.u);
-        if (turning.u(entrance) - here.u).abs() > 2.0 * RATE_ERROR * here.u.sqrt() {
-            return None;
-        }
-        let from = Waypoint { z: if is_before { -entrance } else { entrance }, ..here };
-        let passed = if is_before && turning.is_inside() {
-            match self.cut(&way, &from, pass_to(&way, &from, 0.0)?)? {
-                Passed { end: End::Open, at: middle, least } => {
-                    self.least = self.least.min(least);
-                    let angle = self.offset + (cell.centre + cell.half * turning.place(0.0));
-                    self.turns = Some(Turns::another(self.turns, angle));
-                    self.travel = -self.travel;
-                    let passed = pass_to(&way, &middle, turning.coordinate(self.travel))?;
-                    self.cut(&way, &middle, passed)?
-                }
-                ended => ended,
-            }
-        } else {
-            let exit = turning.coordinate(self.travel);
-            self.cut(&way, &from, pass_to(&way, &from, if is_before { -exit } else { exit })?)?
-        };
-        // About the turning point the time is known from θ′, but the next cell knows the angle.
-        let at = &passed.at;
-        let is_known = passed.end != End::Open || is_fast(at);
-        is_known.then(|| self.go_on(&passed, turning.place(at.z), turning.rate(at.z, at.u)))
-    }
-
-    /// Takes note of a passage of the bottom.
-    ///
-    /// Of a libration, whole periods ahead without an event are passed: friction does not ask for the sign of θ′, so that θ′² is the same
-    /// function of the angle in all of them, and η′ falls by μk times the period in each. Without kinetic friction a rotation has periods, too, and no event
-    /// follows a whole one without.
-    fn pass_bottom(&mut self) {
-        let Self { here: Waypoint { elapsed, slip, .. }, offset, travel, .. } = *self;
-        let here = Passage { elapsed, offset, travel };
-        let Some(last) = self.last else {
-            (self.last, self.least) = (Some(here), slip);
-            return;
-        };
-        if last.travel != travel {
-            // Back from a turning point: half a period, or the end of a rotation, which goes back.
-            if last.offset != offset {
-                (self.last, self.least) = (Some(here), slip);
-            }
-            return;
-        }
-        let period = elapsed - last.elapsed;
-        let allowed = (self.allowed - elapsed) / period;
-        if self.table.law.friction == 0.0 {
-            self.repeat(period, offset - last.offset, allowed);
-            return;
-        }
-        let loss = self.table.law.friction * period;
-        let periods = (self.least / loss).min(allowed);
-        if last.offset != offset {
-            self.far = (periods > MOST_TURNS as f64).then_some(Far::Long);
-        } else if period > 0.0 && periods > MOST_PERIODS {
-            self.far = Some(Far::Long);
-        } else if period > 0.0 && periods > 3.0 {
-            // Where rounding tells, they are followed.
-            let free = periods.floor() - 2.0;
-            self.here.elapsed += free * period;
-            self.here.slip -= free * loss;
-        }
-        self.last = Some(Passage { elapsed: self.here.elapsed, ..here });
-        self.least = self.here.slip;
-    }
-
-    /// Passes the whole periods that are left, each of which lasts so long and takes the angle so far, of a slide without kinetic friction.
-    fn repeat(&mut self, period: f64, advance: f64, allowed: f64) {
-        if allowed == f64::INFINITY {
-            self.far = Some(Far::Never);
-        } else if allowed > MOST_PERIODS {
-            self.far = Some(Far::Long);
-        } else {
-            // What is left is no less than nothing, whatever rounding does.
-            let whole = allowed.floor();
-            let periods = if self.here.elapsed + whole * period > self.allowed { whole - 1.0 } else { whole };
-            self.here.elapsed += periods * period;
-            self.offset += periods * advance;
-            self.turns = self.turns.map(|turns| turns.after(periods));
-        }
-    }
-
-    fn way<'b, P: Piece>(&self, piece: &'b P, forward: f64) -> Way<'b, P>
-    where
-        'a: 'b,
-    {
-        Way { law: &self.table.law, piece, forward, sigma: 1.0, integral: self.integral }
-    }
-
-    /// Goes on to the next cell, or says where the slide has ended, at z of the cell.
-    fn go_on(&mut self, passed: &Passed, z: f64, theta_rate: f64) -> Option<SlideEnd> {
-        let at = passed.at;
-        match passed.end {
-            End::Open => {
-                self.least = self.least.min(passed.least);
-                (self.index, self.offset) = self.table.neighbour(self.index, self.offset, self.travel > 0.0);
-                self.here = Waypoint { z: -self.travel, ..at };
-                self.whole = true;
-                if self.index == self.bottom() {
-                    self.pass_bottom();
-                }
-                return None;
-            }
-            End::Rest | End::LiftOff | End::Cut => {}
-        }
-        let cell = &self.table.cells[self.index];
+    /// The end of the slide.
+    fn ended(&self, passed: &Passed, rate: f64) -> SlideEnd {
+        let Passed { end, at, .. } = passed;
         let event = SlideEvent {
             elapsed: at.elapsed,
-            theta: self.offset + (cell.centre + cell.half * z),
-            theta_rate,
-            slip: if passed.end == End::Rest { 0.0 } else { at.slip },
+            theta: self.frame.theta,
+            theta_rate: rate,
+            slip: if *end == End::Rest { 0.0 } else { self.frame.sigma * at.slip },
             direction: at.direction,
-            lifts_off: passed.end == End::LiftOff,
-            turns: self.turns,
+            lifts_off: *end == End::LiftOff,
+            turns: None,
         };
-        Some(if passed.end == End::Cut { SlideEnd::Cut(event) } else { SlideEnd::Event(event) })
+        let event = SlideEvent { turns: self.turns, ..event.mirrored(self.frame.sign) };
+        if *end == End::Cut { SlideEnd::Cut(event) } else { SlideEnd::Event(event) }
+    }
+
+    /// Goes on behind a piece on which η′ was at least this, and passes whole periods where it is at a place to which it comes back.
+    fn go_on(&mut self, least: f64, comes_back: bool) -> Result<Option<SlideEnd>, Doubt> {
+        self.least = self.least.min(least);
+        if !comes_back {
+            return Ok(None);
+        }
+        let Frame { sign, theta, .. } = self.frame;
+        let count = self.turns.map_or(0.0, |turns| turns.count);
+        let here = Mark { sign, theta, elapsed: self.here.elapsed, turns: count, piece: self.pieces };
+        let set = |slide: &mut Self, mark: Mark| {
+            (slide.mark, slide.least) = (Some(mark), slide.here.slip);
+        };
+        let Some(mark) = self.mark else {
+            set(self, here);
+            return Ok(None);
+        };
+        let turned = (theta - mark.theta) * if sign == mark.sign { 1.0 } else { f64::NAN };
+        let turns = (turned / TAU).round();
+        let is_back = (turned - TAU * turns).abs() <= SAME_ANGLE * (1.0 + theta.abs());
+        if !(is_back && (turns != 0.0 || count >= mark.turns + 2.0)) {
+            // Where the first piece began the slide may never be again.
+            if here.piece > 2 * mark.piece + CELLS {
+                set(self, here);
+            }
+            return Ok(None);
+        }
+        let period = here.elapsed - mark.elapsed;
+        let loss = self.frame.law().friction * period;
+        let allowed = (self.allowed - here.elapsed) / period;
+        let periods = (self.least / loss).min(allowed);
+        if loss == 0.0 {
+            if allowed == f64::INFINITY {
+                return Ok(Some(SlideEnd::Never));
+            }
+            if allowed > MOST_PERIODS {
+                return Err(Doubt::TooLong);
+            }
+            // What is left is no less than nothing, whatever rounding does.
+            let whole = allowed.floor();
+            let late = here.elapsed + whole * period > self.allowed;
+            self.pass_periods(if late { whole - 1.0 } else { whole }, period, TAU * turns);
+        } else if turns != 0.0 {
+            if periods > MOST_TURNS {
+                return Err(Doubt::TooLong);
+            }
+        } else if periods > MOST_PERIODS {
+            return Err(Doubt::TooLong);
+        } else if periods > FEWEST_PERIODS {
+            // The last ones, in which rounding might tell, are followed.
+            self.pass_periods(periods.floor() - 2.0, period, 0.0);
+        }
+        let turns = self.turns.map_or(0.0, |turns| turns.count);
+        let mark = Mark { elapsed: self.here.elapsed, theta: self.frame.theta, turns, ..here };
+        set(self, mark);
+        Ok(None)
+    }
+
+    /// Passes so many whole periods, each of which lasts so long and takes the angle so far.
+    fn pass_periods(&mut self, periods: f64, period: f64, advance: f64) {
+        let elapsed = periods * period;
+        self.here.elapsed += elapsed;
+        self.here.slip -= self.frame.law().friction * elapsed;
+        self.frame.theta += periods * advance;
+        self.turns = self.turns.map(|turns| turns.after(periods));
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::hoop::{Body, Hoop};
+/// Passes a step to its end, or to the event before.
+fn over_step(way: &Way<'_, Step>, here: &Waypoint, step: &Step) -> Result<Passed, Doubt> {
+    let signs = (step.signs, step.doubt);
+    let end = step.end;
+    if !passes_top(here.direction.0, step.direction(end).0) {
+        return pass(way, (here, end), false, signs);
+    }
+    let top = step.top().clamp(here.z, end);
+    let (h, u) = (way.law.body.h, step.u(top));
+    let w = contact(1.0, h, u);
+    if w.abs() < UNCERTAIN * (1.0 + h * u) {
+        return Err(Doubt::Contact);
+    }
+    if w < 0.0 { pass(way, (here, top), false, signs) } else { pass(way, (here, end), true, signs) }
+}
 
-    /// Cells are crossed one after the other up to the bottom, or as many as are asked for: to where they are passed one by one.
-    #[test]
-    fn whole_cells_are_crossed_in_one_go() {
-        let Body::Heavy(body) = Hoop::figure_2(0.5, 0.4).unwrap().body() else { unreachable!("it has mass") };
-        let table = SlideTable::new(&body, 0.4).unwrap();
-        let begins = |theta: f64, theta_rate: f64| {
-            let start = SlideStart { theta, theta_rate, slip: 30.0, direction: libm::sincos(theta) };
-            let mut follower = Follower::new(&table, &start, f64::INFINITY).unwrap();
-            assert_eq!(follower.cross_cells(usize::MAX), 0, "the way does not begin at the end of a cell");
-            assert!(matches!(follower.pass_cell(), Some(None)));
-            follower
-        };
-        for (theta, theta_rate) in [(3.5, 1.2), (2.7, -1.2), (-2.5, 1.2), (10.0, 1.3)] {
-            let mut all = begins(theta, theta_rate);
-            let crossed = all.cross_cells(usize::MAX);
-            assert!(crossed >= 3, "{theta} {theta_rate}: {crossed}");
-            for most in [0, 1, 3] {
-                assert_eq!(begins(theta, theta_rate).cross_cells(most), most);
+/// Whether a slide that turns towards larger angles, from a place with this sin ϑ to another less than half a turn ahead, passes the
+/// top.
+fn passes_top(from: f64, to: f64) -> bool {
+    from < 0.0 && to >= 0.0
+}
+
+/// Passes a turn from a place to y = 1, or to the event before.
+fn over_turn(way: &Way<'_, Turn>, here: &Waypoint) -> Result<Passed, Doubt> {
+    let Turn { signs, doubt, .. } = *way.piece;
+    match signs {
+        // Towards the turning point, where u = 0, the signs come in the opposite order.
+        Signs::Rising | Signs::Falling if here.z < 0.0 => {
+            let middle = pass(way, (here, 0.0), true, (signs.reversed(), doubt))?;
+            if middle.end != End::Open {
+                return Ok(middle);
             }
-            let mut single = begins(theta, theta_rate);
-            for _ in 0..crossed {
-                assert!(matches!(single.pass_cell(), Some(None)));
-            }
-            assert_eq!((all.index, all.offset, all.least), (single.index, single.offset, single.least));
-            assert!((all.here.u - single.here.u).abs() < 1e-14 * all.here.u, "{theta} {theta_rate}");
-            assert!((all.here.elapsed - single.here.elapsed).abs() < 1e-14 * all.here.elapsed);
-            assert!((all.here.slip - single.here.slip).abs() < 1e-13);
-            assert!((all.here.slip_acceleration - single.here.slip_acceleration).abs() < 1e-13);
+            let passed = pass(way, (&middle.at, 1.0), false, (signs, doubt))?;
+            Ok(Passed { least: passed.least.min(middle.least), ..passed })
+        }
+        Signs::Rising | Signs::Falling | Signs::Positive | Signs::Negative | Signs::Unknown => {
+            pass(way, (here, 1.0), false, (signs, doubt))
         }
     }
+}
+
+/// Passes a piece from a place to another, or to the event before. `held` says that the normal force cannot vanish.
+fn pass<P: Piece>(
+    way: &Way<'_, P>,
+    (here, to): (&Waypoint, f64),
+    held: bool,
+    (signs, doubt): (Signs, f64),
+) -> Result<Passed, Doubt> {
+    let (h, u) = (way.law.body.h, way.piece.u(to));
+    let w = if held { 1.0 } else { contact(1.0, h, way.piece.direction(to).1 * u) };
+    if !held && w.abs() < UNCERTAIN * (1.0 + h * u) {
+        return Err(Doubt::Contact);
+    }
+    let lifts_off = w < 0.0;
+    let there = if lifts_off { way.lift_off(here, to) } else { way.at(here, to) };
+    // Where the piece ends just at a zero of η′, which may be a touch, rounding would decide.
+    if way.is_doubtful(&there) {
+        return Err(Doubt::Slip);
+    }
+    let from_rest = here.slip <= 0.0;
+    // The change may lie behind.
+    let signs = match signs {
+        Signs::Rising if here.slip_acceleration > doubt => Signs::Positive,
+        Signs::Falling if here.slip_acceleration < -doubt => Signs::Negative,
+        signs => signs,
+    };
+    let passed = Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there);
+    let rest = |before: &Waypoint| Ok(Passed::to(End::Rest, way.rest(here, before)?));
+    match signs {
+        Signs::Unknown => Err(Doubt::SlipAcceleration),
+        // η′ must rise from zero.
+        Signs::Negative | Signs::Rising if from_rest => Err(Doubt::Slip),
+        Signs::Falling if from_rest && here.slip_acceleration < 0.0 => Err(Doubt::Slip),
+        Signs::Positive | Signs::Negative | Signs::Falling | Signs::Rising if there.slip <= 0.0 => {
+            rest(&there)
+        }
+        Signs::Positive | Signs::Negative => Ok(passed),
+        // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no more than this.
+        Signs::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => {
+            Err(Doubt::SlipAcceleration)
+        }
+        Signs::Falling => Ok(passed),
+        Signs::Rising => {
+            let Some(least) = way.least(here, &there) else { return Ok(passed) };
+            let uncertain = doubt * (there.elapsed - here.elapsed) + UNCERTAIN * way.size_of_slip(&least);
+            // Where it hardly vanishes, or hardly does not, rounding would decide.
+            if least.slip.abs() <= uncertain {
+                return Err(Doubt::Slip);
+            }
+            if least.slip < 0.0 { rest(&least) } else { Ok(Passed { least: least.slip, ..passed }) }
+        }
+    }
+}
+
+/// The turn about the turning point next to the centre of an expansion, ahead or behind, if it is near; with the frame before it,
+/// whose angle is that of the turning point, and the place in it.
+fn turn_about<'a>(
+    frame: &Frame<'a>,
+    here: &Waypoint,
+    expansion: &Expansion,
+) -> Option<(Frame<'a>, Waypoint, Turn)> {
+    let reach = expansion.reach(0);
+    if here.u > NEAR * reach * expansion.u[1].abs() {
+        return None;
+    }
+    let z = expansion.zero(reach)?;
+    let before = if expansion.u[1] < 0.0 { *frame } else { frame.mirrored() };
+    let is_ahead = before.sign == frame.sign;
+    let direction = if is_ahead { here.direction } else { mirrored(here.direction) };
+    let distance = z.abs();
+    let there = mirrored(rotated(direction, distance));
+    let behind = before.mirrored();
+    let turn = Turn::new(&Expansion::new(behind.law(), behind.sigma, there, 0.0), there)?;
+    let part = distance / turn.width;
+    let y = if is_ahead { -part.sqrt() } else { part.sqrt() };
+    let before = Frame { theta: before.theta + 2.0 * libm::atan(distance), ..before };
+    // Behind, a step leads farther than the rest of the turn.
+    let farthest = if is_ahead { 1.0 } else { BEHIND };
+    (part < farthest).then_some((before, Waypoint { z: y, direction, ..*here }, turn))
 }

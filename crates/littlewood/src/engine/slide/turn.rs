@@ -1,13 +1,14 @@
 //! A slide about a turning point, at which θ′ changes its sign.
 //!
-//! The friction does not ask for the sign of θ′, so that u is the same function of the angle before and behind the turning point.
+//! Friction does not depend on the sign of θ′, so that u is the same function of the angle before and behind the turning point.
 //! There u = z v(z), z ≥ 0 being the tangent of half the angle from the turning point, and with z = width · y², y going from
 //! negative to positive through the turning point, dτ/dy = 4 √width/((1 + z²) √v) has no singularity.
 
-use super::super::piece::Piece;
-use super::super::polynomial::value;
-use super::super::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
-use super::expansion::{DEGREE, Expansion, Series, Signs, scaled};
+use crate::engine::polynomial::value;
+use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
+
+use super::piece::Piece;
+use super::series::{DEGREE, Expansion, Series, Signs, scaled};
 use super::step::rotated;
 
 /// Up to this multiple of the width v has no zero: the terms of its series are at most the part `SMOOTH` of the first. The Gauss sum
@@ -50,7 +51,7 @@ impl Turn {
     }
 
     /// dτ/dy from v.
-    fn slowness(&self, y: f64, v: f64) -> f64 {
+    fn slowness_of(&self, y: f64, v: f64) -> f64 {
         let z = self.width * y * y;
         // u = width y² v.
         4.0 / ((1.0 + z * z) * (v / self.width).sqrt())
@@ -71,35 +72,31 @@ impl Piece for Turn {
         rotated(self.direction, -self.width * y * y)
     }
 
-    fn turned(&self, _: (f64, f64), y: f64, step: f64) -> (f64, f64) {
-        self.direction(y + step)
-    }
-
     fn turning(&self, y: f64) -> f64 {
         let z = self.width * y * y;
         -4.0 * self.width * y / (1.0 + z * z)
     }
 
-    fn by_coordinate(&self, y: f64, _: f64, by_time: f64) -> f64 {
-        by_time * self.slowness(y, value(&self.v, y * y))
+    fn slowness(&self, y: f64, _: f64) -> f64 {
+        self.slowness_of(y, value(&self.v, y * y))
     }
 
-    fn time(&self, (from, _): (f64, f64), (to, _): (f64, f64)) -> Option<f64> {
+    fn time(&self, from: f64, to: f64) -> f64 {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let mut sum = 0.0;
         for j in 0..PAIRS {
             for y in [middle - half * LONG_NODE[j], middle + half * LONG_NODE[j]] {
-                sum += LONG_WEIGHT[j] * self.slowness(y, value(&self.v, y * y));
+                sum += LONG_WEIGHT[j] * self.slowness_of(y, value(&self.v, y * y));
             }
         }
-        Some(half * sum)
+        half * sum
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::piece::check::is_a_slide;
+    use crate::engine::slide::piece::check::{finds_places, is_a_slide};
     use crate::mechanics::equations::SlidingLaw;
     use crate::model::hoop::{Body, Hoop};
     use crate::model::mode::Direction;
@@ -116,6 +113,7 @@ mod tests {
             let turn = Turn::new(&Expansion::new(&behind, -1.0, there, 0.0), there).unwrap();
             is_a_slide(&turn, &before, (-1.0, -0.05));
             is_a_slide(&turn, &before, (0.1, 0.9));
+            finds_places(&turn, &before, (0.1, 0.9));
             assert_eq!((turn.turned_by(0.0), turn.u(0.0)), (0.0, 0.0));
             let (back_sin, back_cos) = turn.direction(0.8);
             let turned = libm::atan2(back_sin * cos - back_cos * sin, back_cos * cos + back_sin * sin);

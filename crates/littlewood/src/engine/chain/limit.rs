@@ -1,0 +1,168 @@
+//! The curves of the phase plane on which rolling slips, |F| = μs N.
+//!
+//! The margins (μs N ∓ F) D² of an orbit are linear in its constant K: A(ϑ) + K B(ϑ). The level K*(ϑ) = −A/B at which
+//! a margin vanishes belongs to the body. Between its extrema and poles it is monotone, so that on such a piece a margin
+//! changes sign at most once, whatever the orbit.
+//!
+//! Everything is seen in the direction of motion.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::engine::roll::{Margins, side_of};
+use crate::math::bracket::Bracket;
+use crate::math::form::Trigonometric;
+use crate::mechanics::equations::RollingLaw;
+use crate::model::mode::Direction;
+use crate::model::state::State;
+
+/// Where rolling has slipped, in the frame of motion: on which side, and the angle reduced to a turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::engine) struct SlipPoint {
+    pub(in crate::engine) side: usize,
+    pub(in crate::engine) angle: f64,
+}
+
+impl SlipPoint {
+    /// Of a state at which a hoop slips.
+    pub(super) fn of(state: &State, direction: Direction) -> Self {
+        let travel = if state.theta_rate < 0.0 { -1.0 } else { 1.0 };
+        let theta = travel * state.theta;
+        Self { side: side_of(direction, travel), angle: theta - TAU * (theta / TAU).floor() }
+    }
+}
+
+/// The curves of one body.
+#[derive(Clone, Debug)]
+pub(in crate::engine) struct SlipCurves {
+    margins: Margins,
+    law: RollingLaw,
+}
+
+impl SlipCurves {
+    pub(in crate::engine) const fn new(margins: Margins, law: RollingLaw) -> Self {
+        Self { margins, law }
+    }
+
+    /// D at an angle (3.2).
+    pub(super) fn denominator(&self, angle: f64) -> f64 {
+        self.law.denominator(angle)
+    }
+
+    /// θ′² where the margin of a side vanishes on the orbit that reaches it at this angle.
+    pub(in crate::engine) fn limit(&self, side: usize, angle: f64) -> Option<f64> {
+        let (y, x) = libm::sincos(0.5 * angle);
+        let [a, b] = &self.margins[side];
+        let k = -a.value([x, y]) / b.value([x, y]);
+        let d = self.law.denominator(angle);
+        k.is_finite().then_some((k - d) / d)
+    }
+
+    /// The same with its derivative by the angle.
+    pub(super) fn limit_and_slope(&self, side: usize, angle: f64) -> (f64, f64) {
+        let (y, x) = libm::sincos(0.5 * angle);
+        let [(a, a_slope), (b, b_slope)] =
+            [0, 1].map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
+        let d = self.law.denominator(angle);
+        let d_slope = -4.0 * self.law.offset * x * y;
+        let k = -a / b;
+        let k_slope = -(a_slope + k * b_slope) / b;
+        let u = (k - d) / d;
+        (u, (k_slope - (1.0 + u) * d_slope) / d)
+    }
+
+    /// The angles at which θ′² of [`SlipCurves::limit`] vanishes, and those at which it has an extremum.
+    pub(super) fn rests_and_extrema(&self, side: usize) -> (Vec<f64>, Vec<f64>) {
+        let [a, b] = [0, 1].map(|i: usize| Trigonometric::from_form(&self.margins[side][i]));
+        let b = b.times(&self.law.denominator_polynomial());
+        let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative()));
+        (a.plus(&b).sign_changes(), extrema.sign_changes())
+    }
+
+    /// 1/K of the orbit whose margin of a side vanishes at this angle.
+    pub(super) fn inverse_level(&self, side: usize, angle: f64) -> f64 {
+        let (y, x) = libm::sincos(0.5 * angle);
+        let [a, b] = &self.margins[side];
+        -b.value([x, y]) / a.value([x, y])
+    }
+
+    /// The pieces of a turn on which orbits pass from a positive to a negative margin of a side.
+    pub(super) fn slips(&self, side: usize) -> Vec<(f64, f64)> {
+        let mut angles = vec![0.0, 0.5 * PI, PI, 1.5 * PI, TAU];
+        for margins in &self.margins {
+            // The poles of −A/B, and its extrema, the zeros of A′B − AB′.
+            let [a, b] = [0, 1].map(|k: usize| Trigonometric::from_form(&margins[k]));
+            angles.extend(b.sign_changes());
+            angles.extend(a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes());
+        }
+        angles.sort_by(f64::total_cmp);
+        angles.dedup_by(|a, b| *a - *b < 1e-9);
+        // The margin for the level at the middle falls through zero there or rises, as at all levels of the piece, those among them that
+        // no orbit has (u < 0).
+        let falls = |(left, right): &(f64, f64)| {
+            let middle = 0.5 * (left + right);
+            self.limit(side, middle).is_some_and(|u| {
+                let k = self.law.denominator(middle) * (1.0 + u);
+                self.margin(side, k, *left).0 > self.margin(side, k, *right).0
+            })
+        };
+        angles.windows(2).map(|pair| (pair[0], pair[1])).filter(falls).collect()
+    }
+
+    /// The margin of a side on the orbit with the constant K, and its derivative by the angle.
+    fn margin(&self, side: usize, k: f64, angle: f64) -> (f64, f64) {
+        let (y, x) = libm::sincos(0.5 * angle);
+        let [(a, a_slope), (b, b_slope)] =
+            [0, 1].map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
+        (a + k * b, a_slope + k * b_slope)
+    }
+
+    /// The angle on a piece at which the orbit with the constant K slips.
+    pub(super) fn slip_on(&self, (low, high): (f64, f64), side: usize, k: f64) -> Option<f64> {
+        k.is_finite().then(|| Bracket { low, high }.refine(|angle| self.margin(side, k, angle)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::hoop::{Hoop, HoopParameters};
+    use crate::modes::rolling::margin_forms;
+
+    #[test]
+    fn the_limit_has_its_slope_its_zeros_and_its_extrema() {
+        let mut found = (0, 0);
+        for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
+            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, mu_s);
+            let hoop = Hoop::new(hoop).unwrap();
+            let curves = SlipCurves::new(margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop));
+            for side in [0, 1] {
+                let mut compared = 0;
+                for k in 1..200 {
+                    let angle = TAU / 200.0 * f64::from(k);
+                    let (u, slope) = curves.limit_and_slope(side, angle);
+                    assert_eq!(curves.limit(side, angle), Some(u));
+                    let [before, after] = [-1e-6, 1e-6].map(|step| curves.limit(side, angle + step).unwrap());
+                    let quotient = (after - before) / 2e-6;
+                    if quotient.abs() < 100.0 {
+                        assert!(
+                            (slope - quotient).abs() < 1e-6 * (1.0 + u * u),
+                            "{angle}: {slope} {quotient}"
+                        );
+                        compared += 1;
+                    }
+                }
+                assert!(compared > 100, "{compared}");
+                let (rests, extrema) = curves.rests_and_extrema(side);
+                found = (found.0 + rests.len(), found.1 + extrema.len());
+                for angle in rests {
+                    assert!(curves.limit(side, angle).unwrap().abs() < 1e-12, "{angle}");
+                }
+                for angle in extrema {
+                    let (u, slope) = curves.limit_and_slope(side, angle);
+                    assert!(slope.abs() < 1e-11 * (1.0 + u * u), "{angle}: {u} {slope}");
+                }
+            }
+        }
+        assert!(found.0 > 4 && found.1 > 4, "{found:?}");
+    }
+}

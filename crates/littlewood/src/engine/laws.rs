@@ -1,0 +1,96 @@
+//! The equations of one hoop, and its phases from them.
+
+use crate::mechanics::equations::{RollingLaw, SlidingLaw};
+use crate::mechanics::solvability::is_solvable;
+use crate::model::hoop::{Body, Heavy, Hoop};
+use crate::model::mode::Direction;
+use crate::modes::rolling::margin_forms;
+
+use super::atlas::Atlas;
+use super::doubt::Doubt;
+use super::orbit::Orbit;
+use super::place::Place;
+use super::roll::{self, Margins, RollEnd};
+use super::slide::{self, Frame, SlideEnd, Waypoint};
+
+/// The equations of a heavy hoop.
+#[derive(Clone, Debug)]
+pub(super) struct Laws {
+    pub(super) body: Heavy,
+    /// For σ = −1 and σ = +1.
+    sliding: [SlidingLaw; 2],
+    pub(super) rolling: RollingLaw,
+    pub(super) margins: Margins,
+    /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
+    pub(super) is_solvable: bool,
+}
+
+impl Laws {
+    /// None of a massless hoop.
+    pub(super) fn new(hoop: &Hoop) -> Option<Self> {
+        let Body::Heavy(body) = hoop.body() else { return None };
+        Some(Self {
+            body,
+            sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
+            rolling: RollingLaw::new(hoop),
+            margins: margin_forms(hoop)?,
+            is_solvable: [hoop.mu_s(), hoop.mu_k()].into_iter().all(|mu| is_solvable(&body, mu)),
+        })
+    }
+
+    /// The equations of sliding in a direction.
+    pub(super) const fn sliding(&self, direction: Direction) -> &SlidingLaw {
+        match direction {
+            Direction::Negative => &self.sliding[0],
+            Direction::Positive => &self.sliding[1],
+        }
+    }
+
+    /// The orbit of rolling through a place, in the direction of motion.
+    pub(super) fn orbit(&self, place: &Place) -> Result<Orbit<'_>, Doubt> {
+        let (state, travel) = (place.state, place.travel());
+        Orbit::enter(&self.rolling, travel * state.theta, travel * state.theta_rate).ok_or(Doubt::Separatrix)
+    }
+
+    /// The end of the rolling that begins at a place, in the direction of motion, on the limit of static friction or not.
+    pub(super) fn roll(&self, place: &Place, on_limit: bool, kept: Option<&Atlas>) -> Result<RollEnd, Doubt> {
+        if place.state.theta_rate == 0.0 {
+            // Gravity decides where it goes.
+            return Err(Doubt::Standstill);
+        }
+        roll::follow(&self.orbit(place)?, &self.margins, on_limit, kept)
+    }
+
+    /// The end of the slide that begins at a place, or where it is cut after the time `allowed`; `from_limit` where η′ = η″ = 0 at the start.
+    pub(super) fn slide(
+        &self,
+        place: &Place,
+        direction: Direction,
+        from_limit: bool,
+        allowed: f64,
+        kept: Option<&Atlas>,
+    ) -> Result<SlideEnd, Doubt> {
+        let (state, sign) = (place.state, place.travel());
+        let (sin, cos) = place.direction;
+        let law = self.sliding(direction);
+        let u = place.u();
+        let (alpha, beta) = law.slip_acceleration(sin, cos);
+        let sigma = direction.sign();
+        let frame = Frame {
+            laws: &self.sliding,
+            sign,
+            theta: sign * state.theta,
+            sigma: sign * sigma,
+            integral: sign * (state.slip - state.theta_rate * law.lever(sin, cos)),
+        };
+        let here = Waypoint {
+            z: 0.0,
+            u,
+            elapsed: 0.0,
+            slip: sigma * state.slip,
+            slip_acceleration: if from_limit { 0.0 } else { sigma * (alpha + beta * u) },
+            direction: (sign * sin, cos),
+        };
+        slide::follow(frame, here, from_limit, allowed, kept)
+    }
+}

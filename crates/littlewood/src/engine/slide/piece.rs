@@ -1,0 +1,347 @@
+//! A piece of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
+
+use crate::engine::doubt::Doubt;
+use crate::math::bracket::{Bracket, Step, last_digit};
+use crate::mechanics::equations::{SlidingLaw, contact};
+use crate::model::hoop::Heavy;
+
+/// A slower end of slip is left to the Taylor series: η′ comes from the first integral to ε (1 + |θ′|), so that below this
+/// part of 1 + |θ′| in η″ the time of η′ = 0 is not known to 2e-13.
+const MIN_SLIP_ACCELERATION: f64 = 2e-3;
+
+/// Rounding of η′ by light hoops, which amplify it by (Î/m)^(−1/2) at each passage of the bottom, as a part of that.
+const AMPLIFIED: f64 = 0.1;
+
+/// Newton's method for a place at a time ends with a shorter step: its error is of the second order.
+const LAST_STEP: f64 = 1e-8;
+
+/// The same for the place at which η′ vanishes.
+const LAST_STEP_TO_REST: f64 = 1e-7;
+
+/// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more than this part of itself: the error is
+/// the fourth power of that over 2880.
+const SHORT_STEP: f64 = 1e-3;
+
+/// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that part: Newton's method takes it for
+/// fixed.
+const LAST_TIME: f64 = 1e-14;
+
+/// The place of a minimum of η′ is known to this: the value to the second order.
+const LEAST_WIDTH: f64 = 1e-7;
+
+/// A number within this part of its terms of zero may have either sign in the simulation: rounding, as much as passages of the bottom of
+/// a light hoop and a small P amplify it.
+pub(super) const UNCERTAIN: f64 = 1e-9;
+
+/// Where η″ vanishes at an end of a way its sign is told so far inside, as a part of the way.
+const INSIDE: f64 = 1e-6;
+
+/// A part of a slide on which u is known as a function of a coordinate z, which grows with time.
+pub(super) trait Piece {
+    /// u at z.
+    fn u(&self, z: f64) -> f64;
+    /// θ′ at z, from u there.
+    fn rate(&self, z: f64, u: f64) -> f64;
+    /// sin ϑ and cos ϑ at z.
+    fn direction(&self, z: f64) -> (f64, f64);
+    /// dϑ/dz.
+    fn turning(&self, z: f64) -> f64;
+    /// dτ/dz at z, from u there.
+    fn slowness(&self, z: f64, u: f64) -> f64;
+    /// Time from one place to another.
+    fn time(&self, from: f64, to: f64) -> f64;
+}
+
+/// A point on the way through a piece.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::engine) struct Waypoint {
+    pub(in crate::engine) z: f64,
+    pub(in crate::engine) u: f64,
+    pub(in crate::engine) elapsed: f64,
+    /// σ η′ and σ η″.
+    pub(in crate::engine) slip: f64,
+    pub(in crate::engine) slip_acceleration: f64,
+    /// sin ϑ and cos ϑ.
+    pub(in crate::engine) direction: (f64, f64),
+}
+
+/// The way of a slide through a piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way<'a, P> {
+    pub(super) law: &'a SlidingLaw,
+    pub(super) piece: &'a P,
+    /// Sign of η′.
+    pub(super) sigma: f64,
+    /// The constant of the first integral, η′ − θ′ (1 + h cos ϑ + μk σ h sin ϑ) + μk σ τ.
+    pub(super) integral: f64,
+}
+
+impl<P: Piece> Way<'_, P> {
+    /// Whether the sign of σ η′ at a waypoint is lost in the rounding of the terms of the first integral.
+    pub(super) fn is_doubtful(&self, at: &Waypoint) -> bool {
+        at.slip.abs() <= UNCERTAIN * self.size_of_slip(at)
+    }
+
+    /// The size of the terms of η′ at a waypoint, in the first integral.
+    pub(super) fn size_of_slip(&self, at: &Waypoint) -> f64 {
+        1.0 + at.u.sqrt() + self.integral.abs()
+    }
+
+    /// Everything at z, from the way since `here`.
+    #[inline]
+    pub(super) fn at(&self, here: &Waypoint, z: f64) -> Waypoint {
+        self.waypoint(z, self.piece.u(z), here.elapsed + self.piece.time(here.z, z))
+    }
+
+    /// The same a short step away; none if it is longer.
+    fn beside(&self, here: &Waypoint, z: f64) -> Option<Waypoint> {
+        let (middle, u) = (0.5 * (here.z + z), self.piece.u(z));
+        let (first, last) = (self.piece.slowness(here.z, here.u), self.piece.slowness(z, u));
+        if !((z - here.z).abs() <= SHORT_STEP && (last - first).abs() <= SHORT_STEP * first.abs()) {
+            return None;
+        }
+        let sum = first + 4.0 * self.piece.slowness(middle, self.piece.u(middle)) + last;
+        Some(self.waypoint(z, u, here.elapsed + (z - here.z) / 6.0 * sum))
+    }
+
+    /// Everything at z, where u and the time are known.
+    #[inline]
+    pub(super) fn waypoint(&self, z: f64, u: f64, elapsed: f64) -> Waypoint {
+        let (sin, cos) = self.piece.direction(z);
+        let rate = self.piece.rate(z, u) * self.law.lever(sin, cos);
+        Waypoint {
+            z,
+            u,
+            elapsed,
+            slip: self.sigma * (self.integral + rate - self.law.friction * elapsed),
+            slip_acceleration: self.slip_acceleration((sin, cos), u),
+            direction: (sin, cos),
+        }
+    }
+
+    /// σ η″.
+    fn slip_acceleration(&self, (sin, cos): (f64, f64), u: f64) -> f64 {
+        let (alpha, beta) = self.law.slip_acceleration(sin, cos);
+        self.sigma * (alpha + beta * u)
+    }
+
+    /// Where 1 − h cos ϑ u falls through zero between `here` and `end`.
+    pub(super) fn lift_off(&self, here: &Waypoint, end: f64) -> Waypoint {
+        let h = self.law.body.h;
+        let z = Bracket { low: here.z, high: end }.refine_from_secant(|z| {
+            let (sin, cos) = self.piece.direction(z);
+            let u = self.piece.u(z);
+            let w = contact(1.0, h, cos * u);
+            (w, self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * w))
+        });
+        self.at(here, z)
+    }
+
+    /// Where η′ is least between two waypoints, between which η″ changes its sign at most once; none where it is so at one of them.
+    pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
+        // Falls where η″ rises, as a bracket has it.
+        let falling = |z: f64| -self.slip_acceleration(self.piece.direction(z), self.piece.u(z));
+        let inside = |at: &Waypoint, other: &Waypoint| {
+            if at.slip_acceleration.abs() > UNCERTAIN * (1.0 + at.u) {
+                return (at.z, -at.slip_acceleration);
+            }
+            let z = at.z + INSIDE * (other.z - at.z);
+            (z, falling(z))
+        };
+        let ((low, at_low), (high, at_high)) = (inside(here, there), inside(there, here));
+        if at_low < 0.0 || at_high > 0.0 {
+            return None;
+        }
+        let mut before = (high, at_high);
+        let secant = (low * at_high - high * at_low) / (at_high - at_low);
+        let z = Bracket { low, high }.iterate(secant, |z| {
+            let value = falling(z);
+            let step = value * (before.0 - z) / (value - before.1);
+            before = (z, value);
+            Step { value, step, last: LEAST_WIDTH }
+        });
+        Some(self.at(here, z))
+    }
+
+    /// The longest step from z that may be the last of Newton's method, of which the error of the time is of the second order.
+    fn last_step(&self, z: f64, u: f64, step: f64, longest: f64) -> f64 {
+        if step.abs() >= longest {
+            return last_digit(z);
+        }
+        let (here, there) =
+            (self.piece.slowness(z, u), self.piece.slowness(z + step, self.piece.u(z + step)));
+        let is_last = (0.5 * step * (here + there) * (there - here)).abs() < LAST_TIME * here.abs();
+        if is_last { longest } else { last_digit(z) }
+    }
+
+    /// Where the slide is at a time between those of two waypoints.
+    pub(super) fn at_time(&self, here: &Waypoint, there: &Waypoint, elapsed: f64) -> Waypoint {
+        let (low, high) = (here.z, there.z);
+        let guess = low + (elapsed - here.elapsed) / (there.elapsed - here.elapsed) * (high - low);
+        let z = Bracket { low, high }.iterate(guess, |z| {
+            let u = self.piece.u(z);
+            let value = elapsed - (here.elapsed + self.piece.time(here.z, z));
+            let step = value / self.piece.slowness(z, u);
+            Step { value, step, last: self.last_step(z, u, step, LAST_STEP) }
+        });
+        self.waypoint(z, self.piece.u(z), elapsed)
+    }
+
+    /// Where η′ falls through zero between two waypoints: a cubic for a guess, then Newton's method with the exact time.
+    pub(super) fn rest(&self, here: &Waypoint, there: &Waypoint) -> Result<Waypoint, Doubt> {
+        let span = there.z - here.z;
+        let slope = |at: &Waypoint| at.slip_acceleration * self.piece.slowness(at.z, at.u);
+        let part = cubic_root(here.slip, slope(here) * span, there.slip, slope(there) * span);
+        let mut near = *here;
+        let mut evaluate = |z: f64| {
+            self.beside(&near, z).unwrap_or_else(|| {
+                near = self.at(here, z);
+                near
+            })
+        };
+        let z = Bracket { low: here.z, high: there.z }.iterate(here.z + part * span, |z| {
+            let at = evaluate(z);
+            let step = -at.slip / slope(&at);
+            Step { value: at.slip, step, last: self.last_step(z, at.u, step, LAST_STEP_TO_REST) }
+        });
+        let at = evaluate(z);
+        let Heavy { mass, inertia, .. } = self.law.body;
+        let amplified = (AMPLIFIED * (mass / inertia).sqrt()).max(1.0);
+        if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * amplified * (1.0 + at.u.sqrt()) {
+            return Err(Doubt::SlowStop);
+        }
+        Ok(Waypoint { slip: 0.0, ..at })
+    }
+}
+
+/// Root in (0, 1] of the cubic with these values and slopes at 0 and 1, the value at 1 not positive.
+fn cubic_root(start: f64, start_slope: f64, end: f64, end_slope: f64) -> f64 {
+    let c2 = 3.0 * (end - start) - 2.0 * start_slope - end_slope;
+    let c3 = 2.0 * (start - end) + start_slope + end_slope;
+    let mut s = 1.0;
+    for _ in 0..8 {
+        let value = start + s * (start_slope + s * (c2 + s * c3));
+        let slope = start_slope + s * (2.0 * c2 + 3.0 * s * c3);
+        if slope >= 0.0 {
+            break;
+        }
+        let next: f64 = s - value / slope;
+        if !(next > 0.0 && next <= 1.0) {
+            break;
+        }
+        if (next - s).abs() < 1e-6 {
+            return next;
+        }
+        s = next;
+    }
+    s
+}
+
+#[cfg(test)]
+pub(super) mod check {
+    use super::*;
+
+    /// A piece that counts how often its time is asked for.
+    struct Counted<'a, P> {
+        piece: &'a P,
+        times: core::cell::Cell<u32>,
+    }
+
+    impl<P: Piece> Piece for Counted<'_, P> {
+        fn u(&self, z: f64) -> f64 {
+            self.piece.u(z)
+        }
+
+        fn rate(&self, z: f64, u: f64) -> f64 {
+            self.piece.rate(z, u)
+        }
+
+        fn direction(&self, z: f64) -> (f64, f64) {
+            self.piece.direction(z)
+        }
+
+        fn turning(&self, z: f64) -> f64 {
+            self.piece.turning(z)
+        }
+
+        fn slowness(&self, z: f64, u: f64) -> f64 {
+            self.piece.slowness(z, u)
+        }
+
+        fn time(&self, from: f64, to: f64) -> f64 {
+            self.times.set(self.times.get() + 1);
+            self.piece.time(from, to)
+        }
+    }
+
+    /// Between its ends a slide comes to rest where it is made to, and is at a time where it is then, and few times are asked for. How often
+    /// it came to rest, where η′ falls all the way, and how many times were asked for then.
+    pub(in crate::engine) fn finds_places(
+        piece: &impl Piece,
+        law: &SlidingLaw,
+        (from, to): (f64, f64),
+    ) -> (u32, u32) {
+        let counted = Counted { piece, times: core::cell::Cell::new(0) };
+        let way = |integral: f64| Way { law, piece: &counted, sigma: 1.0, integral };
+        let asked = || counted.times.replace(0);
+        let mut rests = (0, 0);
+        for part in [0.1, 0.4, 0.7, 0.95] {
+            let z = from + part * (to - from);
+            let place = |way: &Way<'_, _>, z: f64| way.at(&way.waypoint(from, counted.u(from), 0.0), z);
+            // η′ vanishes there.
+            let integral = -place(&way(0.0), z).slip;
+            let way = way(integral);
+            let [here, at, there] = [from, z, to].map(|z| place(&way, z));
+            asked();
+            let found = way.at_time(&here, &there, at.elapsed);
+            assert!((found.z - z).abs() < 1e-12 && (found.u - at.u).abs() < 1e-12 * at.u, "{z}: {found:?}");
+            let times = asked();
+            assert!(times <= 4, "{z}: {times}");
+            let falls = [&here, &at, &there].iter().all(|at| at.slip_acceleration < -0.05);
+            if falls && here.slip > 0.0 && there.slip < 0.0 {
+                let found = way.rest(&here, &there).unwrap();
+                assert!(
+                    (found.z - z).abs() < 1e-12 && (found.elapsed - at.elapsed).abs() < 1e-12,
+                    "{z}: {found:?}"
+                );
+                rests = (rests.0 + 1, rests.1 + asked());
+            }
+        }
+        rests
+    }
+
+    /// A piece from one coordinate to another, between which contact lasts, is a slide of its law.
+    pub(in crate::engine) fn is_a_slide(piece: &impl Piece, law: &SlidingLaw, (from, to): (f64, f64)) {
+        const STEP: f64 = 1e-5;
+        let slowness = |z: f64| piece.slowness(z, piece.u(z));
+        let close = |one: f64, other: f64, what: &str, z: f64| {
+            assert!((one - other).abs() < 1e-7 * (1.0 + other.abs()), "{what} at {z}: {one} {other}");
+        };
+        for k in 1..20 {
+            let z = from + (to - from) * f64::from(k) / 20.0;
+            let (u, (sin, cos)) = (piece.u(z), piece.direction(z));
+            assert!((sin * sin + cos * cos - 1.0).abs() < 1e-15, "{z}");
+            let [before, after] = [z - STEP, z + STEP].map(|z| piece.direction(z));
+            let turned = before.1 * after.0 - before.0 * after.1;
+            close(turned / (2.0 * STEP), piece.turning(z), "turning", z);
+            let rate = piece.rate(z, u);
+            close(piece.turning(z) / slowness(z), rate, "rate", z);
+            assert!((rate * rate - u).abs() <= 4.0 * f64::EPSILON * u, "{z}");
+            let steeper = (piece.u(z + STEP) - piece.u(z - STEP)) / (2.0 * STEP);
+            let contact = contact(1.0, law.body.h, cos * u);
+            close(steeper, piece.turning(z) * law.drive(sin, cos) * contact, "u", z);
+        }
+        // Simpson's rule for the time.
+        let parts = 2000;
+        let width = (to - from) / f64::from(parts);
+        let sum: f64 = (0..=parts)
+            .map(|k| {
+                let weight = if k == 0 || k == parts { 1.0 } else { 2.0 + 2.0 * f64::from(k % 2) };
+                weight * slowness(from + width * f64::from(k))
+            })
+            .sum();
+        let time = piece.time(from, to);
+        assert!((time - width / 3.0 * sum).abs() < 1e-11 * time.abs(), "{time} {}", width / 3.0 * sum);
+        assert!(time > 0.0, "{time}");
+    }
+}
