@@ -139,7 +139,8 @@ impl Drift {
         let rounding = self.phase + f64::EPSILON * flight.state(time).theta.abs();
         let lost = Lost {
             theta: turned + rounding,
-            rate: rate + self.impact * (closing / scale + turned) + rounding,
+            // Impulses are as large as the closing rate, and change with the angle by as much.
+            rate: rate + self.impact * (closing + closes.abs() * turned) / scale + rounding,
             gap_rate: coefficient * closing + closes.abs() * turned + rounding * scale,
         };
         self.lost.set(lost);

@@ -6,12 +6,11 @@ use crate::model::hoop::{Body, Heavy, Hoop};
 use crate::model::mode::Direction;
 use crate::modes::rolling::margin_forms;
 
-use super::atlas::Atlas;
-use super::doubt::Doubt;
+use super::doubt::{Doubt, Tally};
 use super::orbit::Orbit;
 use super::place::Place;
-use super::roll::{self, Margins, RollEnd};
-use super::slide::{self, Frame, SlideEnd, Waypoint};
+use super::roll::{self, Margins, Octants, RollEnd};
+use super::slide::{self, Cells, Frame, SlideEnd, Waypoint};
 
 /// The equations of a heavy hoop.
 #[derive(Clone, Debug)]
@@ -23,6 +22,11 @@ pub(super) struct Laws {
     pub(super) margins: Margins,
     /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
     pub(super) is_solvable: bool,
+    /// What has been computed of slides and of rolling, to be kept.
+    cells: Cells,
+    octants: Octants,
+    /// Why phases were left to the simulation.
+    pub(super) tally: Tally,
 }
 
 impl Laws {
@@ -35,6 +39,9 @@ impl Laws {
             rolling: RollingLaw::new(hoop),
             margins: margin_forms(hoop)?,
             is_solvable: [hoop.mu_s(), hoop.mu_k()].into_iter().all(|mu| is_solvable(&body, mu)),
+            cells: Cells::default(),
+            octants: Octants::default(),
+            tally: Tally::default(),
         })
     }
 
@@ -52,13 +59,14 @@ impl Laws {
         Orbit::enter(&self.rolling, travel * state.theta, travel * state.theta_rate).ok_or(Doubt::Separatrix)
     }
 
-    /// The end of the rolling that begins at a place, in the direction of motion, on the limit of static friction or not.
-    pub(super) fn roll(&self, place: &Place, on_limit: bool, kept: Option<&Atlas>) -> Result<RollEnd, Doubt> {
+    /// The end of the rolling that begins at a place, in the direction of motion, on the limit of static friction or not; by what
+    /// is kept, if the motion is long.
+    pub(super) fn roll(&self, place: &Place, on_limit: bool, is_long: bool) -> Result<RollEnd, Doubt> {
         if place.state.theta_rate == 0.0 {
             // Gravity decides where it goes.
             return Err(Doubt::Standstill);
         }
-        roll::follow(&self.orbit(place)?, &self.margins, on_limit, kept)
+        roll::follow(&self.orbit(place)?, &self.margins, on_limit, is_long.then_some(&self.octants))
     }
 
     /// The end of the slide that begins at a place, or where it is cut after the time `allowed`; `from_limit` where η′ = η″ = 0 at the start.
@@ -68,7 +76,7 @@ impl Laws {
         direction: Direction,
         from_limit: bool,
         allowed: f64,
-        kept: Option<&Atlas>,
+        is_long: bool,
     ) -> Result<SlideEnd, Doubt> {
         let (state, sign) = (place.state, place.travel());
         let (sin, cos) = place.direction;
@@ -91,6 +99,6 @@ impl Laws {
             slip_acceleration: if from_limit { 0.0 } else { sigma * (alpha + beta * u) },
             direction: (sign * sin, cos),
         };
-        slide::follow(frame, here, from_limit, allowed, kept)
+        slide::follow(frame, here, from_limit, allowed, is_long.then_some(&self.cells))
     }
 }

@@ -1,11 +1,10 @@
 //! A faster implementation of the same simulation, for many starts.
 //!
 //! The walk along the automaton is that of [`crate::walk`], as for [`Hoop::simulate`]; the phases are other solutions of the same equations
-//! ([`laws`]): slides are followed in the angle ([`slide`]), rolling along its orbit ([`roll`]). What depends on the hoop alone is kept
-//! ([`atlas`]), and chains of slips are passed by whole links ([`chain`]). A phase that these do not resolve to rounding is left to the
+//! ([`laws`]): slides are followed in the angle ([`slide`]), rolling along its orbit ([`roll`]). What depends on the hoop alone is
+//! kept, and chains of slips are passed by whole links ([`chain`]). A phase that these do not resolve to rounding is left to the
 //! solvers of the simulation, for a reason that is counted ([`Doubt`]).
 
-mod atlas;
 mod chain;
 mod doubt;
 mod drift;
@@ -34,10 +33,8 @@ use crate::walk::follow::walk;
 use crate::walk::origin::Origin;
 use crate::walk::proofs::Known;
 
-use atlas::Atlas;
 use chain::Chains;
 pub use doubt::Doubt;
-use doubt::Tally;
 use laws::Laws;
 use solver::FastSolver;
 
@@ -76,12 +73,10 @@ pub struct Engine {
     /// None where motions are simulated.
     laws: Option<Laws>,
     chains: Option<Box<Chains>>,
-    atlas: Atlas,
-    /// Whether cells are kept from the first phase of a motion on.
+    /// Whether what is kept is used from the first phase of a motion on.
     is_prepared: bool,
     /// What proofs have found of the hoop.
     contact: ContactProof,
-    tally: Tally,
 }
 
 impl Engine {
@@ -109,10 +104,8 @@ impl Engine {
             hoop: *hoop,
             laws: Laws::new(hoop).filter(|laws| is_computed(laws.body)),
             chains: None,
-            atlas: Atlas::default(),
             is_prepared: false,
             contact: ContactProof::default(),
-            tally: Tally::default(),
         }
     }
 
@@ -142,7 +135,7 @@ impl Engine {
 
     /// How many phases, and whole motions ([`Doubt::Drift`]), were left to the solvers of the simulation so far, by the reason.
     pub fn doubts(&self) -> impl Iterator<Item = (Doubt, u64)> {
-        self.tally.counts()
+        self.laws.iter().flat_map(|laws| laws.tally.counts())
     }
 
     /// The summary of one motion: that of [`Hoop::simulate`], to rounding.
@@ -179,11 +172,16 @@ impl Engine {
     ) -> Summary {
         let chains = self.chains.as_deref();
         let chains = chains.filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
-        let solver = FastSolver::new(self, laws, chains, limits);
+        let solver = FastSolver::new(&self.hoop, laws, &limits);
+        let solver = if self.is_prepared { solver } else { solver.for_few_starts() };
+        let solver = match chains {
+            Some(chains) => solver.with_chains(chains),
+            None => solver,
+        };
         let mut recorder = empty;
         let end = walk(&solver, state, (&limits, self.known(chains)), &mut recorder);
         if solver.has_drifted() {
-            self.tally.add(Doubt::Drift);
+            laws.tally.add(Doubt::Drift);
             return self.exact_summary((state, limits), empty);
         }
         recorder.finish(end.kind, end.state)
@@ -230,7 +228,7 @@ mod tests {
         let (laws, chains) = engine.laws.as_ref().zip(engine.chains.as_deref()).unwrap();
         let motion = hoop.simulate(start, Limits::default().with_transitions(transitions)).unwrap();
         let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
-        let solver = FastSolver::new(&engine, laws, Some(chains), Limits::default());
+        let solver = FastSolver::new(hoop, laws, &Limits::default()).with_chains(chains);
         let room = Room { transitions: 5_000, slides: f64::INFINITY, are_told: false, open: None };
         let place = solver.place(slip.before);
         let linked = solver.pass_links(&place, slip.direction.unwrap(), &room).expect("links");

@@ -7,12 +7,12 @@
 //! Everything is seen in the direction of motion.
 
 use core::f64::consts::TAU;
+use std::sync::OnceLock;
 
 use crate::math::bracket::Bracket;
 use crate::math::form::{Form, HalfAngle, on_arc};
 use crate::model::mode::Direction;
 
-use super::atlas::Atlas;
 use super::doubt::Doubt;
 use super::orbit::{Orbit, Pass};
 
@@ -42,7 +42,7 @@ pub(super) enum RollEnd {
 }
 
 /// Parts of a turn, each of an eighth.
-pub(super) const OCTANTS: usize = 8;
+const OCTANTS: usize = 8;
 
 /// Directions of the half angle at the ends of the octants.
 const EDGES: [HalfAngle; OCTANTS + 1] = {
@@ -133,7 +133,7 @@ fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
 
 /// The margins on an octant.
 #[derive(Clone, Debug)]
-pub(super) struct Octant {
+struct Octant {
     /// In its barycentric coordinates.
     margins: Margins,
     /// The constants K of the orbits that certainly hold everywhere on it.
@@ -141,7 +141,7 @@ pub(super) struct Octant {
 }
 
 impl Octant {
-    pub(super) fn new(margins: &Margins, octant: usize) -> Self {
+    fn new(margins: &Margins, octant: usize) -> Self {
         let powers = &POWERS[octant];
         let margins = margins.map(|parts| {
             parts.map(|Form(part)| {
@@ -150,11 +150,6 @@ impl Octant {
         });
         let sums = margins.iter().flat_map(|[a, b]| (0..7).map(|k| [a.0[k], b.0[k]]));
         Self { levels: holds(sums), margins }
-    }
-
-    /// The constants K of the orbits that certainly hold everywhere on it.
-    pub(super) const fn levels(&self) -> (f64, f64) {
-        self.levels
     }
 
     /// Whether an orbit holds everywhere on it.
@@ -176,6 +171,29 @@ impl Octant {
         } else {
             Known::Nothing
         }
+    }
+}
+
+/// The octants of one hoop, made where orbits come, and the same whichever orbit that is.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Octants {
+    octants: [OnceLock<Box<Octant>>; OCTANTS],
+    /// The constants K of the orbits that certainly hold everywhere.
+    levels: OnceLock<(f64, f64)>,
+}
+
+impl Octants {
+    /// Whether the orbit with constant K certainly holds everywhere.
+    fn hold(&self, margins: &Margins, k: f64) -> bool {
+        let (low, high) = *self.levels.get_or_init(|| {
+            let levels = (0..OCTANTS).map(|number| self.get(margins, number).levels);
+            levels.fold((0.0, f64::INFINITY), |all, one| (all.0.max(one.0), all.1.min(one.1)))
+        });
+        k > low && k < high
+    }
+
+    fn get(&self, margins: &Margins, number: usize) -> &Octant {
+        self.octants[number].get_or_init(|| Box::new(Octant::new(margins, number)))
     }
 }
 
@@ -249,11 +267,11 @@ pub(super) fn follow(
     orbit: &Orbit<'_>,
     margins: &Margins,
     on_limit: bool,
-    kept: Option<&Atlas>,
+    kept: Option<&Octants>,
 ) -> Result<RollEnd, Doubt> {
     let k = orbit.k();
     if let (Some(kept), false) = (kept, on_limit)
-        && kept.holds(margins, k)
+        && kept.hold(margins, k)
     {
         return Ok(RollEnd::Never);
     }
@@ -299,7 +317,7 @@ pub(super) fn follow(
         return Ok(RollEnd::Never);
     };
     for (passed, (number, arc)) in arcs(orbit).flat_map(Arc::parts).enumerate() {
-        let octant = kept.octant(margins, number);
+        let octant = kept.get(margins, number);
         if octant.holds(k) {
             continue;
         }
@@ -423,8 +441,8 @@ mod tests {
                 }
                 let start = State { time: 0.0, theta, theta_rate: rate, slip: 0.0, x: 0.0 };
                 let expected = Rolling::new(&hoop, start).orbit().end_from_limit();
-                let atlas = Atlas::default();
-                for kept in [None, Some(&atlas)] {
+                let octants = Octants::default();
+                for kept in [None, Some(&octants)] {
                     let found = follow(&orbit, &margins, true, kept);
                     match (found, expected) {
                         (Ok(RollEnd::Slip { elapsed, theta, theta_rate, .. }), Some(end)) => {

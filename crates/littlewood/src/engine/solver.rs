@@ -20,8 +20,6 @@ use crate::walk::links::{Linked, Room};
 use crate::walk::outcome::{Outcome, OutcomeKind};
 use crate::walk::sequence::PhaseSequence;
 
-use super::Engine;
-use super::atlas::Atlas;
 use super::chain::{Chains, Follow, Passage, SlipPoint};
 use super::doubt::Doubt;
 use super::drift::Drift;
@@ -38,14 +36,14 @@ const PHASES_WITHOUT_CELLS: u32 = 4;
 /// Solves the phases of a hoop.
 #[derive(Clone, Debug)]
 pub(super) struct FastSolver<'a> {
-    engine: &'a Engine,
+    hoop: &'a Hoop,
     laws: &'a Laws,
     /// Chains of slips, if they are passed by whole links.
     chains: Option<&'a Chains>,
     until: f64,
     exact: Exact<'a>,
-    /// Phases that have been computed, as many as matter.
-    phases: Cell<u32>,
+    /// Phases that are computed before what is kept is used.
+    phases_without: Cell<u32>,
     drift: Drift,
 }
 
@@ -92,34 +90,34 @@ impl Solution for Kept {
 type Ended = Ending<Place, Verdict>;
 
 impl<'a> FastSolver<'a> {
-    pub(super) fn new(
-        engine: &'a Engine,
-        laws: &'a Laws,
-        chains: Option<&'a Chains>,
-        limits: Limits,
-    ) -> Self {
+    pub(super) fn new(hoop: &'a Hoop, laws: &'a Laws, limits: &Limits) -> Self {
         let until = limits.until.unwrap_or(f64::INFINITY);
-        let (exact, drift) = (Exact::new(&engine.hoop, &limits), Drift::new(&laws.body));
-        Self { engine, laws, chains, until, exact, phases: Cell::new(0), drift }
+        let (exact, drift) = (Exact::new(hoop, limits), Drift::new(&laws.body));
+        Self { hoop, laws, chains: None, until, exact, phases_without: Cell::new(0), drift }
     }
 
-    /// With a phase that begins: the cells that are kept, if the motion is so long, or the hoop has so many, that they pay. This depends on the
-    /// motion and the hoop alone: the same motion has the same bits wherever it is computed.
-    fn kept(&self) -> Option<&'a Atlas> {
-        let phases = self.phases.get();
-        if !is_on(Part::KeptCells) {
-            return None;
-        }
-        if !self.engine.is_prepared && phases < PHASES_WITHOUT_CELLS {
-            self.phases.set(phases + 1);
-            return None;
-        }
-        Some(&self.engine.atlas)
+    /// The solver of an engine for few starts: a motion uses what is kept if it is long. This depends on the motion alone, so that it has the same
+    /// bits wherever it is computed.
+    pub(super) fn for_few_starts(self) -> Self {
+        self.phases_without.set(PHASES_WITHOUT_CELLS);
+        self
+    }
+
+    /// The solver that passes chains.
+    pub(super) fn with_chains(self, chains: &'a Chains) -> Self {
+        Self { chains: Some(chains), ..self }
+    }
+
+    /// With a phase that begins: whether it uses what is kept.
+    fn is_long(&self) -> bool {
+        let left = self.phases_without.get();
+        self.phases_without.set(left.saturating_sub(1));
+        left == 0 && is_on(Part::KeptCells)
     }
 
     /// Counts a doubt.
     fn tell(&self, doubt: Doubt) {
-        self.engine.tally.add(doubt);
+        self.laws.tally.add(doubt);
     }
 
     /// Whether rounding may have decided on what follows otherwise than in the simulation.
@@ -179,7 +177,7 @@ impl<'a> FastSolver<'a> {
             law.p(sin, law.q(1.0, sin, cos))
         };
         if !self.laws.is_solvable {
-            let size = inertia + mass * h * (1.0 + self.engine.hoop.mu_k());
+            let size = inertia + mass * h * (1.0 + self.hoop.mu_k());
             let [negative, positive] = Direction::ALL.map(solvability);
             if !(drift.is_clear(negative, size)
                 && drift.is_clear(positive, size)
@@ -198,8 +196,8 @@ impl<'a> FastSolver<'a> {
         let u = place.u();
         let denominator = law.denominator_of(place.direction);
         let forces = law.forces_at(place.direction, [1.0, u], denominator);
-        let excess = forces.friction.abs() - self.engine.hoop.mu_s() * forces.normal;
-        let size = law.mass * (1.0 + u) * (1.0 + self.engine.hoop.mu_s());
+        let excess = forces.friction.abs() - self.hoop.mu_s() * forces.normal;
+        let size = law.mass * (1.0 + u) * (1.0 + self.hoop.mu_s());
         let hold = match arrival {
             Arrival::Open | Arrival::RollingLimit(_) if w < 0.0 => Hold::NoNormalForce,
             Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
@@ -221,7 +219,7 @@ impl<'a> FastSolver<'a> {
         };
         if let Hold::Slips { excess, .. } = hold {
             // With equal coefficients the acceleration of the slip vanishes on the limit.
-            let drive = excess + (self.engine.hoop.mu_s() - self.engine.hoop.mu_k()) * forces.normal;
+            let drive = excess + (self.hoop.mu_s() - self.hoop.mu_k()) * forces.normal;
             if drive <= 0.0 {
                 return None;
             }
@@ -265,7 +263,7 @@ impl FastSolver<'_> {
 
 impl Follow for FastSolver<'_> {
     fn link(&self, slip: SlipPoint, theta_rate: f64) -> Option<(State, Direction, f64, PhaseSequence)> {
-        let solver = Self::new(self.engine, self.laws, None, Limits::default());
+        let solver = Self::new(self.hoop, self.laws, &Limits::default());
         let state = State { time: 0.0, theta: slip.angle, theta_rate, slip: 0.0, x: 0.0 };
         let place = Place::new(state);
         let mut phases = PhaseSequence::default();
@@ -277,8 +275,7 @@ impl Follow for FastSolver<'_> {
         if solver.has_drifted() {
             return None;
         }
-        let is_last =
-            self.chains.is_some_and(|chains| chains.is_last(&self.engine.hoop, &state, &end, phases));
+        let is_last = self.chains.is_some_and(|chains| chains.is_last(self.hoop, &state, &end, phases));
         (!is_last).then_some((end, direction, slid, phases))
     }
 }
@@ -289,7 +286,7 @@ impl Solver for FastSolver<'_> {
     type Verdict = Verdict;
 
     fn hoop(&self) -> &Hoop {
-        &self.engine.hoop
+        self.hoop
     }
 
     fn until(&self) -> f64 {
@@ -308,11 +305,11 @@ impl Solver for FastSolver<'_> {
     fn decide(&self, place: &Place, arrival: Arrival) -> Next {
         if arrival == Arrival::LiftOff {
             // What the slide has found is not computed again.
-            return next_motion(&self.engine.hoop, &place.state, arrival);
+            return next_motion(self.hoop, &place.state, arrival);
         }
         match self.clear_evidence(place, arrival) {
-            Some(evidence) => weigh(&self.engine.hoop, &self.laws.body, &place.state, &evidence),
-            None => next_motion(&self.engine.hoop, &place.state, arrival),
+            Some(evidence) => weigh(self.hoop, &self.laws.body, &place.state, &evidence),
+            None => next_motion(self.hoop, &place.state, arrival),
         }
     }
 
@@ -327,7 +324,7 @@ impl Solver for FastSolver<'_> {
         if self.drift.is_far(state.theta) {
             return left_to_the_simulation(Doubt::Far);
         }
-        let ending: Ended = match self.laws.roll(place, on_limit, self.kept()) {
+        let ending: Ended = match self.laws.roll(place, on_limit, self.is_long()) {
             Ok(RollEnd::Never) => Ending::Motion {
                 event: None,
                 end: None,
@@ -375,7 +372,7 @@ impl Solver for FastSolver<'_> {
         slip_acceleration: Option<f64>,
     ) -> SolvedBy<Self> {
         let state = place.state;
-        let is_conservative = self.engine.hoop.mu_k() == 0.0;
+        let is_conservative = self.hoop.mu_k() == 0.0;
         let for_ever = Verdict { kind: OutcomeKind::SlidesForever, state };
         let never = || {
             let ending = Ending::Motion { event: None, end: None, verdict: for_ever };
@@ -405,7 +402,7 @@ impl Solver for FastSolver<'_> {
         let allowed = self.until - state.time;
         // On the static limit with equal coefficients η″ vanishes, too.
         let from_limit = slip_acceleration == Some(0.0);
-        let (event, is_cut) = match self.laws.slide(place, direction, from_limit, allowed, self.kept()) {
+        let (event, is_cut) = match self.laws.slide(place, direction, from_limit, allowed, self.is_long()) {
             Ok(SlideEnd::Event(event)) => (event, false),
             Ok(SlideEnd::Cut(event)) => (event, true),
             Ok(SlideEnd::Never) => return never(),
@@ -439,7 +436,7 @@ impl Solver for FastSolver<'_> {
     fn fly(&self, place: &Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let state = place.state;
         // Whatever follows from a state of the simulation goes on as there.
-        if self.drift.is_none() && self.engine.hoop.restitution().is_some() {
+        if self.drift.is_none() && self.hoop.restitution().is_some() {
             return Self::take(self.exact.fly(&state, body, take_off));
         }
         let flight = match take_off {
@@ -459,7 +456,7 @@ impl Solver for FastSolver<'_> {
             }
         };
         let duration = flight.duration();
-        if let Some(restitution) = self.engine.hoop.restitution() {
+        if let Some(restitution) = self.hoop.restitution() {
             self.drift.add_flight(&flight, &state, place.direction, restitution.coefficient());
         }
         let ending = if self.is_in_time(&state, duration) {

@@ -4,6 +4,7 @@
 //! far as the series of one slide from where it begins, and serve every slide of a motion that comes there.
 
 use core::f64::consts::TAU;
+use std::sync::OnceLock;
 
 use crate::engine::polynomial::value;
 use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
@@ -18,7 +19,7 @@ use super::series::{
 use super::step::{Step, rotated};
 
 /// Cells of a turn, evenly spaced. They overlap, wherever P is not close to zero.
-pub(in crate::engine) const CELLS: usize = 16;
+pub(super) const CELLS: usize = 16;
 
 /// Largest z of a cell, tan π/16: the centre of the next one. In wider cells u changes more than the Gauss sum of the time allows.
 const WIDEST: f64 = 0.198_912_367_379_658_02;
@@ -28,7 +29,7 @@ const TILE: f64 = 0.098_491_403_357_164_26;
 
 /// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
 #[derive(Clone, Debug)]
-pub(in crate::engine) struct Cell {
+pub(super) struct Cell {
     /// sin ϑ and cos ϑ at the centre.
     direction: (f64, f64),
     /// z at the end.
@@ -69,6 +70,18 @@ pub(super) struct Edge {
     pub(super) beta: f64,
 }
 
+/// The cells of one hoop, made where slides come, and the same whichever slide that is.
+#[derive(Clone, Debug, Default)]
+pub(in crate::engine) struct Cells([[OnceLock<Option<Box<Cell>>>; CELLS]; 2]);
+
+impl Cells {
+    /// A cell for the direction `sigma` of slip in the frame of motion, if there is one.
+    pub(super) fn get(&self, law: &SlidingLaw, sigma: f64, number: usize) -> Option<&Cell> {
+        let cells = &self.0[usize::from(sigma > 0.0)];
+        cells[number].get_or_init(|| Cell::new(law, sigma, number).map(Box::new)).as_deref()
+    }
+}
+
 fn largest(series: &Series) -> f64 {
     series.iter().fold(0.0, |largest, c| largest.max(c.abs()))
 }
@@ -98,7 +111,7 @@ impl Cell {
     }
 
     /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not known to be positive.
-    pub(in crate::engine) fn new(law: &SlidingLaw, sigma: f64, cell: usize) -> Option<Self> {
+    fn new(law: &SlidingLaw, sigma: f64, cell: usize) -> Option<Self> {
         let direction = sincos(cell as f64 * (TAU / CELLS as f64));
         let polynomials = Polynomials::new(law, sigma, direction);
         let [p, h] = polynomials.solutions([0.0, 1.0], [1.0, 0.0]);

@@ -13,11 +13,10 @@
 
 use core::f64::consts::{FRAC_PI_8, TAU};
 
-use crate::engine::atlas::Atlas;
 use crate::engine::doubt::Doubt;
 use crate::mechanics::equations::{SlidingLaw, contact};
 
-use super::cell::{CELLS, Cell};
+use super::cell::{CELLS, Cell, Cells};
 use super::piece::{Piece, UNCERTAIN, Way, Waypoint};
 use super::series::{Expansion, Signs};
 use super::step::{Step, rotated};
@@ -134,7 +133,7 @@ struct Slide<'a> {
     least: f64,
     pieces: usize,
     allowed: f64,
-    cells: Option<&'a Atlas>,
+    cells: Option<&'a Cells>,
 }
 
 /// Follows a slide from a place to its event, or to where it is after the time that is `allowed`; `from_limit` where η′ = η″ = 0 at
@@ -144,7 +143,7 @@ pub(in crate::engine) fn follow(
     here: Waypoint,
     from_limit: bool,
     allowed: f64,
-    cells: Option<&Atlas>,
+    cells: Option<&Cells>,
 ) -> Result<SlideEnd, Doubt> {
     let (edge, turns, mark, least) = (None, None, None, here.slip);
     let mut slide = Slide { frame, here, edge, turns, mark, least, pieces: 0, allowed, cells };
@@ -185,7 +184,7 @@ impl<'a> Slide<'a> {
     }
 
     /// The cell that holds the slide, its place in it, and the step to its end.
-    fn in_cell(&self, cells: &'a Atlas) -> Option<(usize, Waypoint, Step)> {
+    fn in_cell(&self, cells: &'a Cells) -> Option<(usize, Waypoint, Step)> {
         let (frame, here) = (&self.frame, &self.here);
         let ((sin, cos), law) = (here.direction, frame.law());
         // du/dz: where u is steep it is not known to stay away from zero, and this is known soonest.
@@ -198,19 +197,19 @@ impl<'a> Slide<'a> {
             return None;
         }
         Cell::about(frame.theta).into_iter().find_map(|number| {
-            let cell = cells.cell(law, frame.sigma, number)?;
+            let cell = cells.get(law, frame.sigma, number)?;
             let (place, step) = cell.step(here)?;
             Some((number, place, step))
         })
     }
 
     /// Crosses whole tiles, until something happens in one, or a series of its own is needed.
-    fn cross_tiles(&mut self, cells: &'a Atlas) -> Result<Option<SlideEnd>, Doubt> {
+    fn cross_tiles(&mut self, cells: &'a Cells) -> Result<Option<SlideEnd>, Doubt> {
         let Self { frame, allowed, .. } = *self;
         let law = frame.law();
         while let Some(number) = self.edge
             && self.pieces < MOST_PIECES
-            && let Some(cell) = cells.cell(law, frame.sigma, number)
+            && let Some(cell) = cells.get(law, frame.sigma, number)
             && let Some((level, u)) = cell.crossing(self.here.u)
         {
             let here = &self.here;

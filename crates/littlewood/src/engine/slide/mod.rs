@@ -13,7 +13,7 @@ mod turn;
 
 use core::f64::consts::TAU;
 
-pub(super) use cell::{CELLS, Cell};
+pub(super) use cell::Cells;
 pub(super) use follow::{Frame, follow};
 pub(super) use piece::Waypoint;
 
