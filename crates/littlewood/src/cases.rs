@@ -4,8 +4,8 @@ use core::f64::consts::FRAC_PI_2;
 
 use crate::model::error::ParameterError;
 use crate::model::hoop::{Hoop, HoopParameters};
-use crate::model::law::RestitutionLaw;
 use crate::model::limits::Limits;
+use crate::model::restitution::RestitutionLaw;
 use crate::model::setup::Setup;
 use crate::model::state::Start;
 use crate::motion::trajectory::Trajectory;

@@ -86,39 +86,40 @@ pub use mechanics::equations::{Accelerations, ContactForces, RollingLaw, Sliding
 pub use mechanics::impact::{Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, Impulse};
 pub use mechanics::region::{Equilibrium, PhasePlane, Stability};
 pub use mechanics::settling::{NoSettling, Settling};
+pub use model::dimension::Detail;
 pub use model::dimension::{Dimension, System};
 pub use model::error::ParameterError;
 pub use model::hoop::{Body, Heavy, Hoop, HoopParameters, Massless};
-pub use model::law::RestitutionLaw;
 pub use model::limits::Limits;
+pub use model::limits::Proof;
 pub use model::mode::{Direction, Mode};
 pub use model::named::{UnknownCode, UnknownName};
-pub use model::proof::Proof;
 pub use model::quantity::{Bound, Group, Number, Presence, Quantity, QuantityRow, STANDARD_GRAVITY};
 pub use model::restitution::Restitution;
+pub use model::restitution::RestitutionLaw;
 pub use model::setup::Setup;
 pub use model::si::{SiParameters, SiSetup, SiState};
 pub use model::state::{Start, State};
 pub use model::units::Units;
+pub use modes::PhaseSolution;
 pub use modes::flight::Flight;
 pub use modes::gliding::{Gliding, GlidingIntegrals, gliding_accelerations};
 pub use modes::rolling::{
     GrazingOrbit, Recurrence, RecurrenceKind, Rolling, RollingEnd, RollingLimit, RollingOrbit,
 };
+pub use modes::sample::{Position, Sample};
 pub use modes::sliding::Sliding;
 pub use motion::class::Class;
 pub use motion::classify::{Classification, StartRegion};
 pub use motion::columns::{ColumnType, SampleColumn, SampleValue, SummaryColumn, SummaryValue};
 pub use motion::digits::Digits;
-pub use motion::sample::{Position, Sample};
 pub use motion::summary::Summary;
-pub use motion::trajectory::{Phase, PhaseSolution, Trajectory};
+pub use motion::trajectory::{Phase, Trajectory};
+pub use walk::automaton::Transition;
 pub use walk::automaton::{BodyClass, Cause, EDGES, Edge, find_edge};
 pub use walk::candidates::Candidates;
-pub use walk::detail::Detail;
 pub use walk::outcome::{Outcome, OutcomeKind, SlideLimit};
 pub use walk::sequence::{PhaseCode, PhaseSequence};
-pub use walk::transition::Transition;
 
 /// The example of the package's page.
 #[cfg(doctest)]

@@ -24,6 +24,7 @@ mod jam;
 mod origins;
 mod proofs;
 mod reference;
+mod rooms;
 mod serde;
 mod symmetry;
 mod vocabulary;

@@ -197,8 +197,7 @@ mod tests {
     use super::*;
     use crate::model::hoop::HoopParameters;
     use crate::walk::automaton::Cause;
-    use crate::walk::follow::Solver;
-    use crate::walk::links::Room;
+    use crate::walk::follow::{Room, Solver};
 
     /// Whatever is left to the simulation has the same answer, only later, which no test of answers would notice.
     #[test]

@@ -15,8 +15,7 @@ use crate::modes::rolling::{Hold, RollingLimit};
 use crate::walk::automaton::Cause;
 use crate::walk::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
 use crate::walk::exact::Exact;
-use crate::walk::follow::{Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver, next_slip};
-use crate::walk::links::{Linked, Room};
+use crate::walk::follow::{Ending, Linked, MaybeFlight, Room, Solution, Solved, SolvedBy, Solver, next_slip};
 use crate::walk::outcome::{Outcome, OutcomeKind};
 use crate::walk::sequence::PhaseSequence;
 

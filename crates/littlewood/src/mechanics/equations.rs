@@ -20,7 +20,7 @@ use crate::math::form::Trigonometric;
 use crate::math::trig::above_bottom;
 use crate::model::hoop::{Body, Heavy, Hoop};
 use crate::model::mode::Direction;
-use crate::model::state::State;
+use crate::model::state::{Start, State};
 
 /// Contact forces, over m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,6 +72,14 @@ pub(crate) fn slip_acceleration_at_rest(mass: f64, denominator: f64, drive: f64,
 /// Kinetic plus potential energy of a body in contact or above the plane, from velocities alone (2.8).
 pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64 {
     energy_at(hoop, state, libm::sincos(state.theta), (gap, gap_rate))
+}
+
+impl Hoop {
+    /// Kinetic and potential energy of a start (2.8).
+    #[must_use]
+    pub fn energy_of(&self, start: &Start) -> f64 {
+        energy(self, &start.state(), 0.0, start.gap_rate)
+    }
 }
 
 /// The same with the sine and cosine of the angle.

@@ -19,10 +19,9 @@
 use thiserror::Error;
 
 use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::law::RestitutionLaw;
 use crate::model::mode::Direction;
 use crate::model::named::named;
-use crate::model::restitution::Restitution;
+use crate::model::restitution::{Restitution, RestitutionLaw};
 use crate::model::state::State;
 
 /// The impulse of the plane on the body, over m2 √(gR).

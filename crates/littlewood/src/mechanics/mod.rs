@@ -8,5 +8,4 @@ pub(crate) mod impact;
 pub(crate) mod lift_off;
 pub(crate) mod region;
 pub(crate) mod settling;
-pub(crate) mod slip;
 pub(crate) mod solvability;

@@ -2,9 +2,11 @@
 
 use thiserror::Error;
 
-use crate::model::hoop::Heavy;
-use crate::model::law::RestitutionLaw;
 use crate::model::quantity::{Bound, Number, Quantity, Reading};
+use crate::model::restitution::RestitutionLaw;
+
+/// Least moment of inertia about the mass centre: fifth powers of its inverse are in the range of doubles.
+pub(super) const LEAST_INERTIA: f64 = 1e-60;
 
 /// A parameter of a hoop or of a start that has no physical meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -32,7 +34,7 @@ pub enum ParameterError {
     /// A hoop that is all but massless: powers of 1/Î leave the range of doubles.
     #[error(
         "moment of inertia about the mass centre = {} m2 R^2 must be 0, or not less than {} m2 R^2",
-        Number(*inertia), Number(Heavy::LEAST_INERTIA)
+        Number(*inertia), Number(LEAST_INERTIA)
     )]
     NearlyMassless {
         /// Î.

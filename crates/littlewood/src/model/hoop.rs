@@ -1,11 +1,8 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
-use crate::mechanics::equations::energy;
-use crate::model::error::{ParameterError, within};
-use crate::model::law::RestitutionLaw;
+use crate::model::error::{LEAST_INERTIA, ParameterError, within};
 use crate::model::quantity::{Bound, Quantity};
-use crate::model::restitution::Restitution;
-use crate::model::state::Start;
+use crate::model::restitution::{Restitution, RestitutionLaw};
 
 /// The numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
 ///
@@ -94,17 +91,22 @@ pub struct Heavy {
     pub inertia: f64,
 }
 
-impl Heavy {
-    /// Least moment of inertia about the mass centre: fifth powers of its inverse are in the range of doubles.
-    pub const LEAST_INERTIA: f64 = 1e-60;
-}
-
 /// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Only [`Hoop::new`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Massless {
     /// Offset of the particle, ℓ̂ = h. Littlewood has ℓ̂ = 1; footnote 7 of the paper relaxes it.
     pub offset: f64,
+}
+
+impl Restitution {
+    /// A coefficient with a law.
+    ///
+    /// # Errors
+    /// The coefficient must lie between 0 and 1.
+    pub fn new(coefficient: f64, law: RestitutionLaw) -> Result<Self, ParameterError> {
+        Ok(Self { coefficient: Quantity::Restitution.check(coefficient)?, law })
+    }
 }
 
 impl Hoop {
@@ -131,7 +133,7 @@ impl Hoop {
         let mass = 1.0 + mass_ratio;
         let about_mass_centre = inertia + mass_ratio * offset * offset / mass;
         let body = if about_mass_centre > 0.0 {
-            if about_mass_centre < Heavy::LEAST_INERTIA {
+            if about_mass_centre < LEAST_INERTIA {
                 return Err(ParameterError::NearlyMassless { inertia: about_mass_centre });
             }
             Body::Heavy(Heavy { mass, h: offset / mass, offset, inertia: about_mass_centre })
@@ -230,12 +232,6 @@ impl Hoop {
     #[must_use]
     pub fn mass(&self) -> f64 {
         1.0 + self.parameters.mass_ratio
-    }
-
-    /// Kinetic and potential energy of a start (2.8).
-    #[must_use]
-    pub fn energy_of(&self, start: &Start) -> f64 {
-        energy(self, &start.state(), 0.0, start.gap_rate)
     }
 
     /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).

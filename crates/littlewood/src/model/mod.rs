@@ -3,11 +3,9 @@
 pub(crate) mod dimension;
 pub(crate) mod error;
 pub(crate) mod hoop;
-pub(crate) mod law;
 pub(crate) mod limits;
 pub(crate) mod mode;
 pub(crate) mod named;
-pub(crate) mod proof;
 pub(crate) mod quantity;
 pub(crate) mod restitution;
 pub(crate) mod setup;

@@ -1,25 +1,47 @@
 //! A coefficient of restitution with its law.
 
-use crate::model::error::ParameterError;
-use crate::model::law::RestitutionLaw;
-use crate::model::quantity::Quantity;
+use crate::model::named::named;
+
+named! {
+    /// What the coefficient of restitution is a ratio of.
+    pub enum RestitutionLaw, "law of restitution" {
+        /// Of works: the work that the normal force gives back is e² of what it has taken up (Stronge).
+        Energetic = 0, "energetic";
+        /// Of impulses: that of restitution is e times that of compression.
+        Poisson = 1, "poisson";
+        /// Of velocities: the gap opens e times as fast as it has closed. It can gain energy where friction changes on the
+        /// way.
+        Newton = 2, "newton";
+    }
+}
+
+/// The energetic law, which never gains energy.
+impl Default for RestitutionLaw {
+    fn default() -> Self {
+        Self::Energetic
+    }
+}
+
+impl RestitutionLaw {
+    /// In words, for menus and legends.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::Energetic => "energetic (Stronge)",
+            Self::Poisson => "impulses (Poisson)",
+            Self::Newton => "velocities (Newton)",
+        }
+    }
+}
 
 /// A coefficient of restitution 0 ≤ e ≤ 1 with its law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Restitution {
-    coefficient: f64,
-    law: RestitutionLaw,
+    pub(super) coefficient: f64,
+    pub(super) law: RestitutionLaw,
 }
 
 impl Restitution {
-    /// A coefficient with a law.
-    ///
-    /// # Errors
-    /// The coefficient must lie between 0 and 1.
-    pub fn new(coefficient: f64, law: RestitutionLaw) -> Result<Self, ParameterError> {
-        Ok(Self { coefficient: Quantity::Restitution.check(coefficient)?, law })
-    }
-
     /// The coefficient e.
     #[must_use]
     pub const fn coefficient(&self) -> f64 {

@@ -3,8 +3,8 @@
 use crate::model::dimension::Dimension;
 use crate::model::error::{ParameterError, within};
 use crate::model::hoop::{Hoop, HoopParameters};
-use crate::model::law::RestitutionLaw;
 use crate::model::quantity::{Bound, Quantity};
+use crate::model::restitution::RestitutionLaw;
 use crate::model::setup::Setup;
 use crate::model::state::{Start, State};
 use crate::model::units::Units;

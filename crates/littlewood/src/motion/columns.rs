@@ -4,7 +4,7 @@ use crate::model::dimension::Dimension;
 use crate::model::mode::{Direction, Mode};
 use crate::model::named::named;
 use crate::model::state::State;
-use crate::motion::sample::Sample;
+use crate::modes::sample::Sample;
 use crate::motion::summary::Summary;
 use crate::walk::outcome::OutcomeKind;
 use crate::walk::sequence::PhaseSequence;

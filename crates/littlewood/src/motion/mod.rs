@@ -4,7 +4,6 @@ pub(crate) mod class;
 pub(crate) mod classify;
 pub(crate) mod columns;
 pub(crate) mod digits;
-pub(crate) mod sample;
 pub(crate) mod simulate;
 pub(crate) mod summary;
 pub(crate) mod trajectory;

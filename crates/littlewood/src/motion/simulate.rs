@@ -6,14 +6,14 @@ use crate::model::hoop::{Body, Hoop};
 use crate::model::limits::Limits;
 use crate::model::mode::Direction;
 use crate::model::state::{Start, State};
-use crate::motion::trajectory::{Phase, PhaseSolution, Trajectory};
-use crate::walk::event::Event;
+use crate::modes::PhaseSolution;
+use crate::motion::trajectory::{Phase, Trajectory};
+use crate::walk::automaton::{Event, Transition};
 use crate::walk::exact::Exact;
 use crate::walk::follow::{PhaseSeen, Recorder, walk};
 use crate::walk::origin::Origin;
 use crate::walk::outcome::Outcome;
 use crate::walk::proofs::Known;
-use crate::walk::transition::Transition;
 
 impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.

@@ -6,15 +6,14 @@ use crate::mechanics::impact::Impact;
 use crate::model::hoop::Hoop;
 use crate::model::mode::{Direction, Mode};
 use crate::model::state::State;
+use crate::modes::PhaseSolution;
 use crate::modes::flight::Flight;
-use crate::motion::trajectory::{Phase, PhaseSolution, Trajectory};
-use crate::walk::automaton::Cause;
-use crate::walk::event::Event;
+use crate::motion::trajectory::{Phase, Trajectory};
+use crate::walk::automaton::{Cause, Event, Transition};
 use crate::walk::follow::{MaybeFlight, PhaseSeen, Recorder, Wants};
 use crate::walk::origin::Origin;
 use crate::walk::outcome::OutcomeKind;
 use crate::walk::sequence::PhaseSequence;
-use crate::walk::transition::Transition;
 
 /// The summary of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,14 +3,11 @@
 use crate::model::hoop::Hoop;
 use crate::model::mode::{Direction, Mode};
 use crate::model::state::State;
-use crate::modes::flight::Flight;
-use crate::modes::gliding::Gliding;
-use crate::modes::rolling::Rolling;
-use crate::modes::sliding::Sliding;
-use crate::motion::sample::{Instant, Sample};
+use crate::modes::PhaseSolution;
+use crate::modes::sample::{Instant, Sample};
+use crate::walk::automaton::Transition;
 use crate::walk::origin::Origin;
 use crate::walk::outcome::Outcome;
-use crate::walk::transition::Transition;
 
 /// A phase of motion in one mode.
 #[derive(Clone, Debug)]
@@ -23,19 +20,6 @@ pub struct Phase {
     pub(crate) end: Option<State>,
     /// Index of the transition that ends it.
     pub(crate) ended_by: Option<usize>,
-}
-
-/// The exact solution during a phase, with τ and x since the start of the motion, and θ without its whole turns there.
-#[derive(Clone, Debug)]
-pub enum PhaseSolution {
-    /// Rolling along an orbit.
-    Rolling(Rolling),
-    /// Sliding in one direction.
-    Sliding(Box<Sliding>),
-    /// Gliding of a massless hoop.
-    Gliding(Gliding),
-    /// Flight.
-    Flight(Flight),
 }
 
 impl Phase {

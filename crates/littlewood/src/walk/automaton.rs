@@ -3,8 +3,11 @@
 //! [`crate::Hoop::simulate`] takes no other edge; the tests hold every simulated transition against this table, and
 //! the table against the motions, so that no edge is there for show.
 
-use crate::model::mode::Mode;
+use crate::mechanics::impact::Impact;
+use crate::model::mode::{Direction, Mode};
 use crate::model::named::named;
+use crate::model::state::State;
+use crate::modes::rolling::RollingLimit;
 
 named! {
     /// What ends a phase of motion.
@@ -238,4 +241,61 @@ pub fn find_edge(
     to: Option<Mode>,
 ) -> Option<&'static Edge> {
     EDGES.iter().find(|edge| edge.body == body && edge.from == from && edge.cause == cause && edge.to == to)
+}
+
+impl RollingLimit {
+    /// The event.
+    #[must_use]
+    pub const fn cause(self) -> Cause {
+        match self {
+            Self::Friction(_) => Cause::Slip,
+            Self::NormalForce => Cause::NormalForceZero,
+        }
+    }
+}
+
+/// An event between two phases, or at the end of the last.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Event {
+    /// State just before.
+    pub(crate) state: State,
+    pub(crate) from: Option<Mode>,
+    pub(crate) to: Option<Mode>,
+    pub(crate) cause: Cause,
+}
+
+impl Event {
+    /// An event that ends a mode.
+    pub(crate) const fn new(state: State, from: Mode, cause: Cause) -> Self {
+        Self { state, from: Some(from), to: None, cause }
+    }
+}
+
+/// A change of the mode of motion, or the event that ends the simulation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Transition {
+    /// State just before.
+    pub before: State,
+    /// State just after: the same, unless there is an impact.
+    pub after: State,
+    /// The impact, if the velocities jump. Where bounces have settled it is all of theirs together.
+    pub impact: Option<Impact>,
+    /// Mode that ends; none where a hoop jams from a state at which no motion was consistent.
+    pub from: Option<Mode>,
+    /// Mode that begins; none where the motion is not followed further.
+    pub to: Option<Mode>,
+    /// Direction of slip of the motion that begins.
+    pub direction: Option<Direction>,
+    /// Event.
+    pub cause: Cause,
+}
+
+impl Transition {
+    /// Time.
+    #[must_use]
+    pub const fn time(&self) -> f64 {
+        self.before.time
+    }
 }

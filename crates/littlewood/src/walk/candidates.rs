@@ -17,14 +17,13 @@
 use crate::mechanics::equations::{
     ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
 };
-use crate::model::dimension::Dimension;
+use crate::model::dimension::{Detail, Dimension};
 use crate::model::hoop::{Body, Heavy, Hoop, Massless};
 use crate::model::mode::{Direction, Mode};
 use crate::model::state::State;
 use crate::modes::flight::TakeOff;
 use crate::modes::gliding::GlideEntry;
 use crate::modes::rolling::{Hold, RollingLimit, RollingOrbit};
-use crate::walk::detail::Detail;
 
 /// The motions that might follow at a state, and what decides between them.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,6 @@
 
 use crate::mechanics::impact::{Contact, ContactVelocities, Impact};
 use crate::mechanics::settling::Settling;
-use crate::mechanics::slip::LastSlip;
 use crate::model::hoop::{Body, Heavy, Hoop, Massless};
 use crate::model::limits::{Limits, length_of_slide, weight_of_slides};
 use crate::model::mode::{Direction, Mode};
@@ -16,13 +15,12 @@ use crate::model::state::State;
 use crate::modes::flight::{Flight, TakeOff};
 use crate::modes::gliding::GlideEntry;
 use crate::modes::rolling::RollingLimit;
-use crate::walk::automaton::Cause;
+use crate::walk::automaton::{Cause, Event};
 use crate::walk::candidates::{Arrival, Next};
-use crate::walk::event::Event;
-use crate::walk::links::{Linked, Room};
 use crate::walk::outcome::{Outcome, SlideLimit};
 use crate::walk::proofs::{Known, Proofs};
 use crate::walk::sequence::PhaseSequence;
+use crate::walk::slip::LastSlip;
 
 /// Solves phases of motion, each from the place where it begins to the event that ends it, or to the time limit.
 pub(crate) trait Solver {
@@ -59,6 +57,31 @@ pub(crate) trait Solver {
     fn pass_links(&self, _: &Self::Place, _: Direction, _: &Room<'_>) -> Option<Linked<Self::Place>> {
         None
     }
+}
+
+/// What a motion has room for before something else may end it.
+pub(crate) struct Room<'a> {
+    /// Most transitions.
+    pub(crate) transitions: u32,
+    /// Largest length of slides.
+    pub(crate) slides: f64,
+    /// Whether its phases are told: no more of them than a sequence holds.
+    pub(crate) are_told: bool,
+    /// Whether nothing that would end the motion is known in a state, where that is asked at each event; what is known in a state is known
+    /// in all that follow.
+    pub(crate) open: Option<&'a dyn Fn(&State) -> bool>,
+}
+
+/// Links from a slip out of rolling to a later one.
+pub(crate) struct Linked<P> {
+    pub(crate) place: P,
+    /// Of the slip there.
+    pub(crate) direction: Direction,
+    pub(crate) transitions: u32,
+    /// Length of the slides.
+    pub(crate) slid: f64,
+    /// If they are told.
+    pub(crate) phases: PhaseSequence,
 }
 
 /// A phase that may be a flight.

@@ -2,14 +2,10 @@
 
 pub(crate) mod automaton;
 pub(crate) mod candidates;
-pub(crate) mod detail;
-pub(crate) mod event;
 pub(crate) mod exact;
 pub(crate) mod follow;
-pub(crate) mod links;
 pub(crate) mod origin;
 pub(crate) mod outcome;
 pub(crate) mod proofs;
-pub(crate) mod same;
 pub(crate) mod sequence;
-pub(crate) mod transition;
+pub(crate) mod slip;

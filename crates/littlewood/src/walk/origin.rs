@@ -6,7 +6,7 @@
 use crate::model::limits::Limits;
 use crate::model::state::State;
 use crate::modes::rolling::Recurrence;
-use crate::motion::sample::{Position, Sample};
+use crate::modes::sample::{Position, Sample};
 use crate::walk::outcome::Outcome;
 
 /// 2π in parts, of which the first two have 25 bits: their products with a number of turns up to 2²⁸ are exact.

@@ -6,18 +6,31 @@
 //! - The energy in contact never grows, what of it is not in the horizontal velocity grows within bounds only, and a lift-off needs at
 //!   least a certain part of it ([`Hoop::never_lifts_off`]).
 
+use core::f64::consts::TAU;
+
 use crate::mechanics::equations::RollingLaw;
 use crate::mechanics::lift_off::ContactProof;
 use crate::model::hoop::{Body, Hoop};
-use crate::model::limits::Limits;
+use crate::model::limits::{Limits, Proof};
 use crate::model::mode::{Direction, Mode};
-use crate::model::proof::Proof;
 use crate::model::state::State;
 use crate::modes::rolling::{Levels, Recurrence};
-use crate::walk::automaton::Cause;
-use crate::walk::event::Event;
+use crate::walk::automaton::{Cause, Event};
 use crate::walk::outcome::Outcome;
-use crate::walk::same::{is_same, is_same_direction};
+
+/// What rounding may have moved a number by, relative to one plus its size.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether two rates are the same.
+pub(crate) fn is_same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= ROUNDING * (1.0 + a.abs())
+}
+
+/// Whether two angles, of which the first may be the larger by many turns, are the same direction.
+pub(crate) fn is_same_direction(a: f64, b: f64) -> bool {
+    let turns = ((a - b) / TAU).round();
+    (a - b - turns * TAU).abs() <= ROUNDING * (1.0 + a.abs())
+}
 
 /// What has been seen of a motion, as far as proofs need it.
 #[derive(Debug)]

@@ -11,10 +11,7 @@ use crate::mechanics::frictionless::FrictionlessIntegrals;
 use crate::mechanics::solvability::lowest_zero;
 use crate::model::hoop::{Body, Heavy, Hoop};
 use crate::model::state::State;
-use turn::WholeTurns;
-
-/// Relative error that an energy may have.
-const ROUNDING: f64 = 1e-12;
+use turn::{ROUNDING, WholeTurns, at_most};
 
 impl Hoop {
     /// Least energy (2.8) of a lift-off, Î/(2h) + ℓ̂. Infinite for a balanced hoop, whose normal force is constant; none for a
@@ -79,11 +76,6 @@ impl ContactProof {
         let zero = self.lowest_zero.get_or_init(|| lowest_zero(&body, hoop.mu_k()));
         zero.is_none_or(|cos| cos > energy / body.offset) && (energy < needed || suffices())
     }
-}
-
-/// What a quantity is at most, whose terms have been rounded.
-fn at_most(quantity: f64) -> f64 {
-    quantity + ROUNDING * (1.0 + quantity.abs())
 }
 
 /// Whether the energy without that of the horizontal velocity V is less than a lift-off needs, and stays so.

@@ -3,8 +3,10 @@
 use core::f64::consts::PI;
 use std::sync::LazyLock;
 
-use super::{ROUNDING, at_most};
 use crate::model::hoop::Heavy;
+
+/// Relative error that an energy may have.
+pub(super) const ROUNDING: f64 = 1e-12;
 
 /// Cells of half a turn, in each of which every quantity is bounded. None crosses θ = π/2.
 const CELLS: usize = 256;
@@ -15,6 +17,11 @@ const LEAST_DENOMINATOR: f64 = 1e-3;
 /// Cosines at the ends of the cells, from the bottom on.
 static COSINES: LazyLock<[f64; CELLS + 1]> =
     LazyLock::new(|| core::array::from_fn(|k| -libm::cos(PI * k as f64 / CELLS as f64)));
+
+/// What a quantity is at most, whose terms have been rounded.
+pub(super) fn at_most(quantity: f64) -> f64 {
+    quantity + ROUNDING * (1.0 + quantity.abs())
+}
 
 /// The proof that a hoop never lifts off, by the work of friction over whole turns.
 ///
@@ -113,9 +120,8 @@ mod tests {
     use super::*;
     use crate::mechanics::lift_off::ContactProof;
     use crate::model::hoop::{Body, Hoop, HoopParameters};
-    use crate::model::limits::Limits;
+    use crate::model::limits::{Limits, Proof};
     use crate::model::mode::Mode;
-    use crate::model::proof::Proof;
     use crate::model::state::{Start, State};
 
     const HOOPS: [[f64; 5]; 6] = [

@@ -3,9 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::math::bracket::{Bracket, Model};
-use crate::math::trig::without_turns;
-
-use super::series::TruncatedSeries;
+use crate::math::trig::{TruncatedSeries, without_turns};
 
 /// The gap as a function of its argument p: the angle φ, or the time where the hoop turns so slowly that the gap is concave.
 #[derive(Clone, Copy, Debug)]

@@ -24,14 +24,13 @@
 //! formula is then taken in time, which a hoop needs that does not turn.
 
 mod gap;
-mod series;
 
 use crate::math::trig::sincos;
 use crate::mechanics::equations::energy;
 use crate::model::hoop::{Heavy, Hoop};
 use crate::model::mode::Mode;
 use crate::model::state::State;
-use crate::motion::sample::{Instant, Sample};
+use crate::modes::sample::{Instant, Sample};
 
 use gap::{Bound, Gap};
 

@@ -19,21 +19,11 @@ mod rest;
 use crate::model::hoop::{Hoop, Massless};
 use crate::model::mode::{Direction, Mode};
 use crate::model::state::State;
-use crate::motion::sample::{Instant, Sample};
+use crate::modes::sample::{Instant, Sample};
 
 use self::particle::{Particle, Place};
+pub(crate) use self::rest::GlideEntry;
 use self::rest::Slip;
-
-/// How a glide begins.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum GlideEntry {
-    /// With η′ ≠ 0.
-    Moving,
-    /// With η′ = 0. The event that led there may know whether the normal force of rolling is positive.
-    FromRest { presses: Option<bool> },
-    /// With η′ = η″ = 0, on N = 0 of rolling.
-    Unloaded,
-}
 
 /// A phase of gliding in one direction of slip.
 #[derive(Clone, Copy, Debug)]

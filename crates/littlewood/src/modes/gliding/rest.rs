@@ -17,9 +17,19 @@
 
 use crate::model::mode::Direction;
 
-use super::GlideEntry;
 use super::cubic::Cubic;
 use super::particle::{Particle, Place};
+
+/// How a glide begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum GlideEntry {
+    /// With η′ ≠ 0.
+    Moving,
+    /// With η′ = 0. The event that led there may know whether the normal force of rolling is positive.
+    FromRest { presses: Option<bool> },
+    /// With η′ = η″ = 0, on N = 0 of rolling.
+    Unloaded,
+}
 
 /// How a glide slips: the direction of slip, and where it comes to rest for the first time, if it does.
 #[derive(Clone, Copy, Debug)]

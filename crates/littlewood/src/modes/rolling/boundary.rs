@@ -17,7 +17,6 @@ use crate::math::form::{Form, HalfAngle};
 use crate::mechanics::equations::RollingLaw;
 use crate::model::hoop::{Body, Hoop};
 use crate::model::mode::Direction;
-use crate::walk::automaton::Cause;
 
 /// What gives way where rolling ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,15 +29,6 @@ pub enum RollingLimit {
 }
 
 impl RollingLimit {
-    /// The event.
-    #[must_use]
-    pub const fn cause(self) -> Cause {
-        match self {
-            Self::Friction(_) => Cause::Slip,
-            Self::NormalForce => Cause::NormalForceZero,
-        }
-    }
-
     /// The direction in which the body begins to slip; none where the normal force gives way.
     #[must_use]
     pub const fn direction(self) -> Option<Direction> {
@@ -46,6 +36,39 @@ impl RollingLimit {
             Self::Friction(direction) => Some(direction),
             Self::NormalForce => None,
         }
+    }
+}
+
+/// The end of rolling: where and when static friction or the normal force gives way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct RollingEnd {
+    /// Time since the orbit was entered.
+    pub elapsed: f64,
+    /// Angle.
+    pub theta: f64,
+    /// Rate.
+    pub theta_rate: f64,
+    /// What gives way.
+    pub limit: RollingLimit,
+}
+
+/// Whether static friction can sustain rolling at a state with η′ = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Hold {
+    /// Rolling holds, now and for some time.
+    Holds,
+    /// The friction demand exceeds μs N by `excess` ≥ 0; zero on the boundary, when the orbit leaves 𝓡.
+    Slips { direction: Direction, excess: f64 },
+    /// N would have to be negative, or vanishes and would become so.
+    NoNormalForce,
+}
+
+/// A limit seen in the frame of the body instead of the direction of motion.
+pub(super) fn turned(limit: RollingLimit, travel: f64) -> RollingLimit {
+    match limit {
+        RollingLimit::Friction(direction) if travel < 0.0 => RollingLimit::Friction(direction.reversed()),
+        other => other,
     }
 }
 
@@ -145,4 +168,13 @@ impl Boundary {
         .into_iter()
         .flatten()
     }
+}
+
+/// The margins (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2): for each its parts A and B, of which it
+/// is A + K B on the orbit with constant K; none for a massless hoop.
+pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
+    let on_orbit = |k| Boundary::new(hoop, &RollingLaw::new(hoop), k).heavy_forms();
+    let (zero, one) = (on_orbit(0.0)?, on_orbit(1.0)?);
+    let parts = |i: usize| [zero[i], Form(core::array::from_fn(|k| one[i].0[k] - zero[i].0[k]))];
+    Some([parts(0), parts(1)])
 }

@@ -27,13 +27,12 @@ use std::sync::OnceLock;
 
 use crate::math::form::Trigonometric;
 use crate::mechanics::equations::{RollingLaw, SlidingLaw};
-use crate::model::dimension::Dimension;
+use crate::model::dimension::{Detail, Dimension};
 use crate::model::hoop::{Body, Heavy, Hoop};
 use crate::model::mode::Direction;
 use crate::model::state::State;
-use crate::walk::detail::Detail;
 
-use super::margin_forms;
+use super::boundary::margin_forms;
 use super::orbit::RollingOrbit;
 use super::recurrence::Recurrence;
 

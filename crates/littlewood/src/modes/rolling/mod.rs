@@ -10,36 +10,24 @@
 //! an elliptic integral, [`boundary`] the angle at which static friction gives way as a root of a polynomial.
 
 mod boundary;
-mod end;
 mod grazing;
 mod orbit;
 mod recurrence;
 mod rim;
 
-pub use boundary::RollingLimit;
-pub(crate) use end::Hold;
-pub use end::RollingEnd;
+pub(crate) use boundary::{Hold, margin_forms};
+pub use boundary::{RollingEnd, RollingLimit};
 pub use grazing::GrazingOrbit;
 pub(crate) use grazing::Levels;
 pub use orbit::RollingOrbit;
 pub(crate) use orbit::time_from_bottom;
 pub use recurrence::{Recurrence, RecurrenceKind};
 
-use crate::math::form::Form;
 use crate::mechanics::equations::RollingLaw;
 use crate::model::hoop::Hoop;
 use crate::model::mode::Mode;
 use crate::model::state::State;
-use crate::motion::sample::{Instant, Sample};
-
-/// The margins (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2): for each its parts A and B, of which it
-/// is A + K B on the orbit with constant K; none for a massless hoop.
-pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
-    let on_orbit = |k| boundary::Boundary::new(hoop, &RollingLaw::new(hoop), k).heavy_forms();
-    let (zero, one) = (on_orbit(0.0)?, on_orbit(1.0)?);
-    let parts = |i: usize| [zero[i], Form(core::array::from_fn(|k| one[i].0[k] - zero[i].0[k]))];
-    Some([parts(0), parts(1)])
-}
+use crate::modes::sample::{Instant, Sample};
 
 /// A phase of rolling: an orbit entered at a state.
 #[derive(Clone, Copy, Debug)]

@@ -22,7 +22,7 @@ use crate::model::hoop::Hoop;
 use crate::model::mode::Direction;
 
 use super::boundary::{Boundary, RollingLimit};
-use super::end::{Hold, RollingEnd, turned};
+use super::boundary::{Hold, RollingEnd, turned};
 use super::recurrence::Recurrence;
 use super::rim::RimOrbit;
 

@@ -1,8 +1,7 @@
 //! How a motion that lasts for ever recurs.
 
-use crate::model::dimension::Dimension;
+use crate::model::dimension::{Detail, Dimension};
 use crate::model::named::named;
-use crate::walk::detail::Detail;
 
 /// How a motion that lasts for ever recurs.
 #[derive(Clone, Copy, Debug, PartialEq)]

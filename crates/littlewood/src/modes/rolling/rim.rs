@@ -14,7 +14,7 @@ use core::f64::consts::{PI, TAU};
 use crate::model::mode::Direction;
 
 use super::boundary::RollingLimit;
-use super::end::{Hold, RollingEnd};
+use super::boundary::{Hold, RollingEnd};
 use super::recurrence::Recurrence;
 
 #[derive(Clone, Copy, Debug)]

@@ -8,7 +8,7 @@ use crate::model::hoop::Hoop;
 use crate::model::mode::{Direction, Mode};
 use crate::model::state::State;
 use crate::modes::rolling::Recurrence;
-use crate::motion::sample::{Instant, Sample};
+use crate::modes::sample::{Instant, Sample};
 
 use super::leap::{Bounds, FEWEST, MOST, Passed, Place, Turns, section_of};
 use super::series::{DEGREE, LONGEST, Series, SlideSeries, crossing, root, value};

@@ -17,7 +17,7 @@ use crate::model::hoop::{Heavy, Hoop};
 use crate::model::mode::Direction;
 use crate::model::state::State;
 use crate::walk::candidates::Arrival;
-use crate::walk::same::is_same;
+use crate::walk::proofs::is_same;
 
 /// Where a motion starts and two zeros of η′ are closer than this in their cosines, it hardly vanishes, or hardly does not: the slide as it is followed tells. On the limit
 /// of static friction η″ does not vanish.
