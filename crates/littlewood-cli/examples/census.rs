@@ -14,7 +14,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use littlewood::{Engine, Hoop, Limits, OutcomeKind, Setup};
+use littlewood::tables::Setup;
+use littlewood::{Engine, Hoop, Limits, OutcomeKind};
 use littlewood_random::{Draw, command};
 
 /// Examples of each outcome that is no end.

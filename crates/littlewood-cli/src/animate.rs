@@ -5,7 +5,9 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use littlewood::{Dimension, Quantity, Trajectory, Units};
+use littlewood::Trajectory;
+use littlewood::si::Units;
+use littlewood::tables::{Dimension, Quantity};
 use littlewood_film::{
     ApngFilm, Encoder, EnergyBar, FfmpegFilm, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Video, With,
 };

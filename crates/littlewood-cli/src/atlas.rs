@@ -3,7 +3,8 @@
 use core::f64::consts::PI;
 use std::path::Path;
 
-use littlewood::{Limits, Quantity, Setup};
+use littlewood::Limits;
+use littlewood::tables::{Quantity, Setup};
 use littlewood_sweep::{Atlas, Grid, Options, Progress, StartList, Workers};
 
 use crate::args::{AtlasArgs, ShortFormat};

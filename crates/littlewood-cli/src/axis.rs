@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Quantity, Units};
+use littlewood::si::Units;
+use littlewood::tables::Quantity;
 use littlewood_sweep::{Axis, AxisError, Spacing, Varies};
 
 use crate::nearest;
@@ -139,7 +140,8 @@ fn parse_number(text: &str) -> Option<f64> {
 mod tests {
     use super::{parse_axis, parse_number};
     use core::f64::consts::{FRAC_PI_2, PI};
-    use littlewood::{Quantity, Units};
+    use littlewood::si::Units;
+    use littlewood::tables::Quantity;
     use littlewood_sweep::Varies;
 
     #[test]

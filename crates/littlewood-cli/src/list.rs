@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use littlewood::Quantity;
+use littlewood::tables::Quantity;
 use littlewood_sweep::StartList;
 
 use crate::axis::TypedAxis;

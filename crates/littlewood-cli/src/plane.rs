@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use littlewood::{ColumnType, OutcomeKind, PhaseSequence, Summary, SummaryColumn, SummaryValue};
+use littlewood::tables::{ColumnType, PhaseSequence, SummaryColumn, SummaryValue};
+use littlewood::{OutcomeKind, Summary};
 use littlewood_sweep::{Axis, Chunk, Columns, Grid};
 use serde::Serialize;
 use serde::ser::{SerializeMap as _, Serializer};

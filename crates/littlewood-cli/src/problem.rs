@@ -1,10 +1,11 @@
 //! A hoop, a start and the limits of the run as they are meant: flags over scenario file over case, in one system of
 //! units.
 
-use littlewood::{
-    CASES, Classification, Digits, Group, Hoop, HoopParameters, Limits, NamedCase, ParameterError, Presence,
-    Quantity, Setup, SiSetup, Start, Trajectory, Units, find_case,
-};
+use littlewood::cases::{CASES, NamedCase, find_case};
+use littlewood::si::{SiSetup, Units};
+use littlewood::tables::{Group, Presence, Quantity, Setup};
+use littlewood::theory::Classification;
+use littlewood::{Digits, Hoop, HoopParameters, Limits, ParameterError, Start, Trajectory};
 use littlewood_report::{RESTITUTION_LAW, Subject};
 
 use crate::error::Error;

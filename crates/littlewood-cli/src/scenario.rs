@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::ValueEnum;
-use littlewood::{Group, Proof, Quantity, RestitutionLaw};
+use littlewood::tables::{Group, Quantity};
+use littlewood::{Proof, RestitutionLaw};
 use littlewood_report::RESTITUTION_LAW;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

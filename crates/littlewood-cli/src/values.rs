@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use littlewood::{Quantity, RestitutionLaw, Setup};
+use littlewood::RestitutionLaw;
+use littlewood::tables::{Quantity, Setup};
 
 /// Where a number was given.
 #[derive(Clone, Debug, PartialEq, Eq)]

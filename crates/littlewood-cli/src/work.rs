@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
-use littlewood::{HoopParameters, Limits, Quantity, RestitutionLaw, Setup, Start, Units};
+use littlewood::si::Units;
+use littlewood::tables::{Quantity, Setup};
+use littlewood::{HoopParameters, Limits, RestitutionLaw, Start};
 use littlewood_sweep::{Axis, AxisError, Grid, Options, Progress, Report, Target, Workers};
 
 use crate::args::{ProblemArgs, RunArgs, WorkArgs};

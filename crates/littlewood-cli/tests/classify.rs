@@ -1,7 +1,7 @@
 //! `littlewood classify` and `littlewood cases`.
 
 use crate::support::{assert_close, json, number, text};
-use littlewood::{CASES, find_case};
+use littlewood::cases::{CASES, find_case};
 use serde_json::Value;
 
 #[test]

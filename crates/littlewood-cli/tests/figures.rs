@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use littlewood::CASES;
+use littlewood::cases::CASES;
 use littlewood_figures::FIGURES;
 
 use crate::support::{littlewood, text};

@@ -1,7 +1,8 @@
 //! Bad input: the value, its bound and a hint on the standard error, and exit code 2.
 
 use crate::support::{FIGURE_3, complaint, littlewood, text};
-use littlewood::{Group, Quantity, RestitutionLaw};
+use littlewood::RestitutionLaw;
+use littlewood::tables::{Group, Quantity};
 
 /// The message for Figure 3 with these flags on top.
 fn refused(flags: &[&str]) -> String {

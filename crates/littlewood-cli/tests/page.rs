@@ -1,7 +1,7 @@
 //! The page that a person reads of a motion with impacts.
 
 use crate::support::text;
-use littlewood::CASES;
+use littlewood::cases::CASES;
 
 /// The rows of the table of phases: between the line under its header and the next empty line.
 fn rows(page: &str) -> Vec<&str> {

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::support::{FIGURE_3_EVENTS, assert_close, complaint, example, json, number, text};
-use littlewood::Quantity;
+use littlewood::tables::Quantity;
 use tempfile::TempDir;
 
 /// A scenario file in a folder of its own.

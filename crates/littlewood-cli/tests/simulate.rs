@@ -4,7 +4,8 @@ use crate::support;
 use crate::support::{
     FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, json, littlewood, number, text,
 };
-use littlewood::{CASES, Cause, Mode, Phase};
+use littlewood::cases::CASES;
+use littlewood::{Cause, Mode, Phase};
 use predicates::prelude::*;
 use serde_json::Value;
 

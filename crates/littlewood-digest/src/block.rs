@@ -1,8 +1,10 @@
 //! A block of motions, and its digests.
 
+use littlewood::impact::Impact;
+use littlewood::tables::{SampleColumn, Setup, SummaryColumn, SummaryValue};
 use littlewood::{
-    Direction, Engine, Hoop, Impact, Limits, Mode, OutcomeKind, ParameterError, Phase, Sample, SampleColumn,
-    Setup, Start, State, Summary, SummaryColumn, SummaryValue, Trajectory,
+    Direction, Engine, Hoop, Limits, Mode, OutcomeKind, ParameterError, Phase, Sample, Start, State, Summary,
+    Trajectory,
 };
 
 use crate::hash::Hash;

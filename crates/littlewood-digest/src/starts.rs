@@ -1,6 +1,7 @@
 //! The motions: hoops of all kinds with random starts.
 
-use littlewood::{Limits, Setup};
+use littlewood::Limits;
+use littlewood::tables::Setup;
 use littlewood_random::Draw;
 
 /// Motions of a block.

@@ -3,7 +3,9 @@
 use core::f64::consts::PI;
 use std::borrow::Cow;
 
-use littlewood::{Hoop, PhasePlane, Quantity};
+use littlewood::Hoop;
+use littlewood::tables::Quantity;
+use littlewood::theory::PhasePlane;
 use littlewood_style::ticks::Tick;
 
 use crate::columns::dimension;

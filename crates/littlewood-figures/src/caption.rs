@@ -173,7 +173,7 @@ const fn symbol(letter: char) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::Units;
+    use littlewood::si::Units;
 
     use super::*;
     use crate::{FIGURES, FigureInput};
@@ -222,7 +222,7 @@ mod tests {
         assert_eq!(faults("5% of $x$ é").len(), 2);
         let units = Units::new(0.14, 0.45, 9.81).expect("units");
         let mut count = 0;
-        for case in littlewood::CASES {
+        for case in littlewood::cases::CASES {
             let input = FigureInput::of_case(case.name).expect("a case");
             let limits = input.limits.with_until(Some(30.0));
             for units in [None, Some(units)] {

@@ -185,7 +185,7 @@ mod tests {
         for (i, entry) in FIGURES.iter().enumerate() {
             assert!(FIGURES[..i].iter().all(|other| other.name != entry.name));
             assert_eq!(find_figure(entry.name).map(|found| found.title), Some(entry.title));
-            assert!(littlewood::find_case(entry.case).is_some(), "{}", entry.case);
+            assert!(littlewood::cases::find_case(entry.case).is_some(), "{}", entry.case);
         }
         assert!(find_figure("figure-8").is_none());
     }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use littlewood::{Dimension, Quantity, SampleColumn};
+use littlewood::tables::{Dimension, Quantity, SampleColumn};
 
 pub(crate) const TIME: &str = SampleColumn::Time.name();
 pub(crate) const THETA: &str = SampleColumn::Theta.name();

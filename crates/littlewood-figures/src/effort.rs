@@ -1,6 +1,7 @@
 //! What it takes to follow the motions of a hoop from the starts of a plane.
 
-use littlewood::{Body, Engine, Hoop, Limits, Mode, Start, Summary};
+use littlewood::theory::Body;
+use littlewood::{Engine, Hoop, Limits, Mode, Start, Summary};
 
 use crate::axes::outcome_window;
 

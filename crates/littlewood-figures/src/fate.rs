@@ -1,6 +1,7 @@
 //! What becomes of a motion, as figures of many motions show it.
 
-use littlewood::{Class, Hoop, OutcomeKind, Summary};
+use littlewood::tables::Class;
+use littlewood::{Hoop, OutcomeKind, Summary};
 
 /// Which end of its motions a figure of a hoop shows: the first lift-off ends all where no landing can be followed.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,7 @@
 //! The last step of a figure: numbers in its units, ticks as many as there is room for, labels beside each other.
 
-use littlewood::{Dimension, Units};
+use littlewood::si::Units;
+use littlewood::tables::Dimension;
 use littlewood_style::ticks::{self, Tick};
 
 use crate::columns::{LOG_GAP_RATE, dimension, si_name};

@@ -1,6 +1,7 @@
 //! The impacts of a motion.
 
-use littlewood::{Cause, Impact, ImpactCase, Trajectory, Transition};
+use littlewood::impact::{Impact, ImpactCase};
+use littlewood::{Cause, Trajectory, Transition};
 
 /// All impacts, those of the bounces by which a hoop settles as one.
 pub(crate) fn all(motion: &Trajectory) -> impl Iterator<Item = (&Transition, Impact)> {

@@ -1,6 +1,8 @@
 //! What a figure is made of: a hoop, a start, limits.
 
-use littlewood::{Body, Hoop, Limits, Start, Trajectory, Units};
+use littlewood::si::Units;
+use littlewood::theory::Body;
+use littlewood::{Hoop, Limits, Start, Trajectory};
 use littlewood_sweep::Axis;
 
 use crate::error::FigureError;
@@ -34,8 +36,8 @@ impl FigureInput {
     /// # Errors
     /// A name that no case has.
     pub fn of_case(name: &str) -> Result<Self, FigureError> {
-        let case =
-            littlewood::find_case(name).ok_or_else(|| FigureError::UnknownCase { name: name.to_owned() })?;
+        let case = littlewood::cases::find_case(name)
+            .ok_or_else(|| FigureError::UnknownCase { name: name.to_owned() })?;
         Ok(Self::new(Hoop::new(case.setup.hoop)?, case.setup.start, Limits::default()))
     }
 

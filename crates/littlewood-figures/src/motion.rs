@@ -2,7 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use littlewood::{Dimension, Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
+use littlewood::tables::Dimension;
+use littlewood::{Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
 
 use crate::figure::Series;
 use crate::wording::Wording;

@@ -2,8 +2,9 @@
 
 use core::f64::consts::{PI, TAU};
 
-use littlewood::closed_form::slip_angle;
-use littlewood::{Body, Direction, Hoop, ParameterError, PhasePlane, RollingLaw, Stability};
+use littlewood::theory::closed_form::slip_angle;
+use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability};
+use littlewood::{Direction, Hoop, ParameterError};
 use littlewood_style::Curve;
 
 use crate::columns::{ENERGY, MU_S, PLANE, THETA, THETA_RATE};

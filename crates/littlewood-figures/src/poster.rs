@@ -1,6 +1,7 @@
 //! A poster: the story of one hoop on a page, of figures of the catalogue, with equations and plain sentences.
 
-use littlewood::{Dimension, Quantity, Setup, Trajectory};
+use littlewood::Trajectory;
+use littlewood::tables::{Dimension, Quantity, Setup};
 
 use crate::catalogue::{FigureEntry, Watch, find_figure};
 use crate::draw::plain;

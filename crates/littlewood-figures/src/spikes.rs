@@ -1,6 +1,8 @@
 //! The impulses of a motion beside its forces.
 
-use littlewood::{Dimension, Impulse, Trajectory};
+use littlewood::Trajectory;
+use littlewood::impact::Impulse;
+use littlewood::tables::Dimension;
 use littlewood_style::Dash;
 use littlewood_style::width::CURVE;
 

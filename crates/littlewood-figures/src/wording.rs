@@ -1,6 +1,8 @@
 //! Numbers, units and symbols in the system of units of a figure.
 
-use littlewood::{Dimension, Group, Hoop, Quantity, Setup, SiSetup, Start, Units};
+use littlewood::si::{SiSetup, Units};
+use littlewood::tables::{Dimension, Group, Quantity, Setup};
+use littlewood::{Hoop, Start};
 use littlewood_style::ticks;
 use littlewood_sweep::Varies;
 

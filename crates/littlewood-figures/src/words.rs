@@ -81,7 +81,8 @@ pub(crate) fn angle(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::{Cause, Class, Dimension, Mode, OutcomeKind, Quantity, SampleColumn};
+    use littlewood::tables::{Class, Dimension, Quantity, SampleColumn};
+    use littlewood::{Cause, Mode, OutcomeKind};
 
     use super::*;
     use crate::draw::missing;

@@ -3,7 +3,8 @@
 use core::f64::consts::{FRAC_PI_4, PI};
 
 use crate::support::{Body, THIN, assert_near, columns, figure, series};
-use littlewood::{Hoop, HoopParameters, Limits, Mode, PhasePlane, Start};
+use littlewood::theory::PhasePlane;
+use littlewood::{Hoop, HoopParameters, Limits, Mode, Start};
 use littlewood_figures::{Figure, FigureInput, Panel, Series, find_figure};
 
 fn panel<'a>(figure: &'a Figure, name: &str) -> &'a Panel {
@@ -170,7 +171,7 @@ fn a_stroboscope_shows_the_hoop_at_equal_times_with_the_forces_there() {
     for pair in hoops.windows(2) {
         assert_near(pair[1][0] - pair[0][0], step, 1e-12, "a step of time");
     }
-    let motion = littlewood::find_case("figure-3").expect("a case").simulate().expect("a motion");
+    let motion = littlewood::cases::find_case("figure-3").expect("a case").simulate().expect("a motion");
     let mut units = Vec::new();
     for (name, column, axis) in [("normal force at", "normal", "y"), ("friction force at", "friction", "x")] {
         for found in series(&figure, name) {

@@ -1,7 +1,8 @@
 //! How motions change along a line: the boundaries and the times against what is known of them otherwise.
 
 use crate::support::{assert_near, columns};
-use littlewood::{Hoop, Limits, Quantity, Start};
+use littlewood::tables::Quantity;
+use littlewood::{Hoop, Limits, Start};
 use littlewood_figures::{Axis, Figure, FigureError, FigureInput, Series, Varies, find_figure, plain};
 
 fn along(input: FigureInput, varies: impl Into<Varies>, from: f64, to: f64) -> Result<Figure, FigureError> {

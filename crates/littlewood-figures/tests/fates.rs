@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::random::Draw;
 use crate::support::winding;
-use littlewood::{CASES, Class, Hoop, Limits, Mode, OutcomeKind, Phase, Quantity, Setup, Start, Trajectory};
+use littlewood::cases::CASES;
+use littlewood::tables::{Class, Quantity, Setup};
+use littlewood::{Hoop, Limits, Mode, OutcomeKind, Phase, Start, Trajectory};
 use littlewood_figures::{Axis, Figure, FigureError, FigureInput, Panel, PlotAxis, View, find_figure, plain};
 
 /// The axes to the right and upwards.

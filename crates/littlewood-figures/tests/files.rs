@@ -1,7 +1,8 @@
 //! What is written: SVG that parses and has its labels, tables that hold what is drawn, refusals that say why.
 
 use crate::support;
-use littlewood::{Class, Hoop, HoopParameters, Limits, Start};
+use littlewood::tables::Class;
+use littlewood::{Hoop, HoopParameters, Limits, Start};
 use littlewood_figures::{FIGURES, Figure, FigureError, FigureInput, Letters, View, find_figure, plain};
 use roxmltree::Document;
 

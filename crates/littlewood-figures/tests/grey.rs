@@ -1,6 +1,6 @@
 //! Without colours: any two kinds of lines in a panel differ in lightness, in dashes or in width.
 
-use littlewood::CASES;
+use littlewood::cases::CASES;
 use littlewood_figures::{FIGURES, Figure, FigureInput, Mark, Panel, Stroke};
 
 /// Least difference in CIE lightness, as for modes and classes.

@@ -2,7 +2,9 @@
 
 use crate::support;
 use crate::support::{assert_near, columns, figure, outlines, series, winding};
-use littlewood::{CASES, Hoop, HoopParameters, Impact, Limits, RestitutionLaw, Start, Trajectory, find_case};
+use littlewood::cases::{CASES, find_case};
+use littlewood::impact::Impact;
+use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start, Trajectory};
 use littlewood_figures::{Figure, FigureError, FigureInput, Series, find_figure, plain};
 
 /// The landing of Figure 3, computed elsewhere: time, slip, rate of the gap, and A, B, C.

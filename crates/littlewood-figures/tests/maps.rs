@@ -3,7 +3,8 @@
 use core::f64::consts::PI;
 
 use crate::support::{outlines, winding};
-use littlewood::{Class, HoopParameters, Limits, Quantity, Setup, Start, SummaryColumn};
+use littlewood::tables::{Class, Quantity, Setup, SummaryColumn};
+use littlewood::{HoopParameters, Limits, Start};
 use littlewood_figures::{Figure, map};
 use littlewood_sweep::{Axis, Grid, Options, Picture, PictureSize, Shade, Workers};
 

@@ -1,6 +1,7 @@
 //! The poster: nothing is left blank, whatever the hoop.
 
-use littlewood::{Hoop, HoopParameters, Limits, Start, find_case};
+use littlewood::cases::find_case;
+use littlewood::{Hoop, HoopParameters, Limits, Start};
 use littlewood_figures::{Figure, FigureInput, POSTER_MM, poster};
 
 fn made(parameters: HoopParameters, start: Start) -> Figure {

@@ -1,7 +1,8 @@
 //! Figures in SI units: the same data, converted by the core's dimensions, and units everywhere.
 
 use crate::support::assert_near;
-use littlewood::{SampleColumn, Units};
+use littlewood::si::Units;
+use littlewood::tables::SampleColumn;
 use littlewood_figures::{FIGURES, FigureInput, View, find_figure, plain};
 
 /// R = 0.4 m and g = 10 m/s² make √(R/g) = 0.2 s and √(gR) = 2 m/s; m2 g = 5 N, m2 g R = 2 J.
@@ -70,7 +71,7 @@ fn axes_and_labels_have_si_units_and_none_of_the_paper() {
             for axis in axes {
                 let title = plain(&axis.title);
                 assert!(!title.contains('√') && !title.contains("(R)") && !title.contains("m2g"), "{title}");
-                let suffix = SampleColumn::Time.dimension().map(littlewood::Dimension::si_suffix);
+                let suffix = SampleColumn::Time.dimension().map(littlewood::tables::Dimension::si_suffix);
                 if suffix.is_some_and(|suffix| axis.column == format!("time{suffix}")) {
                     assert!(title.is_empty() || title == "t  (s)", "{title}");
                 }

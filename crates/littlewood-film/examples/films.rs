@@ -4,7 +4,9 @@
 use std::fs;
 use std::path::PathBuf;
 
-use littlewood::{Hoop, Limits, Setup, find_case};
+use littlewood::cases::find_case;
+use littlewood::tables::Setup;
+use littlewood::{Hoop, Limits};
 use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 
 /// How much slower impacts are, and the time limit, if there are impacts to show.

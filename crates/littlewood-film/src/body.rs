@@ -2,7 +2,9 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Hoop, Position, SampleColumn};
+use littlewood::Hoop;
+use littlewood::modes::Position;
+use littlewood::tables::SampleColumn;
 
 use crate::camera::View;
 use crate::canvas::{Canvas, Place};

@@ -1,6 +1,7 @@
 //! Where the plane and the body lie in the picture: one scale for both directions.
 
-use littlewood::{Position, Trajectory};
+use littlewood::Trajectory;
+use littlewood::modes::Position;
 
 use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;

@@ -1,6 +1,8 @@
 //! A film: a motion, and how it is shown.
 
-use littlewood::{Position, Trajectory, Units};
+use littlewood::Trajectory;
+use littlewood::modes::Position;
+use littlewood::si::Units;
 
 use crate::bar::{COLUMN, Column, draw_bar};
 use crate::body::{draw_arrows, draw_body, draw_impulse, draw_trail};

@@ -1,6 +1,8 @@
 //! The plane, the point of contact and the gap.
 
-use littlewood::{Dimension, Position, SampleColumn, Units};
+use littlewood::modes::Position;
+use littlewood::si::Units;
+use littlewood::tables::{Dimension, SampleColumn};
 
 use crate::camera::{GROUND, View};
 use crate::canvas::Canvas;

@@ -1,6 +1,8 @@
 //! The impacts of a motion that a film shows.
 
-use littlewood::{Cause, Compliance, Impact, ImpactCase, Impulse, Position, Sample, Trajectory};
+use littlewood::impact::{Compliance, Impact, ImpactCase, Impulse};
+use littlewood::modes::Position;
+use littlewood::{Cause, Sample, Trajectory};
 
 /// Smallest impulse that is replayed slowly, in parts of the largest of the motion. There is no end to smaller ones where
 /// bounces settle.

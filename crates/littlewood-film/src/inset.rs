@@ -1,6 +1,7 @@
 //! The whole path in small, where the camera goes with the hoop.
 
-use littlewood::{Mode, Position, Trajectory};
+use littlewood::modes::Position;
+use littlewood::{Mode, Trajectory};
 
 use crate::camera::EXAMINED;
 use crate::canvas::{Canvas, Place};

@@ -6,7 +6,7 @@
 //! write to any [`std::io::Write`], [`FfmpegFilm`] needs ffmpeg.
 //!
 //! ```
-//! use littlewood::find_case;
+//! use littlewood::cases::find_case;
 //! use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 //!
 //! let motion = find_case("figure-3").expect("a named case").simulate()?;

@@ -2,10 +2,10 @@
 
 use core::f64::consts::{PI, TAU};
 
-use littlewood::{
-    Body, Dimension, Direction, Mode, PhasePlane, Quantity, Sample, SampleColumn, Trajectory, Units,
-    closed_form,
-};
+use littlewood::si::Units;
+use littlewood::tables::{Dimension, Quantity, SampleColumn};
+use littlewood::theory::{Body, PhasePlane, closed_form};
+use littlewood::{Direction, Mode, Sample, Trajectory};
 use littlewood_style::ticks::{self, Tick};
 use littlewood_style::{Curve, Dash, EnergyPart};
 

@@ -1,8 +1,8 @@
 //! The words around the motion: mode, clock, values, the line of phases, and what the signs mean.
 
-use littlewood::{
-    Dimension, Direction, Hoop, Mode, Outcome, Quantity, SampleColumn, Setup, Start, Trajectory, Units,
-};
+use littlewood::si::Units;
+use littlewood::tables::{Dimension, Quantity, SampleColumn, Setup};
+use littlewood::{Direction, Hoop, Mode, Outcome, Start, Trajectory};
 
 use crate::body::{Shape, WEIGHT, draw_mass_centre};
 use crate::canvas::Canvas;

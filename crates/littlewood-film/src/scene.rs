@@ -1,6 +1,8 @@
 //! What is where at an instant: the body, the contact, the forces, in radii.
 
-use littlewood::{Hoop, ImpactCase, Impulse, Mode, Position, Sample};
+use littlewood::impact::{ImpactCase, Impulse};
+use littlewood::modes::Position;
+use littlewood::{Hoop, Mode, Sample};
 
 use crate::impacts::ShownImpact;
 

@@ -1,6 +1,8 @@
 //! Which instant each frame shows, and for how long.
 
-use littlewood::{OutcomeKind, RecurrenceKind, Trajectory, Transition, Units};
+use littlewood::modes::RecurrenceKind;
+use littlewood::si::Units;
+use littlewood::{OutcomeKind, Trajectory, Transition};
 
 use crate::error::FilmError;
 use crate::impacts::ShownImpact;

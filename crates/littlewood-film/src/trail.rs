@@ -2,7 +2,8 @@
 
 use std::collections::VecDeque;
 
-use littlewood::{Mode, Position, Trajectory};
+use littlewood::modes::Position;
+use littlewood::{Mode, Trajectory};
 
 use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;

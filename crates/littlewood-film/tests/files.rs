@@ -4,7 +4,9 @@ use std::fs::{self, File};
 use std::io::{self, BufReader, Write};
 use std::path::Path;
 
-use littlewood::{Hoop, Limits, Setup, Trajectory, find_case};
+use littlewood::cases::find_case;
+use littlewood::tables::Setup;
+use littlewood::{Hoop, Limits, Trajectory};
 use littlewood_film::{
     ApngFilm, Encoder, FfmpegFilm, Film, FilmError, FrameSize, Framing, GifFilm, Pace, SizeError, Video,
 };

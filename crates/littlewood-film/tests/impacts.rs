@@ -1,8 +1,7 @@
 //! Impacts in films: the energy adds up, impulses are to scale, and time runs slowly where it is said to.
 
-use littlewood::{
-    CASES, Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, Trajectory, find_case,
-};
+use littlewood::cases::{CASES, find_case};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, Trajectory};
 use littlewood_film::{EnergyBar, EnergyParts, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Schedule};
 
 const PACE: Pace = Pace { fps: 25, slow: 3.0, units: None, hold_s: None, slow_impacts: None };

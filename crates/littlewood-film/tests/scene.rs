@@ -1,6 +1,7 @@
 //! Scenes against the geometry of the body and the forces of the motion.
 
-use littlewood::{CASES, Mode, Trajectory, find_case};
+use littlewood::cases::{CASES, find_case};
+use littlewood::{Mode, Trajectory};
 use littlewood_film::{DrawnArrow, Film, FrameSize, Framing, Pace, Part, Scene, With};
 
 fn motion(name: &str) -> Trajectory {
@@ -27,7 +28,8 @@ fn the_body_keeps_its_shape_in_all_modes() {
         let motion = motion(case.name);
         let hoop = motion.hoop();
         for scene in scenes(&film(&motion)) {
-            let to = |point: littlewood::Position| (point.x - scene.centre.x, point.y - scene.centre.y);
+            let to =
+                |point: littlewood::modes::Position| (point.x - scene.centre.x, point.y - scene.centre.y);
             let (sin, cos) = libm::sincos(scene.sample.state.theta);
             for (point, distance) in [(scene.particle, hoop.offset()), (scene.mass_centre, hoop.h())] {
                 // e2 of (2.2) is (−sin θ, cos θ).

@@ -1,6 +1,8 @@
 //! Number and timing of frames.
 
-use littlewood::{Limits, OutcomeKind, Trajectory, Units, find_case};
+use littlewood::cases::find_case;
+use littlewood::si::Units;
+use littlewood::{Limits, OutcomeKind, Trajectory};
 use littlewood_film::{FilmError, Pace, Schedule, Shown};
 use proptest::prelude::*;
 

@@ -1,6 +1,7 @@
 //! The closed forms of §3 over arrays of equal length. Undefined values are NaN.
 
-use littlewood::{Body, Hoop, HoopParameters, RollingType, closed_form};
+use littlewood::theory::{Body, RollingType, closed_form};
+use littlewood::{Hoop, HoopParameters};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 

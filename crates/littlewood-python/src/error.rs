@@ -2,7 +2,8 @@
 
 use std::collections::TryReserveError;
 
-use littlewood::{ParameterError as Refusal, Proof, RestitutionLaw, UnknownName};
+use littlewood::tables::UnknownName;
+use littlewood::{ParameterError as Refusal, Proof, RestitutionLaw};
 use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 

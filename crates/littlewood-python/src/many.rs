@@ -2,10 +2,8 @@
 
 use std::collections::HashMap;
 
-use littlewood::{
-    Class, Engine, Group, Hoop, Limits, OutcomeKind, ParameterError, PhaseSequence, Quantity, RestitutionLaw,
-    Setup, Summary, SummaryColumn, SummaryValue,
-};
+use littlewood::tables::{Class, Group, PhaseSequence, Quantity, Setup, SummaryColumn, SummaryValue};
+use littlewood::{Engine, Hoop, Limits, OutcomeKind, ParameterError, RestitutionLaw, Summary};
 use littlewood_sweep::MOST_THREADS;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};

@@ -2,9 +2,11 @@
 
 use std::collections::TryReserveError;
 
+use littlewood::impact::{BouncingOrbit, ContactVelocities, Impact};
+use littlewood::tables::Detail;
+use littlewood::theory::{Candidates, Classification, RollingType};
 use littlewood::{
-    BouncingOrbit, Candidates, Classification, ContactVelocities, Detail, Direction, Hoop, HoopParameters,
-    Impact, Limits, Mode, Phase, RestitutionLaw, RollingType, Sample, Start, Trajectory as Core,
+    Direction, Hoop, HoopParameters, Limits, Mode, Phase, RestitutionLaw, Sample, Start, Trajectory as Core,
 };
 use littlewood_report::{Instant, Sampling, instants};
 use numpy::PyReadonlyArray1;

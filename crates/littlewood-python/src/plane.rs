@@ -1,6 +1,7 @@
 //! The (θ, θ′) plane of rolling over arrays. What is not there is NaN.
 
-use littlewood::{Direction, Hoop, PhasePlane as Core, RollingLaw, Stability, Start};
+use littlewood::theory::{PhasePlane as Core, RollingLaw, Stability};
+use littlewood::{Direction, Hoop, Start};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 

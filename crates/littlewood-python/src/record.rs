@@ -1,8 +1,8 @@
 //! Numbers of a hoop, a start, a state and a setup in SI units, in the order of the tables of the core.
 
-use littlewood::{
-    Hoop, HoopParameters, Limits, Quantity, RestitutionLaw, Setup, SiSetup, Start, State, UnknownName,
-};
+use littlewood::si::SiSetup;
+use littlewood::tables::{Quantity, Setup, UnknownName};
+use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start, State};
 use pyo3::prelude::*;
 
 use crate::error::{refuse, unknown_law, unknown_proof};

@@ -2,7 +2,8 @@
 
 use std::collections::TryReserveError;
 
-use littlewood::{Direction, Mode, Sample, SampleColumn, SampleValue};
+use littlewood::tables::{SampleColumn, SampleValue};
+use littlewood::{Direction, Mode, Sample};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

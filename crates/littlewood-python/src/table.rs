@@ -1,11 +1,14 @@
 //! Tables of the core: quantities, modes, causes, kinds and laws of impacts, outcomes, classes, regions, phases, columns,
 //! cases, edges.
 
-use littlewood::{
-    CASES, Cause, Class, ColumnType, Dimension, Direction, EDGES, ImpactCase, Limits, Mode, OutcomeKind,
-    PhaseCode, PhaseSequence, Presence, Proof, Quantity, RestitutionLaw, RollingType, STANDARD_GRAVITY,
-    SampleColumn, StartRegion, State, SummaryColumn, find_case,
+use littlewood::cases::{CASES, find_case};
+use littlewood::impact::ImpactCase;
+use littlewood::si::STANDARD_GRAVITY;
+use littlewood::tables::{
+    Class, ColumnType, Dimension, PhaseCode, PhaseSequence, Presence, Quantity, SampleColumn, SummaryColumn,
 };
+use littlewood::theory::{EDGES, RollingType, StartRegion};
+use littlewood::{Cause, Direction, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, State};
 use littlewood_report::Sampling;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;

@@ -1,6 +1,7 @@
 //! SI units: hoops and starts into the dimensionless system of (2.9), samples out of it.
 
-use littlewood::{Dimension, Quantity, SampleColumn, Units};
+use littlewood::si::Units;
+use littlewood::tables::{Dimension, Quantity, SampleColumn};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

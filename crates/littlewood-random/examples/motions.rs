@@ -12,7 +12,8 @@ use std::env;
 use std::error::Error;
 use std::io::{self, Write};
 
-use littlewood::{Direction, Hoop, Limits, Mode, Setup, State};
+use littlewood::tables::Setup;
+use littlewood::{Direction, Hoop, Limits, Mode, State};
 use littlewood_random::Draw;
 use serde_json::{Value, json};
 

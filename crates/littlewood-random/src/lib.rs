@@ -6,9 +6,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use littlewood::{
-    Body, Bound, Direction, Hoop, HoopParameters, Limits, PhasePlane, Quantity, RestitutionLaw, Setup, Start,
-};
+use littlewood::tables::{Bound, Quantity, Setup};
+use littlewood::theory::{Body, PhasePlane};
+use littlewood::{Direction, Hoop, HoopParameters, Limits, RestitutionLaw, Start};
 
 /// Small numbers, each of which some computation may take for zero.
 const TINY: [f64; 12] =

@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 
 use csv::{ErrorKind, Writer, WriterBuilder};
-use littlewood::{Cause, Impact, Outcome, OutcomeKind, Phase, State, Trajectory};
+use littlewood::impact::Impact;
+use littlewood::{Cause, Outcome, OutcomeKind, Phase, State, Trajectory};
 
 use crate::instants::{START, instants};
 use crate::record::{

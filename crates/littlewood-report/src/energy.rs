@@ -1,6 +1,8 @@
 //! The energy that an impact has to take from.
 
-use littlewood::{Body, ContactVelocities, Hoop};
+use littlewood::Hoop;
+use littlewood::impact::ContactVelocities;
+use littlewood::theory::Body;
 
 /// The kinetic energy of a heavy hoop whose rim is at the plane, the angle and the velocities of the contact point given;
 /// none for a massless hoop, whose rim has no velocity of its own.

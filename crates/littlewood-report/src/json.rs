@@ -2,7 +2,11 @@
 
 use std::io::{self, Write};
 
-use littlewood::{CASES, Classification, Detail, Dimension, Hoop, SummaryColumn, Trajectory, Units};
+use littlewood::cases::CASES;
+use littlewood::si::Units;
+use littlewood::tables::{Detail, Dimension, SummaryColumn};
+use littlewood::theory::Classification;
+use littlewood::{Hoop, Trajectory};
 use serde::{Serialize, Serializer};
 
 use crate::record::{

@@ -5,7 +5,7 @@
 //! [`std::io::Write`].
 //!
 //! ```
-//! use littlewood::find_case;
+//! use littlewood::cases::find_case;
 //! use littlewood_report::{Subject, json};
 //!
 //! let case = find_case("figure-3").expect("a named case");

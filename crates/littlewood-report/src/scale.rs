@@ -1,6 +1,8 @@
 //! The system of units that a person sees: none (2.9), or SI.
 
-use littlewood::{Dimension, Quantity, SampleColumn, State, Units};
+use littlewood::State;
+use littlewood::si::Units;
+use littlewood::tables::{Dimension, Quantity, SampleColumn};
 
 use crate::number::brief;
 

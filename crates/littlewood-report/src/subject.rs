@@ -1,6 +1,8 @@
 //! What a report is about, apart from the motion itself.
 
-use littlewood::{Digits, NamedCase, Start, Units};
+use littlewood::cases::NamedCase;
+use littlewood::si::Units;
+use littlewood::{Digits, Start};
 
 /// What was asked for: the case, the start, and whether results are wanted in SI units too.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,8 @@
 
 #![allow(clippy::excessive_precision, reason = "the reference has more digits than a double")]
 
-use littlewood::{Cause, Hoop, HoopParameters, Limits, RestitutionLaw, Start, Trajectory, find_case};
+use littlewood::cases::find_case;
+use littlewood::{Cause, Hoop, HoopParameters, Limits, RestitutionLaw, Start, Trajectory};
 use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, instants, kinetic_energy, sentence};
 

@@ -1,6 +1,8 @@
 //! What the sentences say, against numbers worked out by hand from the equations of the paper.
 
-use littlewood::{CASES, Hoop, Limits, Start, Units, find_case};
+use littlewood::cases::{CASES, find_case};
+use littlewood::si::Units;
+use littlewood::{Hoop, Limits, Start};
 use littlewood_report::scale::Scale;
 use littlewood_report::sentence;
 

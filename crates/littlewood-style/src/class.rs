@@ -1,6 +1,6 @@
 //! Classes of outcomes.
 
-use littlewood::Class;
+use littlewood::tables::Class;
 
 use crate::rgb::Rgb;
 use crate::theme::Theme;

@@ -1,6 +1,7 @@
 //! All colours as one table, for style sheets and other languages.
 
-use littlewood::{Class, Mode};
+use littlewood::Mode;
+use littlewood::tables::Class;
 
 use crate::accent::Accent;
 use crate::arrow::Arrow;

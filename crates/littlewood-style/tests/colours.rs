@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use littlewood::{BodyClass, Class, EDGES, Mode};
+use littlewood::Mode;
+use littlewood::tables::Class;
+use littlewood::theory::{BodyClass, EDGES};
 use littlewood_style::{
     Accent, Arrow, Curve, EnergyPart, ImpulseLine, Ink, Rgb, Swatch, Theme, dash_of, of_class, of_mode,
     swatches,

@@ -8,9 +8,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use littlewood::{
-    Cause, Class, OutcomeKind, PhaseCode, Quantity, RecurrenceKind, SampleColumn, StartRegion, SummaryColumn,
-};
+use littlewood::modes::RecurrenceKind;
+use littlewood::tables::{Class, PhaseCode, Quantity, SampleColumn, SummaryColumn};
+use littlewood::theory::StartRegion;
+use littlewood::{Cause, OutcomeKind};
 use littlewood_style::{Curve, Theme, swatches};
 
 /// Where sources are, with the endings that they have there.

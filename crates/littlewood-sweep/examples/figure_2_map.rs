@@ -4,7 +4,8 @@
 use std::f64::consts::PI;
 use std::path::PathBuf;
 
-use littlewood::{HoopParameters, Limits, Quantity, Setup, Start, SummaryColumn};
+use littlewood::tables::{Quantity, Setup, SummaryColumn};
+use littlewood::{HoopParameters, Limits, Start};
 use littlewood_sweep::{
     Axis, Grid, Options, Picture, PictureSize, Shade, Workers, ZarrStore, grid_to_parquet, grid_to_zarr,
 };

@@ -11,7 +11,8 @@
 
 use std::collections::BTreeSet;
 
-use littlewood::{HoopParameters, Quantity, Setup, Start};
+use littlewood::tables::{Quantity, Setup};
+use littlewood::{HoopParameters, Start};
 use littlewood_sweep::{Atlas, AtlasEntry, Axis, Grid, Options, Stop, SweepError, Workers};
 
 /// A way to make a hoop of each eccentricity γ, the distance of the mass centre from the centre in radii.

@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use littlewood::{Hoop, Limits, OutcomeKind, ParameterError, PhaseSequence, Setup};
+use littlewood::tables::{PhaseSequence, Setup};
+use littlewood::{Hoop, Limits, OutcomeKind, ParameterError};
 use rayon::prelude::*;
 
 use crate::chunk::{Chunk, Chunks};
@@ -159,7 +160,8 @@ impl Atlas {
     /// Adds the atlas of another grid, whose points are numbered after those that are there.
     ///
     /// ```
-    /// use littlewood::{HoopParameters, Limits, Quantity, Setup, Start};
+    /// use littlewood::tables::{Quantity, Setup};
+    /// use littlewood::{HoopParameters, Limits, Start};
     /// use littlewood_sweep::{Atlas, Axis, Grid, Options, Workers};
     ///
     /// let mut atlas = Atlas::default();

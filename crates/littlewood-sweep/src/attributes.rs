@@ -1,6 +1,7 @@
 //! What stores say of their columns: the attributes of the CF conventions, and how codes are to be read.
 
-use littlewood::{ColumnType, Dimension, OutcomeKind, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
+use littlewood::OutcomeKind;
+use littlewood::tables::{ColumnType, Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
 use serde_json::{Map, Value, json};
 
 use crate::axis::Varies;

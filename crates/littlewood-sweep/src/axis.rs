@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use littlewood::{Dimension, Group, Number, ParameterError, Quantity, Setup};
+use littlewood::ParameterError;
+use littlewood::tables::{Dimension, Group, Number, Quantity, Setup};
 use thiserror::Error;
 
 /// What an axis varies.
@@ -190,7 +191,7 @@ pub(crate) fn names(quantities: &[Quantity]) -> String {
 /// An axis: `count` values of one quantity of [`Quantity::AXES`], or of [`Varies::Friction`], both ends included.
 ///
 /// ```
-/// use littlewood::Quantity;
+/// use littlewood::tables::Quantity;
 /// use littlewood_sweep::{Axis, AxisError, Spacing, Varies};
 ///
 /// let axis = Axis::new(Quantity::ThetaRate, -4.0, 4.0, 5)?;

@@ -1,6 +1,6 @@
 //! How a grid is cut into chunks.
 
-use littlewood::Setup;
+use littlewood::tables::Setup;
 
 use crate::grid::Grid;
 use crate::options::MOST_CHUNK_POINTS;
@@ -11,7 +11,8 @@ use crate::options::MOST_CHUNK_POINTS;
 /// hoops, and as many starts of each, as its size allows.
 ///
 /// ```
-/// use littlewood::{HoopParameters, Quantity, Setup, Start};
+/// use littlewood::tables::{Quantity, Setup};
+/// use littlewood::{HoopParameters, Start};
 /// use littlewood_sweep::{Axis, Chunks, Grid};
 ///
 /// let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);

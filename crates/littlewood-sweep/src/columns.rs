@@ -1,6 +1,7 @@
 //! The results of a sweep, column by column.
 
-use littlewood::{Class, ColumnType, OutcomeKind, Summary, SummaryColumn, SummaryValue};
+use littlewood::tables::{Class, ColumnType, SummaryColumn, SummaryValue};
+use littlewood::{OutcomeKind, Summary};
 
 /// Number of columns.
 const COLUMNS: usize = SummaryColumn::ALL.len();

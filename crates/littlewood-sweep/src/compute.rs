@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use littlewood::{Engine, Hoop, HoopParameters, Limits, ParameterError, Setup, Start, Summary};
+use littlewood::tables::Setup;
+use littlewood::{Engine, Hoop, HoopParameters, Limits, ParameterError, Start, Summary};
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -148,7 +149,8 @@ impl Workers {
     /// [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid).
     ///
     /// ```
-    /// use littlewood::{HoopParameters, Limits, Setup, Start, SummaryColumn};
+    /// use littlewood::tables::{Setup, SummaryColumn};
+    /// use littlewood::{HoopParameters, Limits, Start};
     /// use littlewood_sweep::Workers;
     ///
     /// let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);

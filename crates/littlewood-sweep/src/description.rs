@@ -1,6 +1,7 @@
 //! The description of a run, as stores keep it: two runs with the same description have the same result.
 
-use littlewood::{HoopParameters, Limits, PhaseSequence, Quantity, Setup, Start};
+use littlewood::tables::{PhaseSequence, Quantity, Setup};
+use littlewood::{HoopParameters, Limits, Start};
 use serde_json::{Map, Value, json};
 
 use crate::axis::{Axis, Spacing, Varies};

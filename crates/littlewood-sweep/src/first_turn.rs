@@ -3,10 +3,9 @@
 
 use core::f64::consts::TAU;
 
-use littlewood::{
-    Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, PhaseSequence, PhaseSolution,
-    Proof, Start,
-};
+use littlewood::modes::PhaseSolution;
+use littlewood::tables::PhaseSequence;
+use littlewood::{Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, Proof, Start};
 
 /// Instants at which a phase is sampled for a stop. A phase of rolling lasts at most one period of its orbit, in which
 /// θ′ changes sign twice at most, half a period apart.

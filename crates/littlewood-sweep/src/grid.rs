@@ -2,7 +2,8 @@
 
 use core::ops::Range;
 
-use littlewood::{Hoop, HoopParameters, Quantity, Setup};
+use littlewood::tables::{Quantity, Setup};
+use littlewood::{Hoop, HoopParameters};
 
 use crate::axis::{Axis, AxisError};
 use crate::setup::quantities;
@@ -10,7 +11,8 @@ use crate::setup::quantities;
 /// The points of a grid, numbered row by row: the last axis runs fastest.
 ///
 /// ```
-/// use littlewood::{HoopParameters, Quantity, Setup, Start};
+/// use littlewood::tables::{Quantity, Setup};
+/// use littlewood::{HoopParameters, Start};
 /// use littlewood_sweep::{Axis, Grid};
 ///
 /// let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);

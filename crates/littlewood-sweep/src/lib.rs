@@ -1,11 +1,12 @@
 //! Sweeps and maps of the loaded hoop: many motions at once, from a grid or a list to arrays, files and pictures.
 //!
-//! A [`Grid`] is a base [`Setup`](littlewood::Setup), a hoop with a start, and any number of [`Axis`]es that vary its
+//! A [`Grid`] is a base [`Setup`](littlewood::tables::Setup), a hoop with a start, and any number of [`Axis`]es that vary its
 //! quantities. [`Workers`] compute points on all cores into [`Columns`], one vector for each
-//! [`SummaryColumn`](littlewood::SummaryColumn); the result does not depend on the number of threads.
+//! [`SummaryColumn`](littlewood::tables::SummaryColumn); the result does not depend on the number of threads.
 //!
 //! ```
-//! use littlewood::{Class, HoopParameters, Limits, Quantity, Setup, Start};
+//! use littlewood::tables::{Class, Quantity, Setup};
+//! use littlewood::{HoopParameters, Limits, Start};
 //! use littlewood_sweep::{Axis, Grid, Workers};
 //!
 //! let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use littlewood::{Class, Limits, Setup};
+use littlewood::Limits;
+use littlewood::tables::{Class, Setup};
 use rayon::prelude::*;
 
 use crate::columns::Columns;

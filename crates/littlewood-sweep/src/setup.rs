@@ -1,6 +1,7 @@
 //! The quantities of a setup, a hoop with a start, as sweeps name them.
 
-use littlewood::{Quantity, RestitutionLaw, Setup};
+use littlewood::RestitutionLaw;
+use littlewood::tables::{Quantity, Setup};
 
 /// All quantities of a setup, in the order of tables: what a motion depends on, then where and when it starts.
 pub(crate) fn quantities() -> impl Iterator<Item = Quantity> {

@@ -1,6 +1,7 @@
 //! Where the points of a run come from: a grid or a list, chunk by chunk.
 
-use littlewood::{ParameterError, Quantity, Setup};
+use littlewood::ParameterError;
+use littlewood::tables::{Quantity, Setup};
 
 use crate::chunk::Chunks;
 use crate::compute::Refused;

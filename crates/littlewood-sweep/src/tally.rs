@@ -2,14 +2,14 @@
 
 use core::ops::AddAssign;
 
-use littlewood::Class;
+use littlewood::tables::Class;
 
 use crate::columns::Columns;
 
 /// Numbers of points, class by class.
 ///
 /// ```
-/// use littlewood::Class;
+/// use littlewood::tables::Class;
 /// use littlewood_sweep::Tally;
 ///
 /// let mut tally = Tally::default();

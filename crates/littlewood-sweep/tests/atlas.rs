@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use crate::support::{map, mixed, workers};
-use littlewood::{Hoop, HoopParameters, Limits, Quantity, Setup, Start};
+use littlewood::tables::{Quantity, Setup};
+use littlewood::{Hoop, HoopParameters, Limits, Start};
 use littlewood_sweep::{Atlas, Axis, FirstTurn, Grid, Options, Stop};
 
 #[test]

@@ -3,10 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests stand outside of test functions")]
 
 use crate::support::{bits, figure_2, map, mixed, reals, workers};
-use littlewood::{
-    Class, Hoop, HoopParameters, Limits, OutcomeKind, Quantity, RestitutionLaw, Setup, Start, Summary,
-    SummaryColumn, SummaryValue,
-};
+use littlewood::tables::{Class, Quantity, Setup, SummaryColumn, SummaryValue};
+use littlewood::{Hoop, HoopParameters, Limits, OutcomeKind, RestitutionLaw, Start, Summary};
 use littlewood_random::Draw;
 use littlewood_sweep::{Axis, AxisError, Chunks, Grid};
 use proptest::prelude::*;

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 
 use crate::support::table::{Cells, Table, write_table};
 use crate::support::{figure_2, workers};
-use littlewood::{Limits, ParameterError, Quantity, Setup};
+use littlewood::tables::{Quantity, Setup};
+use littlewood::{Limits, ParameterError};
 use littlewood_sweep::{ListError, Options, StartList, SweepError, Target, list_to_parquet, sweep_list};
 use parquet::record::Field;
 

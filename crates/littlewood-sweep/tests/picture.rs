@@ -5,7 +5,8 @@
 use std::f64::consts::PI;
 
 use crate::support::{figure_2, map, workers};
-use littlewood::{Class, Limits, Quantity, SummaryColumn};
+use littlewood::Limits;
+use littlewood::tables::{Class, Quantity, SummaryColumn};
 use littlewood_style::{Theme, of_class};
 use littlewood_sweep::{Axis, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError};
 

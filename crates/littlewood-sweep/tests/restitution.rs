@@ -2,10 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use littlewood::{
-    Engine, Hoop, HoopParameters, Limits, OutcomeKind, Quantity, RestitutionLaw, Setup, Start, SummaryColumn,
-    SummaryValue,
-};
+use littlewood::tables::{Quantity, Setup, SummaryColumn, SummaryValue};
+use littlewood::{Engine, Hoop, HoopParameters, Limits, OutcomeKind, RestitutionLaw, Start};
 use littlewood_sweep::{Axis, AxisError, Grid, Workers};
 
 const HOOP: HoopParameters = HoopParameters::thin(1.0).with_friction(0.5, 0.4);

@@ -6,7 +6,8 @@ use std::fs;
 
 use crate::support::zarr::Array;
 use crate::support::{map, mixed, reals, workers};
-use littlewood::{Limits, PhaseSequence, Summary, SummaryColumn};
+use littlewood::tables::{PhaseSequence, SummaryColumn};
+use littlewood::{Limits, Summary};
 use littlewood_sweep::{ColumnValues, Options, STORE_FORMAT, grid_to_zarr};
 use serde_json::Value;
 

@@ -8,7 +8,9 @@
 
 use std::io::{self, BufWriter, Write};
 
-use littlewood::{CASES, Hoop, Setup};
+use littlewood::Hoop;
+use littlewood::cases::CASES;
+use littlewood::tables::Setup;
 use littlewood_digest::{UNTIL, setups};
 use littlewood_web::{Motion, Problem, dimensionless_quantities};
 

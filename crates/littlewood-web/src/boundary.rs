@@ -1,6 +1,7 @@
 //! The names whose order both sides of the boundary must agree on.
 
-use littlewood::{Class, Mode, Quantity, SampleColumn};
+use littlewood::Mode;
+use littlewood::tables::{Class, Quantity, SampleColumn};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::problem::{dimensionless_quantities, si_quantities};

@@ -72,7 +72,8 @@ fn impacts_before(trajectory: &Trajectory, phase: &Phase) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::{CASES, Hoop, Limits, Mode, RestitutionLaw};
+    use littlewood::cases::CASES;
+    use littlewood::{Hoop, Limits, Mode, RestitutionLaw};
 
     use super::*;
 
@@ -118,7 +119,7 @@ mod tests {
 
     #[test]
     fn figure_3_loses_in_its_first_impact_what_the_notes_say() {
-        let motion = littlewood::find_case("figure-3-bounces").unwrap().simulate().unwrap();
+        let motion = littlewood::cases::find_case("figure-3-bounces").unwrap().simulate().unwrap();
         let landing = 3.847_395_556_686_894;
         let before = Energies::at(&motion, landing - 1e-9).unwrap();
         let after = Energies::at(&motion, landing + 1e-9).unwrap();

@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Engine, Hoop, Limits, Proof, Start};
+use littlewood::tables::Class;
+use littlewood::{Engine, Hoop, Limits, Proof, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::hops;
@@ -196,7 +197,8 @@ fn without_restitution(hoop: &Hoop) -> Hoop {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::{Restitution, RestitutionLaw, find_case};
+    use littlewood::cases::find_case;
+    use littlewood::{Restitution, RestitutionLaw};
 
     use super::*;
 

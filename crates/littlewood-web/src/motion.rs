@@ -2,7 +2,9 @@
 
 use core::fmt;
 
-use littlewood::{NamedCase, OutcomeKind, Sample, SampleColumn, Trajectory, Transition, find_case};
+use littlewood::cases::{NamedCase, find_case};
+use littlewood::tables::SampleColumn;
+use littlewood::{OutcomeKind, Sample, Trajectory, Transition};
 use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, Subject, csv, json, sentence};
 use littlewood_style::EnergyPart;

@@ -1,6 +1,7 @@
 //! The (θ, θ′) plane of rolling as curves.
 
-use littlewood::{Body, Direction, PhasePlane, RollingLaw, Stability, closed_form};
+use littlewood::Direction;
+use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, closed_form};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::polyline::trace;

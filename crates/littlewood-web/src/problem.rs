@@ -1,9 +1,9 @@
 //! A hoop and a start, in either system of units.
 
-use littlewood::{
-    Body, Dimension, Hoop, HoopParameters, Limits, Presence, Quantity, Restitution, RestitutionLaw,
-    SampleColumn, Setup, SiSetup, Start, Units,
-};
+use littlewood::si::{SiSetup, Units};
+use littlewood::tables::{Dimension, Presence, Quantity, SampleColumn, Setup};
+use littlewood::theory::Body;
+use littlewood::{Hoop, HoopParameters, Limits, Restitution, RestitutionLaw, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::refusal::Refusal;

@@ -1,6 +1,7 @@
 //! A value that has no physical meaning.
 
-use littlewood::{ParameterError, Quantity, UnknownName};
+use littlewood::ParameterError;
+use littlewood::tables::{Quantity, UnknownName};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Why a hoop, a start or a limit was refused.

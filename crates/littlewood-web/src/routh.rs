@@ -7,7 +7,8 @@
 //! The way begins at the origin. It goes on with the slope −μk σ to the line of sticking, η′ = 0, and from there along that line
 //! or with the slope of the slip that follows; where it crosses the line of greatest compression, gap′ = 0, the gap begins to open.
 
-use littlewood::{Cause, Compliance, Hoop, Impact, Impulse, Transition};
+use littlewood::impact::{Compliance, Impact, Impulse};
+use littlewood::{Cause, Hoop, Transition};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// A point of the plane of impulses: P and J.
@@ -186,7 +187,9 @@ impl Frame {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::{HoopParameters, ImpactCase, Limits, RestitutionLaw, Start, find_case};
+    use littlewood::cases::find_case;
+    use littlewood::impact::ImpactCase;
+    use littlewood::{HoopParameters, Limits, RestitutionLaw, Start};
 
     use super::*;
 

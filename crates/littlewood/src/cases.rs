@@ -1,4 +1,14 @@
 //! The motions that the paper shows or speaks of, by name.
+//!
+//! ```
+//! use littlewood::cases::{CASES, find_case};
+//!
+//! let names: Vec<&str> = CASES.iter().map(|case| case.name).collect();
+//! assert!(names.contains(&"figure-3"));
+//! let motion = find_case("figure-3").expect("a named case").simulate()?;
+//! assert_eq!(motion.phases().len(), 4);
+//! # Ok::<(), littlewood::ParameterError>(())
+//! ```
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -59,7 +69,7 @@ const fn thin_hoop_with(restitution: f64) -> HoopParameters {
     THIN_HOOP.with_restitution(restitution, RestitutionLaw::Energetic)
 }
 
-/// Angle of the impacts of [`crate::BouncingOrbit`], of those at which a small disturbance does not grow.
+/// Angle of the impacts of [`crate::impact::BouncingOrbit`], of those at which a small disturbance does not grow.
 const BOUNCING_ANGLE: f64 = 2.2;
 
 /// The rates of that motion over the top.

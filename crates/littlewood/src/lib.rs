@@ -4,7 +4,7 @@
 //! Littlewood's rolling hoop* (Proc. R. Soc. A 475, 2019), whose equation numbers the documentation cites. A disc or
 //! hoop of mass m1, radius R and moment of inertia `I_zz` carries a particle of mass m2 at the distance ℓ from its
 //! centre. θ is the angle of the particle from the upward vertical, counterclockwise; η = x + θ, so that η′ is the slip
-//! velocity of the contact point. Everything is dimensionless, m2 = R = g = 1 (2.9); [`SiParameters`] converts.
+//! velocity of the contact point. Everything is dimensionless, m2 = R = g = 1 (2.9); [`si`] converts.
 //!
 //! # A tour
 //!
@@ -29,7 +29,9 @@
 //! Rolling that never ends is proved, not timed out:
 //!
 //! ```
-//! use littlewood::{Outcome, Recurrence, find_case};
+//! use littlewood::cases::find_case;
+//! use littlewood::modes::Recurrence;
+//! use littlewood::Outcome;
 //!
 //! let motion = find_case("figure-2-libration").expect("a named case").simulate()?;
 //! let Outcome::RollsForever { recurrence: Recurrence::Libration { period, .. }, .. } = motion.outcome() else {
@@ -54,9 +56,17 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 //!
-//! The plane of the paper's figures is [`PhasePlane`], its closed forms are in [`closed_form`], the edges of the
-//! automaton are [`EDGES`], and [`Hoop::classify`] says where a start lies. [`CASES`] are the motions that the paper
-//! shows or speaks of. [`Engine`] makes a [`Summary`] of each of many starts.
+//! # Where things are
+//!
+//! | module | what |
+//! |---|---|
+//! | the root | a hoop, its start, its motion, and an [`Engine`] for many motions |
+//! | [`cases`] | the motions that the paper shows or speaks of, by name |
+//! | [`modes`] | the solution of each phase: rolling, sliding, gliding, flight |
+//! | [`theory`] | the paper: phase plane, equations, closed forms, regions of starts, the automaton |
+//! | [`impact`] | impacts with friction, bounces that settle or never end |
+//! | [`si`] | kilograms, metres, seconds |
+//! | [`tables`] | what front ends loop over: quantities, columns, classes, codes |
 //!
 //! # How exact
 //!
@@ -67,59 +77,135 @@
 #[cfg(feature = "ablation")]
 pub mod ablation;
 #[cfg(not(feature = "ablation"))]
+#[expect(dead_code, unreachable_pub, reason = "the benchmark alone lists the parts")]
 mod ablation;
-mod cases;
+pub mod cases;
 mod engine;
 mod math;
 mod mechanics;
 mod model;
-mod modes;
+pub mod modes;
 mod motion;
 mod walk;
 
-pub use cases::{CASES, NamedCase, find_case};
 pub use engine::{Doubt, Engine};
-pub use mechanics::bouncing::BouncingOrbit;
-pub use mechanics::closed_form;
-pub use mechanics::closed_form::RollingType;
-pub use mechanics::equations::{Accelerations, ContactForces, RollingLaw, SlidingLaw};
-pub use mechanics::impact::{Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, Impulse};
-pub use mechanics::region::{Equilibrium, PhasePlane, Stability};
-pub use mechanics::settling::{NoSettling, Settling};
-pub use model::dimension::Detail;
-pub use model::dimension::{Dimension, System};
 pub use model::error::ParameterError;
-pub use model::hoop::{Body, Heavy, Hoop, HoopParameters, Massless};
-pub use model::limits::Limits;
-pub use model::limits::Proof;
+pub use model::hoop::{Hoop, HoopParameters};
+pub use model::limits::{Limits, Proof};
 pub use model::mode::{Direction, Mode};
-pub use model::named::{UnknownCode, UnknownName};
-pub use model::quantity::{Bound, Group, Number, Presence, Quantity, QuantityRow, STANDARD_GRAVITY};
-pub use model::restitution::Restitution;
-pub use model::restitution::RestitutionLaw;
-pub use model::setup::Setup;
-pub use model::si::{SiParameters, SiSetup, SiState};
+pub use model::restitution::{Restitution, RestitutionLaw};
 pub use model::state::{Start, State};
-pub use model::units::Units;
-pub use modes::PhaseSolution;
-pub use modes::flight::Flight;
-pub use modes::gliding::{Gliding, GlidingIntegrals, gliding_accelerations};
-pub use modes::rolling::{
-    GrazingOrbit, Recurrence, RecurrenceKind, Rolling, RollingEnd, RollingLimit, RollingOrbit,
-};
-pub use modes::sample::{Position, Sample};
-pub use modes::sliding::Sliding;
-pub use motion::class::Class;
-pub use motion::classify::{Classification, StartRegion};
-pub use motion::columns::{ColumnType, SampleColumn, SampleValue, SummaryColumn, SummaryValue};
+pub use modes::sample::Sample;
 pub use motion::digits::Digits;
 pub use motion::summary::Summary;
 pub use motion::trajectory::{Phase, Trajectory};
-pub use walk::automaton::Transition;
-pub use walk::automaton::{BodyClass, Cause, EDGES, Edge, find_edge};
-pub use walk::candidates::Candidates;
-pub use walk::outcome::{Outcome, OutcomeKind, SlideLimit};
-pub use walk::sequence::{PhaseCode, PhaseSequence};
+pub use walk::automaton::{Cause, Transition};
+pub use walk::outcome::{Outcome, OutcomeKind};
+
+pub mod theory {
+    //! The paper: its phase plane, its equations, its closed forms, and the automaton of its motions.
+    //!
+    //! [`PhasePlane`] has the regions and curves of the figures, [`RollingLaw`] and [`SlidingLaw`] the equations of motion in contact,
+    //! and [`closed_form`] what §3 derives for Littlewood's own hoop. [`Hoop::classify`](crate::Hoop::classify) says in which
+    //! [`StartRegion`] a start lies. [`EDGES`] lists which motion may follow on which: no simulated motion takes another edge.
+    //!
+    //! ```
+    //! use littlewood::theory::closed_form;
+    //! use littlewood::{Hoop, Limits, Start};
+    //!
+    //! // From the top, Littlewood's hoop slips at the time (3.6).
+    //! let motion = Hoop::littlewood(0.5, 0.4)?.simulate(Start::at(0.0, 0.1), Limits::default())?;
+    //! let slips = motion.transitions()[0].time();
+    //! assert!((slips - closed_form::slip_time_from_top(0.1, 0.5)).abs() < 1e-14);
+    //! # Ok::<(), littlewood::ParameterError>(())
+    //! ```
+
+    pub use crate::mechanics::closed_form::{self, RollingType};
+    pub use crate::mechanics::equations::{Accelerations, ContactForces, RollingLaw, SlidingLaw};
+    pub use crate::mechanics::region::{Equilibrium, PhasePlane, Stability};
+    pub use crate::model::hoop::{Body, Heavy, Massless};
+    pub use crate::modes::gliding::{GlidingIntegrals, gliding_accelerations};
+    pub use crate::motion::classify::{Classification, StartRegion};
+    pub use crate::walk::automaton::{BodyClass, EDGES, Edge, find_edge};
+    pub use crate::walk::candidates::Candidates;
+}
+
+pub mod impact {
+    //! Impacts of the rim on the plane: a rigid body, Coulomb's friction, and restitution by one of three laws.
+    //!
+    //! [`Hoop::impact`](crate::Hoop::impact) computes one [`Impact`] in closed form, [`Hoop::settling`](crate::Hoop::settling) the sum
+    //! of bounces that accumulate, and [`BouncingOrbit`] a motion that bounces for ever. A simulation calls the first two by itself
+    //! where the hoop has a [`Restitution`](crate::Restitution); its transitions carry the impacts.
+    //!
+    //! ```
+    //! use littlewood::cases::find_case;
+    //! use littlewood::{Outcome, Restitution, RestitutionLaw};
+    //!
+    //! let motion = find_case("figure-3").expect("a named case").simulate()?;
+    //! let Outcome::Landing { state, gap_rate } = motion.outcome() else { panic!("lands") };
+    //! let impact = motion.hoop().impact(&state, gap_rate, Restitution::new(0.0, RestitutionLaw::Energetic)?)?;
+    //! // Without restitution the rim stays at the plane, and energy is lost.
+    //! assert!(impact.after.gap_rate.abs() < 1e-15 && impact.energy_lost() > 0.0);
+    //! # Ok::<(), Box<dyn std::error::Error>>(())
+    //! ```
+
+    pub use crate::mechanics::bouncing::BouncingOrbit;
+    pub use crate::mechanics::impact::{
+        Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, Impulse,
+    };
+    pub use crate::mechanics::settling::{NoSettling, Settling};
+}
+
+pub mod si {
+    //! SI units at the edge: a hoop and its start in kilograms, metres and seconds, and the units that convert its motion.
+    //!
+    //! Everything else in this library is dimensionless, m2 = R = g = 1 (2.9).
+    //!
+    //! ```
+    //! use littlewood::si::{STANDARD_GRAVITY, Units};
+    //! use littlewood::tables::Dimension;
+    //!
+    //! // A particle of 0.14 kg on a hoop of radius 0.45 m.
+    //! let units = Units::new(0.14, 0.45, STANDARD_GRAVITY)?;
+    //! assert!((units.to_si(Dimension::Time, 2.0) - 2.0 * (0.45_f64 / 9.80665).sqrt()).abs() < 1e-15);
+    //! # Ok::<(), littlewood::ParameterError>(())
+    //! ```
+
+    pub use crate::model::quantity::STANDARD_GRAVITY;
+    pub use crate::model::si::{SiParameters, SiSetup, SiState};
+    pub use crate::model::units::Units;
+}
+
+pub mod tables {
+    //! The tables that front ends loop over: quantities of a hoop and a start, columns of samples and summaries, classes of outcomes,
+    //! codes of phases.
+    //!
+    //! Each item has a name, which `FromStr` reads, and a code. A [`Setup`] is a hoop and a start by the quantities of the table.
+    //!
+    //! ```
+    //! use littlewood::tables::{Quantity, Setup, SummaryColumn};
+    //! use littlewood::{Hoop, HoopParameters, Limits, Start};
+    //!
+    //! let mut setup = Setup::new(HoopParameters::thin(1.0), Start::at(1.0, 0.0));
+    //! for (name, value) in [("mu_s", 0.5), ("mu_k", 0.4), ("theta_rate", 2.0)] {
+    //!     let quantity: Quantity = name.parse()?;
+    //!     setup.set(quantity, quantity.check(value)?);
+    //! }
+    //! let motion = Hoop::new(setup.hoop)?.simulate(setup.start, Limits::default())?;
+    //! for (column, value) in SummaryColumn::ALL.into_iter().zip(motion.summary().values()) {
+    //!     println!("{column}: {value:?} ({})", column.long_name());
+    //! }
+    //! # Ok::<(), Box<dyn std::error::Error>>(())
+    //! ```
+
+    pub use crate::model::dimension::{Detail, Dimension, System};
+    pub use crate::model::named::{UnknownCode, UnknownName};
+    pub use crate::model::quantity::{Bound, Group, Number, Presence, Quantity, QuantityRow};
+    pub use crate::model::setup::Setup;
+    pub use crate::motion::class::Class;
+    pub use crate::motion::columns::{ColumnType, SampleColumn, SampleValue, SummaryColumn, SummaryValue};
+    pub use crate::walk::sequence::{PhaseCode, PhaseSequence};
+}
 
 /// The example of the package's page.
 #[cfg(doctest)]

@@ -4,9 +4,13 @@
 
 use crate::common::flight::{check_flights, check_landings};
 use crate::common::{heavy_hoop, heavy_motion, instants, moderate_hoop, start};
+use littlewood::cases::find_case;
+use littlewood::impact::{BouncingOrbit, Impact, NoSettling};
+use littlewood::modes::PhaseSolution;
+use littlewood::theory::{BodyClass, find_edge};
 use littlewood::{
-    BodyClass, BouncingOrbit, Cause, Hoop, HoopParameters, Impact, Limits, Mode, NoSettling, Outcome,
-    OutcomeKind, PhaseSolution, Restitution, RestitutionLaw, Start, State, Trajectory, find_case, find_edge,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw, Start,
+    State, Trajectory,
 };
 use proptest::prelude::*;
 use serde_json::Value;

@@ -10,7 +10,9 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 use crate::invariants::check_laws;
-use littlewood::{Body, Engine, Hoop, Limits, Setup};
+use littlewood::tables::Setup;
+use littlewood::theory::Body;
+use littlewood::{Engine, Hoop, Limits};
 use littlewood_random::{Draw, command};
 
 /// Seconds of a processor that a call may take; builds for tests are slower than those for use.

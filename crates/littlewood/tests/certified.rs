@@ -6,9 +6,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use littlewood::si::{SiParameters, SiState, Units};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, SiParameters, SiState, Start,
-    State, Trajectory, Transition, Units,
+    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, State, Trajectory,
+    Transition,
 };
 use serde_json::Value;
 

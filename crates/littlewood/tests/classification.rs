@@ -1,7 +1,8 @@
 //! What `classify` says begins is what the simulation begins with.
 
 use crate::common::{heavy_motion, massless_hoop, start};
-use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, Start, StartRegion};
+use littlewood::theory::StartRegion;
+use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, Start};
 use proptest::prelude::*;
 
 /// Compares what is said of a start with the first phase of its motion.

@@ -3,7 +3,9 @@
 
 use std::f64::consts::PI;
 
-use littlewood::{Hoop, Limits, Mode, OutcomeKind, PhaseSolution, Start, find_case};
+use littlewood::cases::find_case;
+use littlewood::modes::PhaseSolution;
+use littlewood::{Hoop, Limits, Mode, OutcomeKind, Start};
 
 /// Starts (θ, θ′) of the Figure 2 hoop on a 200 × 200 grid over [−π, π] × [−4, 4], ends included, to τ = 50. The counts
 /// were obtained with a Taylor integrator and with fixed-step Runge–Kutta, both event-driven, which agree.
@@ -67,8 +69,10 @@ fn a_rolling_state_after_a_million_periods_is_that_of_the_first() {
     let summary = motion.summary();
     assert_eq!(summary.outcome, OutcomeKind::RollsForever);
     assert_eq!(motion.phases().len(), 1);
-    let littlewood::Outcome::RollsForever { recurrence: littlewood::Recurrence::Rotation { period }, .. } =
-        motion.outcome()
+    let littlewood::Outcome::RollsForever {
+        recurrence: littlewood::modes::Recurrence::Rotation { period },
+        ..
+    } = motion.outcome()
     else {
         panic!("{:?}", motion.outcome())
     };

@@ -4,9 +4,11 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::common::{boundary_start, heavy_hoop, simulate};
+use littlewood::modes::{PhaseSolution, Recurrence};
+use littlewood::tables::{Bound, Quantity, Setup};
+use littlewood::theory::{PhasePlane, RollingLaw, StartRegion};
 use littlewood::{
-    Bound, Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, PhasePlane,
-    PhaseSolution, Quantity, Recurrence, RollingLaw, Setup, Start, StartRegion, Trajectory,
+    Cause, Direction, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Start, Trajectory,
 };
 use proptest::prelude::*;
 
@@ -417,7 +419,7 @@ proptest! {
     #[test]
     fn without_painleve_there_is_always_one_motion(hoop in heavy_hoop(), theta in -4.0..4.0_f64, rate in -4.0..4.0_f64, slip in -1.0..1.0_f64) {
         let worst = |theta: f64| {
-            let littlewood::Body::Heavy(body) = hoop.body() else { unreachable!() };
+            let littlewood::theory::Body::Heavy(body) = hoop.body() else { unreachable!() };
             let lever = hoop.mu_s().max(hoop.mu_k());
             let (s, c) = (theta.sin(), theta.cos());
             body.inertia + body.mass * body.h * (body.h * s * s - lever * s.abs() * (1.0 + body.h * c))

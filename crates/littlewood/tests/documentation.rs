@@ -1,6 +1,7 @@
 //! What docs/sweep.md lists stands in the tables of the core.
 
-use littlewood::{Class, OutcomeKind, PhaseCode, Quantity, SummaryColumn};
+use littlewood::OutcomeKind;
+use littlewood::tables::{Class, PhaseCode, Quantity, SummaryColumn};
 
 const SWEEP: &str = include_str!("../../../docs/sweep.md");
 

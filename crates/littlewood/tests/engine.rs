@@ -6,9 +6,12 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::common::{heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start};
+use littlewood::modes::SlideLimit;
+use littlewood::tables::{ColumnType, PhaseSequence, SummaryColumn, SummaryValue};
+use littlewood::theory::Body;
 use littlewood::{
-    Body, ColumnType, Engine, Hoop, HoopParameters, Limits, Outcome, OutcomeKind, PhaseSequence, Proof,
-    Restitution, RestitutionLaw, SlideLimit, Start, Summary, SummaryColumn, SummaryValue, Trajectory,
+    Engine, Hoop, HoopParameters, Limits, Outcome, OutcomeKind, Proof, Restitution, RestitutionLaw, Start,
+    Summary, Trajectory,
 };
 use littlewood_random::Draw;
 use proptest::prelude::*;

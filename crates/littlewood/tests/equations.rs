@@ -3,10 +3,9 @@
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, moderate_hoop, simulate, start};
-use littlewood::{
-    Body, ContactForces, Direction, Hoop, HoopParameters, PhasePlane, PhaseSolution, RollingLaw,
-    RollingOrbit, SlidingLaw, Start, gliding_accelerations,
-};
+use littlewood::modes::{PhaseSolution, RollingOrbit};
+use littlewood::theory::{Body, ContactForces, PhasePlane, RollingLaw, SlidingLaw, gliding_accelerations};
+use littlewood::{Direction, Hoop, HoopParameters, Start};
 use proptest::prelude::*;
 
 fn inertia(hoop: &Hoop) -> f64 {

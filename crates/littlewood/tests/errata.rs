@@ -4,10 +4,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use littlewood::{
-    Body, Direction, GlidingIntegrals, Hoop, HoopParameters, Limits, Massless, Mode, PhasePlane,
-    PhaseSolution, RollingOrbit, SlidingLaw, Start, closed_form, find_case,
-};
+use littlewood::cases::find_case;
+use littlewood::modes::{PhaseSolution, RollingOrbit};
+use littlewood::theory::{Body, GlidingIntegrals, Massless, PhasePlane, SlidingLaw, closed_form};
+use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Start};
 
 fn massless(offset: f64) -> Massless {
     let hoop = Hoop::new(HoopParameters::new(0.0, offset, 0.0)).expect("a massless hoop");
@@ -220,7 +220,7 @@ fn littlewoods_closed_forms_agree_with_each_other() {
 
 #[test]
 fn the_equilibria_of_figure_2_are_stable_at_the_bottom_and_unstable_at_the_top() {
-    use littlewood::Stability;
+    use littlewood::theory::Stability;
     let plane = PhasePlane::new(&Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2"));
     let [top, bottom] = plane.equilibria()[..] else { panic!("two equilibria") };
     assert_eq!((top.theta, bottom.theta), (0.0, PI));

@@ -1,9 +1,10 @@
 //! Next to the ends of what numbers tell: slides and flights that last for very long, friction and inertia that are next to none.
 #![allow(clippy::panic)] // a failed expectation
 
+use littlewood::modes::{Recurrence, SlideLimit};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Proof, Recurrence, RestitutionLaw,
-    SlideLimit, Start, Transition,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Proof, RestitutionLaw, Start,
+    Transition,
 };
 
 /// A balanced hoop slips for 1.2345/(μk (1 + m/Î)), however long that is.

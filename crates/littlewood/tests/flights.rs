@@ -4,7 +4,9 @@
 use std::f64::consts::TAU;
 
 use crate::common::flight::{TakeOff, check_flights, check_landings};
-use littlewood::{Cause, Engine, Hoop, HoopParameters, Limits, PhaseSolution, Quantity, Start};
+use littlewood::modes::PhaseSolution;
+use littlewood::tables::Quantity;
+use littlewood::{Cause, Engine, Hoop, HoopParameters, Limits, Start};
 use littlewood_random::Draw;
 use serde_json::Value;
 

@@ -2,9 +2,9 @@
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use crate::common::{heavy_hoop, start};
-use littlewood::{
-    Body, Cause, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Recurrence, Start, State,
-};
+use littlewood::modes::Recurrence;
+use littlewood::theory::Body;
+use littlewood::{Cause, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Start, State};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

@@ -3,10 +3,11 @@
 #![allow(clippy::panic)] // a failed expectation
 
 use crate::common::heavy_hoop;
-use littlewood::{
-    Body, Hoop, HoopParameters, Impact, ImpactCase, ImpactError, Outcome, Quantity, Restitution,
-    RestitutionLaw, Start, State, find_case,
-};
+use littlewood::cases::find_case;
+use littlewood::impact::{Impact, ImpactCase, ImpactError};
+use littlewood::tables::Quantity;
+use littlewood::theory::Body;
+use littlewood::{Hoop, HoopParameters, Outcome, Restitution, RestitutionLaw, Start, State};
 use proptest::prelude::*;
 
 fn restitution(coefficient: f64, law: RestitutionLaw) -> Restitution {
@@ -189,7 +190,7 @@ fn coefficients() -> impl Strategy<Value = f64> {
 }
 
 /// (1/2) m v² + (1/2) Î θ′² from contact velocities.
-fn kinetic(hoop: &Hoop, theta: f64, v: &littlewood::ContactVelocities) -> f64 {
+fn kinetic(hoop: &Hoop, theta: f64, v: &littlewood::impact::ContactVelocities) -> f64 {
     let (inertia, h) = heavy(hoop);
     let (sin, cos) = libm::sincos(theta);
     let x = v.slip - (1.0 + h * cos) * v.theta_rate;

@@ -5,10 +5,9 @@
 
 use crate::common::flight::{check_flights, check_landings};
 use crate::common::{heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start, whole_range};
-use littlewood::{
-    Body, Cause, Direction, GlidingIntegrals, Hoop, Mode, Outcome, Phase, PhaseSolution, Sample, SlidingLaw,
-    Start, State, Trajectory,
-};
+use littlewood::modes::PhaseSolution;
+use littlewood::theory::{Body, GlidingIntegrals, SlidingLaw};
+use littlewood::{Cause, Direction, Hoop, Mode, Outcome, Phase, Sample, Start, State, Trajectory};
 use proptest::prelude::*;
 
 /// Where the particle passes the vertical, a light hoop turns with θ′² up to 2(E + ℓ̂)/Î, between two samples perhaps.

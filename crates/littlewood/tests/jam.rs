@@ -2,9 +2,11 @@
 #![allow(clippy::panic)] // a failed expectation
 
 use crate::common::start;
+use littlewood::impact::ImpactCase;
+use littlewood::theory::{Body, SlidingLaw};
 use littlewood::{
-    Body, Cause, Hoop, HoopParameters, ImpactCase, Limits, Mode, Outcome, OutcomeKind, Restitution,
-    RestitutionLaw, SlidingLaw, Start, Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw, Start,
+    Trajectory,
 };
 use proptest::prelude::*;
 use serde_json::Value;

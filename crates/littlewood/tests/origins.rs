@@ -4,9 +4,8 @@
 
 use std::f64::consts::TAU;
 
-use littlewood::{
-    Engine, Hoop, Limits, OutcomeKind, Phase, Quantity, Sample, Start, State, Summary, Trajectory,
-};
+use littlewood::tables::Quantity;
+use littlewood::{Engine, Hoop, Limits, OutcomeKind, Phase, Sample, Start, State, Summary, Trajectory};
 use littlewood_random::Draw;
 
 const SEED: u64 = 5;

@@ -4,10 +4,9 @@
 use crate::common;
 use std::f64::consts::PI;
 
-use littlewood::{
-    Cause, GrazingOrbit, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, RollingLaw, Start, State,
-    Trajectory,
-};
+use littlewood::modes::GrazingOrbit;
+use littlewood::theory::RollingLaw;
+use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, Start, State, Trajectory};
 use proptest::prelude::*;
 use serde_json::Value;
 

@@ -4,10 +4,9 @@
 
 use std::f64::consts::PI;
 
-use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Recurrence, RollingOrbit, Sample, Start, State,
-    Trajectory, find_case,
-};
+use littlewood::cases::find_case;
+use littlewood::modes::{Recurrence, RollingOrbit};
+use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Sample, Start, State, Trajectory};
 use serde_json::Value;
 
 const MOTIONS: &str = include_str!("../../../reference/motions.json");
@@ -158,7 +157,7 @@ fn motions_agree_with_newton_euler_at_40_digits() {
 /// Near the separatrix the time depends on the logarithm of the energy over the top, E − ℓ̂, of which rounding leaves
 /// a relative error of a few ε/|E − ℓ̂| over.
 fn near_separatrix(hoop: &Hoop, theta: f64, theta_rate: f64) -> f64 {
-    let law = littlewood::RollingLaw::new(hoop);
+    let law = littlewood::theory::RollingLaw::new(hoop);
     4e-15 + 2.0 * f64::EPSILON / (law.energy(theta, theta_rate) - law.separatrix_energy()).abs()
 }
 

@@ -1,7 +1,9 @@
 //! Parameters, starts, limits, states, summaries and transitions as JSON and back, with the names of the tables.
 #![cfg(feature = "serde")]
 
-use littlewood::{Hoop, HoopParameters, Limits, Quantity, Setup, Start, Summary, Transition, find_case};
+use littlewood::cases::find_case;
+use littlewood::tables::{Quantity, Setup};
+use littlewood::{Hoop, HoopParameters, Limits, Start, Summary, Transition};
 
 #[test]
 fn a_problem_and_its_result_come_back_from_json() {

@@ -2,9 +2,8 @@
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use crate::common::{heavy_motion, massless_hoop, moderate_hoop, simulate, start};
-use littlewood::{
-    Hoop, Limits, Mode, Outcome, Restitution, RestitutionLaw, RollingOrbit, Start, State, Trajectory,
-};
+use littlewood::modes::RollingOrbit;
+use littlewood::{Hoop, Limits, Mode, Outcome, Restitution, RestitutionLaw, Start, State, Trajectory};
 use proptest::prelude::*;
 
 /// (θ, θ′, η′, x) → −(θ, θ′, η′, x).

@@ -6,10 +6,17 @@ use std::fmt::Debug;
 use std::hash::Hash;
 use std::str::FromStr;
 
+use littlewood::cases::find_case;
+use littlewood::impact::ImpactCase;
+use littlewood::modes::RecurrenceKind;
+use littlewood::si::SiSetup;
+use littlewood::tables::{
+    Class, Detail, Dimension, Group, PhaseCode, Quantity, SampleColumn, SampleValue, Setup, SummaryColumn,
+    SummaryValue,
+};
+use littlewood::theory::{BodyClass, EDGES, StartRegion};
 use littlewood::{
-    BodyClass, Cause, Class, Detail, Dimension, Direction, EDGES, Group, Hoop, HoopParameters, ImpactCase,
-    Limits, Mode, OutcomeKind, PhaseCode, Proof, Quantity, RecurrenceKind, RestitutionLaw, SampleColumn,
-    SampleValue, Setup, SiSetup, Start, StartRegion, SummaryColumn, SummaryValue, find_case,
+    Cause, Direction, Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, Start,
 };
 
 /// Each name and each code leads back to its item, and no other does.
@@ -350,7 +357,7 @@ fn the_course_of_an_impact_ends_with_its_impulse() {
         assert_eq!(course.last().expect("an end"), &impact.impulse);
         assert!(course.windows(2).all(|pair| pair[0].normal < pair[1].normal));
         // The compliances tell what the impulse does to the rim: Δw = B J + C P, Δu = A J + B P.
-        let littlewood::Compliance { a, b, c, .. } =
+        let littlewood::impact::Compliance { a, b, c, .. } =
             hoop.compliance(transition.before.theta).expect("a heavy hoop");
         let (j, p) = (impact.impulse.friction, impact.impulse.normal);
         let change = impact.after.gap_rate - impact.before.gap_rate;

@@ -4,7 +4,8 @@ use std::sync::LazyLock;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser as _};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use littlewood::{Dimension, Group, Quantity, RestitutionLaw, System};
+use littlewood::RestitutionLaw;
+use littlewood::tables::{Dimension, Group, Quantity, System};
 use littlewood_report::RESTITUTION_LAW;
 
 use super::number;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use littlewood::Quantity;
+use littlewood::tables::Quantity;
 use littlewood_sweep::{CHUNK_POINTS, MOST_CHUNK_POINTS};
 
 use super::{ProblemArgs, RunArgs, ShortFormat, number};

@@ -1,7 +1,7 @@
 //! What to do about the errors of the other crates.
 
 #[cfg(feature = "sweep")]
-use littlewood::Quantity;
+use littlewood::tables::Quantity;
 #[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
 use littlewood_sweep::{AxisError, ListError, MOST_CHUNK_POINTS, PictureError, StoreError, SweepError};

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use anstyle::{AnsiColor, Style};
 use littlewood::ParameterError;
 #[cfg(feature = "sweep")]
-use littlewood::Quantity;
+use littlewood::tables::Quantity;
 #[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
 #[cfg(feature = "film")]

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
-use littlewood::{Class, Mode, PhaseCode, PhaseSequence, Quantity, Setup};
+use littlewood::Mode;
+use littlewood::tables::{Class, PhaseCode, PhaseSequence, Quantity, Setup};
 use littlewood_sweep::{Atlas, AtlasEntry, Stop};
 use serde_json::{Map, Value, json};
 

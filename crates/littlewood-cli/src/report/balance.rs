@@ -1,6 +1,8 @@
 //! What a motion has come to: its jumps, its landings, and the energy that it has lost.
 
-use littlewood::{Dimension, Phase, PhaseSolution, Quantity, Trajectory};
+use littlewood::modes::PhaseSolution;
+use littlewood::tables::{Dimension, Quantity};
+use littlewood::{Phase, Trajectory};
 use littlewood_report::scale::Scale;
 
 /// Jumps told one by one.

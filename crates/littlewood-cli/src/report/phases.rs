@@ -2,9 +2,10 @@
 
 use std::io;
 
-use littlewood::{
-    Cause, Dimension, Impact, OutcomeKind, Phase, PhaseSolution, Quantity, State, Trajectory, Transition,
-};
+use littlewood::impact::Impact;
+use littlewood::modes::PhaseSolution;
+use littlewood::tables::{Dimension, Quantity};
+use littlewood::{Cause, OutcomeKind, Phase, State, Trajectory, Transition};
 use littlewood_report::number::column;
 use littlewood_report::scale::Scale;
 

@@ -3,11 +3,13 @@
 use std::f64::consts::TAU;
 use std::io::{self, Write};
 
-use littlewood::{
-    CASES, Candidates, Classification, Digits, Dimension, Hoop, Impact, Outcome, Phase, Quantity, Recurrence,
-    RollingLimit, RollingType, SampleColumn, SampleValue, Setup, SiSetup, SlideLimit, Start, StartRegion,
-    State, Trajectory,
-};
+use littlewood::cases::CASES;
+use littlewood::impact::Impact;
+use littlewood::modes::{Recurrence, RollingLimit, SlideLimit};
+use littlewood::si::SiSetup;
+use littlewood::tables::{Dimension, Quantity, SampleColumn, SampleValue, Setup};
+use littlewood::theory::{Candidates, Classification, RollingType, StartRegion};
+use littlewood::{Digits, Hoop, Outcome, Phase, Start, State, Trajectory};
 use littlewood_report::number::{brief, column};
 use littlewood_report::scale::Scale;
 use littlewood_report::sentence::NO_IMPACT;

@@ -1,6 +1,8 @@
 //! Random commands: every subcommand, flags with numbers that are allowed, hardly allowed, not allowed, and no numbers.
 
-use littlewood::{CASES, Limits, Quantity, RestitutionLaw, Setup, SummaryColumn};
+use littlewood::cases::CASES;
+use littlewood::tables::{Quantity, Setup, SummaryColumn};
+use littlewood::{Limits, RestitutionLaw};
 use littlewood_figures::FIGURES;
 use serde_json::Value;
 

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use littlewood::{HoopParameters, Quantity, Setup, Start};
+use littlewood::tables::{Quantity, Setup};
+use littlewood::{HoopParameters, Start};
 use littlewood_sweep::StartList;
 
 use crate::fuzz::damage::{damage, damage_text};

@@ -1,6 +1,7 @@
 //! Random motions, followed in this process and written down in every format.
 
-use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Trajectory, Units};
+use littlewood::si::Units;
+use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Trajectory};
 use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, Subject, csv, json, sentence};
 use serde_json::Value;

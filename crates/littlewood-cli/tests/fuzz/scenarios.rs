@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use littlewood::Quantity;
+use littlewood::tables::Quantity;
 use serde_json::Value;
 
 use crate::fuzz::damage::damage_text;

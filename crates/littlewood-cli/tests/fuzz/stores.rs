@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use littlewood::{HoopParameters, Limits, Quantity, Setup, Start};
+use littlewood::tables::{Quantity, Setup};
+use littlewood::{HoopParameters, Limits, Start};
 use littlewood_sweep::{
     Axis, Chunk, ChunkView, Columns, Grid, Options, Picture, PictureSize, Progress, Report, Shade,
     SweepError, Target, Workers, ZarrStore, sweep_grid,

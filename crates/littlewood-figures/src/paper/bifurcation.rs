@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Engine, Hoop, Limits, Mode, PhaseCode, Quantity, Setup, Summary};
+use littlewood::tables::{Class, PhaseCode, Quantity, Setup};
+use littlewood::{Engine, Hoop, Limits, Mode, Summary};
 use littlewood_style::ticks::minus;
 use littlewood_style::{of_class, of_mode};
 use littlewood_sweep::{Axis, Band, Grid, Workers};

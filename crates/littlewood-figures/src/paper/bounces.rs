@@ -1,8 +1,9 @@
 //! The bounces of a motion: the gap against time, and how the rates of the gap shrink from one to the next.
 
-use littlewood::{
-    Cause, Dimension, Impact, Mode, Phase, PhaseSolution, SampleColumn, Trajectory, Transition,
-};
+use littlewood::impact::Impact;
+use littlewood::modes::PhaseSolution;
+use littlewood::tables::{Dimension, SampleColumn};
+use littlewood::{Cause, Mode, Phase, Trajectory, Transition};
 use littlewood_style::Dash;
 use littlewood_style::width::{CURVE, FINE};
 

@@ -2,7 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use littlewood::{Dimension, PhasePlane, RollingLaw};
+use littlewood::tables::Dimension;
+use littlewood::theory::{PhasePlane, RollingLaw};
 
 use crate::columns::{DEMAND, ENERGY, MU_S, THETA};
 use crate::error::FigureError;

@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Body, GlidingIntegrals, Limits, Massless, Mode, Start};
+use littlewood::theory::{Body, GlidingIntegrals, Massless};
+use littlewood::{Limits, Mode, Start};
 
 use super::portrait::massless_limit;
 use crate::columns::{PLANE, THETA, THETA_RATE, W};

@@ -1,6 +1,8 @@
 //! Forces and energy of a motion against time, with its transitions.
 
-use littlewood::{Dimension, Impulse, Sample, SampleColumn, Trajectory};
+use littlewood::impact::Impulse;
+use littlewood::tables::{Dimension, SampleColumn};
+use littlewood::{Sample, Trajectory};
 
 use crate::columns::{DEMAND, ENERGY, FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
 use crate::draw::ROOM;

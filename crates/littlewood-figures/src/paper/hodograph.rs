@@ -1,6 +1,7 @@
 //! The friction cone: friction against normal force along a motion.
 
-use littlewood::{Dimension, Mode, Sample, SampleColumn, Trajectory};
+use littlewood::tables::{Dimension, SampleColumn};
+use littlewood::{Mode, Sample, Trajectory};
 
 use crate::columns::{FRICTION, MU_K, MU_S, NORMAL, TIME};
 use crate::error::FigureError;

@@ -1,6 +1,8 @@
 //! Routh's diagram of an impact: its course in the plane of the impulses J and P.
 
-use littlewood::{Dimension, Hoop, Impact, ImpactCase, Mode, Restitution, RestitutionLaw, Transition};
+use littlewood::impact::{Impact, ImpactCase};
+use littlewood::tables::Dimension;
+use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, Transition};
 use littlewood_style::ImpulseLine;
 use littlewood_style::width::BOLD;
 

@@ -11,7 +11,7 @@ use crate::plane::{BEYOND, Portrait};
 use crate::sheet::Content;
 use crate::style::{HATCH, INK, Stroke};
 use crate::words::{marked, short};
-use littlewood::Quantity;
+use littlewood::tables::Quantity;
 use littlewood_style::width::CURVE;
 use littlewood_style::{Curve, Dash};
 

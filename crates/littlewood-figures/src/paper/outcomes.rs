@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Class, Dimension, Engine, Limits, Quantity, Setup, Start, Summary};
+use littlewood::tables::{Class, Dimension, Quantity, Setup};
+use littlewood::{Engine, Limits, Start, Summary};
 use littlewood_style::{Curve, of_class};
 use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
 

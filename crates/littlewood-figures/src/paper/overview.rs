@@ -1,6 +1,8 @@
 //! All quantities of a motion against time, on one sheet.
 
-use littlewood::{Impulse, Mode, Sample, SampleColumn, Trajectory};
+use littlewood::impact::Impulse;
+use littlewood::tables::SampleColumn;
+use littlewood::{Mode, Sample, Trajectory};
 
 use crate::columns::{FRICTION, FRICTION_IMPULSE, NORMAL, NORMAL_IMPULSE, TIME, X, Y};
 use crate::draw::ROOM;

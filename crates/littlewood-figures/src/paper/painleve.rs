@@ -2,7 +2,9 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Body, Direction, Hoop, HoopParameters, ParameterError, PhasePlane, Quantity, SlidingLaw};
+use littlewood::tables::Quantity;
+use littlewood::theory::{Body, PhasePlane, SlidingLaw};
+use littlewood::{Direction, Hoop, HoopParameters, ParameterError};
 
 use crate::columns::{MU_K, THETA};
 use crate::error::FigureError;

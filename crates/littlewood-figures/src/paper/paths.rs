@@ -1,6 +1,7 @@
 //! Figures 3(b) and 7(b): where the centre, the mass centre or the particle go, with the hoop at each transition.
 
-use littlewood::{Cause, Dimension, Mode, Sample, Trajectory};
+use littlewood::tables::Dimension;
+use littlewood::{Cause, Mode, Sample, Trajectory};
 
 use crate::columns::{THETA, TIME, X, Y};
 use crate::draw::ROOM;

@@ -2,8 +2,8 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use littlewood::Body;
-use littlewood::closed_form::slip_angle;
+use littlewood::theory::Body;
+use littlewood::theory::closed_form::slip_angle;
 
 use crate::axes::plane_window;
 use crate::columns::PLANE;

@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Cause, Dimension, Mode, Sample, State, Transition};
+use littlewood::tables::Dimension;
+use littlewood::{Cause, Mode, Sample, State, Transition};
 
 use super::portrait::massless_limit;
 use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};

@@ -1,6 +1,7 @@
 //! A motion as a stroboscope shows it: the hoop at instants that are equally far apart, with the forces of the plane.
 
-use littlewood::{Dimension, Mode, Sample, Trajectory};
+use littlewood::tables::Dimension;
+use littlewood::{Mode, Sample, Trajectory};
 
 use super::paths::{ground, upright};
 use crate::columns::{FRICTION, NORMAL, THETA, TIME, X, Y};

@@ -1,6 +1,6 @@
 //! Figure 5: the region 𝓡 of the massless hoop and the three types of motion in it.
 
-use littlewood::closed_form::{rolling_energy, stable_manifold_rate, unstable_manifold_rate};
+use littlewood::theory::closed_form::{rolling_energy, stable_manifold_rate, unstable_manifold_rate};
 
 use super::portrait::massless_limit;
 use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};

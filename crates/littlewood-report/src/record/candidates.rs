@@ -1,6 +1,6 @@
 //! What was examined where the motion that follows is not unique.
 
-use littlewood::Candidates;
+use littlewood::theory::Candidates;
 use serde::Serialize;
 
 use super::fields::Fields;

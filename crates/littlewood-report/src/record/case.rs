@@ -1,6 +1,6 @@
 //! Named cases.
 
-use littlewood::NamedCase;
+use littlewood::cases::NamedCase;
 use serde::Serialize;
 
 use super::fields::Fields;

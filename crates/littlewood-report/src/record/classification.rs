@@ -1,6 +1,8 @@
 //! What is known of a start.
 
-use littlewood::{Classification, RollingEnd, RollingType, SampleColumn};
+use littlewood::modes::RollingEnd;
+use littlewood::tables::SampleColumn;
+use littlewood::theory::{Classification, RollingType};
 use serde::Serialize;
 
 use super::candidates::CandidatesRecord;

@@ -1,6 +1,7 @@
 //! How many digits of a transition can be trusted.
 
-use littlewood::{Digits, SampleColumn};
+use littlewood::Digits;
+use littlewood::tables::SampleColumn;
 
 use super::fields::{Fields, Value};
 

@@ -2,7 +2,9 @@
 
 use std::borrow::Cow;
 
-use littlewood::{Detail, Dimension, Direction, Mode, Units};
+use littlewood::si::Units;
+use littlewood::tables::{Detail, Dimension};
+use littlewood::{Direction, Mode};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// A value of a record.

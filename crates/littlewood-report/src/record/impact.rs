@@ -1,6 +1,8 @@
 //! Impacts.
 
-use littlewood::{Detail, Dimension, Impact, SampleColumn, Units};
+use littlewood::impact::Impact;
+use littlewood::si::Units;
+use littlewood::tables::{Detail, Dimension, SampleColumn};
 use serde::Serialize;
 
 use super::fields::{Fields, Value};

@@ -2,7 +2,9 @@
 
 use std::sync::LazyLock;
 
-use littlewood::{SampleColumn, SampleValue, State, Units};
+use littlewood::State;
+use littlewood::si::Units;
+use littlewood::tables::{SampleColumn, SampleValue};
 
 use super::fields::{Fields, Value};
 use crate::instants::Instant;

@@ -1,6 +1,7 @@
 //! The outcome of a motion.
 
-use littlewood::{Outcome, Units};
+use littlewood::Outcome;
+use littlewood::si::Units;
 use serde::Serialize;
 
 use super::candidates::CandidatesRecord;

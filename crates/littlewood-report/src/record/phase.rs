@@ -1,6 +1,8 @@
 //! Phases of motion.
 
-use littlewood::{Detail, Dimension, Phase, Units};
+use littlewood::Phase;
+use littlewood::si::Units;
+use littlewood::tables::{Detail, Dimension};
 use serde::Serialize;
 
 use super::fields::{Fields, Value};

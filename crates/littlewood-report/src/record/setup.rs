@@ -1,9 +1,8 @@
 //! Hoops, starts and units.
 
-use littlewood::{
-    Detail, Dimension, Direction, HoopParameters, Mode, Phase, Quantity, Setup, SiSetup, Start, Trajectory,
-    Units,
-};
+use littlewood::si::{SiSetup, Units};
+use littlewood::tables::{Detail, Dimension, Quantity, Setup};
+use littlewood::{Direction, HoopParameters, Mode, Phase, Start, Trajectory};
 use serde::Serialize;
 
 use super::fields::{Fields, Value};

@@ -1,6 +1,9 @@
 //! Transitions.
 
-use littlewood::{Detail, Digits, Dimension, Direction, Impact, Mode, SampleColumn, Transition, Units};
+use littlewood::impact::Impact;
+use littlewood::si::Units;
+use littlewood::tables::{Detail, Dimension, SampleColumn};
+use littlewood::{Digits, Direction, Mode, Transition};
 use serde::Serialize;
 
 use super::digits::object;
@@ -86,7 +89,8 @@ impl TransitionRecord {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::{Hoop, RestitutionLaw, find_case};
+    use littlewood::cases::find_case;
+    use littlewood::{Hoop, RestitutionLaw};
 
     use super::*;
 

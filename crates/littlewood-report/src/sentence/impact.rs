@@ -1,6 +1,8 @@
 //! What an impact does, in words.
 
-use littlewood::{Cause, Dimension, Hoop, Impact, ImpactCase, Mode, Trajectory, Transition};
+use littlewood::impact::{Impact, ImpactCase};
+use littlewood::tables::Dimension;
+use littlewood::{Cause, Hoop, Mode, Trajectory, Transition};
 
 use super::{three, to_the};
 use crate::energy::kinetic_energy;

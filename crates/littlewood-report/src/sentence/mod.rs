@@ -2,10 +2,10 @@
 
 mod impact;
 
-use littlewood::{
-    Candidates, Cause, ContactForces, Dimension, Mode, Outcome, Phase, PhaseSolution, Recurrence, RollingLaw,
-    SlideLimit, Trajectory, Transition,
-};
+use littlewood::modes::{PhaseSolution, Recurrence, SlideLimit};
+use littlewood::tables::Dimension;
+use littlewood::theory::{Candidates, ContactForces, RollingLaw};
+use littlewood::{Cause, Mode, Outcome, Phase, Trajectory, Transition};
 
 use crate::number::brief;
 use crate::scale::Scale;

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::io::Write;
 use std::sync::Arc;
 
-use littlewood::{ColumnType, OutcomeKind, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
+use littlewood::OutcomeKind;
+use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};

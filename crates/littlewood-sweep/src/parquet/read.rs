@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use littlewood::SummaryColumn;
+use littlewood::tables::SummaryColumn;
 use parquet::file::reader::FileReader as _;
 
 use super::column::{name_of_numbers, read as read_column};

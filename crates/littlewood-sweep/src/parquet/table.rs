@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use littlewood::{Quantity, Setup, SummaryColumn};
+use littlewood::tables::{Quantity, Setup, SummaryColumn};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::errors::Result as Encoded;
 use parquet::file::metadata::KeyValue;

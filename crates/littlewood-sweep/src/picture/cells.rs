@@ -1,6 +1,6 @@
 //! The cells of a map: one for each pixel at most, whatever the number of points.
 
-use littlewood::Class;
+use littlewood::tables::Class;
 
 /// What a map keeps of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]

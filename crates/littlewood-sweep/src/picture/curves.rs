@@ -1,6 +1,8 @@
 //! Lines over a map: the curves of the phase plane, and lines of constant value.
 
-use littlewood::{Body, Direction, Hoop, PhasePlane, Quantity, closed_form};
+use littlewood::tables::Quantity;
+use littlewood::theory::{Body, PhasePlane, closed_form};
+use littlewood::{Direction, Hoop};
 use littlewood_style::Curve;
 
 use super::cells::Cell;
@@ -165,7 +167,8 @@ fn finished(curve: Curve, piece: &mut Vec<Point>) -> Option<(Curve, Vec<Point>)>
 mod tests {
     use core::f64::consts::PI;
 
-    use littlewood::{HoopParameters, Limits, Setup, Start};
+    use littlewood::tables::Setup;
+    use littlewood::{HoopParameters, Limits, Start};
 
     use super::*;
     use crate::axis::Axis;

@@ -1,6 +1,7 @@
 //! A map as areas, curves and words, for those who draw it in vectors.
 
-use littlewood::{Limits, PhaseSequence};
+use littlewood::Limits;
+use littlewood::tables::PhaseSequence;
 use littlewood_style::ticks::Tick;
 use littlewood_style::{Curve, RANKS, Rgb, Theme, of_class, of_rank};
 

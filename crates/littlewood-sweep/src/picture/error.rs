@@ -1,6 +1,6 @@
 //! What is wrong with a picture.
 
-use littlewood::SummaryColumn;
+use littlewood::tables::SummaryColumn;
 use thiserror::Error;
 
 use super::shade::Shade;

@@ -1,6 +1,6 @@
 //! Where the parts of a picture lie: title, legend, map. Lengths are in pixels of the drawing.
 
-use littlewood::{Class, PhaseSequence};
+use littlewood::tables::{Class, PhaseSequence};
 use littlewood_style::ticks::{Tick, minus};
 use littlewood_style::{Curve, Ink, RANKS, Rgb, Theme, of_class, of_rank};
 

@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 
-use littlewood::{Class, Limits, Setup, Summary, SummaryColumn, SummaryValue, Units};
+use littlewood::si::Units;
+use littlewood::tables::{Class, Setup, SummaryColumn, SummaryValue};
+use littlewood::{Limits, Summary};
 
 use super::cells::{Cell, cell, class_of, of_class};
 use super::error::PictureError;

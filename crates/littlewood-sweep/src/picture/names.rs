@@ -2,7 +2,8 @@
 
 use core::f64::consts::PI;
 
-use littlewood::{Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn, Units};
+use littlewood::si::Units;
+use littlewood::tables::{Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
 use littlewood_style::ticks::{self, Tick, minus};
 
 use super::map::Picture;

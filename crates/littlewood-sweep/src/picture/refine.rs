@@ -109,7 +109,7 @@ impl Picture {
     }
 
     /// The point that a pixel shows.
-    fn point_of(&self, (x, y): (usize, usize), size: [usize; 2]) -> littlewood::Setup {
+    fn point_of(&self, (x, y): (usize, usize), size: [usize; 2]) -> littlewood::tables::Setup {
         let mut point = *self.grid.base();
         for (axis, (pixel, size)) in self.grid.axes().iter().zip([x, y].into_iter().zip(size)) {
             axis.varies().set(&mut point, axis.between(pixel as f64 / (size - 1).max(1) as f64));

@@ -1,6 +1,6 @@
 //! A map as a PNG file.
 
-use littlewood::Class;
+use littlewood::tables::Class;
 use littlewood_style::{Rgb, Theme, of_class, of_rank};
 use plotters::backend::BitMapBackend;
 use plotters::drawing::IntoDrawingArea as _;
@@ -89,7 +89,8 @@ impl Picture {
 mod tests {
     use core::f64::consts::PI;
 
-    use littlewood::{HoopParameters, Limits, Quantity, Setup, Start};
+    use littlewood::tables::{Quantity, Setup};
+    use littlewood::{HoopParameters, Limits, Start};
 
     use super::*;
     use crate::axis::Axis;

@@ -1,6 +1,7 @@
 //! What the colours of a map show.
 
-use littlewood::{Hoop, Setup, Summary, SummaryColumn, SummaryValue};
+use littlewood::tables::{Setup, SummaryColumn, SummaryValue};
+use littlewood::{Hoop, Summary};
 
 /// What the colours show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

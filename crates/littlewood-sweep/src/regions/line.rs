@@ -1,6 +1,7 @@
 //! The bands of a line: intervals whose motions go alike.
 
-use littlewood::{Limits, ParameterError, PhaseSequence, Summary};
+use littlewood::tables::PhaseSequence;
+use littlewood::{Limits, ParameterError, Summary};
 
 use super::Place;
 use super::cell::{Span, crossed};
@@ -34,7 +35,8 @@ impl Band {
     /// have been followed. The result does not depend on the number of threads.
     ///
     /// ```
-    /// use littlewood::{Class, HoopParameters, Limits, Quantity, Setup, Start, Summary};
+    /// use littlewood::tables::{Class, Quantity, Setup};
+    /// use littlewood::{HoopParameters, Limits, Start, Summary};
     /// use littlewood_sweep::{Axis, Band, Grid, Workers};
     ///
     /// let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufRead as _, BufReader, Read as _};
 use std::path::Path;
 
-use littlewood::{Quantity, Setup};
+use littlewood::tables::{Quantity, Setup};
 
 use super::error::{ListError, unreadable};
 use super::header::columns_of;

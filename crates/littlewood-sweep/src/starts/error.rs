@@ -3,7 +3,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use littlewood::{ParameterError, Quantity};
+use littlewood::ParameterError;
+use littlewood::tables::Quantity;
 use thiserror::Error;
 
 use crate::axis::names;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use littlewood::Quantity;
+use littlewood::tables::Quantity;
 
 use super::error::ListError;
 use crate::setup::quantities;

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use littlewood::{Quantity, Setup};
+use littlewood::tables::{Quantity, Setup};
 use serde_json::{Value, json};
 
 use super::error::{ListError, unreadable};

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::path::Path;
 
 use half::f16;
-use littlewood::{Quantity, Setup};
+use littlewood::tables::{Quantity, Setup};
 use parquet::basic::{ConvertedType, LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::DataType;

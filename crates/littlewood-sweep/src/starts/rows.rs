@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use littlewood::{Quantity, Setup};
+use littlewood::tables::{Quantity, Setup};
 
 use super::csv::CsvRows;
 use super::error::{ListError, unreadable};

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use littlewood::Setup;
+use littlewood::tables::Setup;
 use serde_json::Value;
 
 use super::error::StoreError;

@@ -112,7 +112,7 @@ fn entry(line: &[u8]) -> Option<(usize, ManifestChunk)> {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::Class;
+    use littlewood::tables::Class;
 
     use super::*;
 

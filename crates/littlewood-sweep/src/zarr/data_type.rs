@@ -1,6 +1,6 @@
 //! The type of the values of an array, and what stands for a value that is not there.
 
-use littlewood::SummaryValue;
+use littlewood::tables::SummaryValue;
 use serde_json::Value;
 
 /// A type with its fill value.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use littlewood::{Setup, SummaryColumn, SummaryValue};
+use littlewood::tables::{Setup, SummaryColumn, SummaryValue};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! The values of a column of a store as bytes.
 
-use littlewood::{SummaryColumn, SummaryValue};
+use littlewood::tables::{SummaryColumn, SummaryValue};
 
 use crate::columns::{ColumnValues, not_computed};
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use littlewood::Class;
+use littlewood::tables::Class;
 use littlewood_sweep::{
     Chunk, Columns, Options, Progress, StoreError, SweepError, Tally, Target, grid_to_parquet, grid_to_zarr,
     sweep_grid,

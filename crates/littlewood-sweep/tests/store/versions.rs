@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use littlewood::PhaseSequence;
+use littlewood::tables::PhaseSequence;
 use littlewood_sweep::{
     ForeignVersion, Options, Report, STORE_FORMAT, StoreError, SweepError, ZarrStore, grid_to_parquet,
 };

@@ -12,7 +12,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use littlewood::{HoopParameters, Quantity, Setup, Start, SummaryColumn, SummaryValue};
+use littlewood::tables::{Quantity, Setup, SummaryColumn, SummaryValue};
+use littlewood::{HoopParameters, Start};
 use littlewood_sweep::{Axis, Columns, Disk, FileSystem, Grid, Workers};
 
 pub(crate) fn figure_2() -> Setup {

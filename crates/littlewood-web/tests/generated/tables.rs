@@ -1,9 +1,8 @@
 //! The tables of the core as TypeScript.
 
-use littlewood::{
-    Cause, Class, Dimension, Group, ImpactCase, Mode, OutcomeKind, Quantity, RestitutionLaw, SampleColumn,
-    System,
-};
+use littlewood::impact::ImpactCase;
+use littlewood::tables::{Class, Dimension, Group, Quantity, SampleColumn, System};
+use littlewood::{Cause, Mode, OutcomeKind, RestitutionLaw};
 use littlewood_web::{dimensionless_quantities, si_quantities};
 
 use crate::generated::source::{Source, object, quoted, quoted_or_null};

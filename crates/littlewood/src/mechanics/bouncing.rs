@@ -40,7 +40,8 @@ impl BouncingOrbit {
     /// where the rim would have to pass through the plane.
     ///
     /// ```
-    /// use littlewood::{BouncingOrbit, Hoop};
+    /// use littlewood::impact::BouncingOrbit;
+    /// use littlewood::Hoop;
     ///
     /// let hoop = Hoop::figure_2(0.5, 0.4)?;
     /// let orbit = BouncingOrbit::new(&hoop, 1.0).expect("bounces");

@@ -196,7 +196,9 @@ impl Hoop {
     /// it slips and μs where it sticks.
     ///
     /// ```
-    /// use littlewood::{ImpactCase, Outcome, Restitution, RestitutionLaw, find_case};
+    /// use littlewood::cases::find_case;
+    /// use littlewood::impact::ImpactCase;
+    /// use littlewood::{Outcome, Restitution, RestitutionLaw};
     ///
     /// let motion = find_case("figure-3").expect("a named case").simulate()?;
     /// let Outcome::Landing { state, gap_rate } = motion.outcome() else { panic!("lands") };

@@ -7,7 +7,8 @@ use crate::model::mode::Direction;
 /// The phase plane of the rolling motions of one hoop.
 ///
 /// ```
-/// use littlewood::{Direction, Hoop, PhasePlane};
+/// use littlewood::theory::PhasePlane;
+/// use littlewood::{Direction, Hoop};
 ///
 /// let plane = PhasePlane::new(&Hoop::figure_2(0.5, 0.4)?);
 /// assert!(plane.in_rolling_region(0.5, 0.2));

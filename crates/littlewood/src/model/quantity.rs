@@ -2,7 +2,7 @@
 //! fields of the laboratory derive.
 //!
 //! A new quantity of a hoop or a start is one item and one row here, one field of [`crate::HoopParameters`] or
-//! [`crate::Start`], and one line of [`crate::Setup::place`].
+//! [`crate::Start`], and one line of [`crate::tables::Setup::place`].
 
 use core::fmt;
 

@@ -12,7 +12,7 @@ use crate::model::units::Units;
 /// A hoop in SI units.
 ///
 /// ```
-/// use littlewood::SiParameters;
+/// use littlewood::si::SiParameters;
 ///
 /// // A hula hoop of 0.4 kg with a battery of 0.14 kg on the rim.
 /// let (hoop, units) = SiParameters {

@@ -66,7 +66,8 @@ impl Hoop {
     /// Says which region a start lies in, what begins there, and, for Littlewood's hoop, of which type it is.
     ///
     /// ```
-    /// use littlewood::{Hoop, RollingType, Start};
+    /// use littlewood::theory::RollingType;
+    /// use littlewood::{Hoop, Start};
     ///
     /// let hoop = Hoop::littlewood(0.5, 0.4)?;
     /// let start = hoop.classify(Start::at(0.0, 0.5))?;

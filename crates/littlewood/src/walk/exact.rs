@@ -12,11 +12,11 @@ use crate::modes::PhaseSolution;
 use crate::modes::flight::{Flight, TakeOff};
 use crate::modes::gliding::{GlideEntry, Gliding, GlidingEnd};
 use crate::modes::rolling::Rolling;
-use crate::modes::sliding::{Entry, Sliding, SlidingEnd};
+use crate::modes::sliding::{Entry, SlideLimit, Sliding, SlidingEnd};
 use crate::walk::automaton::Cause;
 use crate::walk::candidates::{Arrival, Next, next_motion};
 use crate::walk::follow::{Ending, MaybeFlight, Solution, Solved, Solver};
-use crate::walk::outcome::{Outcome, SlideLimit};
+use crate::walk::outcome::Outcome;
 
 /// Solves the phases of one hoop.
 #[derive(Clone, Debug)]

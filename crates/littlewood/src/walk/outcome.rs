@@ -4,6 +4,7 @@ use crate::model::dimension::{Detail, Dimension};
 use crate::model::named::named;
 use crate::model::state::State;
 use crate::modes::rolling::{GrazingOrbit, Recurrence};
+use crate::modes::sliding::SlideLimit;
 use crate::walk::automaton::Cause;
 use crate::walk::candidates::Candidates;
 
@@ -253,25 +254,6 @@ pub enum Outcome {
     Unresolved {
         /// State.
         state: State,
-    },
-}
-
-/// A limit of slides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub enum SlideLimit {
-    /// The largest length of all slides together ([`crate::Limits::slides`]) was reached at the end of one.
-    All {
-        /// The limit.
-        slides: usize,
-    },
-    /// Slides of more than 2,000 steps have together taken more than 100,000, this one the last of them; or, on a plane of next to no friction, or of a fast hoop, it has turned more often
-    /// than angles resolve, or ends at a time beyond all numbers.
-    One {
-        /// Its steps.
-        steps: usize,
-        /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any, or if the time is beyond all numbers.
-        time_left: f64,
     },
 }
 

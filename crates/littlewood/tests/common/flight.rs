@@ -1,6 +1,7 @@
 //! What holds in a flight, from the printed states alone.
 
-use littlewood::{Cause, Flight, Hoop, Mode, Phase, PhaseSolution, State, Trajectory};
+use littlewood::modes::{Flight, PhaseSolution};
+use littlewood::{Cause, Hoop, Mode, Phase, State, Trajectory};
 
 use super::dd::Dd;
 use super::instants;

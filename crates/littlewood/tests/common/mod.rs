@@ -6,7 +6,8 @@ pub(crate) mod flight;
 
 use std::f64::consts::PI;
 
-use littlewood::{Body, Hoop, HoopParameters, Limits, PhasePlane, Start, Trajectory};
+use littlewood::theory::{Body, PhasePlane};
+use littlewood::{Hoop, HoopParameters, Limits, Start, Trajectory};
 use littlewood_random::{BOUNDARIES, Draw, boundary_rate};
 use proptest::prelude::*;
 
