@@ -140,7 +140,7 @@ fn parse_number(text: &str) -> Option<f64> {
 mod tests {
     use super::{parse_axis, parse_number};
     use core::f64::consts::{FRAC_PI_2, PI};
-    use littlewood::si::Units;
+    use littlewood::si::SiParameters;
     use littlewood::tables::Quantity;
     use littlewood_sweep::Varies;
 
@@ -173,7 +173,14 @@ mod tests {
     #[test]
     fn units_are_taken_off() {
         // m2 = 2 kg, R = 0.5 m, g = 8 m/s²: √(R/g) = 0.25 s, √(gR) = 2 m/s, m2 R² = 0.5 kg m².
-        let units = Units::new(2.0, 0.5, 8.0).expect("units");
+        let units = SiParameters {
+            particle_mass_kg: 2.0,
+            radius_m: 0.5,
+            gravity_m_per_s2: 8.0,
+            ..SiParameters::default()
+        }
+        .units()
+        .expect("units");
         for (text, quantity, to) in [
             ("theta_rate_rad_per_s=0:8:3", Quantity::ThetaRate, 2.0),
             ("slip_m_per_s=0:3:3", Quantity::Slip, 1.5),

@@ -2,7 +2,7 @@
 //! units.
 
 use littlewood::cases::{CASES, NamedCase, find_case};
-use littlewood::si::{SiSetup, Units};
+use littlewood::si::{SiParameters, SiSetup, Units};
 use littlewood::tables::{Group, Presence, Quantity, Setup};
 use littlewood::theory::Classification;
 use littlewood::{Digits, Hoop, HoopParameters, Limits, ParameterError, Start, Trajectory};
@@ -150,11 +150,13 @@ impl Inputs {
             let Setup { hoop, start } = self.over(|_| None);
             return Ok((Hoop::new(self.with_law(hoop))?, start, self.values.get(Quantity::Until), None));
         }
-        let units = Units::new(
-            self.or_default(Quantity::ParticleMassKg),
-            self.or_default(Quantity::RadiusM),
-            self.or_default(Quantity::GravityMPerS2),
-        )?;
+        let units = SiParameters {
+            particle_mass_kg: self.or_default(Quantity::ParticleMassKg),
+            radius_m: self.or_default(Quantity::RadiusM),
+            gravity_m_per_s2: self.or_default(Quantity::GravityMPerS2),
+            ..SiParameters::default()
+        }
+        .units()?;
         let si = self.in_si(&units);
         // A hoop whose numbers are all dimensionless does not go by way of SI units, which would round them.
         let has_si_hoop =
@@ -234,13 +236,7 @@ impl Inputs {
     fn blame(&self, error: ParameterError) -> Error {
         let origin = match error {
             ParameterError::LawAlone { .. } => self.law.as_ref().map(|given| &given.origin),
-            ParameterError::OutOfBounds { .. }
-            | ParameterError::NoMotion { .. }
-            | ParameterError::NearlyMassless { .. }
-            | ParameterError::MasslessImpact { .. }
-            | ParameterError::MasslessFlight { .. } => {
-                self.values.find(error.quantity()).map(|given| &given.origin)
-            }
+            error => self.values.find(error.quantity()).map(|given| &given.origin),
         };
         match (origin, &self.scenario) {
             (Some(Origin::File(span)), Some(scenario)) => {

@@ -20,7 +20,8 @@ use crate::values::Given;
 /// A setup whose numbers go with all values of any one of them, for what an axis or a list puts its own value in place
 /// of. 1e9 is the largest coefficient of friction that a hoop may have.
 pub(crate) const STAND_IN: Setup = Setup::new(
-    HoopParameters::new(1.0, 0.5, 1.0)
+    HoopParameters::thin(1.0)
+        .with_offset(0.5)
         .with_friction(1e9, 0.0)
         .with_restitution(0.0, RestitutionLaw::Energetic),
     Start::at(0.0, 0.0),

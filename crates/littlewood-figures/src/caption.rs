@@ -173,7 +173,7 @@ const fn symbol(letter: char) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use littlewood::si::Units;
+    use littlewood::si::SiParameters;
 
     use super::*;
     use crate::{FIGURES, FigureInput};
@@ -220,7 +220,14 @@ mod tests {
     #[test]
     fn captions_have_nothing_that_latex_does_not_take() {
         assert_eq!(faults("5% of $x$ é").len(), 2);
-        let units = Units::new(0.14, 0.45, 9.81).expect("units");
+        let units = SiParameters {
+            particle_mass_kg: 0.14,
+            radius_m: 0.45,
+            gravity_m_per_s2: 9.81,
+            ..SiParameters::default()
+        }
+        .units()
+        .expect("units");
         let mut count = 0;
         for case in littlewood::cases::CASES {
             let input = FigureInput::of_case(case.name).expect("a case");

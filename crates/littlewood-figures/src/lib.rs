@@ -21,7 +21,7 @@
 //! use littlewood::{Hoop, HoopParameters, Limits, Start};
 //! use littlewood_figures::{FigureInput, find_figure};
 //!
-//! let hoop = Hoop::new(HoopParameters::new(2.0, 0.8, 2.0).with_friction(0.7, 0.5))?;
+//! let hoop = Hoop::new(HoopParameters::thin(2.0).with_offset(0.8).with_friction(0.7, 0.5))?;
 //! let input = FigureInput::new(hoop, Start::at(1.0, 2.0), Limits::default());
 //! let portrait = find_figure("figure-2b").expect("a name of the catalogue").figure(&input)?;
 //! assert_eq!(portrait.panels.len(), 1);

@@ -185,11 +185,20 @@ impl Wording {
 
 #[cfg(test)]
 mod tests {
+    use littlewood::si::SiParameters;
+
     use super::*;
 
     #[test]
     fn a_time_is_converted_and_has_its_unit() {
-        let units = Units::new(0.5, 0.4, 10.0).expect("units");
+        let units = SiParameters {
+            particle_mass_kg: 0.5,
+            radius_m: 0.4,
+            gravity_m_per_s2: 10.0,
+            ..SiParameters::default()
+        }
+        .units()
+        .expect("units");
         let (si, own) = (Wording::new(Some(units)), Wording::new(None));
         // √(R/g) = 0.2 s.
         assert_eq!(si.quantity(2.0, Dimension::Time), "0.4 s");

@@ -146,7 +146,8 @@ fn sliding_has_no_solution_above_the_curve_of_a_hoop() {
 
 #[test]
 fn a_light_hoop_may_have_two_intervals_without_a_solution() {
-    let hoop = Hoop::new(HoopParameters::new(0.02, 0.7, 0.02).with_friction(1.03, 1.03)).expect("a hoop");
+    let hoop =
+        Hoop::new(HoopParameters::thin(0.02).with_offset(0.7).with_friction(1.03, 1.03)).expect("a hoop");
     let input = FigureInput::new(hoop, Start::at(1.0, 0.0), Limits::default());
     let figure = find_figure("painleve").expect("a figure").figure(&input).expect("it can be drawn");
     let ends = columns(series(&figure, "ends")[0], ["theta"]);
@@ -256,7 +257,7 @@ fn a_massless_hoop_with_its_particle_inside_has_a_portrait() {
     let l = 0.6;
     let body = Body { m1: 0.0, l, izz: 0.0 };
     let of = |mu: f64| {
-        let hoop = Hoop::new(HoopParameters::new(0.0, l, 0.0).with_friction(mu, mu)).expect("a hoop");
+        let hoop = Hoop::new(HoopParameters::thin(0.0).with_offset(l).with_friction(mu, mu)).expect("a hoop");
         let input = FigureInput::new(hoop, Start::at(0.5, 0.3), Limits::default());
         find_figure("figure-4").expect("a figure").figure(&input).expect("it can be drawn")
     };
@@ -294,9 +295,11 @@ fn is_inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
 
 #[test]
 fn the_region_of_rolling_is_filled_up_to_its_edge() {
-    for hoop in
-        [HoopParameters::new(0.02, 0.7, 0.02), HoopParameters::thin(1.0), HoopParameters::new(0.0, 0.6, 0.0)]
-    {
+    for hoop in [
+        HoopParameters::thin(0.02).with_offset(0.7),
+        HoopParameters::thin(1.0),
+        HoopParameters::thin(0.0).with_offset(0.6),
+    ] {
         let hoop = Hoop::new(hoop.with_friction(0.4, 0.3)).expect("a hoop");
         let input = FigureInput::new(hoop, Start::at(1.0, 0.5), Limits::default());
         let name = if hoop.mass_ratio() == 0.0 { "figure-4" } else { "figure-2b" };

@@ -81,7 +81,7 @@ fn where_nothing_changes_or_nothing_can_be_it_is_refused() {
     assert!(error.to_string().contains("theta_rate goes from 0.1 to 0.2"), "{error}");
     let error = along(of_case("figure-3"), Quantity::MuS, 0.1, 1.0).expect_err("μk above μs");
     assert!(matches!(error, FigureError::Axis(_)), "{error}");
-    let balanced = Hoop::new(littlewood::HoopParameters::new(1.0, 0.0, 1.0).with_friction(0.5, 0.4));
+    let balanced = Hoop::new(littlewood::HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4));
     let input = FigureInput::new(balanced.expect("a hoop"), Start::at(0.0, 1.0), Limits::default());
     let error = along(input, Quantity::Slip, 0.0, 1.0).expect_err("a balanced hoop");
     assert!(matches!(error, FigureError::NeedsOffset { .. }), "{error}");

@@ -115,8 +115,10 @@ fn the_table_holds_what_is_drawn() {
 }
 
 fn input(mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64) -> FigureInput {
-    let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k))
-        .expect("a hoop");
+    let hoop = Hoop::new(
+        HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia).with_friction(mu_s, mu_k),
+    )
+    .expect("a hoop");
     FigureInput::new(hoop, Start::at(1.2, 1.5), Limits::until(30.0))
 }
 

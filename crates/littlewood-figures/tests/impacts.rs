@@ -261,7 +261,7 @@ fn a_motion_without_impacts_is_refused_with_a_reason() {
 fn every_hoop_that_bounces_has_its_figures() {
     let e = |parameters: HoopParameters, e: f64| parameters.with_restitution(e, RestitutionLaw::Energetic);
     let thin = |m1: f64| HoopParameters::thin(m1).with_friction(0.5, 0.4);
-    let balanced = HoopParameters::new(1.0, 0.0, 1.0).with_friction(0.5, 0.4);
+    let balanced = HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4);
     let rest = core::f64::consts::PI;
     let newton =
         HoopParameters::thin(0.5).with_friction(1.5, 1.5).with_restitution(0.9, RestitutionLaw::Newton);

@@ -203,7 +203,8 @@ fn a_massless_hoop_demands_the_same_friction_on_every_orbit() {
 #[test]
 fn the_names_of_transitions_stand_beside_or_above_each_other() {
     // Slip, reversal and stick within a tenth of the picture.
-    let hoop = Hoop::new(HoopParameters::new(0.0, 1.0, 0.05).with_friction(0.5, 0.4)).expect("a hoop");
+    let hoop =
+        Hoop::new(HoopParameters::thin(0.0).with_inertia(0.05).with_friction(0.5, 0.4)).expect("a hoop");
     let input = FigureInput::new(hoop, Start::at(2.0, 0.5), Limits::until(8.0));
     let motion = hoop.simulate(input.start, input.limits).expect("a motion");
     let figure = find_figure("forces").expect("a figure").figure(&input).expect("it can be drawn");

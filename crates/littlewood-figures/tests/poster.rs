@@ -39,12 +39,12 @@ fn a_poster_has_the_proportions_of_a3_and_says_what_happens() {
 fn what_does_not_apply_is_replaced() {
     let at = Start::at;
     for (name, parameters, start) in [
-        ("Littlewood's hoop", HoopParameters::new(0.0, 1.0, 0.0).with_friction(0.5, 0.4), at(0.0, 0.5)),
-        ("massless inside", HoopParameters::new(0.0, 0.6, 0.0).with_friction(0.5, 0.4), at(1.0, 0.5)),
-        ("not loaded", HoopParameters::new(1.0, 0.0, 1.0).with_friction(0.5, 0.4), at(1.0, 2.0)),
-        ("without friction", HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.0, 0.0), at(1.0, 1.0)),
-        ("leaves at once", HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4), at(0.0, 4.0)),
-        ("heavy", HoopParameters::new(1000.0, 1.0, 1000.0).with_friction(0.5, 0.4), at(1.0, 1.0)),
+        ("Littlewood's hoop", HoopParameters::thin(0.0).with_friction(0.5, 0.4), at(0.0, 0.5)),
+        ("massless inside", HoopParameters::thin(0.0).with_offset(0.6).with_friction(0.5, 0.4), at(1.0, 0.5)),
+        ("not loaded", HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4), at(1.0, 2.0)),
+        ("without friction", HoopParameters::thin(1.0).with_friction(0.0, 0.0), at(1.0, 1.0)),
+        ("leaves at once", HoopParameters::thin(1.0).with_friction(0.5, 0.4), at(0.0, 4.0)),
+        ("heavy", HoopParameters::thin(1000.0).with_friction(0.5, 0.4), at(1.0, 1.0)),
     ] {
         let page = made(parameters, start);
         // Each of the six first places has a picture of its own, or a sentence.

@@ -48,7 +48,10 @@ impl Draw {
         };
         let mu_s = if self.comes(0.1) { 0.0 } else { self.between(0.0, 1.5) };
         let mu_k = if self.comes(0.2) { mu_s } else { mu_s * self.unit() };
-        let mut parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+        let mut parameters = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k);
         if !is_massless && self.comes(0.3) {
             let e = if self.comes(0.1) { 1.0 } else { self.unit() };
             parameters = parameters.with_restitution(e, RestitutionLaw::Energetic);

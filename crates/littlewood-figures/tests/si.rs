@@ -1,13 +1,15 @@
 //! Figures in SI units: the same data, converted by the core's dimensions, and units everywhere.
 
 use crate::support::assert_near;
-use littlewood::si::Units;
+use littlewood::si::{SiParameters, Units};
 use littlewood::tables::SampleColumn;
 use littlewood_figures::{FIGURES, FigureInput, View, find_figure, plain};
 
 /// R = 0.4 m and g = 10 m/s² make √(R/g) = 0.2 s and √(gR) = 2 m/s; m2 g = 5 N, m2 g R = 2 J.
 fn units() -> Units {
-    Units::new(0.5, 0.4, 10.0).expect("units")
+    SiParameters { particle_mass_kg: 0.5, radius_m: 0.4, gravity_m_per_s2: 10.0, ..SiParameters::default() }
+        .units()
+        .expect("units")
 }
 
 /// What one unit of (2.9) of a column is, by hand.

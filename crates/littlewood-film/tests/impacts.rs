@@ -168,7 +168,7 @@ fn what_cannot_be_slowed_down_is_refused() {
 fn every_hoop_has_a_film() {
     let e = |parameters: HoopParameters, e: f64| parameters.with_restitution(e, RestitutionLaw::Energetic);
     let thin = |m1: f64| HoopParameters::thin(m1).with_friction(0.5, 0.4);
-    let balanced = HoopParameters::new(1.0, 0.0, 1.0).with_friction(0.5, 0.4);
+    let balanced = HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4);
     let rest = std::f64::consts::PI;
     let newton =
         HoopParameters::thin(0.5).with_friction(1.5, 1.5).with_restitution(0.9, RestitutionLaw::Newton);

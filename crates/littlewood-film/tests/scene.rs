@@ -114,8 +114,9 @@ fn a_particle_that_meets_the_plane_is_drawn_there() {
 fn an_infinite_slip_is_cut() {
     // A particle inside the rim: η′ grows without bound towards θ = π.
     let case = find_case("figure-7").unwrap();
-    let hoop = littlewood::Hoop::new(littlewood::HoopParameters::new(0.0, 0.8, 0.0).with_friction(0.5, 0.4))
-        .unwrap();
+    let hoop =
+        littlewood::Hoop::new(littlewood::HoopParameters::thin(0.0).with_offset(0.8).with_friction(0.5, 0.4))
+            .unwrap();
     let motion = hoop.simulate(case.setup.start, littlewood::Limits::default()).unwrap();
     let film = film(&motion);
     let last = film.scene(film.schedule().frames() - 1).unwrap();

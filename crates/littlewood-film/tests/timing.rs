@@ -1,7 +1,7 @@
 //! Number and timing of frames.
 
 use littlewood::cases::find_case;
-use littlewood::si::Units;
+use littlewood::si::SiParameters;
 use littlewood::{Limits, OutcomeKind, Trajectory};
 use littlewood_film::{FilmError, Pace, Schedule, Shown};
 use proptest::prelude::*;
@@ -40,7 +40,14 @@ fn an_oscillation_closes() {
 #[test]
 fn slow_counts_seconds_of_the_motion_in_si_units() {
     // √(R/g) = ½ s.
-    let units = Units::new(1.0, 1.0, 4.0).unwrap();
+    let units = SiParameters {
+        particle_mass_kg: 1.0,
+        radius_m: 1.0,
+        gravity_m_per_s2: 4.0,
+        ..SiParameters::default()
+    }
+    .units()
+    .unwrap();
     let motion = motion("figure-3");
     let schedule = Schedule::new(&motion, &Pace { slow: 8.0, units: Some(units), ..PACE }).unwrap();
     let plain = Schedule::new(&motion, &Pace { slow: 4.0, ..PACE }).unwrap();

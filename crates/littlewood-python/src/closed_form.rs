@@ -1,7 +1,7 @@
 //! The closed forms of §3 over arrays of equal length. Undefined values are NaN.
 
 use littlewood::theory::{Body, RollingType, closed_form};
-use littlewood::{Hoop, HoopParameters};
+use littlewood::{Hoop, HoopParameters, Start};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
@@ -38,9 +38,11 @@ macro_rules! elementwise {
 elementwise! {
     rolling_energy(theta, theta_rate) -> f64 = closed_form::rolling_energy;
     alpha(theta, theta_rate) -> f64 = closed_form::alpha;
-    rolling_half_sine(theta, theta_rate, elapsed) -> f64 = closed_form::rolling_half_sine;
+    rolling_half_sine(theta, theta_rate, elapsed) -> f64 = |theta, theta_rate, elapsed| {
+        closed_form::rolling_half_sine(&Start::at(theta, theta_rate), elapsed)
+    };
     rolling_angle(theta, theta_rate, elapsed) -> f64 = |theta, theta_rate, elapsed| {
-        closed_form::rolling_angle(theta, theta_rate, elapsed).unwrap_or(f64::NAN)
+        closed_form::rolling_angle(&Start::at(theta, theta_rate), elapsed).unwrap_or(f64::NAN)
     };
     rolling_time_to_plane(theta, theta_rate) -> f64 = |theta, theta_rate| {
         closed_form::rolling_time_to_plane(theta, theta_rate).unwrap_or(f64::INFINITY)
@@ -49,7 +51,9 @@ elementwise! {
     unstable_manifold_rate(theta) -> f64 = closed_form::unstable_manifold_rate;
     rolling_normal(theta, theta_rate) -> f64 = closed_form::rolling_normal;
     rolling_friction(theta, theta_rate) -> f64 = closed_form::rolling_friction;
-    in_rolling_region(theta, theta_rate, mu_s) -> bool = closed_form::in_rolling_region;
+    in_rolling_region(theta, theta_rate, mu_s) -> bool = |theta, theta_rate, mu_s| {
+        closed_form::in_rolling_region(&Start::at(theta, theta_rate), mu_s)
+    };
     rolling_type(energy, mu_s) -> u8 = |energy, mu_s| {
         RollingType::of_energy(energy, mu_s).map_or(0, RollingType::code)
     };
@@ -67,7 +71,7 @@ fn slip_angle<'py>(
 ) -> PyResult<Reals<'py>> {
     let mut angles = Vec::with_capacity(mu_s.as_array().len());
     for (i, (&mu_s, &offset)) in mu_s.as_array().iter().zip(offset.as_array()).enumerate() {
-        let hoop = Hoop::new(HoopParameters::new(0.0, offset, 0.0).with_friction(mu_s, 0.0))
+        let hoop = Hoop::new(HoopParameters::thin(0.0).with_offset(offset).with_friction(mu_s, 0.0))
             .map_err(|error| refuse(py, &error, Some(i)))?;
         angles.push(match hoop.body() {
             Body::Massless(body) => closed_form::slip_angle(&body, mu_s).unwrap_or(f64::NAN),
@@ -91,7 +95,7 @@ fn gliding_path<'py>(
     let (x, y): (Vec<f64>, Vec<f64>) = starts
         .zip(others)
         .map(|((&theta, &theta_rate), (&slip, &elapsed))| {
-            closed_form::gliding_path(theta, theta_rate, slip, elapsed)
+            closed_form::gliding_path(&Start::at(theta, theta_rate).with_slip(slip), elapsed)
         })
         .unzip();
     (x.into_pyarray(py), y.into_pyarray(py))

@@ -1,6 +1,6 @@
 //! SI units: hoops and starts into the dimensionless system of (2.9), samples out of it.
 
-use littlewood::si::Units;
+use littlewood::si::{SiParameters, Units};
 use littlewood::tables::{Dimension, Quantity, SampleColumn};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -15,7 +15,14 @@ use crate::record::{
 type Scales = (f64, f64, f64);
 
 fn units(py: Python<'_>, (mass_kg, length_m, gravity): Scales) -> PyResult<Units> {
-    Units::new(mass_kg, length_m, gravity).map_err(|error| refuse(py, &error, None))
+    SiParameters {
+        particle_mass_kg: mass_kg,
+        radius_m: length_m,
+        gravity_m_per_s2: gravity,
+        ..SiParameters::default()
+    }
+    .units()
+    .map_err(|error| refuse(py, &error, None))
 }
 
 /// A hoop in SI units: the dimensionless one, and m2, R, √(R/g), g.

@@ -144,7 +144,10 @@ impl Draw {
             5 => self.allowed(Quantity::MuK),
             _ => mu_s * self.share(),
         };
-        let hoop = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+        let hoop = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k);
         if inertia == 0.0 || self.comes(0.6) {
             return hoop;
         }
@@ -222,7 +225,10 @@ impl Draw {
         let start = [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip].map(&mut usual);
         let mu_s = usual(Quantity::MuS);
         let mu_k = mu_s * self.share();
-        let mut hoop = HoopParameters::new(hoop[0], hoop[1], hoop[2]).with_friction(mu_s, mu_k);
+        let mut hoop = HoopParameters::thin(hoop[0])
+            .with_offset(hoop[1])
+            .with_inertia(hoop[2])
+            .with_friction(mu_s, mu_k);
         if self.comes(0.2) {
             hoop = hoop.with_restitution(self.share(), self.one_of(RestitutionLaw::ALL.as_slice()));
         }

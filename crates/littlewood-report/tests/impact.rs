@@ -109,7 +109,8 @@ fn a_jam_is_told_at_the_start_and_behind_every_transition_its_own_end() {
 
 #[test]
 fn a_gain_of_energy_is_told_and_no_loss_too() {
-    let hoop = HoopParameters::new(0.1, 1.0, 0.0)
+    let hoop = HoopParameters::thin(0.1)
+        .with_inertia(0.0)
         .with_friction(1.0, 0.5)
         .with_restitution(1.0, RestitutionLaw::Newton);
     let start = Start::at(3.5, 1.0).with_slip(0.4).with_gap_rate(1.0);

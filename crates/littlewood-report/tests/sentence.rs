@@ -1,7 +1,7 @@
 //! What the sentences say, against numbers worked out by hand from the equations of the paper.
 
 use littlewood::cases::{CASES, find_case};
-use littlewood::si::Units;
+use littlewood::si::SiParameters;
 use littlewood::{Hoop, Limits, Start};
 use littlewood_report::scale::Scale;
 use littlewood_report::sentence;
@@ -36,7 +36,8 @@ fn figure_3_begins_with_too_little_friction() {
 fn lengths_and_times_have_the_units_that_are_asked_for() {
     let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
     let motion = hoop.simulate(Start::at(0.0, 4.0), Limits::default()).unwrap();
-    let units = Units::new(0.14, 0.45, 9.806_65).unwrap();
+    let units =
+        SiParameters { particle_mass_kg: 0.14, radius_m: 0.45, ..SiParameters::default() }.units().unwrap();
     let plain = sentence::outcome(&motion, PLAIN);
     let si = sentence::outcome(&motion, Scale::new(Some(&units)));
     assert!(plain.contains(" R to the left after ") && plain.contains(" √(R/g) in the air"), "{plain}");

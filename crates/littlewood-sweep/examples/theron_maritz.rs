@@ -35,7 +35,7 @@ impl Family {
             Self::Shift => (1.0 / 3.0, (gamma / 0.75).min(1.0)),
             Self::Rim => (1.0 / gamma - 1.0, 1.0),
         };
-        HoopParameters::new(mass_ratio, offset, mass_ratio).with_friction(1.0, 0.0)
+        HoopParameters::thin(mass_ratio).with_offset(offset).with_friction(1.0, 0.0)
     }
 }
 

@@ -63,7 +63,7 @@ impl FirstTurn {
     /// use littlewood_sweep::{FirstTurn, Stop};
     ///
     /// // A particle at half the radius, a plane rough enough: it rolls through one revolution.
-    /// let hoop = HoopParameters::new(1.0, 0.5, 1.0).with_friction(5.0, 5.0);
+    /// let hoop = HoopParameters::thin(1.0).with_offset(0.5).with_friction(5.0, 5.0);
     /// let turn = FirstTurn::new(&Hoop::new(hoop)?, Start::at(0.0, 0.5))?;
     /// assert_eq!((turn.sequence.to_string().as_str(), turn.stop), ("R", Stop::Revolution));
     /// # Ok::<(), littlewood::ParameterError>(())

@@ -219,4 +219,5 @@ const CONTRADICTIONS: [&[Quantity]; 2] = [
 ];
 
 /// A hoop whose other parameters contradict no value of the related ones.
-const WITHOUT_CONTRADICTION: HoopParameters = HoopParameters::new(1.0, 0.5, 1.0).with_friction(0.5, 0.5);
+const WITHOUT_CONTRADICTION: HoopParameters =
+    HoopParameters::thin(1.0).with_offset(0.5).with_friction(0.5, 0.5);

@@ -133,12 +133,7 @@ impl Source for ListSource<'_> {
         let column = match refused.error {
             // A time limit before the start: the list may have the time of the start, never the limit.
             ParameterError::OutOfBounds { quantity: Quantity::Until, .. } => Quantity::Time,
-            ParameterError::OutOfBounds { quantity, .. } => quantity,
-            ParameterError::NoMotion { .. }
-            | ParameterError::NearlyMassless { .. }
-            | ParameterError::LawAlone { .. }
-            | ParameterError::MasslessImpact { .. }
-            | ParameterError::MasslessFlight { .. } => refused.error.quantity(),
+            error => error.quantity(),
         };
         match line {
             Some(line) if self.list.columns().contains(&column) => {

@@ -49,7 +49,7 @@ fn the_size_of_chunks_and_the_threads_do_not_matter() {
 /// The hoop of Theron and Maritz with their particle of mass 3, and one friction.
 fn hoop(offset: f64, mu: f64) -> Hoop {
     let third = 1.0 / 3.0;
-    Hoop::new(HoopParameters::new(third, offset, third).with_friction(mu, mu)).unwrap()
+    Hoop::new(HoopParameters::thin(third).with_offset(offset).with_friction(mu, mu)).unwrap()
 }
 
 #[test]

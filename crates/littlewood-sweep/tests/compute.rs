@@ -42,7 +42,7 @@ fn a_row_does_not_depend_on_the_length_of_its_list() {
     let limits = Limits::until(40.0).with_transitions(200);
     let codes = |summary: &Summary| (summary.outcome, summary.sequence, summary.transitions);
     let bounces = figure_2().hoop.with_restitution(0.5, RestitutionLaw::Energetic);
-    let light = HoopParameters::new(0.0, 1.0, 1e-2).with_friction(0.5, 0.4);
+    let light = HoopParameters::thin(0.0).with_inertia(1e-2).with_friction(0.5, 0.4);
     for (stream, hoop) in [figure_2().hoop, bounces, light].into_iter().enumerate() {
         let starts = Vec::from_iter((0..1000).map(|number| {
             let mut draw = Draw::of_case(32, stream as u64, number);
@@ -213,7 +213,7 @@ fn any_grid() -> impl Strategy<Value = (Grid, usize)> {
         },
     );
     counts.prop_map(|(quantities, counts, chunk)| {
-        let hoop = HoopParameters::new(1.0, 0.5, 1.0).with_friction(0.9, 0.1);
+        let hoop = HoopParameters::thin(1.0).with_offset(0.5).with_friction(0.9, 0.1);
         let axes = quantities
             .into_iter()
             .zip(counts)

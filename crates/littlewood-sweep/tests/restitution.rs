@@ -56,7 +56,7 @@ fn a_massless_hoop_has_no_restitution_in_a_grid_either() {
 
     // Where both vary, a massless hoop among the others is a point without motion; so is one that is thrown.
     let inertia = || Axis::new(Quantity::Inertia, 0.0, 1.0, 2).expect("an axis");
-    let offset = Setup::new(HoopParameters::new(0.0, 1.0, 0.0).with_friction(0.5, 0.4), Start::at(0.0, 0.5));
+    let offset = Setup::new(HoopParameters::thin(0.0).with_friction(0.5, 0.4), Start::at(0.0, 0.5));
     for axis in [Quantity::Restitution, Quantity::GapRate] {
         let axis = Axis::new(axis, 0.25, 0.5, 2).expect("an axis");
         let grid = Grid::new(offset, vec![inertia(), axis]).expect("a grid");

@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn long_motions_are_followed_until_they_cannot_lift_off() {
         let figure_2 = Hoop::figure_2(0.5, 0.4).unwrap().parameters();
-        let light = littlewood::HoopParameters::new(0.0, 1.0, 0.03).with_friction(0.5, 0.4);
+        let light = littlewood::HoopParameters::thin(0.0).with_inertia(0.03).with_friction(0.5, 0.4);
         for (parameters, is_long) in
             [(figure_2, false), (figure_2.with_friction(0.05, 0.04), true), (light, true)]
         {

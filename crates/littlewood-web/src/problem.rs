@@ -1,6 +1,6 @@
 //! A hoop and a start, in either system of units.
 
-use littlewood::si::{SiSetup, Units};
+use littlewood::si::{SiParameters, SiSetup, Units};
 use littlewood::tables::{Dimension, Presence, Quantity, SampleColumn, Setup};
 use littlewood::theory::Body;
 use littlewood::{Hoop, HoopParameters, Limits, Restitution, RestitutionLaw, Start};
@@ -120,7 +120,8 @@ impl Problem {
         radius_m: f64,
         gravity_m_per_s2: f64,
     ) -> Result<Vec<f64>, Refusal> {
-        let units = Units::new(particle_mass_kg, radius_m, gravity_m_per_s2)?;
+        let units = SiParameters { particle_mass_kg, radius_m, gravity_m_per_s2, ..SiParameters::default() }
+            .units()?;
         let setup = SiSetup::new(&self.setup(), &units);
         Ok(si_quantities().filter_map(|quantity| setup.get(quantity)).collect())
     }

@@ -56,7 +56,7 @@ fn regimes() -> Vec<Regime> {
     let thin =
         |mass_ratio: f64, mu_s: f64, mu_k: f64| HoopParameters::thin(mass_ratio).with_friction(mu_s, mu_k);
     let of = |mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64| {
-        HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k)
+        HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia).with_friction(mu_s, mu_k)
     };
     let figure_2 = || thin(1.0, 0.5, 0.4);
     let until = |time: f64| Limits::default().with_until(Some(time));

@@ -58,7 +58,7 @@ fn regimes(criterion: &mut Criterion) {
     group.throughput(Throughput::Elements(u64::from(COUNT))).sample_size(10);
     let thin =
         |mass_ratio: f64, mu_s: f64, mu_k: f64| HoopParameters::thin(mass_ratio).with_friction(mu_s, mu_k);
-    let light = |inertia: f64| HoopParameters::new(0.0, 1.0, inertia).with_friction(0.5, 0.4);
+    let light = |inertia: f64| HoopParameters::thin(0.0).with_inertia(inertia).with_friction(0.5, 0.4);
     for (name, parameters) in [
         ("figure 2", thin(1.0, 0.5, 0.4)),
         ("massless", HoopParameters::thin(0.0).with_friction(0.5, 0.4)),
@@ -66,7 +66,7 @@ fn regimes(criterion: &mut Criterion) {
         ("mu_k = 0", thin(1.0, 0.5, 0.0)),
         ("equal coefficients", thin(1.0, 0.5, 0.5)),
         ("nearly equal coefficients", thin(1.0, 0.5, 0.49)),
-        ("P ≤ 0 somewhere", HoopParameters::new(0.2, 1.0, 0.1).with_friction(1.5, 1.4)),
+        ("P ≤ 0 somewhere", HoopParameters::thin(0.2).with_inertia(0.1).with_friction(1.5, 1.4)),
         ("P ≤ 0 and equal coefficients", thin(1.0 / 3.0, 1.0, 1.0)),
         ("thin", thin(0.05, 0.5, 0.4)),
         ("light, 1e-2", light(1e-2)),
@@ -102,7 +102,12 @@ fn regimes(criterion: &mut Criterion) {
         ("mu_s against mass ratio", hoops(&|x, y| thin(0.01 + 3.0 * x, 0.41 + 1.5 * y, 0.4))),
         (
             "offset against inertia",
-            hoops(&|x, y| HoopParameters::new(1.0, 0.01 + 0.99 * x, 0.1 + 2.0 * y).with_friction(0.5, 0.4)),
+            hoops(&|x, y| {
+                HoopParameters::thin(1.0)
+                    .with_offset(0.01 + 0.99 * x)
+                    .with_inertia(0.1 + 2.0 * y)
+                    .with_friction(0.5, 0.4)
+            }),
         ),
     ] {
         let start = Start::at(PI / 2.0, 2.0);

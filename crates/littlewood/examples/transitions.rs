@@ -25,7 +25,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         else {
             return Err(format!("ten numbers are needed: {line}").into());
         };
-        let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k))?;
+        let hoop = Hoop::new(
+            HoopParameters::thin(mass_ratio)
+                .with_offset(offset)
+                .with_inertia(inertia)
+                .with_friction(mu_s, mu_k),
+        )?;
         let start = Start::at(theta, rate).with_slip(slip).with_gap_rate(gap_rate);
         let limits = Limits::default()
             .with_until(until.is_finite().then_some(until))

@@ -13,7 +13,7 @@
 //! ```
 //! use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Start};
 //!
-//! let hoop = Hoop::new(HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4))?;
+//! let hoop = Hoop::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4))?;
 //! let motion = hoop.simulate(Start::at(std::f64::consts::FRAC_PI_2, 2.0), Limits::default())?;
 //!
 //! let causes: Vec<Cause> = motion.transitions().iter().map(|transition| transition.cause).collect();
@@ -162,11 +162,11 @@ pub mod si {
     //! Everything else in this library is dimensionless, m2 = R = g = 1 (2.9).
     //!
     //! ```
-    //! use littlewood::si::{STANDARD_GRAVITY, Units};
+    //! use littlewood::si::SiParameters;
     //! use littlewood::tables::Dimension;
     //!
-    //! // A particle of 0.14 kg on a hoop of radius 0.45 m.
-    //! let units = Units::new(0.14, 0.45, STANDARD_GRAVITY)?;
+    //! // A particle of 0.14 kg on a hoop of radius 0.45 m, where gravity is standard.
+    //! let units = SiParameters { particle_mass_kg: 0.14, radius_m: 0.45, ..SiParameters::default() }.units()?;
     //! assert!((units.to_si(Dimension::Time, 2.0) - 2.0 * (0.45_f64 / 9.80665).sqrt()).abs() < 1e-15);
     //! # Ok::<(), littlewood::ParameterError>(())
     //! ```

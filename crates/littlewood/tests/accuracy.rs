@@ -17,7 +17,10 @@ fn errors_on_the_whole_accepted_range_are_those_of_the_page() {
     for motion in data["kept"].as_array().expect("a list of motions") {
         let [mass_ratio, offset, inertia, mu_s, mu_k] = numbers(&motion["hoop"]);
         let [theta, theta_rate, slip, gap_rate, x, time] = numbers(&motion["start"]);
-        let mut parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+        let mut parameters = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k);
         if let Some([coefficient, law]) = motion["restitution"].as_array().map(Vec::as_slice) {
             let law: RestitutionLaw = law.as_str().expect("a word").parse().expect("a law");
             parameters = parameters.with_restitution(number(coefficient), law);

@@ -49,7 +49,8 @@ fn close(what: &str, ours: f64, theirs: &Value, tolerance: f64) {
 fn flights_land_where_the_general_solution_does() {
     for flight in data("flights") {
         let [mass_ratio, offset, inertia] = numbers(&flight["hoop"]);
-        let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia)).expect("a valid hoop");
+        let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia))
+            .expect("a valid hoop");
         let start = thrown(&flight["start"]);
         let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
         let Outcome::Landing { state, gap_rate } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
@@ -85,7 +86,9 @@ fn flights_land_where_the_general_solution_does() {
 fn bouncing(record: &Value) -> (Hoop, Start) {
     let [mass_ratio, offset, inertia, mu_s, mu_k] = numbers(&record["hoop"]);
     let law = record["law"].as_str().expect("a law").parse().expect("a law");
-    let hoop = HoopParameters::new(mass_ratio, offset, inertia)
+    let hoop = HoopParameters::thin(mass_ratio)
+        .with_offset(offset)
+        .with_inertia(inertia)
         .with_friction(mu_s, mu_k)
         .with_restitution(number(&record["restitution"]), law);
     (Hoop::new(hoop).expect("a valid hoop"), thrown(&record["start"]))
@@ -381,7 +384,7 @@ proptest! {
         let Some(orbit) = BouncingOrbit::new(&hoop, angle) else { return Ok(()) };
         // Rough enough for the impacts to stick.
         let (mu_s, parameters) = (orbit.friction + 0.1, hoop.parameters());
-        let parameters = HoopParameters::new(parameters.mass_ratio, parameters.offset, parameters.inertia)
+        let parameters = HoopParameters::thin(parameters.mass_ratio).with_offset(parameters.offset).with_inertia(parameters.inertia)
             .with_friction(mu_s, mu_s)
             .with_restitution(1.0, RestitutionLaw::Energetic);
         let hoop = Hoop::new(parameters).expect("a valid hoop");
@@ -482,7 +485,7 @@ proptest! {
         let parameters = hoop.parameters();
         let smooth = smooth || law != RestitutionLaw::Newton;
         let hoop = if smooth {
-            Hoop::new(HoopParameters::new(parameters.mass_ratio, parameters.offset, parameters.inertia)).expect("the hoop")
+            Hoop::new(HoopParameters::thin(parameters.mass_ratio).with_offset(parameters.offset).with_inertia(parameters.inertia)).expect("the hoop")
         } else {
             hoop
         };

@@ -187,8 +187,13 @@ fn cases_have_names_that_differ_and_valid_parameters() {
 /// Starts that take the edges which no named case takes.
 fn other_motions() -> Vec<Trajectory> {
     let hoop = |mass_ratio, offset, inertia, mu_s, mu_k| {
-        Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k))
-            .expect("a valid hoop")
+        Hoop::new(
+            HoopParameters::thin(mass_ratio)
+                .with_offset(offset)
+                .with_inertia(inertia)
+                .with_friction(mu_s, mu_k),
+        )
+        .expect("a valid hoop")
     };
     let inside = hoop(0.0, 0.6, 0.0, 0.3, 0.2);
     let thin = hoop(1.0, 1.0, 1.0, 0.5, 0.4);
@@ -227,12 +232,11 @@ fn jams() -> Vec<Trajectory> {
         })
         .map(|motion| motion.expect("a valid start"))
         .collect();
-    let light = HoopParameters::new(0.0, 0.1, 1e-5).with_friction(0.02, 0.02);
+    let light = HoopParameters::thin(0.0).with_offset(0.1).with_inertia(1e-5).with_friction(0.02, 0.02);
     let light = Hoop::new(light).and_then(|hoop| hoop.with_restitution(plastic)).expect("a valid hoop");
     motions.push(light.simulate(Start::at(2.4, -3.9).with_slip(0.1), limits).expect("a valid start"));
     // Without friction, from a rate at which η″ and η′ vanish together but for the last digits.
-    let smooth =
-        HoopParameters::new(2.805_174_719_718_886_3, 0.999_999_999_618_712_1, 2.805_174_719_718_886_3);
+    let smooth = HoopParameters::thin(2.805_174_719_718_886_3).with_offset(0.999_999_999_618_712_1);
     let grazes = Start::at(-1.654_040_608_046_101_6, 1.000_000_000_102_441);
     motions.push(Hoop::new(smooth).expect("a valid hoop").simulate(grazes, limits).expect("a valid start"));
     let (mass, mu, start) = runs_into_it;

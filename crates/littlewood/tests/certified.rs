@@ -75,7 +75,9 @@ fn motion(case: &Value) -> (Trajectory, Option<Units>) {
             (hoop.simulate(start, limits).expect("a valid start"), Some(units))
         }
         Some("dimensionless") => {
-            let mut parameters = HoopParameters::new(hoop("mass_ratio"), hoop("offset"), hoop("inertia"))
+            let mut parameters = HoopParameters::thin(hoop("mass_ratio"))
+                .with_offset(hoop("offset"))
+                .with_inertia(hoop("inertia"))
                 .with_friction(hoop("mu_s"), hoop("mu_k"));
             (parameters.restitution, parameters.restitution_law) = (restitution, restitution_law);
             let start = Start::at(start("theta"), start("theta_rate"))

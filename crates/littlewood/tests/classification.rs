@@ -80,7 +80,7 @@ proptest! {
 /// both directions are weighed.
 #[test]
 fn a_slide_that_is_unloaded_to_the_bit_and_leaves_is_no_candidate() {
-    let parameters = HoopParameters::new(3.0, 1.0, 0.2).with_friction(3.0, 3.0);
+    let parameters = HoopParameters::thin(3.0).with_inertia(0.2).with_friction(3.0, 3.0);
     let hoop = Hoop::new(parameters).expect("a valid hoop");
     let mut found = 0;
     for k in 1..40 {

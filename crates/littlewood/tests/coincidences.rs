@@ -37,8 +37,13 @@ fn motions() -> Vec<Motion> {
         let [theta, theta_rate, slip, gap_rate] = numbers(&reference["start"]);
         Motion {
             name: format!("{} {}", reference["family"], reference["index"]),
-            hoop: Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k))
-                .expect("a valid hoop"),
+            hoop: Hoop::new(
+                HoopParameters::thin(mass_ratio)
+                    .with_offset(offset)
+                    .with_inertia(inertia)
+                    .with_friction(mu_s, mu_k),
+            )
+            .expect("a valid hoop"),
             start: Start::at(theta, theta_rate).with_slip(slip).with_gap_rate(gap_rate),
             limits: Limits::until(number(&reference["until"])).with_proof(Proof::None),
             reference: reference.clone(),

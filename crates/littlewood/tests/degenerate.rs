@@ -13,8 +13,10 @@ use littlewood::{
 use proptest::prelude::*;
 
 fn hoop(mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64) -> Hoop {
-    Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k))
-        .expect("a valid hoop")
+    Hoop::new(
+        HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia).with_friction(mu_s, mu_k),
+    )
+    .expect("a valid hoop")
 }
 
 fn run(hoop: &Hoop, start: Start) -> Trajectory {
@@ -344,7 +346,7 @@ fn even_samples_contain_every_transition_twice() {
 
 #[test]
 fn bad_parameters_are_refused_by_name_value_and_bound() {
-    let good = HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4);
+    let good = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
     let with = |quantity, value| {
         let mut setup = Setup::new(good, Start::default());
         setup.set(quantity, value);
@@ -378,7 +380,9 @@ fn bad_parameters_are_refused_by_name_value_and_bound() {
         assert!(!error.hint().is_empty());
     }
     for mass_ratio in [0.0, 2.0] {
-        let error = refused(HoopParameters::new(mass_ratio, 0.0, 0.0).with_friction(0.5, 0.4));
+        let error = refused(
+            HoopParameters::thin(mass_ratio).with_offset(0.0).with_inertia(0.0).with_friction(0.5, 0.4),
+        );
         assert_eq!(error, ParameterError::NoMotion { mass_ratio });
     }
     let hoop = Hoop::new(good).expect("a valid hoop");
@@ -461,7 +465,7 @@ fn reversals_without_friction_end_in_a_period() {
 /// together. What leads into flight is a lift-off, whichever rounds to come first.
 #[test]
 fn a_slip_that_ends_where_the_hoop_lifts_off_is_a_lift_off() {
-    let hoop = HoopParameters::new(0.858_335_096_611_543_2, 0.413_766_977_366_253_6, 0.858_335_096_611_543_2);
+    let hoop = HoopParameters::thin(0.858_335_096_611_543_2).with_offset(0.413_766_977_366_253_6);
     let start = Start::at(0.674_975_923_504_364, 2.398_478_851_386_528_3);
     let motion =
         Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");

@@ -209,8 +209,8 @@ fn figure_3_has_the_times_of_the_40_digit_table() {
 #[test]
 fn bodies_that_cannot_be_prepared_are_simulated() {
     let parameters = [
-        HoopParameters::new(0.0, 1.0, 0.0).with_friction(0.5, 0.4),
-        HoopParameters::new(1.0, 0.0, 0.5).with_friction(0.5, 0.4),
+        HoopParameters::thin(0.0).with_friction(0.5, 0.4),
+        HoopParameters::thin(1.0).with_offset(0.0).with_inertia(0.5).with_friction(0.5, 0.4),
     ];
     for parameters in parameters {
         let hoop = Hoop::new(parameters).expect("a valid hoop");
@@ -420,21 +420,27 @@ fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
 #[test]
 fn every_regime_has_the_outcomes_of_the_simulation() {
     let regimes = [
-        ("P ≤ 0 at some angles", HoopParameters::new(0.2, 1.0, 0.1).with_friction(1.5, 1.4)),
+        ("P ≤ 0 at some angles", HoopParameters::thin(0.2).with_inertia(0.1).with_friction(1.5, 1.4)),
         ("P ≤ 0 and equal coefficients", HoopParameters::thin(1.0 / 3.0).with_friction(1.0, 1.0)),
         ("equal coefficients", HoopParameters::thin(1.0).with_friction(0.5, 0.5)),
         ("nearly equal coefficients", HoopParameters::thin(1.0).with_friction(0.5, 0.4999)),
         ("coefficients that differ a little", HoopParameters::thin(1.0).with_friction(0.5, 0.499)),
-        ("slips next to turning points", HoopParameters::new(2.0, 1.0, 0.5).with_friction(0.2, 0.1999)),
+        (
+            "slips next to turning points",
+            HoopParameters::thin(2.0).with_inertia(0.5).with_friction(0.2, 0.1999),
+        ),
         ("no kinetic friction", HoopParameters::thin(1.0).with_friction(0.5, 0.0)),
         ("no friction", HoopParameters::thin(1.0).with_friction(0.0, 0.0)),
         ("little friction", HoopParameters::thin(1.0).with_friction(2e-3, 1e-3)),
         ("some friction", HoopParameters::thin(1.0).with_friction(0.05, 0.04)),
         ("thin", HoopParameters::thin(0.05).with_friction(0.5, 0.4)),
-        ("light", HoopParameters::new(0.0, 1.0, 1e-2).with_friction(0.5, 0.4)),
-        ("light with equal coefficients", HoopParameters::new(0.0, 1.0, 1e-2).with_friction(0.5, 0.5)),
-        ("very light", HoopParameters::new(0.0, 1.0, 1e-5).with_friction(0.5, 0.4)),
-        ("nearly balanced", HoopParameters::new(1.0, 0.01, 1.0).with_friction(0.5, 0.4)),
+        ("light", HoopParameters::thin(0.0).with_inertia(1e-2).with_friction(0.5, 0.4)),
+        (
+            "light with equal coefficients",
+            HoopParameters::thin(0.0).with_inertia(1e-2).with_friction(0.5, 0.5),
+        ),
+        ("very light", HoopParameters::thin(0.0).with_inertia(1e-5).with_friction(0.5, 0.4)),
+        ("nearly balanced", HoopParameters::thin(1.0).with_offset(0.01).with_friction(0.5, 0.4)),
         ("the hoop of Figure 2", HoopParameters::thin(1.0).with_friction(0.5, 0.4)),
     ];
     for (name, parameters) in regimes {
@@ -450,13 +456,15 @@ fn every_regime_has_the_outcomes_of_the_simulation() {
 fn swinging_hoop() -> impl Strategy<Value = Hoop> {
     let part = prop_oneof![0.3_f64..0.95, Just(1.0)];
     let light = (-2.5_f64..-0.5, 0.0_f64..0.2, 0.1_f64..1.2, part).prop_map(|(inertia, mass, mu_s, part)| {
-        HoopParameters::new(mass, 1.0, libm::pow(10.0, inertia)).with_friction(mu_s, part * mu_s)
+        HoopParameters::thin(mass).with_inertia(libm::pow(10.0, inertia)).with_friction(mu_s, part * mu_s)
     });
     // With little friction a motion slips next to its turning points.
     let alike = (0.0_f64..2.0, 0.1_f64..1.0, 0.1_f64..2.0, -1.5_f64..0.0, -4.5_f64..-1.0).prop_map(
         |(mass, offset, inertia, friction, less)| {
             let mu_s = libm::pow(10.0, friction);
-            HoopParameters::new(mass, offset, inertia)
+            HoopParameters::thin(mass)
+                .with_offset(offset)
+                .with_inertia(inertia)
                 .with_friction(mu_s, mu_s * (1.0 - libm::pow(10.0, less)))
         },
     );
@@ -470,8 +478,13 @@ fn little_friction() -> impl Strategy<Value = (Hoop, Vec<Start>)> {
     let hoop = (0.0..2.0_f64, 0.1..=1.0_f64, 0.1..2.0_f64, -4.5..-1.0_f64, part).prop_map(
         |(mass, offset, inertia, exponent, part)| {
             let mu = libm::pow(10.0, exponent);
-            Hoop::new(HoopParameters::new(mass, offset, inertia).with_friction(mu, mu * part))
-                .expect("a valid hoop")
+            Hoop::new(
+                HoopParameters::thin(mass)
+                    .with_offset(offset)
+                    .with_inertia(inertia)
+                    .with_friction(mu, mu * part),
+            )
+            .expect("a valid hoop")
         },
     );
     let slip = prop_oneof![2 => Just(0.0), 3 => -4.0..4.0_f64, 1 => -1e-3..1e-3_f64];

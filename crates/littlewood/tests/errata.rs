@@ -10,7 +10,7 @@ use littlewood::theory::{Body, GlidingIntegrals, Massless, PhasePlane, SlidingLa
 use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Start};
 
 fn massless(offset: f64) -> Massless {
-    let hoop = Hoop::new(HoopParameters::new(0.0, offset, 0.0)).expect("a massless hoop");
+    let hoop = Hoop::new(HoopParameters::thin(0.0).with_offset(offset)).expect("a massless hoop");
     let Body::Massless(body) = hoop.body() else { panic!("has no inertia") };
     body
 }
@@ -73,7 +73,7 @@ fn alpha_of_3_4_holds_for_either_sign_of_the_rate() {
         let right = closed_form::alpha(theta, rate);
         assert!((angle(right, theta, rate, t) - truth).abs() < 1e-12);
         assert!((rolled(theta, rate, t) - truth).abs() < 1e-12);
-        let found = closed_form::rolling_angle(theta, rate, t).expect("not at the plane yet");
+        let found = closed_form::rolling_angle(&Start::at(theta, rate), t).expect("not at the plane yet");
         assert!((found - truth).abs() < 1e-12);
         let printed = angle(printed_alpha(theta, rate), theta, rate, t);
         assert_eq!(
@@ -91,12 +91,12 @@ fn the_closed_form_does_not_divide_by_alpha_on_the_stable_manifold() {
     assert!(closed_form::alpha(theta, rate).abs() < 1e-16);
     // (3.7): sin(θ/2) = sin(θ0/2) e^(−Δτ/2); printed with τ − τ0/2, which is wrong unless τ0 = 0.
     for t in [0.5, 2.0, 6.0] {
-        let sine = closed_form::rolling_half_sine(theta, rate, t);
+        let sine = closed_form::rolling_half_sine(&Start::at(theta, rate), t);
         assert!((sine - (theta / 2.0).sin() * (-t / 2.0).exp()).abs() < 1e-15);
     }
     let (start, now) = (1.0_f64, 3.0_f64);
     let printed = (theta / 2.0).sin() * (-(now - start / 2.0)).exp();
-    let right = closed_form::rolling_half_sine(theta, rate, now - start);
+    let right = closed_form::rolling_half_sine(&Start::at(theta, rate), now - start);
     assert!(((integrated(theta, rate, now - start) / 2.0).sin() - right).abs() < 1e-12);
     assert!((printed - right).abs() > 0.01);
     assert_eq!(closed_form::rolling_time_to_plane(0.0, 0.0), None);
@@ -111,7 +111,7 @@ fn the_first_integral_of_gliding_is_not_the_printed_one() {
     let glide = &motion.phases()[1];
     assert_eq!(glide.mode(), Mode::Gliding);
     let (first, last) = (glide.first().state, glide.sample(0.9 * glide.duration()).state);
-    let right = |s: littlewood::State| GlidingIntegrals::at(&rim(), s.theta, s.theta_rate, s.slip).w;
+    let right = |s: littlewood::State| GlidingIntegrals::at(&rim(), &s).w;
     let printed = |s: littlewood::State| 0.5 * s.theta.sin() * s.theta_rate * s.theta_rate - s.theta;
     assert!((right(first) - right(last)).abs() < 1e-14);
     assert!((printed(first) - printed(last)).abs() > 0.01);
@@ -163,7 +163,7 @@ fn the_massless_glide_is_not_always_a_limit_of_small_inertia() {
     let glide = hoop.simulate(start, Limits::default()).expect("a valid start");
     assert_eq!(glide.phases()[0].mode(), Mode::Gliding);
     assert!(glide.phases()[0].is_outside_small_inertia_limit());
-    let light = HoopParameters::new(0.0, 1.0, 1e-6).with_friction(1.0, 0.9);
+    let light = HoopParameters::thin(0.0).with_inertia(1e-6).with_friction(1.0, 0.9);
     let light = Hoop::new(light).expect("a light hoop");
     let slide = light.simulate(start, Limits::default()).expect("a valid start");
     assert_eq!(slide.outcome().kind().name(), "inconsistent");
@@ -182,7 +182,7 @@ fn littlewoods_closed_forms_agree_with_each_other() {
     let rate = 0.5;
     assert!((closed_form::slip_time_from_top(rate, 0.5) - 5.0_f64.ln()).abs() < 1e-15);
     let unloading = closed_form::unloading_time_from_top(0.9);
-    let angle = closed_form::rolling_angle(0.0, 0.9, unloading).expect("before the plane");
+    let angle = closed_form::rolling_angle(&Start::at(0.0, 0.9), unloading).expect("before the plane");
     assert!((angle.cos() - 0.81).abs() < 1e-14);
     assert!(
         (closed_form::gliding_time_to_plane(0.6_f64.acos(), 0.75) - (89.0_f64.sqrt() - 3.0) / 5.0).abs()
@@ -192,7 +192,8 @@ fn littlewoods_closed_forms_agree_with_each_other() {
     for (theta, rate) in [(0.9, 0.7), (0.9, -0.7), (-2.0, 1.5), (-2.0, -1.5), (0.0, 2.0)] {
         let time = closed_form::gliding_time_to_plane(theta, rate);
         assert!(
-            time > 0.0 && closed_form::gliding_path(theta, rate, 0.3, time).1.abs() < 1e-14,
+            time > 0.0
+                && closed_form::gliding_path(&Start::at(theta, rate).with_slip(0.3), time).1.abs() < 1e-14,
             "{theta} {rate}"
         );
     }
@@ -202,7 +203,10 @@ fn littlewoods_closed_forms_agree_with_each_other() {
         let forces = plane.forces(theta, rate);
         assert!((forces.normal - closed_form::rolling_normal(theta, rate)).abs() < 1e-15);
         assert!((forces.friction - closed_form::rolling_friction(theta, rate)).abs() < 1e-15);
-        assert_eq!(plane.in_rolling_region(theta, rate), closed_form::in_rolling_region(theta, rate, 0.5),);
+        assert_eq!(
+            plane.in_rolling_region(theta, rate),
+            closed_form::in_rolling_region(&Start::at(theta, rate), 0.5),
+        );
     }
     // The parabola of (3.19) is where the simulated particle is.
     let motion = find_case("figure-7").expect("a case").simulate().expect("a valid case");
@@ -211,7 +215,7 @@ fn littlewoods_closed_forms_agree_with_each_other() {
     let first = glide.first();
     for part in [0.1, 0.5, 0.9] {
         let t = part * glide.duration();
-        let (x, y) = closed_form::gliding_path(first.state.theta, first.state.theta_rate, 0.0, t);
+        let (x, y) = closed_form::gliding_path(&Start::at(first.state.theta, first.state.theta_rate), t);
         let particle = glide.sample(t).particle;
         assert!((particle.x - first.particle.x - x).abs() < 1e-14);
         assert!((particle.y - y).abs() < 1e-14);

@@ -11,7 +11,8 @@ use littlewood::{
 #[test]
 fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
     let (mass_ratio, inertia, mu_k) = (0.156, 0.1765, 3e-13);
-    let hoop = HoopParameters::new(mass_ratio, 0.0, inertia).with_friction(1e-12, mu_k);
+    let hoop =
+        HoopParameters::thin(mass_ratio).with_offset(0.0).with_inertia(inertia).with_friction(1e-12, mu_k);
     let start = Start::at(2.81, 1.0).with_slip(1.2345);
     let motion =
         Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
@@ -22,7 +23,7 @@ fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
     let rate = 1.0 - mu_k * (1.0 + mass_ratio) / inertia * time;
     assert!((stick.before.theta_rate - rate).abs() < 1e-14 && stick.before.slip == 0.0);
 
-    let smooth = Hoop::new(HoopParameters::new(1.0, 0.0, 1.0)).expect("a valid hoop");
+    let smooth = Hoop::new(HoopParameters::thin(1.0).with_offset(0.0)).expect("a valid hoop");
     let motion =
         smooth.simulate(Start::at(0.5, 1e-9).with_slip(0.25), Limits::default()).expect("a valid start");
     let Outcome::SlidesForever { recurrence: Recurrence::Rotation { period }, .. } = motion.outcome() else {
@@ -36,7 +37,7 @@ fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
 #[test]
 fn a_slide_without_end_in_sight_says_how_much_is_left() {
     let mu_k = 3e-13;
-    let hoop = HoopParameters::new(0.2387, 0.001, 1e9).with_friction(1e-6, mu_k);
+    let hoop = HoopParameters::thin(0.2387).with_offset(0.001).with_inertia(1e9).with_friction(1e-6, mu_k);
     let start = Start::at(-5.16, 4.59).with_slip(1.33);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
     let known = hoop.simulate(start, Limits::default()).expect("a valid start");
@@ -62,7 +63,8 @@ fn a_balanced_hoop_slips_for_a_time_that_is_no_number() {
             if mu == 0.0 {
                 continue;
             }
-            let hoop = HoopParameters::new(mass - 1.0, 0.0, inertia).with_friction(mu, mu);
+            let hoop =
+                HoopParameters::thin(mass - 1.0).with_offset(0.0).with_inertia(inertia).with_friction(mu, mu);
             let hoop = Hoop::new(hoop).expect("a valid hoop");
             let start = Start::at(0.465, -0.0852).with_slip(-slip);
             let follow = |limits: Limits| hoop.simulate(start, limits).expect("a valid start");
@@ -95,11 +97,12 @@ fn a_hoop_that_is_all_but_massless_is_refused() {
     for (mass_ratio, offset, inertia) in
         [(0.0, 1.0, 5e-324), (1e-61, 1.0, 0.0), (3.0, 1e-31, 0.0), (0.0, 0.0, 1e-150)]
     {
-        let error = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia)).expect_err("too light");
+        let error = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia))
+            .expect_err("too light");
         assert!(matches!(error, ParameterError::NearlyMassless { .. }), "{error}");
         assert!(error.to_string().contains("must be 0, or not less than 1e-60 m2 R^2"), "{error}");
     }
-    assert!(Hoop::new(HoopParameters::new(0.0, 1.0, 1e-60)).is_ok());
+    assert!(Hoop::new(HoopParameters::thin(0.0).with_inertia(1e-60)).is_ok());
 }
 
 /// With μs = 1e9 rolling gives way where N is 1e-19, so that rounding tells the wrong side of the cone: the slide against the friction force is
@@ -107,7 +110,8 @@ fn a_hoop_that_is_all_but_massless_is_refused() {
 #[test]
 fn a_slip_at_huge_friction_goes_against_the_friction_force() {
     let light = 3.093_124_034_665_051_7e-11;
-    let hoop = HoopParameters::new(light, 0.543_016_490_341_794_7, light)
+    let hoop = HoopParameters::thin(light)
+        .with_offset(0.543_016_490_341_794_7)
         .with_friction(1e9, 0.859_974_024_855_756_8);
     let start = Start::at(-2.057_134_228_173_551_6, -2.610_392_130_121_690_4);
     let motion =
@@ -127,7 +131,7 @@ fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
     let mut unresolved = 0;
     for inertia in [1e-60, 1e-40, 1e-20, 1e-10, 1e-5] {
         for law in RestitutionLaw::ALL {
-            let parameters = HoopParameters::new(inertia, 1.0, inertia)
+            let parameters = HoopParameters::thin(inertia)
                 .with_friction(1.010_253_938_896_41, 0.0)
                 .with_restitution(1.0, law);
             let hoop = Hoop::new(parameters).expect("a valid hoop");
@@ -156,7 +160,8 @@ fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
 /// A flight of 3e9 turns ends at an angle whose sine no double resolves: there the impact is not guessed.
 #[test]
 fn an_impact_at_an_angle_that_is_not_resolved_is_none() {
-    let parameters = HoopParameters::new(0.121_466_028_205_290_8, 1.0, 1.856_379_095_494_365_7)
+    let parameters = HoopParameters::thin(0.121_466_028_205_290_8)
+        .with_inertia(1.856_379_095_494_365_7)
         .with_friction(1e-8, 5e-9)
         .with_restitution(0.56, RestitutionLaw::Energetic);
     let start = Start::at(32.2, 121_093.0).with_slip(0.0038);

@@ -29,7 +29,8 @@ fn landings_over_the_whole_range_are_those_of_the_parabola() {
         let h = number(&flight["h"]);
         let [theta, rate, gap_rate] = [0, 1, 2].map(|k| number(&flight["start"][k]));
         let (time, slope) = (number(&flight["landing"]["time"]), number(&flight["landing"]["gap_rate"]));
-        let hoop = Hoop::new(HoopParameters::new(0.0, h, 1.0)).expect("a valid hoop");
+        let hoop =
+            Hoop::new(HoopParameters::thin(0.0).with_offset(h).with_inertia(1.0)).expect("a valid hoop");
         let lifts_off = flight["kind"] == "lift_off";
         let start = if lifts_off {
             let before = 1e-9 + 8.0 * f64::EPSILON * theta.abs();
@@ -59,7 +60,7 @@ fn landings_over_the_whole_range_are_those_of_the_parabola() {
 #[test]
 fn a_fast_hoop_that_has_turned_long_comes_down() {
     let light = Hoop::figure_2(0.5, 0.4).expect("a valid hoop");
-    let heavy = HoopParameters::new(4.258_053_794_098_504e-8, 1.0, 70_006_042.823_695_11);
+    let heavy = HoopParameters::thin(4.258_053_794_098_504e-8).with_inertia(70_006_042.823_695_11);
     let heavy = Hoop::new(heavy.with_friction(0.857_365_504_918_691, 0.0)).expect("a valid hoop");
     let turned = |turns: f64, rate: f64| Start::at(turns * TAU - 1.7_f64.copysign(rate), rate).with_slip(1.0);
     for (hoop, start) in [

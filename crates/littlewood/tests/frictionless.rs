@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 #[test]
 fn a_slide_comes_back_to_the_limit_of_static_friction_to_the_last_digits() {
     let inertia = 4.016_141_798_276_294e-5;
-    let hoop = HoopParameters::new(0.0, 1.0, inertia).with_friction(0.932_698_395_276_155_5, 0.0);
+    let hoop = HoopParameters::thin(0.0).with_inertia(inertia).with_friction(0.932_698_395_276_155_5, 0.0);
     let start = Start::at(0.874_754_659_037_452_8, -0.999_997_695_583_698_6);
     let hoop = Hoop::new(hoop).expect("a valid hoop");
     let motion = hoop.simulate(start, Limits::default()).expect("a valid start");
@@ -53,7 +53,8 @@ fn a_slip_that_is_least_behind_the_bottom_reverses_there() {
         ),
     ] {
         let (mass_ratio, offset, inertia) = parameters;
-        let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia)).expect("a valid hoop");
+        let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia))
+            .expect("a valid hoop");
         let limits = Limits::until(40.0);
         let motion = hoop.simulate(start, limits).expect("a valid start");
         // As far behind the bottom as the start lies before it.
@@ -103,7 +104,10 @@ fn events_next_to_each_other_are_those_of_the_simulation() {
             Start::at(std::f64::consts::PI, 0.0).with_slip(1.6424124366843662),
         ),
     ] {
-        let parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, 0.0);
+        let parameters = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, 0.0);
         let hoop = Hoop::new(parameters).expect("a valid hoop");
         for limits in [Limits::until(20.0), Limits::default()] {
             let motion = hoop.simulate(start, limits).expect("a valid start").summary();
@@ -123,7 +127,9 @@ fn events_next_to_each_other_are_those_of_the_simulation() {
 /// the same by all solvers.
 #[test]
 fn reversals_next_to_each_other_have_their_digits() {
-    let parameters = HoopParameters::new(0.7938587574375968, 0.2784689571620236, 0.43868262089929744);
+    let parameters = HoopParameters::thin(0.7938587574375968)
+        .with_offset(0.2784689571620236)
+        .with_inertia(0.43868262089929744);
     let hoop = Hoop::new(parameters).expect("a valid hoop");
     let start = Start::at(-2.6703065502307917, -2.4013239599419345);
     let motion = hoop.simulate(start, Limits::default()).expect("a valid start");

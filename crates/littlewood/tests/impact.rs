@@ -214,7 +214,7 @@ proptest! {
         closing in 0.05..3.0_f64, e in coefficients(), law in laws(),
     ) {
         let hoop =
-            Hoop::new(HoopParameters::new(m1, offset, inertia).with_friction(mu_s, part * mu_s)).expect("heavy");
+            Hoop::new(HoopParameters::thin(m1).with_offset(offset).with_inertia(inertia).with_friction(mu_s, part * mu_s)).expect("heavy");
         let (about_centre, h) = heavy(&hoop);
         let (sin, cos) = libm::sincos(theta);
         let stepper = Stepper {

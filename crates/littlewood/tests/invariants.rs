@@ -87,8 +87,7 @@ fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> Result<(), 
                     hoop.body().inertia_about_mass_centre() * hoop.mass() / law.solvability(now.state.theta);
                 let rounding = 1e-11 * law_at * (1.0 + u) * (1.0 + now.state.theta.abs());
                 prop_assert!(now.normal >= -rounding, "normal force at {elapsed}: {now:?}");
-                let integral =
-                    |s: &Sample, t| law.momentum_integral(t, s.state.theta, s.state.theta_rate, s.state.slip);
+                let integral = |s: &Sample, time| law.momentum_integral(&State { time, ..s.state });
                 let drift = integral(&now, elapsed) - integral(&first, 0.0);
                 // An angle is known to its last digit, and θ′ to that times the frequency at which a light hoop swings.
                 let swing = (hoop.mass() * hoop.h() / hoop.body().inertia_about_mass_centre()).sqrt();
@@ -100,8 +99,7 @@ fn check_phase(hoop: &Hoop, phase: &Phase, slides_since: &Sample) -> Result<(), 
             }
             PhaseSolution::Gliding(_) => {
                 let Body::Massless(body) = hoop.body() else { unreachable!() };
-                let integrals =
-                    |s: &Sample| GlidingIntegrals::at(&body, s.state.theta, s.state.theta_rate, s.state.slip);
+                let integrals = |s: &Sample| GlidingIntegrals::at(&body, &s.state);
                 let (start, here) = (integrals(&first), integrals(&now));
                 prop_assert!((here.w - start.w).abs() < 1e-10 * size, "w: {start:?} {here:?}");
                 prop_assert!((here.momentum - start.momentum).abs() < 1e-10 * size, "momentum");

@@ -129,7 +129,7 @@ fn the_slide_goes_on_by_a_jam() {
 /// The command of the notes: next to P = 0 the slip has already ended, closer than doubles resolve.
 #[test]
 fn a_slip_that_ends_before_sticks() {
-    let parameters = HoopParameters::new(0.0, 1.0, 1e-3).with_friction(0.5, 0.5);
+    let parameters = HoopParameters::thin(0.0).with_inertia(1e-3).with_friction(0.5, 0.5);
     let hoop = Hoop::new(parameters.with_restitution(0.0, RestitutionLaw::Energetic)).expect("a valid hoop");
     let start = Start::at(1.2, -0.9).with_slip(0.5);
     let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a valid start");
@@ -150,8 +150,10 @@ fn slides_end_next_to_p_0_as_at_80_digits() {
         let [mass, offset, inertia] = [0, 1, 2].map(|at| number(&record["hoop"][at]));
         let [theta, theta_rate, slip] = [0, 1, 2].map(|at| number(&record["start"][at]));
         let mu = number(&record["mu"]);
-        let hoop = Hoop::new(HoopParameters::new(mass, offset, inertia).with_friction(mu, mu))
-            .expect("a valid hoop");
+        let hoop = Hoop::new(
+            HoopParameters::thin(mass).with_offset(offset).with_inertia(inertia).with_friction(mu, mu),
+        )
+        .expect("a valid hoop");
         for mirror in [1.0, -1.0] {
             let start = Start::at(mirror * theta, mirror * theta_rate).with_slip(mirror * slip);
             let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a valid start");

@@ -16,7 +16,13 @@ fn equal_friction() -> impl Strategy<Value = Hoop> {
     (masses, prop_oneof![Just(1.0), 0.1..1.0_f64], 0.02..1.2_f64).prop_filter_map(
         "a body that can move",
         |((mass_ratio, inertia), offset, mu)| {
-            Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu, mu)).ok()
+            Hoop::new(
+                HoopParameters::thin(mass_ratio)
+                    .with_offset(offset)
+                    .with_inertia(inertia)
+                    .with_friction(mu, mu),
+            )
+            .ok()
         },
     )
 }
@@ -295,7 +301,8 @@ fn grazing_orbits_are_those_of_a_search_with_40_digits() {
     let number = |value: &Value| value.as_f64().or_else(|| value.as_str()?.parse().ok()).expect("a number");
     for expected in orbits["orbits"].as_array().expect("orbits") {
         let get = |name: &str| number(&expected["hoop"][name]);
-        let parameters = HoopParameters::new(get("mass_ratio"), get("offset"), get("inertia"));
+        let parameters =
+            HoopParameters::thin(get("mass_ratio")).with_offset(get("offset")).with_inertia(get("inertia"));
         let hoop = Hoop::new(parameters.with_friction(get("mu_s"), get("mu_k"))).expect("a hoop");
         let orbit = GrazingOrbit::below(&hoop, number(&expected["below"])).expect("a grazing orbit");
         for (name, ours) in

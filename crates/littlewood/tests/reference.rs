@@ -20,7 +20,9 @@ fn number(value: &Value) -> f64 {
 fn hoop(value: &Value) -> Hoop {
     let get = |name: &str| value.get(name).map_or(0.0, number);
     Hoop::new(
-        HoopParameters::new(get("mass_ratio"), get("offset"), get("inertia"))
+        HoopParameters::thin(get("mass_ratio"))
+            .with_offset(get("offset"))
+            .with_inertia(get("inertia"))
             .with_friction(get("mu_s"), get("mu_k")),
     )
     .expect("a valid hoop")
@@ -204,7 +206,9 @@ fn long_slides_agree_with_their_reference() {
         let get = |of: &str, key: &str| number(&slide[of][key]);
         let mu = get("hoop", "mu");
         let hoop = Hoop::new(
-            HoopParameters::new(get("hoop", "mass_ratio"), get("hoop", "offset"), get("hoop", "inertia"))
+            HoopParameters::thin(get("hoop", "mass_ratio"))
+                .with_offset(get("hoop", "offset"))
+                .with_inertia(get("hoop", "inertia"))
                 .with_friction(mu, mu),
         )
         .expect("a valid hoop");

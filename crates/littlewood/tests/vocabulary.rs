@@ -273,9 +273,9 @@ fn refusals_name_what_would_have_to_change() {
         (hoop(thin.with_friction(0.5, 0.6)), Quantity::MuK, true),
         (hoop(thin.with_friction(-0.5, 0.0)), Quantity::MuS, false),
         (hoop(thin.with_friction(f64::NAN, 0.0)), Quantity::MuS, false),
-        (hoop(HoopParameters::new(1.0, 1.5, 1.0)), Quantity::Offset, false),
-        (hoop(HoopParameters::new(-1.0, 1.0, 1.0)), Quantity::MassRatio, false),
-        (hoop(HoopParameters::new(1.0, 0.0, 0.0)), Quantity::Offset, true),
+        (hoop(HoopParameters::thin(1.0).with_offset(1.5)), Quantity::Offset, false),
+        (hoop(HoopParameters::thin(-1.0).with_inertia(1.0)), Quantity::MassRatio, false),
+        (hoop(HoopParameters::thin(1.0).with_offset(0.0).with_inertia(0.0)), Quantity::Offset, true),
         (
             hoop(HoopParameters::thin(0.0).with_restitution(0.5, RestitutionLaw::Newton)),
             Quantity::Restitution,

@@ -14,8 +14,7 @@ use crate::support::table::write_table;
 use littlewood_random::Draw;
 
 /// Where nothing else is said.
-const BASE: Setup =
-    Setup::new(HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4), Start::at(1.0, 1.0));
+const BASE: Setup = Setup::new(HoopParameters::thin(1.0).with_friction(0.5, 0.4), Start::at(1.0, 1.0));
 
 /// Which part of the lists goes through the program, which takes a thousand times as long.
 const THROUGH_THE_PROGRAM: f64 = 0.1;

@@ -1,6 +1,6 @@
 //! Random motions, followed in this process and written down in every format.
 
-use littlewood::si::Units;
+use littlewood::si::SiParameters;
 use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Trajectory};
 use littlewood_report::scale::Scale;
 use littlewood_report::{Sampling, Subject, csv, json, sentence};
@@ -127,7 +127,9 @@ fn readable(motion: &Trajectory, subject: &Subject<'_>, sampling: Option<Samplin
 
 /// Sentences that end, without dimension and in SI units.
 fn spoken(motion: &Trajectory) -> Result<(), String> {
-    let units = Units::new(0.14, 0.45, 9.80665).map_err(|error| error.to_string())?;
+    let units = SiParameters { particle_mass_kg: 0.14, radius_m: 0.45, ..SiParameters::default() }
+        .units()
+        .map_err(|error| error.to_string())?;
     for scale in [Scale::new(None), Scale::new(Some(&units))] {
         let first =
             (0..motion.transitions().len().min(5)).filter_map(|i| sentence::transition(motion, i, scale));

@@ -168,7 +168,7 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
             .map(|i| phase.sample(duration * f64::from(i) / 80.0).state)
             .map(|state| [state.theta, state.theta_rate])
             .collect();
-        let w = GlidingIntegrals::at(&body, end.theta, end.theta_rate, 0.0).w;
+        let w = GlidingIntegrals::at(&body, &end).w;
         let falling = -libm::sin(end.theta) * end.theta_rate;
         let onward = line_of(&body, w, 1.0, [falling, -fastest(&body, w)]);
         // The other half of each orbit, and the other three, by symmetry: through the top (θ, θ′) → (−θ, θ′) with time

@@ -186,7 +186,7 @@ mod tests {
     #[test]
     fn each_curve_is_where_its_equation_holds() {
         let heavy = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
-        let massless = HoopParameters::new(0.0, 1.0, 0.0).with_friction(0.5, 0.5);
+        let massless = HoopParameters::thin(0.0).with_friction(0.5, 0.5);
         for (parameters, theta_first) in [(heavy, true), (heavy, false), (massless, true)] {
             let hoop = Hoop::new(parameters).expect("a hoop");
             let plane = PhasePlane::new(&hoop);

@@ -224,6 +224,8 @@ impl Picture {
 
 #[cfg(test)]
 mod tests {
+    use littlewood::si::SiParameters;
+
     use super::*;
 
     #[test]
@@ -243,7 +245,14 @@ mod tests {
     #[test]
     fn in_si_units_axes_titles_and_ticks_have_them() {
         // m2 = 2 kg, R = 0.5 m, g = 8 m/s²: √(R/g) = 0.25 s.
-        let units = Units::new(2.0, 0.5, 8.0).expect("good");
+        let units = SiParameters {
+            particle_mass_kg: 2.0,
+            radius_m: 0.5,
+            gravity_m_per_s2: 8.0,
+            ..SiParameters::default()
+        }
+        .units()
+        .expect("good");
         let axis = Axis::new(Quantity::ThetaRate, 0.0, 2.0, 3).expect("good");
         assert_eq!(axis_name(&axis, Some(&units)), "dθ/dt  (rad/s)");
         let last = ticks_of(&axis, Some(&units), 5).pop().expect("good");

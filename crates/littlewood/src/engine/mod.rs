@@ -203,7 +203,7 @@ mod tests {
     #[test]
     fn little_is_left_to_the_simulation() {
         let figure_2 = Hoop::figure_2(0.5, 0.4).unwrap();
-        let painleve = HoopParameters::new(0.2, 1.0, 0.1).with_friction(1.5, 1.4);
+        let painleve = HoopParameters::thin(0.2).with_inertia(0.1).with_friction(1.5, 1.4);
         let painleve = Hoop::new(painleve).unwrap();
         let engines = [figure_2, painleve].map(|hoop| [Engine::new(&hoop), Engine::without_tables(&hoop)]);
         for engine in engines.as_flattened() {
@@ -254,7 +254,10 @@ mod tests {
             // There are no links at most rates, but at the lowest.
             (0.22784, 0.33068, 0.17859, 0.078342, 0.078332, Start::at(0.527, -0.295)),
         ] {
-            let parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+            let parameters = HoopParameters::thin(mass_ratio)
+                .with_offset(offset)
+                .with_inertia(inertia)
+                .with_friction(mu_s, mu_k);
             let hoop = Hoop::new(parameters).unwrap();
             let passed = passed_from(&hoop, start, 500);
             assert!(passed > 300, "{mu_s} {mu_k}: {passed}");

@@ -188,7 +188,7 @@ mod tests {
             theta_rate in prop_oneof![0.1..4.0_f64, 0.01..0.1_f64],
             part in 0.0..1.0_f64,
         ) {
-            let hoop = Hoop::new(HoopParameters::new(mass_ratio, offset, inertia)).unwrap();
+            let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia)).unwrap();
             let law = RollingLaw::new(&hoop);
             let start = State { time: 0.0, theta, theta_rate, slip: 0.0, x: 0.0 };
             let rolling = Rolling::new(&hoop, start);

@@ -426,7 +426,10 @@ mod tests {
     fn an_orbit_on_the_limit_slips_where_it_does_for_the_exact_solver() {
         let mut slips = 0;
         for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.9)] {
-            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, 0.0);
+            let hoop = HoopParameters::thin(mass_ratio)
+                .with_offset(0.9)
+                .with_inertia(inertia)
+                .with_friction(mu_s, 0.0);
             let hoop = Hoop::new(hoop).unwrap();
             let (margins, law) = (margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop));
             let curve = SlipCurves::new(margins, law);
@@ -497,7 +500,10 @@ mod tests {
     fn orbits_that_hold_on_an_octant_have_positive_margins() {
         let (mut held, mut broken) = (0, 0);
         for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
-            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, mu_s);
+            let hoop = HoopParameters::thin(mass_ratio)
+                .with_offset(0.9)
+                .with_inertia(inertia)
+                .with_friction(mu_s, mu_s);
             let hoop = Hoop::new(hoop).unwrap();
             let (margins, law) = (margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop));
             for octant in 0..OCTANTS {

@@ -5,6 +5,7 @@
 
 use crate::model::hoop::Massless;
 use crate::model::named::named;
+use crate::model::state::Start;
 
 /// Conserved energy of rolling, e = (1 + cos θ) θ′² + cos θ (3.2).
 #[must_use]
@@ -32,15 +33,15 @@ pub fn alpha(theta: f64, theta_rate: f64) -> f64 {
 /// which vanishes on the stable manifold. It contains (3.5) to (3.7). Beyond ±1 the particle has passed through the
 /// contact point: the motion has ended before.
 #[must_use]
-pub fn rolling_half_sine(theta: f64, theta_rate: f64, elapsed: f64) -> f64 {
-    let (sin, cos) = libm::sincos(0.5 * theta);
-    sin * libm::cosh(0.5 * elapsed) + theta_rate * cos * libm::sinh(0.5 * elapsed)
+pub fn rolling_half_sine(start: &Start, elapsed: f64) -> f64 {
+    let (sin, cos) = libm::sincos(0.5 * start.theta);
+    sin * libm::cosh(0.5 * elapsed) + start.theta_rate * cos * libm::sinh(0.5 * elapsed)
 }
 
 /// θ while rolling after Δτ, for a start with |θ0| ≤ π; none after the particle has reached the plane.
 #[must_use]
-pub fn rolling_angle(theta: f64, theta_rate: f64, elapsed: f64) -> Option<f64> {
-    let sine = rolling_half_sine(theta, theta_rate, elapsed);
+pub fn rolling_angle(start: &Start, elapsed: f64) -> Option<f64> {
+    let sine = rolling_half_sine(start, elapsed);
     (sine.abs() <= 1.0).then(|| 2.0 * libm::asin(sine))
 }
 
@@ -100,8 +101,8 @@ pub fn slip_angle(hoop: &Massless, mu_s: f64) -> Option<f64> {
 
 /// Region 𝓡 of Littlewood's hoop (3.10): |θ| < θ_s, |θ′| < 1.
 #[must_use]
-pub fn in_rolling_region(theta: f64, theta_rate: f64, mu_s: f64) -> bool {
-    theta.abs() < 2.0 * libm::atan(mu_s) && theta_rate.abs() < 1.0
+pub fn in_rolling_region(start: &Start, mu_s: f64) -> bool {
+    start.theta.abs() < 2.0 * libm::atan(mu_s) && start.theta_rate.abs() < 1.0
 }
 
 named! {
@@ -163,7 +164,8 @@ pub fn gliding_time_to_plane(theta: f64, theta_rate: f64) -> f64 {
 /// Position of the particle (mass centre) of a gliding hoop relative to x̄0, after Δτ (3.19): a parabola, or a
 /// vertical line if η0′ = θ0′ (1 + cos θ0).
 #[must_use]
-pub fn gliding_path(theta: f64, theta_rate: f64, slip: f64, elapsed: f64) -> (f64, f64) {
+pub fn gliding_path(start: &Start, elapsed: f64) -> (f64, f64) {
+    let Start { theta, theta_rate, slip, .. } = *start;
     let (sin, cos) = libm::sincos(theta);
     (
         (slip - theta_rate * (1.0 + cos)) * elapsed,

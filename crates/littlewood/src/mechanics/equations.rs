@@ -303,9 +303,9 @@ impl SlidingLaw {
 
     /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + μk σ τ.
     #[must_use]
-    pub fn momentum_integral(&self, time: f64, theta: f64, theta_rate: f64, slip: f64) -> f64 {
-        let (sin, cos) = libm::sincos(theta);
-        slip - theta_rate * self.lever(sin, cos) + self.friction * time
+    pub fn momentum_integral(&self, state: &State) -> f64 {
+        let (sin, cos) = libm::sincos(state.theta);
+        state.slip - state.theta_rate * self.lever(sin, cos) + self.friction * state.time
     }
 
     /// The second integral, x̄ + μk σ (ȳ + τ²/2) − linear, of the slide that begins at a state.

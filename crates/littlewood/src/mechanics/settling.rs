@@ -94,7 +94,7 @@ impl Hoop {
     /// use littlewood::{Hoop, Restitution, RestitutionLaw, Start};
     ///
     /// // A balanced hoop bounces like a ball: 2v/(1 − e).
-    /// let hoop = Hoop::new(littlewood::HoopParameters::new(1.0, 0.0, 1.0))?;
+    /// let hoop = Hoop::new(littlewood::HoopParameters::thin(1.0).with_offset(0.0))?;
     /// let settling = hoop.settling(
     ///     &Start::at(0.0, 0.0).check()?,
     ///     1e-9,

@@ -9,9 +9,9 @@ use crate::model::restitution::{Restitution, RestitutionLaw};
 /// ```
 /// use littlewood::{Hoop, HoopParameters};
 ///
-/// // m̂1 = ℓ̂ = Î_zz = 1, μs = 0.5, μk = 0.4.
-/// let hoop = Hoop::new(HoopParameters::new(1.0, 1.0, 1.0).with_friction(0.5, 0.4))?;
-/// assert_eq!(hoop.offset(), 1.0);
+/// // A homogeneous disc with the mass of the particle, which sits halfway to the rim: I_zz = ½ m1 R².
+/// let disc = HoopParameters::thin(1.0).with_offset(0.5).with_inertia(0.5).with_friction(0.5, 0.4);
+/// assert_eq!(Hoop::new(disc)?.offset(), 0.5);
 /// # Ok::<(), littlewood::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,16 +35,31 @@ pub struct HoopParameters {
 }
 
 impl HoopParameters {
-    /// Mass ratio m̂1, offset ℓ̂ and moment of inertia Î_zz, without friction.
-    #[must_use]
-    pub const fn new(mass_ratio: f64, offset: f64, inertia: f64) -> Self {
-        Self { mass_ratio, offset, inertia, mu_s: 0.0, mu_k: 0.0, restitution: None, restitution_law: None }
-    }
-
-    /// A thin hoop with the particle on its rim, without friction: ℓ = R, I_zz = m1 R².
+    /// A thin hoop of this mass ratio m̂1 with the particle on its rim, without friction: ℓ = R, I_zz = m1 R². Any other body is one with
+    /// another offset and another moment of inertia.
     #[must_use]
     pub const fn thin(mass_ratio: f64) -> Self {
-        Self::new(mass_ratio, 1.0, mass_ratio)
+        Self {
+            mass_ratio,
+            offset: 1.0,
+            inertia: mass_ratio,
+            mu_s: 0.0,
+            mu_k: 0.0,
+            restitution: None,
+            restitution_law: None,
+        }
+    }
+
+    /// The same hoop with the particle at this distance ℓ̂ from the centre.
+    #[must_use]
+    pub const fn with_offset(self, offset: f64) -> Self {
+        Self { offset, ..self }
+    }
+
+    /// The same hoop with this moment of inertia Î_zz of the disc about its centre.
+    #[must_use]
+    pub const fn with_inertia(self, inertia: f64) -> Self {
+        Self { inertia, ..self }
     }
 
     /// The same hoop with these coefficients of static and kinetic friction.

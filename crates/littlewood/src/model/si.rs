@@ -3,7 +3,7 @@
 use crate::model::dimension::Dimension;
 use crate::model::error::{ParameterError, within};
 use crate::model::hoop::{Hoop, HoopParameters};
-use crate::model::quantity::{Bound, Quantity};
+use crate::model::quantity::{Bound, Quantity, STANDARD_GRAVITY};
 use crate::model::restitution::RestitutionLaw;
 use crate::model::setup::Setup;
 use crate::model::state::{Start, State};
@@ -24,8 +24,7 @@ use crate::model::units::Units;
 ///     gravity_m_per_s2: 9.81,
 ///     mu_s: 0.5,
 ///     mu_k: 0.4,
-///     restitution: None,
-///     restitution_law: None,
+///     ..SiParameters::default()
 /// }
 /// .to_hoop()?;
 /// assert!((hoop.mass_ratio() - 0.4 / 0.14).abs() < 1e-15);
@@ -73,38 +72,59 @@ pub struct SiState {
     pub x_m: f64,
 }
 
+/// Standard gravity, and otherwise zeros: masses and lengths must be given, friction and restitution may be.
+impl Default for SiParameters {
+    fn default() -> Self {
+        Self {
+            disc_mass_kg: 0.0,
+            particle_mass_kg: 0.0,
+            radius_m: 0.0,
+            offset_m: 0.0,
+            inertia_kg_m2: 0.0,
+            gravity_m_per_s2: STANDARD_GRAVITY,
+            mu_s: 0.0,
+            mu_k: 0.0,
+            restitution: None,
+            restitution_law: None,
+        }
+    }
+}
+
 impl SiParameters {
+    /// The units that m2, R and g make; the other parameters are not looked at.
+    ///
+    /// # Errors
+    /// All three must be finite and greater than zero.
+    pub fn units(&self) -> Result<Units, ParameterError> {
+        let mass_kg = Quantity::ParticleMassKg.check(self.particle_mass_kg)?;
+        let length_m = Quantity::RadiusM.check(self.radius_m)?;
+        let gravity = Quantity::GravityMPerS2.check(self.gravity_m_per_s2)?;
+        Ok(Units { mass_kg, length_m, time_s: (length_m / gravity).sqrt(), gravity_m_per_s2: gravity })
+    }
+
     /// The dimensionless hoop, and the units to convert its motion with.
     ///
     /// # Errors
     /// m2, R, g > 0; m1, `I_zz` ≥ 0; 0 ≤ ℓ ≤ R; 0 ≤ μk ≤ μs; all finite; and as [`Hoop::new`].
     pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
-        let Self {
-            disc_mass_kg,
-            particle_mass_kg,
-            radius_m,
-            offset_m,
-            inertia_kg_m2,
-            gravity_m_per_s2,
-            mu_s,
-            mu_k,
-            restitution,
-            restitution_law,
-        } = *self;
+        let Self { disc_mass_kg, radius_m, offset_m, inertia_kg_m2, mu_s, mu_k, .. } = *self;
         let mass = Quantity::DiscMassKg.check(disc_mass_kg)?;
         let radius = Quantity::RadiusM.check(radius_m)?;
         let offset = Quantity::OffsetM.check(offset_m)?;
         within(Quantity::OffsetM, offset, Bound::AtMost(Quantity::RadiusM, radius))?;
         let inertia = Quantity::InertiaKgM2.check(inertia_kg_m2)?;
-        let units = Units::new(particle_mass_kg, radius, gravity_m_per_s2)?;
+        let units = self.units()?;
         let plain = |quantity: Quantity, value| units.from_si(quantity.dimension(), value);
-        let parameters = HoopParameters::new(
-            plain(Quantity::DiscMassKg, mass),
-            plain(Quantity::OffsetM, offset),
-            plain(Quantity::InertiaKgM2, inertia),
-        )
-        .with_friction(mu_s, mu_k);
-        Ok((Hoop::new(HoopParameters { restitution, restitution_law, ..parameters })?, units))
+        let parameters = HoopParameters {
+            mass_ratio: plain(Quantity::DiscMassKg, mass),
+            offset: plain(Quantity::OffsetM, offset),
+            inertia: plain(Quantity::InertiaKgM2, inertia),
+            mu_s,
+            mu_k,
+            restitution: self.restitution,
+            restitution_law: self.restitution_law,
+        };
+        Ok((Hoop::new(parameters)?, units))
     }
 
     /// The parameters of a hoop, which need not have been checked, in SI units.

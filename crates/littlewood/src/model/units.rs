@@ -1,8 +1,6 @@
 //! Conversion between (2.9) and SI units, from the exponents of the dimensions.
 
 use crate::model::dimension::Dimension;
-use crate::model::error::ParameterError;
-use crate::model::quantity::Quantity;
 
 /// The units of (2.9): SI value = dimensionless value × unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,17 +16,6 @@ pub struct Units {
 }
 
 impl Units {
-    /// From m2, R and g.
-    ///
-    /// # Errors
-    /// All three must be finite and greater than zero.
-    pub fn new(particle_mass_kg: f64, radius_m: f64, gravity_m_per_s2: f64) -> Result<Self, ParameterError> {
-        let mass_kg = Quantity::ParticleMassKg.check(particle_mass_kg)?;
-        let length_m = Quantity::RadiusM.check(radius_m)?;
-        let gravity = Quantity::GravityMPerS2.check(gravity_m_per_s2)?;
-        Ok(Self { mass_kg, length_m, time_s: (length_m / gravity).sqrt(), gravity_m_per_s2: gravity })
-    }
-
     /// The unit of a dimension as a fraction, by the exponents of m2, R and g. Powers of R/g alone are powers of the
     /// unit of time; an odd power of √g brings one unit of time.
     fn fraction(&self, dimension: Dimension) -> (Option<f64>, f64) {
@@ -107,10 +94,18 @@ impl Units {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::si::SiParameters;
 
     #[test]
     fn units_are_the_powers_of_mass_length_and_gravity() {
-        let units = Units::new(0.14, 0.45, 9.81).expect("three positive numbers");
+        let units = SiParameters {
+            particle_mass_kg: 0.14,
+            radius_m: 0.45,
+            gravity_m_per_s2: 9.81,
+            ..SiParameters::default()
+        }
+        .units()
+        .expect("three positive numbers");
         let (m, r, g) = (0.14_f64, 0.45_f64, 9.81_f64);
         for (dimension, expected) in [
             (Dimension::Ratio, 1.0),

@@ -41,8 +41,13 @@ pub(crate) fn heavy_hoop() -> impl Strategy<Value = Hoop> {
     (masses, offset(), friction()).prop_filter_map(
         "a body that can move",
         |((mass_ratio, inertia), offset, (mu_s, mu_k))| {
-            let hoop =
-                Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k)).ok()?;
+            let hoop = Hoop::new(
+                HoopParameters::thin(mass_ratio)
+                    .with_offset(offset)
+                    .with_inertia(inertia)
+                    .with_friction(mu_s, mu_k),
+            )
+            .ok()?;
             matches!(hoop.body(), Body::Heavy(_)).then_some(hoop)
         },
     )
@@ -53,7 +58,13 @@ pub(crate) fn moderate_hoop() -> impl Strategy<Value = Hoop> {
     (0.2..4.0_f64, 0.1..=1.0_f64, 0.2..4.0_f64, 0.05..0.7_f64, 0.0..=1.0_f64).prop_filter_map(
         "a body that can move",
         |(mass_ratio, offset, inertia, mu_s, part)| {
-            Hoop::new(HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_s * part)).ok()
+            Hoop::new(
+                HoopParameters::thin(mass_ratio)
+                    .with_offset(offset)
+                    .with_inertia(inertia)
+                    .with_friction(mu_s, mu_s * part),
+            )
+            .ok()
         },
     )
 }
@@ -63,7 +74,7 @@ pub(crate) fn massless_hoop() -> impl Strategy<Value = Hoop> {
     (prop_oneof![2 => Just(1.0), 1 => 0.05..1.0_f64], friction()).prop_filter_map(
         "a massless hoop",
         |(offset, (mu_s, mu_k))| {
-            Hoop::new(HoopParameters::new(0.0, offset, 0.0).with_friction(mu_s, mu_k)).ok()
+            Hoop::new(HoopParameters::thin(0.0).with_offset(offset).with_friction(mu_s, mu_k)).ok()
         },
     )
 }

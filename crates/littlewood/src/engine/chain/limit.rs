@@ -132,7 +132,10 @@ mod tests {
     fn the_limit_has_its_slope_its_zeros_and_its_extrema() {
         let mut found = (0, 0);
         for (mass_ratio, inertia, mu_s) in [(1.0, 1.0, 0.5), (2.0, 0.5, 0.2), (0.1, 0.07, 0.09)] {
-            let hoop = HoopParameters::new(mass_ratio, 0.9, inertia).with_friction(mu_s, mu_s);
+            let hoop = HoopParameters::thin(mass_ratio)
+                .with_offset(0.9)
+                .with_inertia(inertia)
+                .with_friction(mu_s, mu_s);
             let hoop = Hoop::new(hoop).unwrap();
             let curves = SlipCurves::new(margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop));
             for side in [0, 1] {

@@ -105,7 +105,10 @@ mod tests {
         for (mass_ratio, offset, inertia, mu) in
             [(0.2, 0.5, 0.02, 3.0), (0.1, 0.7, 0.03, 1.5), (0.2, 1.0, 0.1, 1.4)]
         {
-            let parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu, mu);
+            let parameters = HoopParameters::thin(mass_ratio)
+                .with_offset(offset)
+                .with_inertia(inertia)
+                .with_friction(mu, mu);
             let hoop = Hoop::new(parameters).unwrap();
             let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
             let zeros = solvability(&body, mu).0.sign_changes();

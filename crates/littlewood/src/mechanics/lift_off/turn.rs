@@ -134,7 +134,10 @@ mod tests {
     ];
 
     fn hoop([mass_ratio, offset, inertia, mu_s, mu_k]: [f64; 5]) -> (Hoop, Heavy) {
-        let parameters = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_s, mu_k);
+        let parameters = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k);
         let hoop = Hoop::new(parameters).unwrap();
         let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
         (hoop, body)

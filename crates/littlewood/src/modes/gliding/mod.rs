@@ -49,7 +49,8 @@ pub struct GlidingIntegrals {
 impl GlidingIntegrals {
     /// At a state of a massless hoop.
     #[must_use]
-    pub fn at(hoop: &Massless, theta: f64, theta_rate: f64, slip: f64) -> Self {
+    pub fn at(hoop: &Massless, state: &State) -> Self {
+        let State { theta, theta_rate, slip, .. } = *state;
         let (sin, cos) = libm::sincos(theta);
         let l = hoop.offset;
         let rise = l * sin * theta_rate;

@@ -386,8 +386,7 @@ impl Sliding {
 
     /// η′ − θ′ (1 + h c + μk σ h s) + μk σ τ at the start.
     fn integral(&self) -> f64 {
-        let State { theta, theta_rate, slip, .. } = self.start;
-        self.law.momentum_integral(0.0, theta, theta_rate, slip)
+        self.law.momentum_integral(&State { time: 0.0, ..self.start })
     }
 
     /// With the slip from the first integral.
@@ -543,7 +542,10 @@ mod tests {
     use crate::model::hoop::{Body, HoopParameters};
 
     fn law(mass_ratio: f64, offset: f64, inertia: f64, mu_k: f64, direction: Direction) -> SlidingLaw {
-        let hoop = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu_k, mu_k);
+        let hoop = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_k, mu_k);
         match Hoop::new(hoop).unwrap().body() {
             Body::Heavy(body) => SlidingLaw::of_body(body, mu_k, direction),
             Body::Massless(_) => panic!("a massless hoop"),

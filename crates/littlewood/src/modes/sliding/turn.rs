@@ -295,7 +295,7 @@ mod tests {
             mass_ratio in 0.0..3.0_f64, offset in 0.05..1.0_f64, inertia in 0.1..3.0_f64, mu in 0.0..5.0_f64,
             positive in any::<bool>(),
         ) {
-            let hoop = HoopParameters::new(mass_ratio, offset, inertia).with_friction(mu, mu);
+            let hoop = HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia).with_friction(mu, mu);
             let Body::Heavy(body) = Hoop::new(hoop).unwrap().body() else { unreachable!("it has inertia") };
             let direction = if positive { Direction::Positive } else { Direction::Negative };
             let law = SlidingLaw::of_body(body, mu, direction);
