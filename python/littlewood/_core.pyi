@@ -25,7 +25,6 @@ __all__ = [
     "HOOP",
     "IMPACT_CASES",
     "MAX_TRANSITIONS",
-    "MIN_STARTS_FOR_TABLES",
     "MODES",
     "MOST_POINTS",
     "MOST_THREADS",
@@ -102,7 +101,6 @@ IMPACT_CASES: list[tuple[int, str, str]]
 MAX_TRANSITIONS: int
 PROOF: str
 PROOFS: list[str]
-MIN_STARTS_FOR_TABLES: int
 MOST_THREADS: int
 MODES: list[tuple[int, str]]
 MOST_POINTS: int
@@ -180,7 +178,7 @@ def summaries(
     until: float | None,
     max_transitions: int,
     proof: str,
-    tables: bool,
+    starts: int,
     threads: int,
     progress: Callable[[int], object] | None,
 ) -> dict[str, npt.NDArray[Any]]: ...

@@ -37,7 +37,7 @@ def compute(
     axes: Mapping[str, tuple[int, ...]],
     law: str | None,
     limits: Limits,
-    tables: bool,
+    starts: int,
     threads: int,
     progress: Callable[[int], object] | None = None,
 ) -> dict[str, npt.NDArray[Any]]:
@@ -53,8 +53,8 @@ def compute(
         Law of restitution.
     limits : Limits
         When to stop.
-    tables : bool
-        Whether to make tables of each hoop.
+    starts : int
+        Number of starts of each hoop of the whole result, of which these points may be a part.
     threads : int
         Number of threads; 0 for all cores.
     progress : callable, optional
@@ -84,7 +84,7 @@ def compute(
         limits.until,
         limits.max_transitions,
         limits.proof,
-        tables,
+        starts,
         threads,
         progress,
     )

@@ -41,7 +41,7 @@ def lazy_columns(points: Points, limits: Limits) -> dict[str, Any]:
         fixed=fixed,
         law=points.law,
         limits=tuple(limits),
-        tables=points.tables,
+        starts=points.starts,
         dtype=DTYPE,
         meta=np.empty((0,) * len(points.sizes), dtype=DTYPE),
     )
@@ -58,12 +58,12 @@ def _records(
     fixed: Mapping[str, float],
     law: str | None,
     limits: tuple[float | None, int, str],
-    tables: bool,
+    starts: int,
 ) -> npt.NDArray[Any]:
     arrays = dict(zip(names, blocks, strict=True))
     arrays.update((name, np.asarray(value)) for name, value in fixed.items())
     # A worker of Dask runs as many blocks at a time as it has threads: one thread for each.
-    columns = compute(arrays, axes, law, Limits(*limits), tables, threads=1)
+    columns = compute(arrays, axes, law, Limits(*limits), starts, threads=1)
     records = np.empty(columns["outcome"].shape, dtype=DTYPE)
     for name, values in columns.items():
         records[name] = values

@@ -107,7 +107,7 @@ def simulate_many(
 
     Notes
     -----
-    Hoops with at least 256 starts, by the dimensions that the parameters of the hoop do not have, are prepared with
+    Hoops with some hundreds of starts, by the dimensions that the parameters of the hoop do not have, are prepared with
     tables, which makes a start about five times as fast and changes times by a few units in the last digits. The choice
     does not depend on blocks or threads; neither do the results.
 
@@ -217,7 +217,7 @@ def _simulate(
     else:
         arrays = {name: variable.data for name, variable in points.variables.items()}
         with _bar(points.count, progress) as show:
-            data = compute(arrays, points.axes, points.law, limits, points.tables, threads or 0, show)
+            data = compute(arrays, points.axes, points.law, limits, points.starts, threads or 0, show)
     dimensions = tuple(points.sizes)
     dataset: xarray.Dataset = require("xarray").Dataset(
         {name: (dimensions, data[name], result_attributes(name)) for name in RESULTS},

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _core
 from .extras import require
 from .hoop import Hoop
 from .tables import AXES, HOOP, QUANTITIES
@@ -53,15 +52,14 @@ class Points:
         return {name: tuple(place[str(d)] for d in one.dims) for name, one in self.variables.items()}
 
     @property
-    def tables(self) -> bool:
-        """Whether hoops have starts enough for tables.
+    def starts(self) -> int:
+        """Number of starts of a hoop, by which it is prepared or not.
 
         It is decided by the dimensions alone, not by the values nor by blocks, so that the digits of a result do not
         depend on how it is cut.
         """
         of_hoops = {dimension for name in HOOP if name in self.variables for dimension in self.variables[name].dims}
-        starts = math.prod(size for dimension, size in self.sizes.items() if dimension not in of_hoops)
-        return starts >= _core.MIN_STARTS_FOR_TABLES
+        return math.prod(size for dimension, size in self.sizes.items() if dimension not in of_hoops)
 
     @property
     def is_lazy(self) -> bool:

@@ -101,7 +101,6 @@ def test_the_documentation_lists_the_columns(hoop):
 
 
 def test_the_documentation_knows_the_numbers():
-    assert f"at least {_core.MIN_STARTS_FOR_TABLES} starts" in lw.simulate_many.__doc__
     for text in (lw.sequence_names.__doc__, lw.Trajectory.sequence.__doc__):
         assert f"more than {_core.SEQUENCE_CAPACITY}" in text
         for _, letter, _ in _core.PHASES:

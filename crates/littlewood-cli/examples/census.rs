@@ -38,8 +38,9 @@ struct Census {
 impl Census {
     fn add(&mut self, number: u64, setup: Setup) {
         let begun = Instant::now();
-        let summary = Hoop::new(setup.hoop)
-            .and_then(|hoop| Engine::without_tables(&hoop).summary(setup.start, Limits::default()));
+        let summary = Hoop::new(setup.hoop).and_then(|hoop| {
+            Engine::builder(&hoop).expected_starts(1).build().summary(setup.start, Limits::default())
+        });
         let took = begun.elapsed();
         let Ok(outcome) = summary.map(|summary| summary.outcome) else {
             *self.counts.entry("contradicts itself").or_default() += 1;

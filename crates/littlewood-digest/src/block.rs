@@ -16,8 +16,8 @@ const INSTANTS: [f64; 4] = [0.0, 0.3125, 0.75, 1.0];
 /// Duration of the part that is looked at of a phase that lasts for ever.
 const WINDOW: f64 = 8.0;
 
-/// Starts of the hoop of a block with which the engine makes tables.
-const STARTS: usize = Engine::MIN_STARTS_FOR_TABLES;
+/// Starts of the hoop of a block that the engine prepares.
+const STARTS: usize = 256;
 
 /// The digests of a block of motions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,7 +111,7 @@ fn impact(hash: &mut Hash, impact: &Impact) {
 }
 
 fn summary(hash: &mut Hash, setup: &Setup, limits: Limits) -> Result<(), ParameterError> {
-    let engine = Engine::without_tables(&Hoop::new(setup.hoop)?);
+    let engine = Engine::builder(&Hoop::new(setup.hoop)?).expected_starts(1).build();
     add(hash, &engine.summary(setup.start, limits)?);
     Ok(())
 }

@@ -88,7 +88,7 @@ fn rows_of_hoop(
     points: &Points,
     indices: &[usize],
     limits: Limits,
-    tables: bool,
+    starts: u64,
     signals: &Signals,
 ) -> Rows<Vec<Row>> {
     signals.check()?;
@@ -98,7 +98,7 @@ fn rows_of_hoop(
         Err(error) if error.is_contradiction() => None,
         Err(error) => return Ok(Err(Refused(first, error))),
     };
-    let engine = hoop.map(|hoop| if tables { Engine::new(&hoop) } else { Engine::without_tables(&hoop) });
+    let engine = hoop.map(|hoop| Engine::builder(&hoop).expected_starts(starts).build());
     let rows_of_task = |task: &[usize]| {
         let mut rows = Vec::with_capacity(task.len());
         for &i in task {
@@ -181,13 +181,13 @@ type Columns = Vec<(SummaryColumn, Values)>;
 fn compute(
     points: &Points,
     limits: Limits,
-    tables: bool,
+    starts: u64,
     signals: &Signals,
 ) -> Result<Result<Columns, Refused>, Cancelled> {
     let results = points
         .groups(signals)?
         .par_iter()
-        .map(|indices| rows_of_hoop(points, indices, limits, tables, signals))
+        .map(|indices| rows_of_hoop(points, indices, limits, starts, signals))
         .collect::<Result<Vec<_>, Cancelled>>()?;
     Ok(gather(results).map(|hoops| {
         let spread = |column: SummaryColumn| {
@@ -203,8 +203,8 @@ fn compute(
 
 /// Summaries of many motions.
 ///
-/// `columns` are the axes of the table, each of one value or of `count` values, or none if no point has it. `tables` makes
-/// tables of each hoop first, which pays from `MIN_STARTS_FOR_TABLES` starts of it.
+/// `columns` are the axes of the table, each of one value or of `count` values, or none if no point has it. `starts`
+/// is the number of starts of each hoop that are expected in all.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "they are named where a person writes them, in the package")]
 fn summaries<'py>(
@@ -215,7 +215,7 @@ fn summaries<'py>(
     until: Option<f64>,
     max_transitions: usize,
     proof: &str,
-    tables: bool,
+    starts: u64,
     threads: usize,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -233,7 +233,7 @@ fn summaries<'py>(
     let points = Points { columns, law: law(py, &law_name)?, count };
     let limits = limits(py, until, max_transitions, proof)?;
     let result =
-        waiting::run(py, threads, progress.as_ref(), |signals| compute(&points, limits, tables, signals))?;
+        waiting::run(py, threads, progress.as_ref(), |signals| compute(&points, limits, starts, signals))?;
     match result {
         Ok(columns) => {
             let dict = PyDict::new(py);
@@ -269,7 +269,6 @@ fn classes<'py>(
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("MIN_STARTS_FOR_TABLES", Engine::MIN_STARTS_FOR_TABLES)?;
     module.add("MOST_POINTS", MOST_POINTS)?;
     module.add("MOST_THREADS", MOST_THREADS)?;
     module.add_function(wrap_pyfunction!(summaries, module)?)?;

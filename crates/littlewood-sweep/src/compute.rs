@@ -59,18 +59,6 @@ struct Prepared {
     engine: Option<Arc<Engine>>,
 }
 
-impl Prepared {
-    fn new(point: &Setup, has_tables: bool) -> Result<Self, ParameterError> {
-        let prepare = if has_tables { Engine::new } else { Engine::without_tables };
-        let engine = match Hoop::new(point.hoop) {
-            Ok(hoop) => Some(Arc::new(prepare(&hoop))),
-            Err(error) if error.is_contradiction() => None,
-            Err(error) => return Err(error),
-        };
-        Ok(Self { bits: hoop_bits(point), engine })
-    }
-}
-
 /// The places of the points of a hoop.
 type Group = Vec<u32>;
 
@@ -312,17 +300,22 @@ impl Job<'_> {
     fn prepared(&self, group: &Group) -> Result<(Prepared, bool), Halt> {
         let index = group[0] as usize;
         let point = &self.points[index];
-        // What was prepared earlier must not change the digits of a hoop with few points.
-        let starts = self.starts_of_a_hoop.unwrap_or(group.len() as u64);
-        let has_tables = starts >= Engine::MIN_STARTS_FOR_TABLES as u64;
-        let bits = hoop_bits(point);
-        let prepared = match self.known.iter().find(|known| has_tables && known.bits == bits) {
-            Some(prepared) => prepared.clone(),
-            None => {
-                Prepared::new(point, has_tables).map_err(|error| Halt::Refused(Refused { index, error }))?
+        let builder = match Hoop::new(point.hoop) {
+            Ok(hoop) => {
+                let starts = self.starts_of_a_hoop.unwrap_or(group.len() as u64);
+                Some(Engine::builder(&hoop).expected_starts(starts))
             }
+            Err(error) if error.is_contradiction() => None,
+            Err(error) => return Err(Halt::Refused(Refused { index, error })),
         };
-        Ok((prepared, self.keep && has_tables))
+        // What was prepared earlier must not change the digits of a hoop with few points.
+        let prepares = builder.is_some_and(|builder| builder.prepares());
+        let bits = hoop_bits(point);
+        let prepared = match self.known.iter().find(|known| prepares && known.bits == bits) {
+            Some(prepared) => prepared.clone(),
+            None => Prepared { bits, engine: builder.map(|builder| Arc::new(builder.build())) },
+        };
+        Ok((prepared, self.keep && prepares))
     }
 
     /// Sets the results of the points at some places, in the columns from the place `first` on.

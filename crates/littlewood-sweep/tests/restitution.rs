@@ -29,8 +29,11 @@ fn an_axis_of_restitution_has_the_motions_of_its_hoops() {
         let e = point.get(Quantity::Restitution).expect("a coefficient");
         assert!((e - 0.1 * index as f64).abs() < 1e-15);
         let hoop = Hoop::new(point.hoop).expect("a valid hoop");
-        let summary =
-            Engine::without_tables(&hoop).summary(point.start, Limits::default()).expect("a valid start");
+        let summary = Engine::builder(&hoop)
+            .expected_starts(1)
+            .build()
+            .summary(point.start, Limits::default())
+            .expect("a valid start");
         assert!(summary.landings >= 1 && summary.outcome == OutcomeKind::RollsForever);
         for column in [SummaryColumn::Landings, SummaryColumn::ImpactEnergyLost, SummaryColumn::SettleTime] {
             assert_eq!(column.of(&columns.summary(index)), column.of(&summary), "{column}");

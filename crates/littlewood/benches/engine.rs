@@ -111,7 +111,9 @@ fn regimes(criterion: &mut Criterion) {
         ),
     ] {
         let start = Start::at(PI / 2.0, 2.0);
-        let summary = |hoop: &Hoop| Engine::without_tables(hoop).summary(start, Limits::default()).ok();
+        let summary = |hoop: &Hoop| {
+            Engine::builder(hoop).expected_starts(1).build().summary(start, Limits::default()).ok()
+        };
         group.bench_function(name, |bencher| bencher.iter(|| hoops.iter().filter_map(summary).count()));
     }
     group.finish();

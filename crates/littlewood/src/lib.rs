@@ -64,6 +64,7 @@
 //! | [`cases`] | the motions that the paper shows or speaks of, by name |
 //! | [`modes`] | the solution of each phase: rolling, sliding, gliding, flight |
 //! | [`theory`] | the paper: phase plane, equations, closed forms, regions of starts, the automaton |
+//! | [`many`] | engines for as many starts as are expected |
 //! | [`impact`] | impacts with friction, bounces that settle or never end |
 //! | [`si`] | kilograms, metres, seconds |
 //! | [`tables`] | what front ends loop over: quantities, columns, classes, codes |
@@ -88,7 +89,7 @@ pub mod modes;
 mod motion;
 mod walk;
 
-pub use engine::{Doubt, Engine};
+pub use engine::Engine;
 pub use model::error::ParameterError;
 pub use model::hoop::{Hoop, HoopParameters};
 pub use model::limits::{Limits, Proof};
@@ -154,6 +155,29 @@ pub mod impact {
         Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, Impulse,
     };
     pub use crate::mechanics::settling::{NoSettling, Settling};
+}
+
+pub mod many {
+    //! Many starts: an [`Engine`](crate::Engine) makes summaries, each in about a microsecond.
+    //!
+    //! [`Engine::new`](crate::Engine::new) prepares a hoop once, which takes as long as some hundreds of summaries. Where fewer are
+    //! expected, or each start has a hoop of its own, [`Engine::builder`](crate::Engine::builder) prepares nothing. A phase that an engine
+    //! does not resolve to rounding is left to the solvers of the simulation; [`Engine::doubts`](crate::Engine::doubts) counts why.
+    //!
+    //! ```
+    //! use littlewood::{Engine, Hoop, Limits, OutcomeKind, Start};
+    //!
+    //! let engine = Engine::builder(&Hoop::figure_2(0.5, 0.4)?).expected_starts(100).build();
+    //! let starts = (0..100).map(|i| Start::at(1.0, 0.04 * f64::from(i)));
+    //! let mut rolls = 0;
+    //! for summary in engine.summaries(starts, Limits::default()) {
+    //!     rolls += u32::from(summary?.outcome == OutcomeKind::RollsForever);
+    //! }
+    //! assert!(rolls > 0);
+    //! # Ok::<(), Box<dyn std::error::Error>>(())
+    //! ```
+
+    pub use crate::engine::{Doubt, EngineBuilder, StartError};
 }
 
 pub mod si {

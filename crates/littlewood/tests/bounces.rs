@@ -384,9 +384,8 @@ proptest! {
         let Some(orbit) = BouncingOrbit::new(&hoop, angle) else { return Ok(()) };
         // Rough enough for the impacts to stick.
         let (mu_s, parameters) = (orbit.friction + 0.1, hoop.parameters());
-        let parameters = HoopParameters::thin(parameters.mass_ratio).with_offset(parameters.offset).with_inertia(parameters.inertia)
-            .with_friction(mu_s, mu_s)
-            .with_restitution(1.0, RestitutionLaw::Energetic);
+        let parameters =
+            parameters.with_friction(mu_s, mu_s).with_restitution(1.0, RestitutionLaw::Energetic);
         let hoop = Hoop::new(parameters).expect("a valid hoop");
         let limits = Limits::default().with_transitions(2);
         let motion = hoop.simulate(orbit.start(), limits).expect("a valid start");
@@ -485,7 +484,7 @@ proptest! {
         let parameters = hoop.parameters();
         let smooth = smooth || law != RestitutionLaw::Newton;
         let hoop = if smooth {
-            Hoop::new(HoopParameters::thin(parameters.mass_ratio).with_offset(parameters.offset).with_inertia(parameters.inertia)).expect("the hoop")
+            Hoop::new(parameters.with_friction(0.0, 0.0)).expect("the hoop")
         } else {
             hoop
         };

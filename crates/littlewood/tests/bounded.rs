@@ -51,8 +51,11 @@ impl Call {
         if motion.phases().len() <= MOST_PHASES && matches!(hoop.body(), Body::Heavy(_)) {
             check_laws(&motion).expect("a motion that keeps its laws");
         }
-        let engine =
-            Engine::without_tables(&hoop).summary(self.setup.start, self.limits).expect("a valid start");
+        let engine = Engine::builder(&hoop)
+            .expected_starts(1)
+            .build()
+            .summary(self.setup.start, self.limits)
+            .expect("a valid start");
         let kind = motion.outcome().kind();
         assert_eq!((engine.outcome, engine.transitions as usize), (kind, motion.transitions().len()));
         (kind.to_string(), seconds)

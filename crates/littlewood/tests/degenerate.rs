@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::common::{boundary_start, heavy_hoop, simulate};
+use crate::common::{boundary_start, engines, heavy_hoop, simulate};
 use littlewood::modes::{PhaseSolution, Recurrence};
 use littlewood::tables::{Bound, Quantity, Setup};
 use littlewood::theory::{PhasePlane, RollingLaw, StartRegion};
@@ -31,7 +31,7 @@ fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
     let mut seen = 0;
     for hoop in &hoops {
         let law = RollingLaw::new(hoop);
-        let engines = [Engine::new(hoop), Engine::without_tables(hoop)];
+        let engines = engines(hoop);
         for rate in [0.3, 0.9, 1.3, 1.9] {
             let excess = |theta: f64| {
                 let forces = law.forces(theta, rate);

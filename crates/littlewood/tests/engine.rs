@@ -5,9 +5,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::common::{heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start};
+use crate::common::{engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start};
 use littlewood::modes::SlideLimit;
-use littlewood::tables::{ColumnType, PhaseSequence, SummaryColumn, SummaryValue};
+use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
 use littlewood::theory::Body;
 use littlewood::{
     Engine, Hoop, HoopParameters, Limits, Outcome, OutcomeKind, Proof, Restitution, RestitutionLaw, Start,
@@ -152,7 +152,9 @@ fn the_figure_2_plane_has_the_bounces_of_the_simulation() {
         [(0.0, RestitutionLaw::Energetic), (0.5, RestitutionLaw::Energetic), (0.3, RestitutionLaw::Poisson)]
     {
         let hoop = hoop.with_restitution(Restitution::new(e, law).expect("a coefficient")).expect("heavy");
-        for (engine, count) in [(Engine::new(&hoop), 1_500), (Engine::without_tables(&hoop), 500)] {
+        for (engine, count) in
+            [(Engine::new(&hoop), 1_500), (Engine::builder(&hoop).expected_starts(1).build(), 500)]
+        {
             assert_eq!(engine.has_tables(), count == 1_500);
             let mut on_the_edge = 0;
             let starts: Vec<Start> = random_starts(count).collect();
@@ -197,7 +199,7 @@ fn counts_of_the_figure_2_plane() {
 #[test]
 fn figure_3_has_the_times_of_the_40_digit_table() {
     let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
-    for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+    for engine in engines(&hoop) {
         let summary = engine.summary(Start::at(PI / 2.0, 2.0), Limits::default()).expect("a valid start");
         assert_eq!(summary.sequence.to_string(), "-R+F");
         assert!((summary.first_slip_time - 0.973_223_074_772_405_4).abs() < 1e-14);
@@ -220,6 +222,25 @@ fn bodies_that_cannot_be_prepared_are_simulated() {
         let ours = engine.summary(start, Limits::until(20.0)).expect("a valid start");
         let theirs = hoop.simulate(start, Limits::until(20.0)).expect("a valid start").summary();
         assert_eq!(check(&ours, &theirs, 0.0), Ok(()));
+    }
+}
+
+#[test]
+fn many_starts_have_the_summaries_of_each() {
+    let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
+    for engine in engines(&hoop) {
+        let starts: Vec<Start> = random_starts(100).collect();
+        let summaries = engine.summaries(starts.iter().copied(), Limits::default());
+        let summaries: Vec<Summary> = summaries.collect::<Result<_, _>>().expect("valid starts");
+        assert_eq!(summaries.len(), starts.len());
+        for (start, many) in starts.into_iter().zip(summaries) {
+            let one = engine.summary(start, Limits::default()).expect("a valid start");
+            assert_eq!(check(&many, &one, 0.0), Ok(()));
+        }
+        let refused = engine.summaries([Start::default(), Start::at(0.0, 1e7)], Limits::default());
+        let refused = refused.collect::<Result<Vec<_>, _>>().expect_err("too fast");
+        assert_eq!((refused.index, refused.error.quantity()), (1, Quantity::ThetaRate));
+        assert_eq!(refused.to_string(), format!("start 1: {}", refused.error));
     }
 }
 
@@ -281,7 +302,7 @@ fn add_to_rate(mut sway: Vec<f64>, more: f64) -> Vec<f64> {
 
 /// The same for so long.
 fn agree_within(time: f64, hoop: &Hoop, starts: &[Start]) -> Result<(), TestCaseError> {
-    for engine in [Engine::new(hoop), Engine::without_tables(hoop)] {
+    for engine in engines(hoop) {
         for start in starts {
             let limits = Limits::until(start.time + time).with_transitions(300);
             let ours = engine.summary(*start, limits).expect("a valid start");
@@ -313,8 +334,7 @@ fn differ<'a>(motions: impl IntoIterator<Item = (&'a Hoop, Start)>, limits: Limi
     let mut last: Option<(Hoop, [Engine; 2])> = None;
     for (hoop, start) in motions {
         let known = last.take().filter(|(known, _)| known == hoop);
-        let (hoop, engines) = &*last
-            .insert(known.unwrap_or_else(|| (*hoop, [Engine::new(hoop), Engine::without_tables(hoop)])));
+        let (hoop, engines) = &*last.insert(known.unwrap_or_else(|| (*hoop, engines(hoop))));
         let theirs = hoop.simulate(start, limits).expect("a valid start").summary();
         for engine in engines {
             let ours = engine.summary(start, limits).expect("a valid start");
@@ -367,7 +387,7 @@ fn a_lift_off_is_not_followed_by_a_slide_that_rounding_makes() {
         (Start::at(-1.875_962_099_565_172_2, -262_167.054_687_522_5), Some("+R-F"), 4),
         (Start::at(-2.293_191_047_483_457_4, -835_327.110_467_008_5), Some("+R-F"), 4),
     ] {
-        for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+        for engine in engines(&hoop) {
             let summary = engine.summary(start, Limits::default()).expect("a valid start");
             assert_eq!(
                 (summary.outcome, summary.transitions),
@@ -392,7 +412,7 @@ fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
         (Hoop::figure_2(0.5, 0.499), Start::at(-3.0, -2.5), [1, 3, 10, 20]),
     ] {
         let hoop = hoop.expect("a hoop like that of Figure 2");
-        let engines = [Engine::new(&hoop), Engine::without_tables(&hoop)];
+        let engines = engines(&hoop);
         for slides in slides {
             let limits = Limits::default().with_slides(slides).with_proof(Proof::None);
             let motion = hoop.simulate(start, limits).expect("a valid start");
@@ -410,7 +430,7 @@ fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
     assert!(reached >= 9, "{reached}");
     let hoop = Hoop::figure_2(0.05, 1e-5).expect("a hoop like that of Figure 2");
     let theirs = hoop.simulate(start, Limits::default()).expect("a valid start").summary();
-    for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+    for engine in engines(&hoop) {
         let ours = engine.summary(start, Limits::default()).expect("a valid start");
         assert_eq!(codes(&ours), codes(&theirs));
     }
@@ -522,7 +542,7 @@ fn chains_of_slips_are_those_of_the_simulation() {
     });
     let longest = std::cell::Cell::new(0);
     let checked = runner.run(&(swinging_hoop(), prop::collection::vec(start(), 30)), |(hoop, starts)| {
-        let (engine, direct) = (Engine::new(&hoop), Engine::without_tables(&hoop));
+        let (engine, direct) = (Engine::new(&hoop), Engine::builder(&hoop).expected_starts(1).build());
         for limits in [Limits::default().with_transitions(3_000), Limits::until(60.0)] {
             for start in &starts {
                 let limits = limits.with_until(limits.until.map(|until| start.time + until));
@@ -557,7 +577,7 @@ fn motions_from_the_top_have_their_whole_turns() {
     // They roll, and slip on the way down.
     let hoop = Hoop::figure_2(0.2, 0.1).expect("a hoop like that of Figure 2");
     let limits = Limits::default().with_transitions(2);
-    for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+    for engine in engines(&hoop) {
         for turns in -9..=9 {
             let top = f64::from(turns) * TAU;
             for (theta, rate) in [top.next_down(), top, top.next_up()].into_iter().zip([0.9, -0.9, 0.9]) {

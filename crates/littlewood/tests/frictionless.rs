@@ -1,10 +1,10 @@
 //! Slides without kinetic friction: what they conserve says where they come to rest.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
-use crate::common::{heavy_hoop, start};
+use crate::common::{engines, heavy_hoop, start};
 use littlewood::modes::Recurrence;
 use littlewood::theory::Body;
-use littlewood::{Cause, Engine, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Start, State};
+use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Start, State};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -61,7 +61,7 @@ fn a_slip_that_is_least_behind_the_bottom_reverses_there() {
         let reversal = motion.transitions()[0].before;
         assert!((reversal.theta - (TAU - start.theta)).abs() < 1e-15, "{reversal:?}");
         let motion = motion.summary();
-        for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+        for engine in engines(&hoop) {
             let summary = engine.summary(start, limits).expect("a valid start");
             assert_eq!((summary.outcome, summary.transitions), (motion.outcome, motion.transitions));
             assert_eq!(summary.sequence, motion.sequence);
@@ -111,7 +111,7 @@ fn events_next_to_each_other_are_those_of_the_simulation() {
         let hoop = Hoop::new(parameters).expect("a valid hoop");
         for limits in [Limits::until(20.0), Limits::default()] {
             let motion = hoop.simulate(start, limits).expect("a valid start").summary();
-            for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+            for engine in engines(&hoop) {
                 let summary = engine.summary(start, limits).expect("a valid start");
                 assert_eq!(
                     (summary.outcome, summary.transitions, summary.sequence),
@@ -140,7 +140,7 @@ fn reversals_next_to_each_other_have_their_digits() {
     assert!((start.theta + third.theta + TAU).abs() < 2e-15, "{third:?}");
     let (before, behind) = (first.time, third.time - second.time);
     assert!((before - behind).abs() < 1e-15, "{before} {behind}");
-    for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+    for engine in engines(&hoop) {
         let end = engine.summary(start, Limits::default().with_transitions(1)).expect("a valid start").end;
         assert!((end.theta - first.theta).abs() < 1e-15 && (end.time - first.time).abs() < 1e-15, "{end:?}");
     }
@@ -198,7 +198,7 @@ proptest! {
             let simulated = hoop.simulate(start, limits).expect("a valid start");
             prop_assert_eq!(simulated.outcome().kind(), expected);
             let end = simulated.summary().end;
-            for engine in [Engine::new(&hoop), Engine::without_tables(&hoop)] {
+            for engine in engines(&hoop) {
                 let summary = engine.summary(start, limits).expect("a valid start");
                 prop_assert_eq!(summary.outcome, expected);
                 let near = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());

@@ -105,7 +105,10 @@ fn time_and_place_of_the_start_are_added_to_the_motion() {
         }
         assert_eq!(outcome(&plain, |state| shift.state(state)), outcome(&moved, |state| state), "{case}");
         assert_eq!(shown(&shift.summary(plain.summary())), shown(&moved.summary()), "{case}");
-        let engines = [Some(Engine::without_tables(&hoop)), (case % 8 == 0).then(|| Engine::new(&hoop))];
+        let engines = [
+            Some(Engine::builder(&hoop).expected_starts(1).build()),
+            (case % 8 == 0).then(|| Engine::new(&hoop)),
+        ];
         for engine in engines.into_iter().flatten() {
             let [plain, moved] = [(start, 0), (moved_start, 1)]
                 .map(|(start, which)| engine.summary(start, limits(which)).expect("a valid start"));
@@ -149,7 +152,14 @@ fn whole_turns_of_the_start_are_added_to_the_motion() {
             let mut start = start;
             start.theta = theta;
             let motion = hoop.simulate(start, limits).expect("a valid start");
-            (motion, Engine::without_tables(&hoop).summary(start, limits).expect("a valid start"))
+            (
+                motion,
+                Engine::builder(&hoop)
+                    .expected_starts(1)
+                    .build()
+                    .summary(start, limits)
+                    .expect("a valid start"),
+            )
         });
         let compare = |far: State, near: State| {
             // Of the angles both, and of the sum.

@@ -33,7 +33,11 @@ pub(crate) fn run(case: &mut Case) -> Verdict {
     readable(&motion, &subject, sampling)?;
     spoken(&motion)?;
     let kind = motion.outcome().kind();
-    let engine = if case.draw.comes(0.02) { Engine::new(&hoop) } else { Engine::without_tables(&hoop) };
+    let engine = if case.draw.comes(0.02) {
+        Engine::new(&hoop)
+    } else {
+        Engine::builder(&hoop).expected_starts(1).build()
+    };
     let summary =
         engine.summary(setup.start, limits).map_err(|error| format!("the engine refuses: {error}"))?;
     if matches!(summary.outcome, OutcomeKind::NotComputed | OutcomeKind::Invalid) {

@@ -378,7 +378,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let mut workers = Workers::new(None)?;
     let mut told = |followed: u64| watch(followed.min(total), total);
     // Every transition of a motion is drawn, and each may have a hoop of its own: no chain is passed at once.
-    let engine = Engine::without_tables(&input.hoop);
+    let engine = Engine::builder(&input.hoop).expected_starts(1).build();
     let limits = Effort::of(&input.hoop, input.limits, &engine).cut(input.limits, &engine);
     let fates = Fates::of(&input.hoop);
     let kind = |summary: &Summary| Fate::new(fates, summary).kind();

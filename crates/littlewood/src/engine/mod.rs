@@ -5,6 +5,7 @@
 //! kept, and chains of slips are passed by whole links ([`chain`]). A phase that these do not resolve to rounding is left to the
 //! solvers of the simulation, for a reason that is counted ([`Doubt`]).
 
+mod builder;
 mod chain;
 mod doubt;
 mod drift;
@@ -33,6 +34,7 @@ use crate::walk::follow::walk;
 use crate::walk::origin::Origin;
 use crate::walk::proofs::Known;
 
+pub use builder::{EngineBuilder, StartError};
 use chain::Chains;
 pub use doubt::Doubt;
 use laws::Laws;
@@ -90,12 +92,8 @@ impl Engine {
         Self { is_prepared: engine.laws.is_some(), chains, ..engine }
     }
 
-    /// Number of starts of one hoop from which on [`Engine::new`] saves more time than it costs.
-    pub const MIN_STARTS_FOR_TABLES: usize = 256;
-
-    /// An engine for fewer starts than [`Engine::MIN_STARTS_FOR_TABLES`]. Nothing is prepared.
-    #[must_use]
-    pub fn without_tables(hoop: &Hoop) -> Self {
+    /// An engine for few starts. Nothing is prepared.
+    fn without_tables(hoop: &Hoop) -> Self {
         let resolves_slips = hoop.mu_s() == 0.0 || hoop.mu_s() >= MIN_FRICTION;
         let is_computed = |Heavy { mass, h, inertia, .. }: Heavy| {
             resolves_slips && h >= MIN_IMBALANCE && inertia >= MIN_INERTIA * mass

@@ -36,6 +36,7 @@ pub struct Impulse {
 
 /// Why there is no impact to compute.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ImpactError {
     /// The gap does not close.
     #[error("gap_rate = {gap_rate} sqrt(g R) must be finite and not positive: the gap has to close")]

@@ -10,6 +10,7 @@ pub(super) const LEAST_INERTIA: f64 = 1e-60;
 
 /// A parameter of a hoop or of a start that has no physical meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum ParameterError {
     /// One value breaks one bound.
     #[error("{} {bound}", Reading(*quantity, *value))]

@@ -7,7 +7,7 @@ pub(crate) mod flight;
 use std::f64::consts::PI;
 
 use littlewood::theory::{Body, PhasePlane};
-use littlewood::{Hoop, HoopParameters, Limits, Start, Trajectory};
+use littlewood::{Engine, Hoop, HoopParameters, Limits, Start, Trajectory};
 use littlewood_random::{BOUNDARIES, Draw, boundary_rate};
 use proptest::prelude::*;
 
@@ -28,6 +28,11 @@ fn friction() -> impl Strategy<Value = (f64, f64)> {
 
 fn offset() -> impl Strategy<Value = f64> {
     prop_oneof![3 => Just(1.0), 3 => 0.05..1.0_f64, 1 => 0.0..1e-6_f64, 1 => (1.0 - 1e-9)..1.0_f64]
+}
+
+/// The engine for many starts of a hoop, and that for one.
+pub(crate) fn engines(hoop: &Hoop) -> [Engine; 2] {
+    [Engine::new(hoop), Engine::builder(hoop).expected_starts(1).build()]
 }
 
 /// Heavy hoops, down to tiny inertia.

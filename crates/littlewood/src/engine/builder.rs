@@ -1,0 +1,91 @@
+//! Engines for as many starts as are expected, and the summaries of many.
+
+use thiserror::Error;
+
+use super::Engine;
+use crate::model::error::ParameterError;
+use crate::model::hoop::Hoop;
+use crate::model::limits::Limits;
+use crate::model::state::Start;
+use crate::motion::summary::Summary;
+
+/// Starts of one hoop from which on it saves more time to prepare it than that costs.
+const MANY: u64 = 256;
+
+/// Makes an [`Engine`] for as many starts of a hoop as are expected.
+///
+/// ```
+/// use littlewood::{Engine, Hoop};
+///
+/// let hoop = Hoop::figure_2(0.5, 0.4)?;
+/// // Where each start has a hoop of its own, nothing is prepared.
+/// assert!(!Engine::builder(&hoop).expected_starts(1).prepares());
+/// assert!(Engine::builder(&hoop).expected_starts(40_000).prepares());
+/// # Ok::<(), littlewood::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct EngineBuilder {
+    hoop: Hoop,
+    starts: u64,
+}
+
+impl EngineBuilder {
+    /// For so many starts: many, if it is not called. The number changes how long summaries take, and their last digits.
+    pub const fn expected_starts(self, starts: u64) -> Self {
+        Self { starts, ..self }
+    }
+
+    /// Whether so many starts are worth it to prepare the hoop.
+    #[must_use]
+    pub const fn prepares(&self) -> bool {
+        self.starts >= MANY
+    }
+
+    /// The engine.
+    #[must_use]
+    pub fn build(self) -> Engine {
+        if self.prepares() { Engine::new(&self.hoop) } else { Engine::without_tables(&self.hoop) }
+    }
+}
+
+/// A start of many that is refused, with the limits of its motion.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("start {index}: {error}")]
+#[non_exhaustive]
+pub struct StartError {
+    /// Its place among the starts, from 0 on.
+    pub index: usize,
+    /// Why it is refused.
+    pub error: ParameterError,
+}
+
+impl Engine {
+    /// An engine for as many starts as are expected; [`Engine::new`] is for many.
+    pub const fn builder(hoop: &Hoop) -> EngineBuilder {
+        EngineBuilder { hoop: *hoop, starts: u64::MAX }
+    }
+
+    /// The summaries of many starts, one after the other, as [`Engine::summary`] makes them.
+    ///
+    /// ```
+    /// use littlewood::many::StartError;
+    /// use littlewood::{Engine, Hoop, Limits, Start, Summary};
+    ///
+    /// let engine = Engine::new(&Hoop::figure_2(0.5, 0.4)?);
+    /// let starts = [Start::at(1.0, 2.0), Start::at(1.0, f64::NAN)];
+    /// let summaries: Vec<Result<Summary, StartError>> = engine.summaries(starts, Limits::default()).collect();
+    /// assert!(summaries[0].is_ok());
+    /// assert_eq!(summaries[1].map_err(|refused| refused.index), Err(1));
+    /// # Ok::<(), littlewood::ParameterError>(())
+    /// ```
+    pub fn summaries<I: IntoIterator<Item = Start>>(
+        &self,
+        starts: I,
+        limits: Limits,
+    ) -> impl Iterator<Item = Result<Summary, StartError>> + use<'_, I> {
+        starts.into_iter().enumerate().map(move |(index, start)| {
+            self.summary(start, limits).map_err(|error| StartError { index, error })
+        })
+    }
+}
