@@ -11,7 +11,7 @@ use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDD
 use crate::math::trig::sincos;
 use crate::mechanics::equations::SlidingLaw;
 
-use super::piece::Waypoint;
+use super::piece::{LawAt, Waypoint};
 use super::series::{
     CONVERGED, Low, Polynomials, Series, Signs, bernstein, from_both_sides, least, pattern, reach, scaled,
     sum_of_sizes,
@@ -45,29 +45,17 @@ pub(super) struct Cell {
     least: f64,
     /// t at the end of its tile; 1 where it does not reach so far.
     end: f64,
-    /// p and h at the beginning of its tile.
+    /// p and h at the ends of its tile.
     entry: (f64, f64),
-    /// The end of its tile.
-    exit: Edge,
+    exit: (f64, f64),
+    /// The law at the end of its tile.
+    law_at_exit: LawAt,
     /// p, h, and the weight of 1/√u in the time, at the Gauss nodes of its tile.
     nodes: [[f64; NODES]; 3],
     /// Sums of the sizes of the terms of p and h, from the linear ones on, up to the ellipse on which u has no zero if they are small.
     terms: (f64, f64),
     /// The largest |η″| is at most the first and |u_c| times the second.
     most: (f64, f64),
-}
-
-/// The end of a tile.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Edge {
-    p: f64,
-    h: f64,
-    pub(super) direction: (f64, f64),
-    /// 1 + h cos ϑ + μk h sin ϑ.
-    pub(super) lever: f64,
-    /// η″ = α + β u.
-    pub(super) alpha: f64,
-    pub(super) beta: f64,
 }
 
 /// The cells of one hoop, made where slides come, and the same whichever slide that is.
@@ -142,8 +130,6 @@ impl Cell {
             let z = TILE * NODE[j];
             2.0 * TILE * WEIGHT[j] / (1.0 + z * z)
         };
-        let (sin, cos) = rotated(direction, TILE);
-        let (alpha, beta) = law.slip_acceleration(sin, cos);
         Some(Self {
             direction,
             width,
@@ -151,14 +137,8 @@ impl Cell {
             least,
             end,
             entry: (entry[0], entry[1]),
-            exit: Edge {
-                p: exit[0],
-                h: exit[1],
-                direction: (sin, cos),
-                lever: law.lever(sin, cos),
-                alpha,
-                beta,
-            },
+            exit: (exit[0], exit[1]),
+            law_at_exit: LawAt::new(law, rotated(direction, end * width)),
             nodes: [nodes.map(|node| node[0]), nodes.map(|node| node[1]), core::array::from_fn(weight)],
             terms: (p_terms, h_terms),
             most: (most(&a), most(&b)),
@@ -180,7 +160,7 @@ impl Cell {
     pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
         let level = (u - self.entry.0) / self.entry.1;
         let is_clear = self.terms.0 + level * self.terms.1 <= Step::SMOOTH * level;
-        (self.end < 1.0 && is_clear).then(|| (level, self.exit.p + level * self.exit.h))
+        (self.end < 1.0 && is_clear).then(|| (level, self.exit.0 + level * self.exit.1))
     }
 
     /// The time from the beginning of the tile to its end.
@@ -198,9 +178,9 @@ impl Cell {
         self.most.0 + level * self.most.1
     }
 
-    /// The end of the tile.
-    pub(super) const fn exit(&self) -> &Edge {
-        &self.exit
+    /// The law at the end of the tile.
+    pub(super) const fn law_at_exit(&self) -> &LawAt {
+        &self.law_at_exit
     }
 
     /// The step over the whole tile of a slide that crosses it, and its place at the beginning. None where η″ may change its sign twice.
@@ -241,6 +221,7 @@ impl Cell {
             direction: self.direction,
             end: self.end,
             known,
+            exit: Some((self.exit.0 + level * self.exit.1, self.law_at_exit)),
         })
     }
 }
@@ -316,7 +297,7 @@ mod tests {
                 assert!((end - step.u(cell.end)).abs() < 4e-15 * (1.0 + u), "{number} {u}");
                 let (time, expected) = (cell.time(level), step.time(place.z, cell.end));
                 assert!((time - expected).abs() < 4e-15 * expected, "{number} {u}: {time} {expected}");
-                let edge = cell.exit();
+                let edge = cell.law_at_exit();
                 let (sin, cos) = edge.direction;
                 assert!((sin - there.0).abs() < 1e-15 && (cos - there.1).abs() < 1e-15, "{number}");
                 let accelerates = law.accelerations(libm::atan2(sin, cos), end.sqrt()).slip;

@@ -214,7 +214,7 @@ impl<'a> Slide<'a> {
         {
             let here = &self.here;
             let elapsed = here.elapsed + cell.time(level);
-            let edge = cell.exit();
+            let edge = cell.law_at_exit();
             let at = Waypoint {
                 z: 1.0,
                 u,
@@ -445,7 +445,7 @@ fn pass<P: Piece>(
         return Err(Doubt::Contact);
     }
     let lifts_off = w < 0.0;
-    let there = if lifts_off { way.lift_off(here, to) } else { way.at(here, to) };
+    let there = if lifts_off { way.lift_off(here, (to, w)) } else { way.at(here, to) };
     // Where the piece ends just at a zero of η′, which may be a touch, rounding would decide.
     if way.is_doubtful(&there) {
         return Err(Doubt::Slip);

@@ -18,6 +18,9 @@ const LAST_STEP: f64 = 1e-8;
 /// The same for the place at which η′ vanishes.
 const LAST_STEP_TO_REST: f64 = 1e-7;
 
+/// The same for the place at which the normal force vanishes.
+const LAST_STEP_TO_LIFT_OFF: f64 = 1e-9;
+
 /// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more than this part of itself: the error is
 /// the fourth power of that over 2880.
 const SHORT_STEP: f64 = 1e-3;
@@ -50,6 +53,31 @@ pub(super) trait Piece {
     fn slowness(&self, z: f64, u: f64) -> f64;
     /// Time from one place to another.
     fn time(&self, from: f64, to: f64) -> f64;
+    /// The law of sliding at z.
+    #[inline]
+    fn law_at(&self, law: &SlidingLaw, z: f64) -> LawAt {
+        LawAt::new(law, self.direction(z))
+    }
+}
+
+/// A law of sliding at an angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LawAt {
+    /// sin ϑ and cos ϑ.
+    pub(super) direction: (f64, f64),
+    /// 1 + h cos ϑ + μk σ h sin ϑ.
+    pub(super) lever: f64,
+    /// η″ = α + β u.
+    pub(super) alpha: f64,
+    pub(super) beta: f64,
+}
+
+impl LawAt {
+    #[inline]
+    pub(super) fn new(law: &SlidingLaw, (sin, cos): (f64, f64)) -> Self {
+        let (alpha, beta) = law.slip_acceleration(sin, cos);
+        Self { direction: (sin, cos), lever: law.lever(sin, cos), alpha, beta }
+    }
 }
 
 /// A point on the way through a piece.
@@ -107,32 +135,34 @@ impl<P: Piece> Way<'_, P> {
     /// Everything at z, where u and the time are known.
     #[inline]
     pub(super) fn waypoint(&self, z: f64, u: f64, elapsed: f64) -> Waypoint {
-        let (sin, cos) = self.piece.direction(z);
-        let rate = self.piece.rate(z, u) * self.law.lever(sin, cos);
+        let (there, rate) = (self.piece.law_at(self.law, z), self.piece.rate(z, u));
         Waypoint {
             z,
             u,
             elapsed,
-            slip: self.sigma * (self.integral + rate - self.law.friction * elapsed),
-            slip_acceleration: self.slip_acceleration((sin, cos), u),
-            direction: (sin, cos),
+            slip: self.sigma * (self.integral + rate * there.lever - self.law.friction * elapsed),
+            slip_acceleration: self.sigma * (there.alpha + there.beta * u),
+            direction: there.direction,
         }
     }
 
     /// σ η″.
-    fn slip_acceleration(&self, (sin, cos): (f64, f64), u: f64) -> f64 {
-        let (alpha, beta) = self.law.slip_acceleration(sin, cos);
-        self.sigma * (alpha + beta * u)
+    fn slip_acceleration(&self, z: f64) -> f64 {
+        let there = self.piece.law_at(self.law, z);
+        self.sigma * (there.alpha + there.beta * self.piece.u(z))
     }
 
-    /// Where 1 − h cos ϑ u falls through zero between `here` and `end`.
-    pub(super) fn lift_off(&self, here: &Waypoint, end: f64) -> Waypoint {
+    /// Where w = 1 − h cos ϑ u falls through zero between `here` and `end`, where it is given.
+    pub(super) fn lift_off(&self, here: &Waypoint, (end, w_end): (f64, f64)) -> Waypoint {
         let h = self.law.body.h;
-        let z = Bracket { low: here.z, high: end }.refine_from_secant(|z| {
+        let w_here = contact(1.0, h, here.direction.1 * here.u);
+        let guess = here.z + (end - here.z) * w_here / (w_here - w_end);
+        let z = Bracket { low: here.z, high: end }.iterate(guess, |z| {
             let (sin, cos) = self.piece.direction(z);
             let u = self.piece.u(z);
-            let w = contact(1.0, h, cos * u);
-            (w, self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * w))
+            let value = contact(1.0, h, cos * u);
+            let slope = self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
+            Step { value, step: -value / slope, last: LAST_STEP_TO_LIFT_OFF }
         });
         self.at(here, z)
     }
@@ -140,7 +170,7 @@ impl<P: Piece> Way<'_, P> {
     /// Where η′ is least between two waypoints, between which η″ changes its sign at most once; none where it is so at one of them.
     pub(super) fn least(&self, here: &Waypoint, there: &Waypoint) -> Option<Waypoint> {
         // Falls where η″ rises, as a bracket has it.
-        let falling = |z: f64| -self.slip_acceleration(self.piece.direction(z), self.piece.u(z));
+        let falling = |z: f64| -self.slip_acceleration(z);
         let inside = |at: &Waypoint, other: &Waypoint| {
             if at.slip_acceleration.abs() > UNCERTAIN * (1.0 + at.u) {
                 return (at.z, -at.slip_acceleration);

@@ -5,7 +5,9 @@ use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDD
 
 use crate::engine::doubt::Doubt;
 
-use super::piece::Piece;
+use crate::mechanics::equations::SlidingLaw;
+
+use super::piece::{LawAt, Piece};
 use super::series::{DEGREE, Expansion, Series, Signs, scaled, sum_of_sizes};
 
 /// Up to this multiple of a step u has no zero: the terms of its series are at most the part [`Step::SMOOTH`] of the first, but for a linear
@@ -47,6 +49,8 @@ pub(super) struct Step {
     pub(super) end: f64,
     /// The time from this t to the end, where it is known.
     pub(super) known: Option<(f64, f64)>,
+    /// u and the law at the end, where they are known.
+    pub(super) exit: Option<(f64, LawAt)>,
 }
 
 impl Step {
@@ -70,7 +74,7 @@ impl Step {
         let width = width.ok_or(Doubt::TurningPoint)?;
         let u = scaled(expansion.u, width);
         let (signs, doubt) = expansion.signs(&u, width, from_zero).ok_or(Doubt::Pole)?;
-        Ok(Self { width, u, degree: DEGREE, signs, doubt, direction, end: 1.0, known: None })
+        Ok(Self { width, u, degree: DEGREE, signs, doubt, direction, end: 1.0, known: None, exit: None })
     }
 
     /// Whether u has no zero near the step between two t by the sizes of its terms: on the same ellipse about the step all but the first are at
@@ -128,16 +132,32 @@ pub(super) fn rotated((sin, cos): (f64, f64), z: f64) -> (f64, f64) {
 }
 
 impl Piece for Step {
+    #[inline]
     fn u(&self, t: f64) -> f64 {
-        value(&self.u[..=self.degree], t)
+        match self.exit {
+            Some((u, _)) if t == self.end => u,
+            _ => value(&self.u[..=self.degree], t),
+        }
     }
 
     fn rate(&self, _: f64, u: f64) -> f64 {
         u.sqrt()
     }
 
+    #[inline]
     fn direction(&self, t: f64) -> (f64, f64) {
-        rotated(self.direction, self.width * t)
+        match &self.exit {
+            Some((_, there)) if t == self.end => there.direction,
+            _ => rotated(self.direction, self.width * t),
+        }
+    }
+
+    #[inline]
+    fn law_at(&self, law: &SlidingLaw, t: f64) -> LawAt {
+        match self.exit {
+            Some((_, there)) if t == self.end => there,
+            _ => LawAt::new(law, self.direction(t)),
+        }
     }
 
     fn turning(&self, t: f64) -> f64 {
