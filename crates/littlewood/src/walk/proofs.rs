@@ -18,6 +18,9 @@ use crate::modes::rolling::{Levels, Recurrence};
 use crate::walk::automaton::{Cause, Event};
 use crate::walk::outcome::Outcome;
 
+/// Two reversals are the same if this part of the distance to one of the other direction is between them.
+const SAME_REVERSAL: f64 = 0.25;
+
 /// What rounding may have moved a number by, relative to one plus its size.
 const ROUNDING: f64 = 1e-9;
 
@@ -28,8 +31,13 @@ pub(crate) fn is_same(a: f64, b: f64) -> bool {
 
 /// Whether two angles, of which the first may be the larger by many turns, are the same direction.
 pub(crate) fn is_same_direction(a: f64, b: f64) -> bool {
+    angle_between(a, b) <= ROUNDING * (1.0 + a.abs())
+}
+
+/// The angle between two directions, from 0 to π.
+fn angle_between(a: f64, b: f64) -> f64 {
     let turns = ((a - b) / TAU).round();
-    (a - b - turns * TAU).abs() <= ROUNDING * (1.0 + a.abs())
+    (a - b - turns * TAU).abs()
 }
 
 /// What has been seen of a motion, as far as proofs need it.
@@ -134,7 +142,7 @@ impl<'a> Proofs<'a> {
     ) -> Option<Outcome> {
         let endless = match &mut self.kind {
             Kind::None => None,
-            Kind::Conservative(visits) => repeats(visits, event, direction, range),
+            Kind::Conservative(visits) => repeats(visits, event, (direction, self.hoop.mu_s() == 0.0), range),
             Kind::Grazing(slips) => slips.add(self.hoop, event),
         };
         endless.or_else(|| self.at_start(after, event.to))
@@ -192,7 +200,7 @@ fn touches(mode: Option<Mode>) -> bool {
 fn repeats(
     visits: &mut Vec<Visit>,
     event: &Event,
-    direction: Option<Direction>,
+    (direction, is_smooth): (Option<Direction>, bool),
     range: Option<(f64, f64)>,
 ) -> Option<Outcome> {
     let Event { state, cause, .. } = *event;
@@ -211,10 +219,11 @@ fn repeats(
         }
     }
     let back = visits.iter().rposition(|earlier| {
+        let is_same_state = is_same(earlier.state.theta_rate, state.theta_rate)
+            && is_same_direction(state.theta, earlier.state.theta);
         cause == earlier.cause
             && direction == earlier.direction
-            && is_same(earlier.state.theta_rate, state.theta_rate)
-            && is_same_direction(state.theta, earlier.state.theta)
+            && (is_same_state || (is_smooth && is_same_reversal(visits, earlier, &state)))
     });
     visits.push(Visit { state, cause, direction, range });
     let back = back?;
@@ -237,6 +246,19 @@ fn repeats(
         Recurrence::Libration { period, theta_min, theta_max }
     };
     Some(Outcome::SlidesForever { since, recurrence })
+}
+
+/// Whether a reversal on a smooth plane is an earlier one of the same direction. There θ′ depends on θ and its sign alone, and reversals to the two
+/// sides follow each other: between two of one direction, in one way through the angles, lies one of the other. Two of them next to
+/// each other are known to rounding times the inverse of their distance, so that it is this distance that tells.
+fn is_same_reversal(visits: &[Visit], earlier: &Visit, state: &State) -> bool {
+    let away = |visit: &Visit| angle_between(visit.state.theta, state.theta);
+    let others = visits.iter().filter(|visit| visit.direction != earlier.direction).map(away);
+    let nearest = others.fold(f64::INFINITY, f64::min);
+    earlier.cause == Cause::Reversal
+        && earlier.state.theta_rate * state.theta_rate > 0.0
+        && nearest.is_finite()
+        && away(earlier) <= SAME_REVERSAL * nearest
 }
 
 impl Slips<'_> {

@@ -15,7 +15,7 @@
 use crate::math::bernstein::Bernstein;
 use crate::math::form::{Form, HalfAngle};
 use crate::mechanics::equations::RollingLaw;
-use crate::model::hoop::{Body, Hoop};
+use crate::model::hoop::{Body, Heavy, Hoop};
 use crate::model::mode::Direction;
 
 /// What gives way where rolling ends.
@@ -86,6 +86,32 @@ fn even_product<const P: usize, const Q: usize, const R: usize>(p: [f64; P], q: 
 /// X² + Y² = 1.
 const ONE: [f64; 2] = [1.0, 1.0];
 
+/// N D² and F D², each as its part without K and the factor of K, in forms of the half angle: N D² in its even powers, F D² in its odd ones.
+#[derive(Clone, Copy, Debug)]
+struct Forces {
+    normal: [[f64; 4]; 2],
+    friction: [[f64; 3]; 2],
+}
+
+impl Forces {
+    fn new(body: &Heavy, law: &RollingLaw) -> Self {
+        let l = law.offset;
+        let d = [law.top, law.bottom];
+        let carried = [law.mass + l, law.mass - l];
+        // D − m − ℓ̂ c = Î + m h² + ℓ̂ c
+        let about_centre = body.inertia + l * body.h;
+        let rest = [about_centre + l, about_centre - l];
+        let d2: [f64; 3] = even_product(d, d);
+        let c_d: [f64; 3] = even_product([l, -l], d);
+        let centripetal: [f64; 3] = [c_d[0], c_d[1] + 4.0 * l * l, c_d[2]];
+        let driven: [f64; 4] = even_product(centripetal, ONE);
+        Self {
+            normal: [even_product(d2, carried), driven.map(|x| -x)],
+            friction: [d2.map(|x| -x), even_product(rest, ONE)],
+        }
+    }
+}
+
 /// The forms that must stay non-negative while the body rolls, in a frame where it moves towards larger angles.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Boundary {
@@ -95,38 +121,34 @@ pub(super) enum Boundary {
     Massless([Form<3>; 2], Form<5>),
 }
 
+/// (μs N − F) D² and (μs N + F) D² from N D² and F D²/(2ℓ̂).
+fn margins(mu: f64, l: f64, (normal, friction): ([f64; 4], [f64; 3])) -> [Form<7>; 2] {
+    let form = |sign: f64| {
+        let mut form = [0.0; 7];
+        for i in 0..4 {
+            form[2 * i] = mu * normal[i];
+        }
+        for i in 0..3 {
+            form[2 * i + 1] = sign * (2.0 * l * friction[i]);
+        }
+        Form(form)
+    };
+    [form(-1.0), form(1.0)]
+}
+
 impl Boundary {
     /// On the orbit with constant K.
     pub(super) fn new(hoop: &Hoop, law: &RollingLaw, k: f64) -> Self {
         let (l, mu) = (law.offset, hoop.mu_s());
-        let d = [law.top, law.bottom];
         match hoop.body() {
-            Body::Heavy(heavy) => {
-                let carried = [law.mass + l, law.mass - l];
-                // D − m − ℓ̂ c = Î + m h² + ℓ̂ c
-                let about_centre = heavy.inertia + l * heavy.h;
-                let rest = [about_centre + l, about_centre - l];
-                let d2: [f64; 3] = even_product(d, d);
-                let n_inertial: [f64; 4] = even_product(d2, carried);
-                let c_d: [f64; 3] = even_product([l, -l], d);
-                let n_centripetal: [f64; 3] = [c_d[0], c_d[1] + 4.0 * l * l, c_d[2]];
-                let n_driven: [f64; 4] = even_product(n_centripetal, ONE);
-                let f_driven: [f64; 3] = even_product(rest, ONE);
-                let mut minus = [0.0; 7];
-                let mut plus = [0.0; 7];
-                for i in 0..4 {
-                    let normal = n_inertial[i] - k * n_driven[i];
-                    minus[2 * i] = mu * normal;
-                    plus[2 * i] = mu * normal;
-                }
-                for i in 0..3 {
-                    let friction = 2.0 * l * (k * f_driven[i] - d2[i]);
-                    minus[2 * i + 1] = -friction;
-                    plus[2 * i + 1] = friction;
-                }
-                Self::Heavy([Form(minus), Form(plus)])
+            Body::Heavy(body) => {
+                let Forces { normal: [inertial, driven], friction: [held, turned] } = Forces::new(&body, law);
+                let normal = core::array::from_fn(|i| inertial[i] + k * driven[i]);
+                let friction = core::array::from_fn(|i| k * turned[i] + held[i]);
+                Self::Heavy(margins(mu, l, (normal, friction)))
             }
             Body::Massless(_) => {
+                let d = [law.top, law.bottom];
                 let lever = [1.0 + l, 1.0 - l];
                 let cone = |sign: f64| Form([mu * lever[0], sign * 2.0 * l, mu * lever[1]]);
                 // N D/(1 + ℓ̂c) = (1 + ℓ̂c) D − ℓ̂(ℓ̂ + c)(K − D)
@@ -136,14 +158,6 @@ impl Boundary {
                 let normal: [f64; 3] = core::array::from_fn(|i| held[i] - k * pulled[i]);
                 Self::Massless([cone(1.0), cone(-1.0)], Form([normal[0], 0.0, normal[1], 0.0, normal[2]]))
             }
-        }
-    }
-
-    /// The coefficients of (μs N ∓ F) D²; none for a massless hoop.
-    pub(super) const fn heavy_forms(&self) -> Option<[Form<7>; 2]> {
-        match self {
-            Self::Heavy([minus, plus]) => Some([*minus, *plus]),
-            Self::Massless(..) => None,
         }
     }
 
@@ -173,8 +187,11 @@ impl Boundary {
 /// The margins (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2): for each its parts A and B, of which it
 /// is A + K B on the orbit with constant K; none for a massless hoop.
 pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
-    let on_orbit = |k| Boundary::new(hoop, &RollingLaw::new(hoop), k).heavy_forms();
-    let (zero, one) = (on_orbit(0.0)?, on_orbit(1.0)?);
-    let parts = |i: usize| [zero[i], Form(core::array::from_fn(|k| one[i].0[k] - zero[i].0[k]))];
-    Some([parts(0), parts(1)])
+    let Body::Heavy(body) = hoop.body() else { return None };
+    let law = RollingLaw::new(hoop);
+    let Forces { normal, friction } = Forces::new(&body, &law);
+    // Each by itself: as a difference of two orbits the part B would lose its digits where D is large.
+    let part = |i: usize| margins(hoop.mu_s(), law.offset, (normal[i], friction[i]));
+    let ([minus, plus], [minus_driven, plus_driven]) = (part(0), part(1));
+    Some([[minus, minus_driven], [plus, plus_driven]])
 }
