@@ -1,6 +1,6 @@
 """Reference times of rolling, to 25 digits.
 
-    python3 -m pip install mpmath gmpy2        (gmpy2 only makes it faster)
+    python3 -m pip install mpmath gmpy2 python-flint
     python3 rolling.py                         writes rolling.json beside this file
 
 While the hoop rolls, D (1 + theta'^2) = K is constant, D = A + 2 l cos(theta), A = I + m (1 + h^2), and so
@@ -12,16 +12,18 @@ elliptic integrals.  Two substitutions keep the integrand smooth:
   way towards psi = +-pi/2.
 
 Each value is found with 50 digits and again with 65 and other cuts.  That the quadrature describes the rolling hoop
-is seen on the items in INTEGRATED, where the Newton-Euler system of motions.py (no K, no D) is integrated for the
+is seen on the items in INTEGRATED, where the balances of momentum of `follower` (no K, no D) are integrated for the
 time found and the angle reached is compared with theta1.  All differences are written into the file.
 """
 import json
 import os
 
 import mpmath as mp
+from follower.arithmetic import FINE, Work
+from follower.contact import drift
+from follower.hoop import Hoop
+from gmpy2 import mpfr
 from mpmath import mpf
-
-import motions
 
 DIGITS = 25
 PI = 3.141592653589793
@@ -77,8 +79,10 @@ INTEGRATED = ("rotation", "rotation_negative_rate", "libration", "through_zero_n
 
 class Orbit:
     def __init__(self, hoop, theta0, rate0, ratio):
-        b = motions.Hoop(*hoop, 0, 0)
-        self.l, self.a, self.ratio = b.l, b.i + b.m * (1 + b.h**2), ratio         # ratio of the cuts
+        m1, self.l, izz = map(mpf, hoop)
+        h = self.l / (1 + m1)
+        # The inertia about the contact point is a + 2 l cos theta.
+        self.a, self.ratio = izz + m1 * h**2 + (self.l - h)**2 + (1 + m1) * (1 + h**2), ratio         # ratio of the cuts
         self.theta0, self.rate0 = mpf(theta0), mpf(rate0)
         self.gain = self.d(self.theta0) * self.rate0**2                            # K - D at the start
         short = mp.sin(self.theta0 / 2)**2 - self.gain / (4 * self.l) if self.l else -self.gain
@@ -146,10 +150,9 @@ def twice(f, *given):
 
 def integrated(hoop, theta0, rate0, theta1, time):
     """Distance from theta1 of the hoop rolling for that time by Newton-Euler."""
-    with mp.workdps(40):
-        b = motions.Hoop(*hoop, 0, 0)
-        phase = motions.Phase(b, "rolling", 0, mpf(0), [mpf(theta0), mpf(rate0), mpf(0), mpf(0)])
-        return abs(phase.state(time)[0] - theta1)
+    Work.use(FINE)
+    theta = drift(Hoop(*hoop, 0, 0), "rolling", 0, (mpfr(theta0), mpfr(rate0), mpfr(0)), mpfr(mp.nstr(time, 50)))[0]
+    return abs(theta - theta1)
 
 
 def item(name, hoop, theta0, rate0, **more):
@@ -165,7 +168,7 @@ def main():
         arcs.append(item(name, *given[:3], theta1=given[3], time=mp.nstr(value, DIGITS)))
         print(f"{name:32} {arcs[-1]['time']:32} {mp.nstr(difference, 3)}", flush=True)
         if name in INTEGRATED:
-            reached[name] = mp.nstr(integrated(*given, value), 3)
+            reached[name] = "{0:.3g}".format(integrated(*given, value))
             print("    integrated:", reached[name], flush=True)
     for name, given in PERIODS.items():
         value, difference = twice(period, *given)

@@ -13,7 +13,7 @@ integrals of 1/theta' and eta''/theta' over the angle, by Gauss's rule on 20 pan
 Euler-Maclaurin formula.  Events are looked for at 320 places of each turn in which
 one can be.
 
-Units and signs as in motions.py; a motion with theta' < 0 is seen in a mirror, (theta, eta) -> (-theta, -eta).
+Units and signs as in the package `follower`; a motion with theta' < 0 is seen in a mirror, (theta, eta) -> (-theta, -eta).
 """
 import json
 import multiprocessing
