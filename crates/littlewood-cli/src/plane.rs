@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use littlewood::tables::{ColumnType, PhaseSequence, SummaryColumn, SummaryValue};
+use littlewood::tables::{Class, ColumnType, PhaseSequence, SummaryColumn, SummaryValue};
 use littlewood::{OutcomeKind, Summary};
 use littlewood_sweep::{Axis, Chunk, Columns, Grid};
 use serde::Serialize;
@@ -13,6 +13,10 @@ use crate::error::Error;
 
 /// Starts that are written as text at most: they are all held, and text is read whole.
 const MOST: u64 = 1 << 20;
+
+/// The column of the classes that pictures show and the summary of a run counts: by the first lift-off, where there is one. `outcome` is the
+/// end of the motion, which with restitution comes later.
+const CLASS: &str = "class";
 
 /// The results of a grid, in the order of its points, the last axis fastest.
 pub(crate) struct Plane<'a> {
@@ -46,7 +50,8 @@ impl<'a> Plane<'a> {
     /// One row a start: its place on the axes, then the columns. What has no value is an empty cell.
     pub(crate) fn csv(&self, writer: &mut dyn Write) -> io::Result<()> {
         let names = self.axes.iter().map(|axis| axis.varies().name());
-        let names: Vec<&str> = names.chain(SummaryColumn::ALL.into_iter().map(SummaryColumn::name)).collect();
+        let columns = SummaryColumn::ALL.into_iter().map(SummaryColumn::name);
+        let names: Vec<&str> = names.chain(columns).chain([CLASS]).collect();
         writeln!(writer, "{}", names.join(","))?;
         for (place, summary) in self.summaries.iter().enumerate() {
             let mut cells: Vec<String> = vec![String::new(); self.axes.len()];
@@ -56,6 +61,7 @@ impl<'a> Plane<'a> {
                 rest /= axis.count();
             }
             cells.extend(SummaryColumn::ALL.into_iter().map(|column| Cell::of(column, summary).text()));
+            cells.push(Class::of(summary).to_string());
             writeln!(writer, "{}", cells.join(","))?;
         }
         Ok(())
@@ -93,10 +99,12 @@ struct Lists<'a>(&'a [Summary]);
 
 impl Serialize for Lists<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(SummaryColumn::ALL.into_iter().map(|column| {
+        let columns = SummaryColumn::ALL.into_iter().map(|column| {
             let cells: Vec<Cell> = self.0.iter().map(|summary| Cell::of(column, summary)).collect();
             (column.name(), cells)
-        }))
+        });
+        let classes = self.0.iter().map(|summary| Cell::Word(Class::of(summary).to_string())).collect();
+        serializer.collect_map(columns.chain([(CLASS, classes)]))
     }
 }
 

@@ -39,6 +39,38 @@ fn the_plane_of_figure_2_has_the_known_counts() {
     assert!(folder.path().join("plane.zarr/zarr.json").exists());
 }
 
+/// With restitution a class is that of the first lift-off, and `outcome` the end: both are columns, and the counts are those of the classes.
+#[test]
+fn the_classes_that_are_counted_are_a_column() {
+    let folder = folder();
+    let [csv, png] = ["plane.csv", "plane.svg"].map(|name| path(&folder, name));
+    let limits = ["--until", "20", "--restitution", "0.5", "--out", &csv];
+    let found = json(&[&["map", "figure-3"], &SMALL[..], &limits].concat());
+    let mut reader = csv::Reader::from_path(&csv).expect("a table");
+    let column =
+        |name: &str, headers: &csv::StringRecord| headers.iter().position(|it| it == name).expect("a column");
+    let headers = reader.headers().expect("names").clone();
+    let [class, outcome] = ["class", "outcome"].map(|name| column(name, &headers));
+    let mut counts = std::collections::BTreeMap::<String, u64>::new();
+    let mut ends = std::collections::BTreeSet::new();
+    for row in reader.records() {
+        let row = row.expect("a row");
+        *counts.entry(row[class].to_owned()).or_default() += 1;
+        if &row[class] == "lifts_off_later" {
+            ends.insert(row[outcome].to_owned());
+        }
+    }
+    assert_eq!(serde_json::json!(counts), found["counts"]);
+    assert!(ends.contains("rolls_forever") && !ends.contains("landing"), "{ends:?}");
+    if cfg!(feature = "figures") {
+        let title = |more: &[&str]| {
+            text(&[&["map", "figure-3"], &SMALL[..], &["--until", "5", "--out", &png], more].concat());
+            fs::read_to_string(&png).expect("a picture").contains("First lift-off")
+        };
+        assert!(title(&["--restitution", "0.5"]) && !title(&[]));
+    }
+}
+
 #[test]
 fn the_number_of_threads_changes_nothing() {
     let folder = folder();

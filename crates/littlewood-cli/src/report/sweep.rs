@@ -50,7 +50,7 @@ impl Run {
                 vec![class.label().to_owned(), grouped(count), format!("{share:.2} %")]
             })
             .collect();
-        sheet.table(&["Outcome", "Starts", "Share"], rows, &[1, 2], None)?;
+        sheet.table(&["Class", "Starts", "Share"], rows, &[1, 2], None)?;
         sheet.gap()?;
         let mut starts = format!("{} of {}", grouped(self.done()), grouped(self.report.points));
         if self.report.reused > 0 {

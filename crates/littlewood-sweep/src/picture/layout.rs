@@ -129,7 +129,16 @@ impl Layout {
             width: (at(right) - at(left)).max(1),
             height: (bottom - top).max(1),
         };
-        Self { letter, frame, title: title(picture.shade, units), lines: texts, entries, scale, bar, ticks }
+        Self {
+            letter,
+            frame,
+            title: title(picture.shade, picture.goes_on(), units),
+            lines: texts,
+            entries,
+            scale,
+            bar,
+            ticks,
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use littlewood::si::Units;
-use littlewood::tables::{Class, Setup, SummaryColumn, SummaryValue};
+use littlewood::tables::{Class, Quantity, Setup, SummaryColumn, SummaryValue};
 use littlewood::{Limits, Summary};
 
 use super::cells::{Cell, cell, class_of, of_class};
@@ -11,6 +11,7 @@ use super::error::PictureError;
 use super::frame::{PictureSize, SIDES};
 use super::refine::Refined;
 use super::shade::Shade;
+use crate::axis::{Axis, Varies};
 use crate::chunk::Chunk;
 use crate::columns::Columns;
 use crate::grid::Grid;
@@ -167,6 +168,12 @@ impl Picture {
     pub fn count(&self, class: Class) -> u64 {
         let missing = if class == Class::NotComputed { self.grid.len() - self.tally.total() } else { 0 };
         self.tally.of(class) + missing
+    }
+
+    /// Whether motions go on after a landing, some of them at least.
+    pub(super) fn goes_on(&self) -> bool {
+        let varies = |axis: &Axis| axis.varies() == Varies::One(Quantity::Restitution);
+        self.grid.base().hoop.restitution.is_some() || self.grid.axes().iter().any(varies)
     }
 
     /// Whether every point of the grid has been added.

@@ -83,8 +83,9 @@ pub(super) fn ticks_of(axis: &Axis, units: Option<&Units>, most: usize) -> Vec<T
 }
 
 /// What a map shows, with its unit.
-pub(super) fn title(shade: Shade, units: Option<&Units>) -> String {
+pub(super) fn title(shade: Shade, goes_on: bool, units: Option<&Units>) -> String {
     match shade {
+        Shade::Class if goes_on => "First lift-off, else the outcome".to_owned(),
         Shade::Class => "What becomes of the motion".to_owned(),
         Shade::Sequence => "The phases of the motion".to_owned(),
         Shade::EnergyLost => with_unit("Energy lost", unit_sign(units, Dimension::Energy)),
@@ -236,7 +237,7 @@ mod tests {
         assert_eq!(name(Quantity::ThetaRate), "θ′  (√(g/R))");
         assert_eq!(name(Quantity::Inertia), "Izz/(m₂R²)");
         assert_eq!(axis_name(&Axis::new(Varies::Friction, 0.0, 1.0, 3).expect("good"), None), "μ");
-        let title = |shade| title(shade, None);
+        let title = |shade| title(shade, false, None);
         assert_eq!(title(Shade::Column(SummaryColumn::JumpHeight)), "Height of the first jump  (R)");
         assert_eq!(title(Shade::Column(SummaryColumn::EndTheta)), "Angle at the end  (rad)");
         assert_eq!(title(Shade::EnergyLost), "Energy lost  (m₂gR)");
@@ -259,7 +260,7 @@ mod tests {
         assert_eq!((last.value, last.label.as_str()), (2.0, "8"));
         let shade = Shade::Column(SummaryColumn::LiftOffTime);
         assert_eq!(
-            (title(shade, Some(&units)), unit_of(shade, Some(&units))),
+            (title(shade, false, Some(&units)), unit_of(shade, Some(&units))),
             ("Time of lift-off  (s)".to_owned(), 0.25)
         );
     }
