@@ -24,11 +24,12 @@ __all__ = [
     "DIRECTIONS",
     "HOOP",
     "IMPACT_CASES",
+    "MAX_SLIDES",
     "MAX_TRANSITIONS",
     "MODES",
     "MOST_POINTS",
     "MOST_THREADS",
-    "MOST_TRANSITIONS",
+    "MOST_COUNT",
     "OUTCOMES",
     "OUTSIDE",
     "PHASES",
@@ -98,13 +99,14 @@ CLASSES: list[tuple[int, str, str]]
 DIRECTIONS: list[tuple[int, str]]
 HOOP: list[str]
 IMPACT_CASES: list[tuple[int, str, str]]
+MAX_SLIDES: int
 MAX_TRANSITIONS: int
 PROOF: str
 PROOFS: list[str]
 MOST_THREADS: int
 MODES: list[tuple[int, str]]
 MOST_POINTS: int
-MOST_TRANSITIONS: int
+MOST_COUNT: int
 OUTCOMES: list[tuple[int, str, str, bool]]
 OUTSIDE: int
 PHASES: list[tuple[int, str, str]]
@@ -168,7 +170,7 @@ def start_from_si(scales: _Scales, numbers: _Numbers, until_s: float | None) -> 
 def sample_in_si(scales: _Scales, column: str, values: _Reals) -> _Reals: ...
 def derived_units(scales: _Scales) -> tuple[float, float, float, float, float]: ...
 def simulate(
-    given: _Hoop, start_numbers: _Numbers, until: float | None, max_transitions: int, proof: str
+    given: _Hoop, start_numbers: _Numbers, until: float | None, max_transitions: int, max_slides: int, proof: str
 ) -> Trajectory: ...
 def classify(given: _Hoop, start_numbers: _Numbers) -> dict[str, Any]: ...
 def summaries(
@@ -177,6 +179,7 @@ def summaries(
     count: int,
     until: float | None,
     max_transitions: int,
+    max_slides: int,
     proof: str,
     starts: int,
     threads: int,

@@ -9,23 +9,24 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .counts import checked_count
+from .counts import checked_limits
 from .elementwise import flat
 from .tables import AXES
 
 
 class Limits(NamedTuple):
-    """When to stop a motion: at the time `until`, √(R/g), if any; after `max_transitions`; by what `proof`."""
+    """When to stop a motion: at `until`, √(R/g), if any; after `max_transitions` or `max_slides`; by what `proof`."""
 
     until: float | None
     max_transitions: int
+    max_slides: int
     proof: str
 
     @classmethod
-    def checked(cls, until: float | None, max_transitions: int, proof: str) -> Limits:
+    def checked(cls, until: float | None, max_transitions: int, max_slides: int, proof: str) -> Limits:
         """Refuse limits without meaning, before anything is computed."""
-        transitions = checked_count("max_transitions", max_transitions, 0, _core.MOST_TRANSITIONS)
-        limits = cls(None if until is None else float(until), transitions, proof)
+        transitions, slides = checked_limits(max_transitions, max_slides)
+        limits = cls(None if until is None else float(until), transitions, slides, proof)
         if limits.until is not None:
             _core.check_until(limits.until)
         _core.check_proof(proof)
@@ -83,6 +84,7 @@ def compute(
         int(np.prod(shape, dtype=np.int64)),
         limits.until,
         limits.max_transitions,
+        limits.max_slides,
         limits.proof,
         starts,
         threads,

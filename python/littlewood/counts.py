@@ -5,7 +5,9 @@ from __future__ import annotations
 import operator
 from typing import SupportsIndex
 
-__all__ = ["checked_count"]
+from . import _core
+
+__all__ = ["checked_count", "checked_limits"]
 
 
 def checked_count(name: str, value: SupportsIndex, least: int, most: int) -> int:
@@ -24,3 +26,11 @@ def checked_count(name: str, value: SupportsIndex, least: int, most: int) -> int
     if count > most:
         raise ValueError(f"{name} = {count} must not exceed {most}")
     return count
+
+
+def checked_limits(max_transitions: SupportsIndex, max_slides: SupportsIndex) -> tuple[int, int]:
+    """Return the limits of a motion that are counts; refuse those beyond their bounds."""
+    return (
+        checked_count("max_transitions", max_transitions, 0, _core.MOST_COUNT),
+        checked_count("max_slides", max_slides, 0, _core.MOST_COUNT),
+    )

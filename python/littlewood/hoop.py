@@ -10,7 +10,7 @@ from .bouncing import BouncingOrbit
 from .html import hoop_html
 from .motion import Classification, Start, _frozen
 from .phase_plane import PhasePlane
-from .tables import HOOP, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START, START
+from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START, START
 from .trajectory import Trajectory
 from .units import Units
 
@@ -189,6 +189,7 @@ class Hoop:
         time: float = 0.0,
         until: float | None = None,
         max_transitions: int = MAX_TRANSITIONS,
+        max_slides: int = MAX_SLIDES,
         proof: str = PROOF,
     ) -> Trajectory:
         """Follow a motion to its end, or to a limit.
@@ -213,6 +214,9 @@ class Hoop:
             Time τ at which to stop, √(R/g). A motion is followed to its end by default.
         max_transitions : int, optional
             Largest number of transitions: a light hoop on a nearly smooth plane may make very many.
+        max_slides : int, optional
+            Largest length of all slides together, √(Δτ² + Δθ²) each but at most 32, times 1 + ln(1 + m/Î): on a plane of next
+            to no friction they are long and many.
         proof : {"endless", "contact", "none"}, optional
             What is enough to end a motion without a time limit: that it repeats itself or slips for ever; besides, as
             soon as that is known, that it never lifts off; or only that a phase lasts for ever.
@@ -227,7 +231,7 @@ class Hoop:
             For a start or a limit without physical meaning.
         """
         start = Start(time=time, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=x)
-        return Trajectory(self, start, until, max_transitions, proof)
+        return Trajectory(self, start, until, max_transitions, max_slides, proof)
 
     def simulate_si(
         self,
@@ -240,6 +244,7 @@ class Hoop:
         time_s: float = 0.0,
         until_s: float | None = None,
         max_transitions: int = MAX_TRANSITIONS,
+        max_slides: int = MAX_SLIDES,
         proof: str = PROOF,
     ) -> Trajectory:
         """Follow a motion from a start in SI units.
@@ -260,6 +265,8 @@ class Hoop:
             Time of the start, and time at which to stop, s.
         max_transitions : int, optional
             Largest number of transitions.
+        max_slides : int, optional
+            Largest length of all slides together, as in :meth:`simulate`.
         proof : {"endless", "contact", "none"}, optional
             What is enough to end a motion without a time limit: that it repeats itself or slips for ever; besides, as
             soon as that is known, that it never lifts off; or only that a phase lasts for ever.
@@ -286,7 +293,7 @@ class Hoop:
         }
         numbers, until = _core.start_from_si(self.require_units().scales, [given[name] for name in SI_START], until_s)
         start = Start(**dict(zip(START, numbers, strict=True)))
-        return Trajectory(self, start, until, max_transitions, proof)
+        return Trajectory(self, start, until, max_transitions, max_slides, proof)
 
     def classify(self, *, theta: float, theta_rate: float, slip: float = 0.0, gap_rate: float = 0.0) -> Classification:
         """Say which region a start lies in, and what begins there, without simulating it.

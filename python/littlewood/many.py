@@ -17,7 +17,7 @@ from .extras import require
 from .hoop import Hoop
 from .lazy import lazy_columns
 from .points import Points, broadcast, check_hoop, fill, grid
-from .tables import MAX_TRANSITIONS, PROOF
+from .tables import MAX_SLIDES, MAX_TRANSITIONS, PROOF
 from .variables import CONVENTIONS, RESULTS, result_attributes
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ def simulate_many(
     law: str | None = None,
     until: float | None = None,
     max_transitions: int = MAX_TRANSITIONS,
+    max_slides: int = MAX_SLIDES,
     proof: str = PROOF,
     chunks: Any = None,
     threads: int | None = None,
@@ -78,6 +79,8 @@ def simulate_many(
         Time τ at which to stop, √(R/g). Motions are followed to their end by default.
     max_transitions : int, optional
         Largest number of transitions of a motion.
+    max_slides : int, optional
+        Largest length of all slides of a motion together, as in :meth:`Hoop.simulate`.
     proof : {"endless", "contact", "none"}, optional
         What is enough to end a motion without a time limit: that it repeats itself or slips for ever; besides, as
         soon as that is known, that it never lifts off; or only that a phase lasts for ever.
@@ -121,7 +124,7 @@ def simulate_many(
     """
     values = fill(hoop, quantities)
     law = _law(hoop, law, values)
-    return _simulate(broadcast(values, law), until, max_transitions, proof, chunks, threads, progress)
+    return _simulate(broadcast(values, law), until, max_transitions, max_slides, proof, chunks, threads, progress)
 
 
 def outcome_map(
@@ -130,6 +133,7 @@ def outcome_map(
     law: str | None = None,
     until: float | None = None,
     max_transitions: int = MAX_TRANSITIONS,
+    max_slides: int = MAX_SLIDES,
     proof: str = PROOF,
     chunks: Any = None,
     threads: int | None = None,
@@ -140,7 +144,7 @@ def outcome_map(
 
     Parameters
     ----------
-    hoop, law, until, max_transitions, proof, chunks, threads, progress
+    hoop, law, until, max_transitions, max_slides, proof, chunks, threads, progress
         As those of :func:`simulate_many`.
     theta, theta_rate, slip, gap_rate, mass_ratio, offset, inertia, mu_s, mu_k, restitution : array_like, optional
         Axes of shape (n,), in the order in which they are given, or numbers. `theta` and `theta_rate` are required.
@@ -166,7 +170,7 @@ def outcome_map(
     """
     values = fill(hoop, quantities)
     law = _law(hoop, law, values)
-    return _simulate(grid(values, law, [*quantities]), until, max_transitions, proof, chunks, threads, progress)
+    return _simulate(grid(values, law, [*quantities]), until, max_transitions, max_slides, proof, chunks, threads, progress)
 
 
 def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
@@ -195,12 +199,13 @@ def _simulate(
     points: Points,
     until: float | None,
     max_transitions: int,
+    max_slides: int,
     proof: str,
     chunks: Any,
     threads: int | None,
     progress: bool,
 ) -> xarray.Dataset:
-    limits = Limits.checked(until, max_transitions, proof)
+    limits = Limits.checked(until, max_transitions, max_slides, proof)
     if threads is not None and operator.index(threads) < 1:
         raise ValueError(f"threads = {threads} must not be less than 1")
     if threads is not None and operator.index(threads) > _core.MOST_THREADS:
@@ -227,6 +232,7 @@ def _simulate(
             "title": "sweep of Littlewood's hoop",
             "source": f"littlewood {_core.__version__}",
             "max_transitions": limits.max_transitions,
+            "max_slides": limits.max_slides,
             "proof": limits.proof,
             **({} if points.law is None else {"restitution_law": points.law}),
             **({} if limits.until is None else {"until": limits.until}),

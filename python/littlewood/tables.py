@@ -98,6 +98,9 @@ SUMMARY_COLUMNS: Mapping[str, SummaryColumn] = _frozen(
 MAX_TRANSITIONS: int = _core.MAX_TRANSITIONS
 """Number of transitions after which a motion is stopped by default."""
 
+MAX_SLIDES: int = _core.MAX_SLIDES
+"""Length of all slides together after which a motion is stopped by default."""
+
 PROOFS: tuple[str, ...] = tuple(_core.PROOFS)
 """Names of what may be enough to end a motion."""
 

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .counts import checked_count
+from .counts import checked_count, checked_limits
 from .elementwise import flat
 from .extras import require
 from .html import trajectory_html, trajectory_text
@@ -53,17 +53,19 @@ class Trajectory:
     ('rolls_forever', 'settle')
     """
 
-    def __init__(self, hoop: Hoop, start: Start, until: float | None, max_transitions: int, proof: str) -> None:
-        transitions = checked_count("max_transitions", max_transitions, 0, _core.MOST_TRANSITIONS)
+    def __init__(
+        self, hoop: Hoop, start: Start, until: float | None, max_transitions: int, max_slides: int, proof: str
+    ) -> None:
+        counts = checked_limits(max_transitions, max_slides)
         self._hoop = hoop
         self._start = start
         self._until = until
-        self._max_transitions = transitions
+        self._counts = counts
         self._proof = proof
-        self._core = _core.simulate(hoop._given, start.numbers, until, transitions, proof)
+        self._core = _core.simulate(hoop._given, start.numbers, until, *counts, proof)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Trajectory, (self._hoop, self._start, self._until, self._max_transitions, self._proof)
+        return Trajectory, (self._hoop, self._start, self._until, *self._counts, self._proof)
 
     @property
     def hoop(self) -> Hoop:

@@ -37,13 +37,23 @@ def test_the_command_line_has_the_same_bound(command):
 
 
 @pytest.mark.parametrize("count", [-1, 2**64, 2**70, 10**30])
-def test_transitions_are_bounded(count, hoop):
+@pytest.mark.parametrize("name", ["max_transitions", "max_slides"])
+def test_limits_are_bounded(name, count, hoop):
     bound = "less than 0" if count < 0 else f"exceed {2**64 - 1}"
-    message = f"max_transitions = {count} must not .*{bound}"
+    message = f"{name} = {count} must not .*{bound}"
     with pytest.raises(ValueError, match=message):
-        hoop.simulate(theta=0.0, theta_rate=1.0, max_transitions=count)
+        hoop.simulate(theta=0.0, theta_rate=1.0, **{name: count})
     with pytest.raises(ValueError, match=message):
-        lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, max_transitions=count)
+        lw.simulate_many(hoop, theta=0.0, theta_rate=1.0, **{name: count})
+
+
+def test_slides_are_limited_together():
+    # A slide of each motion of a nearly smooth plane counts, in the motion and in the sweep.
+    hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.05, mu_k=1e-5)
+    start = dict(theta=-0.3773370684994616, theta_rate=1.2554523805250892)
+    assert hoop.simulate(**start, max_slides=10, proof="none").outcome.kind == "step_limit"
+    assert lw.simulate_many(hoop, **start, max_slides=10, proof="none").outcome.values == lw.OUTCOMES["step_limit"].code
+    assert hoop.simulate(**start).outcome.kind == "landing"
 
 
 def test_no_transition_shows_what_is_there_at_once(hoop):

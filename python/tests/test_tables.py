@@ -14,7 +14,7 @@ from littlewood.many import Quantities
 from littlewood.plot.canvas import axis_label
 
 PACKAGE = Path(lw.__file__).parent
-LIMITS = ["until", "max_transitions", "proof"]
+LIMITS = ["until", "max_transitions", "max_slides", "proof"]
 SI_STATE = [tables.SAMPLE_COLUMNS[name].si_name for name in _core.STATE]
 
 
@@ -28,7 +28,7 @@ def arguments(function):
         (lw.Hoop, [*tables.HOOP, "law", "units"]),
         (lw.Hoop.from_si, [*tables.SI_HOOP, "law"]),
         (lw.Hoop.simulate, [*tables.START, *LIMITS]),
-        (lw.Hoop.simulate_si, [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions", "proof"]),
+        (lw.Hoop.simulate_si, [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions", "max_slides", "proof"]),
         (lw.State, _core.STATE),
     ],
 )
@@ -47,7 +47,7 @@ def test_a_sweep_takes_the_axes_of_the_table():
 @pytest.mark.parametrize("function", [lw.Hoop, lw.Hoop.from_si, lw.Hoop.simulate, lw.Hoop.simulate_si])
 def test_defaults_are_those_of_the_table(function):
     # What a start in SI units calls `theta_rad` has the name `theta` in the table.
-    ours = {"theta_rad": "theta", **dict.fromkeys(["law", "units", "until", "until_s", "max_transitions", "proof"])}
+    ours = {"theta_rad": "theta", **dict.fromkeys(["law", "units", "until", "until_s", "max_transitions", "max_slides", "proof"])}
     for name, one in arguments(function).items():
         row = ours.get(name, name)
         if row is not None:

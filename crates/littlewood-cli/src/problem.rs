@@ -55,7 +55,8 @@ impl Problem {
     /// # Errors
     /// An unknown case, a missing value, a value out of bounds, or a mixture of units.
     pub(crate) fn resolve(request: Request) -> Result<Self, Error> {
-        let Request { case, scenario, flags, law, si, max_transitions, proof, overrides } = request;
+        let Request { case, scenario, flags, law, si, max_transitions, max_slides, proof, overrides } =
+            request;
         let case = find(case.as_deref(), scenario.as_ref())?;
         let mut values = case.map(|case| Values::of_case(&case.setup)).unwrap_or_default();
         if let Some(scenario) = &scenario {
@@ -70,6 +71,7 @@ impl Problem {
         values.cover(overrides.given);
 
         let max_transitions = max_transitions.or(scenario.as_ref().and_then(Scenario::max_transitions));
+        let max_slides = max_slides.or(scenario.as_ref().and_then(Scenario::max_slides));
         let proof = proof.or(scenario.as_ref().and_then(Scenario::proof)).unwrap_or(Limits::default().proof);
         let is_si = overrides.si || si || values.any_si() || scenario.as_ref().is_some_and(Scenario::is_si);
         let of_case = || case.and_then(|case| case.setup.hoop.restitution_law);
@@ -80,10 +82,14 @@ impl Problem {
         let inputs = Inputs { values, law, scenario };
         inputs.refuse_gaps(is_si)?;
         let (hoop, start, until, units) = inputs.convert(is_si).map_err(|error| inputs.blame(error))?;
-        let transitions = max_transitions
-            .and_then(|count| usize::try_from(count).ok())
-            .unwrap_or(Limits::default().transitions);
-        let limits = Limits::default().with_until(until).with_transitions(transitions).with_proof(proof);
+        let or_default = |count: Option<u64>, default: usize| {
+            count.map_or(default, |count| usize::try_from(count).unwrap_or(usize::MAX))
+        };
+        let limits = Limits::default()
+            .with_until(until)
+            .with_transitions(or_default(max_transitions, Limits::default().transitions))
+            .with_slides(or_default(max_slides, Limits::default().slides))
+            .with_proof(proof);
         let changes = case.map(|case| inputs.changes(&case.setup)).unwrap_or_default();
         Ok(Self { case, changes, hoop, start, limits, units, inputs })
     }

@@ -22,6 +22,8 @@ pub(crate) struct Request {
     pub(crate) si: bool,
     /// Largest number of transitions, by a flag.
     pub(crate) max_transitions: Option<u64>,
+    /// Largest length of all slides together, by a flag.
+    pub(crate) max_slides: Option<u64>,
     /// The proofs that end a motion, by a flag.
     pub(crate) proof: Option<Proof>,
     /// What a sweep sets itself.
@@ -54,6 +56,7 @@ impl Request {
             law: problem.setup.law,
             si: problem.setup.si,
             max_transitions: run.and_then(|run| run.max_transitions),
+            max_slides: run.and_then(|run| run.max_slides),
             proof: run.and_then(|run| run.proof),
             overrides: Overrides::default(),
         })

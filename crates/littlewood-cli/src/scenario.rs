@@ -15,7 +15,7 @@ use littlewood_report::RESTITUTION_LAW;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::args::{Format, MAX_TRANSITIONS, SAMPLES};
+use crate::args::{Format, MAX_SLIDES, MAX_TRANSITIONS, SAMPLES};
 use crate::error::{Error, Excerpt};
 use crate::nearest;
 use crate::values::{Given, GivenLaw, Origin, si_name};
@@ -35,6 +35,7 @@ pub(crate) struct Scenario {
 #[derive(Debug, Default)]
 struct Run {
     max_transitions: Option<u64>,
+    max_slides: Option<u64>,
     proof: Option<Proof>,
     samples: Option<u64>,
     format: Option<Format>,
@@ -116,6 +117,11 @@ impl Scenario {
         self.run.max_transitions
     }
 
+    /// Largest length of all slides together.
+    pub(crate) const fn max_slides(&self) -> Option<u64> {
+        self.run.max_slides
+    }
+
     /// The proofs that end a motion.
     pub(crate) const fn proof(&self) -> Option<Proof> {
         self.run.proof
@@ -150,10 +156,10 @@ impl Scenario {
 
 impl Run {
     /// The keys of `[run]` that are no quantities.
-    const KEYS: [&'static str; 5] = ["max_transitions", "proof", "samples", "format", "out"];
+    const KEYS: [&'static str; 6] = ["max_transitions", "max_slides", "proof", "samples", "format", "out"];
 
     fn read(section: &Section<'_>) -> Result<Self, Error> {
-        let [max_transitions, proof, samples, format, out] = Self::KEYS;
+        let [max_transitions, max_slides, proof, samples, format, out] = Self::KEYS;
         let text = |key| section.find(key).map(|(_, value)| section.text(key, value)).transpose();
         let format = match (section.find(format), text(format)?) {
             (Some((_, value)), Some(name)) => Some(read_format(section, name, value.span())?),
@@ -161,6 +167,7 @@ impl Run {
         };
         Ok(Self {
             max_transitions: section.count(max_transitions, MAX_TRANSITIONS)?,
+            max_slides: section.count(max_slides, MAX_SLIDES)?,
             proof: section.word(proof, "proof", &Proof::NAMES)?.map(|(proof, _)| proof),
             samples: section.count(samples, SAMPLES)?,
             format,

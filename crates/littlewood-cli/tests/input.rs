@@ -101,6 +101,7 @@ fn what_is_no_number_is_refused() {
         (&["--samples", "1"], "'1' for '--samples <N>'"),
         (&["--samples", "-5"], "-5"),
         (&["--max-transitions", "0"], "'0'"),
+        (&["--max-slides", "0"], "'0'"),
         (&["--format", "xml"], "possible values"),
         (&["--restitution", "0.5", "--restitution-law", "stronge"], "energetic, poisson, newton"),
         (&["--restitution-law"], "a value is required for '--restitution-law <LAW>'"),

@@ -245,8 +245,10 @@ fn other_mistakes_in_a_scenario_are_shown_too() {
     assert!(message.contains("theta_rate_rad_per_s"), "{message}");
     let message = refused("case = \"figure-3\"\n[run]\nsamples = 1\n");
     assert!(message.contains("samples = 1 is not between 2 and 10000000"), "{message}");
-    let message = refused("case = \"figure-3\"\n[run]\nmax_transitions = 0\n");
-    assert!(message.contains("max_transitions = 0"), "{message}");
+    for key in ["max_transitions", "max_slides"] {
+        let message = refused(&format!("case = \"figure-3\"\n[run]\n{key} = 0\n"));
+        assert!(message.contains(&format!("{key} = 0")), "{message}");
+    }
     let message = refused("case = \"figure-3\"\n[run]\nproof = \"endles\"\n");
     assert!(message.contains("there is no proof 'endles'") && message.contains("endless"), "{message}");
     assert!(message.contains("hoop.toml:3:9"), "{message}");

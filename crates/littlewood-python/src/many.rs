@@ -214,6 +214,7 @@ fn summaries<'py>(
     count: usize,
     until: Option<f64>,
     max_transitions: usize,
+    max_slides: usize,
     proof: &str,
     starts: u64,
     threads: usize,
@@ -231,7 +232,7 @@ fn summaries<'py>(
     // What is needed at once, at least: without it the process would end.
     with_room::<Row>(count).map_err(|error| too_large(&error))?;
     let points = Points { columns, law: law(py, &law_name)?, count };
-    let limits = limits(py, until, max_transitions, proof)?;
+    let limits = limits(py, until, (max_transitions, max_slides), proof)?;
     let result =
         waiting::run(py, threads, progress.as_ref(), |signals| compute(&points, limits, starts, signals))?;
     match result {

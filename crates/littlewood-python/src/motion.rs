@@ -54,10 +54,11 @@ fn simulate(
     start_numbers: StartNumbers,
     until: Option<f64>,
     max_transitions: usize,
+    max_slides: usize,
     proof: &str,
 ) -> PyResult<Trajectory> {
     let hoop = hoop(py, &given)?;
-    let limits = limits(py, until, max_transitions, proof)?;
+    let limits = limits(py, until, (max_transitions, max_slides), proof)?;
     let motion = py.detach(|| hoop.simulate(start(start_numbers), limits));
     motion.map(Trajectory).map_err(|error| refuse(py, &error, None))
 }

@@ -38,11 +38,15 @@ pub(crate) fn law(py: Python<'_>, name: &LawName) -> PyResult<Option<Restitution
 pub(crate) fn limits(
     py: Python<'_>,
     until: Option<f64>,
-    max_transitions: usize,
+    (max_transitions, max_slides): (usize, usize),
     proof: &str,
 ) -> PyResult<Limits> {
     let proof = proof.parse().map_err(|error: UnknownName| unknown_proof(py, &error))?;
-    Ok(Limits::default().with_until(until).with_transitions(max_transitions).with_proof(proof))
+    Ok(Limits::default()
+        .with_until(until)
+        .with_transitions(max_transitions)
+        .with_slides(max_slides)
+        .with_proof(proof))
 }
 
 /// A setup with these values; the quantities that are not given are zero, or absent if they can be.

@@ -154,7 +154,8 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("STATE", State::COLUMNS.map(SampleColumn::name).to_vec())?;
     module.add("STANDARD_GRAVITY", STANDARD_GRAVITY)?;
     module.add("MAX_TRANSITIONS", Limits::default().transitions)?;
-    module.add("MOST_TRANSITIONS", usize::MAX)?;
+    module.add("MAX_SLIDES", Limits::default().slides)?;
+    module.add("MOST_COUNT", usize::MAX)?;
     module.add("SAMPLE_COUNTS", (*Sampling::COUNTS.start(), *Sampling::COUNTS.end()))?;
     module.add("PROOF", Limits::default().proof.name())?;
     module.add("PROOFS", Proof::NAMES.to_vec())?;

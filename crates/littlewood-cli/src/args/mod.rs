@@ -24,7 +24,7 @@ pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;
 #[cfg(feature = "figures")]
 pub(crate) use poster::PosterArgs;
-pub(crate) use problem::{MAX_TRANSITIONS, ProblemArgs, RunArgs, number};
+pub(crate) use problem::{MAX_SLIDES, MAX_TRANSITIONS, ProblemArgs, RunArgs, number};
 #[cfg(feature = "film")]
 pub(crate) use sweep::size;
 #[cfg(feature = "sweep")]

@@ -32,12 +32,25 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(MAX_TRANSITIONS),
           help = max_transitions())]
     pub(crate) max_transitions: Option<u64>,
+    #[arg(long, value_name = "LENGTH", value_parser = clap::value_parser!(u64).range(MAX_SLIDES), help = max_slides())]
+    pub(crate) max_slides: Option<u64>,
     #[arg(long, value_name = "PROOF", value_parser = proofs(), help = proof())]
     pub(crate) proof: Option<Proof>,
 }
 
 /// Largest numbers of transitions that can be asked for.
 pub(crate) const MAX_TRANSITIONS: RangeInclusive<u64> = 1..=u64::MAX;
+
+/// Largest lengths of slides that can be asked for.
+pub(crate) const MAX_SLIDES: RangeInclusive<u64> = 1..=u64::MAX;
+
+fn max_slides() -> String {
+    format!(
+        "Stop after slides of this length in time and angle, all together: a slide counts for at most 32 times \
+         1 + ln(1 + m/Î). On planes of next to no friction slides are long and many [default: {}]",
+        Limits::default().slides
+    )
+}
 
 fn max_transitions() -> String {
     format!(

@@ -150,7 +150,7 @@ pub(crate) struct AtlasArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) hoops: Option<PathBuf>,
     /// Follow each motion for its first turn, with mu_k = mu_s, from the top unless --theta or an axis says otherwise
-    #[arg(long, conflicts_with_all = [Quantity::Until.name(), Quantity::UntilS.name(), "max_transitions"])]
+    #[arg(long, conflicts_with_all = [Quantity::Until.name(), Quantity::UntilS.name(), "max_transitions", "max_slides"])]
     pub(crate) first_turn: bool,
     #[command(flatten)]
     pub(crate) base: ProblemArgs<false>,

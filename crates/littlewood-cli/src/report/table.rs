@@ -287,7 +287,9 @@ fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
             place,
         ],
         Outcome::StepLimit { limit: SlideLimit::All { slides }, .. } => vec![
-            format!("stopped at {at} after slides of the length {slides}, all together: the limit"),
+            format!(
+                "stopped at {at} after slides of the length {slides}, all together; --max-slides allows more"
+            ),
             there,
             place,
         ],
