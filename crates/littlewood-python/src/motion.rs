@@ -39,7 +39,7 @@ fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
 /// Refuses the name of a proof that there is not.
 #[pyfunction]
 fn check_proof(py: Python<'_>, proof: &str) -> PyResult<()> {
-    limits(py, None, 0, proof).map(drop)
+    limits(py, None, (0, 0), proof).map(drop)
 }
 
 /// A simulated motion.
