@@ -298,7 +298,7 @@ fn limits_stop_the_motion_where_they_say() {
     assert_close(number(&document["outcome"]["time"]), FIGURE_3_EVENTS[1][0], 1e-12);
     // The first slide is as long as the chord from (0, π/2) to the stick; weight 1 + ln(1 + m/Î) with m = 2, Î = 1.5.
     let [time, theta] = [FIGURE_3_EVENTS[0][0], FIGURE_3_EVENTS[0][1] - std::f64::consts::FRAC_PI_2];
-    let length = time.hypot(theta) * (1.0 + (2.0_f64 / 1.5).ln_1p());
+    let length = libm::hypot(time, theta) * (1.0 + libm::log1p(2.0 / 1.5));
     assert!(length > 2.0 && length < 3.0, "{length}");
     let outcome = |slides: &str| json(&["simulate", "figure-3", "--max-slides", slides])["outcome"].clone();
     assert_eq!((&outcome("2")["kind"], &outcome("3")["kind"]), (&"step_limit".into(), &"step_limit".into()));

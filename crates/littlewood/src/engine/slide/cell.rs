@@ -160,7 +160,7 @@ impl Cell {
     pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
         let level = (u - self.entry.0) / self.entry.1;
         let is_clear = self.terms.0 + level * self.terms.1 <= Step::SMOOTH * level;
-        (self.end < 1.0 && is_clear).then(|| (level, self.exit.0 + level * self.exit.1))
+        (self.end < 1.0 && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
     }
 
     /// The time from the beginning of the tile to its end.

@@ -467,12 +467,11 @@ fn pass<P: Piece>(
         Signs::Positive | Signs::Negative | Signs::Falling | Signs::Rising if there.slip <= 0.0 => {
             rest(&there)
         }
-        Signs::Positive | Signs::Negative => Ok(passed),
         // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no more than this.
         Signs::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => {
             Err(Doubt::SlipAcceleration)
         }
-        Signs::Falling => Ok(passed),
+        Signs::Positive | Signs::Negative | Signs::Falling => Ok(passed),
         Signs::Rising => {
             let Some(least) = way.least(here, &there) else { return Ok(passed) };
             let uncertain = doubt * (there.elapsed - here.elapsed) + UNCERTAIN * way.size_of_slip(&least);
