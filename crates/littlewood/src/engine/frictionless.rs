@@ -5,29 +5,28 @@
 //! [`FrictionlessIntegrals`].
 
 use crate::math::bernstein::Bernstein;
-use crate::math::trig::sincos;
 use crate::mechanics::equations::contact;
 use crate::mechanics::frictionless::FrictionlessIntegrals;
 use crate::model::hoop::Heavy;
-use crate::model::state::State;
+
+use super::place::Place;
 
 /// A lift-off, a turning point at the top, or a zero of η′ that is nearer than this part of the terms is left to the solvers of phases.
 const UNCERTAIN: f64 = 1e-9;
 
 /// Whether a slide without kinetic friction comes so close to the top, at so low a rate, or stays so close to rest at the bottom, that
 /// rounding tells whether it passes, or which way it goes.
-pub(super) fn is_next_to_equilibrium(body: &Heavy, state: &State) -> bool {
-    let energy = FrictionlessIntegrals::new(body, state, sincos(state.theta)).energy;
+pub(super) fn is_next_to_equilibrium(body: &Heavy, place: &Place) -> bool {
+    let energy = FrictionlessIntegrals::new(body, &place.state, place.direction).energy;
     let over_bottom = energy + 2.0 * body.offset;
     over_bottom <= 8.0 * f64::EPSILON * body.offset
         || (energy - 2.0 * body.offset).abs() <= UNCERTAIN * energy.abs()
 }
 
 /// Whether a slide without kinetic friction is proved to have no event: it repeats itself for ever.
-pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
+pub(super) fn slides_forever(body: &Heavy, Place { state, direction }: &Place) -> bool {
     let Heavy { h, inertia, offset, .. } = *body;
-    let (sin, cos) = sincos(state.theta);
-    let integrals = FrictionlessIntegrals::new(body, state, (sin, cos));
+    let integrals = FrictionlessIntegrals::new(body, state, *direction);
     let FrictionlessIntegrals { energy, momentum } = integrals;
     let over_top = energy - 2.0 * offset;
     let rotates = over_top > UNCERTAIN * energy.abs();
@@ -54,9 +53,10 @@ pub(super) fn slides_forever(body: &Heavy, state: &State) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::trig::sincos;
     use crate::model::hoop::{Body, Hoop};
     use crate::model::limits::Limits;
-    use crate::model::state::Start;
+    use crate::model::state::{Start, State};
     use crate::walk::outcome::OutcomeKind;
 
     /// What is not known to slide for ever is only followed for longer, which no test of answers would notice.
@@ -71,7 +71,7 @@ mod tests {
                 let start = Start::at(0.05 + 0.2 * f64::from(i), -2.2 + 0.14 * f64::from(j)).with_slip(0.3);
                 let motion = hoop.simulate(start, Limits::default()).unwrap();
                 let state = State::from(start);
-                let is_known = slides_forever(&body, &state);
+                let is_known = slides_forever(&body, &Place::new(state));
                 if motion.transitions().is_empty() && motion.outcome().kind() == OutcomeKind::SlidesForever {
                     let energy = FrictionlessIntegrals::new(&body, &state, sincos(state.theta)).energy;
                     let rotates = usize::from(energy > 2.0 * body.offset);

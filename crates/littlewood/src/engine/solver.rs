@@ -388,13 +388,13 @@ impl Solver for FastSolver<'_> {
         {
             return left_to_the_simulation(Doubt::Cancelled);
         }
-        if is_conservative && frictionless::is_next_to_equilibrium(body, &state) {
+        if is_conservative && frictionless::is_next_to_equilibrium(body, place) {
             return left_to_the_simulation(Doubt::Separatrix);
         }
         if is_conservative
             && is_on(Part::ClosedForms)
             && self.until.is_infinite()
-            && frictionless::slides_forever(body, &state)
+            && frictionless::slides_forever(body, place)
         {
             return never();
         }

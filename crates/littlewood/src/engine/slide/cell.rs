@@ -269,7 +269,7 @@ mod tests {
                 let direction = step.direction(from);
                 let expansion = Expansion::new(law, *sigma, direction, u);
                 let own = Step::new(&expansion, direction, expansion.reach(0), false).unwrap();
-                let turned = step.turned_by(step.end) - step.turned_by(from);
+                let turned = step.turned(from, step.end);
                 let t = libm::tan(0.5 * turned) / own.width;
                 if t <= 1.0 {
                     let (end, there) = (step.u(step.end), own.u(t));

@@ -264,7 +264,7 @@ impl<'a> Slide<'a> {
         let way = frame.way(step);
         let passed = self.cut(&way, place, over_step(&way, place, step)?);
         let at = passed.at;
-        self.frame.theta += step.turned_by(at.z) - step.turned_by(place.z);
+        self.frame.theta += step.turned(place.z, at.z);
         if passed.end == End::Open {
             (self.edge, self.here) = (edge, at);
             return self.go_on(passed.least, edge.is_some());

@@ -116,9 +116,10 @@ impl Step {
         -sin / ((1.0 + cos) * self.width)
     }
 
-    /// Angle turned since t = 0.
-    pub(super) fn turned_by(&self, t: f64) -> f64 {
-        2.0 * libm::atan(self.width * t)
+    /// Angle turned from one t to another.
+    pub(super) fn turned(&self, from: f64, to: f64) -> f64 {
+        let (from, to) = (self.width * from, self.width * to);
+        2.0 * libm::atan((to - from) / (1.0 + from * to))
     }
 }
 
@@ -217,7 +218,7 @@ mod tests {
                 (rests, times) = (rests + found, times + asked);
                 let (sin, cos) = step.direction(1.0);
                 let turned = libm::atan2(sin * seen.1 - cos * seen.0, cos * seen.1 + sin * seen.0);
-                assert!((step.turned_by(1.0) - turned).abs() < 1e-14, "{theta}");
+                assert!((step.turned(0.0, 1.0) - turned).abs() < 1e-14, "{theta}");
             }
         }
         // The guess of where a slide comes to rest is good: it takes one step of Newton's method, or two.
