@@ -52,37 +52,23 @@ pub enum ImpactError {
 
 named! {
     /// Course of the slip during an impact.
-    pub enum ImpactCase, "case of an impact" {
-        /// Nothing: the gap does not close, and nothing forces an impulse.
-        None = 0, "none";
-        /// Slips throughout.
-        Slides = 1, "slides";
-        /// Slip ends in compression, and the contact sticks.
-        SticksInCompression = 2, "sticks_in_compression";
-        /// Slip ends in compression and goes on in the other direction.
-        ReversesInCompression = 3, "reverses_in_compression";
-        /// Slip ends in restitution, and the contact sticks.
-        SticksInRestitution = 4, "sticks_in_restitution";
-        /// Slip ends in restitution and goes on in the other direction.
-        ReversesInRestitution = 5, "reverses_in_restitution";
-        /// P ≤ 0 (Painlevé): while it slips the plane presses the gap shut; slip must end before the gap can open.
-        Jams = 6, "jams";
-    }
-}
-
-impl ImpactCase {
+    pub enum ImpactCase, "case of an impact",
     /// In words, for tables and pictures.
-    #[must_use]
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::None => "no impulse",
-            Self::Slides => "slides",
-            Self::SticksInCompression => "sticks in compression",
-            Self::ReversesInCompression => "reverses in compression",
-            Self::SticksInRestitution => "sticks in restitution",
-            Self::ReversesInRestitution => "reverses in restitution",
-            Self::Jams => "jams",
-        }
+    pub label: &'static str {
+        /// Nothing: the gap does not close, and nothing forces an impulse.
+        None = 0, "none" => "no impulse";
+        /// Slips throughout.
+        Slides = 1, "slides" => "slides";
+        /// Slip ends in compression, and the contact sticks.
+        SticksInCompression = 2, "sticks_in_compression" => "sticks in compression";
+        /// Slip ends in compression and goes on in the other direction.
+        ReversesInCompression = 3, "reverses_in_compression" => "reverses in compression";
+        /// Slip ends in restitution, and the contact sticks.
+        SticksInRestitution = 4, "sticks_in_restitution" => "sticks in restitution";
+        /// Slip ends in restitution and goes on in the other direction.
+        ReversesInRestitution = 5, "reverses_in_restitution" => "reverses in restitution";
+        /// P ≤ 0 (Painlevé): while it slips the plane presses the gap shut; slip must end before the gap can open.
+        Jams = 6, "jams" => "jams";
     }
 }
 

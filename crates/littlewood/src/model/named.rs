@@ -25,8 +25,33 @@ pub struct UnknownCode {
 }
 
 /// Declares an enumeration with the name and the number of each item, and what follows from them: `ALL`, `NAMES`,
-/// `name`, `code`, `Display`, `FromStr`, `TryFrom<u8>`, and with the feature `serde` the names in text formats.
+/// `name`, `code`, `Display`, `FromStr`, `TryFrom<u8>`, and with the feature `serde` the names in text formats. An item may have a row
+/// of what else is known of it, which a function of the given name returns.
 macro_rules! named {
+    (
+        $(#[$meta:meta])*
+        pub enum $Type:ident, $noun:literal, $(#[$row_meta:meta])* $row_vis:vis $row:ident: $Row:ty {
+            $( $(#[$item_meta:meta])* $Item:ident = $code:literal, $name:literal => $value:expr; )+
+        }
+    ) => {
+        $crate::model::named::named! {
+            $(#[$meta])*
+            pub enum $Type, $noun {
+                $( $(#[$item_meta])* $Item = $code, $name; )+
+            }
+        }
+
+        impl $Type {
+            $(#[$row_meta])*
+            #[inline(always)]
+            #[must_use]
+            $row_vis const fn $row(self) -> $Row {
+                match self {
+                    $( Self::$Item => $value, )+
+                }
+            }
+        }
+    };
     (
         $(#[$meta:meta])*
         pub enum $Type:ident, $noun:literal {

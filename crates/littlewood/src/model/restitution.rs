@@ -3,34 +3,19 @@
 use crate::model::named::named;
 
 named! {
-    /// What the coefficient of restitution is a ratio of.
-    pub enum RestitutionLaw, "law of restitution" {
+    /// What the coefficient of restitution is a ratio of; the energetic law, which never gains energy, is the default.
+    #[derive(Default)]
+    pub enum RestitutionLaw, "law of restitution",
+    /// In words, for menus and legends.
+    pub label: &'static str {
         /// Of works: the work that the normal force gives back is e² of what it has taken up (Stronge).
-        Energetic = 0, "energetic";
+        #[default]
+        Energetic = 0, "energetic" => "energetic (Stronge)";
         /// Of impulses: that of restitution is e times that of compression.
-        Poisson = 1, "poisson";
+        Poisson = 1, "poisson" => "impulses (Poisson)";
         /// Of velocities: the gap opens e times as fast as it has closed. It can gain energy where friction changes on the
         /// way.
-        Newton = 2, "newton";
-    }
-}
-
-/// The energetic law, which never gains energy.
-impl Default for RestitutionLaw {
-    fn default() -> Self {
-        Self::Energetic
-    }
-}
-
-impl RestitutionLaw {
-    /// In words, for menus and legends.
-    #[must_use]
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::Energetic => "energetic (Stronge)",
-            Self::Poisson => "impulses (Poisson)",
-            Self::Newton => "velocities (Newton)",
-        }
+        Newton = 2, "newton" => "velocities (Newton)";
     }
 }
 

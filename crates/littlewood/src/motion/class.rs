@@ -6,34 +6,36 @@ use crate::walk::outcome::OutcomeKind;
 
 named! {
     /// Class of outcomes that maps show: coarser than the outcome, but with jumps divided by when they begin.
-    pub enum Class, "class of outcomes" {
+    pub enum Class, "class of outcomes",
+    /// In words, for legends.
+    pub label: &'static str {
         /// In flight from the start.
-        LeavesAtOnce = 0, "leaves_at_once";
+        LeavesAtOnce = 0, "leaves_at_once" => "leaves at once";
         /// Lifts off after some time in contact. A motion in flight at the time limit counts as lifted off.
-        LiftsOffLater = 1, "lifts_off_later";
+        LiftsOffLater = 1, "lifts_off_later" => "lifts off later";
         /// Rolls for ever, which is proved.
-        RollsForever = 2, "rolls_forever";
+        RollsForever = 2, "rolls_forever" => "rolls for ever";
         /// Slides, or rolls and slides, in the same way again and again, without kinetic friction or without mass, which is proved.
-        RepeatsForever = 3, "repeats_forever";
+        RepeatsForever = 3, "repeats_forever" => "repeats for ever";
         /// Rolls and slips for ever, with μs = μk, which is proved.
-        SlipsForever = 4, "slips_forever";
+        SlipsForever = 4, "slips_forever" => "slips for ever";
         /// In contact, as far as it was followed: to a limit of time, of transitions or of steps, or until its energy proved that it
         /// never lifts off.
-        InContact = 5, "in_contact";
+        InContact = 5, "in_contact" => "in contact";
         /// The particle has reached the plane.
-        ParticleAtPlane = 6, "particle_at_plane";
+        ParticleAtPlane = 6, "particle_at_plane" => "particle at the plane";
         /// The particle has reached its lowest place inside a massless rim.
-        ParticleAtBottom = 7, "particle_at_bottom";
+        ParticleAtBottom = 7, "particle_at_bottom" => "particle at the bottom";
         /// The particle has reached the top with velocity to spare.
-        ParticleAtTop = 8, "particle_at_top";
+        ParticleAtTop = 8, "particle_at_top" => "particle at the top";
         /// A Painlevé paradox: no motion, several motions, or a slide that runs into a singularity.
-        Painleve = 9, "painleve";
+        Painleve = 9, "painleve" => "Painlevé paradox";
         /// Faster than the clock resolves.
-        Unresolved = 10, "unresolved";
+        Unresolved = 10, "unresolved" => "unresolved";
         /// Parameters that contradict each other.
-        Invalid = 11, "invalid";
+        Invalid = 11, "invalid" => "invalid parameters";
         /// Not computed.
-        NotComputed = 12, "not_computed";
+        NotComputed = 12, "not_computed" => "not computed";
     }
 }
 
@@ -69,26 +71,6 @@ impl Class {
             OutcomeKind::Unresolved => Self::Unresolved,
             OutcomeKind::NotComputed => Self::NotComputed,
             OutcomeKind::Invalid => Self::Invalid,
-        }
-    }
-
-    /// In words, for legends.
-    #[must_use]
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::LeavesAtOnce => "leaves at once",
-            Self::LiftsOffLater => "lifts off later",
-            Self::RollsForever => "rolls for ever",
-            Self::SlipsForever => "slips for ever",
-            Self::RepeatsForever => "repeats for ever",
-            Self::InContact => "in contact",
-            Self::ParticleAtPlane => "particle at the plane",
-            Self::ParticleAtBottom => "particle at the bottom",
-            Self::ParticleAtTop => "particle at the top",
-            Self::Painleve => "Painlevé paradox",
-            Self::Unresolved => "unresolved",
-            Self::Invalid => "invalid parameters",
-            Self::NotComputed => "not computed",
         }
     }
 

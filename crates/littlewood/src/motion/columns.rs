@@ -11,45 +11,47 @@ use crate::walk::sequence::PhaseSequence;
 
 named! {
     /// A column of the samples of a motion, in the order of records.
-    pub enum SampleColumn, "column of a sample" {
+    pub enum SampleColumn, "column of a sample",
+    /// Dimension, if it has one; symbol; what it is, in words.
+    row: (Option<Dimension>, &'static str, &'static str) {
         /// Time τ.
-        Time = 0, "time";
+        Time = 0, "time" => (Some(Dimension::Time), "τ", "time");
         /// Mode of motion.
-        Mode = 1, "mode";
+        Mode = 1, "mode" => (None, "", "mode of motion");
         /// Direction of slip.
-        Direction = 2, "direction";
+        Direction = 2, "direction" => (None, "σ", "sign of the slip velocity; 0 for rolling and flight");
         /// Angle θ.
-        Theta = 3, "theta";
+        Theta = 3, "theta" => (Some(Dimension::Angle), "θ", "angle of the particle from the upward vertical");
         /// Rate θ′.
-        ThetaRate = 4, "theta_rate";
+        ThetaRate = 4, "theta_rate" => (Some(Dimension::AngularRate), "θ′", "rate of the angle");
         /// Slip velocity η′.
-        Slip = 5, "slip";
+        Slip = 5, "slip" => (Some(Dimension::Velocity), "η′", "slip velocity of the contact point");
         /// Position x of the geometric centre.
-        X = 6, "x";
+        X = 6, "x" => (Some(Dimension::Length), "x", "horizontal position of the geometric centre");
         /// Angular acceleration θ″.
-        ThetaAcceleration = 7, "theta_acceleration";
+        ThetaAcceleration = 7, "theta_acceleration" => (Some(Dimension::AngularAcceleration), "θ″", "angular acceleration");
         /// Acceleration η″ of the slip.
-        SlipAcceleration = 8, "slip_acceleration";
+        SlipAcceleration = 8, "slip_acceleration" => (Some(Dimension::Acceleration), "η″", "acceleration of the slip");
         /// Normal force N.
-        Normal = 9, "normal";
+        Normal = 9, "normal" => (Some(Dimension::Force), "N", "normal force");
         /// Friction force F.
-        Friction = 10, "friction";
+        Friction = 10, "friction" => (Some(Dimension::Force), "F", "friction force");
         /// Gap between the rim and the plane.
-        Gap = 11, "gap";
+        Gap = 11, "gap" => (Some(Dimension::Length), "gap", "height of the lowest point of the rim over the plane");
         /// Rate of the gap.
-        GapRate = 12, "gap_rate";
+        GapRate = 12, "gap_rate" => (Some(Dimension::Velocity), "gap′", "rate of the gap");
         /// Energy E (2.8).
-        Energy = 13, "energy";
+        Energy = 13, "energy" => (Some(Dimension::Energy), "E", "kinetic and potential energy");
         /// Height of the geometric centre.
-        CentreY = 14, "centre_y";
+        CentreY = 14, "centre_y" => (Some(Dimension::Length), "y", "height of the geometric centre");
         /// Horizontal position of the mass centre.
-        MassCentreX = 15, "mass_centre_x";
+        MassCentreX = 15, "mass_centre_x" => (Some(Dimension::Length), "x̄", "horizontal position of the mass centre");
         /// Height of the mass centre.
-        MassCentreY = 16, "mass_centre_y";
+        MassCentreY = 16, "mass_centre_y" => (Some(Dimension::Length), "ȳ", "height of the mass centre");
         /// Horizontal position of the particle.
-        ParticleX = 17, "particle_x";
+        ParticleX = 17, "particle_x" => (Some(Dimension::Length), "x₂", "horizontal position of the particle");
         /// Height of the particle.
-        ParticleY = 18, "particle_y";
+        ParticleY = 18, "particle_y" => (Some(Dimension::Length), "y₂", "height of the particle");
     }
 }
 
@@ -121,31 +123,6 @@ impl SampleColumn {
         })
     }
 
-    const fn row(self) -> (Option<Dimension>, &'static str, &'static str) {
-        use Dimension as D;
-        match self {
-            Self::Time => (Some(D::Time), "τ", "time"),
-            Self::Mode => (None, "", "mode of motion"),
-            Self::Direction => (None, "σ", "sign of the slip velocity; 0 for rolling and flight"),
-            Self::Theta => (Some(D::Angle), "θ", "angle of the particle from the upward vertical"),
-            Self::ThetaRate => (Some(D::AngularRate), "θ′", "rate of the angle"),
-            Self::Slip => (Some(D::Velocity), "η′", "slip velocity of the contact point"),
-            Self::X => (Some(D::Length), "x", "horizontal position of the geometric centre"),
-            Self::ThetaAcceleration => (Some(D::AngularAcceleration), "θ″", "angular acceleration"),
-            Self::SlipAcceleration => (Some(D::Acceleration), "η″", "acceleration of the slip"),
-            Self::Normal => (Some(D::Force), "N", "normal force"),
-            Self::Friction => (Some(D::Force), "F", "friction force"),
-            Self::Gap => (Some(D::Length), "gap", "height of the lowest point of the rim over the plane"),
-            Self::GapRate => (Some(D::Velocity), "gap′", "rate of the gap"),
-            Self::Energy => (Some(D::Energy), "E", "kinetic and potential energy"),
-            Self::CentreY => (Some(D::Length), "y", "height of the geometric centre"),
-            Self::MassCentreX => (Some(D::Length), "x̄", "horizontal position of the mass centre"),
-            Self::MassCentreY => (Some(D::Length), "ȳ", "height of the mass centre"),
-            Self::ParticleX => (Some(D::Length), "x₂", "horizontal position of the particle"),
-            Self::ParticleY => (Some(D::Length), "y₂", "height of the particle"),
-        }
-    }
-
     /// Dimension; none for a code.
     #[must_use]
     pub const fn dimension(self) -> Option<Dimension> {
@@ -173,41 +150,43 @@ impl SampleColumn {
 
 named! {
     /// A column of the results of a sweep, in the order of stores.
-    pub enum SummaryColumn, "column of a summary" {
+    pub enum SummaryColumn, "column of a summary",
+    /// Type, dimension, and what it is, in words.
+    row: (ColumnType, Dimension, &'static str) {
         /// [`Summary::outcome`].
-        Outcome = 0, "outcome";
+        Outcome = 0, "outcome" => (ColumnType::Outcome, Dimension::Ratio, "outcome");
         /// [`Summary::sequence`].
-        Sequence = 1, "sequence";
+        Sequence = 1, "sequence" => (ColumnType::Sequence, Dimension::Ratio, "sequence of phases");
         /// [`Summary::transitions`].
-        Transitions = 2, "transitions";
+        Transitions = 2, "transitions" => (ColumnType::Count, Dimension::Ratio, "number of transitions");
         /// [`Summary::painleve`].
-        Painleve = 3, "painleve";
+        Painleve = 3, "painleve" => (ColumnType::Flag, Dimension::Ratio, "whether the motion met a Painlevé paradox");
         /// Time at the end.
-        EndTime = 4, "end_time";
+        EndTime = 4, "end_time" => (ColumnType::Real, Dimension::Time, "time at the end, or where the phase begins that lasts for ever");
         /// Angle at the end.
-        EndTheta = 5, "end_theta";
+        EndTheta = 5, "end_theta" => (ColumnType::Real, Dimension::Angle, "angle at the end");
         /// Rate at the end.
-        EndThetaRate = 6, "end_theta_rate";
+        EndThetaRate = 6, "end_theta_rate" => (ColumnType::Real, Dimension::AngularRate, "rate of the angle at the end");
         /// Slip velocity at the end.
-        EndSlip = 7, "end_slip";
+        EndSlip = 7, "end_slip" => (ColumnType::Real, Dimension::Velocity, "slip velocity at the end");
         /// Position at the end.
-        EndX = 8, "end_x";
+        EndX = 8, "end_x" => (ColumnType::Real, Dimension::Length, "position of the geometric centre at the end");
         /// [`Summary::energy`].
-        Energy = 9, "energy";
+        Energy = 9, "energy" => (ColumnType::Real, Dimension::Energy, "energy at the end");
         /// [`Summary::first_slip_time`].
-        FirstSlipTime = 10, "first_slip_time";
+        FirstSlipTime = 10, "first_slip_time" => (ColumnType::Real, Dimension::Time, "time of the first slip out of rolling");
         /// [`Summary::lift_off_time`].
-        LiftOffTime = 11, "lift_off_time";
+        LiftOffTime = 11, "lift_off_time" => (ColumnType::Real, Dimension::Time, "time of lift-off");
         /// [`Summary::jump_length`].
-        JumpLength = 12, "jump_length";
+        JumpLength = 12, "jump_length" => (ColumnType::Real, Dimension::Length, "length of the first jump");
         /// [`Summary::jump_height`].
-        JumpHeight = 13, "jump_height";
+        JumpHeight = 13, "jump_height" => (ColumnType::Real, Dimension::Length, "height of the first jump");
         /// [`Summary::landings`].
-        Landings = 14, "landings";
+        Landings = 14, "landings" => (ColumnType::Count, Dimension::Ratio, "number of landings");
         /// [`Summary::impact_energy_lost`].
-        ImpactEnergyLost = 15, "impact_energy_lost";
+        ImpactEnergyLost = 15, "impact_energy_lost" => (ColumnType::Real, Dimension::Energy, "energy lost in impacts");
         /// [`Summary::settle_time`].
-        SettleTime = 16, "settle_time";
+        SettleTime = 16, "settle_time" => (ColumnType::Real, Dimension::Time, "time from which on the rim stays at the plane");
     }
 }
 
@@ -269,32 +248,6 @@ impl SummaryColumn {
             Self::ImpactEnergyLost => &mut summary.impact_energy_lost,
             Self::SettleTime => &mut summary.settle_time,
         })
-    }
-
-    const fn row(self) -> (ColumnType, Dimension, &'static str) {
-        use Dimension as D;
-        let (dimension, long_name) = match self {
-            Self::Outcome => return (ColumnType::Outcome, D::Ratio, "outcome"),
-            Self::Sequence => return (ColumnType::Sequence, D::Ratio, "sequence of phases"),
-            Self::Transitions => return (ColumnType::Count, D::Ratio, "number of transitions"),
-            Self::Painleve => {
-                return (ColumnType::Flag, D::Ratio, "whether the motion met a Painlevé paradox");
-            }
-            Self::EndTime => (D::Time, "time at the end, or where the phase begins that lasts for ever"),
-            Self::EndTheta => (D::Angle, "angle at the end"),
-            Self::EndThetaRate => (D::AngularRate, "rate of the angle at the end"),
-            Self::EndSlip => (D::Velocity, "slip velocity at the end"),
-            Self::EndX => (D::Length, "position of the geometric centre at the end"),
-            Self::Energy => (D::Energy, "energy at the end"),
-            Self::FirstSlipTime => (D::Time, "time of the first slip out of rolling"),
-            Self::LiftOffTime => (D::Time, "time of lift-off"),
-            Self::JumpLength => (D::Length, "length of the first jump"),
-            Self::JumpHeight => (D::Length, "height of the first jump"),
-            Self::Landings => return (ColumnType::Count, D::Ratio, "number of landings"),
-            Self::ImpactEnergyLost => (D::Energy, "energy lost in impacts"),
-            Self::SettleTime => (D::Time, "time from which on the rim stays at the plane"),
-        };
-        (ColumnType::Real, dimension, long_name)
     }
 
     /// Type.

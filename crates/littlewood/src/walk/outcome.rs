@@ -10,43 +10,45 @@ use crate::walk::candidates::Candidates;
 
 named! {
     /// How a motion ended, as a number. The last two are those of points in an array that have no motion.
-    pub enum OutcomeKind, "outcome" {
+    pub enum OutcomeKind, "outcome",
+    /// Label; whether the motion has been followed to its end, and not only to a limit; the event that is this outcome.
+    row: (&'static str, bool, Option<Cause>) {
         /// [`Outcome::Landing`].
-        Landing = 0, "landing";
+        Landing = 0, "landing" => ("lands", true, Some(Cause::Landing));
         /// [`Outcome::RollsForever`].
-        RollsForever = 1, "rolls_forever";
+        RollsForever = 1, "rolls_forever" => ("rolls for ever", true, None);
         /// [`Outcome::SlidesForever`].
-        SlidesForever = 2, "slides_forever";
+        SlidesForever = 2, "slides_forever" => ("slides for ever", true, None);
         /// [`Outcome::ParticleAtPlane`].
-        ParticleAtPlane = 3, "particle_at_plane";
+        ParticleAtPlane = 3, "particle_at_plane" => ("particle at the plane", true, Some(Cause::ParticleAtPlane));
         /// [`Outcome::ParticleAtBottom`].
-        ParticleAtBottom = 4, "particle_at_bottom";
+        ParticleAtBottom = 4, "particle_at_bottom" => ("particle at the bottom", true, Some(Cause::ParticleAtBottom));
         /// [`Outcome::ParticleAtTop`].
-        ParticleAtTop = 5, "particle_at_top";
+        ParticleAtTop = 5, "particle_at_top" => ("particle at the top", true, Some(Cause::ParticleAtTop));
         /// [`Outcome::TimeLimit`].
-        TimeLimit = 6, "time_limit";
+        TimeLimit = 6, "time_limit" => ("time limit", false, None);
         /// [`Outcome::TransitionLimit`].
-        TransitionLimit = 7, "transition_limit";
+        TransitionLimit = 7, "transition_limit" => ("transition limit", false, None);
         /// [`Outcome::Inconsistent`].
-        Inconsistent = 8, "inconsistent";
+        Inconsistent = 8, "inconsistent" => ("no motion is consistent", true, None);
         /// [`Outcome::Ambiguous`].
-        Ambiguous = 9, "ambiguous";
+        Ambiguous = 9, "ambiguous" => ("several motions are consistent", true, None);
         /// [`Outcome::Singular`].
-        Singular = 10, "singular";
+        Singular = 10, "singular" => ("sliding is not solvable", true, Some(Cause::Singularity));
         /// [`Outcome::Unresolved`].
-        Unresolved = 11, "unresolved";
+        Unresolved = 11, "unresolved" => ("unresolved", false, None);
         /// [`Outcome::StepLimit`].
-        StepLimit = 12, "step_limit";
+        StepLimit = 12, "step_limit" => ("step limit", false, None);
         /// [`Outcome::SlipsForever`].
-        SlipsForever = 13, "slips_forever";
+        SlipsForever = 13, "slips_forever" => ("slips for ever", true, None);
         /// [`Outcome::RepeatsForever`].
-        RepeatsForever = 14, "repeats_forever";
+        RepeatsForever = 14, "repeats_forever" => ("repeats for ever", true, None);
         /// [`Outcome::StaysInContact`].
-        StaysInContact = 15, "stays_in_contact";
+        StaysInContact = 15, "stays_in_contact" => ("stays in contact", true, None);
         /// A point that has not been computed: what a partial grid holds where chunks are missing.
-        NotComputed = 254, "not_computed";
+        NotComputed = 254, "not_computed" => ("not computed", false, None);
         /// A point whose hoop has no physical meaning because two parameters contradict each other, such as μk > μs.
-        Invalid = 255, "invalid";
+        Invalid = 255, "invalid" => ("invalid parameters", false, None);
     }
 }
 
@@ -54,51 +56,13 @@ impl OutcomeKind {
     /// In words, for tables and pictures.
     #[must_use]
     pub const fn label(self) -> &'static str {
-        match self {
-            Self::Landing => "lands",
-            Self::RollsForever => "rolls for ever",
-            Self::SlidesForever => "slides for ever",
-            Self::ParticleAtPlane => "particle at the plane",
-            Self::ParticleAtBottom => "particle at the bottom",
-            Self::ParticleAtTop => "particle at the top",
-            Self::TimeLimit => "time limit",
-            Self::TransitionLimit => "transition limit",
-            Self::Inconsistent => "no motion is consistent",
-            Self::Ambiguous => "several motions are consistent",
-            Self::Singular => "sliding is not solvable",
-            Self::Unresolved => "unresolved",
-            Self::StepLimit => "step limit",
-            Self::SlipsForever => "slips for ever",
-            Self::RepeatsForever => "repeats for ever",
-            Self::StaysInContact => "stays in contact",
-            Self::NotComputed => "not computed",
-            Self::Invalid => "invalid parameters",
-        }
+        self.row().0
     }
 
     /// Whether the motion has been followed to its end, and not only to a limit.
     #[must_use]
     pub const fn is_final(self) -> bool {
-        match self {
-            Self::Landing
-            | Self::RollsForever
-            | Self::SlidesForever
-            | Self::SlipsForever
-            | Self::RepeatsForever
-            | Self::StaysInContact
-            | Self::ParticleAtPlane
-            | Self::ParticleAtBottom
-            | Self::ParticleAtTop
-            | Self::Inconsistent
-            | Self::Ambiguous
-            | Self::Singular => true,
-            Self::TimeLimit
-            | Self::TransitionLimit
-            | Self::StepLimit
-            | Self::Unresolved
-            | Self::NotComputed
-            | Self::Invalid => false,
-        }
+        self.row().1
     }
 
     /// Whether the last phase lasts for ever.
@@ -116,26 +80,7 @@ impl OutcomeKind {
     /// The event that is this outcome, the last transition of the motion; none where the motion ends without one.
     #[must_use]
     pub const fn last_event(self) -> Option<Cause> {
-        match self {
-            Self::Landing => Some(Cause::Landing),
-            Self::ParticleAtPlane => Some(Cause::ParticleAtPlane),
-            Self::ParticleAtBottom => Some(Cause::ParticleAtBottom),
-            Self::ParticleAtTop => Some(Cause::ParticleAtTop),
-            Self::Singular => Some(Cause::Singularity),
-            Self::RollsForever
-            | Self::SlidesForever
-            | Self::SlipsForever
-            | Self::RepeatsForever
-            | Self::StaysInContact
-            | Self::TimeLimit
-            | Self::TransitionLimit
-            | Self::StepLimit
-            | Self::Inconsistent
-            | Self::Ambiguous
-            | Self::Unresolved
-            | Self::NotComputed
-            | Self::Invalid => None,
-        }
+        self.row().2
     }
 }
 

@@ -7,21 +7,23 @@ use crate::model::named::named;
 
 named! {
     /// What a phase is in a sequence: its mode with its direction of slip.
-    pub enum PhaseCode, "phase" {
+    pub enum PhaseCode, "phase",
+    /// Mode and direction, and what the letter stands for.
+    row: ((Mode, Option<Direction>), &'static str) {
         /// Rolling.
-        Rolling = 1, "R";
+        Rolling = 1, "R" => ((Mode::Rolling, None), "rolling");
         /// Sliding with negative slip velocity.
-        SlidingNegative = 2, "-";
+        SlidingNegative = 2, "-" => ((Mode::Sliding, Some(Direction::Negative)), "sliding with negative slip velocity");
         /// Sliding with positive slip velocity.
-        SlidingPositive = 3, "+";
+        SlidingPositive = 3, "+" => ((Mode::Sliding, Some(Direction::Positive)), "sliding with positive slip velocity");
         /// Gliding with negative slip velocity.
-        GlidingNegative = 4, "n";
+        GlidingNegative = 4, "n" => ((Mode::Gliding, Some(Direction::Negative)), "gliding with negative slip velocity");
         /// Gliding with positive slip velocity.
-        GlidingPositive = 5, "g";
+        GlidingPositive = 5, "g" => ((Mode::Gliding, Some(Direction::Positive)), "gliding with positive slip velocity");
         /// Gliding without slip.
-        GlidingWithoutSlip = 6, "G";
+        GlidingWithoutSlip = 6, "G" => ((Mode::Gliding, None), "gliding without slip");
         /// Flight.
-        Flight = 7, "F";
+        Flight = 7, "F" => ((Mode::Flight, None), "flight");
     }
 }
 
@@ -43,29 +45,13 @@ impl PhaseCode {
     /// The mode and its direction of slip.
     #[must_use]
     pub const fn mode(self) -> (Mode, Option<Direction>) {
-        match self {
-            Self::Rolling => (Mode::Rolling, None),
-            Self::SlidingNegative => (Mode::Sliding, Some(Direction::Negative)),
-            Self::SlidingPositive => (Mode::Sliding, Some(Direction::Positive)),
-            Self::GlidingNegative => (Mode::Gliding, Some(Direction::Negative)),
-            Self::GlidingPositive => (Mode::Gliding, Some(Direction::Positive)),
-            Self::GlidingWithoutSlip => (Mode::Gliding, None),
-            Self::Flight => (Mode::Flight, None),
-        }
+        self.row().0
     }
 
     /// What the letter stands for, for legends.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
-        match self {
-            Self::Rolling => "rolling",
-            Self::SlidingNegative => "sliding with negative slip velocity",
-            Self::SlidingPositive => "sliding with positive slip velocity",
-            Self::GlidingNegative => "gliding with negative slip velocity",
-            Self::GlidingPositive => "gliding with positive slip velocity",
-            Self::GlidingWithoutSlip => "gliding without slip",
-            Self::Flight => "flight",
-        }
+        self.row().1
     }
 }
 
