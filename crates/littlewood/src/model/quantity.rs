@@ -1,67 +1,121 @@
 //! The quantities that a user can set: one table from which flags, scenario files, records, axes, messages and the
 //! fields of the laboratory derive.
 //!
-//! A new quantity of a hoop or a start is one item and one row here, one field of [`crate::HoopParameters`] or
+//! A new quantity of a hoop or a start is one row here, one field of [`crate::HoopParameters`] or
 //! [`crate::Start`], and one line of [`crate::tables::Setup::place`].
 
 use core::fmt;
 
-use crate::model::dimension::{Dimension, System};
+use crate::model::dimension::{Dimension, Dimension as D, System};
 use crate::model::named::named;
 
 named! {
     /// A quantity that a user can set.
-    pub enum Quantity, "quantity" {
+    pub enum Quantity, "quantity",
+    /// Its row of the table.
+    pub row: QuantityRow {
         /// Mass ratio m̂1 = m1/m2 of (2.9).
-        MassRatio = 0, "mass_ratio";
+        MassRatio = 0, "mass_ratio" => plain(Group::Hoop, D::Mass, Some(Self::DiscMassKg), ["m1/m2", "m₁/m₂"],
+            (PARAMETER, Presence::Required, [0.0, 5.0]), "mass of the disc over mass of the particle",
+            "Mass of the disc over that of the particle, m1/m2 >= 0");
         /// Offset ℓ̂ = ℓ/R of (2.9).
-        Offset = 1, "offset";
+        Offset = 1, "offset" => plain(Group::Hoop, D::Length, Some(Self::OffsetM), ["l/R", "ℓ/R"],
+            (PART, Presence::Required, [0.0, 1.0]), "distance of the particle from the centre over the radius",
+            "Distance of the particle from the centre, l/R, 0 to 1");
         /// Moment of inertia Î_zz = I_zz/(m2 R²) of (2.9).
-        Inertia = 2, "inertia";
+        Inertia = 2, "inertia" => plain(Group::Hoop, D::Inertia, Some(Self::InertiaKgM2), ["Izz/(m2 R^2)", "Izz/(m₂R²)"],
+            (PARAMETER, Presence::Required, [0.0, 5.0]), "moment of inertia of the disc about its centre over m2 R^2",
+            "Moment of inertia of the disc about its centre, Izz/(m2 R^2) >= 0; 0 together with --mass-ratio 0 \
+             is Littlewood's massless hoop");
         /// Coefficient of static friction μs of (2.13).
-        MuS = 3, "mu_s";
+        MuS = 3, "mu_s" => plain(Group::Hoop, D::Ratio, None, ["mu_s", "μₛ"],
+            (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of static friction",
+            "Coefficient of static friction (2.13), with SI parameters too");
         /// Coefficient of kinetic friction μk of (2.15).
-        MuK = 4, "mu_k";
+        MuK = 4, "mu_k" => plain(Group::Hoop, D::Ratio, None, ["mu_k", "μₖ"],
+            (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of kinetic friction",
+            "Coefficient of kinetic friction (2.15), from 0 to that of static friction, with SI parameters too");
         /// Angle θ of the particle from the upward vertical.
-        Theta = 5, "theta";
+        Theta = 5, "theta" => plain(Group::Start, D::Angle, None, ["theta", "θ"],
+            (COORDINATE, Presence::Required, [-3.1, 6.2]), "angle of the particle from the upward vertical",
+            "Angle theta of the particle from the upward vertical, counterclockwise, with SI parameters too");
         /// Rate θ′ = dθ/dτ.
-        ThetaRate = 6, "theta_rate";
+        ThetaRate = 6, "theta_rate" => plain(Group::Start, D::AngularRate, Some(Self::ThetaRateRadPerS), ["theta'", "θ′"],
+            (RATE, Presence::Required, [-4.0, 4.0]), "rate of the angle",
+            "Rate theta' in sqrt(g/R) rad");
         /// Slip velocity η′ of (2.7).
-        Slip = 7, "slip";
+        Slip = 7, "slip" => plain(Group::Start, D::Velocity, Some(Self::SlipMPerS), ["eta'", "η′"],
+            (RATE, Presence::Default(0.0), [-2.0, 2.0]), "slip velocity of the contact point",
+            "Slip velocity eta' of the contact point (2.7) in sqrt(g R)");
         /// Horizontal position x of the geometric centre.
-        X = 8, "x";
+        X = 8, "x" => plain(Group::Place, D::Length, Some(Self::XM), ["x", "x"],
+            (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
+            "Horizontal position of the centre in R");
         /// Time τ.
-        Time = 9, "time";
+        Time = 9, "time" => plain(Group::Place, D::Time, Some(Self::TimeS), ["tau", "τ"],
+            (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "time",
+            "Time of the start, tau, in sqrt(R/g)");
         /// Time limit of a simulation.
-        Until = 10, "until";
+        Until = 10, "until" => plain(Group::Run, D::Time, Some(Self::UntilS), ["tau", "τ"],
+            (FINITE, Presence::Optional, [0.0, 50.0]), "time limit",
+            "Stop at this time tau, in sqrt(R/g) [default: run to a final outcome]");
         /// Mass m1 of the disc or hoop in kilograms.
-        DiscMassKg = 11, "disc_mass_kg";
+        DiscMassKg = 11, "disc_mass_kg" => si(Group::Hoop, D::Mass, Some(Self::MassRatio), ["m1", "m₁"],
+            (NON_NEGATIVE, Presence::Required, [0.0, 2.0]), "mass of the disc or hoop",
+            "Mass m1 of the disc or hoop, kg");
         /// Mass m2 of the particle in kilograms.
-        ParticleMassKg = 12, "particle_mass_kg";
+        ParticleMassKg = 12, "particle_mass_kg" => si(Group::Units, D::Mass, None, ["m2", "m₂"],
+            (POSITIVE, Presence::Required, [0.01, 2.0]), "mass of the particle",
+            "Mass m2 of the particle, kg");
         /// Outer radius R in metres.
-        RadiusM = 13, "radius_m";
+        RadiusM = 13, "radius_m" => si(Group::Units, D::Length, None, ["R", "R"],
+            (POSITIVE, Presence::Required, [0.05, 1.0]), "outer radius",
+            "Outer radius R, m");
         /// Distance ℓ of the particle from the geometric centre in metres.
-        OffsetM = 14, "offset_m";
+        OffsetM = 14, "offset_m" => si(Group::Hoop, D::Length, Some(Self::Offset), ["l", "ℓ"],
+            (NON_NEGATIVE, Presence::Required, [0.0, 1.0]), "distance of the particle from the centre",
+            "Distance l of the particle from the centre, m, 0 to R");
         /// Moment of inertia I_zz in kilogram square metres.
-        InertiaKgM2 = 15, "inertia_kg_m2";
+        InertiaKgM2 = 15, "inertia_kg_m2" => si(Group::Hoop, D::Inertia, Some(Self::Inertia), ["Izz", "Izz"],
+            (NON_NEGATIVE, Presence::Required, [0.0, 0.5]), "moment of inertia of the disc about its centre",
+            "Moment of inertia Izz of the disc about its centre, kg m^2");
         /// Gravitational acceleration g in metres per second squared.
-        GravityMPerS2 = 16, "gravity_m_per_s2";
+        GravityMPerS2 = 16, "gravity_m_per_s2" => si(Group::Units, D::Acceleration, None, ["g", "g"],
+            (POSITIVE, Presence::Default(STANDARD_GRAVITY), [0.5, 25.0]), "gravitational acceleration",
+            "Gravitational acceleration g, m/s^2");
         /// Rate dθ/dt in radians per second.
-        ThetaRateRadPerS = 17, "theta_rate_rad_per_s";
+        ThetaRateRadPerS = 17, "theta_rate_rad_per_s" => si(Group::Start, D::AngularRate, Some(Self::ThetaRate), ["d theta/dt", "dθ/dt"],
+            (FINITE, Presence::Required, [-20.0, 20.0]), "rate of the angle",
+            "Rate d theta/dt, rad/s");
         /// Slip velocity dη/dt in metres per second.
-        SlipMPerS = 18, "slip_m_per_s";
+        SlipMPerS = 18, "slip_m_per_s" => si(Group::Start, D::Velocity, Some(Self::Slip), ["d eta/dt", "dη/dt"],
+            (FINITE, Presence::Default(0.0), [-5.0, 5.0]), "slip velocity of the contact point",
+            "Slip velocity of the contact point, m/s");
         /// Horizontal position in metres.
-        XM = 19, "x_m";
+        XM = 19, "x_m" => si(Group::Place, D::Length, Some(Self::X), ["x", "x"],
+            (FINITE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
+            "Horizontal position of the centre, m");
         /// Time in seconds.
-        TimeS = 20, "time_s";
+        TimeS = 20, "time_s" => si(Group::Place, D::Time, Some(Self::Time), ["t", "t"],
+            (FINITE, Presence::Default(0.0), [-10.0, 10.0]), "time",
+            "Time of the start, s");
         /// Time limit in seconds.
-        UntilS = 21, "until_s";
+        UntilS = 21, "until_s" => si(Group::Run, D::Time, Some(Self::Until), ["t", "t"],
+            (FINITE, Presence::Optional, [0.0, 10.0]), "time limit",
+            "Stop at this time in SI units, s");
         /// Coefficient of restitution e of an impact.
-        Restitution = 22, "restitution";
+        Restitution = 22, "restitution" => plain(Group::Hoop, D::Ratio, None, ["e", "e"],
+            (PART, Presence::Optional, [0.0, 1.0]), "coefficient of restitution",
+            "Coefficient of restitution of the impact of the rim on the plane, 0 to 1, with SI parameters too; \
+             without it the motion ends where the rim lands");
         /// Rate at which the gap under the rim opens.
-        GapRate = 23, "gap_rate";
+        GapRate = 23, "gap_rate" => plain(Group::Start, D::Velocity, Some(Self::GapRateMPerS), ["gap'", "gap′"],
+            (OPENING, Presence::Default(0.0), [0.0, 3.0]), "rate at which the gap under the rim opens",
+            "Rate at which the rim leaves the plane, in sqrt(g R)");
         /// Rate at which the gap opens in metres per second.
-        GapRateMPerS = 24, "gap_rate_m_per_s";
+        GapRateMPerS = 24, "gap_rate_m_per_s" => si(Group::Start, D::Velocity, Some(Self::GapRate), ["d gap/dt", "d gap/dt"],
+            (NON_NEGATIVE, Presence::Default(0.0), [0.0, 5.0]), "rate at which the gap under the rim opens",
+            "Rate at which the rim leaves the plane, m/s");
     }
 }
 
@@ -225,8 +279,39 @@ const LARGEST_RATE: f64 = 1e6;
 const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(LARGEST_PARAMETER)];
 const COORDINATE: &[Bound] = &[Bound::MagnitudeAtMost(LARGEST_COORDINATE)];
 const RATE: &[Bound] = &[Bound::MagnitudeAtMost(LARGEST_RATE)];
+const PART: &[Bound] = &[Bound::NonNegative, Bound::AtMostConstant(1.0)];
+const OPENING: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(LARGEST_RATE)];
 const POSITIVE: &[Bound] = &[Bound::Positive];
 const NON_NEGATIVE: &[Bound] = &[Bound::NonNegative];
+const FINITE: &[Bound] = &[];
+
+/// A row of a quantity without dimension, or of one that is the same in both systems: its place in the table, symbols, bounds with presence
+/// and usual range, and what it is for files and for help.
+const fn plain(
+    group: Group,
+    dimension: Dimension,
+    twin: Option<Quantity>,
+    [symbol, sign]: [&'static str; 2],
+    (bounds, presence, usual): (&'static [Bound], Presence, [f64; 2]),
+    long_name: &'static str,
+    help: &'static str,
+) -> QuantityRow {
+    let system = System::Dimensionless;
+    QuantityRow { group, dimension, system, twin, symbol, sign, long_name, help, bounds, presence, usual }
+}
+
+/// The same of a quantity in SI units.
+const fn si(
+    group: Group,
+    dimension: Dimension,
+    twin: Option<Quantity>,
+    symbols: [&'static str; 2],
+    range: (&'static [Bound], Presence, [f64; 2]),
+    long_name: &'static str,
+    help: &'static str,
+) -> QuantityRow {
+    QuantityRow { system: System::Si, ..plain(group, dimension, twin, symbols, range, long_name, help) }
+}
 
 impl Quantity {
     /// The parameters of a hoop, without dimension.
@@ -272,310 +357,7 @@ impl Quantity {
     #[inline(always)]
     #[must_use]
     pub const fn bounds(self) -> &'static [Bound] {
-        match self {
-            Self::MassRatio | Self::Inertia | Self::MuS | Self::MuK => PARAMETER,
-            Self::Offset | Self::Restitution => &[Bound::NonNegative, Bound::AtMostConstant(1.0)],
-            Self::Theta | Self::X | Self::Time => COORDINATE,
-            Self::ThetaRate | Self::Slip => RATE,
-            Self::GapRate => &[Bound::NonNegative, Bound::MagnitudeAtMost(LARGEST_RATE)],
-            Self::Until
-            | Self::ThetaRateRadPerS
-            | Self::SlipMPerS
-            | Self::XM
-            | Self::TimeS
-            | Self::UntilS => &[],
-            Self::DiscMassKg | Self::OffsetM | Self::InertiaKgM2 | Self::GapRateMPerS => NON_NEGATIVE,
-            Self::ParticleMassKg | Self::RadiusM | Self::GravityMPerS2 => POSITIVE,
-        }
-    }
-
-    /// Its row of the table.
-    #[must_use]
-    pub const fn row(self) -> QuantityRow {
-        use Dimension as D;
-        let row = QuantityRow {
-            group: Group::Hoop,
-            dimension: D::Ratio,
-            system: System::Dimensionless,
-            twin: None,
-            symbol: "",
-            sign: "",
-            long_name: "",
-            help: "",
-            bounds: self.bounds(),
-            presence: Presence::Required,
-            usual: [0.0, 1.0],
-        };
-        let si = QuantityRow { system: System::Si, ..row };
-        match self {
-            Self::MassRatio => QuantityRow {
-                dimension: D::Mass,
-                twin: Some(Self::DiscMassKg),
-                symbol: "m1/m2",
-                sign: "m₁/m₂",
-                long_name: "mass of the disc over mass of the particle",
-                help: "Mass of the disc over that of the particle, m1/m2 >= 0",
-                usual: [0.0, 5.0],
-                ..row
-            },
-            Self::Offset => QuantityRow {
-                dimension: D::Length,
-                twin: Some(Self::OffsetM),
-                symbol: "l/R",
-                sign: "ℓ/R",
-                long_name: "distance of the particle from the centre over the radius",
-                help: "Distance of the particle from the centre, l/R, 0 to 1",
-                ..row
-            },
-            Self::Inertia => QuantityRow {
-                dimension: D::Inertia,
-                twin: Some(Self::InertiaKgM2),
-                symbol: "Izz/(m2 R^2)",
-                sign: "Izz/(m₂R²)",
-                long_name: "moment of inertia of the disc about its centre over m2 R^2",
-                help: "Moment of inertia of the disc about its centre, Izz/(m2 R^2) >= 0; 0 together with \
-                       --mass-ratio 0 is Littlewood's massless hoop",
-                usual: [0.0, 5.0],
-                ..row
-            },
-            Self::MuS => QuantityRow {
-                symbol: "mu_s",
-                sign: "μₛ",
-                long_name: "coefficient of static friction",
-                help: "Coefficient of static friction (2.13), with SI parameters too",
-                usual: [0.0, 1.5],
-                ..row
-            },
-            Self::MuK => QuantityRow {
-                symbol: "mu_k",
-                sign: "μₖ",
-                long_name: "coefficient of kinetic friction",
-                help: "Coefficient of kinetic friction (2.15), from 0 to that of static friction, with SI parameters too",
-                usual: [0.0, 1.5],
-                ..row
-            },
-            Self::Restitution => QuantityRow {
-                symbol: "e",
-                sign: "e",
-                long_name: "coefficient of restitution",
-                help: "Coefficient of restitution of the impact of the rim on the plane, 0 to 1, with SI parameters \
-                       too; without it the motion ends where the rim lands",
-                presence: Presence::Optional,
-                ..row
-            },
-            Self::Theta => QuantityRow {
-                group: Group::Start,
-                dimension: D::Angle,
-                symbol: "theta",
-                sign: "θ",
-                long_name: "angle of the particle from the upward vertical",
-                help: "Angle theta of the particle from the upward vertical, counterclockwise, with SI parameters too",
-                usual: [-3.1, 6.2],
-                ..row
-            },
-            Self::ThetaRate => QuantityRow {
-                group: Group::Start,
-                dimension: D::AngularRate,
-                twin: Some(Self::ThetaRateRadPerS),
-                symbol: "theta'",
-                sign: "θ′",
-                long_name: "rate of the angle",
-                help: "Rate theta' in sqrt(g/R) rad",
-                usual: [-4.0, 4.0],
-                ..row
-            },
-            Self::Slip => QuantityRow {
-                group: Group::Start,
-                dimension: D::Velocity,
-                twin: Some(Self::SlipMPerS),
-                symbol: "eta'",
-                sign: "η′",
-                long_name: "slip velocity of the contact point",
-                help: "Slip velocity eta' of the contact point (2.7) in sqrt(g R)",
-                presence: Presence::Default(0.0),
-                usual: [-2.0, 2.0],
-                ..row
-            },
-            Self::GapRate => QuantityRow {
-                group: Group::Start,
-                dimension: D::Velocity,
-                twin: Some(Self::GapRateMPerS),
-                symbol: "gap'",
-                sign: "gap′",
-                long_name: "rate at which the gap under the rim opens",
-                help: "Rate at which the rim leaves the plane, in sqrt(g R)",
-                presence: Presence::Default(0.0),
-                usual: [0.0, 3.0],
-                ..row
-            },
-            Self::X => QuantityRow {
-                group: Group::Place,
-                dimension: D::Length,
-                twin: Some(Self::XM),
-                symbol: "x",
-                sign: "x",
-                long_name: "horizontal position of the geometric centre",
-                help: "Horizontal position of the centre in R",
-                presence: Presence::Default(0.0),
-                usual: [-10.0, 10.0],
-                ..row
-            },
-            Self::Time => QuantityRow {
-                group: Group::Place,
-                dimension: D::Time,
-                twin: Some(Self::TimeS),
-                symbol: "tau",
-                sign: "τ",
-                long_name: "time",
-                help: "Time of the start, tau, in sqrt(R/g)",
-                presence: Presence::Default(0.0),
-                usual: [-10.0, 10.0],
-                ..row
-            },
-            Self::Until => QuantityRow {
-                group: Group::Run,
-                dimension: D::Time,
-                twin: Some(Self::UntilS),
-                symbol: "tau",
-                sign: "τ",
-                long_name: "time limit",
-                help: "Stop at this time tau, in sqrt(R/g) [default: run to a final outcome]",
-                presence: Presence::Optional,
-                usual: [0.0, 50.0],
-                ..row
-            },
-            Self::DiscMassKg => QuantityRow {
-                dimension: D::Mass,
-                twin: Some(Self::MassRatio),
-                symbol: "m1",
-                sign: "m₁",
-                long_name: "mass of the disc or hoop",
-                help: "Mass m1 of the disc or hoop, kg",
-                usual: [0.0, 2.0],
-                ..si
-            },
-            Self::ParticleMassKg => QuantityRow {
-                group: Group::Units,
-                dimension: D::Mass,
-                symbol: "m2",
-                sign: "m₂",
-                long_name: "mass of the particle",
-                help: "Mass m2 of the particle, kg",
-                usual: [0.01, 2.0],
-                ..si
-            },
-            Self::RadiusM => QuantityRow {
-                group: Group::Units,
-                dimension: D::Length,
-                symbol: "R",
-                sign: "R",
-                long_name: "outer radius",
-                help: "Outer radius R, m",
-                usual: [0.05, 1.0],
-                ..si
-            },
-            Self::OffsetM => QuantityRow {
-                dimension: D::Length,
-                twin: Some(Self::Offset),
-                symbol: "l",
-                sign: "ℓ",
-                long_name: "distance of the particle from the centre",
-                help: "Distance l of the particle from the centre, m, 0 to R",
-                ..si
-            },
-            Self::InertiaKgM2 => QuantityRow {
-                dimension: D::Inertia,
-                twin: Some(Self::Inertia),
-                symbol: "Izz",
-                sign: "Izz",
-                long_name: "moment of inertia of the disc about its centre",
-                help: "Moment of inertia Izz of the disc about its centre, kg m^2",
-                usual: [0.0, 0.5],
-                ..si
-            },
-            Self::GravityMPerS2 => QuantityRow {
-                group: Group::Units,
-                dimension: D::Acceleration,
-                symbol: "g",
-                sign: "g",
-                long_name: "gravitational acceleration",
-                help: "Gravitational acceleration g, m/s^2",
-                presence: Presence::Default(STANDARD_GRAVITY),
-                usual: [0.5, 25.0],
-                ..si
-            },
-            Self::ThetaRateRadPerS => QuantityRow {
-                group: Group::Start,
-                dimension: D::AngularRate,
-                twin: Some(Self::ThetaRate),
-                symbol: "d theta/dt",
-                sign: "dθ/dt",
-                long_name: "rate of the angle",
-                help: "Rate d theta/dt, rad/s",
-                usual: [-20.0, 20.0],
-                ..si
-            },
-            Self::SlipMPerS => QuantityRow {
-                group: Group::Start,
-                dimension: D::Velocity,
-                twin: Some(Self::Slip),
-                symbol: "d eta/dt",
-                sign: "dη/dt",
-                long_name: "slip velocity of the contact point",
-                help: "Slip velocity of the contact point, m/s",
-                presence: Presence::Default(0.0),
-                usual: [-5.0, 5.0],
-                ..si
-            },
-            Self::GapRateMPerS => QuantityRow {
-                group: Group::Start,
-                dimension: D::Velocity,
-                twin: Some(Self::GapRate),
-                symbol: "d gap/dt",
-                sign: "d gap/dt",
-                long_name: "rate at which the gap under the rim opens",
-                help: "Rate at which the rim leaves the plane, m/s",
-                presence: Presence::Default(0.0),
-                usual: [0.0, 5.0],
-                ..si
-            },
-            Self::XM => QuantityRow {
-                group: Group::Place,
-                dimension: D::Length,
-                twin: Some(Self::X),
-                symbol: "x",
-                sign: "x",
-                long_name: "horizontal position of the geometric centre",
-                help: "Horizontal position of the centre, m",
-                presence: Presence::Default(0.0),
-                usual: [-10.0, 10.0],
-                ..si
-            },
-            Self::TimeS => QuantityRow {
-                group: Group::Place,
-                dimension: D::Time,
-                twin: Some(Self::Time),
-                symbol: "t",
-                sign: "t",
-                long_name: "time",
-                help: "Time of the start, s",
-                presence: Presence::Default(0.0),
-                usual: [-10.0, 10.0],
-                ..si
-            },
-            Self::UntilS => QuantityRow {
-                group: Group::Run,
-                dimension: D::Time,
-                twin: Some(Self::Until),
-                symbol: "t",
-                sign: "t",
-                long_name: "time limit",
-                help: "Stop at this time in SI units, s",
-                presence: Presence::Optional,
-                usual: [0.0, 10.0],
-                ..si
-            },
-        }
+        self.row().bounds
     }
 
     /// What it belongs to.
