@@ -11,55 +11,35 @@ use crate::modes::rolling::RollingLimit;
 
 named! {
     /// What ends a phase of motion.
-    pub enum Cause, "cause of a transition" {
-        /// Rolling: static friction gives way, |F| = μs N (2.13, 3.9).
-        Slip = 0, "slip";
-        /// Rolling of a massless hoop: N = 0 before static friction gives way (3.8).
-        NormalForceZero = 1, "normal_force_zero";
-        /// Sliding or gliding: η′ = 0, and static friction holds.
-        Stick = 2, "stick";
-        /// Sliding or gliding: η′ = 0, and the slip goes on in the other direction.
-        Reversal = 3, "reversal";
-        /// Sliding or gliding: η′ = 0 is touched, and the slip goes on in the same direction.
-        Graze = 4, "graze";
-        /// Sliding: N = 0 with the mass centre rising (§2d).
-        LiftOff = 5, "lift_off";
-        /// Flight: the rim touches the plane (§2e). With a coefficient of restitution the impact is part of it.
-        Landing = 6, "landing";
-        /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
-        ParticleAtPlane = 7, "particle_at_plane";
-        /// Gliding: a particle inside the rim reaches its lowest place, θ = ±π.
-        ParticleAtBottom = 8, "particle_at_bottom";
-        /// Gliding: the particle reaches θ = 0 with velocity to spare.
-        ParticleAtTop = 9, "particle_at_top";
-        /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
-        Singularity = 10, "singularity";
-        /// Flight: bounces without number have come to their end, and the rim stays at the plane.
-        Settle = 11, "settle";
-        /// Sliding where P ≤ 0: an impact without a collision ends the slip (Painlevé).
-        Jam = 12, "jam";
-    }
-}
-
-impl Cause {
+    pub enum Cause, "cause of a transition",
     /// In words, for tables and pictures.
-    #[must_use]
-    pub const fn label(self) -> &'static str {
-        match self {
-            Self::Slip => "slip",
-            Self::NormalForceZero => "N = 0",
-            Self::Stick => "stick",
-            Self::Reversal => "reversal",
-            Self::Graze => "graze",
-            Self::LiftOff => "lift-off",
-            Self::Landing => "landing",
-            Self::ParticleAtPlane => "particle at the plane",
-            Self::ParticleAtBottom => "particle at the bottom",
-            Self::ParticleAtTop => "particle at the top",
-            Self::Singularity => "P = 0",
-            Self::Settle => "settles",
-            Self::Jam => "jam",
-        }
+    pub label: &'static str {
+        /// Rolling: static friction gives way, |F| = μs N (2.13, 3.9).
+        Slip = 0, "slip" => "slip";
+        /// Rolling of a massless hoop: N = 0 before static friction gives way (3.8).
+        NormalForceZero = 1, "normal_force_zero" => "N = 0";
+        /// Sliding or gliding: η′ = 0, and static friction holds.
+        Stick = 2, "stick" => "stick";
+        /// Sliding or gliding: η′ = 0, and the slip goes on in the other direction.
+        Reversal = 3, "reversal" => "reversal";
+        /// Sliding or gliding: η′ = 0 is touched, and the slip goes on in the same direction.
+        Graze = 4, "graze" => "graze";
+        /// Sliding: N = 0 with the mass centre rising (§2d).
+        LiftOff = 5, "lift_off" => "lift-off";
+        /// Flight: the rim touches the plane (§2e). With a coefficient of restitution the impact is part of it.
+        Landing = 6, "landing" => "landing";
+        /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
+        ParticleAtPlane = 7, "particle_at_plane" => "particle at the plane";
+        /// Gliding: a particle inside the rim reaches its lowest place, θ = ±π.
+        ParticleAtBottom = 8, "particle_at_bottom" => "particle at the bottom";
+        /// Gliding: the particle reaches θ = 0 with velocity to spare.
+        ParticleAtTop = 9, "particle_at_top" => "particle at the top";
+        /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
+        Singularity = 10, "singularity" => "P = 0";
+        /// Flight: bounces without number have come to their end, and the rim stays at the plane.
+        Settle = 11, "settle" => "settles";
+        /// Sliding where P ≤ 0: an impact without a collision ends the slip (Painlevé).
+        Jam = 12, "jam" => "jam";
     }
 }
 
@@ -92,144 +72,49 @@ pub struct Edge {
     pub source: &'static str,
 }
 
-const fn edge(
-    body: BodyClass,
-    (from, to): (Option<Mode>, Option<Mode>),
-    cause: Cause,
-    (guard, reset, source): (&'static str, &'static str, &'static str),
-) -> Edge {
-    Edge { body, from, cause, guard, reset, to, source }
+/// Edges, one a line: body, mode that ends, event, mode that begins; guard, reset, source.
+macro_rules! edges {
+    ($( $body:ident: $from:expr, $cause:ident, $to:expr => $guard:literal, $reset:literal, $source:literal; )+) => {
+        &[$( Edge {
+            body: BodyClass::$body,
+            from: $from,
+            cause: Cause::$cause,
+            guard: $guard,
+            reset: $reset,
+            to: $to,
+            source: $source,
+        } ),+]
+    };
 }
 
 /// All edges.
 pub const EDGES: &[Edge] = {
-    use BodyClass::{Heavy, Massless};
     use Mode::{Flight, Gliding, Rolling, Sliding};
-    &[
-        edge(
-            Heavy,
-            (Some(Rolling), Some(Sliding)),
-            Cause::Slip,
-            ("|F| = mu_s N and |F| - mu_s N grows", "sigma = -sign F", "(2.13), 2(c)"),
-        ),
-        edge(
-            Heavy,
-            (Some(Sliding), Some(Rolling)),
-            Cause::Stick,
-            ("eta' = 0 and |F_roll| <= mu_s N_roll", "eta' = 0", "2(c)"),
-        ),
-        edge(
-            Heavy,
-            (Some(Sliding), Some(Sliding)),
-            Cause::Reversal,
-            ("eta' = 0 and |F_roll| > mu_s N_roll", "sigma = -sigma", "2(c)"),
-        ),
-        edge(Heavy, (Some(Sliding), Some(Sliding)), Cause::Graze, ("eta' = 0 and eta'' = 0", "none", "2(c)")),
-        edge(
-            Heavy,
-            (Some(Sliding), Some(Flight)),
-            Cause::LiftOff,
-            ("h cos(theta) theta'^2 = 1 and sin(theta) theta' < 0", "none", "(2.18), 2(d)"),
-        ),
-        edge(Heavy, (Some(Flight), None), Cause::Landing, ("gap = 0, falling, no e", "none", "2(e)")),
-        edge(
-            Heavy,
-            (Some(Flight), Some(Flight)),
-            Cause::Landing,
-            ("gap = 0, falling", "theta', eta', gap' by the impact", "Routh, Keller"),
-        ),
-        edge(
-            Heavy,
-            (Some(Flight), Some(Rolling)),
-            Cause::Landing,
-            ("gap = 0, falling, e = 0", "theta', eta' = 0 by the impact", "Routh, Keller"),
-        ),
-        edge(
-            Heavy,
-            (Some(Flight), Some(Sliding)),
-            Cause::Landing,
-            ("gap = 0, falling, e = 0", "theta', eta' by the impact", "Routh, Keller"),
-        ),
-        edge(
-            Heavy,
-            (Some(Flight), Some(Rolling)),
-            Cause::Settle,
-            ("bounces accumulate", "theta', eta' = 0 by the sum of the impacts", "Zeno"),
-        ),
-        edge(
-            Heavy,
-            (Some(Flight), Some(Sliding)),
-            Cause::Settle,
-            ("bounces accumulate", "theta', eta' by the sum of the impacts", "Zeno"),
-        ),
-        edge(
-            Heavy,
-            (None, Some(Rolling)),
-            Cause::Jam,
-            ("P <= 0, e = 0", "theta', eta' = 0 by the impact", "Painleve"),
-        ),
-        edge(
-            Heavy,
-            (None, Some(Sliding)),
-            Cause::Jam,
-            ("P <= 0, e = 0", "theta', eta' = 0 by the impact", "Painleve"),
-        ),
-        edge(
-            Heavy,
-            (None, Some(Flight)),
-            Cause::Jam,
-            ("P <= 0", "theta', eta' = 0, gap' by the impact", "Painleve"),
-        ),
-        edge(
-            Heavy,
-            (Some(Sliding), Some(Flight)),
-            Cause::Jam,
-            ("P = 0, N > 0", "theta', eta' = 0, gap' by the impact", "Painleve"),
-        ),
-        edge(Heavy, (Some(Sliding), None), Cause::Singularity, ("P = 0, N > 0, no e", "none", "Painleve")),
-        edge(
-            Massless,
-            (Some(Rolling), Some(Gliding)),
-            Cause::Slip,
-            ("|tan(theta/2)| = mu_s, leaving", "N = F = 0", "(3.9), 3(d)"),
-        ),
-        edge(
-            Massless,
-            (Some(Rolling), Some(Gliding)),
-            Cause::NormalForceZero,
-            ("theta'^2 = 1, growing", "N = F = 0", "(3.8), 3(d)"),
-        ),
-        edge(
-            Massless,
-            (Some(Gliding), Some(Rolling)),
-            Cause::Stick,
-            ("eta' = 0 inside R", "eta' = 0", "(3.10), 3(e)"),
-        ),
-        edge(
-            Massless,
-            (Some(Gliding), Some(Gliding)),
-            Cause::Reversal,
-            ("eta' = 0 outside R", "sigma = -sigma", "3(e)"),
-        ),
-        edge(
-            Massless,
-            (Some(Gliding), None),
-            Cause::ParticleAtPlane,
-            ("theta = +-pi, l = 1", "none", "(3.20)"),
-        ),
-        edge(
-            Massless,
-            (Some(Gliding), None),
-            Cause::ParticleAtBottom,
-            ("theta = +-pi, l < 1", "none", "(3.20)"),
-        ),
-        edge(
-            Massless,
-            (Some(Gliding), None),
-            Cause::ParticleAtTop,
-            ("theta = 0 with l sin(theta) theta' not 0", "none", "(3.18)"),
-        ),
-    ]
+    edges! {
+        Heavy: Some(Rolling), Slip, Some(Sliding) => "|F| = mu_s N and |F| - mu_s N grows", "sigma = -sign F", "(2.13), 2(c)";
+        Heavy: Some(Sliding), Stick, Some(Rolling) => "eta' = 0 and |F_roll| <= mu_s N_roll", "eta' = 0", "2(c)";
+        Heavy: Some(Sliding), Reversal, Some(Sliding) => "eta' = 0 and |F_roll| > mu_s N_roll", "sigma = -sigma", "2(c)";
+        Heavy: Some(Sliding), Graze, Some(Sliding) => "eta' = 0 and eta'' = 0", "none", "2(c)";
+        Heavy: Some(Sliding), LiftOff, Some(Flight) => "h cos(theta) theta'^2 = 1 and sin(theta) theta' < 0", "none", "(2.18), 2(d)";
+        Heavy: Some(Flight), Landing, None => "gap = 0, falling, no e", "none", "2(e)";
+        Heavy: Some(Flight), Landing, Some(Flight) => "gap = 0, falling", "theta', eta', gap' by the impact", "Routh, Keller";
+        Heavy: Some(Flight), Landing, Some(Rolling) => "gap = 0, falling, e = 0", "theta', eta' = 0 by the impact", "Routh, Keller";
+        Heavy: Some(Flight), Landing, Some(Sliding) => "gap = 0, falling, e = 0", "theta', eta' by the impact", "Routh, Keller";
+        Heavy: Some(Flight), Settle, Some(Rolling) => "bounces accumulate", "theta', eta' = 0 by the sum of the impacts", "Zeno";
+        Heavy: Some(Flight), Settle, Some(Sliding) => "bounces accumulate", "theta', eta' by the sum of the impacts", "Zeno";
+        Heavy: None, Jam, Some(Rolling) => "P <= 0, e = 0", "theta', eta' = 0 by the impact", "Painleve";
+        Heavy: None, Jam, Some(Sliding) => "P <= 0, e = 0", "theta', eta' = 0 by the impact", "Painleve";
+        Heavy: None, Jam, Some(Flight) => "P <= 0", "theta', eta' = 0, gap' by the impact", "Painleve";
+        Heavy: Some(Sliding), Jam, Some(Flight) => "P = 0, N > 0", "theta', eta' = 0, gap' by the impact", "Painleve";
+        Heavy: Some(Sliding), Singularity, None => "P = 0, N > 0, no e", "none", "Painleve";
+        Massless: Some(Rolling), Slip, Some(Gliding) => "|tan(theta/2)| = mu_s, leaving", "N = F = 0", "(3.9), 3(d)";
+        Massless: Some(Rolling), NormalForceZero, Some(Gliding) => "theta'^2 = 1, growing", "N = F = 0", "(3.8), 3(d)";
+        Massless: Some(Gliding), Stick, Some(Rolling) => "eta' = 0 inside R", "eta' = 0", "(3.10), 3(e)";
+        Massless: Some(Gliding), Reversal, Some(Gliding) => "eta' = 0 outside R", "sigma = -sigma", "3(e)";
+        Massless: Some(Gliding), ParticleAtPlane, None => "theta = +-pi, l = 1", "none", "(3.20)";
+        Massless: Some(Gliding), ParticleAtBottom, None => "theta = +-pi, l < 1", "none", "(3.20)";
+        Massless: Some(Gliding), ParticleAtTop, None => "theta = 0 with l sin(theta) theta' not 0", "none", "(3.18)";
+    }
 };
 
 /// The edge that a transition takes, if the table has it.
