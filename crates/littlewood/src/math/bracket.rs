@@ -1,4 +1,5 @@
-//! Roots to the last digits.
+//! Roots to the last digits: one loop, [`Bracket::iterate`], for every root that is known to lie between two numbers, with a guess for
+//! the first step and a rule for the last one.
 
 use core::cmp::Ordering;
 
@@ -14,7 +15,7 @@ pub(crate) struct Step {
     /// Value where the step begins.
     pub(crate) value: f64,
     pub(crate) step: f64,
-    /// Its end is the root if it is no longer than this.
+    /// Its end is the root, and not looked at again, if the step is no longer than this.
     pub(crate) last: f64,
 }
 
@@ -29,18 +30,6 @@ const LAST_NEWTON_STEP: f64 = 1e-9;
 /// Steps after which a model of a function has told what it can.
 const STEPS_OF_A_MODEL: u32 = 4;
 
-/// A function near a point, which costs less than the function itself.
-pub(crate) trait Model {
-    /// Value and the first two derivatives at the point.
-    fn here(&self) -> (f64, f64, f64);
-    /// The same so far from it.
-    fn at(&self, step: f64) -> (f64, f64, f64);
-    /// How far from the point the model is the function, to rounding.
-    fn reach(&self) -> f64;
-    /// A length over which the function hardly takes another course.
-    fn scale(&self) -> f64;
-}
-
 /// The step of Halley's method, and whether its end is the root to the last digit of a number: its error is of the third
 /// power in units of a length, unless another root is close.
 fn halley((value, slope, curvature): (f64, f64, f64), of: f64, length: f64) -> (f64, bool) {
@@ -54,15 +43,40 @@ fn halley((value, slope, curvature): (f64, f64, f64), of: f64, length: f64) -> (
     (step, is_last)
 }
 
+impl Step {
+    /// Newton's method, from the value and the slope at a point.
+    pub(crate) fn newton(at: f64, (value, slope): (f64, f64)) -> Self {
+        Self { value, step: -value / slope, last: last_digit(at) }
+    }
+
+    /// Halley's method with a model of the function about a point, which costs less than the function itself: value and first two
+    /// derivatives there, and so far from it. The model is the function, to rounding, up to `reach`, and hardly takes another course over
+    /// `length`.
+    #[inline]
+    pub(crate) fn by_model(
+        at: f64,
+        here: (f64, f64, f64),
+        (reach, length): (f64, f64),
+        model: impl Fn(f64) -> (f64, f64, f64),
+    ) -> Self {
+        let (mut step, mut is_last) = halley(here, at, length);
+        let mut steps = 1;
+        while !is_last && step.abs() <= reach && steps < STEPS_OF_A_MODEL {
+            let (more, is_short) = halley(model(step), at, length);
+            step += more;
+            is_last = is_short && step.abs() <= reach;
+            steps += 1;
+        }
+        Self { value: here.0, step, last: if is_last { f64::INFINITY } else { last_digit(at) } }
+    }
+}
+
 impl Bracket {
-    /// The root of `function` inside, to the last digits: Newton's method in a bracket that only shrinks.
+    /// The root of `function` inside, to the last digits, by Newton's method from the middle.
     ///
     /// `function` returns the value and the derivative; it is non-negative at `low` and not positive at `high`.
     pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
-        self.iterate(0.5 * (self.low + self.high), |x| {
-            let (value, slope) = function(x);
-            Step { value, step: -value / slope, last: last_digit(x) }
-        })
+        self.iterate(0.5 * (self.low + self.high), |x| Step::newton(x, function(x)))
     }
 
     /// The same from where the secant through the ends vanishes, in an interval of length two at the most on which the function is
@@ -72,29 +86,11 @@ impl Bracket {
         let (first, last) = (function(low).0, function(high).0);
         let is_known = first > 0.0 && last < 0.0;
         let guess = if is_known { (low * last - high * first) / (last - first) } else { 0.5 * (low + high) };
-        self.iterate(guess, |x| {
-            let (value, slope) = function(x);
-            Step { value, step: -value / slope, last: LAST_NEWTON_STEP }
-        })
+        self.iterate(guess, |x| Step { last: LAST_NEWTON_STEP, ..Step::newton(x, function(x)) })
     }
 
-    /// The same from a guess, which may lie anywhere, and with models of the function instead of the function itself.
-    pub(crate) fn refine_by<M: Model>(self, guess: f64, mut model: impl FnMut(f64) -> M) -> f64 {
-        self.iterate(guess, |x| {
-            let model = model(x);
-            let here = model.here();
-            let (mut step, mut is_last) = halley(here, x, model.scale());
-            let mut steps = 1;
-            while !is_last && step.abs() <= model.reach() && steps < STEPS_OF_A_MODEL {
-                let (more, is_short) = halley(model.at(step), x, model.scale());
-                step += more;
-                is_last = is_short && step.abs() <= model.reach();
-                steps += 1;
-            }
-            Step { value: here.0, step, last: if is_last { f64::INFINITY } else { last_digit(x) } }
-        })
-    }
-
+    /// The root inside of a function from whose value, positive below the root and negative above, `next_step` makes a step. The bracket
+    /// only shrinks, and is halved where a step would leave it, or does not halve the last one. The guess may lie anywhere.
     pub(crate) fn iterate(self, guess: f64, mut next_step: impl FnMut(f64) -> Step) -> f64 {
         let (mut low, mut high) = (self.low, self.high);
         if high <= low {
@@ -110,7 +106,6 @@ impl Bracket {
                 Some(Ordering::Less) | None => high = x,
             }
             let proposed = x + step;
-            // The step is taken when it stays inside and at least halves the last one.
             let taken = proposed > low && proposed < high && step.abs() < 0.5 * width;
             let next = if taken { proposed } else { low + 0.5 * (high - low) };
             width = (next - x).abs();
@@ -127,37 +122,16 @@ impl Bracket {
 mod tests {
     use super::*;
 
-    /// sin x about a point.
-    struct Sine {
-        point: f64,
-        reach: f64,
-    }
-
-    impl Model for Sine {
-        fn here(&self) -> (f64, f64, f64) {
-            self.at(0.0)
-        }
-
-        fn at(&self, step: f64) -> (f64, f64, f64) {
-            let (sin, cos) = libm::sincos(self.point + step);
-            (sin, cos, -sin)
-        }
-
-        fn reach(&self) -> f64 {
-            self.reach
-        }
-
-        fn scale(&self) -> f64 {
-            1.0
-        }
-    }
-
-    /// π between 2 and 4, and how many models it took.
+    /// π between 2 and 4 by a model of sin x, and how many models it took.
     fn pi_from(guess: f64, reach: f64) -> (f64, u32) {
         let mut models = 0;
-        let root = Bracket { low: 2.0, high: 4.0 }.refine_by(guess, |point| {
+        let root = Bracket { low: 2.0, high: 4.0 }.iterate(guess, |point| {
             models += 1;
-            Sine { point, reach }
+            let model = |step: f64| {
+                let (sin, cos) = libm::sincos(point + step);
+                (sin, cos, -sin)
+            };
+            Step::by_model(point, model(0.0), (reach, 1.0), model)
         });
         (root, models)
     }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::math::bracket::{Bracket, Model};
+use crate::math::bracket::{Bracket, Step};
 use crate::math::trig::{TruncatedSeries, without_turns};
 
 /// The gap as a function of its argument p: the angle φ, or the time where the hoop turns so slowly that the gap is concave.
@@ -119,33 +119,6 @@ impl Expansion {
     }
 }
 
-/// A quantity near an argument, from the expansion of the gap there.
-struct Near<Q> {
-    expansion: Expansion,
-    quantity: Q,
-}
-
-impl<Q: Fn(f64, [f64; 4]) -> (f64, f64, f64)> Model for Near<Q> {
-    #[inline]
-    fn here(&self) -> (f64, f64, f64) {
-        let Expansion { at, gap, slope, curvature, jerk, .. } = self.expansion;
-        (self.quantity)(at, [gap, slope, curvature, jerk])
-    }
-
-    #[inline]
-    fn at(&self, step: f64) -> (f64, f64, f64) {
-        (self.quantity)(self.expansion.at + step, self.expansion.derivatives(step))
-    }
-
-    fn reach(&self) -> f64 {
-        self.expansion.reach()
-    }
-
-    fn scale(&self) -> f64 {
-        1.0 / self.expansion.spin
-    }
-}
-
 /// Whether at a lift-off the rate tells the direction better than the angle. A rounding of θ moves sin θ by cos θ ε |θ|/2, those on
 /// the way from θ′ to cos θ by cos² θ/sin θ times four of ε/2.
 pub(crate) fn is_told_by_rate(theta: f64, (sin, cos): (f64, f64)) -> bool {
@@ -222,10 +195,12 @@ impl Gap {
         quantity: impl Fn(f64, [f64; 4]) -> (f64, f64, f64) + Copy,
     ) -> Bound {
         let mut last = None;
-        let root = bracket.refine_by(guess, |at| {
-            let expansion = self.expansion(at);
-            last = Some(expansion);
-            Near { expansion, quantity }
+        let root = bracket.iterate(guess, |at| {
+            let near = self.expansion(at);
+            last = Some(near);
+            let here = quantity(at, [near.gap, near.slope, near.curvature, near.jerk]);
+            let model = |step| quantity(at + step, near.derivatives(step));
+            Step::by_model(at, here, (near.reach(), 1.0 / near.spin), model)
         });
         match last {
             Some(near) if (root - near.at).abs() <= near.reach() => {
