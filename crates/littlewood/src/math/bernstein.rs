@@ -101,6 +101,12 @@ impl Bernstein {
         ((1.0 - x) * work[0] + x * work[1], degree * (work[1] - work[0]))
     }
 
+    /// The polynomial in 1 − x.
+    pub(crate) fn reversed(mut self) -> Self {
+        self.coefficients[..=self.degree].reverse();
+        self
+    }
+
     /// The same polynomial where it is known to be zero at 0, but for rounding.
     pub(crate) fn starting_at_zero(mut self) -> Self {
         self.coefficients[0] = 0.0;
@@ -185,6 +191,19 @@ impl Bernstein {
         }
         (left, right)
     }
+}
+
+/// Value and derivative of a polynomial with these Taylor coefficients.
+#[inline]
+pub(crate) fn value_and_slope(taylor: &[f64], at: f64) -> (f64, f64) {
+    taylor.iter().rev().fold((0.0, 0.0), |(sum, slope), c| (sum * at + c, slope * at + sum))
+}
+
+/// Its first crossing from non-negative to negative in [0, width].
+pub(crate) fn first_crossing(taylor: &[f64], width: f64) -> Option<f64> {
+    let Bracket { low, high } = Bernstein::from_taylor(taylor, width).first_crossing()?;
+    let bracket = Bracket { low: low * width, high: high * width };
+    Some(bracket.refine(|at| value_and_slope(taylor, at)))
 }
 
 #[cfg(test)]
@@ -277,8 +296,11 @@ mod tests {
 
         #[test]
         fn taylor_and_bernstein_forms_agree(a in prop::collection::vec(-1.0..1.0_f64, 1..20), x in 0.0..1.0_f64) {
+            let (value, slope) = Bernstein::from_taylor(&a, 0.5).value_and_slope(x);
+            let (same, same_slope) = value_and_slope(&a, 0.5 * x);
+            prop_assert!((value - same).abs() < 1e-13 && (slope - 0.5 * same_slope).abs() < 1e-12);
             let horner = a.iter().rev().fold(0.0, |sum, c| sum * (0.5 * x) + c);
-            prop_assert!((Bernstein::from_taylor(&a, 0.5).value_and_slope(x).0 - horner).abs() < 1e-13);
+            prop_assert!((value - horner).abs() < 1e-13);
         }
     }
 }

@@ -12,7 +12,6 @@
 //! Conserved are the vertical energy of the particle w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ (the w printed in (3.18) is not
 //! conserved by (3.17)), the energy e_s and the horizontal momentum v.
 
-mod cubic;
 mod particle;
 mod rest;
 

@@ -7,17 +7,18 @@
 //! P = v² a b − z² L²,
 //! ```
 //!
-//! a polynomial of degree three in the height; on the rim, where L = b, its factor v² a − z² b is of degree two. Its coefficients
-//! are written down at both ends of the way, about each in the height from there, without the terms that cancel:
-//! P0 = a0 b0 η0′ (η0′ − 2 θ0′ L0) at the start, with the root at a start from rest divided out. So the rests that lie next to the start
-//! (Type II), to the turning point, to the bottom (ℓ̂ near 1) and to the top are as exact as those between.
+//! a polynomial of degree three in the height. Its coefficients are written down at both ends of the way, about each in the height
+//! from there, without the terms that cancel: P0 = a0 b0 η0′ (η0′ − 2 θ0′ L0) at the start, with the root at a start from rest divided
+//! out. So the rests that lie next to the start (Type II), to the turning point, to the bottom (ℓ̂ near 1) and to the top are as exact
+//! as those between.
 //!
 //! At a start from rest P/f has, at f = 0, the value −2 L0 G with G = ℓ̂ sin θ η″ = 1 + ℓ̂c − ℓ̂(ℓ̂ + c) θ′² (3.17), and N = L0 G/D where the hoop
 //! rolls.
 
+use crate::math::bernstein::{Bernstein, first_crossing, value_and_slope};
+use crate::math::bracket::Bracket;
 use crate::model::mode::Direction;
 
-use super::cubic::Cubic;
 use super::particle::{Particle, Place};
 
 /// How a glide begins.
@@ -51,7 +52,10 @@ enum Way {
     UpToTop,
 }
 
-/// P about the two ends of a way: in the height that has been passed, and in the height that is left, each up to a positive factor.
+/// c0 + c1 x + c2 x² + c3 x³. Where c0 is small against the other terms, a root near 0 is as exact as c0.
+type Cubic = [f64; 4];
+
+/// P about the two ends of a way: in the height that has been passed, and in the height that is left.
 struct Ends {
     begin: Cubic,
     end: Cubic,
@@ -69,6 +73,8 @@ struct Terms {
     /// 1 − ℓ̂ and 1 + ℓ̂, L at the bottom and at the top.
     inside: f64,
     outside: f64,
+    /// a + b = 2 ℓ̂.
+    whole: f64,
     /// a0, b0 and L0.
     a: f64,
     b: f64,
@@ -79,8 +85,6 @@ struct Terms {
     top: f64,
     /// v².
     momentum: f64,
-    /// θ′² at the start.
-    spin: f64,
     /// η0′ (η0′ − 2 θ0′ L0).
     slip: f64,
     /// G.
@@ -105,14 +109,16 @@ impl Slip {
                 None
             }
         };
-        let is_from_rest = begun.is_none();
+        if begun.is_none() {
+            terms.slip = 0.0;
+        }
         let direction = begun.unwrap_or_else(|| {
-            // P/f < 0 where the slip is towards the side of the particle, on the way up and on the way down.
+            // Where the slip is towards the side of the particle, P < 0 on the way down and P > 0 on the way up.
             let down = if particle.rise > 0.0 { -1.0 } else { 1.0 };
-            let towards = -particle.side * terms.about_start_from_rest(down).initial_sign();
+            let towards = -particle.side * down * initial_sign(&terms.about_start(down));
             if towards < 0.0 { Direction::Negative } else { Direction::Positive }
         });
-        Self { direction, rest: Way::of(particle).and_then(|way| terms.rest(particle, way, is_from_rest)) }
+        Self { direction, rest: Way::of(particle).and_then(|way| terms.rest(particle, way)) }
     }
 }
 
@@ -141,6 +147,7 @@ impl Terms {
         Self {
             inside,
             outside: 1.0 + l,
+            whole: 2.0 * l,
             a,
             b,
             lever,
@@ -148,41 +155,17 @@ impl Terms {
             bottom: particle.square_at_bottom(),
             top: particle.square_at_top(),
             momentum: particle.momentum * particle.momentum,
-            spin,
             slip: slip * (slip - 2.0 * rate * lever),
             // At the top a glide begins only with ℓ̂ θ′² = 1, where G = 0.
             pull: if a == 0.0 { 0.0 } else { b * ((1.0 - rate) * (1.0 + rate)) + inside * (1.0 + l * spin) },
         }
     }
 
-    fn is_on_rim(&self) -> bool {
-        self.inside == 0.0
-    }
-
-    /// D(θ0) of rolling.
-    fn denominator(&self) -> f64 {
-        self.inside * self.inside + 2.0 * self.b
-    }
-
-    /// P/f about a start from rest, in f times `down`, which is −1 on the way up.
-    fn about_start_from_rest(&self, down: f64) -> Cubic {
-        if self.is_on_rim() {
-            Cubic([-2.0 * self.pull, 2.0 * down, 0.0, 0.0])
-        } else {
-            let slope = 4.0 * self.lever - self.spin * self.denominator();
-            Cubic([-2.0 * self.lever * self.pull, slope * down, -2.0, 0.0])
-        }
-    }
-
-    /// P about a start with η′ ≠ 0, in f times `down`.
+    /// P about the start, in f times `down`, which is −1 on the way up.
     fn about_start(&self, down: f64) -> Cubic {
         let Self { a, b, lever, slip, pull, .. } = *self;
-        if self.is_on_rim() {
-            Cubic([a * slip, (slip - 2.0 * pull) * down, 2.0, 0.0])
-        } else {
-            let slope = (b - a) * slip - 2.0 * lever * pull;
-            Cubic([a * b * slip, slope * down, 4.0 * lever - self.rise - self.momentum, -2.0 * down])
-        }
+        let slope = (b - a) * slip - 2.0 * lever * pull;
+        [a * b * slip, slope * down, 4.0 * lever - self.rise - self.momentum, -2.0 * down]
     }
 
     /// Heights of the turning point below the top and above the bottom.
@@ -193,94 +176,44 @@ impl Terms {
     /// P about the turning point, in the height below it.
     fn about_turn(&self) -> Cubic {
         let (a, b) = self.turn();
-        let momentum = self.momentum;
-        if self.is_on_rim() {
-            Cubic([momentum * a, momentum - 2.0 * b, 2.0, 0.0])
-        } else {
-            let lever = self.inside + b;
-            Cubic([momentum * a * b, momentum * (b - a) - 2.0 * lever * lever, 4.0 * lever - momentum, -2.0])
-        }
-    }
-
-    /// The same of P/f after a start from rest.
-    fn about_turn_from_rest(&self) -> Cubic {
-        let (up, down) = (2.0 - self.b * self.spin, 2.0 + self.a * self.spin);
-        if self.is_on_rim() {
-            Cubic([-self.b * up, 2.0, 0.0, 0.0])
-        } else {
-            let slope = 4.0 * self.lever - self.spin * self.denominator() + 2.0 * self.rise;
-            Cubic([-0.5 * self.lever * self.lever * (up * down), slope, -2.0, 0.0])
-        }
+        let (momentum, lever) = (self.momentum, self.inside + b);
+        [momentum * a * b, momentum * (b - a) - 2.0 * lever * lever, 4.0 * lever - momentum, -2.0]
     }
 
     /// P about the bottom, in b.
     fn about_bottom(&self) -> Cubic {
-        let Self { inside, outside, bottom, momentum, .. } = *self;
-        if self.is_on_rim() {
-            return Cubic([2.0 * momentum, -(bottom + momentum), 2.0, 0.0]);
-        }
-        let slope = (outside - inside) * momentum - 2.0 * inside * (bottom - inside);
-        Cubic([-bottom * inside * inside, slope, 4.0 * inside - momentum - bottom, 2.0])
-    }
-
-    /// The same of P/f after a start from rest.
-    fn about_bottom_from_rest(&self) -> Cubic {
-        let Self { inside, a, b, spin, .. } = *self;
-        if self.is_on_rim() {
-            return Cubic([2.0 * b * spin, -2.0, 0.0, 0.0]);
-        }
-        let slope = spin * self.denominator() - 4.0 * inside;
-        Cubic([-inside * inside * (2.0 + spin * a), slope, -2.0, 0.0])
+        let Self { inside, whole, bottom, momentum, .. } = *self;
+        let slope = whole * momentum - 2.0 * inside * (bottom - inside);
+        [-bottom * inside * inside, slope, 4.0 * inside - momentum - bottom, 2.0]
     }
 
     /// P about the top, in a.
     fn about_top(&self) -> Cubic {
-        let Self { inside, outside, top, momentum, .. } = *self;
-        if self.is_on_rim() {
-            return Cubic([-2.0 * top, momentum + top - 4.0, 2.0, 0.0]);
-        }
-        let slope = (outside - inside) * momentum - 2.0 * outside * (outside - top);
-        Cubic([-top * outside * outside, slope, 4.0 * outside - momentum - top, -2.0])
+        let Self { outside, whole, top, momentum, .. } = *self;
+        let slope = whole * momentum - 2.0 * outside * (outside - top);
+        [-top * outside * outside, slope, 4.0 * outside - momentum - top, -2.0]
     }
 
-    /// The same of P/f after a start from rest.
-    fn about_top_from_rest(&self) -> Cubic {
-        let Self { outside, b, spin, .. } = *self;
-        if self.is_on_rim() {
-            return Cubic([2.0 * (b * spin - 2.0), 2.0, 0.0, 0.0]);
-        }
-        let slope = 4.0 * outside - spin * self.denominator();
-        Cubic([outside * outside * (b * spin - 2.0), slope, -2.0, 0.0])
-    }
-
-    fn ends(&self, way: Way, is_from_rest: bool) -> Ends {
-        let start =
-            |down| if is_from_rest { self.about_start_from_rest(down) } else { self.about_start(down) };
-        let (begin, end, height) = match (way, is_from_rest) {
-            (Way::Down, false) => (start(1.0), self.about_bottom(), self.b),
-            (Way::Down, true) => (start(1.0), self.about_bottom_from_rest(), self.b),
-            // The way begins with a rise, on which a start from rest does not have the sign of v that this one has.
-            (Way::DownFromTurn, _) => (self.about_turn(), self.about_bottom(), self.turn().1),
-            (Way::UpToTurn, false) => (start(-1.0), self.about_turn(), 0.5 * self.rise),
-            (Way::UpToTurn, true) => (start(-1.0), self.about_turn_from_rest(), 0.5 * self.rise),
-            (Way::UpToTop, false) => (start(-1.0), self.about_top(), self.a),
-            (Way::UpToTop, true) => (start(-1.0), self.about_top_from_rest(), self.a),
+    fn ends(&self, way: Way) -> Ends {
+        let (begin, end, height) = match way {
+            Way::Down => (self.about_start(1.0), self.about_bottom(), self.b),
+            Way::DownFromTurn => (self.about_turn(), self.about_bottom(), self.turn().1),
+            Way::UpToTurn => (self.about_start(-1.0), self.about_turn(), 0.5 * self.rise),
+            Way::UpToTop => (self.about_start(-1.0), self.about_top(), self.a),
         };
         Ends { begin, end, height }
     }
 
     /// The first rest on a way.
-    fn rest(&self, particle: &Particle, way: Way, is_from_rest: bool) -> Option<Place> {
+    fn rest(&self, particle: &Particle, way: Way) -> Option<Place> {
         let at_turn = way == Way::DownFromTurn && particle.momentum == 0.0;
-        let found =
-            if at_turn { Height::FromBegin(0.0) } else { self.ends(way, is_from_rest).first_rest()? };
+        let found = if at_turn { Height::FromBegin(0.0) } else { self.ends(way).first_rest()? };
         Some(self.place(particle, way, found))
     }
 
     /// Where the particle is at a height of the way.
     fn place(&self, particle: &Particle, way: Way, height: Height) -> Place {
-        let Self { a, b, rise, bottom, top, .. } = *self;
-        let whole = self.outside - self.inside;
+        let Self { a, b, rise, bottom, top, whole, .. } = *self;
         let (turn_a, turn_b) = self.turn();
         // a, b, z², and f on ways from the start.
         let (below_top, above_bottom, square, fall) = match (way, height) {
@@ -307,14 +240,28 @@ impl Terms {
     }
 }
 
+/// Sign just right of 0.
+fn initial_sign(cubic: &Cubic) -> f64 {
+    cubic.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum())
+}
+
 impl Ends {
     /// The first change of sign on the way: on its first half by the polynomial about its begin, on the other by that about its end.
     fn first_rest(&self) -> Option<Height> {
         let middle = 0.5 * self.height;
-        // A root at the start itself, where the slip is at rest, or a particle at the top.
-        let begin = if self.begin.0[0] == 0.0 { self.begin.without_root_at_zero() } else { self.begin };
-        let sign = begin.initial_sign();
-        let first = begin.first_change(0.0, middle, sign).map(Height::FromBegin);
-        first.or_else(|| self.end.first_change(middle, 0.0, sign).map(Height::ToEnd))
+        let sign = initial_sign(&self.begin);
+        let [begin, end] = [self.begin, self.end].map(|cubic| cubic.map(|c| sign * c));
+        // Without a root at the start itself, where the slip is at rest, or a particle at the top.
+        let roots = begin.iter().take_while(|c| **c == 0.0).count();
+        let first = first_crossing(&begin[roots..], middle).map(Height::FromBegin);
+        first.or_else(|| {
+            let Bracket { low, high } = Bernstein::from_taylor(&end, middle).reversed().first_crossing()?;
+            let bracket = Bracket { low: middle * (1.0 - high), high: middle * (1.0 - low) };
+            let back = |x| {
+                let (value, slope) = value_and_slope(&end, x);
+                (-value, -slope)
+            };
+            Some(Height::ToEnd(bracket.refine(back)))
+        })
     }
 }

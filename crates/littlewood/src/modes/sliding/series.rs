@@ -4,7 +4,7 @@
 //! θ, θ′, η′ and the two quantities whose signs limit sliding, w and P. The equations are those of [`SlidingLaw`], coefficient
 //! by coefficient; a test holds the two against each other.
 
-use crate::math::bernstein::Bernstein;
+use crate::math::bernstein::{first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::mechanics::equations::{SlidingLaw, contact};
 use crate::model::hoop::Heavy;
@@ -142,12 +142,6 @@ pub(super) fn value(series: &Series, at: f64) -> f64 {
     series.iter().rev().fold(0.0, |sum, c| sum * at + c)
 }
 
-/// Value and derivative of a series.
-#[inline]
-pub(super) fn value_and_slope(series: &Series, at: f64) -> (f64, f64) {
-    series.iter().rev().fold((0.0, 0.0), |(sum, slope), c| (sum * at + c, slope * at + sum))
-}
-
 /// First crossing of a series from non-negative to negative in [0, width].
 pub(super) fn crossing(series: &Series, width: f64) -> Option<f64> {
     let mut swing = 0.0;
@@ -157,9 +151,7 @@ pub(super) fn crossing(series: &Series, width: f64) -> Option<f64> {
     if series[0] > swing {
         return None;
     }
-    let Bracket { low, high } = Bernstein::from_taylor(series, width).first_crossing()?;
-    let bracket = Bracket { low: low * width, high: high * width };
-    Some(bracket.refine(|at| value_and_slope(series, at)))
+    first_crossing(series, width)
 }
 
 /// Where a series that is monotone on [0, width], of the given sign at 0, takes a level.
