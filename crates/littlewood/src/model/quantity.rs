@@ -408,28 +408,23 @@ impl Quantity {
     /// Unit, in plain letters; empty for a ratio.
     #[must_use]
     pub const fn unit(self) -> &'static str {
-        if self.is_ratio() {
-            return "";
-        }
-        match (self.row().system, self.dimension()) {
-            (_, Dimension::Ratio) => "",
-            (System::Si, dimension) => dimension.si_unit(),
-            (System::Dimensionless, Dimension::Angle) => "rad",
-            (System::Dimensionless, dimension) => dimension.scale(),
-        }
+        self.of_units(self.dimension().scale(), self.dimension().si_unit())
     }
 
     /// Unit, as it is printed; empty for a ratio.
     #[must_use]
     pub const fn unit_sign(self) -> &'static str {
-        if self.is_ratio() {
-            return "";
-        }
-        match (self.row().system, self.dimension()) {
-            (_, Dimension::Ratio) => "",
-            (System::Si, dimension) => dimension.si_sign(),
-            (System::Dimensionless, Dimension::Angle) => "rad",
-            (System::Dimensionless, dimension) => dimension.scale_sign(),
+        self.of_units(self.dimension().scale_sign(), self.dimension().si_sign())
+    }
+
+    /// The one of two units that it has, of (2.9) and in SI units; empty for a ratio.
+    const fn of_units(self, scale: &'static str, si: &'static str) -> &'static str {
+        if self.is_ratio() || matches!(self.dimension(), Dimension::Ratio) {
+            ""
+        } else if self.is_si() || matches!(self.dimension(), Dimension::Angle) {
+            si
+        } else {
+            scale
         }
     }
 

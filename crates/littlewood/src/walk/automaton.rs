@@ -12,34 +12,47 @@ use crate::modes::rolling::RollingLimit;
 named! {
     /// What ends a phase of motion.
     pub enum Cause, "cause of a transition",
-    /// In words, for tables and pictures.
-    pub label: &'static str {
+    /// Label, and whether the motion goes on in contact without a loss.
+    row: (&'static str, bool) {
         /// Rolling: static friction gives way, |F| = μs N (2.13, 3.9).
-        Slip = 0, "slip" => "slip";
+        Slip = 0, "slip" => ("slip", true);
         /// Rolling of a massless hoop: N = 0 before static friction gives way (3.8).
-        NormalForceZero = 1, "normal_force_zero" => "N = 0";
+        NormalForceZero = 1, "normal_force_zero" => ("N = 0", true);
         /// Sliding or gliding: η′ = 0, and static friction holds.
-        Stick = 2, "stick" => "stick";
+        Stick = 2, "stick" => ("stick", true);
         /// Sliding or gliding: η′ = 0, and the slip goes on in the other direction.
-        Reversal = 3, "reversal" => "reversal";
+        Reversal = 3, "reversal" => ("reversal", true);
         /// Sliding or gliding: η′ = 0 is touched, and the slip goes on in the same direction.
-        Graze = 4, "graze" => "graze";
+        Graze = 4, "graze" => ("graze", true);
         /// Sliding: N = 0 with the mass centre rising (§2d).
-        LiftOff = 5, "lift_off" => "lift-off";
+        LiftOff = 5, "lift_off" => ("lift-off", false);
         /// Flight: the rim touches the plane (§2e). With a coefficient of restitution the impact is part of it.
-        Landing = 6, "landing" => "landing";
+        Landing = 6, "landing" => ("landing", false);
         /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
-        ParticleAtPlane = 7, "particle_at_plane" => "particle at the plane";
+        ParticleAtPlane = 7, "particle_at_plane" => ("particle at the plane", false);
         /// Gliding: a particle inside the rim reaches its lowest place, θ = ±π.
-        ParticleAtBottom = 8, "particle_at_bottom" => "particle at the bottom";
+        ParticleAtBottom = 8, "particle_at_bottom" => ("particle at the bottom", false);
         /// Gliding: the particle reaches θ = 0 with velocity to spare.
-        ParticleAtTop = 9, "particle_at_top" => "particle at the top";
+        ParticleAtTop = 9, "particle_at_top" => ("particle at the top", false);
         /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
-        Singularity = 10, "singularity" => "P = 0";
+        Singularity = 10, "singularity" => ("P = 0", false);
         /// Flight: bounces without number have come to their end, and the rim stays at the plane.
-        Settle = 11, "settle" => "settles";
+        Settle = 11, "settle" => ("settles", false);
         /// Sliding where P ≤ 0: an impact without a collision ends the slip (Painlevé).
-        Jam = 12, "jam" => "jam";
+        Jam = 12, "jam" => ("jam", false);
+    }
+}
+
+impl Cause {
+    /// In words, for tables and pictures.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        self.row().0
+    }
+
+    /// Whether the motion goes on in contact, and what it conserves is conserved.
+    pub(crate) const fn keeps_contact(self) -> bool {
+        self.row().1
     }
 }
 

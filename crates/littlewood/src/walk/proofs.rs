@@ -204,19 +204,9 @@ fn repeats(
     range: Option<(f64, f64)>,
 ) -> Option<Outcome> {
     let Event { state, cause, .. } = *event;
-    match cause {
-        Cause::Slip | Cause::NormalForceZero | Cause::Stick | Cause::Reversal | Cause::Graze => {}
-        Cause::LiftOff
-        | Cause::Landing
-        | Cause::ParticleAtPlane
-        | Cause::ParticleAtBottom
-        | Cause::ParticleAtTop
-        | Cause::Singularity
-        | Cause::Settle
-        | Cause::Jam => {
-            visits.clear();
-            return None;
-        }
+    if !cause.keeps_contact() {
+        visits.clear();
+        return None;
     }
     let back = visits.iter().rposition(|earlier| {
         let is_same_state = is_same(earlier.state.theta_rate, state.theta_rate)
@@ -278,43 +268,20 @@ impl Slips<'_> {
     /// Adds an event; whether the motion slips for ever.
     fn add(&mut self, hoop: &Hoop, event: &Event) -> Option<Outcome> {
         let Event { state, cause, to, .. } = *event;
-        match (cause, to) {
-            (Cause::Slip, Some(Mode::Sliding)) => {
-                self.begins(&state);
-                None
-            }
-            (Cause::Stick, Some(Mode::Rolling)) => {
-                let slip = self.slip.take()?;
-                let before = self.confirmed.take();
-                let energy = self.law.energy(state.theta, state.theta_rate);
-                let orbit = self.levels(hoop)?.attracting(hoop, slip.energy, energy)?;
-                self.confirmed = Some(slip);
-                // An orbit that grazes the limit away from its turning points does so before and behind the vertical, and slips
-                // there differ but for the limit.
-                let is_known =
-                    orbit.theta_rate == 0.0 || before.is_some_and(|before| before.ahead != slip.ahead);
-                let slips_to_halve = 1.0 / (orbit.loss * (energy - orbit.energy));
-                is_known.then_some(Outcome::SlipsForever { state, orbit, slips_to_halve })
-            }
-            (
-                Cause::Slip
-                | Cause::NormalForceZero
-                | Cause::Stick
-                | Cause::Reversal
-                | Cause::Graze
-                | Cause::LiftOff
-                | Cause::Landing
-                | Cause::ParticleAtPlane
-                | Cause::ParticleAtBottom
-                | Cause::ParticleAtTop
-                | Cause::Singularity
-                | Cause::Settle
-                | Cause::Jam,
-                Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None,
-            ) => {
-                (self.slip, self.confirmed) = (None, None);
-                None
-            }
+        if (cause, to) == (Cause::Slip, Some(Mode::Sliding)) {
+            self.begins(&state);
+            return None;
         }
+        let slip = self.slip.take();
+        let before = self.confirmed.take();
+        let slip = slip.filter(|_| (cause, to) == (Cause::Stick, Some(Mode::Rolling)))?;
+        let energy = self.law.energy(state.theta, state.theta_rate);
+        let orbit = self.levels(hoop)?.attracting(hoop, slip.energy, energy)?;
+        self.confirmed = Some(slip);
+        // An orbit that grazes the limit away from its turning points does so before and behind the vertical, and slips
+        // there differ but for the limit.
+        let is_known = orbit.theta_rate == 0.0 || before.is_some_and(|before| before.ahead != slip.ahead);
+        let slips_to_halve = 1.0 / (orbit.loss * (energy - orbit.energy));
+        is_known.then_some(Outcome::SlipsForever { state, orbit, slips_to_halve })
     }
 }

@@ -52,14 +52,27 @@ pub(super) struct Turn {
     beta: f64,
     /// Î + m h² s² at the section: ε = G u there.
     section_inertia: f64,
-    /// Weights of the nodes, and u = base + ε gain there.
-    weights: Vec<f64>,
-    base: Vec<f64>,
-    gain: Vec<f64>,
-    /// ± lever: what the slip gains there for each unit of the rate.
-    levers: Vec<f64>,
+    nodes: Vec<Node>,
     /// base and gain at the top.
     top: (f64, f64),
+}
+
+/// A node of the quadrature.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    weight: f64,
+    /// u = base + ε gain.
+    base: f64,
+    gain: f64,
+    /// ± lever: what the slip gains for each unit of the rate.
+    lever: f64,
+}
+
+impl Node {
+    /// The rate of the slide with ε.
+    fn rate(&self, energy: f64) -> f64 {
+        (self.base + energy * self.gain).sqrt()
+    }
 }
 
 /// Values at the nodes of a panel.
@@ -84,10 +97,7 @@ impl Turn {
             kappa: 0.0,
             beta: 0.0,
             section_inertia: inertia + mass * h * h * (sin_start * sin_start),
-            weights: Vec::new(),
-            base: Vec::new(),
-            gain: Vec::new(),
-            levers: Vec::new(),
+            nodes: Vec::new(),
             top: (f64::NAN, f64::NAN),
         };
         // The top is the end of a panel.
@@ -147,10 +157,8 @@ impl Turn {
             }
             for (i, (base, gain)) in nodes.into_iter().enumerate() {
                 let (sin, cos) = sampled.sin_cos[i];
-                turn.weights.push(half * rule.weights[i]);
-                turn.base.push(base);
-                turn.gain.push(gain);
-                turn.levers.push(sign * law.lever(sin, cos));
+                let (weight, lever) = (half * rule.weights[i], sign * law.lever(sin, cos));
+                turn.nodes.push(Node { weight, base, gain, lever });
             }
             growth += half * rule.integral(&sampled.growth);
             work += half * rule.integral(&works);
@@ -205,11 +213,7 @@ impl Turn {
 
     /// Time of the turn that begins with ε.
     pub(super) fn time(&self, energy: f64) -> f64 {
-        let mut sum = 0.0;
-        for ((weight, base), gain) in self.weights.iter().zip(&self.base).zip(&self.gain) {
-            sum += weight / (base + energy * gain).sqrt();
-        }
-        sum
+        self.nodes.iter().fold(0.0, |sum, node| sum + node.weight / node.rate(energy))
     }
 
     /// h u at the top of the turn that begins with ε: the slide stays on the plane where it is below 1.
@@ -224,20 +228,12 @@ impl Turn {
 
     /// Largest value at the nodes of the magnitude of the part of η′ that comes and goes with the turns.
     pub(super) fn largest_slip(&self, energy: f64) -> f64 {
-        let mut largest = 0.0_f64;
-        for ((lever, base), gain) in self.levers.iter().zip(&self.base).zip(&self.gain) {
-            largest = largest.max(lever.abs() * (base + energy * gain).sqrt());
-        }
-        largest
+        self.nodes.iter().fold(0.0, |largest, node| largest.max(node.lever.abs() * node.rate(energy)))
     }
 
     /// Least value at the nodes of the part of σ η′ that comes and goes with the turns, σ θ′ (1 + h c + f h s).
     pub(super) fn lowest_slip(&self, energy: f64) -> f64 {
-        let mut lowest = f64::INFINITY;
-        for ((lever, base), gain) in self.levers.iter().zip(&self.base).zip(&self.gain) {
-            lowest = lowest.min(lever * (base + energy * gain).sqrt());
-        }
-        lowest
+        self.nodes.iter().fold(f64::INFINITY, |lowest, node| lowest.min(node.lever * node.rate(energy)))
     }
 }
 
