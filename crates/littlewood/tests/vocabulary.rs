@@ -181,7 +181,15 @@ fn columns_of_a_summary_can_be_read_and_set() {
         assert!(column.set(&mut copy, column.of(&summary)), "{column}");
         let (ours, theirs) = (column.of(&copy), column.of(&summary));
         assert!(ours == theirs || matches!(ours, SummaryValue::F64(it) if it.is_nan()), "{column}");
+        assert_eq!(
+            format!("{:?}", summary.values()[usize::from(column.code())]),
+            format!("{theirs:?}"),
+            "{column}"
+        );
     }
+    assert_eq!(format!("{copy:?}"), format!("{summary:?}"), "no column but has a place of its own");
+    assert!(!SummaryColumn::Outcome.set(&mut copy, SummaryValue::U8(77)));
+    assert!(!SummaryColumn::Energy.set(&mut copy, SummaryValue::U8(1)));
     let numbers: Vec<SummaryColumn> = SummaryColumn::numbers().collect();
     let reals: Vec<SummaryColumn> = SummaryColumn::reals().collect();
     assert!(reals.iter().all(|column| numbers.contains(column)));
@@ -203,7 +211,9 @@ fn hula_hoop(quantity: Quantity) -> Option<f64> {
         Quantity::MuS => 0.5,
         Quantity::Theta => 1.2,
         Quantity::ThetaRateRadPerS => 6.0,
-        Quantity::TimeS | Quantity::SlipMPerS | Quantity::GapRateMPerS => 0.0,
+        Quantity::TimeS => -0.7,
+        Quantity::SlipMPerS => -1.5,
+        Quantity::GapRateMPerS => 0.3,
         Quantity::XM => 0.9,
         _ => return None,
     })
@@ -223,6 +233,9 @@ fn a_setup_in_si_units_is_converted_by_the_units_of_the_paper() {
     assert!(close(setup.hoop.inertia, 0.081 / (0.14 * 0.45 * 0.45)));
     assert!(close(setup.start.theta_rate, 6.0 * time));
     assert!(close(setup.start.x, 2.0));
+    assert!(close(setup.start.time, -0.7 / time));
+    assert!(close(setup.start.slip, -1.5 * time / 0.45));
+    assert!(close(setup.start.gap_rate, 0.3 * time / 0.45));
     assert!(close(units.velocity_m_per_s(), (9.8 * 0.45_f64).sqrt()));
     assert!(close(units.force_n(), 0.14 * 9.8));
     assert!(close(units.energy_j(), 0.14 * 9.8 * 0.45));
@@ -233,6 +246,9 @@ fn a_setup_in_si_units_is_converted_by_the_units_of_the_paper() {
             assert!(close(found, given), "{quantity}: {found} and {given}");
         }
     }
+    let outside = |quantity| if quantity == Quantity::OffsetM { Some(0.6) } else { hula_hoop(quantity) };
+    let refused = SiSetup::from_values(outside, None).to_setup().expect_err("outside of the rim").to_string();
+    assert_eq!(refused, "offset_m = 0.6 m must not exceed radius_m = 0.45 m");
     // A limit in seconds: said in seconds where it lies before the start.
     let late = setup.start.with_time(2.0);
     assert!(close(units.until(4.0 * time, &late).expect("after the start"), 4.0));

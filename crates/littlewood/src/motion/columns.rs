@@ -331,34 +331,3 @@ impl Summary {
         SummaryColumn::ALL.map(|column| column.place(&mut copy).value())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_summary_comes_back_from_its_columns() {
-        let mut summary = Summary::NOT_COMPUTED;
-        let mut number = 1.0;
-        for column in SummaryColumn::ALL {
-            number += 0.5;
-            let value = match column.column_type() {
-                ColumnType::Outcome => SummaryValue::U8(OutcomeKind::Singular.code()),
-                ColumnType::Sequence => SummaryValue::U64(0x71),
-                ColumnType::Count => SummaryValue::U32(7),
-                ColumnType::Flag => SummaryValue::U8(1),
-                ColumnType::Real => SummaryValue::F64(number),
-            };
-            assert!(column.set(&mut summary, value));
-            assert_eq!(column.of(&summary), value, "{column}");
-            assert_eq!(summary.values()[usize::from(column.code())], value, "{column}");
-        }
-        let mut copy = Summary::INVALID;
-        for column in SummaryColumn::ALL {
-            assert!(column.set(&mut copy, column.of(&summary)));
-        }
-        assert_eq!(copy, summary);
-        assert!(!SummaryColumn::Outcome.set(&mut copy, SummaryValue::U8(77)));
-        assert!(!SummaryColumn::Energy.set(&mut copy, SummaryValue::U8(1)));
-    }
-}
