@@ -116,35 +116,19 @@ impl Bernstein {
     /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right of 0 crosses
     /// at 0; a root where it only touches zero is no crossing.
     pub(crate) fn first_crossing(&self) -> Option<Bracket> {
-        self.search(0.0, 1.0, 0)
+        self.search(Bracket { low: 0.0, high: 1.0 }, 0, &mut 1.0, &mut |_, bracket| Some(bracket))
     }
 
     /// All points of (0, 1) at which the sign changes, in order. A zero that is only touched is none.
     pub(crate) fn sign_changes(&self) -> Vec<f64> {
         let mut changes = Vec::new();
-        self.collect(0.0, 1.0, 0, &mut changes);
-        changes
-    }
-
-    fn collect(&self, low: f64, high: f64, halvings: u32, changes: &mut Vec<f64>) {
-        let signs = || self.coefficients().iter().copied().filter(|b| *b != 0.0).map(f64::signum);
-        let (Some(first), Some(last)) = (signs().next(), signs().next_back()) else { return };
-        let variations = signs().zip(signs().skip(1)).filter(|(a, b)| a != b).count();
-        if variations == 1 || (halvings == MAX_HALVINGS && first != last) {
-            let falling = if first > 0.0 { *self } else { self.negated() };
+        self.search(Bracket { low: 0.0, high: 1.0 }, 0, &mut 0.0, &mut |part, Bracket { low, high }| {
+            let falling = if part.initial_sign() > 0.0 { *part } else { part.negated() };
             let at = Bracket { low: 0.0, high: 1.0 }.refine(|x| falling.value_and_slope(x));
-            changes.push(low + at * (high - low));
-        } else if variations > 1 && halvings < MAX_HALVINGS {
-            let (left, right) = self.halves();
-            let middle = 0.5 * (low + high);
-            left.collect(low, middle, halvings + 1, changes);
-            // A zero at the middle itself is in neither half.
-            let ends = (left.final_sign(), right.initial_sign());
-            if left.coefficients().last() == Some(&0.0) && ends.0 * ends.1 < 0.0 {
-                changes.push(middle);
-            }
-            right.collect(middle, high, halvings + 1, changes);
-        }
+            changes.push(if low < high { low + at * (high - low) } else { low });
+            None::<()>
+        });
+        changes
     }
 
     /// Sign just left of 1.
@@ -152,32 +136,42 @@ impl Bernstein {
         self.coefficients().iter().rev().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
     }
 
-    fn search(&self, low: f64, high: f64, halvings: u32) -> Option<Bracket> {
-        let coefficients = self.coefficients();
-        let mut changes = 0;
-        let mut last = 0.0_f64;
-        for &b in coefficients {
-            if b == 0.0 {
-                continue;
-            }
-            if last == 0.0 && b < 0.0 {
-                return Some(Bracket { low, high: low });
-            }
-            if last * b.signum() < 0.0 {
+    /// Looks for sign changes in order, on the part `on` of [0, 1] on which the polynomial is given, until one `found` is an answer: with
+    /// the polynomial on the part that has it, which is a point where the polynomial behind it has another `sign` than before.
+    fn search<T>(
+        &self,
+        on: Bracket,
+        halvings: u32,
+        sign: &mut f64,
+        found: &mut impl FnMut(&Self, Bracket) -> Option<T>,
+    ) -> Option<T> {
+        let (mut changes, mut first, mut last) = (0, 0.0, 0.0);
+        for b in self.coefficients().iter().filter(|b| **b != 0.0).map(|b| b.signum()) {
+            if first == 0.0 {
+                first = b;
+            } else if b != last {
                 changes += 1;
             }
-            last = b.signum();
+            last = b;
         }
-        match changes {
-            0 => None,
-            1 => Some(Bracket { low, high }),
-            _ if halvings == MAX_HALVINGS => (last < 0.0).then_some(Bracket { low, high }),
-            _ => {
-                let (left, right) = self.halves();
-                let middle = 0.5 * (low + high);
-                left.search(low, middle, halvings + 1).or_else(|| right.search(middle, high, halvings + 1))
+        if first == 0.0 {
+            return None;
+        }
+        if first * *sign < 0.0 {
+            *sign = first;
+            if let Some(answer) = found(self, Bracket { low: on.low, high: on.low }) {
+                return Some(answer);
             }
         }
+        if changes > 1 && halvings < MAX_HALVINGS {
+            let (left, right) = self.halves();
+            let middle = 0.5 * (on.low + on.high);
+            return left
+                .search(Bracket { high: middle, ..on }, halvings + 1, sign, found)
+                .or_else(|| right.search(Bracket { low: middle, ..on }, halvings + 1, sign, found));
+        }
+        *sign = last;
+        if first == last { None } else { found(self, on) }
     }
 
     fn halves(&self) -> (Self, Self) {
