@@ -57,14 +57,6 @@ const THIN_HOOP: HoopParameters = HoopParameters::thin(1.0).with_friction(0.5, 0
 
 const LITTLEWOOD_HOOP: HoopParameters = HoopParameters::thin(0.0).with_friction(0.5, 0.4);
 
-const fn case(
-    (name, title, source): (&'static str, &'static str, &'static str),
-    hoop: HoopParameters,
-    start: Start,
-) -> NamedCase {
-    NamedCase { name, title, source, setup: Setup::new(hoop, start) }
-}
-
 const fn thin_hoop_with(restitution: f64) -> HoopParameters {
     THIN_HOOP.with_restitution(restitution, RestitutionLaw::Energetic)
 }
@@ -79,92 +71,53 @@ const BOUNCING_GAP_RATE: f64 = 1.274_198_847_857_927_4;
 /// √(3/5): from the top, θ′² = cos θ_s for μs = ½, so that N and the static friction give way together.
 const TYPE_II_RATE: f64 = 0.774_596_669_241_483_4;
 
+/// Cases: name, title and source, then hoop and start.
+macro_rules! cases {
+    ($( $name:literal, $title:literal, $source:literal => $hoop:expr, $start:expr; )+) => {
+        &[$( NamedCase { name: $name, title: $title, source: $source, setup: Setup::new($hoop, $start) } ),+]
+    };
+}
+
 /// All cases. The starts that the paper does not give were searched for; `tests/cases.rs` shows that each motion does
 /// what its title says.
-pub const CASES: &[NamedCase] = &[
-    case(
-        ("figure-3", "slides, rolls, slides, then jumps", "Figure 3, section 2(f)"),
-        THIN_HOOP,
-        Start::at(FRAC_PI_2, 2.0),
-    ),
-    case(
-        (
-            "figure-2-libration",
-            "rolls back and forth about the stable equilibrium for ever",
-            "footnote 4, third video",
-        ),
-        THIN_HOOP,
-        Start::at(2.5, 0.0),
-    ),
-    case(("footnote-3", "loses contact at once", "footnote 3"), THIN_HOOP, Start::at(0.0, 4.0)),
-    case(("slip-then-jump", "rolls, slips once, then jumps", "section 2(f)"), THIN_HOOP, Start::at(2.5, 3.0)),
-    case(("slide-then-jump", "slides once, then jumps", "section 2(f)"), THIN_HOOP, Start::at(4.6, 2.4)),
-    case(("rolls-forever", "rolls over the top for ever", "section 2(f)"), THIN_HOOP, Start::at(0.0, 0.5)),
-    case(
-        ("stick-slip-no-jump", "rolls and slides in turn, never jumps, and rolls for ever", "section 2(f)"),
-        THIN_HOOP,
-        Start::at(-2.6, -2.15),
-    ),
-    case(
-        ("sliding-band", "slides at once where rolling would need N < 0", "section 2(a), corrected"),
-        THIN_HOOP,
-        Start::at(-1.2, 2.0),
-    ),
-    case(
-        ("figure-7", "massless: rolls, then glides until the particle reaches the plane", "Figure 7"),
-        LITTLEWOOD_HOOP,
-        Start::at(0.0, 0.5),
-    ),
-    case(
-        ("type-1", "massless, Type I: the normal force vanishes before friction gives way", "Figure 5(b)"),
-        LITTLEWOOD_HOOP,
-        Start::at(0.0, 0.9),
-    ),
-    case(
-        ("type-2", "massless, Type II: the normal force vanishes just as friction gives way", "Figure 5(b)"),
-        LITTLEWOOD_HOOP,
-        Start::at(0.0, TYPE_II_RATE),
-    ),
-    case(
-        ("type-3", "massless, Type III: friction gives way under a normal force", "Figure 5(b)"),
-        LITTLEWOOD_HOOP,
-        Start::at(0.3, 0.2),
-    ),
-    case(
-        ("glide-to-roll", "massless: glides, sticks inside R, rolls, and glides again", "section 3(e)"),
-        LITTLEWOOD_HOOP,
-        Start::at(1.0, -0.8).with_slip(-0.5),
-    ),
-    case(
-        ("painleve", "no motion is consistent: sliding is not solvable there", "beyond the paper"),
-        HoopParameters::thin(1.0 / 3.0).with_friction(1.0, 1.0),
-        Start::at(0.7, 0.5).with_slip(1.0),
-    ),
-    case(
-        ("figure-3-bounces", "Figure 3 goes on: bounces, settles, and rolls for ever", "beyond the paper"),
-        thin_hoop_with(0.5),
-        Start::at(FRAC_PI_2, 2.0),
-    ),
-    case(
-        ("lands-and-rolls", "slides, jumps, lands without a rebound, and rolls for ever", "beyond the paper"),
-        thin_hoop_with(0.0),
-        Start::at(4.2, 2.5),
-    ),
-    case(
-        ("two-hops", "jumps, lands without a rebound, rolls, and jumps again", "beyond the paper"),
-        thin_hoop_with(0.0),
-        Start::at(2.0, 3.4),
-    ),
-    case(
-        ("jam", "slides where P < 0: jams in an impact without a collision, and rolls", "beyond the paper"),
-        HoopParameters::thin(0.125)
-            .with_friction(0.75, 0.75)
-            .with_restitution(0.0, RestitutionLaw::Energetic),
-        Start::at(0.5, -0.5).with_slip(1.0),
-    ),
-    case(
-        ("bounces-forever", "bounces twice a turn for ever, and never slips", "beyond the paper"),
-        thin_hoop_with(1.0),
-        Start::at(-BOUNCING_ANGLE, BOUNCING_RATE).with_gap_rate(BOUNCING_GAP_RATE),
-    ),
-];
+pub const CASES: &[NamedCase] = cases! {
+    "figure-3", "slides, rolls, slides, then jumps", "Figure 3, section 2(f)" =>
+        THIN_HOOP, Start::at(FRAC_PI_2, 2.0);
+    "figure-2-libration", "rolls back and forth about the stable equilibrium for ever", "footnote 4, third video" =>
+        THIN_HOOP, Start::at(2.5, 0.0);
+    "footnote-3", "loses contact at once", "footnote 3" =>
+        THIN_HOOP, Start::at(0.0, 4.0);
+    "slip-then-jump", "rolls, slips once, then jumps", "section 2(f)" =>
+        THIN_HOOP, Start::at(2.5, 3.0);
+    "slide-then-jump", "slides once, then jumps", "section 2(f)" =>
+        THIN_HOOP, Start::at(4.6, 2.4);
+    "rolls-forever", "rolls over the top for ever", "section 2(f)" =>
+        THIN_HOOP, Start::at(0.0, 0.5);
+    "stick-slip-no-jump", "rolls and slides in turn, never jumps, and rolls for ever", "section 2(f)" =>
+        THIN_HOOP, Start::at(-2.6, -2.15);
+    "sliding-band", "slides at once where rolling would need N < 0", "section 2(a), corrected" =>
+        THIN_HOOP, Start::at(-1.2, 2.0);
+    "figure-7", "massless: rolls, then glides until the particle reaches the plane", "Figure 7" =>
+        LITTLEWOOD_HOOP, Start::at(0.0, 0.5);
+    "type-1", "massless, Type I: the normal force vanishes before friction gives way", "Figure 5(b)" =>
+        LITTLEWOOD_HOOP, Start::at(0.0, 0.9);
+    "type-2", "massless, Type II: the normal force vanishes just as friction gives way", "Figure 5(b)" =>
+        LITTLEWOOD_HOOP, Start::at(0.0, TYPE_II_RATE);
+    "type-3", "massless, Type III: friction gives way under a normal force", "Figure 5(b)" =>
+        LITTLEWOOD_HOOP, Start::at(0.3, 0.2);
+    "glide-to-roll", "massless: glides, sticks inside R, rolls, and glides again", "section 3(e)" =>
+        LITTLEWOOD_HOOP, Start::at(1.0, -0.8).with_slip(-0.5);
+    "painleve", "no motion is consistent: sliding is not solvable there", "beyond the paper" =>
+        HoopParameters::thin(1.0 / 3.0).with_friction(1.0, 1.0), Start::at(0.7, 0.5).with_slip(1.0);
+    "figure-3-bounces", "Figure 3 goes on: bounces, settles, and rolls for ever", "beyond the paper" =>
+        thin_hoop_with(0.5), Start::at(FRAC_PI_2, 2.0);
+    "lands-and-rolls", "slides, jumps, lands without a rebound, and rolls for ever", "beyond the paper" =>
+        thin_hoop_with(0.0), Start::at(4.2, 2.5);
+    "two-hops", "jumps, lands without a rebound, rolls, and jumps again", "beyond the paper" =>
+        thin_hoop_with(0.0), Start::at(2.0, 3.4);
+    "jam", "slides where P < 0: jams in an impact without a collision, and rolls", "beyond the paper" =>
+        HoopParameters::thin(0.125).with_friction(0.75, 0.75).with_restitution(0.0, RestitutionLaw::Energetic),
+        Start::at(0.5, -0.5).with_slip(1.0);
+    "bounces-forever", "bounces twice a turn for ever, and never slips", "beyond the paper" =>
+        thin_hoop_with(1.0), Start::at(-BOUNCING_ANGLE, BOUNCING_RATE).with_gap_rate(BOUNCING_GAP_RATE);
+};

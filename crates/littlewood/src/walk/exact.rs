@@ -15,7 +15,7 @@ use crate::modes::rolling::Rolling;
 use crate::modes::sliding::{Entry, SlideLimit, Sliding, SlidingEnd};
 use crate::walk::automaton::Cause;
 use crate::walk::candidates::{Arrival, Next, next_motion};
-use crate::walk::follow::{Ending, MaybeFlight, Solution, Solved, Solver};
+use crate::walk::follow::{Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver};
 use crate::walk::outcome::Outcome;
 
 /// Solves the phases of one hoop.
@@ -59,6 +59,16 @@ impl<'a> Exact<'a> {
         Ending::Motion { event: Some((cause, state)), end: Some(state), verdict: outcome }
     }
 
+    /// A flight, with what ends it at its end, if the limit does not before.
+    fn flown(&self, flight: Flight, start: &State, ends: impl Fn(State) -> ExactEnding) -> SolvedBy<Self> {
+        let duration = flight.duration();
+        let ending = match self.allowed(start) {
+            Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
+            Some(_) | None => ends(flight.state(duration)),
+        };
+        Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
+    }
+
     /// A phase without end; of one with a time limit the state there is its end.
     fn endless(&self, start: &State, at: impl Fn(f64) -> State, outcome: Outcome) -> ExactEnding {
         let end = self.allowed(start).map(|allowed| {
@@ -94,7 +104,7 @@ impl Solver for Exact<'_> {
         next_motion(self.hoop, state, arrival)
     }
 
-    fn roll(&self, state: &State, on_limit: bool) -> Solved<PhaseSolution, State, Outcome> {
+    fn roll(&self, state: &State, on_limit: bool) -> SolvedBy<Self> {
         let rolling = Rolling::new(self.hoop, *state);
         let allowed = self.allowed(state);
         let end = if on_limit { rolling.orbit().end_from_limit() } else { rolling.orbit().end() };
@@ -120,7 +130,7 @@ impl Solver for Exact<'_> {
         body: &Heavy,
         direction: Direction,
         slip_acceleration: Option<f64>,
-    ) -> Solved<PhaseSolution, State, Outcome> {
+    ) -> SolvedBy<Self> {
         let entry = slip_acceleration
             .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
@@ -163,41 +173,17 @@ impl Solver for Exact<'_> {
         Solved { solution, direction: Some(direction), ending }
     }
 
-    fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> Solved<PhaseSolution, State, Outcome> {
+    fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let flight = Flight::new(body, *state, take_off);
-        let duration = flight.duration();
-        let ending = match self.allowed(state) {
-            Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
-            Some(_) | None => {
-                Ending::Landing { state: flight.state(duration), gap_rate: flight.landing_rate() }
-            }
-        };
-        Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
+        self.flown(flight, state, |state| Ending::Landing { state, gap_rate: flight.landing_rate() })
     }
 
-    fn settle(
-        &self,
-        state: &State,
-        body: &Heavy,
-        settling: &Settling,
-    ) -> Solved<PhaseSolution, State, Outcome> {
-        let duration = settling.duration;
-        let flight = Flight::settling(body, *state, settling.gap_rate, duration);
-        let ending = match self.allowed(state) {
-            Some(allowed) if allowed < duration => self.stopped(flight.state(allowed)),
-            Some(_) | None => {
-                Ending::Settled { state: flight.state(duration), settling: Box::new(*settling) }
-            }
-        };
-        Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
+    fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
+        let flight = Flight::settling(body, *state, settling.gap_rate, settling.duration);
+        self.flown(flight, state, |state| Ending::Settled { state, settling: Box::new(*settling) })
     }
 
-    fn glide(
-        &self,
-        state: &State,
-        body: &Massless,
-        entry: GlideEntry,
-    ) -> Solved<PhaseSolution, State, Outcome> {
+    fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
         let allowed = self.allowed(state);
         let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
         let ending = match end {

@@ -85,7 +85,7 @@ impl Origin {
     }
 
     pub(crate) const fn outcome(&self, mut outcome: Outcome) -> Outcome {
-        let (state, recurrence) = outcome.parts_mut();
+        let (state, recurrence, _) = outcome.parts_mut();
         *state = self.state(*state);
         if let Some(recurrence) = recurrence {
             *recurrence = self.recurrence(*recurrence);

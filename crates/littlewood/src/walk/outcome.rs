@@ -249,11 +249,21 @@ impl Outcome {
         }
     }
 
-    /// The parts that say where: the state, and how the motion recurs.
-    pub(crate) const fn parts_mut(&mut self) -> (&mut State, Option<&mut Recurrence>) {
+    /// The candidates that were examined where no motion, or more than one, is consistent.
+    #[must_use]
+    pub const fn candidates(&self) -> Option<Candidates> {
+        let mut copy = *self;
+        copy.parts_mut().2
+    }
+
+    /// The parts that several outcomes have: the state, how the motion recurs, and the candidates.
+    pub(crate) const fn parts_mut(&mut self) -> (&mut State, Option<&mut Recurrence>, Option<Candidates>) {
         match self {
             Self::RollsForever { since, recurrence } | Self::SlidesForever { since, recurrence } => {
-                (since, Some(recurrence))
+                (since, Some(recurrence), None)
+            }
+            Self::Inconsistent { state, candidates } | Self::Ambiguous { state, candidates } => {
+                (state, None, Some(*candidates))
             }
             Self::RepeatsForever { since: state, .. }
             | Self::Landing { state, .. }
@@ -264,33 +274,9 @@ impl Outcome {
             | Self::ParticleAtTop { state }
             | Self::TimeLimit { state }
             | Self::TransitionLimit { state, .. }
-            | Self::Inconsistent { state, .. }
-            | Self::Ambiguous { state, .. }
             | Self::Singular { state, .. }
             | Self::StepLimit { state, .. }
-            | Self::Unresolved { state } => (state, None),
-        }
-    }
-
-    /// The candidates that were examined where no motion, or more than one, is consistent.
-    #[must_use]
-    pub const fn candidates(&self) -> Option<Candidates> {
-        match self {
-            Self::Inconsistent { candidates, .. } | Self::Ambiguous { candidates, .. } => Some(*candidates),
-            Self::Landing { .. }
-            | Self::RollsForever { .. }
-            | Self::SlidesForever { .. }
-            | Self::SlipsForever { .. }
-            | Self::RepeatsForever { .. }
-            | Self::StaysInContact { .. }
-            | Self::ParticleAtPlane { .. }
-            | Self::ParticleAtBottom { .. }
-            | Self::ParticleAtTop { .. }
-            | Self::TimeLimit { .. }
-            | Self::TransitionLimit { .. }
-            | Self::Singular { .. }
-            | Self::StepLimit { .. }
-            | Self::Unresolved { .. } => None,
+            | Self::Unresolved { state } => (state, None, None),
         }
     }
 
