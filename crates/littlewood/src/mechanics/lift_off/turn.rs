@@ -118,11 +118,7 @@ impl Cell {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::lift_off::ContactProof;
     use crate::model::hoop::{Body, Hoop, HoopParameters};
-    use crate::model::limits::{Limits, Proof};
-    use crate::model::mode::Mode;
-    use crate::model::state::{Start, State};
 
     const HOOPS: [[f64; 5]; 6] = [
         [1.0, 1.0, 0.5, 1e-3, 1e-3],
@@ -201,51 +197,6 @@ mod tests {
             let velocity = velocity(&body, friction, [whole.turning, needed]);
             let bound = ((whole.energy - whole.turning) / body.mass).sqrt();
             assert!(bound < velocity && bound > 0.9 * velocity, "{parameters:?}: {bound} {velocity}");
-        }
-    }
-
-    /// States at angles of a turn with these parts of C and of v*.
-    fn states(body: &Heavy, whole: &WholeTurns, [turning, velocity]: [f64; 2]) -> Vec<State> {
-        let turning = turning * whole.turning;
-        let velocity = velocity * ((whole.energy - turning) / body.mass).sqrt();
-        let angles = (0..6).map(|k| PI * (f64::from(k) / 3.0 - 1.0));
-        angles
-            .map(|theta| {
-                let (u, faster) = rotation(body, theta, turning);
-                State { time: 0.0, theta, theta_rate: u.sqrt(), slip: faster - velocity, x: 0.0 }
-            })
-            .collect()
-    }
-
-    #[test]
-    fn motions_next_to_the_bounds_do_not_lift_off() {
-        for parameters in HOOPS {
-            let (hoop, body) = hoop(parameters);
-            let needed = 2.0 * hoop.lift_off_energy().unwrap();
-            let whole = WholeTurns::new(&body, [hoop.mu_s(), hoop.mu_k()], needed).unwrap();
-            let limits = Limits::default().with_transitions(300).with_proof(Proof::None);
-            for state in states(&body, &whole, [1.0 - 1e-9; 2]) {
-                assert!(ContactProof::default().holds(&hoop, &state), "{parameters:?}");
-                let motion = hoop.simulate(Start::from(state), limits).unwrap();
-                assert!(motion.phases().iter().all(|phase| phase.mode() != Mode::Flight), "{parameters:?}");
-            }
-        }
-    }
-
-    /// With one coefficient, and a Δ that is small, the bounds are nearly sharp.
-    #[test]
-    fn motions_a_little_beyond_the_bounds_lift_off() {
-        for parameters in HOOPS.into_iter().filter(|[.., mu_s, mu_k]| mu_s == mu_k) {
-            let (hoop, body) = hoop(parameters);
-            let needed = 2.0 * hoop.lift_off_energy().unwrap();
-            let whole = WholeTurns::new(&body, [hoop.mu_s(), hoop.mu_k()], needed).unwrap();
-            let limits = Limits::default().with_transitions(300).with_proof(Proof::None);
-            let part = 1.0 - 0.1 * (needed - whole.turning) / needed;
-            let jumps = states(&body, &whole, [part, 1.2]).into_iter().any(|state| {
-                let motion = hoop.simulate(Start::from(state), limits).unwrap();
-                motion.phases().iter().any(|phase| phase.mode() == Mode::Flight)
-            });
-            assert!(jumps, "{parameters:?}");
         }
     }
 }
