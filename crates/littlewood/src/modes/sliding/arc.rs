@@ -10,7 +10,7 @@ use crate::model::state::State;
 use crate::modes::rolling::Recurrence;
 use crate::modes::sample::{Instant, Sample};
 
-use super::leap::{Bounds, FEWEST, MOST, Passed, Place, Turns, section_of};
+use super::leap::{Bounds, FEWEST, MOST, Passed, Place, section_of};
 use super::series::{DEGREE, LONGEST, Series, SlideSeries, crossing, root, value};
 use super::singular::{Approach, Fate};
 
@@ -368,18 +368,15 @@ impl Sliding {
             let begin = here.elapsed + at;
             let turned = here.turned + here.theta + travel * ahead - section;
             let rate = value(&series.theta_rate, at);
-            let turns = Turns::new(&self.law, rate, bounds(begin));
-            (begin, turned, turns.map(|turns| Passed::Turns(Box::new(turns))))
+            (begin, turned, Passed::turns(&self.law, rate, bounds(begin)))
         };
         self.attempts += 1;
         let Some(passed) = passed else {
             lookout.ready = 2 * self.steps.len();
             return None;
         };
-        let elapsed = begin + passed.duration();
-        let place = passed.end();
-        let end = self.here(elapsed, turned + passed.advance(), place);
-        *lookout = Lookout { has_passed_most: passed.count() >= MOST - 1.0, ..Lookout::default() };
+        let end = self.here(begin + passed.duration, turned + passed.advance, passed.end);
+        *lookout = Lookout { has_passed_most: passed.count >= MOST - 1.0, ..Lookout::default() };
         self.leaps.push(Leap { begin, turned, passed });
         Some(end)
     }
@@ -637,8 +634,8 @@ mod tests {
             let start = State { time: 0.0, theta: 1.0, theta_rate: rate, slip, x: 0.0 };
             let [(slide, _), _] = both(law, start, None);
             let Some(leap) = slide.leaps.first() else { panic!("no leap at {rate}") };
-            let duration = leap.passed.duration();
-            let count = leap.passed.count();
+            let duration = leap.passed.duration;
+            let count = leap.passed.count;
             let turn = duration / count;
             for time in [0.0, 0.1 * turn, turn, 7.0 * turn, 0.3 * duration, duration - turn, duration] {
                 // Turns take nearly, but not quite the same time: scan a little around each instant.
@@ -678,7 +675,7 @@ mod tests {
             let angle = 0.7 + rate * time - 0.5 * spin * time * time;
             assert!((end.theta - angle).abs() < 1e-9 * (1.0 + rate.abs() * time), "{} {angle}", end.theta);
             assert!(!slide.leaps.is_empty() && slide.steps() < 2_000, "{}", slide.steps());
-            let turns: f64 = slide.leaps.iter().map(|leap| leap.passed.advance().abs()).sum::<f64>() / TAU;
+            let turns: f64 = slide.leaps.iter().map(|leap| leap.passed.advance.abs()).sum::<f64>() / TAU;
             assert!(turns > 20.0);
         }
     }

@@ -266,7 +266,7 @@ fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
 
 /// Whole turns that are passed at once.
 #[derive(Clone, Debug)]
-pub(super) struct Turns {
+struct Turns {
     /// +1 or −1, the sign of θ′.
     travel: f64,
     /// The section, in the direction of travel.
@@ -292,9 +292,8 @@ pub(super) fn section_of(law: &SlidingLaw, travel: f64) -> f64 {
 }
 
 impl Turns {
-    /// As many turns as can be proved to be without event, from the section on at the rate θ′; none if they are fewer than
-    /// [`FEWEST`].
-    pub(super) fn new(law: &SlidingLaw, rate: f64, bounds: Bounds) -> Option<Self> {
+    /// [`Passed::turns`].
+    fn new(law: &SlidingLaw, rate: f64, bounds: Bounds) -> Option<Self> {
         let travel = rate.signum();
         let ahead = seen(law, travel);
         let coarse = Turn::new(&ahead, None)?;
@@ -360,16 +359,8 @@ impl Turns {
                 break;
             }
             if !left(self, stretch, end) {
-                let (mut low, mut high) = (stretch.first - 1.0, end);
-                while high - low > 1.0 {
-                    let middle = (0.5 * (low + high)).floor();
-                    if left(self, stretch, middle) {
-                        low = middle;
-                    } else {
-                        high = middle;
-                    }
-                }
-                return (low >= 0.0).then_some(low);
+                let last = last_of(stretch.first - 1.0, end, |n| left(self, stretch, n));
+                return (last >= 0.0).then_some(last);
             }
             index += 1;
         }
@@ -430,17 +421,22 @@ impl Turns {
     fn turn_at(&self, time: f64) -> f64 {
         let index = self.stretches.partition_point(|stretch| stretch.begin <= time).saturating_sub(1);
         let Some(stretch) = self.stretches.get(index) else { return 0.0 };
-        let (mut low, mut high) = (stretch.first, (stretch.first + stretch.turns).min(self.count));
-        while high - low > 1.0 {
-            let middle = (0.5 * (low + high)).floor();
-            if stretch.time(middle) <= time {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        low
+        let end = (stretch.first + stretch.turns).min(self.count);
+        last_of(stretch.first, end, |n| stretch.time(n) <= time)
     }
+}
+
+/// The last of the numbers from `low` to before `high` for which something holds, that holds for the first of them.
+fn last_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    while high - low > 1.0 {
+        let middle = (0.5 * (low + high)).floor();
+        if holds(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
 }
 
 /// Turns whose times can be summed; none if they are too few.
@@ -464,18 +460,42 @@ fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: Bounds) -> Opt
     (most >= FEWEST).then_some(most)
 }
 
-/// What is passed at once.
+/// Turns or periods that are passed at once.
 #[derive(Clone, Debug)]
-pub(super) enum Passed {
-    /// Turns.
+pub(super) struct Passed {
+    pub(super) count: f64,
+    /// Time that they take.
+    pub(super) duration: f64,
+    /// What θ gains.
+    pub(super) advance: f64,
+    /// The place at the end, with an angle that has been reduced by what θ gains.
+    pub(super) end: Place,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
     Turns(Box<Turns>),
-    /// Periods of a libration from a turning point.
-    Periods { theta: f64, period: f64, count: f64 },
+    /// Of a libration from a turning point, each of this length.
+    Periods(f64),
 }
 
 impl Passed {
-    /// As many periods as can be proved to be without event, from a turning point on; none if they are fewer than [`FEWEST`].
-    /// The swing that has led there was without event.
+    /// As many turns as can be proved to be without event, from the section on at the rate θ′; none if they are fewer than
+    /// [`FEWEST`].
+    pub(super) fn turns(law: &SlidingLaw, rate: f64, bounds: Bounds) -> Option<Self> {
+        let turns = Turns::new(law, rate, bounds)?;
+        let count = turns.count;
+        Some(Self {
+            count,
+            duration: turns.time(count),
+            advance: turns.travel * count * TAU,
+            end: turns.place(count),
+            kind: Kind::Turns(Box::new(turns)),
+        })
+    }
+
+    /// As many periods, from a turning point on. The swing that has led there was without event.
     pub(super) fn periods(law: &SlidingLaw, theta: f64, bounds: Bounds) -> Option<Self> {
         let swing = Probe::swing(law, theta)?;
         let period = 2.0 * swing.time;
@@ -487,51 +507,26 @@ impl Passed {
             count -= 1.0;
         }
         let proved = count >= FEWEST && bounds.holds((count + 1.0) * period, lowest);
-        proved.then_some(Self::Periods { theta, period, count })
-    }
-
-    /// Number of turns or periods.
-    pub(super) fn count(&self) -> f64 {
-        match self {
-            Self::Turns(turns) => turns.count,
-            Self::Periods { count, .. } => *count,
-        }
-    }
-
-    /// Time that it takes.
-    pub(super) fn duration(&self) -> f64 {
-        match self {
-            Self::Turns(turns) => turns.time(turns.count),
-            Self::Periods { period, count, .. } => period * count,
-        }
-    }
-
-    /// What θ gains.
-    pub(super) fn advance(&self) -> f64 {
-        match self {
-            Self::Turns(turns) => turns.travel * turns.count * TAU,
-            Self::Periods { .. } => 0.0,
-        }
-    }
-
-    /// The place at the end, with an angle that has been reduced by what θ gains.
-    pub(super) fn end(&self) -> Place {
-        match self {
-            Self::Turns(turns) => turns.place(turns.count),
-            Self::Periods { theta, .. } => Place { theta: *theta, rate: 0.0 },
-        }
+        let end = Place { theta, rate: 0.0 };
+        proved.then_some(Self {
+            count,
+            duration: period * count,
+            advance: 0.0,
+            end,
+            kind: Kind::Periods(period),
+        })
     }
 
     /// The place after a time, and what θ has gained.
     pub(super) fn place(&self, law: &SlidingLaw, time: f64) -> (Place, f64) {
-        let (begin, mut here, gained) = match self {
-            Self::Turns(turns) => {
+        let (begin, mut here, gained) = match &self.kind {
+            Kind::Turns(turns) => {
                 let n = turns.turn_at(time);
                 (turns.time(n), turns.place(n), turns.travel * n * TAU)
             }
-            Self::Periods { theta, period, count } => {
-                let n = (time / period).floor().min(count - 1.0).max(0.0);
-                (n * period, Place { theta: *theta, rate: 0.0 }, 0.0)
+            Kind::Periods(period) => {
+                let n = (time / period).floor().min(self.count - 1.0).max(0.0);
+                (n * period, self.end, 0.0)
             }
         };
         let mut left = time - begin;
