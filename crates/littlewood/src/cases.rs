@@ -12,12 +12,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 
-use crate::model::error::ParameterError;
-use crate::model::hoop::{Hoop, HoopParameters};
-use crate::model::limits::Limits;
-use crate::model::restitution::RestitutionLaw;
-use crate::model::setup::Setup;
-use crate::model::state::Start;
+use crate::model::{Hoop, HoopParameters, Limits, ParameterError, RestitutionLaw, Setup, Start};
 use crate::motion::trajectory::Trajectory;
 
 /// A motion of the paper: a hoop and a start.

@@ -16,8 +16,7 @@
 
 use core::f64::consts::PI;
 
-use crate::model::hoop::{Body, Hoop};
-use crate::model::state::Start;
+use crate::model::{Body, Hoop, Start};
 
 /// A motion that bounces for ever.
 #[derive(Clone, Copy, Debug, PartialEq)]

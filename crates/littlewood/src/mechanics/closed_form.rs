@@ -3,9 +3,7 @@
 //! Angles in radians, times in √(R/g), energies in m2 g R. Where the paper's formula is misprinted the corrected one
 //! stands here, and the documentation says what is printed.
 
-use crate::model::hoop::Massless;
-use crate::model::named::named;
-use crate::model::state::Start;
+use crate::model::{Massless, Start, named};
 
 /// Conserved energy of rolling, e = (1 + cos θ) θ′² + cos θ (3.2).
 #[must_use]

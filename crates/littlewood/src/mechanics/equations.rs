@@ -18,9 +18,7 @@
 
 use crate::math::form::Trigonometric;
 use crate::math::trig::above_bottom;
-use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::mode::Direction;
-use crate::model::state::{Start, State};
+use crate::model::{Body, Direction, Heavy, Hoop, Start, State};
 
 /// Contact forces, over m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,7 @@
 //! What slides without kinetic friction conserve, and where it lets η′ vanish.
 
 use crate::math::trig::{above_bottom, sincos};
-use crate::model::hoop::Heavy;
-use crate::model::state::State;
+use crate::model::{Heavy, State};
 
 /// A first step that is longer leads to another angle.
 const LONGEST_STEP: f64 = 1e-3;

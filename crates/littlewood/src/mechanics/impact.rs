@@ -18,11 +18,7 @@
 
 use thiserror::Error;
 
-use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::mode::Direction;
-use crate::model::named::named;
-use crate::model::restitution::{Restitution, RestitutionLaw};
-use crate::model::state::State;
+use crate::model::{Body, Direction, Heavy, Hoop, Restitution, RestitutionLaw, State, named};
 
 /// The impulse of the plane on the body, over m2 √(gR).
 #[derive(Clone, Copy, Debug, PartialEq)]

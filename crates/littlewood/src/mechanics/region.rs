@@ -1,8 +1,7 @@
 //! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundary curves, separatrix and equilibria.
 
-use crate::mechanics::equations::{ContactForces, RollingLaw};
-use crate::model::hoop::{Body, Hoop};
-use crate::model::mode::Direction;
+use crate::mechanics::{ContactForces, RollingLaw};
+use crate::model::{Body, Direction, Hoop};
 
 /// The phase plane of the rolling motions of one hoop.
 ///

@@ -13,11 +13,8 @@
 
 use thiserror::Error;
 
-use crate::mechanics::equations::contact;
-use crate::mechanics::impact::{Contact, ContactVelocities, Impact, ImpactCase, Impulse};
-use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::restitution::Restitution;
-use crate::model::state::State;
+use crate::mechanics::{Contact, ContactVelocities, Impact, ImpactCase, Impulse, contact};
+use crate::model::{Body, Heavy, Hoop, Restitution, State};
 
 /// Bounces are followed one by one until those that remain take less than this, also in units of 1/|θ′|: its square is
 /// the order of the error.

@@ -1,7 +1,7 @@
 //! Where sliding is well posed: P = Î + m h sin θ q as a trigonometric polynomial, and its zeros.
 
 use crate::math::form::Trigonometric;
-use crate::model::hoop::Heavy;
+use crate::model::Heavy;
 
 /// P and q of slides with σ = +1 at every angle, with this coefficient of friction; those with σ = −1 are the mirror image.
 pub(crate) fn solvability(body: &Heavy, mu: f64) -> (Trigonometric, Trigonometric) {

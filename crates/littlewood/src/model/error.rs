@@ -2,11 +2,10 @@
 
 use thiserror::Error;
 
-use crate::model::quantity::{Bound, Number, Quantity, Reading};
-use crate::model::restitution::RestitutionLaw;
+use crate::model::{Bound, Number, Quantity, Reading, RestitutionLaw};
 
 /// Least moment of inertia about the mass centre: fifth powers of its inverse are in the range of doubles.
-pub(super) const LEAST_INERTIA: f64 = 1e-60;
+pub(crate) const LEAST_INERTIA: f64 = 1e-60;
 
 /// A parameter of a hoop or of a start that has no physical meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]

@@ -1,8 +1,6 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
-use crate::model::error::{LEAST_INERTIA, ParameterError, within};
-use crate::model::quantity::{Bound, Quantity};
-use crate::model::restitution::{Restitution, RestitutionLaw};
+use crate::model::{Bound, LEAST_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, within};
 
 /// The numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
 ///

@@ -1,10 +1,6 @@
 //! Limits of a simulation, and the proofs that end it.
 
-use crate::model::error::{ParameterError, within};
-use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::named::named;
-use crate::model::quantity::{Bound, Quantity};
-use crate::model::state::{Start, State};
+use crate::model::{Body, Bound, Heavy, Hoop, ParameterError, Quantity, Start, State, named, within};
 
 /// The most that a slide counts: whole turns of a longer one are passed at once.
 const LONGEST_SLIDE: f64 = 32.0;

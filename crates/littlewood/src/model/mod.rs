@@ -12,3 +12,15 @@ pub(crate) mod setup;
 pub(crate) mod si;
 pub(crate) mod state;
 pub(crate) mod units;
+
+pub(crate) use self::dimension::{Detail, Dimension, System};
+pub(crate) use self::error::{LEAST_INERTIA, ParameterError, within};
+pub(crate) use self::hoop::{Body, Heavy, Hoop, HoopParameters, Massless};
+pub(crate) use self::limits::{Limits, Proof, length_of_slide, weight_of_slides};
+pub(crate) use self::mode::{Direction, Mode};
+pub(crate) use self::named::named;
+pub(crate) use self::quantity::{Bound, Number, Quantity, Reading, STANDARD_GRAVITY};
+pub(crate) use self::restitution::{Restitution, RestitutionLaw};
+pub(crate) use self::setup::Setup;
+pub(crate) use self::state::{Start, State};
+pub(crate) use self::units::Units;

@@ -1,6 +1,6 @@
 //! The modes of motion and the directions of slip.
 
-use crate::model::named::named;
+use crate::model::named;
 
 named! {
     /// The four modes of motion of the paper.

@@ -6,8 +6,7 @@
 
 use core::fmt;
 
-use crate::model::dimension::{Dimension, Dimension as D, System};
-use crate::model::named::named;
+use crate::model::{Dimension, Dimension as D, System, named};
 
 named! {
     /// A quantity that a user can set.

@@ -1,6 +1,6 @@
 //! A coefficient of restitution with its law.
 
-use crate::model::named::named;
+use crate::model::named;
 
 named! {
     /// What the coefficient of restitution is a ratio of; the energetic law, which never gains energy, is the default.

@@ -1,8 +1,6 @@
 //! A hoop and a start together, by the quantities of the table.
 
-use crate::model::hoop::HoopParameters;
-use crate::model::quantity::Quantity;
-use crate::model::state::Start;
+use crate::model::{HoopParameters, Quantity, Start};
 
 /// A hoop and a start as they are given, not yet checked.
 #[derive(Clone, Copy, Debug, PartialEq)]

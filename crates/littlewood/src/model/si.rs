@@ -1,13 +1,9 @@
 //! Conversion between SI units and the dimensionless quantities of (2.9), both ways.
 
-use crate::model::dimension::Dimension;
-use crate::model::error::{ParameterError, within};
-use crate::model::hoop::{Hoop, HoopParameters};
-use crate::model::quantity::{Bound, Quantity, STANDARD_GRAVITY};
-use crate::model::restitution::RestitutionLaw;
-use crate::model::setup::Setup;
-use crate::model::state::{Start, State};
-use crate::model::units::Units;
+use crate::model::{
+    Bound, Dimension, Hoop, HoopParameters, ParameterError, Quantity, RestitutionLaw, STANDARD_GRAVITY,
+    Setup, Start, State, Units, within,
+};
 
 /// A hoop in SI units.
 ///

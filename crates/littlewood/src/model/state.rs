@@ -1,7 +1,6 @@
 //! Starts and states.
 
-use crate::model::error::ParameterError;
-use crate::model::quantity::Quantity;
+use crate::model::{ParameterError, Quantity};
 
 /// A start with the rim at the plane: dimensionless time, angle, rate, slip velocity, rate of the gap and position.
 ///

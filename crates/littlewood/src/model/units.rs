@@ -1,6 +1,6 @@
 //! Conversion between (2.9) and SI units, from the exponents of the dimensions.
 
-use crate::model::dimension::Dimension;
+use crate::model::Dimension;
 
 /// The units of (2.9): SI value = dimensionless value × unit.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -22,6 +22,12 @@ pub(crate) mod rolling;
 pub(crate) mod sample;
 pub(crate) mod sliding;
 
+pub(crate) use self::flight::TakeOff;
+pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
+pub(crate) use self::rolling::{Hold, Levels};
+pub(crate) use self::sample::{Instant, Sample};
+pub(crate) use self::sliding::{Entry, SlidingEnd};
+
 pub use self::flight::Flight;
 pub use self::gliding::Gliding;
 pub use self::rolling::{

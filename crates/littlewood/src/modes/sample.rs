@@ -1,9 +1,7 @@
 //! All that is known of an instant of a motion.
 
-use crate::mechanics::equations::energy;
-use crate::model::hoop::Hoop;
-use crate::model::mode::{Direction, Mode};
-use crate::model::state::State;
+use crate::mechanics::energy;
+use crate::model::{Direction, Hoop, Mode, State};
 
 /// Everything about one instant of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! The coarser division of outcomes that maps show.
 
-use crate::model::named::named;
+use crate::model::named;
 use crate::motion::summary::Summary;
-use crate::walk::outcome::OutcomeKind;
+use crate::walk::OutcomeKind;
 
 named! {
     /// Class of outcomes that maps show: coarser than the outcome, but with jumps divided by when they begin.

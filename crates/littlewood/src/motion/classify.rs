@@ -1,16 +1,9 @@
 //! Where a start lies in the plane of the paper, and what follows at once.
 
-use crate::mechanics::closed_form::{RollingType, rolling_energy};
-use crate::mechanics::equations::{ContactForces, RollingLaw, contact, energy};
-use crate::model::error::ParameterError;
-use crate::model::hoop::{Body, Hoop};
-use crate::model::limits::Limits;
-use crate::model::mode::{Direction, Mode};
-use crate::model::named::named;
-use crate::model::state::Start;
-use crate::modes::rolling::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
-use crate::walk::candidates::{Arrival, Candidates, Next, next_motion};
-use crate::walk::origin::Origin;
+use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
+use crate::model::{Body, Direction, Hoop, Limits, Mode, ParameterError, Start, named};
+use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
+use crate::walk::{Arrival, Candidates, Next, Origin, next_motion};
 
 named! {
     /// The part of the state space that a start lies in.

@@ -1,13 +1,9 @@
 //! The columns of a sample and of a summary: name, dimension, meaning, and how each is computed.
 
-use crate::model::dimension::Dimension;
-use crate::model::mode::{Direction, Mode};
-use crate::model::named::named;
-use crate::model::state::State;
-use crate::modes::sample::Sample;
+use crate::model::{Dimension, Direction, Mode, State, named};
+use crate::modes::Sample;
 use crate::motion::summary::Summary;
-use crate::walk::outcome::OutcomeKind;
-use crate::walk::sequence::PhaseSequence;
+use crate::walk::{OutcomeKind, PhaseSequence};
 
 named! {
     /// A column of the samples of a motion, in the order of records.

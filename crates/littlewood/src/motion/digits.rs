@@ -6,25 +6,15 @@
 
 use core::cell::Cell;
 
-use crate::mechanics::impact::Impact;
-use crate::mechanics::settling::Settling;
-use crate::model::error::ParameterError;
-use crate::model::hoop::{Heavy, Hoop, Massless};
-use crate::model::limits::Limits;
-use crate::model::mode::{Direction, Mode};
-use crate::model::quantity::Quantity;
-use crate::model::setup::Setup;
-use crate::model::state::{Start, State};
-use crate::modes::PhaseSolution;
-use crate::modes::flight::{Flight, TakeOff};
-use crate::modes::gliding::GlideEntry;
-use crate::walk::automaton::{Cause, Event};
-use crate::walk::candidates::{Arrival, Next};
-use crate::walk::exact::Exact;
-use crate::walk::follow::{Ending, PhaseSeen, Recorder, Solved, SolvedBy, Solver, walk};
-use crate::walk::origin::Origin;
-use crate::walk::outcome::Outcome;
-use crate::walk::proofs::Known;
+use crate::mechanics::{Impact, Settling};
+use crate::model::{
+    Direction, Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, Setup, Start, State,
+};
+use crate::modes::{Flight, GlideEntry, PhaseSolution, TakeOff};
+use crate::walk::{
+    Arrival, Cause, Ending, Event, Exact, Known, Next, Origin, Outcome, PhaseSeen, Recorder, Solved,
+    SolvedBy, Solver, walk,
+};
 
 /// Estimated numbers of significant decimal digits of the state at a transition, from 0 to 15.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,19 +1,10 @@
 //! The simulation: the walk along the automaton with exact solutions, kept as a trajectory.
 
-use crate::mechanics::impact::Impact;
-use crate::model::error::ParameterError;
-use crate::model::hoop::{Body, Hoop};
-use crate::model::limits::Limits;
-use crate::model::mode::Direction;
-use crate::model::state::{Start, State};
+use crate::mechanics::Impact;
+use crate::model::{Body, Direction, Hoop, Limits, ParameterError, Start, State};
 use crate::modes::PhaseSolution;
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::automaton::{Event, Transition};
-use crate::walk::exact::Exact;
-use crate::walk::follow::{PhaseSeen, Recorder, walk};
-use crate::walk::origin::Origin;
-use crate::walk::outcome::Outcome;
-use crate::walk::proofs::Known;
+use crate::walk::{Event, Exact, Known, Origin, Outcome, PhaseSeen, Recorder, Transition, walk};
 
 impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.

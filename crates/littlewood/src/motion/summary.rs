@@ -1,19 +1,13 @@
 //! The summary of a motion: outcome, sequence of phases, the end, first slip, lift-off and jump.
 
 use crate::math::trig::sincos;
-use crate::mechanics::equations::energy_at;
-use crate::mechanics::impact::Impact;
-use crate::model::hoop::Hoop;
-use crate::model::mode::{Direction, Mode};
-use crate::model::state::State;
-use crate::modes::PhaseSolution;
-use crate::modes::flight::Flight;
+use crate::mechanics::{Impact, energy_at};
+use crate::model::{Direction, Hoop, Mode, State};
+use crate::modes::{Flight, PhaseSolution};
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::automaton::{Cause, Event, Transition};
-use crate::walk::follow::{MaybeFlight, PhaseSeen, Recorder, Wants};
-use crate::walk::origin::Origin;
-use crate::walk::outcome::OutcomeKind;
-use crate::walk::sequence::PhaseSequence;
+use crate::walk::{
+    Cause, Event, MaybeFlight, Origin, OutcomeKind, PhaseSeen, PhaseSequence, Recorder, Transition, Wants,
+};
 
 /// The summary of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,13 +1,8 @@
 //! A motion as a whole: its phases, the transitions between them, how it ends, and the state at any time.
 
-use crate::model::hoop::Hoop;
-use crate::model::mode::{Direction, Mode};
-use crate::model::state::State;
-use crate::modes::PhaseSolution;
-use crate::modes::sample::{Instant, Sample};
-use crate::walk::automaton::Transition;
-use crate::walk::origin::Origin;
-use crate::walk::outcome::Outcome;
+use crate::model::{Direction, Hoop, Mode, State};
+use crate::modes::{Instant, PhaseSolution, Sample};
+use crate::walk::{Origin, Outcome, Transition};
 
 /// A phase of motion in one mode.
 #[derive(Clone, Debug)]

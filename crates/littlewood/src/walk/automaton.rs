@@ -3,11 +3,9 @@
 //! [`crate::Hoop::simulate`] takes no other edge; the tests hold every simulated transition against this table, and
 //! the table against the motions, so that no edge is there for show.
 
-use crate::mechanics::impact::Impact;
-use crate::model::mode::{Direction, Mode};
-use crate::model::named::named;
-use crate::model::state::State;
-use crate::modes::rolling::RollingLimit;
+use crate::mechanics::Impact;
+use crate::model::{Direction, Mode, State, named};
+use crate::modes::RollingLimit;
 
 named! {
     /// What ends a phase of motion.

@@ -14,16 +14,11 @@
 //!
 //! One candidate is taken. None or several (Painlevé: P ≤ 0) is an answer of its own.
 
-use crate::mechanics::equations::{
+use crate::mechanics::{
     ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
 };
-use crate::model::dimension::{Detail, Dimension};
-use crate::model::hoop::{Body, Heavy, Hoop, Massless};
-use crate::model::mode::{Direction, Mode};
-use crate::model::state::State;
-use crate::modes::flight::TakeOff;
-use crate::modes::gliding::GlideEntry;
-use crate::modes::rolling::{Hold, RollingLimit, RollingOrbit};
+use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
+use crate::modes::{GlideEntry, Hold, RollingLimit, RollingOrbit, TakeOff};
 
 /// The motions that might follow at a state, and what decides between them.
 #[derive(Clone, Copy, Debug, PartialEq)]

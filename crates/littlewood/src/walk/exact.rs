@@ -2,21 +2,15 @@
 
 use core::cell::Cell;
 
-use crate::mechanics::equations::SlidingLaw;
-use crate::mechanics::settling::Settling;
-use crate::model::hoop::{Heavy, Hoop, Massless};
-use crate::model::limits::{Limits, Proof};
-use crate::model::mode::Direction;
-use crate::model::state::State;
-use crate::modes::PhaseSolution;
-use crate::modes::flight::{Flight, TakeOff};
-use crate::modes::gliding::{GlideEntry, Gliding, GlidingEnd};
-use crate::modes::rolling::Rolling;
-use crate::modes::sliding::{Entry, SlideLimit, Sliding, SlidingEnd};
-use crate::walk::automaton::Cause;
-use crate::walk::candidates::{Arrival, Next, next_motion};
-use crate::walk::follow::{Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver};
-use crate::walk::outcome::Outcome;
+use crate::mechanics::{Settling, SlidingLaw};
+use crate::model::{Direction, Heavy, Hoop, Limits, Massless, Proof, State};
+use crate::modes::{
+    Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideLimit, Sliding, SlidingEnd,
+    TakeOff,
+};
+use crate::walk::{
+    Arrival, Cause, Ending, MaybeFlight, Next, Outcome, Solution, Solved, SolvedBy, Solver, next_motion,
+};
 
 /// Solves the phases of one hoop.
 #[derive(Clone, Debug)]

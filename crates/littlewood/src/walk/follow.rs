@@ -5,23 +5,12 @@
 //! whether a trajectory is kept or a summary. What the engine does can therefore differ from what the simulation does
 //! only where a solver of a phase differs.
 
-use crate::mechanics::impact::{Contact, ContactVelocities, Impact};
-use crate::mechanics::settling::Settling;
-use crate::model::hoop::{Body, Heavy, Hoop, Massless};
-use crate::model::limits::{Limits, length_of_slide, weight_of_slides};
-use crate::model::mode::{Direction, Mode};
-use crate::model::quantity::Quantity;
-use crate::model::state::State;
-use crate::modes::flight::{Flight, TakeOff};
-use crate::modes::gliding::GlideEntry;
-use crate::modes::rolling::RollingLimit;
-use crate::modes::sliding::SlideLimit;
-use crate::walk::automaton::{Cause, Event};
-use crate::walk::candidates::{Arrival, Next};
-use crate::walk::outcome::Outcome;
-use crate::walk::proofs::{Known, Proofs};
-use crate::walk::sequence::PhaseSequence;
-use crate::walk::slip::LastSlip;
+use crate::mechanics::{Contact, ContactVelocities, Impact, Settling};
+use crate::model::{
+    Body, Direction, Heavy, Hoop, Limits, Massless, Mode, Quantity, State, length_of_slide, weight_of_slides,
+};
+use crate::modes::{Flight, GlideEntry, RollingLimit, SlideLimit, TakeOff};
+use crate::walk::{Arrival, Cause, Event, Known, LastSlip, Next, Outcome, PhaseSequence, Proofs};
 
 /// Solves phases of motion, each from the place where it begins to the event that ends it, or to the time limit.
 pub(crate) trait Solver {

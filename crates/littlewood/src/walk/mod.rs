@@ -9,3 +9,15 @@ pub(crate) mod outcome;
 pub(crate) mod proofs;
 pub(crate) mod sequence;
 pub(crate) mod slip;
+
+pub(crate) use self::automaton::{Cause, Event, Transition};
+pub(crate) use self::candidates::{Arrival, Candidates, Next, next_motion};
+pub(crate) use self::exact::Exact;
+pub(crate) use self::follow::{
+    Ending, MaybeFlight, PhaseSeen, Recorder, Solution, Solved, SolvedBy, Solver, Wants, walk,
+};
+pub(crate) use self::origin::Origin;
+pub(crate) use self::outcome::{Outcome, OutcomeKind};
+pub(crate) use self::proofs::{Known, Proofs, is_same};
+pub(crate) use self::sequence::PhaseSequence;
+pub(crate) use self::slip::LastSlip;

@@ -3,11 +3,9 @@
 //! The laws know no instant and no place, and of the angle its sine and cosine alone. So a motion is followed from τ = 0, x = 0 and |θ| ≤ π, and
 //! what its start has beyond that is added to what leaves the core: such a number is the rounded sum of two, and nothing else depends on the origin.
 
-use crate::model::limits::Limits;
-use crate::model::state::State;
-use crate::modes::rolling::Recurrence;
-use crate::modes::sample::{Position, Sample};
-use crate::walk::outcome::Outcome;
+use crate::model::{Limits, State};
+use crate::modes::{Position, Recurrence, Sample};
+use crate::walk::Outcome;
 
 /// 2π in parts, of which the first two have 25 bits: their products with a number of turns up to 2²⁸ are exact.
 const TURN: [f64; 3] = [6.283_185_243_606_567, 6.357_301_884_918_343e-8, 2.449_293_598_294_706_4e-16];

@@ -1,12 +1,8 @@
 //! How a motion ends: as a number for arrays ([`OutcomeKind`]), and with all that is known ([`Outcome`]).
 
-use crate::model::dimension::{Detail, Dimension};
-use crate::model::named::named;
-use crate::model::state::State;
-use crate::modes::rolling::{GrazingOrbit, Recurrence};
-use crate::modes::sliding::SlideLimit;
-use crate::walk::automaton::Cause;
-use crate::walk::candidates::Candidates;
+use crate::model::{Detail, Dimension, State, named};
+use crate::modes::{GrazingOrbit, Recurrence, SlideLimit};
+use crate::walk::{Candidates, Cause};
 
 named! {
     /// How a motion ended, as a number. The last two are those of points in an array that have no motion.

@@ -8,15 +8,10 @@
 
 use core::f64::consts::TAU;
 
-use crate::mechanics::equations::RollingLaw;
-use crate::mechanics::lift_off::ContactProof;
-use crate::model::hoop::{Body, Hoop};
-use crate::model::limits::{Limits, Proof};
-use crate::model::mode::{Direction, Mode};
-use crate::model::state::State;
-use crate::modes::rolling::{Levels, Recurrence};
-use crate::walk::automaton::{Cause, Event};
-use crate::walk::outcome::Outcome;
+use crate::mechanics::{ContactProof, RollingLaw};
+use crate::model::{Body, Direction, Hoop, Limits, Mode, Proof, State};
+use crate::modes::{Levels, Recurrence};
+use crate::walk::{Cause, Event, Outcome};
 
 /// Two reversals are the same if this part of the distance to one of the other direction is between them.
 const SAME_REVERSAL: f64 = 0.25;

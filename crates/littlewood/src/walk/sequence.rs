@@ -2,8 +2,7 @@
 
 use core::fmt;
 
-use crate::model::mode::{Direction, Mode};
-use crate::model::named::named;
+use crate::model::{Direction, Mode, named};
 
 named! {
     /// What a phase is in a sequence: its mode with its direction of slip.

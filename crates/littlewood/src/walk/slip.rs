@@ -11,13 +11,9 @@
 use core::f64::consts::TAU;
 
 use crate::math::trig::sincos;
-use crate::mechanics::equations::SlidingLaw;
-use crate::mechanics::frictionless::{FrictionlessIntegrals, converge};
-use crate::model::hoop::{Heavy, Hoop};
-use crate::model::mode::Direction;
-use crate::model::state::State;
-use crate::walk::candidates::Arrival;
-use crate::walk::proofs::is_same;
+use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
+use crate::model::{Direction, Heavy, Hoop, State};
+use crate::walk::{Arrival, is_same};
 
 /// Where a motion starts and two zeros of η′ are closer than this in their cosines, it hardly vanishes, or hardly does not: the slide as it is followed tells. On the limit
 /// of static friction η″ does not vanish.

@@ -6,11 +6,8 @@ use std::sync::OnceLock;
 
 use crate::math::bernstein::Bernstein;
 use crate::math::trig::sincos;
-use crate::mechanics::equations::energy;
-use crate::mechanics::frictionless::FrictionlessIntegrals;
-use crate::mechanics::solvability::lowest_zero;
-use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::state::State;
+use crate::mechanics::{FrictionlessIntegrals, energy, lowest_zero};
+use crate::model::{Body, Heavy, Hoop, State};
 use turn::{ROUNDING, WholeTurns, at_most};
 
 impl Hoop {
@@ -97,8 +94,7 @@ fn turns_too_slowly(body: &Heavy, energy: f64, needed: f64) -> bool {
 mod tests {
     use super::*;
     use crate::mechanics::solvability::solvability;
-    use crate::model::hoop::HoopParameters;
-    use crate::model::state::Start;
+    use crate::model::{HoopParameters, Start};
 
     #[test]
     fn no_lift_off_is_proved_as_far_up_as_p_is_positive() {

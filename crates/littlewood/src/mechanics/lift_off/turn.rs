@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 use std::sync::LazyLock;
 
-use crate::model::hoop::Heavy;
+use crate::model::Heavy;
 
 /// Relative error that an energy may have.
 pub(super) const ROUNDING: f64 = 1e-12;
@@ -118,7 +118,7 @@ impl Cell {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::hoop::{Body, Hoop, HoopParameters};
+    use crate::model::{Body, Hoop, HoopParameters};
 
     const HOOPS: [[f64; 5]; 6] = [
         [1.0, 1.0, 0.5, 1e-3, 1e-3],

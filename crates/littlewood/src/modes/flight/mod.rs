@@ -26,11 +26,9 @@
 mod gap;
 
 use crate::math::trig::sincos;
-use crate::mechanics::equations::energy;
-use crate::model::hoop::{Heavy, Hoop};
-use crate::model::mode::Mode;
-use crate::model::state::State;
-use crate::modes::sample::{Instant, Sample};
+use crate::mechanics::energy;
+use crate::model::{Heavy, Hoop, Mode, State};
+use crate::modes::{Instant, Sample};
 
 use gap::{Bound, Gap};
 

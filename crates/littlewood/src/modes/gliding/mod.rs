@@ -15,10 +15,8 @@
 mod particle;
 mod rest;
 
-use crate::model::hoop::{Hoop, Massless};
-use crate::model::mode::{Direction, Mode};
-use crate::model::state::State;
-use crate::modes::sample::{Instant, Sample};
+use crate::model::{Direction, Hoop, Massless, Mode, State};
+use crate::modes::{Instant, Sample};
 
 use self::particle::{Particle, Place};
 pub(crate) use self::rest::GlideEntry;

@@ -11,8 +11,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::model::hoop::Massless;
-use crate::model::state::State;
+use crate::model::{Massless, State};
 
 /// The particle from the start of a glide.
 #[derive(Clone, Copy, Debug)]

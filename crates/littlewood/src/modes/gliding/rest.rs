@@ -17,7 +17,7 @@
 
 use crate::math::bernstein::{Bernstein, first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
-use crate::model::mode::Direction;
+use crate::model::Direction;
 
 use super::particle::{Particle, Place};
 

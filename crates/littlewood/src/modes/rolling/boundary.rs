@@ -14,9 +14,8 @@
 
 use crate::math::bernstein::Bernstein;
 use crate::math::form::{Form, HalfAngle};
-use crate::mechanics::equations::RollingLaw;
-use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::mode::Direction;
+use crate::mechanics::RollingLaw;
+use crate::model::{Body, Direction, Heavy, Hoop};
 
 /// What gives way where rolling ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

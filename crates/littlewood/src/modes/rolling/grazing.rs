@@ -26,11 +26,8 @@ use core::f64::consts::PI;
 use std::sync::OnceLock;
 
 use crate::math::form::Trigonometric;
-use crate::mechanics::equations::{RollingLaw, SlidingLaw};
-use crate::model::dimension::{Detail, Dimension};
-use crate::model::hoop::{Body, Heavy, Hoop};
-use crate::model::mode::Direction;
-use crate::model::state::State;
+use crate::mechanics::{RollingLaw, SlidingLaw};
+use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, State};
 
 use super::boundary::margin_forms;
 use super::orbit::RollingOrbit;

@@ -23,11 +23,9 @@ pub use orbit::RollingOrbit;
 pub(crate) use orbit::time_from_bottom;
 pub use recurrence::{Recurrence, RecurrenceKind};
 
-use crate::mechanics::equations::RollingLaw;
-use crate::model::hoop::Hoop;
-use crate::model::mode::Mode;
-use crate::model::state::State;
-use crate::modes::sample::{Instant, Sample};
+use crate::mechanics::RollingLaw;
+use crate::model::{Hoop, Mode, State};
+use crate::modes::{Instant, Sample};
 
 /// A phase of rolling: an orbit entered at a state.
 #[derive(Clone, Copy, Debug)]

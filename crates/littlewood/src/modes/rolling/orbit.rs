@@ -17,9 +17,8 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 use crate::math::bernstein::Bernstein;
 use crate::math::carlson::{rf, rj};
 use crate::math::form::{HalfAngle, on_arc};
-use crate::mechanics::equations::RollingLaw;
-use crate::model::hoop::Hoop;
-use crate::model::mode::Direction;
+use crate::mechanics::RollingLaw;
+use crate::model::{Direction, Hoop};
 
 use super::boundary::{Boundary, RollingLimit};
 use super::boundary::{Hold, RollingEnd, turned};

@@ -1,7 +1,6 @@
 //! How a motion that lasts for ever recurs.
 
-use crate::model::dimension::{Detail, Dimension};
-use crate::model::named::named;
+use crate::model::{Detail, Dimension, named};
 
 /// How a motion that lasts for ever recurs.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,7 +11,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::model::mode::Direction;
+use crate::model::Direction;
 
 use super::boundary::RollingLimit;
 use super::boundary::{Hold, RollingEnd};

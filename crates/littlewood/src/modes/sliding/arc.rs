@@ -3,12 +3,9 @@
 use core::f64::consts::TAU;
 
 use crate::ablation::{Part, is_on};
-use crate::mechanics::equations::{SlidePath, SlidingLaw};
-use crate::model::hoop::Hoop;
-use crate::model::mode::{Direction, Mode};
-use crate::model::state::State;
-use crate::modes::rolling::Recurrence;
-use crate::modes::sample::{Instant, Sample};
+use crate::mechanics::{SlidePath, SlidingLaw};
+use crate::model::{Direction, Hoop, Mode, State};
+use crate::modes::{Instant, Recurrence, Sample};
 
 use super::leap::{Bounds, FEWEST, MOST, Passed, Place, section_of};
 use super::series::{DEGREE, LONGEST, Series, SlideSeries, crossing, root, value};
@@ -536,7 +533,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::model::hoop::{Body, HoopParameters};
+    use crate::model::{Body, HoopParameters};
 
     fn law(mass_ratio: f64, offset: f64, inertia: f64, mu_k: f64, direction: Direction) -> SlidingLaw {
         let hoop = HoopParameters::thin(mass_ratio)

@@ -22,7 +22,7 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::math::bernstein::Bernstein;
-use crate::mechanics::equations::SlidingLaw;
+use crate::mechanics::SlidingLaw;
 
 use super::series::{DEGREE, Series, SlideSeries, crossing, root, value};
 use super::turn::{Turn, section};

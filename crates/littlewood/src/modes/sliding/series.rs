@@ -6,8 +6,8 @@
 
 use crate::math::bernstein::{first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
-use crate::mechanics::equations::{SlidingLaw, contact};
-use crate::model::hoop::Heavy;
+use crate::mechanics::{SlidingLaw, contact};
+use crate::model::Heavy;
 
 /// Degree of the series. The step-size rule of Jorba and Zou asks for 20 at double precision; two more cost
 /// little and allow longer steps.
@@ -167,9 +167,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::model::hoop::{Hoop, HoopParameters};
-    use crate::model::mode::Direction;
-    use crate::model::state::State;
+    use crate::model::{Direction, Hoop, HoopParameters, State};
 
     proptest! {
         #[test]

@@ -10,8 +10,8 @@
 //! - *From below*, θ′ > 0, the slide turns back before P = 0 (λ < −1 where cos θ > 0, and w ≥ 1 where not) and leaves with −θ′, unless the
 //!   slip has ended before.
 
-use crate::mechanics::equations::SlidingLaw;
-use crate::model::hoop::Heavy;
+use crate::mechanics::SlidingLaw;
+use crate::model::Heavy;
 
 /// Errors of a sum of products and of sines, in units of its largest terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

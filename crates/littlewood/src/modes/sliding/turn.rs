@@ -17,8 +17,8 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::mechanics::equations::SlidingLaw;
-use crate::model::hoop::Heavy;
+use crate::mechanics::SlidingLaw;
+use crate::model::Heavy;
 
 use super::panel::{NODES, Rule, largest};
 
@@ -282,8 +282,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::model::hoop::{Body, Hoop, HoopParameters};
-    use crate::model::mode::Direction;
+    use crate::model::{Body, Direction, Hoop, HoopParameters};
 
     proptest! {
         #[test]
