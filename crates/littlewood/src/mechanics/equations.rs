@@ -110,13 +110,10 @@ impl RollingLaw {
     /// The law of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        Self::of_body(hoop.mass(), hoop.offset(), hoop.h(), hoop.body().inertia_about_mass_centre())
-    }
-
-    fn of_body(mass: f64, offset: f64, h: f64, inertia: f64) -> Self {
+        let (mass, h, inertia) = (hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre());
         Self {
             mass,
-            offset,
+            offset: hoop.offset(),
             top: inertia + mass * (1.0 + h) * (1.0 + h),
             bottom: inertia + mass * (1.0 - h) * (1.0 - h),
         }

@@ -252,12 +252,12 @@ impl Contact {
         let (a, b) = (body.inertia + mass * lever * lever, mass * arm * lever);
         let stuck = Slope { slip: 0.0, ..slope(-b / a, arm / a) };
         let reversed = Direction::of_sign(b).filter(|_| b.abs() > hoop.mu_s() * a);
-        let at_rest = reversed.map_or(stuck, |direction| *of_direction(&slipping, direction));
+        let at_rest = reversed.map_or(stuck, |direction| slipping[direction.index()]);
         Self { mass, arm, lever, slipping, at_rest, reverses: reversed.is_some() }
     }
 
     const fn slope(&self, direction: Direction) -> Slope {
-        *of_direction(&self.slipping, direction)
+        self.slipping[direction.index()]
     }
 
     /// The impact with these velocities, the gap not opening.
@@ -300,13 +300,6 @@ impl Contact {
             }
         };
         Course { contact: self, before, slipping, first }
-    }
-}
-
-const fn of_direction(slopes: &[Slope; 2], direction: Direction) -> &Slope {
-    match direction {
-        Direction::Negative => &slopes[0],
-        Direction::Positive => &slopes[1],
     }
 }
 

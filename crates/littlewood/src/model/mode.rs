@@ -65,6 +65,14 @@ impl Direction {
         }
     }
 
+    /// Its place in [`Direction::ALL`].
+    pub(crate) const fn index(self) -> usize {
+        match self {
+            Self::Negative => 0,
+            Self::Positive => 1,
+        }
+    }
+
     /// σ of a direction that may be missing, as records hold it; 0 where there is no slip.
     #[must_use]
     pub const fn code(direction: Option<Self>) -> i8 {

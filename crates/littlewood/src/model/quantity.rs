@@ -14,105 +14,105 @@ named! {
     /// Its row of the table.
     pub row: QuantityRow {
         /// Mass ratio m̂1 = m1/m2 of (2.9).
-        MassRatio = 0, "mass_ratio" => plain(Group::Hoop, D::Mass, Some(Self::DiscMassKg), ["m1/m2", "m₁/m₂"],
+        MassRatio = 0, "mass_ratio" => row((PLAIN, Group::Hoop, D::Mass, Some(Self::DiscMassKg)), ["m1/m2", "m₁/m₂"],
             (PARAMETER, Presence::Required, [0.0, 5.0]), "mass of the disc over mass of the particle",
             "Mass of the disc over that of the particle, m1/m2 >= 0");
         /// Offset ℓ̂ = ℓ/R of (2.9).
-        Offset = 1, "offset" => plain(Group::Hoop, D::Length, Some(Self::OffsetM), ["l/R", "ℓ/R"],
+        Offset = 1, "offset" => row((PLAIN, Group::Hoop, D::Length, Some(Self::OffsetM)), ["l/R", "ℓ/R"],
             (PART, Presence::Required, [0.0, 1.0]), "distance of the particle from the centre over the radius",
             "Distance of the particle from the centre, l/R, 0 to 1");
         /// Moment of inertia Î_zz = I_zz/(m2 R²) of (2.9).
-        Inertia = 2, "inertia" => plain(Group::Hoop, D::Inertia, Some(Self::InertiaKgM2), ["Izz/(m2 R^2)", "Izz/(m₂R²)"],
+        Inertia = 2, "inertia" => row((PLAIN, Group::Hoop, D::Inertia, Some(Self::InertiaKgM2)), ["Izz/(m2 R^2)", "Izz/(m₂R²)"],
             (PARAMETER, Presence::Required, [0.0, 5.0]), "moment of inertia of the disc about its centre over m2 R^2",
             "Moment of inertia of the disc about its centre, Izz/(m2 R^2) >= 0; 0 together with --mass-ratio 0 \
              is Littlewood's massless hoop");
         /// Coefficient of static friction μs of (2.13).
-        MuS = 3, "mu_s" => plain(Group::Hoop, D::Ratio, None, ["mu_s", "μₛ"],
+        MuS = 3, "mu_s" => row((PLAIN, Group::Hoop, D::Ratio, None), ["mu_s", "μₛ"],
             (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of static friction",
             "Coefficient of static friction (2.13), with SI parameters too");
         /// Coefficient of kinetic friction μk of (2.15).
-        MuK = 4, "mu_k" => plain(Group::Hoop, D::Ratio, None, ["mu_k", "μₖ"],
+        MuK = 4, "mu_k" => row((PLAIN, Group::Hoop, D::Ratio, None), ["mu_k", "μₖ"],
             (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of kinetic friction",
             "Coefficient of kinetic friction (2.15), from 0 to that of static friction, with SI parameters too");
         /// Angle θ of the particle from the upward vertical.
-        Theta = 5, "theta" => plain(Group::Start, D::Angle, None, ["theta", "θ"],
+        Theta = 5, "theta" => row((PLAIN, Group::Start, D::Angle, None), ["theta", "θ"],
             (COORDINATE, Presence::Required, [-3.1, 6.2]), "angle of the particle from the upward vertical",
             "Angle theta of the particle from the upward vertical, counterclockwise, with SI parameters too");
         /// Rate θ′ = dθ/dτ.
-        ThetaRate = 6, "theta_rate" => plain(Group::Start, D::AngularRate, Some(Self::ThetaRateRadPerS), ["theta'", "θ′"],
+        ThetaRate = 6, "theta_rate" => row((PLAIN, Group::Start, D::AngularRate, Some(Self::ThetaRateRadPerS)), ["theta'", "θ′"],
             (RATE, Presence::Required, [-4.0, 4.0]), "rate of the angle",
             "Rate theta' in sqrt(g/R) rad");
         /// Slip velocity η′ of (2.7).
-        Slip = 7, "slip" => plain(Group::Start, D::Velocity, Some(Self::SlipMPerS), ["eta'", "η′"],
+        Slip = 7, "slip" => row((PLAIN, Group::Start, D::Velocity, Some(Self::SlipMPerS)), ["eta'", "η′"],
             (RATE, Presence::Default(0.0), [-2.0, 2.0]), "slip velocity of the contact point",
             "Slip velocity eta' of the contact point (2.7) in sqrt(g R)");
         /// Horizontal position x of the geometric centre.
-        X = 8, "x" => plain(Group::Place, D::Length, Some(Self::XM), ["x", "x"],
+        X = 8, "x" => row((PLAIN, Group::Place, D::Length, Some(Self::XM)), ["x", "x"],
             (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
             "Horizontal position of the centre in R");
         /// Time τ.
-        Time = 9, "time" => plain(Group::Place, D::Time, Some(Self::TimeS), ["tau", "τ"],
+        Time = 9, "time" => row((PLAIN, Group::Place, D::Time, Some(Self::TimeS)), ["tau", "τ"],
             (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "time",
             "Time of the start, tau, in sqrt(R/g)");
         /// Time limit of a simulation.
-        Until = 10, "until" => plain(Group::Run, D::Time, Some(Self::UntilS), ["tau", "τ"],
+        Until = 10, "until" => row((PLAIN, Group::Run, D::Time, Some(Self::UntilS)), ["tau", "τ"],
             (FINITE, Presence::Optional, [0.0, 50.0]), "time limit",
             "Stop at this time tau, in sqrt(R/g) [default: run to a final outcome]");
         /// Mass m1 of the disc or hoop in kilograms.
-        DiscMassKg = 11, "disc_mass_kg" => si(Group::Hoop, D::Mass, Some(Self::MassRatio), ["m1", "m₁"],
+        DiscMassKg = 11, "disc_mass_kg" => row((SI, Group::Hoop, D::Mass, Some(Self::MassRatio)), ["m1", "m₁"],
             (NON_NEGATIVE, Presence::Required, [0.0, 2.0]), "mass of the disc or hoop",
             "Mass m1 of the disc or hoop, kg");
         /// Mass m2 of the particle in kilograms.
-        ParticleMassKg = 12, "particle_mass_kg" => si(Group::Units, D::Mass, None, ["m2", "m₂"],
+        ParticleMassKg = 12, "particle_mass_kg" => row((SI, Group::Units, D::Mass, None), ["m2", "m₂"],
             (POSITIVE, Presence::Required, [0.01, 2.0]), "mass of the particle",
             "Mass m2 of the particle, kg");
         /// Outer radius R in metres.
-        RadiusM = 13, "radius_m" => si(Group::Units, D::Length, None, ["R", "R"],
+        RadiusM = 13, "radius_m" => row((SI, Group::Units, D::Length, None), ["R", "R"],
             (POSITIVE, Presence::Required, [0.05, 1.0]), "outer radius",
             "Outer radius R, m");
         /// Distance ℓ of the particle from the geometric centre in metres.
-        OffsetM = 14, "offset_m" => si(Group::Hoop, D::Length, Some(Self::Offset), ["l", "ℓ"],
+        OffsetM = 14, "offset_m" => row((SI, Group::Hoop, D::Length, Some(Self::Offset)), ["l", "ℓ"],
             (NON_NEGATIVE, Presence::Required, [0.0, 1.0]), "distance of the particle from the centre",
             "Distance l of the particle from the centre, m, 0 to R");
         /// Moment of inertia I_zz in kilogram square metres.
-        InertiaKgM2 = 15, "inertia_kg_m2" => si(Group::Hoop, D::Inertia, Some(Self::Inertia), ["Izz", "Izz"],
+        InertiaKgM2 = 15, "inertia_kg_m2" => row((SI, Group::Hoop, D::Inertia, Some(Self::Inertia)), ["Izz", "Izz"],
             (NON_NEGATIVE, Presence::Required, [0.0, 0.5]), "moment of inertia of the disc about its centre",
             "Moment of inertia Izz of the disc about its centre, kg m^2");
         /// Gravitational acceleration g in metres per second squared.
-        GravityMPerS2 = 16, "gravity_m_per_s2" => si(Group::Units, D::Acceleration, None, ["g", "g"],
+        GravityMPerS2 = 16, "gravity_m_per_s2" => row((SI, Group::Units, D::Acceleration, None), ["g", "g"],
             (POSITIVE, Presence::Default(STANDARD_GRAVITY), [0.5, 25.0]), "gravitational acceleration",
             "Gravitational acceleration g, m/s^2");
         /// Rate dθ/dt in radians per second.
-        ThetaRateRadPerS = 17, "theta_rate_rad_per_s" => si(Group::Start, D::AngularRate, Some(Self::ThetaRate), ["d theta/dt", "dθ/dt"],
-            (FINITE, Presence::Required, [-20.0, 20.0]), "rate of the angle",
+        ThetaRateRadPerS = 17, "theta_rate_rad_per_s" => row((SI, Group::Start, D::AngularRate, Some(Self::ThetaRate)),
+            ["d theta/dt", "dθ/dt"], (FINITE, Presence::Required, [-20.0, 20.0]), "rate of the angle",
             "Rate d theta/dt, rad/s");
         /// Slip velocity dη/dt in metres per second.
-        SlipMPerS = 18, "slip_m_per_s" => si(Group::Start, D::Velocity, Some(Self::Slip), ["d eta/dt", "dη/dt"],
+        SlipMPerS = 18, "slip_m_per_s" => row((SI, Group::Start, D::Velocity, Some(Self::Slip)), ["d eta/dt", "dη/dt"],
             (FINITE, Presence::Default(0.0), [-5.0, 5.0]), "slip velocity of the contact point",
             "Slip velocity of the contact point, m/s");
         /// Horizontal position in metres.
-        XM = 19, "x_m" => si(Group::Place, D::Length, Some(Self::X), ["x", "x"],
+        XM = 19, "x_m" => row((SI, Group::Place, D::Length, Some(Self::X)), ["x", "x"],
             (FINITE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
             "Horizontal position of the centre, m");
         /// Time in seconds.
-        TimeS = 20, "time_s" => si(Group::Place, D::Time, Some(Self::Time), ["t", "t"],
+        TimeS = 20, "time_s" => row((SI, Group::Place, D::Time, Some(Self::Time)), ["t", "t"],
             (FINITE, Presence::Default(0.0), [-10.0, 10.0]), "time",
             "Time of the start, s");
         /// Time limit in seconds.
-        UntilS = 21, "until_s" => si(Group::Run, D::Time, Some(Self::Until), ["t", "t"],
+        UntilS = 21, "until_s" => row((SI, Group::Run, D::Time, Some(Self::Until)), ["t", "t"],
             (FINITE, Presence::Optional, [0.0, 10.0]), "time limit",
             "Stop at this time in SI units, s");
         /// Coefficient of restitution e of an impact.
-        Restitution = 22, "restitution" => plain(Group::Hoop, D::Ratio, None, ["e", "e"],
+        Restitution = 22, "restitution" => row((PLAIN, Group::Hoop, D::Ratio, None), ["e", "e"],
             (PART, Presence::Optional, [0.0, 1.0]), "coefficient of restitution",
             "Coefficient of restitution of the impact of the rim on the plane, 0 to 1, with SI parameters too; \
              without it the motion ends where the rim lands");
         /// Rate at which the gap under the rim opens.
-        GapRate = 23, "gap_rate" => plain(Group::Start, D::Velocity, Some(Self::GapRateMPerS), ["gap'", "gap′"],
+        GapRate = 23, "gap_rate" => row((PLAIN, Group::Start, D::Velocity, Some(Self::GapRateMPerS)), ["gap'", "gap′"],
             (OPENING, Presence::Default(0.0), [0.0, 3.0]), "rate at which the gap under the rim opens",
             "Rate at which the rim leaves the plane, in sqrt(g R)");
         /// Rate at which the gap opens in metres per second.
-        GapRateMPerS = 24, "gap_rate_m_per_s" => si(Group::Start, D::Velocity, Some(Self::GapRate), ["d gap/dt", "d gap/dt"],
+        GapRateMPerS = 24, "gap_rate_m_per_s" => row((SI, Group::Start, D::Velocity, Some(Self::GapRate)), ["d gap/dt", "d gap/dt"],
             (NON_NEGATIVE, Presence::Default(0.0), [0.0, 5.0]), "rate at which the gap under the rim opens",
             "Rate at which the rim leaves the plane, m/s");
     }
@@ -284,32 +284,18 @@ const POSITIVE: &[Bound] = &[Bound::Positive];
 const NON_NEGATIVE: &[Bound] = &[Bound::NonNegative];
 const FINITE: &[Bound] = &[];
 
-/// A row of a quantity without dimension, or of one that is the same in both systems: its place in the table, symbols, bounds with presence
-/// and usual range, and what it is for files and for help.
-const fn plain(
-    group: Group,
-    dimension: Dimension,
-    twin: Option<Quantity>,
+const PLAIN: System = System::Dimensionless;
+const SI: System = System::Si;
+
+/// A row: place in the table, symbols, bounds with presence and usual range, and what the quantity is for files and for help.
+const fn row(
+    (system, group, dimension, twin): (System, Group, Dimension, Option<Quantity>),
     [symbol, sign]: [&'static str; 2],
     (bounds, presence, usual): (&'static [Bound], Presence, [f64; 2]),
     long_name: &'static str,
     help: &'static str,
 ) -> QuantityRow {
-    let system = System::Dimensionless;
     QuantityRow { group, dimension, system, twin, symbol, sign, long_name, help, bounds, presence, usual }
-}
-
-/// The same of a quantity in SI units.
-const fn si(
-    group: Group,
-    dimension: Dimension,
-    twin: Option<Quantity>,
-    symbols: [&'static str; 2],
-    range: (&'static [Bound], Presence, [f64; 2]),
-    long_name: &'static str,
-    help: &'static str,
-) -> QuantityRow {
-    QuantityRow { system: System::Si, ..plain(group, dimension, twin, symbols, range, long_name, help) }
 }
 
 impl Quantity {

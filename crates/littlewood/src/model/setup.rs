@@ -84,11 +84,7 @@ impl Setup {
     #[must_use]
     pub fn values<const N: usize>(&self, quantities: [Quantity; N]) -> [f64; N] {
         let mut copy = *self;
-        let mut values = [f64::NAN; N];
-        for (value, quantity) in values.iter_mut().zip(quantities) {
-            *value = copy.value(quantity).unwrap_or(f64::NAN);
-        }
-        values
+        quantities.map(|quantity| copy.value(quantity).unwrap_or(f64::NAN))
     }
 }
 

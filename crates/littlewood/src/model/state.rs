@@ -107,7 +107,6 @@ pub struct State {
 /// A start that has not been checked, as a state, which has no rate of the gap.
 impl From<Start> for State {
     fn from(start: Start) -> Self {
-        let Start { time, theta, theta_rate, slip, x, .. } = start;
-        Self { time, theta, theta_rate, slip, x }
+        start.state()
     }
 }

@@ -83,7 +83,7 @@ impl Hoop {
         Ok(Vec::from_iter(spreads.of.iter().zip(&motion).map(|(spread, event)| {
             decided &= spread.is_some();
             let spread = spread.filter(|_| decided)?;
-            let [time, theta, theta_rate, slip, x] = numbers(&event.state);
+            let [time, theta, theta_rate, slip, x] = event.state.numbers();
             let digits = |value, place: usize| digits(value, spread[place]);
             Some(Digits {
                 time: digits(time, 0),
@@ -181,7 +181,7 @@ impl Spreads<'_> {
             for other in others.clone() {
                 match other.get(index).filter(|other| other.kind == seen.kind) {
                     Some(other) => {
-                        let pairs = numbers(&other.state).into_iter().zip(numbers(&seen.state));
+                        let pairs = other.state.numbers().into_iter().zip(seen.state.numbers());
                         for (most, (a, b)) in largest.iter_mut().zip(pairs) {
                             *most = most.max(if a == b { 0.0 } else { (a - b).abs() });
                         }
@@ -377,10 +377,6 @@ impl Solver for Shaken<'_> {
         // A glide begins with forces that go with its state, which is not moved without them.
         self.shaken(state, self.exact.glide(state, body, entry))
     }
-}
-
-const fn numbers(state: &State) -> [f64; 5] {
-    [state.time, state.theta, state.theta_rate, state.slip, state.x]
 }
 
 /// Significant digits of a value that is uncertain by `spread`.

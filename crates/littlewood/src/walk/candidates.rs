@@ -47,10 +47,7 @@ impl Candidates {
     /// Number of motions that are consistent.
     #[must_use]
     pub fn count(&self) -> usize {
-        [self.rolling, self.sliding_negative, self.sliding_positive, self.flight, self.gliding]
-            .into_iter()
-            .filter(|consistent| *consistent)
-            .count()
+        self.consistent().count()
     }
 
     /// The numbers that decide, with the names that records use.
@@ -205,7 +202,7 @@ fn exact_evidence(
         contact,
         leaves: leaves_plane(contact, libm::sin(theta), theta_rate),
         slip,
-        solvability: move |direction| solvability[place(direction)],
+        solvability: move |direction: Direction| solvability[direction.index()],
         is_solvable: solvability.iter().all(|p| *p > 0.0),
         on_limit: arrival == Arrival::BackOnLimit(None),
     }
@@ -276,7 +273,7 @@ fn weigh_all(
     // N = Î m w/P > 0; with w = 0 the normal force grows from zero if the body does not leave the plane.
     let w = if contact == 0.0 && !leaves { 1.0 } else { contact };
     let pressed = |direction: Direction| {
-        let p = solvability[place(direction)];
+        let p = solvability[direction.index()];
         (w > 0.0 && p > 0.0) || (w < 0.0 && p < 0.0)
     };
 
@@ -285,7 +282,7 @@ fn weigh_all(
     let mut rolling = false;
     match slip {
         SlipEvidence::Moving(direction) => {
-            sliding[place(direction)] = pressed(direction).then_some(None);
+            sliding[direction.index()] = pressed(direction).then_some(None);
         }
         SlipEvidence::AtRest { hold, rolling_forces: forces, denominator } => {
             rolling = hold == Hold::Holds;
@@ -308,14 +305,14 @@ fn weigh_all(
                         if rounds { direction.sign() * forces.friction } else { forces.friction.abs() };
                     -along - hoop.mu_k() * forces.normal
                 };
-                let p = solvability[place(direction)];
+                let p = solvability[direction.index()];
                 if !pressed(direction) {
                     continue;
                 }
                 let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
                 // On the static limit with μs = μk it is 0, and η‴ has the sign of `against`.
                 if acceleration > 0.0 || (drive == 0.0 && direction == against) {
-                    sliding[place(direction)] = Some(Some(direction.sign() * acceleration));
+                    sliding[direction.index()] = Some(Some(direction.sign() * acceleration));
                 }
             }
         }
@@ -344,14 +341,6 @@ fn weigh_all(
             let candidates = Box::new(candidates);
             if candidates.count() == 0 { Next::None(candidates) } else { Next::Several(candidates) }
         }
-    }
-}
-
-/// Place of a direction in a pair.
-const fn place(direction: Direction) -> usize {
-    match direction {
-        Direction::Negative => 0,
-        Direction::Positive => 1,
     }
 }
 

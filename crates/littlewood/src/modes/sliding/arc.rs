@@ -282,15 +282,16 @@ impl Sliding {
         let earlier =
             self.steps.iter().rev().take_while(|step| step.turned.to_bits() == here.turned.to_bits());
         let earlier = earlier.clone().find(is_earlier).or(earlier.last());
-        let fate = approach
-            .fate(earlier.map_or((here.theta, here.theta_rate), |step| (step.theta[0], step.theta_rate[0])));
-        let (theta_rate, comes_to_rest) = match fate {
-            Fate::Jams { theta_rate } | Fate::LiftsOff { theta_rate } => (theta_rate, false),
-            Fate::Sticks { theta_rate } => (theta_rate, true),
-            Fate::Unresolved => return SlidingEnd::Unresolved(self.state_from(here)),
+        let earlier =
+            earlier.map_or((here.theta, here.theta_rate), |step| (step.theta[0], step.theta_rate[0]));
+        let Some((fate, theta_rate)) = approach.fate(earlier) else {
+            return SlidingEnd::Unresolved(self.state_from(here));
         };
         let (sin, cos) = libm::sincos(here.theta);
-        let slip = if comes_to_rest { 0.0 } else { approach.rest + theta_rate * self.law.lever(sin, cos) };
+        let slip = match fate {
+            Fate::Sticks => 0.0,
+            Fate::Jams | Fate::LiftsOff => approach.rest + theta_rate * self.law.lever(sin, cos),
+        };
         let end = Here { theta_rate, slip, ..here };
         let constant = |value: f64| core::array::from_fn(|n| if n == 0 { value } else { 0.0 });
         self.steps.push(Step {
@@ -302,10 +303,9 @@ impl Sliding {
         });
         let state = self.state_from(end);
         match fate {
-            Fate::Jams { .. } => SlidingEnd::Singular(state),
-            Fate::LiftsOff { .. } => SlidingEnd::LiftOff(state),
-            Fate::Sticks { .. } => SlidingEnd::Rest(state),
-            Fate::Unresolved => SlidingEnd::Unresolved(state),
+            Fate::Jams => SlidingEnd::Singular(state),
+            Fate::LiftsOff => SlidingEnd::LiftOff(state),
+            Fate::Sticks => SlidingEnd::Rest(state),
         }
     }
 
@@ -533,17 +533,14 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::model::{Body, HoopParameters};
+    use crate::model::HoopParameters;
 
     fn law(mass_ratio: f64, offset: f64, inertia: f64, mu_k: f64, direction: Direction) -> SlidingLaw {
         let hoop = HoopParameters::thin(mass_ratio)
             .with_offset(offset)
             .with_inertia(inertia)
             .with_friction(mu_k, mu_k);
-        match Hoop::new(hoop).unwrap().body() {
-            Body::Heavy(body) => SlidingLaw::of_body(body, mu_k, direction),
-            Body::Massless(_) => panic!("a massless hoop"),
-        }
+        SlidingLaw::new(&Hoop::new(hoop).unwrap(), direction).unwrap()
     }
 
     /// The slide with leaps, and without.

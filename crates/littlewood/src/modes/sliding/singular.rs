@@ -19,17 +19,15 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Newton steps to the zero of P, from where P is a few last digits.
 const NEWTON_STEPS: usize = 8;
 
-/// What a slide does next to P = 0, with θ′ there.
+/// What a slide does next to P = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Fate {
     /// Arrives with slip left, with N beyond all bounds.
-    Jams { theta_rate: f64 },
+    Jams,
     /// The normal force has vanished before.
-    LiftsOff { theta_rate: f64 },
+    LiftsOff,
     /// The slip has ended before.
-    Sticks { theta_rate: f64 },
-    /// The rounding of the numbers decides, or P = 0 is not the cause.
-    Unresolved,
+    Sticks,
 }
 
 /// A slide next to P = 0.
@@ -86,16 +84,15 @@ impl Zero {
 }
 
 impl Approach<'_> {
-    /// What follows, from an earlier angle and rate of the slide, at which the first terms in the distance from P = 0 hold.
-    pub(super) fn fate(&self, earlier: (f64, f64)) -> Fate {
+    /// What follows, with θ′ there, from an earlier angle and rate of the slide, at which the first terms in the distance from P = 0
+    /// hold. None where the rounding of the numbers decides, or P = 0 is not the cause.
+    pub(super) fn fate(&self, earlier: (f64, f64)) -> Option<(Fate, f64)> {
         let Self { law, theta, theta_rate, rest, error } = *self;
         let (h, sigma) = (law.body.h, law.friction.signum());
-        let Some(zero) = Zero::near(law, theta).filter(|zero| zero.slope * theta_rate < 0.0) else {
-            return Fate::Unresolved;
-        };
+        let zero = Zero::near(law, theta).filter(|zero| zero.slope * theta_rate < 0.0)?;
         let Zero { sin, cos, .. } = zero;
         let lever = law.lever(sin, cos);
-        let sticks = Fate::Sticks { theta_rate: -rest / lever };
+        let sticks = Some((Fate::Sticks, -rest / lever));
         let is_from_above = sigma * theta_rate < 0.0;
         if is_from_above && cos <= 0.0 {
             return sticks;
@@ -108,14 +105,14 @@ impl Approach<'_> {
         if slip < -doubt {
             sticks
         } else if slip > doubt && is_from_above {
-            self.without_force(&zero, last, earlier)
+            Some((self.without_force(&zero, earlier)?, last))
         } else {
-            Fate::Unresolved
+            None
         }
     }
 
     /// Jam or lift-off, by λ and C.
-    fn without_force(&self, zero: &Zero, theta_rate: f64, earlier: (f64, f64)) -> Fate {
+    fn without_force(&self, zero: &Zero, earlier: (f64, f64)) -> Option<Fate> {
         let law = self.law;
         let Zero { sin, cos, slope, bend, .. } = *zero;
         let exponent = 2.0 * law.body.inertia * cos / (sin * slope);
@@ -128,11 +125,9 @@ impl Approach<'_> {
         let next = distance * ((bend / slope).abs() + tangent + 1.0 / tangent);
         let doubt = ROUNDING * (1.0 + (1.0 - force).abs()) + smooth * (zero.error + distance * next);
         if exponent >= 1.0 || force - smooth * distance < -doubt {
-            Fate::LiftsOff { theta_rate }
-        } else if force - smooth * distance > doubt {
-            Fate::Jams { theta_rate }
+            Some(Fate::LiftsOff)
         } else {
-            Fate::Unresolved
+            (force - smooth * distance > doubt).then_some(Fate::Jams)
         }
     }
 }
