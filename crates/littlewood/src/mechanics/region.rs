@@ -51,12 +51,6 @@ pub struct Equilibrium {
     pub stability: Stability,
 }
 
-/// N and F as linear functions of u = θ′² at one angle.
-struct Line {
-    normal: [f64; 2],
-    friction: [f64; 2],
-}
-
 impl PhasePlane {
     /// The plane of a hoop.
     #[must_use]
@@ -89,19 +83,17 @@ impl PhasePlane {
         forces.normal > 0.0 && forces.friction.abs() <= self.mu_s * forces.normal
     }
 
-    fn line(&self, theta: f64) -> Line {
-        let (sin, cos) = libm::sincos(theta);
-        let d = self.law.denominator(theta);
-        let [constant, slope] =
-            [[1.0, 0.0], [0.0, 1.0]].map(|one_u| self.law.forces_at((sin, cos), one_u, d));
-        Line { normal: [constant.normal, slope.normal], friction: [constant.friction, slope.friction] }
+    /// N and F as linear functions of u = θ′² at an angle: what is constant, and what u is multiplied by.
+    fn line(&self, theta: f64) -> [ContactForces; 2] {
+        let (direction, d) = (libm::sincos(theta), self.law.denominator(theta));
+        [[1.0, 0.0], [0.0, 1.0]].map(|one_u| self.law.forces_at(direction, one_u, d))
     }
 
     /// |θ′| on the curve n, where N = 0 in rolling; none where N does not vanish at any rate.
     #[must_use]
     pub fn normal_force_rate(&self, theta: f64) -> Option<f64> {
-        let Line { normal: [constant, slope], .. } = self.line(theta);
-        rate_of(-constant / slope)
+        let [constant, slope] = self.line(theta);
+        rate_of(-constant.normal / slope.normal)
     }
 
     /// |θ′| on the curve f, where |F| = μs N with N ≥ 0 in rolling and the slip that follows has this direction; none
@@ -111,11 +103,11 @@ impl PhasePlane {
         if matches!(self.body, Body::Massless(_)) {
             return None;
         }
-        let Line { normal, friction } = self.line(theta);
+        let [constant, slope] = self.line(theta);
         let cone = direction.sign() * self.mu_s;
-        let u = -(friction[0] + cone * normal[0]) / (friction[1] + cone * normal[1]);
+        let u = -(constant.friction + cone * constant.normal) / (slope.friction + cone * slope.normal);
         let rate = rate_of(u)?;
-        (normal[0] + normal[1] * u >= 0.0).then_some(rate)
+        (constant.normal + slope.normal * u >= 0.0).then_some(rate)
     }
 
     /// |θ′| above which the body cannot stay in contact, 1 = h cos θ θ′²: sliding lifts off here, whatever μk. Below

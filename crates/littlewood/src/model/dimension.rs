@@ -40,22 +40,11 @@ pub enum Dimension {
     Inertia,
 }
 
-/// What stands in a row of the table of dimensions.
-struct Row {
-    /// Twice the exponents of m2, R and g.
-    halves: [i8; 3],
-    /// The unit of (2.9) in plain letters, and as it is printed.
-    scale: &'static str,
-    sign: &'static str,
-    /// The SI unit in plain letters, as it is printed, and at the end of a name.
-    si: &'static str,
-    si_sign: &'static str,
-    suffix: &'static str,
-}
-
 impl Dimension {
-    const fn row(self) -> Row {
-        let (halves, [scale, sign], [si, si_sign, suffix]) = match self {
+    /// Twice the exponents of m2, R and g; the unit of (2.9) in plain letters, and as it is printed; the SI unit in plain letters, as
+    /// it is printed, and at the end of a name.
+    const fn row(self) -> ([i8; 3], [&'static str; 2], [&'static str; 3]) {
+        match self {
             Self::Ratio => ([0, 0, 0], ["1", ""], ["1", "", ""]),
             Self::Angle => ([0, 0, 0], ["1", ""], ["rad", "rad", "_rad"]),
             Self::Mass => ([2, 0, 0], ["m2", "m₂"], ["kg", "kg", "_kg"]),
@@ -69,38 +58,37 @@ impl Dimension {
             Self::Energy => ([2, 2, 2], ["m2 g R", "m₂gR"], ["J", "J", "_j"]),
             Self::Impulse => ([2, 1, 1], ["m2 sqrt(g R)", "m₂√(gR)"], ["N s", "N s", "_n_s"]),
             Self::Inertia => ([2, 4, 0], ["m2 R^2", "m₂R²"], ["kg m^2", "kg m²", "_kg_m2"]),
-        };
-        Row { halves, scale, sign, si, si_sign, suffix }
+        }
     }
 
     /// The unit of (2.9) in m2, R and g, in plain letters; `1` for a ratio and an angle.
     #[must_use]
     pub const fn scale(self) -> &'static str {
-        self.row().scale
+        self.row().1[0]
     }
 
     /// The same as it is printed; empty for a ratio and an angle.
     #[must_use]
     pub const fn scale_sign(self) -> &'static str {
-        self.row().sign
+        self.row().1[1]
     }
 
     /// The SI unit in plain letters; `1` for a ratio.
     #[must_use]
     pub const fn si_unit(self) -> &'static str {
-        self.row().si
+        self.row().2[0]
     }
 
     /// The same as it is printed; empty for a ratio.
     #[must_use]
     pub const fn si_sign(self) -> &'static str {
-        self.row().si_sign
+        self.row().2[1]
     }
 
     /// What follows the name of a quantity that is given in SI units; empty for a ratio.
     #[must_use]
     pub const fn si_suffix(self) -> &'static str {
-        self.row().suffix
+        self.row().2[2]
     }
 
     /// Unit of a value in the system of (2.9) that UDUNITS can read: `rad` for an angle, else `1`, with
@@ -113,7 +101,7 @@ impl Dimension {
     /// Exponents of m2, R and g, twice each.
     #[must_use]
     pub const fn halves(self) -> [i8; 3] {
-        self.row().halves
+        self.row().0
     }
 }
 
