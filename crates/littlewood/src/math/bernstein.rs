@@ -224,20 +224,6 @@ mod tests {
     }
 
     #[test]
-    fn the_slope_is_that_of_the_value() {
-        // (x − 1/4)(x − 1/2)(x − 1), and its derivative.
-        let polynomial = planted(&[0.25, 0.5, 1.0], 1.0);
-        for k in 0..=10 {
-            let x = 0.1 * f64::from(k);
-            let (value, slope) = polynomial.value_and_slope(x);
-            let (a, b, c) = (x - 0.25, x - 0.5, x - 1.0);
-            assert!((value - a * b * c).abs() < 1e-15, "{x}: {value}");
-            assert!((slope - (a * b + a * c + b * c)).abs() < 1e-14, "{x}: {slope}");
-        }
-        assert_eq!(Bernstein::from_taylor(&[3.0], 1.0).value_and_slope(0.3), (3.0, 0.0));
-    }
-
-    #[test]
     fn a_double_root_is_a_touch_and_no_crossing() {
         assert_eq!(planted(&[0.5, 0.5], 1.0).first_crossing(), None);
         let found = first_root(&planted(&[0.5, 0.5, 0.75], -1.0)).expect("the simple root behind the touch");

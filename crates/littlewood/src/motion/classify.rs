@@ -91,43 +91,34 @@ impl Hoop {
             (found.region, found.mode) = (StartRegion::LossOfContact, Some(Mode::Flight));
             return Ok(found);
         }
-        match next_motion(self, &state, Arrival::Open) {
+        (found.region, found.mode, found.direction) = match next_motion(self, &state, Arrival::Open) {
             Next::Roll { .. } => {
                 let orbit = RollingOrbit::new(self, theta, theta_rate);
-                found.region = StartRegion::Rolling;
-                found.mode = Some(Mode::Rolling);
                 let end = orbit.end();
                 found.rolling_type = self.rolling_type(theta, theta_rate, end);
                 found.recurrence = end.is_none().then(|| origin.recurrence(orbit.recurrence()));
                 found.rolling_end = end.map(|end| RollingEnd { theta: origin.theta(end.theta), ..end });
+                (StartRegion::Rolling, Some(Mode::Rolling), None)
             }
             Next::Slide { direction, .. } => {
-                found.region = match (state.slip == 0.0, forces.normal > 0.0) {
+                let region = match (state.slip == 0.0, forces.normal > 0.0) {
                     (false, _) => StartRegion::Slipping,
                     (true, true) => StartRegion::BeyondFriction,
                     (true, false) => StartRegion::SlidingBand,
                 };
-                found.mode = Some(Mode::Sliding);
-                found.direction = Some(direction);
+                (region, Some(Mode::Sliding), Some(direction))
             }
-            Next::Glide { .. } => {
-                found.region = StartRegion::Gliding;
-                found.mode = Some(Mode::Gliding);
-                found.direction = Direction::of_sign(state.slip);
-            }
-            Next::Fly { .. } => {
-                found.region = StartRegion::LossOfContact;
-                found.mode = Some(Mode::Flight);
-            }
+            Next::Glide { .. } => (StartRegion::Gliding, Some(Mode::Gliding), Direction::of_sign(state.slip)),
+            Next::Fly { .. } => (StartRegion::LossOfContact, Some(Mode::Flight), None),
             Next::None(candidates) => {
-                found.region = StartRegion::Inconsistent;
                 found.candidates = Some(*candidates);
+                (StartRegion::Inconsistent, None, None)
             }
             Next::Several(candidates) => {
-                found.region = StartRegion::Ambiguous;
                 found.candidates = Some(*candidates);
+                (StartRegion::Ambiguous, None, None)
             }
-        }
+        };
         Ok(found)
     }
 

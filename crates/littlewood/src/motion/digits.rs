@@ -83,15 +83,10 @@ impl Hoop {
         Ok(Vec::from_iter(spreads.of.iter().zip(&motion).map(|(spread, event)| {
             decided &= spread.is_some();
             let spread = spread.filter(|_| decided)?;
-            let [time, theta, theta_rate, slip, x] = event.state.numbers();
-            let digits = |value, place: usize| digits(value, spread[place]);
-            Some(Digits {
-                time: digits(time, 0),
-                theta: digits(theta, 1),
-                theta_rate: digits(theta_rate, 2),
-                slip: digits(slip, 3),
-                x: digits(x, 4),
-            })
+            let values = event.state.numbers();
+            let [time, theta, theta_rate, slip, x] =
+                core::array::from_fn(|place| digits(values[place], spread[place]));
+            Some(Digits { time, theta, theta_rate, slip, x })
         })))
     }
 

@@ -45,7 +45,12 @@ impl<'a> Exact<'a> {
     /// A phase cut at the time limit, with just the time that was asked for.
     fn stopped(&self, state: State) -> ExactEnding {
         let state = State { time: self.until.unwrap_or(state.time), ..state };
-        Ending::Motion { event: None, end: Some(state), verdict: Outcome::TimeLimit { state } }
+        Self::given_up(state, Outcome::TimeLimit { state })
+    }
+
+    /// The end of the motion without an event.
+    const fn given_up(state: State, verdict: Outcome) -> ExactEnding {
+        Ending::Motion { event: None, end: Some(state), verdict }
     }
 
     /// The end of the motion in an event.
@@ -141,22 +146,16 @@ impl Solver for Exact<'_> {
             SlidingEnd::Singular(place) => {
                 Ending::Singular { state: place, solvability: law.solvability(place.theta) }
             }
-            SlidingEnd::Unresolved(state) => {
-                Ending::Motion { event: None, end: Some(state), verdict: Outcome::Unresolved { state } }
-            }
+            SlidingEnd::Unresolved(state) => Self::given_up(state, Outcome::Unresolved { state }),
             SlidingEnd::StepLimit { state, .. }
                 if self.proof != Proof::None && self.hoop.never_lifts_off(&state) =>
             {
-                Ending::Motion { event: None, end: Some(state), verdict: Outcome::StaysInContact { state } }
+                Self::given_up(state, Outcome::StaysInContact { state })
             }
-            SlidingEnd::StepLimit { state, time_left } => Ending::Motion {
-                event: None,
-                end: Some(state),
-                verdict: Outcome::StepLimit {
-                    state,
-                    limit: SlideLimit::One { steps: slide.work(), time_left },
-                },
-            },
+            SlidingEnd::StepLimit { state, time_left } => {
+                let limit = SlideLimit::One { steps: slide.work(), time_left };
+                Self::given_up(state, Outcome::StepLimit { state, limit })
+            }
             SlidingEnd::TimeLimit(state) => self.stopped(state),
             SlidingEnd::Endless(recurrence) => {
                 let outcome = Outcome::SlidesForever { since: *state, recurrence };

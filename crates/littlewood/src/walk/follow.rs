@@ -366,10 +366,7 @@ fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
         Begin::Motion(Next::None(candidates)) => {
             flush(recorder, pending, None);
             let inconsistent = Outcome::Inconsistent { state, candidates: **candidates };
-            return match jam(solver, now, None, state) {
-                Some(rebound) => leads_on(rebound),
-                None => Err((None, inconsistent.into())),
-            };
+            return leads_on(jam(solver, now, None, state), (None, inconsistent));
         }
         Begin::Motion(Next::Several(candidates)) => {
             flush(recorder, pending, None);
@@ -393,26 +390,31 @@ fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
             Err((event.map(|(cause, before)| Event::new(before, mode, cause)), verdict))
         }
         Ending::Settled { state: end, settling } => Ok(settles(solver, now, end, &settling)),
-        Ending::Landing { state: end, gap_rate } => match lands(solver, now, end, gap_rate) {
-            Some(rebound) => leads_on(rebound),
-            None => Err((
-                Some(Event::new(end, mode, Cause::Landing)),
-                Outcome::Landing { state: end, gap_rate }.into(),
-            )),
-        },
-        Ending::Singular { state: end, solvability } => match jam(solver, now, Some(mode), end) {
-            Some(rebound) => leads_on(rebound),
-            None => Err((
-                Some(Event::new(end, mode, Cause::Singularity)),
-                Outcome::Singular { state: end, solvability }.into(),
-            )),
-        },
+        Ending::Landing { state, gap_rate } => {
+            let last = Event::new(state, mode, Cause::Landing);
+            leads_on(lands(solver, now, state, gap_rate), (Some(last), Outcome::Landing { state, gap_rate }))
+        }
+        Ending::Singular { state, solvability } => {
+            let last = Event::new(state, mode, Cause::Singularity);
+            leads_on(
+                jam(solver, now, Some(mode), state),
+                (Some(last), Outcome::Singular { state, solvability }),
+            )
+        }
     }
 }
 
-/// What an impact leads to; where its end is no state to go on from, the motion ends before it.
-fn leads_on<V: From<Outcome>>(rebound: Rebound) -> Result<Happening, (Option<Event>, V)> {
-    rebound.map_err(|event| (Some(event), Outcome::Unresolved { state: event.state }.into()))
+/// What an impact leads to; where its end is no state to go on from, the motion ends before it, and without an impact in this way.
+#[inline(always)]
+fn leads_on<V: From<Outcome>>(
+    rebound: Option<Rebound>,
+    (last, outcome): (Option<Event>, Outcome),
+) -> Result<Happening, (Option<Event>, V)> {
+    match rebound {
+        Some(Ok(happening)) => Ok(happening),
+        Some(Err(event)) => Err((Some(event), Outcome::Unresolved { state: event.state }.into())),
+        None => Err((last, outcome.into())),
+    }
 }
 
 /// Moves the place at which a slide comes to rest to where its conserved quantities have it, and tells how it is reached.
