@@ -15,6 +15,7 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::math::bernstein::Bernstein;
+use crate::math::bracket::{Bracket, Step};
 use crate::math::carlson::{rf, rj};
 use crate::math::form::{HalfAngle, on_arc};
 use crate::mechanics::RollingLaw;
@@ -269,31 +270,19 @@ impl Elliptic {
         elapsed.filter(|elapsed| *elapsed >= 0.0 && elapsed.is_finite())
     }
 
-    /// Inverts τ(ψ): Newton's method in a bracket. τ grows with ψ.
+    /// Sine and cosine of ψ, by the inverse of τ(ψ), which grows with ψ.
     fn phase_at(&self, local: f64) -> (f64, f64) {
-        let (mut low, mut high) = (-FRAC_PI_2, FRAC_PI_2);
-        let mut psi =
-            if self.quarter.is_finite() { (local / self.quarter * FRAC_PI_2).clamp(low, high) } else { 0.0 };
-        loop {
+        let direction = |psi: f64| {
             let (sine, cosine) = libm::sincos(psi);
-            let cosine = cosine.max(0.0);
-            let ahead = local - self.time_from_bottom(sine, cosine);
-            if ahead > 0.0 {
-                low = psi;
-            } else {
-                high = psi;
-            }
-            let newton = psi + ahead / self.phase_slowness(sine, cosine);
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            let done = (next - psi).abs() <= f64::EPSILON * psi.abs().max(f64::EPSILON)
-                || next <= low
-                || next >= high;
-            psi = next;
-            if done {
-                let (sine, cosine) = libm::sincos(psi);
-                return (sine, cosine.max(0.0));
-            }
-        }
+            (sine, cosine.max(0.0))
+        };
+        let guess = if self.quarter.is_finite() { local / self.quarter * FRAC_PI_2 } else { 0.0 };
+        direction(Bracket { low: -FRAC_PI_2, high: FRAC_PI_2 }.iterate(guess, |psi| {
+            let (sine, cosine) = direction(psi);
+            let value = local - self.time_from_bottom(sine, cosine);
+            let last = f64::EPSILON * psi.abs().max(f64::EPSILON);
+            Step { value, step: value / self.phase_slowness(sine, cosine), last }
+        }))
     }
 
     /// ϑ on a turn, from z = −cos(ϑ/2) and y = sin(ϑ/2).
