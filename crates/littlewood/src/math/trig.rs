@@ -36,10 +36,14 @@ const fn series<const N: usize>(odd: f64) -> [f64; N] {
 const SINE: [f64; 8] = series(1.0);
 const COSINE: [f64; 9] = series(0.0);
 
-/// An angle without the turns in it: to its last digit, and below 2²⁰ turns to that of what is left.
-pub(crate) fn without_turns(x: f64) -> f64 {
-    let turns = (x / TAU).round();
-    (x - turns * (4.0 * HALF_PI_HIGH)) - turns * (4.0 * HALF_PI_LOW)
+/// 2π in parts, of which the first two have 25 bits: their products with a number of turns up to 2²⁸ are exact.
+const TURN: [f64; 3] = [6.283_185_243_606_567, 6.357_301_884_918_343e-8, 2.449_293_598_294_706_4e-16];
+
+/// An angle up to 1e9 without the whole turns.
+pub(crate) fn without_turns(theta: f64) -> f64 {
+    let turns = (theta / TAU).round_ties_even();
+    // No turn must not make a positive zero of a negative one.
+    if turns == 0.0 { theta } else { TURN.iter().fold(theta, |rest, part| rest - turns * part) }
 }
 
 /// A polynomial, the highest power first; even and odd powers apart, two short chains instead of a long one.
@@ -177,5 +181,27 @@ mod tests {
     #[test]
     fn what_is_no_number_stays_none() {
         assert!(sincos(f64::NAN).0.is_nan() && sincos(f64::INFINITY).1.is_nan());
+    }
+
+    /// θ − 2πk from 60 digits of π (mpmath).
+    #[test]
+    fn whole_turns_are_taken_off_exactly() {
+        for (theta, expected) in [
+            (1000000000.0, 0.5773954235013852),
+            (999999999.4, -0.02260460034047274),
+            (3.15, -3.1331853071795868),
+            (core::f64::consts::TAU, -2.4492935982947064e-16),
+            (31568288.730131123, 1.2337193930378547),
+            (12.566370614359172, -4.898587196589413e-16),
+            (679789.1632611979, -1.2214931759634842),
+            (6776582.185939262, -2.8138572161744166),
+            (19038202.888674572, 0.6114730527750171),
+            (328535560.1235775, 2.3570234414263056),
+            (6533532.079460616, -0.4630982336969978),
+            (222602466.42574126, -0.7784590662441263),
+        ] {
+            assert_eq!(without_turns(theta), expected, "{theta}");
+            assert_eq!(without_turns(-theta), -expected, "{theta}");
+        }
     }
 }
