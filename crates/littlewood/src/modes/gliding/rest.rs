@@ -55,13 +55,6 @@ enum Way {
 /// c0 + c1 x + c2 x² + c3 x³. Where c0 is small against the other terms, a root near 0 is as exact as c0.
 type Cubic = [f64; 4];
 
-/// P about the two ends of a way: in the height that has been passed, and in the height that is left.
-struct Ends {
-    begin: Cubic,
-    end: Cubic,
-    height: f64,
-}
-
 /// Height from one of the ends of a way.
 enum Height {
     FromBegin(f64),
@@ -194,49 +187,46 @@ impl Terms {
         [-top * outside * outside, slope, 4.0 * outside - momentum - top, -2.0]
     }
 
-    fn ends(&self, way: Way) -> Ends {
-        let (begin, end, height) = match way {
+    /// P about the two ends of a way, in the height that has been passed and in the height that is left, and the whole height.
+    fn ends(&self, way: Way) -> (Cubic, Cubic, f64) {
+        match way {
             Way::Down => (self.about_start(1.0), self.about_bottom(), self.b),
             Way::DownFromTurn => (self.about_turn(), self.about_bottom(), self.turn().1),
             Way::UpToTurn => (self.about_start(-1.0), self.about_turn(), 0.5 * self.rise),
             Way::UpToTop => (self.about_start(-1.0), self.about_top(), self.a),
-        };
-        Ends { begin, end, height }
+        }
     }
 
     /// The first rest on a way.
     fn rest(&self, particle: &Particle, way: Way) -> Option<Place> {
         let at_turn = way == Way::DownFromTurn && particle.momentum == 0.0;
-        let found = if at_turn { Height::FromBegin(0.0) } else { self.ends(way).first_rest()? };
-        Some(self.place(particle, way, found))
-    }
-
-    /// Where the particle is at a height of the way.
-    fn place(&self, particle: &Particle, way: Way, height: Height) -> Place {
-        let Self { a, b, rise, bottom, top, whole, .. } = *self;
+        let ends = self.ends(way);
+        let found = if at_turn { Height::FromBegin(0.0) } else { first_rest(ends)? };
         let (turn_a, turn_b) = self.turn();
-        // a, b, z², and f on ways from the start.
-        let (below_top, above_bottom, square, fall) = match (way, height) {
-            (Way::Down, Height::FromBegin(f)) => (a + f, b - f, rise + 2.0 * f, f),
-            (Way::Down, Height::ToEnd(left)) => (whole - left, left, bottom - 2.0 * left, b - left),
-            (Way::DownFromTurn, Height::FromBegin(y)) => (turn_a + y, turn_b - y, 2.0 * y, y),
-            (Way::DownFromTurn, Height::ToEnd(left)) => {
-                (whole - left, left, bottom - 2.0 * left, turn_b - left)
+        let (from_turn, down) = match way {
+            Way::Down => (false, 1.0),
+            Way::DownFromTurn => (true, 1.0),
+            Way::UpToTurn | Way::UpToTop => (false, -1.0),
+        };
+        // a, b, z², and the height that has been passed.
+        let (below_top, above_bottom, square, passed) = match (found, way) {
+            (Height::FromBegin(y), _) if from_turn => (turn_a + y, turn_b - y, 2.0 * y, y),
+            (Height::FromBegin(y), _) => {
+                (self.a + down * y, self.b - down * y, self.rise + 2.0 * down * y, y)
             }
-            (Way::UpToTurn | Way::UpToTop, Height::FromBegin(f)) => (a - f, b + f, rise - 2.0 * f, -f),
-            (Way::UpToTurn, Height::ToEnd(y)) => (turn_a + y, turn_b - y, 2.0 * y, y - 0.5 * rise),
-            (Way::UpToTop, Height::ToEnd(left)) => (left, whole - left, top + 2.0 * left, left - a),
+            (Height::ToEnd(y), Way::UpToTurn) => (turn_a + y, turn_b - y, 2.0 * y, ends.2 - y),
+            (Height::ToEnd(y), Way::UpToTop) => (y, self.whole - y, self.top + 2.0 * y, ends.2 - y),
+            (Height::ToEnd(y), Way::Down | Way::DownFromTurn) => {
+                (self.whole - y, y, self.bottom - 2.0 * y, ends.2 - y)
+            }
         };
-        let speed = square.max(0.0).sqrt();
-        let fall_rate = match way {
-            Way::Down | Way::DownFromTurn => speed,
-            Way::UpToTurn | Way::UpToTop => -speed,
+        let fall_rate = down * square.max(0.0).sqrt();
+        let elapsed = if from_turn {
+            particle.rise + fall_rate
+        } else {
+            2.0 * down * passed / (fall_rate - particle.rise)
         };
-        let elapsed = match way {
-            Way::DownFromTurn => particle.rise + fall_rate,
-            Way::Down | Way::UpToTurn | Way::UpToTop => 2.0 * fall / (fall_rate - particle.rise),
-        };
-        Place { elapsed, below_top, above_bottom, fall_rate }
+        Some(Place { elapsed, below_top, above_bottom, fall_rate })
     }
 }
 
@@ -245,23 +235,21 @@ fn initial_sign(cubic: &Cubic) -> f64 {
     cubic.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum())
 }
 
-impl Ends {
-    /// The first change of sign on the way: on its first half by the polynomial about its begin, on the other by that about its end.
-    fn first_rest(&self) -> Option<Height> {
-        let middle = 0.5 * self.height;
-        let sign = initial_sign(&self.begin);
-        let [begin, end] = [self.begin, self.end].map(|cubic| cubic.map(|c| sign * c));
-        // Without a root at the start itself, where the slip is at rest, or a particle at the top.
-        let roots = begin.iter().take_while(|c| **c == 0.0).count();
-        let first = first_crossing(&begin[roots..], middle).map(Height::FromBegin);
-        first.or_else(|| {
-            let Bracket { low, high } = Bernstein::from_taylor(&end, middle).reversed().first_crossing()?;
-            let bracket = Bracket { low: middle * (1.0 - high), high: middle * (1.0 - low) };
-            let back = |x| {
-                let (value, slope) = value_and_slope(&end, x);
-                (-value, -slope)
-            };
-            Some(Height::ToEnd(bracket.refine(back)))
-        })
-    }
+/// The first change of sign on a way: on its first half by the polynomial about its begin, on the other by that about its end.
+fn first_rest((begin, end, height): (Cubic, Cubic, f64)) -> Option<Height> {
+    let middle = 0.5 * height;
+    let sign = initial_sign(&begin);
+    let [begin, end] = [begin, end].map(|cubic| cubic.map(|c| sign * c));
+    // Without a root at the start itself, where the slip is at rest, or a particle at the top.
+    let roots = begin.iter().take_while(|c| **c == 0.0).count();
+    let first = first_crossing(&begin[roots..], middle).map(Height::FromBegin);
+    first.or_else(|| {
+        let Bracket { low, high } = Bernstein::from_taylor(&end, middle).reversed().first_crossing()?;
+        let bracket = Bracket { low: middle * (1.0 - high), high: middle * (1.0 - low) };
+        let back = |x| {
+            let (value, slope) = value_and_slope(&end, x);
+            (-value, -slope)
+        };
+        Some(Height::ToEnd(bracket.refine(back)))
+    })
 }
