@@ -52,7 +52,7 @@ impl Effort {
         let (long, rolls) = long_motions(hoop, limits, engine);
         let bounces = bouncing_motions(hoop, limits, engine) > FEW;
         if long <= FEW {
-            return match (engine.has_tables(), engine.is_exact()) {
+            return match (engine.is_prepared(), engine.is_exact()) {
                 _ if bounces => Self::Bounces,
                 (true, _) => Self::Tables,
                 (false, false) => Self::Direct,

@@ -199,7 +199,7 @@ fn random_starts(count: usize) -> impl Iterator<Item = Start> {
 fn the_figure_2_plane_has_the_outcomes_of_the_simulation() {
     let hoop = Hoop::figure_2(0.5, 0.4).expect("the hoop of Figure 2");
     let engine = Engine::new(&hoop);
-    assert!(engine.has_tables());
+    assert!(engine.is_prepared());
     for start in random_starts(40_000) {
         let ours = engine.summary(start, Limits::until(50.0)).expect("a valid start");
         let theirs = hoop.simulate(start, Limits::until(50.0)).expect("a valid start").summary();
@@ -238,7 +238,7 @@ fn the_figure_2_plane_has_the_bounces_of_the_simulation() {
         for (engine, count) in
             [(Engine::new(&hoop), 1_500), (Engine::builder(&hoop).expected_starts(1).build(), 500)]
         {
-            assert_eq!(engine.has_tables(), count == 1_500);
+            assert_eq!(engine.is_prepared(), count == 1_500);
             let starts: Vec<Start> = random_starts(count).collect();
             let mut other = 0;
             for start in &starts {
@@ -296,7 +296,7 @@ fn bodies_that_cannot_be_prepared_are_simulated() {
     for parameters in parameters {
         let hoop = Hoop::new(parameters).expect("a valid hoop");
         let engine = Engine::new(&hoop);
-        assert!(!engine.has_tables() && engine.is_exact());
+        assert!(!engine.is_prepared() && engine.is_exact());
         let start = Start::at(0.3, 0.4).with_slip(0.2);
         let ours = engine.summary(start, Limits::until(20.0)).expect("a valid start");
         let theirs = hoop.simulate(start, Limits::until(20.0)).expect("a valid start").summary();
@@ -642,7 +642,7 @@ fn a_hoop_whose_motion_amplifies_rounding_has_no_tables() {
     let hoop = Hoop::new(parameters).expect("a valid hoop");
     let start =
         Start::at(1.436_435_801_570_961_3e-8, 7.332_570_607_245_862e-7).with_slip(0.612_359_007_087_091_5);
-    assert!(!Engine::new(&hoop).has_tables());
+    assert!(!Engine::new(&hoop).is_prepared());
     if let Err(difference) = agree(&hoop, &[start]) {
         panic!("{difference}");
     }

@@ -45,7 +45,7 @@ impl EngineBuilder {
     /// The engine.
     #[must_use]
     pub fn build(self) -> Engine {
-        if self.prepares() { Engine::new(&self.hoop) } else { Engine::without_tables(&self.hoop) }
+        if self.prepares() { Engine::new(&self.hoop) } else { Engine::for_few_starts(&self.hoop) }
     }
 }
 

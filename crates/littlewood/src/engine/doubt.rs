@@ -12,7 +12,7 @@ named! {
         /// The slip velocity next to zero at the end of a piece, or where it is least.
         Slip = 1, "slip";
         /// The sign of the slip acceleration is not known on a piece.
-        SlipAcceleration = 2, "slip_acceleration";
+        SlipShape = 2, "slip_shape";
         /// The slip velocity vanishes so slowly that the first integral does not tell when.
         SlowStop = 3, "slow_stop";
         /// Turning points of a slide next to each other, or next to the top.
@@ -20,7 +20,7 @@ named! {
         /// P next to zero (3.5).
         Pole = 5, "pole";
         /// An orbit next to the separatrix.
-        Separatrix = 6, "separatrix";
+        Separatrix = 6, "near_separatrix";
         /// Rolling next to the limit of static friction where it begins.
         FrictionLimit = 7, "friction_limit";
         /// Rolling that slips next to a standstill, or from rest.

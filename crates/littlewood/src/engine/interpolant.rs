@@ -133,40 +133,6 @@ impl<const LANES: usize> Interpolant<LANES> {
     }
 }
 
-/// Finds the piece of an interval that holds a number.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Slots {
-    left: f64,
-    per_unit: f64,
-    /// Index of the first piece that ends behind the left end of each slot.
-    first: Vec<u16>,
-}
-
-impl Slots {
-    const COUNT: usize = 256;
-
-    /// Of pieces with these right ends, in increasing order.
-    pub(super) fn new(left: f64, right: f64, ends: &[f64]) -> Self {
-        let width = (right - left) / Self::COUNT as f64;
-        let first = (0..Self::COUNT).map(|slot| {
-            let x = left + width * slot as f64;
-            u16::try_from(ends.partition_point(|end| *end < x)).unwrap_or(u16::MAX)
-        });
-        Self { left, per_unit: 1.0 / width, first: first.collect() }
-    }
-
-    /// Index of the first piece that ends at or behind x.
-    #[inline]
-    pub(super) fn find(&self, x: f64, end: impl Fn(usize) -> Option<f64>) -> Option<usize> {
-        let slot = ((x - self.left) * self.per_unit) as usize;
-        let mut index = usize::from(*self.first.get(slot.min(Self::COUNT - 1))?);
-        while end(index)? < x {
-            index += 1;
-        }
-        Some(index)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -13,7 +13,7 @@ use crate::model::hoop::Heavy;
 use crate::model::state::State;
 use crate::modes::flight::{Flight, TakeOff, is_told_by_rate};
 
-use super::interpolant::{Basis, Interpolant, Slots, Tolerance};
+use super::interpolant::{Basis, Interpolant, Tolerance};
 
 /// From this angle on the time in the air jumps up: C/S has a point of inflection there, where tan φ/2 = φ/2.
 const SINGULAR: f64 = 1.351_816_804_319_27;
@@ -34,7 +34,6 @@ const GRADING: f64 = 0.2;
 #[derive(Clone, Debug)]
 struct JumpTable {
     pieces: Vec<Interpolant<2>>,
-    slots: Slots,
 }
 
 static JUMPS: LazyLock<Option<JumpTable>> = LazyLock::new(JumpTable::new);
@@ -71,17 +70,15 @@ impl JumpTable {
             pieces.push(basis.through(left, right, &values, &[Tolerance::ROUNDING; 2])?);
             left = right;
         }
-        let ends: Vec<f64> = pieces.iter().map(|piece| piece.right).collect();
-        let slots = Slots::new(0.0, left, &ends);
-        Some(Self { pieces, slots })
+        Some(Self { pieces })
     }
 
     fn angles(&self, angle: f64) -> Option<[f64; 2]> {
         if !(FLATTEST..STEEPEST).contains(&angle) {
             return None;
         }
-        let index = self.slots.find(angle, |index| self.pieces.get(index).map(|piece| piece.right))?;
-        Some(self.pieces[index].at(angle).map(|ratio| ratio * angle))
+        let index = self.pieces.partition_point(|piece| piece.right < angle);
+        Some(self.pieces.get(index)?.at(angle).map(|ratio| ratio * angle))
     }
 }
 

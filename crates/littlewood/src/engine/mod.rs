@@ -16,7 +16,6 @@ mod jump;
 mod laws;
 mod orbit;
 mod place;
-mod polynomial;
 mod quadrature;
 mod roll;
 mod slide;
@@ -85,7 +84,7 @@ impl Engine {
     /// An engine for many starts of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        let engine = Self::without_tables(hoop);
+        let engine = Self::for_few_starts(hoop);
         // Without kinetic friction slides come back to the limit of static friction exactly, which the walk alone knows.
         let laws = engine.laws.as_ref().filter(|_| hoop.mu_k() > 0.0);
         let chains = laws.map(|laws| Box::new(Chains::new(hoop, laws)));
@@ -93,7 +92,7 @@ impl Engine {
     }
 
     /// An engine for few starts. Nothing is prepared.
-    fn without_tables(hoop: &Hoop) -> Self {
+    fn for_few_starts(hoop: &Hoop) -> Self {
         let resolves_slips = hoop.mu_s() == 0.0 || hoop.mu_s() >= MIN_FRICTION;
         let is_computed = |Heavy { mass, h, inertia, .. }: Heavy| {
             resolves_slips && h >= MIN_IMBALANCE && inertia >= MIN_INERTIA * mass
@@ -115,7 +114,7 @@ impl Engine {
 
     /// Whether it is prepared for many starts.
     #[must_use]
-    pub const fn has_tables(&self) -> bool {
+    pub const fn is_prepared(&self) -> bool {
         self.is_prepared
     }
 
@@ -203,7 +202,7 @@ mod tests {
         let figure_2 = Hoop::figure_2(0.5, 0.4).unwrap();
         let painleve = HoopParameters::thin(0.2).with_inertia(0.1).with_friction(1.5, 1.4);
         let painleve = Hoop::new(painleve).unwrap();
-        let engines = [figure_2, painleve].map(|hoop| [Engine::new(&hoop), Engine::without_tables(&hoop)]);
+        let engines = [figure_2, painleve].map(|hoop| [Engine::new(&hoop), Engine::for_few_starts(&hoop)]);
         for engine in engines.as_flattened() {
             let (mut phases, steps) = (0, 60);
             for (i, j) in (0..steps).flat_map(|i| (0..steps).map(move |j| (f64::from(i), f64::from(j)))) {

@@ -6,7 +6,6 @@
 use core::f64::consts::TAU;
 use std::sync::OnceLock;
 
-use crate::engine::polynomial::value;
 use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
 use crate::math::trig::sincos;
 use crate::mechanics::equations::SlidingLaw;
@@ -14,7 +13,7 @@ use crate::mechanics::equations::SlidingLaw;
 use super::piece::{LawAt, Waypoint};
 use super::series::{
     CONVERGED, Low, Polynomials, Series, Signs, bernstein, from_both_sides, least, pattern, reach, scaled,
-    sum_of_sizes,
+    sum_of_sizes, value,
 };
 use super::step::{Step, rotated};
 
@@ -96,6 +95,12 @@ impl Cell {
     /// The cell whose tile begins where that of another ends.
     pub(super) const fn next(number: usize) -> usize {
         (number + 1) % CELLS
+    }
+
+    /// The angle at which the tile of a cell begins, next to an angle.
+    pub(super) fn beginning_near(number: usize, theta: f64) -> f64 {
+        let beginning = (number as f64 - 0.5) * (TAU / CELLS as f64);
+        beginning + TAU * ((theta - beginning) / TAU + 0.5).floor()
     }
 
     /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not known to be positive.
@@ -359,5 +364,9 @@ mod tests {
             }
         }
         assert_eq!((Cell::about(0.0), Cell::about(-1e-300)), ([1, 0], [1, 0]));
+        for turns in [-3.0, 0.0, 7.0] {
+            let expected = TAU * (turns + 4.5 / CELLS as f64);
+            assert!((Cell::beginning_near(5, expected - 0.6) - expected).abs() < 1e-14, "{turns}");
+        }
     }
 }

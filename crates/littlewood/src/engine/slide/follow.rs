@@ -11,7 +11,7 @@
 //! falls by μk times the period in each: periods without an event are passed at once. Without kinetic friction rotations are periodic, too, and
 //! no event follows a whole period without one.
 
-use core::f64::consts::{FRAC_PI_8, TAU};
+use core::f64::consts::{FRAC_PI_8, PI, TAU};
 
 use crate::engine::doubt::Doubt;
 use crate::mechanics::equations::{SlidingLaw, contact};
@@ -264,11 +264,15 @@ impl<'a> Slide<'a> {
         let way = frame.way(step);
         let passed = self.cut(&way, place, over_step(&way, place, step)?);
         let at = passed.at;
-        self.frame.theta += step.turned(place.z, at.z);
         if passed.end == End::Open {
             (self.edge, self.here) = (edge, at);
+            self.frame.theta = match edge {
+                Some(number) => Cell::beginning_near(number, frame.theta),
+                None => frame.theta + step.turned(place.z, at.z),
+            };
             return self.go_on(passed.least, edge.is_some());
         }
+        self.frame.theta += step.turned(place.z, at.z);
         Ok(Some(self.ended(&passed, step.rate(at.z, at.u))))
     }
 
@@ -340,10 +344,10 @@ impl<'a> Slide<'a> {
             set(self, here);
             return Ok(None);
         };
-        let turned = (theta - mark.theta) * if sign == mark.sign { 1.0 } else { f64::NAN };
-        let turns = (turned / TAU).round();
-        let is_back = (turned - TAU * turns).abs() <= SAME_ANGLE * (1.0 + theta.abs());
-        if !(is_back && (turns != 0.0 || count >= mark.turns + 2.0)) {
+        let turned = theta - mark.theta;
+        let turns = if turned.abs() < PI { 0.0 } else { (turned / TAU).round() };
+        let is_same = sign == mark.sign && (turned - TAU * turns).abs() <= SAME_ANGLE * (1.0 + theta.abs());
+        if !(is_same && (turns != 0.0 || count >= mark.turns + 2.0)) {
             // Where the first piece began the slide may never be again.
             if here.piece > 2 * mark.piece + CELLS {
                 set(self, here);
@@ -460,7 +464,7 @@ fn pass<P: Piece>(
     let passed = Passed::to(if lifts_off { End::LiftOff } else { End::Open }, there);
     let rest = |before: &Waypoint| Ok(Passed::to(End::Rest, way.rest(here, before)?));
     match signs {
-        Signs::Unknown => Err(Doubt::SlipAcceleration),
+        Signs::Unknown => Err(Doubt::SlipShape),
         // η′ must rise from zero.
         Signs::Negative | Signs::Rising if from_rest => Err(Doubt::Slip),
         Signs::Falling if from_rest && here.slip_acceleration < 0.0 => Err(Doubt::Slip),
@@ -468,9 +472,7 @@ fn pass<P: Piece>(
             rest(&there)
         }
         // Where η″ is next to zero it is not known how it changes its sign; η′ changes there by no more than this.
-        Signs::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => {
-            Err(Doubt::SlipAcceleration)
-        }
+        Signs::Falling if there.slip <= doubt * (there.elapsed - here.elapsed) => Err(Doubt::SlipShape),
         Signs::Positive | Signs::Negative | Signs::Falling => Ok(passed),
         Signs::Rising => {
             let Some(least) = way.least(here, &there) else { return Ok(passed) };

@@ -1,6 +1,5 @@
 //! A step of a slide on which θ′ keeps its sign.
 
-use crate::engine::polynomial::value;
 use crate::engine::quadrature::{MIDDLE_NODE as NODE, MIDDLE_NODES as NODES, MIDDLE_WEIGHT as WEIGHT};
 
 use crate::engine::doubt::Doubt;
@@ -8,7 +7,7 @@ use crate::engine::doubt::Doubt;
 use crate::mechanics::equations::SlidingLaw;
 
 use super::piece::{LawAt, Piece};
-use super::series::{DEGREE, Expansion, Series, Signs, scaled, sum_of_sizes};
+use super::series::{DEGREE, Expansion, Series, Signs, scaled, sum_of_sizes, value};
 
 /// Up to this multiple of a step u has no zero: the terms of its series are at most the part [`Step::SMOOTH`] of the first, but for a linear
 /// term that makes it grow by at most `GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities lie

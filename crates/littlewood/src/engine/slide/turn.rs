@@ -4,11 +4,10 @@
 //! There u = z v(z), z ≥ 0 being the tangent of half the angle from the turning point, and with z = width · y², y going from
 //! negative to positive through the turning point, dτ/dy = 4 √width/((1 + z²) √v) has no singularity.
 
-use crate::engine::polynomial::value;
 use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
 
 use super::piece::Piece;
-use super::series::{DEGREE, Expansion, Series, Signs, scaled};
+use super::series::{DEGREE, Expansion, Series, Signs, scaled, value};
 use super::step::rotated;
 
 /// Up to this multiple of the width v has no zero: the terms of its series are at most the part `SMOOTH` of the first. The Gauss sum
