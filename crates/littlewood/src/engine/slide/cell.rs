@@ -16,6 +16,7 @@ use super::series::{
     sum_of_sizes, value,
 };
 use super::step::{Step, rotated};
+use super::turn::{NEAR, Turn};
 
 /// Cells of a turn, evenly spaced. They overlap, wherever P is not close to zero.
 pub(super) const CELLS: usize = 16;
@@ -25,6 +26,21 @@ const WIDEST: f64 = 0.198_912_367_379_658_02;
 
 /// The tiles of the cells, up to this z, tan π/32, cover a turn.
 const TILE: f64 = 0.098_491_403_357_164_26;
+
+/// A step in a cell is not shorter, in t.
+const SHORTEST: f64 = 1e-9;
+
+/// Newton's method for a turning point ends with a shorter step: its error is of the second order.
+const LAST_STEP: f64 = 1e-9;
+
+/// A turn is not wider than this, by the quadratic term of u: 0.9/2.8 of the linear one.
+const FARTHEST: f64 = 0.33;
+
+/// A turning point nearer than this, in t, is not told from the place of the slide to all digits.
+const NEAREST: f64 = 1e-2;
+
+/// A turning point where the derivative of u by t is a smaller part of its coefficients is not told to all digits by their sum.
+const STEEP: f64 = 0.1;
 
 /// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
 #[derive(Clone, Debug)]
@@ -53,8 +69,6 @@ pub(super) struct Cell {
     nodes: [[f64; NODES]; 3],
     /// Sums of the sizes of the terms of p and h, from the linear ones on, up to the ellipse on which u has no zero if they are small.
     terms: (f64, f64),
-    /// The largest |η″| is at most the first and |u_c| times the second.
-    most: (f64, f64),
 }
 
 /// The cells of one hoop, made where slides come, and the same whichever slide that is.
@@ -81,6 +95,26 @@ fn degree_of(series: [&Series; 2], t: f64) -> usize {
         terms.iter().rposition(|c| c.abs() > least).unwrap_or(0)
     });
     degrees[0].max(degrees[1]).next_multiple_of(2)
+}
+
+/// The zero of a polynomial next ahead of a place by Newton's method, where it falls towards it, with the slope and half the curvature there.
+fn zero(u: &[f64], from: f64) -> Option<(f64, f64, f64)> {
+    let mut t = from;
+    for _ in 0..20 {
+        let fold = |(value, slope, bend): (f64, f64, f64), c: &f64| {
+            (value * t + c, slope * t + value, bend * t + slope)
+        };
+        let (value, slope, bend) = u.iter().rev().fold((0.0, 0.0, 0.0), fold);
+        let step = -value / slope;
+        t += step;
+        if !(t > from - 1.0 && t < 2.0) {
+            return None;
+        }
+        if step.abs() <= LAST_STEP {
+            return Some((t, slope, bend));
+        }
+    }
+    None
 }
 
 impl Cell {
@@ -126,10 +160,6 @@ impl Cell {
         let [entry, exit] = [at(-end), at(end)];
         let far = Step::far(-end, end);
         let [p_terms, h_terms] = [&p, &h].map(|series| far * sum_of_sizes(&series[1..], far));
-        let most = |(low, band): &(Low, f64)| {
-            let largest = low.iter().fold(0.0_f64, |largest, c| largest.max(c.abs()));
-            (largest + band) / least
-        };
         let nodes = NODE.map(|node| at(end * node));
         let weight = |j: usize| {
             let z = TILE * NODE[j];
@@ -146,7 +176,6 @@ impl Cell {
             law_at_exit: LawAt::new(law, rotated(direction, end * width)),
             nodes: [nodes.map(|node| node[0]), nodes.map(|node| node[1]), core::array::from_fn(weight)],
             terms: (p_terms, h_terms),
-            most: (most(&a), most(&b)),
             p,
             h,
             a,
@@ -165,7 +194,7 @@ impl Cell {
     pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
         let level = (u - self.entry.0) / self.entry.1;
         let is_clear = self.terms.0 + level * self.terms.1 <= Step::SMOOTH * level;
-        (self.end < 1.0 && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
+        (self.is_tile() && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
     }
 
     /// The time from the beginning of the tile to its end.
@@ -178,56 +207,102 @@ impl Cell {
         sum
     }
 
-    /// |η″| is at most this.
-    pub(super) fn swing(&self, level: f64) -> f64 {
-        self.most.0 + level * self.most.1
-    }
-
     /// The law at the end of the tile.
     pub(super) const fn law_at_exit(&self) -> &LawAt {
         &self.law_at_exit
     }
 
-    /// The step over the whole tile of a slide that crosses it, and its place at the beginning. None where η″ may change its sign twice.
-    pub(super) fn whole_step(&self, here: &Waypoint, level: f64) -> Option<(Waypoint, Step)> {
+    /// The step over the whole tile of a slide that crosses it in this time, and its place at the beginning.
+    pub(super) fn whole_step(&self, here: &Waypoint, level: f64, time: f64) -> Option<(Waypoint, Step)> {
         let place = Waypoint { z: -self.end, ..*here };
-        Some((place, self.step_at(level, self.degrees.1, Some((place.z, self.time(level))))?))
+        Some((place, self.step_at(level, self.degrees.1, (self.end, Some((place.z, time))))?))
     }
 
-    /// The step of a slide with this direction and u to the end of the tile, or of a narrower cell, and its place there. None at other places,
-    /// where u is not known to stay away from zero, and where η″ may change its sign twice.
+    /// The step of a slide with this direction and u to the end of the tile, or of a narrower cell, or a part of the way, and its place there. None at
+    /// other places, where u is not known to stay away from zero, and where η″ may change its sign twice.
     pub(super) fn step(&self, here: &Waypoint) -> Option<(Waypoint, Step)> {
-        let (z, end) = (self.place(here.direction), self.end);
-        if !(z >= -1.0 && z < end) {
+        let z = self.place(here.direction);
+        if !(z >= -1.0 && z < self.end - SHORTEST) {
             return None;
         }
-        let degree = if z >= -end { self.degrees.1 } else { self.degrees.0 };
+        let degree = if z >= -self.end { self.degrees.1 } else { self.degrees.0 };
         let at_place = |series: &Series| value(&series[..=degree], z);
         let level = (here.u - at_place(&self.p)) / at_place(&self.h);
-        // What fails mostly does so by the slope.
-        if !Step::is_nearly_even(level, self.p[1] + level * self.h[1], (z, end)) {
-            return None;
-        }
-        let step = self.step_at(level, degree, None)?;
-        Step::is_clear(&step.u[..=degree], (z, end)).then_some((Waypoint { z, ..*here }, step))
+        let slope = self.p[1] + level * self.h[1];
+        let part = |part: f64| z + part * (self.end - z);
+        [self.end, part(0.5), part(0.25)].into_iter().find_map(|end| {
+            // What fails mostly does so by the slope.
+            if !Step::is_nearly_even(level, slope, (z, end)) {
+                return None;
+            }
+            let step = self.step_at(level, degree, (end, None))?;
+            Step::is_clear(&step.u[..=degree], (z, end)).then_some((Waypoint { z, ..*here }, step))
+        })
     }
 
-    fn step_at(&self, level: f64, degree: usize, known: Option<(f64, f64)>) -> Option<Step> {
+    /// The turn of a slide with this direction, u and |du/dz| about a turning point ahead in the cell, with the distance in z, and as a part of the turn.
+    /// None where the turning point is not known as well as by a series about it.
+    pub(super) fn turn(&self, direction: (f64, f64), u_here: f64, steep: f64) -> Option<(f64, f64, Turn)> {
+        let t = self.place(direction);
+        let is_near = u_here <= NEAR * (1.0 - t) * self.width * steep;
+        if !(is_near && t >= -1.0) {
+            return None;
+        }
+        let degree = self.degrees.0;
+        let at_place = |series: &Series| value(&series[..=degree], t);
+        let level = (u_here - at_place(&self.p)) / at_place(&self.h);
+        let mut u: Series = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
+        let size = u[0].abs() + u[1].abs();
+        let (t0, slope, curvature) = zero(&u[..=degree], t)?;
+        // Farther away it is not in the turn.
+        let is_near = (t0 - t) * curvature.abs() <= FARTHEST * slope.abs();
+        if !(is_near && t0 <= 1.0 && t0 - t > NEAREST && -slope > STEEP * size) {
+            return None;
+        }
+        // In powers of t − t0: Horner's scheme, again and again.
+        for low in 0..degree {
+            for k in (low..degree).rev() {
+                u[k] += t0 * u[k + 1];
+            }
+        }
+        u[0] = 0.0;
+        u.iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
+        let (signs, doubt) = self.signs(level);
+        // Away from the turning point they come in the opposite order.
+        let known = (signs != Signs::Unknown).then_some((signs.reversed(), doubt));
+        let (z, z0) = (self.width * t, self.width * t0);
+        let turn = Turn::about(&u, (1.0 + t0, self.width), (self.direction, z0), |_, _| known)?;
+        Some(((z0 - z) / (1.0 + z * z0), (z0 - z) / turn.width, turn))
+    }
+
+    /// The signs of σ η″ of a slide on the cell, and the largest |η″| where its sign is not known.
+    pub(super) fn signs(&self, level: f64) -> (Signs, f64) {
         let (a, b) = (&self.a, &self.b);
-        let signs: Low = core::array::from_fn(|k| a.0[k] + level * b.0[k]);
+        let coefficients: Low = core::array::from_fn(|k| a.0[k] + level * b.0[k]);
         let band = a.1 + level.abs() * b.1;
-        let signs = pattern(&signs, band);
+        (pattern(&coefficients, band), 2.0 * band / self.least)
+    }
+
+    fn step_at(&self, level: f64, degree: usize, (end, known): (f64, Option<(f64, f64)>)) -> Option<Step> {
+        let (signs, doubt) = self.signs(level);
+        let is_whole = end == self.end;
         (signs != Signs::Unknown).then(|| Step {
             width: self.width,
             u: core::array::from_fn(|k| self.p[k] + level * self.h[k]),
             degree,
             signs,
-            doubt: 2.0 * band / self.least,
+            doubt,
             direction: self.direction,
-            end: self.end,
+            end,
             known,
-            exit: Some((self.exit.0 + level * self.exit.1, self.law_at_exit)),
+            exit: is_whole.then(|| (self.exit.0 + level * self.exit.1, self.law_at_exit)),
+            is_tile: is_whole && self.is_tile(),
         })
+    }
+
+    /// Whether it reaches to the end of its tile.
+    fn is_tile(&self) -> bool {
+        self.end < 1.0
     }
 }
 
@@ -307,15 +382,31 @@ mod tests {
                 assert!((sin - there.0).abs() < 1e-15 && (cos - there.1).abs() < 1e-15, "{number}");
                 let accelerates = law.accelerations(libm::atan2(sin, cos), end.sqrt()).slip;
                 assert!((edge.alpha + edge.beta * end - accelerates).abs() < 1e-14 * (1.0 + u));
-                let most = cell.swing(level);
-                for t in [-cell.end, -0.3, 0.0, 0.3, cell.end] {
-                    let (sin, cos) = step.direction(t);
-                    let (alpha, beta) = law.slip_acceleration(sin, cos);
-                    assert!((alpha + beta * step.u(t)).abs() <= most, "{number} {u} {t}");
-                }
             }
         }
         assert!(crossings > 80, "{crossings}");
+    }
+
+    /// Slides that turn in a cell turn where their own series say, and take as long.
+    #[test]
+    fn a_turn_in_a_cell_is_a_slide() {
+        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+        let mut turns = 0;
+        for (law, sigma, number, cell) in cells(&hoop) {
+            for (t, u) in [(-0.6, 0.2), (0.0, 0.3), (-0.9, 0.05)] {
+                let direction = rotated(cell.direction, cell.width * t);
+                let own = Expansion::new(&law, sigma, direction, u);
+                let Some((distance, part, turn)) = cell.turn(direction, u, own.u[1].abs()) else { continue };
+                let expected = own.zero(own.reach(0)).unwrap();
+                assert!((distance - expected).abs() < 4e-15, "{number} {t}: {distance} {expected}");
+                let y = -part.sqrt();
+                assert!((turn.u(y) - u).abs() < 4e-15, "{number} {t}");
+                is_a_slide(&turn, &law, (y.max(-1.0), -0.05));
+                is_a_slide(&turn, &law, (0.1, 0.9));
+                turns += 1;
+            }
+        }
+        assert!(turns > 20, "{turns}");
     }
 
     /// The sign of η″ is told for a slide as it is at points of the cell.

@@ -20,7 +20,7 @@ use super::cell::{CELLS, Cell, Cells};
 use super::piece::{Piece, UNCERTAIN, Way, Waypoint};
 use super::series::{Expansion, Signs};
 use super::step::{Step, rotated};
-use super::turn::Turn;
+use super::turn::{NEAR, Turn};
 use super::{SlideEnd, SlideEvent, Turns};
 
 /// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole turns.
@@ -38,13 +38,10 @@ const FEWEST_PERIODS: f64 = 3.0;
 /// A place is the same after a period if its angle is the same to this.
 const SAME_ANGLE: f64 = 1e-12;
 
-/// A turning point nearer than this part of the width on which u has converged is the centre of the next piece.
-const NEAR: f64 = 0.7;
-
 /// A turning point behind is the centre of the next piece if it is nearer than this part of the piece.
 const BEHIND: f64 = 0.5;
 
-/// No cell holds a slide whose u changes by more than itself over this z.
+/// A turning point is looked for where u changes by more than itself over this z.
 const STEEP: f64 = 0.25;
 
 /// How a slide is seen: perhaps mirrored.
@@ -127,6 +124,8 @@ struct Slide<'a> {
     here: Waypoint,
     /// The cell at whose beginning it is.
     edge: Option<usize>,
+    /// Whether the last piece was a turn.
+    is_behind_turn: bool,
     turns: Option<Turns>,
     mark: Option<Mark>,
     /// The least η′ since the mark.
@@ -146,7 +145,8 @@ pub(in crate::engine) fn follow(
     cells: Option<&Cells>,
 ) -> Result<SlideEnd, Doubt> {
     let (edge, turns, mark, least) = (None, None, None, here.slip);
-    let mut slide = Slide { frame, here, edge, turns, mark, least, pieces: 0, allowed, cells };
+    let mut slide =
+        Slide { frame, here, edge, is_behind_turn: false, turns, mark, least, pieces: 0, allowed, cells };
     if from_limit {
         // Its signs are known, however short a turning point makes the step.
         let expansion = Expansion::new(slide.frame.law(), slide.frame.sigma, here.direction, here.u);
@@ -170,36 +170,43 @@ impl<'a> Slide<'a> {
             if let Some(end) = self.cross_tiles(cells)? {
                 return Ok(Some(end));
             }
-            if let Some((number, place, step)) = self.in_cell(cells) {
-                let edge = (step.end < 1.0).then(|| Cell::next(number));
-                return self.pass_step(&place, &step, edge);
+            if let Some(end) = self.in_cell(cells) {
+                return end;
             }
         }
         let Self { frame, here, .. } = *self;
         let expansion = Expansion::new(frame.law(), frame.sigma, here.direction, here.u);
-        match turn_about(&frame, &here, &expansion) {
+        // The turn that is behind has led as far as it does.
+        let is_done = self.is_behind_turn && expansion.u[1] > 0.0;
+        let turn = if is_done { None } else { turn_about(&frame, &here, &expansion) };
+        match turn {
             Some((before, place, turn)) => self.pass_turn(before, &place, &turn),
             None => self.own_step(&expansion, false),
         }
     }
 
-    /// The cell that holds the slide, its place in it, and the step to its end.
-    fn in_cell(&self, cells: &'a Cells) -> Option<(usize, Waypoint, Step)> {
-        let (frame, here) = (&self.frame, &self.here);
+    /// Passes a step, or a turn, in a cell. None where no cell has them.
+    fn in_cell(&mut self, cells: &'a Cells) -> Option<Result<Option<SlideEnd>, Doubt>> {
+        let Self { frame, here, .. } = *self;
         let ((sin, cos), law) = (here.direction, frame.law());
-        // du/dz: where u is steep it is not known to stay away from zero, and this is known soonest.
+        // du/dz.
         let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
-        if STEEP * slope.abs() > here.u {
-            return None;
-        }
-        if self.edge.is_some() {
-            // Its tile is not crossed.
-            return None;
+        let may_turn = STEEP * slope.abs() > here.u && !(self.is_behind_turn && slope > 0.0);
+        if may_turn {
+            let before = Before::of(frame, here, slope);
+            let turn = Cell::about(before.frame.theta).into_iter().find_map(|number| {
+                let cell = cells.get(before.frame.law(), before.frame.sigma, number)?;
+                let (distance, part, turn) = cell.turn(before.direction, here.u, slope.abs())?;
+                Some((before.place(distance, part)?, turn))
+            });
+            if let Some(((frame, place), turn)) = turn {
+                return Some(self.pass_turn(frame, &place, &turn));
+            }
         }
         Cell::about(frame.theta).into_iter().find_map(|number| {
-            let cell = cells.get(law, frame.sigma, number)?;
-            let (place, step) = cell.step(here)?;
-            Some((number, place, step))
+            let (place, step) = cells.get(law, frame.sigma, number)?.step(&here)?;
+            let edge = step.is_tile.then(|| Cell::next(number));
+            Some(self.pass_step(&place, &step, edge))
         })
     }
 
@@ -213,7 +220,8 @@ impl<'a> Slide<'a> {
             && let Some((level, u)) = cell.crossing(self.here.u)
         {
             let here = &self.here;
-            let elapsed = here.elapsed + cell.time(level);
+            let time = cell.time(level);
+            let elapsed = here.elapsed + time;
             let edge = cell.law_at_exit();
             let at = Waypoint {
                 z: 1.0,
@@ -229,14 +237,23 @@ impl<'a> Slide<'a> {
             };
             // The top is in the middle of the first.
             let stays = stays(edge.direction.1, u) && (number != 0 || stays(1.0, level));
-            let least = here.slip.min(at.slip);
+            let (signs, doubt) = cell.signs(level);
+            // η′ is monotone, or has a maximum.
+            let is_least_at_an_end = match signs {
+                Signs::Positive | Signs::Negative => true,
+                Signs::Falling => at.slip > doubt * time,
+                Signs::Rising => here.slip_acceleration > doubt,
+                Signs::Unknown => false,
+            };
+            let slips = at.slip > UNCERTAIN * (1.0 + u.sqrt() + frame.integral.abs());
             let next = Some(Cell::next(number));
-            let end = if stays && elapsed <= allowed && least > cell.swing(level) * (elapsed - here.elapsed) {
+            let end = if stays && slips && is_least_at_an_end && elapsed <= allowed {
+                let least = here.slip.min(at.slip);
                 self.frame.theta += FRAC_PI_8;
                 (self.edge, self.here) = (next, at);
                 self.go_on(least, true)?
             } else {
-                let Some((place, step)) = cell.whole_step(here, level) else { break };
+                let Some((place, step)) = cell.whole_step(here, level, time) else { break };
                 self.pass_step(&place, &step, next)?
             };
             if end.is_some() {
@@ -265,7 +282,7 @@ impl<'a> Slide<'a> {
         let passed = self.cut(&way, place, over_step(&way, place, step)?);
         let at = passed.at;
         if passed.end == End::Open {
-            (self.edge, self.here) = (edge, at);
+            (self.edge, self.here, self.is_behind_turn) = (edge, at, false);
             self.frame.theta = match edge {
                 Some(number) => Cell::beginning_near(number, frame.theta),
                 None => frame.theta + step.turned(place.z, at.z),
@@ -297,7 +314,7 @@ impl<'a> Slide<'a> {
         self.frame = Frame { theta: before.theta + turn.turned_by(at.z), ..before };
         if passed.end == End::Open {
             self.frame = self.frame.mirrored();
-            self.edge = None;
+            (self.edge, self.is_behind_turn) = (None, true);
             self.here = Waypoint { direction: mirrored(at.direction), ..at };
             return self.go_on(passed.least, true);
         }
@@ -497,18 +514,40 @@ fn turn_about<'a>(
     if here.u > NEAR * reach * expansion.u[1].abs() {
         return None;
     }
-    let z = expansion.zero(reach)?;
-    let before = if expansion.u[1] < 0.0 { *frame } else { frame.mirrored() };
-    let is_ahead = before.sign == frame.sign;
-    let direction = if is_ahead { here.direction } else { mirrored(here.direction) };
-    let distance = z.abs();
-    let there = mirrored(rotated(direction, distance));
-    let behind = before.mirrored();
+    let distance = expansion.zero(reach)?.abs();
+    let before = Before::of(*frame, *here, expansion.u[1]);
+    let there = mirrored(rotated(before.direction, distance));
+    let behind = before.frame.mirrored();
     let turn = Turn::new(&Expansion::new(behind.law(), behind.sigma, there, 0.0), there)?;
-    let part = distance / turn.width;
-    let y = if is_ahead { -part.sqrt() } else { part.sqrt() };
-    let before = Frame { theta: before.theta + 2.0 * libm::atan(distance), ..before };
-    // Behind, a step leads farther than the rest of the turn.
-    let farthest = if is_ahead { 1.0 } else { BEHIND };
-    (part < farthest).then_some((before, Waypoint { z: y, direction, ..*here }, turn))
+    let (frame, place) = before.place(distance, distance / turn.width)?;
+    Some((frame, place, turn))
+}
+
+/// A slide next to a turning point, seen in the frame of motion before it.
+struct Before<'a> {
+    frame: Frame<'a>,
+    here: Waypoint,
+    direction: (f64, f64),
+    is_ahead: bool,
+}
+
+impl<'a> Before<'a> {
+    /// From the sign of the slope of u.
+    fn of(frame: Frame<'a>, here: Waypoint, slope: f64) -> Self {
+        if slope < 0.0 {
+            Self { frame, here, direction: here.direction, is_ahead: true }
+        } else {
+            Self { frame: frame.mirrored(), here, direction: mirrored(here.direction), is_ahead: false }
+        }
+    }
+
+    /// The frame with the angle of the turning point, so far ahead in z, and the place in the turn from that as a part of the turn. None
+    /// where it is not in the turn; behind the turning point a step leads farther than the rest of the turn.
+    fn place(&self, distance: f64, part: f64) -> Option<(Frame<'a>, Waypoint)> {
+        let Self { frame, here, direction, is_ahead } = *self;
+        let y = if is_ahead { -part.sqrt() } else { part.sqrt() };
+        let frame = Frame { theta: frame.theta + 2.0 * libm::atan(distance), ..frame };
+        let farthest = if is_ahead { 1.0 } else { BEHIND };
+        (part < farthest).then_some((frame, Waypoint { z: y, direction, ..here }))
+    }
 }

@@ -50,6 +50,8 @@ pub(super) struct Step {
     pub(super) known: Option<(f64, f64)>,
     /// u and the law at the end, where they are known.
     pub(super) exit: Option<(f64, LawAt)>,
+    /// Whether it ends where a tile ends.
+    pub(super) is_tile: bool,
 }
 
 impl Step {
@@ -73,7 +75,18 @@ impl Step {
         let width = width.ok_or(Doubt::TurningPoint)?;
         let u = scaled(expansion.u, width);
         let (signs, doubt) = expansion.signs(&u, width, from_zero).ok_or(Doubt::Pole)?;
-        Ok(Self { width, u, degree: DEGREE, signs, doubt, direction, end: 1.0, known: None, exit: None })
+        Ok(Self {
+            width,
+            u,
+            degree: DEGREE,
+            signs,
+            doubt,
+            direction,
+            end: 1.0,
+            known: None,
+            exit: None,
+            is_tile: false,
+        })
     }
 
     /// Whether u has no zero near the step between two t by the sizes of its terms: on the same ellipse about the step all but the first are at
