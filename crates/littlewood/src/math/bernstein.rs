@@ -1,17 +1,17 @@
-//! Isolation of the first sign change of a polynomial, by variation diminishing instead of sampling.
+//! Isolation of the sign changes of a polynomial by the variation-diminishing property of its Bernstein form.
 //!
-//! In Bernstein form on [0, 1] a polynomial has at most as many roots in (0, 1) as its coefficients have sign
-//! changes, and the same parity. No change to a negative sign proves that it stays non-negative, one change
-//! proves that there is exactly one root; anything else is halved (de Casteljau) and examined again, left part
-//! first. So a crossing is neither missed nor stepped over, however short the excursion. Only an excursion
-//! shorter than 2⁻⁵⁰ of the interval, which doubles do not resolve from a touch, is decided by its end values.
+//! On [0, 1] the number of roots in (0, 1) is at most the number of sign changes of the Bernstein coefficients, and
+//! has the same parity. No sign change proves that there is no root, one proves exactly one root. Otherwise
+//! de Casteljau's scheme halves the interval, and the left half is examined first. No crossing is missed, however
+//! short the excursion. An excursion shorter than 2⁻⁵⁰ of the interval cannot be distinguished from a double root
+//! in double precision; its end values decide.
 
 use crate::math::bracket::Bracket;
 
-/// Largest degree in use: a Taylor step of a slide, with room to spare.
+/// Largest degree: above that of any Taylor series of a slide.
 pub(crate) const MAX_DEGREE: usize = 24;
 
-/// Halvings after which an undecided interval is narrower than the numbers resolve.
+/// Maximum number of halvings: 2⁻⁵⁰ of the interval is at the resolution of doubles.
 const MAX_HALVINGS: u32 = 50;
 
 /// A polynomial of degree at most [`MAX_DEGREE`] on [0, 1] in Bernstein form.
@@ -45,7 +45,7 @@ impl Bernstein {
         let mut power = 1.0;
         for (i, a) in taylor.iter().enumerate() {
             scaled[i] = a * power / BINOMIAL[degree][i];
-            // The coefficients of a slide of 1e30 time units are zero from the third on, and zero times infinity is no number.
+            // Keeps 0 · ∞ = NaN out: a slide of 1e30 time units has zero coefficients from the third on.
             power = (power * width).min(f64::MAX);
         }
         let mut coefficients = [0.0; MAX_DEGREE + 1];
@@ -73,7 +73,6 @@ impl Bernstein {
         &self.coefficients[..=self.degree]
     }
 
-    /// The negative of the polynomial.
     pub(crate) fn negated(mut self) -> Self {
         for b in &mut self.coefficients[..=self.degree] {
             *b = -*b;
@@ -81,7 +80,7 @@ impl Bernstein {
         self
     }
 
-    /// Sign just right of 0, which is that of the first coefficient other than 0.
+    /// Sign just right of 0: that of the first non-zero coefficient.
     pub(crate) fn initial_sign(&self) -> f64 {
         self.coefficients().iter().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
     }
@@ -107,19 +106,19 @@ impl Bernstein {
         self
     }
 
-    /// The same polynomial where it is known to be zero at 0, but for rounding.
+    /// Sets the value at 0 to zero, for a polynomial that vanishes there up to rounding.
     pub(crate) fn starting_at_zero(mut self) -> Self {
         self.coefficients[0] = 0.0;
         self
     }
 
     /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right of 0 crosses
-    /// at 0; a root where it only touches zero is no crossing.
+    /// at 0. A root without a sign change is not a crossing.
     pub(crate) fn first_crossing(&self) -> Option<Bracket> {
         self.search(Bracket { low: 0.0, high: 1.0 }, 0, &mut 1.0, &mut |_, bracket| Some(bracket))
     }
 
-    /// All points of (0, 1) at which the sign changes, in order. A zero that is only touched is none.
+    /// All points of (0, 1) at which the sign changes, in order; roots without a sign change are left out.
     pub(crate) fn sign_changes(&self) -> Vec<f64> {
         let mut changes = Vec::new();
         self.search(Bracket { low: 0.0, high: 1.0 }, 0, &mut 0.0, &mut |part, Bracket { low, high }| {
@@ -136,8 +135,10 @@ impl Bernstein {
         self.coefficients().iter().rev().copied().find(|b| *b != 0.0).map_or(0.0, f64::signum)
     }
 
-    /// Looks for sign changes in order, on the part `on` of [0, 1] on which the polynomial is given, until one `found` is an answer: with
-    /// the polynomial on the part that has it, which is a point where the polynomial behind it has another `sign` than before.
+    /// Passes the sign changes to `found`, in order, until it returns an answer.
+    ///
+    /// `self` is the polynomial on the subinterval `on` of [0, 1], `sign` the sign before it. `found` gets the
+    /// polynomial on the subinterval that isolates the change; a change at a boundary has an empty subinterval.
     fn search<T>(
         &self,
         on: Bracket,
@@ -187,13 +188,13 @@ impl Bernstein {
     }
 }
 
-/// Value and derivative of a polynomial with these Taylor coefficients.
+/// Value and derivative of the polynomial with these Taylor coefficients.
 #[inline]
 pub(crate) fn value_and_slope(taylor: &[f64], at: f64) -> (f64, f64) {
     taylor.iter().rev().fold((0.0, 0.0), |(sum, slope), c| (sum * at + c, slope * at + sum))
 }
 
-/// Its first crossing from non-negative to negative in [0, width].
+/// First crossing of the polynomial from non-negative to negative in [0, width].
 pub(crate) fn first_crossing(taylor: &[f64], width: f64) -> Option<f64> {
     let Bracket { low, high } = Bernstein::from_taylor(taylor, width).first_crossing()?;
     let bracket = Bracket { low: low * width, high: high * width };
@@ -224,14 +225,15 @@ mod tests {
     }
 
     #[test]
-    fn a_double_root_is_a_touch_and_no_crossing() {
+    fn a_double_root_is_not_a_crossing() {
         assert_eq!(planted(&[0.5, 0.5], 1.0).first_crossing(), None);
-        let found = first_root(&planted(&[0.5, 0.5, 0.75], -1.0)).expect("the simple root behind the touch");
+        let found =
+            first_root(&planted(&[0.5, 0.5, 0.75], -1.0)).expect("the simple root after the double root");
         assert!((found - 0.75).abs() < 1e-14);
     }
 
     #[test]
-    fn all_sign_changes_are_found_where_they_are() {
+    fn all_sign_changes_are_found() {
         let roots = [0.05, 0.2, 0.45, 0.46, 0.8, 0.97];
         for sign in [1.0, -1.0] {
             let found = planted(&roots, sign).sign_changes();
@@ -243,16 +245,16 @@ mod tests {
     }
 
     #[test]
-    fn a_zero_that_is_touched_is_no_sign_change() {
+    fn a_double_root_is_not_a_sign_change() {
         let found = planted(&[0.3, 0.3, 0.7], 1.0).sign_changes();
-        // Rounding may part the two.
+        // Rounding may split the double root in two.
         assert!(found.len() % 2 == 1 && found.len() <= 3, "{found:?}");
         assert!(found.last().is_some_and(|root| (root - 0.7).abs() < 1e-12), "{found:?}");
         assert!(found.iter().rev().skip(1).all(|root| (root - 0.3).abs() < 1e-7), "{found:?}");
     }
 
     #[test]
-    fn a_root_at_the_start_is_judged_by_what_follows() {
+    fn the_sign_after_a_root_at_zero_decides() {
         assert_eq!(planted(&[0.0], 1.0).first_crossing(), None);
         assert_eq!(planted(&[0.0], -1.0).first_crossing(), Some(Bracket { low: 0.0, high: 0.0 }));
         let found = first_root(&planted(&[0.0, 0.25], -1.0)).expect("the second root");

@@ -1,9 +1,9 @@
-//! Roots to the last digits: one loop, [`Bracket::iterate`], for every root that is known to lie between two numbers, with a guess for
-//! the first step and a rule for the last one.
+//! Bracketed roots to machine precision. One loop, [`Bracket::iterate`], takes a guess, a rule for each step and a
+//! criterion for the last step.
 
 use core::cmp::Ordering;
 
-/// An interval that holds the first crossing from non-negative to negative, and no other root.
+/// An interval that contains one crossing from non-negative to negative and no other root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bracket {
     pub(crate) low: f64,
@@ -12,32 +12,32 @@ pub(crate) struct Bracket {
 
 /// A step towards a root.
 pub(crate) struct Step {
-    /// Value where the step begins.
+    /// Value at the beginning of the step.
     pub(crate) value: f64,
     pub(crate) step: f64,
-    /// Its end is the root, and not looked at again, if the step is no longer than this.
+    /// A step no longer than this ends at the root; the function is not evaluated there.
     pub(crate) last: f64,
 }
 
-/// The last digit of a number.
+/// 2⁻⁵³ |x|: from half a unit to one unit in the last place.
 pub(crate) fn last_digit(x: f64) -> f64 {
     0.5 * f64::EPSILON * x.abs()
 }
 
-/// Newton's method ends with a step no longer than this in an interval of length two: its error is of the second order.
+/// Longest last step of Newton's method on an interval of length 2. The error of order 1e-18 is below rounding.
 const LAST_NEWTON_STEP: f64 = 1e-9;
 
-/// Steps after which a model of a function has told what it can.
-const STEPS_OF_A_MODEL: u32 = 4;
+/// Maximum number of Halley steps on one model: each triples the number of correct digits, so three suffice after the first.
+const MAX_MODEL_STEPS: u32 = 4;
 
-/// The step of Halley's method, and whether its end is the root to the last digit of a number: its error is of the third
-/// power in units of a length, unless another root is close.
+/// The step of Halley's method, and whether it ends at the root to the last digit of `of`. The error is of the third
+/// order in step/`length`, unless another root is close.
 fn halley((value, slope, curvature): (f64, f64, f64), of: f64, length: f64) -> (f64, bool) {
     let newton = -value / slope;
-    // Far from the root the second derivative is not to be trusted.
+    // Far from the root the second derivative is unreliable.
     let bend = (0.5 * newton * curvature / slope).clamp(-0.5, 0.5);
     let step = newton / (1.0 + bend);
-    // Next to another root a short step is not yet the last.
+    // A short step next to another root is not the last.
     let is_last =
         step.abs() <= 1e-6 * of.abs().min(length) && bend * bend * step.abs() <= f64::EPSILON * of.abs();
     (step, is_last)
@@ -49,9 +49,10 @@ impl Step {
         Self { value, step: -value / slope, last: last_digit(at) }
     }
 
-    /// Halley's method with a model of the function about a point, which costs less than the function itself: value and first two
-    /// derivatives there, and so far from it. The model is the function, to rounding, up to `reach`, and hardly takes another course over
-    /// `length`.
+    /// Halley's method with a model of the function about `at`, which is cheaper than the function.
+    ///
+    /// `here` holds the value and the first two derivatives at `at`; `model` gives them at a distance from it. The model
+    /// is accurate to rounding up to the distance `reach`; `length` is the scale on which the function changes.
     #[inline]
     pub(crate) fn by_model(
         at: f64,
@@ -61,7 +62,7 @@ impl Step {
     ) -> Self {
         let (mut step, mut is_last) = halley(here, at, length);
         let mut steps = 1;
-        while !is_last && step.abs() <= reach && steps < STEPS_OF_A_MODEL {
+        while !is_last && step.abs() <= reach && steps < MAX_MODEL_STEPS {
             let (more, is_short) = halley(model(step), at, length);
             step += more;
             is_last = is_short && step.abs() <= reach;
@@ -72,15 +73,15 @@ impl Step {
 }
 
 impl Bracket {
-    /// The root of `function` inside, to the last digits, by Newton's method from the middle.
+    /// The root of `function` by Newton's method from the midpoint.
     ///
     /// `function` returns the value and the derivative; it is non-negative at `low` and not positive at `high`.
     pub(crate) fn refine(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
         self.iterate(0.5 * (self.low + self.high), |x| Step::newton(x, function(x)))
     }
 
-    /// The same from where the secant through the ends vanishes, in an interval of length two at the most on which the function is
-    /// a polynomial with coefficients of its size: the last step is not looked at again.
+    /// The root of `function` by Newton's method from the zero of the secant. The interval is no longer than 2, and
+    /// `function` a polynomial with coefficients of the order of its values. The last step is not verified.
     pub(crate) fn refine_from_secant(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
         let Self { low, high } = self;
         let (first, last) = (function(low).0, function(high).0);
@@ -89,8 +90,9 @@ impl Bracket {
         self.iterate(guess, |x| Step { last: LAST_NEWTON_STEP, ..Step::newton(x, function(x)) })
     }
 
-    /// The root inside of a function from whose value, positive below the root and negative above, `next_step` makes a step. The bracket
-    /// only shrinks, and is halved where a step would leave it, or does not halve the last one. The guess may lie anywhere.
+    /// The root of a function that is positive below the root and negative above it. `next_step` evaluates the function
+    /// and proposes a step. A proposal that leaves the bracket, or is longer than half the previous step, is replaced
+    /// by bisection. The guess may lie outside the bracket.
     pub(crate) fn iterate(self, guess: f64, mut next_step: impl FnMut(f64) -> Step) -> f64 {
         let (mut low, mut high) = (self.low, self.high);
         if high <= low {
@@ -122,7 +124,7 @@ impl Bracket {
 mod tests {
     use super::*;
 
-    /// π between 2 and 4 by a model of sin x, and how many models it took.
+    /// π between 2 and 4 by models of sin x, and the number of models.
     fn pi_from(guess: f64, reach: f64) -> (f64, u32) {
         let mut models = 0;
         let root = Bracket { low: 2.0, high: 4.0 }.iterate(guess, |point| {
@@ -159,13 +161,13 @@ mod tests {
     fn a_secant_leads_to_a_root_in_few_steps() {
         for root in [0.0, 1e-6, 0.2, 0.5, 0.9, 1.0] {
             let mut evaluations = 0;
-            // (root − x)(2 + x), which hardly bends.
+            // (root − x)(2 + x) has a small curvature.
             let found = Bracket { low: 0.0, high: 1.0 }.refine_from_secant(|x| {
                 evaluations += 1;
                 ((root - x) * (2.0 + x), root - 2.0 - 2.0 * x)
             });
             assert!((found - root).abs() < 2e-16, "{root}: {found}");
-            // Next to a root at an end no sign shows on which side it is, and the interval is halved.
+            // A root at an end of the bracket is found by bisection.
             assert!(evaluations <= 6 || root == 0.0 || root == 1.0, "{root}: {evaluations}");
         }
     }

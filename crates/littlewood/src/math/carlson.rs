@@ -1,11 +1,10 @@
-//! Carlson's symmetric elliptic integrals `R_F`, `R_C`, `R_J` for the arguments that rolling needs.
+//! Carlson's symmetric elliptic integrals `R_F`, `R_C`, `R_J` for the arguments of rolling.
 //!
-//! Duplication (B. C. Carlson, *Numerical computation of real or complex elliptic integrals*, Numer. Algorithms
-//! 10, 1995; <https://dlmf.nist.gov/19.36>). They stand here, and not in a crate, because the crates that have them
-//! reach `atan` and `log` through a feature switch that any other dependency can flip: the last bits of the
-//! result would then depend on what else is compiled. The tests compare with such a crate.
+//! Duplication theorem (B. C. Carlson, *Numerical computation of real or complex elliptic integrals*, Numer. Algorithms
+//! 10, 1995; <https://dlmf.nist.gov/19.36>). Existing crates take `atan` and `log` from `std` or `libm` by a feature
+//! that any other dependency can enable, which changes the last bits. The tests compare with such a crate.
 
-/// Relative size of the terms that the truncated series leaves out.
+/// Relative truncation error of the series.
 const TRUNCATION: f64 = f64::EPSILON / 8.0;
 
 /// `R_F(x, y, z)` for non-negative arguments of which at most one is zero (DLMF 19.16.1); relative error a few ulp.
@@ -39,7 +38,7 @@ pub(crate) fn rf(x: f64, y: f64, z: f64) -> f64 {
     }
 }
 
-/// `R_C(1, 1 + e)` for e > −1 (DLMF 19.6.15): the elementary function that `R_J` adds up.
+/// `R_C(1, 1 + e)` for e > −1 (DLMF 19.6.15), the elementary function in the sum for `R_J`.
 fn rc_one_plus(e: f64) -> f64 {
     if e.abs() < 0.02 {
         // Alternating series 1 − e/3 + e²/5 − …; 0.02^10 / 21 is below half an ulp.

@@ -2,7 +2,7 @@
 //!
 //! With X = cos(θ/2), Y = sin(θ/2) a trigonometric polynomial of degree n is a homogeneous polynomial of degree 2n:
 //! 1 = X² + Y², cos θ = X² − Y², sin θ = 2XY. On an arc between two directions of (X, Y) it is a polynomial in Bernstein
-//! form, whose sign changes [`crate::math::bernstein`] isolates: none is missed between samples, because there are none.
+//! form, whose sign changes [`crate::math::bernstein`] isolates without sampling.
 
 use crate::math::bernstein::Bernstein;
 
@@ -19,7 +19,7 @@ impl<const N: usize> Form<N> {
         self.restricted(from, to).bernstein()
     }
 
-    /// The same in the barycentric coordinates of the arc.
+    /// The form in the barycentric coordinates of the arc.
     #[inline]
     pub(crate) fn restricted(&self, from: HalfAngle, to: HalfAngle) -> Self {
         let (mut sum, mut power) = ([0.0; N], [0.0; N]);
@@ -27,7 +27,7 @@ impl<const N: usize> Form<N> {
         Self(sum)
     }
 
-    /// A form in barycentric coordinates on its arc.
+    /// The Bernstein form of a form in barycentric coordinates.
     pub(crate) fn bernstein(&self) -> Bernstein {
         Bernstein::from_form(&self.0)
     }
@@ -63,7 +63,7 @@ fn value(form: &[f64], [x, y]: HalfAngle) -> f64 {
     sum
 }
 
-/// The direction at a point of an arc, of length one, as [`Form::on_arc`] counts its points.
+/// The unit vector at the barycentric coordinate `at` of an arc, the variable of [`Form::on_arc`].
 #[inline]
 pub(crate) fn on_arc(from: HalfAngle, to: HalfAngle, at: f64) -> HalfAngle {
     let x = (1.0 - at) * from[0] + at * to[0];
@@ -72,7 +72,8 @@ pub(crate) fn on_arc(from: HalfAngle, to: HalfAngle, at: f64) -> HalfAngle {
     [x / length, y / length]
 }
 
-/// Substitutes the barycentric coordinates of an arc, by Horner's scheme. `sum` and `power` are zero, and as long as the form.
+/// Substitutes the barycentric coordinates of an arc, by Horner's scheme. `sum` and `power` must be zero and have the
+/// length of the form.
 #[inline(always)]
 fn restrict(form: &[f64], from: HalfAngle, to: HalfAngle, sum: &mut [f64], power: &mut [f64]) {
     sum[0] = form[0];
@@ -86,7 +87,7 @@ fn restrict(form: &[f64], from: HalfAngle, to: HalfAngle, sum: &mut [f64], power
     }
 }
 
-/// Multiplies a form by l_0 a + l_1 b; its last coefficient is zero.
+/// Multiplies a form, whose last coefficient must be zero, by l_0 a + l_1 b.
 #[inline(always)]
 fn multiply_linear(form: &mut [f64], linear: [f64; 2]) {
     let mut lower = 0.0;
@@ -167,24 +168,23 @@ impl Trigonometric {
         Self(slope)
     }
 
-    /// Angles in (0, 2π) at which the sign changes, in order, to rounding. Where a coefficient is so small that rounding
-    /// decides its sign, a sign change that is not there may be listed.
+    /// Angles in (0, 2π) at which the sign changes, in order. Where rounding decides the sign of a coefficient, the list
+    /// may contain a spurious sign change.
     pub(crate) fn sign_changes(&self) -> Vec<f64> {
-        /// Arcs of a turn.
-        const ARCS: u32 = 8;
+        const ARCS_PER_TURN: u32 = 8;
         let direction = |arc: u32| {
-            let (sin, cos) = libm::sincos(core::f64::consts::PI * f64::from(arc) / f64::from(ARCS));
+            let (sin, cos) = libm::sincos(core::f64::consts::PI * f64::from(arc) / f64::from(ARCS_PER_TURN));
             [cos, sin]
         };
         let mut changes = Vec::new();
         let mut sign = 0.0;
-        for arc in 0..ARCS {
+        for arc in 0..ARCS_PER_TURN {
             let (from, to) = (direction(arc), direction(arc + 1));
             let (mut sum, mut power) = (vec![0.0; self.0.len()], vec![0.0; self.0.len()]);
             restrict(&self.0, from, to, &mut sum, &mut power);
             let polynomial = Bernstein::from_form(&sum);
             if sign * polynomial.initial_sign() < 0.0 {
-                // A zero between two arcs is in neither.
+                // A zero at the boundary of two arcs is in the interior of neither.
                 changes.push(2.0 * libm::atan2(from[1], from[0]));
             }
             sign = polynomial.final_sign();

@@ -1,4 +1,4 @@
-//! Polynomials, roots and elliptic integrals: nothing here knows of the hoop.
+//! Polynomials, roots and elliptic integrals, independent of the hoop.
 
 pub(crate) mod bernstein;
 pub(crate) mod bracket;

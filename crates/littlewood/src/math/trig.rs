@@ -1,25 +1,25 @@
-//! Sine and cosine together, for the many evaluations of flight and of the engine.
+//! Sine and cosine together, for flight and the engine.
 //!
-//! The angle is reduced by multiples of π/2 in two parts, and both functions are Taylor sums on [−π/4, π/4]. Every
-//! operation is an IEEE sum or product, so that the bits are the same on every platform, as with the `libm` crate; the
-//! error is below one unit in the last place, and the work a third.
+//! Multiples of π/2, in two parts, reduce the angle to [−π/4, π/4], where both functions are Taylor sums. All operations
+//! are IEEE sums and products, so the bits are the same on every platform. The error is below one unit in the last
+//! place; the cost is a third of that of `libm`.
 
 use core::f64::consts::{FRAC_2_PI, TAU};
 
-/// Beyond this the two parts of π/2 do not suffice.
-const FAR: f64 = 1e5;
+/// Largest reducible angle: its multiple of π/2 stays below 2²⁰, where the product with the leading part is exact.
+const MAX_REDUCIBLE_ANGLE: f64 = 1e5;
 
-/// Nearer to the nth multiple of π/2 than this times n they do not, either: the second part of it is rounded by up to 7e-27 n.
-const NEAR: f64 = 1e-10;
+/// Least distance to the nth multiple of π/2, over n: the trailing part is rounded by up to 7e-27 n, 7e-17 of this.
+const MIN_REMAINDER_PER_MULTIPLE: f64 = 1e-10;
 
-/// Adding and subtracting it rounds to an integer.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+/// 1.5 × 2⁵²: adding and subtracting it rounds to an integer.
+const ROUNDING_SHIFT: f64 = 6_755_399_441_055_744.0;
 
-/// The leading 33 bits of π/2, so that its product with a multiple below 2²⁰ is exact, and the rest.
+/// π/2 in two parts. The first has 33 bits: its product with a multiple below 2²⁰ is exact.
 const HALF_PI_HIGH: f64 = 1.570_796_326_734_125_6;
 const HALF_PI_LOW: f64 = 6.077_100_506_506_192e-11;
 
-/// Coefficients of the Taylor series of sin r/r and cos r in r², from the highest power down to the second term.
+/// Taylor coefficients of sin r/r and cos r in r², from the highest power down to r².
 const fn series<const N: usize>(odd: f64) -> [f64; N] {
     let mut coefficients = [0.0; N];
     let mut term = 1.0;
@@ -36,17 +36,17 @@ const fn series<const N: usize>(odd: f64) -> [f64; N] {
 const SINE: [f64; 8] = series(1.0);
 const COSINE: [f64; 9] = series(0.0);
 
-/// 2π in parts, of which the first two have 25 bits: their products with a number of turns up to 2²⁸ are exact.
+/// 2π in three parts. The first two have 25 bits: their products with up to 2²⁸ turns are exact.
 const TURN: [f64; 3] = [6.283_185_243_606_567, 6.357_301_884_918_343e-8, 2.449_293_598_294_706_4e-16];
 
-/// An angle up to 1e9 without the whole turns.
+/// An angle up to 1e9 modulo 2π, in [−π, π].
 pub(crate) fn without_turns(theta: f64) -> f64 {
     let turns = (theta / TAU).round_ties_even();
-    // No turn must not make a positive zero of a negative one.
+    // Preserves the sign of −0.
     if turns == 0.0 { theta } else { TURN.iter().fold(theta, |rest, part| rest - turns * part) }
 }
 
-/// A polynomial, the highest power first; even and odd powers apart, two short chains instead of a long one.
+/// A polynomial, highest power first. Even and odd powers are summed separately, for two short dependency chains.
 #[inline(always)]
 fn polynomial(coefficients: &[f64], x: f64) -> f64 {
     let square = x * x;
@@ -57,7 +57,7 @@ fn polynomial(coefficients: &[f64], x: f64) -> f64 {
     other * x + this
 }
 
-/// 1 + cos θ from sin θ and cos θ, with all digits near the bottom.
+/// 1 + cos θ without cancellation near the bottom.
 #[inline]
 pub(crate) fn above_bottom((sin, cos): (f64, f64)) -> f64 {
     if cos < 0.0 { sin * sin / (1.0 - cos) } else { 1.0 + cos }
@@ -66,18 +66,18 @@ pub(crate) fn above_bottom((sin, cos): (f64, f64)) -> f64 {
 /// (sin x, cos x).
 #[inline]
 pub(crate) fn sincos(x: f64) -> (f64, f64) {
-    if x.is_nan() || x.abs() >= FAR {
+    if x.is_nan() || x.abs() >= MAX_REDUCIBLE_ANGLE {
         return libm::sincos(x);
     }
-    let shifted = x * FRAC_2_PI + ROUND;
-    let multiple = shifted - ROUND;
+    let shifted = x * FRAC_2_PI + ROUNDING_SHIFT;
+    let multiple = shifted - ROUNDING_SHIFT;
     let high = x - multiple * HALF_PI_HIGH;
     let tail = multiple * HALF_PI_LOW;
     let r = high - tail;
-    if r.abs() < NEAR * multiple.abs() {
+    if r.abs() < MIN_REMAINDER_PER_MULTIPLE * multiple.abs() {
         return libm::sincos(x);
     }
-    // What the difference has lost.
+    // The rounding error of the difference.
     let rest = (high - r) - tail;
     let (sin, cos) = core_sincos(r, rest);
     // The quadrant is the last two bits of the mantissa.
@@ -86,21 +86,21 @@ pub(crate) fn sincos(x: f64) -> (f64, f64) {
     if quadrant & 2 == 0 { (sin, cos) } else { (-sin, -cos) }
 }
 
-/// The same for |r| ≤ π/4, with a small correction of r.
+/// (sin, cos) of r + `rest`, for |r| ≤ π/4 and a correction below the last digit of r.
 #[inline]
 fn core_sincos(r: f64, rest: f64) -> (f64, f64) {
     let square = r * r;
     let sine = polynomial(&SINE, square);
     let cosine = polynomial(&COSINE[..COSINE.len() - 1], square);
-    // 1 − r²/2 exactly, as a sum of two.
+    // 1 − r²/2 exactly, as the sum `one` + `lost`.
     let half = 0.5 * square;
     let one = 1.0 - half;
     let lost = (1.0 - one) - half;
     (r + (rest + r * (square * sine)), one + (lost + (square * square * cosine - r * rest)))
 }
 
-/// 1/(k(k + 1)) and 1/((k + 1)(k + 2)) for k = 20, 18, …, 4: the ratios of terms of the series of `TruncatedSeries`.
-const RECIPROCALS: [(f64, f64); 9] = {
+/// 1/(k(k + 1)) and 1/((k + 1)(k + 2)) for k = 20, 18, …, 4: ratios of successive terms in `TruncatedSeries`.
+const TERM_RATIOS: [(f64, f64); 9] = {
     let mut table = [(0.0, 0.0); 9];
     let mut i = 0;
     while i < 9 {
@@ -111,7 +111,7 @@ const RECIPROCALS: [(f64, f64); 9] = {
     table
 };
 
-/// sin φ, 1 − cos φ, φ − sin φ and cos φ − 1 + φ²/2, the latter without cancellation.
+/// sin φ, 1 − cos φ, φ − sin φ and cos φ − 1 + φ²/2, without cancellation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TruncatedSeries {
     pub(crate) sine: f64,
@@ -121,7 +121,7 @@ pub(crate) struct TruncatedSeries {
 }
 
 impl TruncatedSeries {
-    // Within its callers the sums are not computed side by side.
+    // Inlined into its callers, the two sums are no longer interleaved.
     #[inline(never)]
     pub(crate) fn new(phi: f64) -> Self {
         let square = phi * phi;
@@ -130,9 +130,9 @@ impl TruncatedSeries {
             let versine = 1.0 - cosine;
             return Self { sine, versine, odd: phi - sine, even: 0.5 * square - versine };
         }
-        // φ³/3! − φ⁵/5! + … and φ⁴/4! − φ⁶/6! + …; the terms left out are below 1/23!.
+        // φ³/3! − φ⁵/5! + … and φ⁴/4! − φ⁶/6! + …; the omitted terms are below 1/23!.
         let (mut odd, mut even) = (1.0, 1.0);
-        for (a, b) in RECIPROCALS {
+        for (a, b) in TERM_RATIOS {
             odd = 1.0 - odd * (square * a);
             even = 1.0 - even * (square * b);
         }
@@ -179,13 +179,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_stays_none() {
+    fn nan_and_infinity_give_nan() {
         assert!(sincos(f64::NAN).0.is_nan() && sincos(f64::INFINITY).1.is_nan());
     }
 
     /// θ − 2πk from 60 digits of π (mpmath).
     #[test]
-    fn whole_turns_are_taken_off_exactly() {
+    fn whole_turns_are_subtracted_exactly() {
         for (theta, expected) in [
             (1000000000.0, 0.5773954235013852),
             (999999999.4, -0.02260460034047274),
