@@ -1,14 +1,14 @@
 //! Motions that bounce for ever: two symmetric flights a turn, without slip at any impact.
 //!
-//! With e = 1 and enough friction there is a motion for each angle φ of the impact. From θ = −φ the hoop flies over the top to
-//! θ = φ at the rate ω1, and from there under the bottom to θ = 2π − φ at the rate ω2. Each flight is symmetric in time, so that
-//! the slip velocity, which is zero at its start, is zero at its end, and the gap closes as fast as it has opened, at v:
+//! With e = 1 and enough friction there is one such motion for each impact angle φ. The hoop flies over the top from
+//! θ = −φ to φ at the rate ω1, then under the bottom to 2π − φ at the rate ω2. Each flight is symmetric in time: the slip
+//! velocity is zero at both ends, and the gap closes at the speed v at which it opened:
 //!
 //! ```text
 //! v = φ/ω1 − h sin φ ω1 = (π − φ)/ω2 + h sin φ ω2,   ω2 − ω1 = κ v,   κ = 2 m h sin φ/D(φ).
 //! ```
 //!
-//! The last is the jump of the rate in an impact that sticks and loses nothing. With α = 1 − κ h sin φ, the square X = ω1² solves
+//! The last equation is the change of θ′ in an elastic impact that sticks. With α = 1 − κ h sin φ, X = ω1² solves
 //!
 //! ```text
 //! h sin φ α (1 + α) X² + (π − 2 α² φ) X − α κ φ² = 0.
@@ -28,15 +28,15 @@ pub struct BouncingOrbit {
     pub top_rate: f64,
     /// Rate ω2 of the flight under the bottom.
     pub bottom_rate: f64,
-    /// Rate v at which the gap opens after each impact.
+    /// Gap rate v after each impact.
     pub gap_rate: f64,
-    /// Coefficient of static friction that sticking in the impacts needs.
+    /// Least coefficient of static friction for which the impacts stick.
     pub friction: f64,
 }
 
 impl BouncingOrbit {
-    /// The motion of a hoop with impacts at this angle; none for a massless or a balanced hoop, for an angle outside 0 to π, and
-    /// where the rim would have to pass through the plane.
+    /// The motion of a hoop with impacts at this angle. `None` for a massless or a balanced hoop, for an angle outside
+    /// (0, π), and where the rim would penetrate the plane.
     ///
     /// ```
     /// use littlewood::impact::BouncingOrbit;
@@ -60,7 +60,7 @@ impl BouncingOrbit {
         let alpha = 1.0 - kappa * arm;
         let (square, linear, constant) =
             (arm * alpha * (1.0 + alpha), PI - 2.0 * alpha * alpha * angle, -alpha * kappa * angle * angle);
-        // The larger root, without cancellation: of opposite sign to the other if α > 0.
+        // The larger root, without cancellation. For α > 0 the roots have opposite signs.
         let root = (linear * linear - 4.0 * square * constant).max(0.0).sqrt();
         let top_square =
             if linear > 0.0 { -2.0 * constant / (linear + root) } else { (root - linear) / (2.0 * square) };
@@ -73,14 +73,14 @@ impl BouncingOrbit {
             gap_rate,
             friction: body.mass * arm * lever / about_contact,
         };
-        // With α ≤ 0 the rates have no positive solution. Under the bottom the gap falls from the middle of the flight to its
-        // ends. Over the top its slope changes sign once at most on the way, so that it is open if it is in the middle,
-        // where it is (φ/ω1)²/2 − h (1 − cos φ); then it closes at the end, v > 0.
-        let in_the_middle = angle / top_rate > 2.0 * body.h.sqrt() * libm::sin(0.5 * angle);
-        (alpha > 0.0 && in_the_middle).then_some(orbit)
+        // For α ≤ 0 the rates have no positive solution. Under the bottom the gap decreases from the middle of the flight
+        // to its ends. Over the top its slope changes sign at most once in each half, so it is positive throughout if
+        // it is at mid-flight, where it is (φ/ω1)²/2 − h (1 − cos φ). Then v > 0.
+        let opens = angle / top_rate > 2.0 * body.h.sqrt() * libm::sin(0.5 * angle);
+        (alpha > 0.0 && opens).then_some(orbit)
     }
 
-    /// Period: the time of a turn.
+    /// Time of one turn.
     #[must_use]
     pub fn period(&self) -> f64 {
         2.0 * (self.angle / self.top_rate + (PI - self.angle) / self.bottom_rate)

@@ -1,7 +1,7 @@
-//! Littlewood's hoop in closed form (§3): massless, the particle on the rim unless an offset is asked for.
+//! Littlewood's hoop in closed form (§3): massless, with the particle on the rim unless a function takes an offset.
 //!
-//! Angles in radians, times in √(R/g), energies in m2 g R. Where the paper's formula is misprinted the corrected one
-//! stands here, and the documentation says what is printed.
+//! Angles are in radians, times in √(R/g), energies in m2 g R. Misprints of the paper are corrected; the documentation
+//! quotes the printed formula.
 
 use crate::model::{Massless, Start, named};
 
@@ -14,36 +14,36 @@ pub fn rolling_energy(theta: f64, theta_rate: f64) -> f64 {
 
 /// α = sin(θ0/2) + θ0′ cos(θ0/2), the amplitude of the growing exponential in (3.3).
 ///
-/// Printed in (3.4) as sin(θ0/2) + √((e0 − cos θ0)/2), which is this for θ0′ ≥ 0 only.
+/// Printed in (3.4) as sin(θ0/2) + √((e0 − cos θ0)/2), which holds for θ0′ ≥ 0 only.
 #[must_use]
 pub fn alpha(theta: f64, theta_rate: f64) -> f64 {
     let (sin, cos) = libm::sincos(0.5 * theta);
     sin + theta_rate * cos
 }
 
-/// sin(θ/2) while rolling, from any start, after Δτ:
+/// sin(θ/2) in rolling from any start, after Δτ:
 ///
 /// ```text
 /// sin(θ/2) = sin(θ0/2) cosh(Δτ/2) + θ0′ cos(θ0/2) sinh(Δτ/2).
 /// ```
 ///
-/// This is (3.3) with the right α, with exponents ±(τ − τ0)/2 (printed: τ − τ0/2), and without its division by α,
-/// which vanishes on the stable manifold. It contains (3.5) to (3.7). Beyond ±1 the particle has passed through the
-/// contact point: the motion has ended before.
+/// This is (3.3) with α corrected, with exponents ±(τ − τ0)/2 (printed: τ − τ0/2), and without the division by α,
+/// which vanishes on the stable manifold. It contains (3.5) to (3.7). A magnitude above 1 means that the particle has
+/// reached the plane: the motion has ended.
 #[must_use]
 pub fn rolling_half_sine(start: &Start, elapsed: f64) -> f64 {
     let (sin, cos) = libm::sincos(0.5 * start.theta);
     sin * libm::cosh(0.5 * elapsed) + start.theta_rate * cos * libm::sinh(0.5 * elapsed)
 }
 
-/// θ while rolling after Δτ, for a start with |θ0| ≤ π; none after the particle has reached the plane.
+/// θ in rolling after Δτ, for |θ0| ≤ π; `None` after the particle has reached the plane.
 #[must_use]
 pub fn rolling_angle(start: &Start, elapsed: f64) -> Option<f64> {
     let sine = rolling_half_sine(start, elapsed);
     (sine.abs() <= 1.0).then(|| 2.0 * libm::asin(sine))
 }
 
-/// Finite time in which rolling, if nothing gave way, would bring the particle to the plane, θ = ±π; none on the
+/// Time in which rolling, without slip and loss of contact, brings the particle to the plane, θ = ±π; `None` on the
 /// stable manifold.
 #[must_use]
 pub fn rolling_time_to_plane(theta: f64, theta_rate: f64) -> Option<f64> {
@@ -69,25 +69,25 @@ pub fn unstable_manifold_rate(theta: f64) -> f64 {
     libm::tan(0.5 * theta)
 }
 
-/// Normal force while rolling, N = cos²(θ/2) (1 − θ′²) (3.8).
+/// Normal force in rolling, N = cos²(θ/2) (1 − θ′²) (3.8).
 #[must_use]
 pub fn rolling_normal(theta: f64, theta_rate: f64) -> f64 {
     let cos = libm::cos(0.5 * theta);
     cos * cos * (1.0 - theta_rate * theta_rate)
 }
 
-/// Friction force while rolling, F = (θ′² − 1) cos(θ/2) sin(θ/2) (3.8).
+/// Friction force in rolling, F = (θ′² − 1) cos(θ/2) sin(θ/2) (3.8).
 #[must_use]
 pub fn rolling_friction(theta: f64, theta_rate: f64) -> f64 {
     let (sin, cos) = libm::sincos(0.5 * theta);
     (theta_rate * theta_rate - 1.0) * cos * sin
 }
 
-/// Angle θ_s > 0 at which static friction gives way (3.9): θ_s = 2 atan μs for the particle on the rim (53.13° for
-/// μs = 0.5; the caption of Figure 5 has half of it).
+/// Angle θ_s > 0 at which slip begins (3.9): θ_s = 2 atan μs for the particle on the rim (53.13° for μs = 0.5; the
+/// caption of Figure 5 has half of it).
 ///
-/// For ℓ̂ < 1 (footnote 7) |F|/N = ℓ̂|sin θ|/(1 + ℓ̂ cos θ), so θ_s = atan μs + asin(μs/(ℓ̂ √(1 + μs²))); none if
-/// μs ≥ ℓ̂/√(1 − ℓ̂²), when friction always suffices.
+/// For ℓ̂ < 1 (footnote 7) |F|/N = ℓ̂|sin θ|/(1 + ℓ̂ cos θ), so θ_s = atan μs + asin(μs/(ℓ̂ √(1 + μs²))); `None` for
+/// μs > ℓ̂/√(1 − ℓ̂²), where static friction always suffices.
 #[must_use]
 pub fn slip_angle(hoop: &Massless, mu_s: f64) -> Option<f64> {
     if hoop.offset == 1.0 {
@@ -104,19 +104,19 @@ pub fn in_rolling_region(start: &Start, mu_s: f64) -> bool {
 }
 
 named! {
-    /// The three types of motion that start in 𝓡 (§3a).
+    /// The three types of motion from 𝓡 (§3a).
     pub enum RollingType, "type of rolling" {
-        /// N vanishes before static friction gives way: 1 + 2 cos θ_s < e < 3.
+        /// N vanishes before slip begins: 1 + 2 cos θ_s < e < 3.
         I = 1, "I";
-        /// Both at once: e = 1 + 2 cos θ_s.
+        /// N vanishes as slip begins: e = 1 + 2 cos θ_s.
         II = 2, "II";
-        /// Static friction gives way with N > 0: cos θ_s < e < 1 + 2 cos θ_s.
+        /// Slip begins with N > 0: cos θ_s < e < 1 + 2 cos θ_s.
         III = 3, "III";
     }
 }
 
 impl RollingType {
-    /// By the energy e (3.2); none outside (cos θ_s, 3), where no motion in 𝓡 is.
+    /// The type of a motion of energy e (3.2); `None` outside (cos θ_s, 3), the energies in 𝓡.
     #[must_use]
     pub fn of_energy(energy: f64, mu_s: f64) -> Option<Self> {
         // cos θ_s = (1 − μs²)/(1 + μs²)
@@ -135,7 +135,7 @@ impl RollingType {
     }
 }
 
-/// Time at which a hoop that rolls from the top (θ0 = 0) slips: τ = 2 asinh(sin(θ_s/2)/θ0′) by (3.6).
+/// Time at which a hoop that rolls from the top (θ0 = 0) begins to slip: τ = 2 asinh(sin(θ_s/2)/θ0′) by (3.6).
 #[must_use]
 pub fn slip_time_from_top(theta_rate: f64, mu_s: f64) -> f64 {
     let sine = mu_s / (1.0 + mu_s * mu_s).sqrt();
@@ -148,7 +148,7 @@ pub fn unloading_time_from_top(theta_rate: f64) -> f64 {
     libm::acosh(1.0 / (theta_rate * theta_rate))
 }
 
-/// Time from (θ0, θ0′) of a glide to θ = ±π, the positive root of (3.20):
+/// Duration of a glide from (θ0, θ0′) to θ = ±π, the positive root of (3.20):
 /// τ_g − τ0 = −θ0′ sin θ0 + √(θ0′² sin²θ0 + 2(1 + cos θ0)).
 #[must_use]
 pub fn gliding_time_to_plane(theta: f64, theta_rate: f64) -> f64 {

@@ -1,11 +1,10 @@
 //! The equations of motion, each written once: those of rolling (2.8, 2.11, 2.12), of sliding (2.15, 2.16, 2.18), and
 //! 1 − h cos θ θ′² of contact.
 //!
-//! Every formula takes the sine and the cosine of θ and u = θ′², so that a solver that has them computes nothing
-//! twice. Where a formula is linear in (1, u), or in (1, sin θ, cos θ), its first argument stands for the 1: with the
-//! coefficients of power series in place of numbers the same formula gives the series.
+//! The formulas take sin θ, cos θ and u = θ′², which solvers have already computed. A formula that is linear in (1, u)
+//! or (1, sin θ, cos θ) takes the 1 as its first argument; applied to coefficients of power series it gives the series.
 //!
-//! | equation | what | here |
+//! | equation | quantity | function |
 //! |---|---|---|
 //! | (2.8) | energy | [`energy`], [`RollingLaw::energy`] |
 //! | (2.11) | θ″ of rolling, with the denominator D | [`RollingLaw::acceleration`], [`RollingLaw::denominator`] |
@@ -20,7 +19,7 @@ use crate::math::form::Trigonometric;
 use crate::math::trig::above_bottom;
 use crate::model::{Body, Direction, Heavy, Hoop, Start, State};
 
-/// Contact forces, over m2 g.
+/// Contact forces, in m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactForces {
@@ -31,7 +30,7 @@ pub struct ContactForces {
 }
 
 impl ContactForces {
-    /// Friction demand |F|/N: the coefficient of friction that this motion needs. Infinite for N ≤ 0.
+    /// Friction demand |F|/N, the least coefficient of friction for this motion. Infinite for N ≤ 0.
     #[must_use]
     pub fn demand(&self) -> f64 {
         if self.normal > 0.0 { self.friction.abs() / self.normal } else { f64::INFINITY }
@@ -43,31 +42,31 @@ impl ContactForces {
 pub struct Accelerations {
     /// Angular acceleration θ″.
     pub theta: f64,
-    /// Acceleration η″ of the slip.
+    /// Slip acceleration η″.
     pub slip: f64,
 }
 
-/// w = 1 − h cos θ θ′², from cos θ θ′². The plane presses on a hoop in contact while w > 0; sliding lifts off where
-/// w = 0 (2.18), whatever μk.
+/// w = 1 − h cos θ θ′², from cos θ θ′². A hoop can stay in contact while w > 0; sliding lifts off where w = 0 (2.18),
+/// independent of μk.
 #[inline]
 pub(crate) fn contact(one: f64, h: f64, cos_u: f64) -> f64 {
     one - h * cos_u
 }
 
-/// Flight: w < 0, or w = 0 and falling. At w = 0, w′ = h sin θ θ′³; where that vanishes too, at the top,
-/// w″ = h cos θ θ′⁴ > 0 and the body stays.
+/// Whether the body lifts off: w < 0, or w = 0 and decreasing. At w = 0, w′ = h sin θ θ′³; where that vanishes too, at
+/// the top, w″ = h cos θ θ′⁴ > 0 and the body stays in contact.
 pub(crate) fn leaves_plane(w: f64, sin: f64, theta_rate: f64) -> bool {
     w < 0.0 || (w == 0.0 && sin * theta_rate < 0.0)
 }
 
-/// σ η″ at η′ = 0 where the forces of rolling exceed static friction: −σ D (F + μk σ N)/(m P) with N and F of (2.12),
-/// from |F| − μk N (`drive`) and D.
+/// σ η″ at η′ = 0 where rolling violates static friction: −σ D (F + μk σ N)/(m P) with N and F of (2.12), from
+/// `drive` = |F| − μk N and D.
 #[inline]
 pub(crate) fn slip_acceleration_at_rest(mass: f64, denominator: f64, drive: f64, p: f64) -> f64 {
     denominator * drive / (mass * p)
 }
 
-/// Kinetic plus potential energy of a body in contact or above the plane, from velocities alone (2.8).
+/// Kinetic plus potential energy of a body in contact or above the plane (2.8).
 pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64 {
     energy_at(hoop, state, libm::sincos(state.theta), (gap, gap_rate))
 }
@@ -80,7 +79,7 @@ impl Hoop {
     }
 }
 
-/// The same with the sine and cosine of the angle.
+/// [`energy`], from (sin θ, cos θ).
 #[inline]
 pub(crate) fn energy_at(
     hoop: &Hoop,
@@ -95,7 +94,7 @@ pub(crate) fn energy_at(
     0.5 * (m * (vx * vx + vy * vy) + spin) + hoop.offset() * cos + m * gap
 }
 
-/// The equation of rolling of one body, massless or not: what (2.10) to (2.12) depend on.
+/// The equations of rolling (2.10) to (2.12) of one body, massless or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingLaw {
     pub(crate) mass: f64,
@@ -107,7 +106,7 @@ pub struct RollingLaw {
 }
 
 impl RollingLaw {
-    /// The law of a hoop.
+    /// The equations of rolling of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         let (mass, h, inertia) = (hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre());
@@ -119,21 +118,21 @@ impl RollingLaw {
         }
     }
 
-    /// D(θ), the denominator of (2.11): twice the kinetic energy of rolling over θ′². Measured from the bottom, where
-    /// D of a light hoop is small.
+    /// D(θ), the denominator of (2.11): twice the kinetic energy of rolling over θ′². A sum of non-negative terms, accurate
+    /// near the bottom, where D of a light hoop is small.
     #[must_use]
     pub fn denominator(&self, theta: f64) -> f64 {
         let cos_half = libm::cos(0.5 * theta);
         self.bottom + 4.0 * self.offset * cos_half * cos_half
     }
 
-    /// The same from sin θ and cos θ.
+    /// D(θ) from (sin θ, cos θ).
     #[inline]
     pub(crate) fn denominator_of(&self, direction: (f64, f64)) -> f64 {
         self.bottom + 2.0 * self.offset * above_bottom(direction)
     }
 
-    /// The same as a trigonometric polynomial.
+    /// D(θ) as a trigonometric polynomial.
     pub(crate) fn denominator_polynomial(&self) -> Trigonometric {
         Trigonometric::linear(self.mean_denominator(), 0.0, 2.0 * self.offset)
     }
@@ -150,7 +149,7 @@ impl RollingLaw {
         self.offset * sin * one_plus_u / denominator
     }
 
-    /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Not defined where D = 0 (footnote 8).
+    /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Undefined where D = 0 (footnote 8).
     #[must_use]
     pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
         self.acceleration(libm::sin(theta), 1.0 + theta_rate * theta_rate, self.denominator(theta))
@@ -171,8 +170,8 @@ impl RollingLaw {
         }
     }
 
-    /// Normal and friction force (2.12). In 𝓡 of (2.14) they hold the body in rolling; elsewhere they say what
-    /// would be needed.
+    /// Normal and friction force (2.12). In 𝓡 of (2.14) they are the contact forces; elsewhere, those that rolling would
+    /// require.
     #[must_use]
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         self.forces_at(libm::sincos(theta), [1.0, theta_rate * theta_rate], self.denominator(theta))
@@ -208,7 +207,7 @@ pub struct SlidingLaw {
 }
 
 impl SlidingLaw {
-    /// The law of a hoop that slips in `direction`; none for a massless hoop, which glides.
+    /// The equations of a hoop that slips in `direction`; `None` for a massless hoop, which glides.
     #[must_use]
     pub fn new(hoop: &Hoop, direction: Direction) -> Option<Self> {
         match hoop.body() {
@@ -235,20 +234,20 @@ impl SlidingLaw {
         inertia + mass * h * sin * q
     }
 
-    /// 1 + h cos θ + μk σ h sin θ, the lever of θ′ in the first integral.
+    /// 1 + h cos θ + μk σ h sin θ, the coefficient of θ′ in the first integral.
     #[inline]
     pub(crate) fn lever(&self, sin: f64, cos: f64) -> f64 {
         1.0 + self.body.h * (cos + self.friction * sin)
     }
 
-    /// a of the linear equation du/dθ = a w: twice θ″/w.
+    /// a = 2 θ″/w of the linear equation du/dθ = a w.
     #[inline]
     pub(crate) fn drive(&self, sin: f64, cos: f64) -> f64 {
         let q = self.q(1.0, sin, cos);
         2.0 * self.body.mass * q / self.p(sin, q)
     }
 
-    /// η″ = α + β u of (2.16), sorted by u: with one division where [`SlidingLaw::accelerations`] has two.
+    /// α and β of η″ = α + β u (2.16): one division where [`SlidingLaw::accelerations`] has two.
     #[inline]
     pub(crate) fn slip_acceleration(&self, sin: f64, cos: f64) -> (f64, f64) {
         let Heavy { mass, h, inertia, .. } = self.body;
@@ -257,13 +256,13 @@ impl SlidingLaw {
         (alpha, -h * cos * alpha - h * sin)
     }
 
-    /// w = 1 − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where w = 0, whatever μk.
+    /// w = 1 − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where w = 0, independent of μk.
     #[must_use]
     pub fn contact(&self, theta: f64, theta_rate: f64) -> f64 {
         contact(1.0, self.body.h, libm::cos(theta) * (theta_rate * theta_rate))
     }
 
-    /// P = Î + m h sin θ q. Where P ≤ 0 sliding has no solution with N > 0, or several motions are possible.
+    /// P = Î + m h sin θ q. Where P ≤ 0, sliding has no solution with N > 0, or the motion is not unique.
     #[must_use]
     pub fn solvability(&self, theta: f64) -> f64 {
         let (sin, cos) = libm::sincos(theta);
@@ -303,7 +302,7 @@ impl SlidingLaw {
         state.slip - state.theta_rate * self.lever(sin, cos) + self.friction * state.time
     }
 
-    /// The second integral, x̄ + μk σ (ȳ + τ²/2) − linear, of the slide that begins at a state.
+    /// The second integral, x̄ + μk σ (ȳ + τ²/2) minus a linear function of τ, of the slide from a state.
     pub(crate) fn path(&self, start: &State, (sin, cos): (f64, f64)) -> SlidePath {
         let h = self.body.h;
         let vx = start.slip - (1.0 + h * cos) * start.theta_rate;
@@ -318,7 +317,7 @@ impl SlidingLaw {
     }
 }
 
-/// Where the geometric centre is during a slide, by the second integral.
+/// Position of the geometric centre during a slide, by the second integral.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SlidePath {
     h: f64,
@@ -330,7 +329,7 @@ pub(crate) struct SlidePath {
 }
 
 impl SlidePath {
-    /// x after the time `elapsed`, at this angle.
+    /// x after the time `elapsed`, at the angle of this sine and cosine.
     #[inline]
     pub(crate) fn x(&self, elapsed: f64, (sin, cos): (f64, f64)) -> f64 {
         let fall = self.h * (cos - self.cos_start) + 0.5 * elapsed * elapsed;

@@ -1,19 +1,19 @@
-//! What slides without kinetic friction conserve, and where it lets η′ vanish.
+//! First integrals of slides without kinetic friction, and the zeros of η′ that they determine.
 
 use crate::math::trig::{above_bottom, sincos};
 use crate::model::{Heavy, State};
 
-/// A first step that is longer leads to another angle.
-const LONGEST_STEP: f64 = 1e-3;
+/// Longest first step of Newton's method, rad: a longer one may lead to another zero.
+const MAX_FIRST_STEP: f64 = 1e-3;
 
-/// Newton's method goes on as long as each step is shorter than the one before by this factor.
-const CONVERGES: f64 = 0.75;
+/// Largest ratio of successive steps. Near a double zero Newton's method has the ratio ½.
+const MAX_STEP_RATIO: f64 = 0.75;
 
-/// It has converged with a step shorter than this: rounding leaves half the digits of two zeros next to each other.
-const LAST_STEP: f64 = 1e-7;
+/// Longest last step of a converged iteration, rad. Rounding moves a double zero by about √ε = 1.5e-8.
+const MAX_LAST_STEP: f64 = 1e-7;
 
-/// So many halvings take an angle to its last digit.
-const MOST_STEPS: usize = 53;
+/// Maximum number of steps: 53 halvings reach the last digit.
+const MAX_STEPS: usize = 53;
 
 /// First integrals of a slide without friction. With c = cos ϑ, s = sin ϑ, u = ϑ′² and J = Î + m h² s²,
 ///
@@ -28,7 +28,7 @@ pub(crate) struct FrictionlessIntegrals {
 }
 
 impl FrictionlessIntegrals {
-    /// At a state, of whose angle sine and cosine are given.
+    /// The integrals at a state, with the sine and cosine of its angle.
     pub(crate) fn new(body: &Heavy, state: &State, (sin, cos): (f64, f64)) -> Self {
         let Heavy { mass, h, inertia, offset } = *body;
         let rate = state.theta_rate;
@@ -38,7 +38,7 @@ impl FrictionlessIntegrals {
         }
     }
 
-    /// A² J − (C − 2 m h c) (1 + h c)², which vanishes with η′, in powers of the distance of c from a cosine, each coefficient as the sum of its two
+    /// A² J − (C − 2 m h c) (1 + h c)², which vanishes with η′, in powers of c − `cos`. Each coefficient is given as its two
     /// terms.
     pub(crate) fn standstills(&self, body: &Heavy, cos: f64) -> [[f64; 2]; 4] {
         let Heavy { mass, h, inertia, offset } = *body;
@@ -53,7 +53,7 @@ impl FrictionlessIntegrals {
         ]
     }
 
-    /// The distances of the other two from a cosine at which η′ vanishes, with that zero divided out; not a number where they are not real.
+    /// The distances of the other two zeros of the cubic from its zero at `cos`, by deflation; NaN where they are not real.
     pub(crate) fn other_standstills(&self, body: &Heavy, cos: f64) -> [f64; 2] {
         let [_, slope, square, cube] = self.standstills(body, cos).map(|[first, second]| first + second);
         let root = (square * square - 4.0 * cube * slope).sqrt();
@@ -61,16 +61,17 @@ impl FrictionlessIntegrals {
         [larger / cube, slope / larger]
     }
 
-    /// Whether one of them, at this distance, has more digits so than as a zero of the cubic: there rounding of the slope at the first zero tells, times the distance, and
-    /// that of the value where it is in the other case.
-    pub(crate) fn is_known_from(&self, body: &Heavy, cos: f64, distance: f64) -> bool {
+    /// Whether deflation gives a zero at this distance more accurately than the cubic does. The error of deflation is that
+    /// of the slope at `cos` times the distance; the error of the cubic is that of its value at the zero.
+    pub(crate) fn deflation_is_better(&self, body: &Heavy, cos: f64, distance: f64) -> bool {
         let size = |[first, second]: [f64; 2]| first.abs() + second.abs();
         let [_, slope, ..] = self.standstills(body, cos);
         let [value, ..] = self.standstills(body, cos + distance);
         size(slope) * distance.abs() < size(value)
     }
 
-    /// The angle next to one, and the rate, at which η′ vanishes: Newton's method for C, with θ′ from A. None where it does not converge.
+    /// Angle near `theta`, and rate, at which η′ vanishes: Newton's method for C, with θ′ from A. `None` without
+    /// convergence.
     pub(crate) fn standstill_near(&self, body: &Heavy, theta: f64) -> Option<(f64, f64)> {
         let Heavy { mass, h, inertia, offset } = *body;
         let theta = converge(theta, |theta| {
@@ -90,22 +91,22 @@ impl FrictionlessIntegrals {
     }
 }
 
-/// Newton's method for an angle next to one, with a step that is subtracted. None where it does not converge.
+/// Newton's method for an angle near `theta`; `step` is subtracted. `None` without convergence.
 pub(crate) fn converge(mut theta: f64, step: impl Fn(f64) -> f64) -> Option<f64> {
-    let mut shortest = LONGEST_STEP / CONVERGES;
-    // Two zeros next to each other halve each step; rounding ends that.
-    for _ in 0..MOST_STEPS {
+    let mut shortest = MAX_FIRST_STEP / MAX_STEP_RATIO;
+    // Near a double zero each step is half the previous one, until rounding dominates.
+    for _ in 0..MAX_STEPS {
         let step = step(theta);
-        if step.is_nan() || step.abs() >= CONVERGES * shortest {
+        if step.is_nan() || step.abs() >= MAX_STEP_RATIO * shortest {
             break;
         }
         theta -= step;
         shortest = step.abs();
     }
-    (shortest < LAST_STEP).then_some(theta)
+    (shortest < MAX_LAST_STEP).then_some(theta)
 }
 
-/// 1 + h c with all digits near the bottom, where it is small for a particle near the rim.
+/// 1 + h c without cancellation near the bottom, where it is small for a particle near the rim.
 fn lever(h: f64, direction: (f64, f64)) -> f64 {
     (1.0 - h) + h * above_bottom(direction)
 }

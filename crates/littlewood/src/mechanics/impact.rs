@@ -1,26 +1,26 @@
-//! The impact of the rim on the plane: a rigid body, friction by Coulomb's law, restitution by one of three laws.
+//! The impact of the rim on the plane: a rigid body, Coulomb friction, and one of three laws of restitution.
 //!
-//! The vertical impulse P is the independent variable (Routh; Keller 1986). With the slip velocity u and the gap rate w of the
-//! contact point, (h sin θ, −(1 + h cos θ)) from the mass centre,
+//! The normal impulse P is the independent variable (Routh; Keller 1986). With the slip velocity u and the gap rate w of
+//! the contact point, (h sin θ, −(1 + h cos θ)) from the mass centre,
 //!
 //! ```text
 //! du = A dJ + B dP,   dw = B dJ + C dP,   dθ′ = [(1 + h cos θ) dJ + h sin θ dP]/Î,
 //! A = 1/m + (1 + h cos θ)²/Î,   B = h sin θ (1 + h cos θ)/Î,   C = 1/m + h² sin²θ/Î,   A C − B² = D/(m² Î).
 //! ```
 //!
-//! While the body slips, dJ/dP = −μk σ, so that dw/dP = k1 = C − μk σ B = P_solv/(m Î): Painlevé's P of sliding. For a light
-//! hoop A, B and C are large and all but cancel: what is computed first is dθ′/dP, and du/dP and dw/dP from it. Where slip
-//! ends, the body sticks, dJ/dP = −B/A, if |B| ≤ μs A, and else slips towards sign B; in both dw/dP = k2 > 0. Everything is
-//! piecewise linear in P, so that the impact is in closed form. [`crate::Hoop::simulate`] ends before it.
+//! While the body slips, dJ/dP = −μk σ and dw/dP = k1 = C − μk σ B = P_solv/(m Î), with Painlevé's P of sliding. For a
+//! light hoop A, B and C are large and nearly cancel; dθ′/dP is therefore computed first, and du/dP and dw/dP from it.
+//! When slip ends, the body sticks, dJ/dP = −B/A, if |B| ≤ μs A, and otherwise slips in the direction of sign B. In both
+//! cases dw/dP = k2 > 0. All quantities are piecewise linear in P, so the impact has a closed form.
 //!
-//! Literature: J. B. Keller, J. Appl. Mech. 53, 1986; W. J. Stronge, Proc. R. Soc. A 431, 1990 (the energetic law); Y. Wang and
-//! M. T. Mason, J. Appl. Mech. 59, 1992 (the cases).
+//! Literature: J. B. Keller, J. Appl. Mech. 53, 1986; W. J. Stronge, Proc. R. Soc. A 431, 1990 (the energetic law);
+//! Y. Wang and M. T. Mason, J. Appl. Mech. 59, 1992 (the cases).
 
 use thiserror::Error;
 
 use crate::model::{Body, Direction, Heavy, Hoop, Restitution, RestitutionLaw, State, named};
 
-/// The impulse of the plane on the body, over m2 √(gR).
+/// The impulse of the plane on the body, in m2 √(gR).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Impulse {
@@ -30,18 +30,17 @@ pub struct Impulse {
     pub friction: f64,
 }
 
-/// Why there is no impact to compute.
+/// Reason why an impact is undefined.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ImpactError {
     /// The gap does not close.
     #[error("gap_rate = {gap_rate} sqrt(g R) must be finite and not positive: the gap has to close")]
     Opening {
-        /// The gap rate that was given.
+        /// The gap rate.
         gap_rate: f64,
     },
-    /// A massless hoop carries no impulse: without inertia the contact force that an impact needs would accelerate the rim
-    /// without bound.
+    /// A massless hoop: an impulse on its rim would cause an infinite velocity.
     #[error("a massless hoop has no impact: its rim has no inertia that an impulse could act on")]
     Massless,
 }
@@ -49,21 +48,21 @@ pub enum ImpactError {
 named! {
     /// Course of the slip during an impact.
     pub enum ImpactCase, "case of an impact",
-    /// In words, for tables and pictures.
+    /// Label for tables and figures.
     pub label: &'static str {
-        /// Nothing: the gap does not close, and nothing forces an impulse.
+        /// No impulse: the gap does not close, and the hoop does not jam.
         None = 0, "none" => "no impulse";
-        /// Slips throughout.
+        /// The contact slips throughout.
         Slides = 1, "slides" => "slides";
-        /// Slip ends in compression, and the contact sticks.
+        /// Slip ends in compression and the contact sticks.
         SticksInCompression = 2, "sticks_in_compression" => "sticks in compression";
-        /// Slip ends in compression and goes on in the other direction.
+        /// Slip reverses in compression.
         ReversesInCompression = 3, "reverses_in_compression" => "reverses in compression";
-        /// Slip ends in restitution, and the contact sticks.
+        /// Slip ends in restitution and the contact sticks.
         SticksInRestitution = 4, "sticks_in_restitution" => "sticks in restitution";
-        /// Slip ends in restitution and goes on in the other direction.
+        /// Slip reverses in restitution.
         ReversesInRestitution = 5, "reverses_in_restitution" => "reverses in restitution";
-        /// P ≤ 0 (Painlevé): while it slips the plane presses the gap shut; slip must end before the gap can open.
+        /// P ≤ 0 (Painlevé): during slip the normal impulse closes the gap, which opens only after slip has ended.
         Jams = 6, "jams" => "jams";
     }
 }
@@ -76,27 +75,27 @@ pub struct ContactVelocities {
     pub theta_rate: f64,
     /// Slip velocity η′ of the contact point.
     pub slip: f64,
-    /// Rate of the gap; negative while it closes.
+    /// Gap rate; negative while the gap closes.
     pub gap_rate: f64,
 }
 
 impl ContactVelocities {
-    /// Those of a state, with the rate of the gap.
+    /// The velocities of a state with this gap rate.
     pub(crate) const fn of(state: &State, gap_rate: f64) -> Self {
         Self { theta_rate: state.theta_rate, slip: state.slip, gap_rate }
     }
 }
 
-/// An impact, or all those of the bounces by which a hoop settles, together.
+/// An impact, or the sum of the impacts by which a hoop settles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Impact {
-    /// What the contact point does.
+    /// Course of the slip.
     pub case: ImpactCase,
-    /// Velocities before.
+    /// Velocities before the impact.
     pub before: ContactVelocities,
-    /// Velocities after.
+    /// Velocities after the impact.
     pub after: ContactVelocities,
     /// Impulse on the body.
     pub impulse: Impulse,
@@ -107,25 +106,25 @@ pub struct Impact {
 }
 
 impl Impact {
-    /// The state after the impact, from that before it.
+    /// The state after the impact, from the state before it.
     pub(crate) fn state_after(&self, before: &State) -> State {
         State { theta_rate: self.after.theta_rate, slip: self.after.slip, ..*before }
     }
 
-    /// Energy lost, over m2 g R. Negative where Newton's law gains energy.
+    /// Energy lost, in m2 g R. Newton's law can make it negative.
     #[must_use]
     pub fn energy_lost(&self) -> f64 {
         -(self.normal_work + self.friction_work)
     }
 
-    /// Whether the law has gained energy, which only Newton's can.
+    /// Whether the impact increases the energy, which only Newton's law allows.
     #[must_use]
     pub fn gains_energy(&self) -> bool {
         self.energy_lost() < 0.0
     }
 }
 
-/// Part of an impact on which everything is linear in P: how J, θ′, u and w change with P.
+/// The derivatives of J, θ′, u and w with respect to P, constant on each part of an impact.
 #[derive(Clone, Copy, Debug)]
 struct Slope {
     friction: f64,
@@ -134,20 +133,20 @@ struct Slope {
     gap_rate: f64,
 }
 
-/// How the velocities of the contact point answer to an impulse (J, P): u′ − u = A J + B P, w′ − w = B J + C P, over 1/m2.
+/// Compliance of the contact point to an impulse (J, P), in 1/m2: u′ − u = A J + B P, w′ − w = B J + C P.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Compliance {
-    /// A: slip by friction.
+    /// A: change of slip by the friction impulse.
     pub a: f64,
-    /// B: slip by the normal impulse, and the rate of the gap by friction.
+    /// B: change of slip by the normal impulse, and of the gap rate by the friction impulse.
     pub b: f64,
-    /// C: the rate of the gap by the normal impulse.
+    /// C: change of the gap rate by the normal impulse.
     pub c: f64,
 }
 
 impl Hoop {
-    /// What an impact at an angle depends on; none for a massless hoop.
+    /// The compliance at an angle; `None` for a massless hoop.
     #[must_use]
     pub fn compliance(&self, theta: f64) -> Option<Compliance> {
         let Body::Heavy(body) = self.body() else { return None };
@@ -160,8 +159,8 @@ impl Hoop {
         })
     }
 
-    /// The impulses through which an impact at an angle goes, with straight lines between them: from none to all of it, and
-    /// on the way that at which the slip ends, if it does. Empty for a massless hoop; bounces that settle have no such course.
+    /// The vertices of an impact in the plane of impulses (J, P): zero, the impulse at which slip ends, if it does, and
+    /// the total. Empty for a massless hoop. Not defined for the sum of the impacts of a [`crate::impact::Settling`].
     #[must_use]
     pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<Impulse> {
         let Body::Heavy(body) = self.body() else { return Vec::new() };
@@ -175,8 +174,8 @@ impl Hoop {
         [Some(none), bend, Some(impact.impulse)].into_iter().flatten().collect()
     }
 
-    /// The impact of a hoop whose rim touches the plane in `state`, the gap closing at `gap_rate` ≤ 0, with friction μk where
-    /// it slips and μs where it sticks.
+    /// The impact of a hoop whose rim touches the plane in `state` with `gap_rate` ≤ 0. Friction is μk in slip and at most
+    /// μs in stick.
     ///
     /// ```
     /// use littlewood::cases::find_case;
@@ -193,7 +192,7 @@ impl Hoop {
     /// ```
     ///
     /// # Errors
-    /// A gap that opens; a massless hoop.
+    /// `gap_rate` > 0 or not finite; a massless hoop.
     pub fn impact(
         &self,
         state: &State,
@@ -208,9 +207,9 @@ impl Hoop {
         Ok(Contact::new(self, &body, state.theta).impact(before, restitution))
     }
 
-    /// The impact without a collision by which a hoop goes on where it slips and no motion is consistent, or where its slide
-    /// has run into P = 0. None for a massless hoop, one without a coefficient of restitution, and one that does not slip.
-    /// Where sliding has a solution, P > 0, it does not apply.
+    /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or which has reached
+    /// P = 0. `None` for a massless hoop, without a coefficient of restitution, and without slip. Does not apply where
+    /// P > 0.
     #[must_use]
     pub fn jam(&self, state: &State) -> Option<Impact> {
         let (Body::Heavy(body), Some(restitution)) = (self.body(), self.restitution()) else { return None };
@@ -220,16 +219,16 @@ impl Hoop {
     }
 }
 
-/// An angle at which the rim touches the plane, with what an impact there depends on.
+/// The coefficients of an impact at one angle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Contact {
     mass: f64,
     /// h sin θ and 1 + h cos θ.
     arm: f64,
     lever: f64,
-    /// While it slips with σ = −1 and σ = +1.
+    /// In slip with σ = −1 and σ = +1.
     slipping: [Slope; 2],
-    /// From rest, and whether it slips then.
+    /// After slip has ended, and whether the contact slips again.
     at_rest: Slope,
     reverses: bool,
 }
@@ -248,7 +247,7 @@ impl Contact {
             let friction = -hoop.mu_k() * direction.sign();
             slope(friction, (arm + friction * lever) / body.inertia)
         });
-        // m Î A and m Î B: what sticking needs is |B|/A.
+        // m Î A and m Î B: sticking requires |B|/A ≤ μs.
         let (a, b) = (body.inertia + mass * lever * lever, mass * arm * lever);
         let stuck = Slope { slip: 0.0, ..slope(-b / a, arm / a) };
         let reversed = Direction::of_sign(b).filter(|_| b.abs() > hoop.mu_s() * a);
@@ -260,7 +259,7 @@ impl Contact {
         self.slipping[direction.index()]
     }
 
-    /// The impact with these velocities, the gap not opening.
+    /// The impact with these velocities, for a gap rate ≤ 0.
     pub(crate) fn impact(&self, before: ContactVelocities, restitution: Restitution) -> Impact {
         let direction = Direction::of_sign(before.slip);
         let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
@@ -278,8 +277,8 @@ impl Contact {
         self.course(before, direction, slipping).impact(jams, restitution)
     }
 
-    /// The jam of a hoop that slips where P ≤ 0, the rim at the plane and the gap neither closing nor opening. Where a slide
-    /// has run into P = 0 the rounded P may have either sign; it is zero.
+    /// The jam of a hoop that slips where P ≤ 0, at gap rate 0. Where a slide has reached P = 0, rounding may make P
+    /// positive; it is set to zero.
     fn jam(&self, before: ContactVelocities, direction: Direction, restitution: Restitution) -> Impact {
         let slope = self.slope(direction);
         let slipping = if slope.gap_rate <= 0.0 {
@@ -303,7 +302,7 @@ impl Contact {
     }
 }
 
-/// The two parts of an impact: slip as it was, up to the impulse `first`, and what follows.
+/// The two parts of an impact: the initial slip, up to the normal impulse `first`, and the rest.
 #[derive(Clone, Copy, Debug)]
 struct Course<'a> {
     contact: &'a Contact,
@@ -317,12 +316,12 @@ struct End {
     case: ImpactCase,
     /// P.
     normal: f64,
-    /// Rate at which the gap opens, from the law itself: as a sum over P it would be lost in rounding where e is small.
+    /// Gap rate after the impact, from the law of restitution. Summed over P it would be lost in rounding for small e.
     opening: f64,
 }
 
 impl Course<'_> {
-    /// The end by the law of restitution.
+    /// The end of the impact by the law of restitution.
     fn end(&self, jams: bool, restitution: Restitution) -> End {
         let (e, law) = (restitution.coefficient(), restitution.law());
         let closing = -self.before.gap_rate;
@@ -362,7 +361,7 @@ impl Course<'_> {
         End { case, normal: first + (opening - at_end) / k2, opening }
     }
 
-    /// The velocities after, and the works on both parts.
+    /// The impact, with the work of both parts.
     fn impact(&self, jams: bool, restitution: Restitution) -> Impact {
         let End { case, normal, opening } = self.end(jams, restitution);
         let before = self.before;

@@ -1,4 +1,4 @@
-//! The equations of motion in contact, impacts, closed forms.
+//! The equations of motion in contact, impacts and closed forms.
 
 pub(crate) mod bouncing;
 pub mod closed_form;

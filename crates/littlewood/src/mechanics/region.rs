@@ -1,4 +1,4 @@
-//! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundary curves, separatrix and equilibria.
+//! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundaries, the separatrix and the equilibria.
 
 use crate::mechanics::{ContactForces, RollingLaw};
 use crate::model::{Body, Direction, Hoop};
@@ -28,7 +28,7 @@ pub struct PhasePlane {
 /// Stability of an equilibrium in rolling.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stability {
-    /// Centre, with this angular frequency √(ℓ̂/D(π)) of small oscillations.
+    /// Centre, with the angular frequency √(ℓ̂/D(π)) of small oscillations.
     Stable {
         /// Frequency.
         frequency: f64,
@@ -52,7 +52,7 @@ pub struct Equilibrium {
 }
 
 impl PhasePlane {
-    /// The plane of a hoop.
+    /// The phase plane of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl PhasePlane {
         }
     }
 
-    /// Normal and friction force that rolling needs (2.12).
+    /// Normal and friction force of rolling (2.12).
     #[must_use]
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         self.law.forces(theta, theta_rate)
@@ -83,21 +83,22 @@ impl PhasePlane {
         forces.normal > 0.0 && forces.friction.abs() <= self.mu_s * forces.normal
     }
 
-    /// N and F as linear functions of u = θ′² at an angle: what is constant, and what u is multiplied by.
+    /// N and F as linear functions of u = θ′² at an angle: the constants and the slopes.
     fn line(&self, theta: f64) -> [ContactForces; 2] {
         let (direction, d) = (libm::sincos(theta), self.law.denominator(theta));
         [[1.0, 0.0], [0.0, 1.0]].map(|one_u| self.law.forces_at(direction, one_u, d))
     }
 
-    /// |θ′| on the curve n, where N = 0 in rolling; none where N does not vanish at any rate.
+    /// |θ′| on the curve n, N = 0 in rolling; `None` where N ≠ 0 at every rate.
     #[must_use]
     pub fn normal_force_rate(&self, theta: f64) -> Option<f64> {
         let [constant, slope] = self.line(theta);
         rate_of(-constant.normal / slope.normal)
     }
 
-    /// |θ′| on the curve f, where |F| = μs N with N ≥ 0 in rolling and the slip that follows has this direction; none
-    /// where the curve does not pass over θ. For a massless hoop f is a vertical line: [`crate::mechanics::closed_form::slip_angle`].
+    /// |θ′| on the branch of the curve f, |F| = μs N with N ≥ 0 in rolling, where slip begins in this direction; `None`
+    /// where the branch has no point at θ. For a massless hoop f is a vertical line:
+    /// [`crate::mechanics::closed_form::slip_angle`].
     #[must_use]
     pub fn slip_rate(&self, theta: f64, direction: Direction) -> Option<f64> {
         if matches!(self.body, Body::Massless(_)) {
@@ -110,8 +111,8 @@ impl PhasePlane {
         (constant.normal + slope.normal * u >= 0.0).then_some(rate)
     }
 
-    /// |θ′| above which the body cannot stay in contact, 1 = h cos θ θ′²: sliding lifts off here, whatever μk. Below
-    /// this curve and above n the body slides at once although rolling would need N < 0.
+    /// |θ′| of lift-off from sliding, h cos θ θ′² = 1, independent of μk. Below this curve and above n the body slides at
+    /// once, although rolling would require N < 0.
     #[must_use]
     pub fn lift_off_rate(&self, theta: f64) -> Option<f64> {
         rate_of(1.0 / (self.h * libm::cos(theta)))
@@ -123,7 +124,7 @@ impl PhasePlane {
         self.level_rate(theta, self.law.separatrix_energy()).unwrap_or(0.0)
     }
 
-    /// |θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ); none where the orbit does not reach θ.
+    /// |θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ); `None` where the orbit does not reach θ.
     #[must_use]
     pub fn level_rate(&self, theta: f64, energy: f64) -> Option<f64> {
         let sin_half = libm::sin(0.5 * theta);

@@ -1,55 +1,54 @@
-//! How bounces come to an end: the rest of a sequence of ever smaller bounces, summed.
+//! Settling: the sum of an infinite sequence of decaying bounces (chatter).
 //!
-//! Where W = 1 − h cos θ θ′² > 0 and each bounce gives back less than it takes, bounces accumulate: infinitely many in a
-//! finite time. Once they are short, θ, W, the compliances of the impact and the acceleration a = −h sin θ θ′² of the slip in
-//! flight hardly change any more. With those held fixed a flight of the rate v takes 2v/W and adds 2 a v/W to the slip, the
-//! impact is homogeneous in (u, v), and the sum of all of them is found from a few: where it does the same each time, sticks,
-//! reverses or slips on, it is geometric. What is neglected is of the order of the square of the time that is left.
+//! Where W = 1 − h cos θ θ′² > 0 and each bounce is slower than the previous one, infinitely many bounces take a finite
+//! time. Once they are short, θ, W, the compliance and the slip acceleration a = −h sin θ θ′² in flight are nearly
+//! constant. With these fixed, a flight with initial gap rate v takes 2v/W and adds 2 a v/W to the slip, and the impact
+//! is homogeneous in (u, v). Bounces of one kind (stick, reverse or slip) then have a geometric sum. The error is of
+//! the order of the square of the remaining time.
 //!
-//! The ratio of the rates of successive bounces decides, not e. Where they slip it is e. Where they stick, a drives the slip of
-//! each flight against sign B, so that k1 = C + μk |B| at first and k2 < k1 behind it: the ratio is then below e by the energetic
-//! law and by Poisson's, also for e = 1, and e by Newton's. It is e for all of them without friction, and where B or a vanishes.
-//! So bounces never grow for e < 1, as they do for other bodies near k1 = 0 (reverse chatter).
+//! The ratio of the gap rates of successive bounces decides, not e. In slip it is e. In stick, a drives the slip of each
+//! flight against sign B, so k1 = C + μk |B| in slip and k2 < k1 afterwards. The ratio is then below e by the energetic
+//! law and by Poisson's, also for e = 1, and equal to e by Newton's. All three laws give e without friction, and where B
+//! or a vanishes. For e < 1 bounces therefore never grow; for other bodies they can near k1 = 0 (reverse chatter).
 
 use thiserror::Error;
 
 use crate::mechanics::{Contact, ContactVelocities, Impact, ImpactCase, Impulse, contact};
 use crate::model::{Body, Heavy, Hoop, Restitution, State};
 
-/// Bounces are followed one by one until those that remain take less than this, also in units of 1/|θ′|: its square is
-/// the order of the error.
-const LONGEST: f64 = 1e-7;
+/// Longest time summed with fixed coefficients, also in units of 1/|θ′|. The error is of the order of its square.
+const MAX_SETTLING_TIME: f64 = 1e-7;
 
-/// What the sum may be wrong by: in angle and position, in times and velocities in units of 1 + |θ′|.
-const ERROR: f64 = 10.0 * LONGEST * LONGEST;
+/// Largest error of the sum: in angle and position, and in times and velocities in units of 1 + |θ′|.
+const MAX_SUM_ERROR: f64 = 10.0 * MAX_SETTLING_TIME * MAX_SETTLING_TIME;
 
-/// A ratio is the quotient of sums of a dozen products, all of one sign: so close to 1 it is not known to be less.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Rounding error of a ratio, a quotient of sums of a dozen products of one sign.
+const RATIO_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Slip velocities that are the same part of the rate of their bounces, but for this, repeat themselves.
-const SAME_KIND: f64 = 1e-14;
+/// Relative tolerance for equal ratios of slip velocity to gap rate in successive bounces.
+const REPETITION_TOLERANCE: f64 = 1e-14;
 
-/// Bounces slower than the first by this factor add nothing to the sums.
-const NEGLIGIBLE: f64 = 1e-20;
+/// Gap rate, over the first, below which bounces do not change the sums: 1e-20 is far below ε.
+const NEGLIGIBLE_RATE_RATIO: f64 = 1e-20;
 
-/// Bounces of changing kind that are summed one by one.
+/// Maximum number of bounces of changing kind, which are summed one by one.
 const MAX_BOUNCES: usize = 4096;
 
-/// The end of bouncing, from a flight on.
+/// The sum of all bounces from a flight on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Settling {
-    /// Rate of the gap with which the first flight begins.
+    /// Gap rate at the start of the first flight.
     pub gap_rate: f64,
-    /// Time from the start of the first flight.
+    /// Total time of the flights.
     pub duration: f64,
-    /// Ratio of the rates of successive bounces in the end: the effective coefficient of restitution.
+    /// Limit of the ratio of successive gap rates: the effective coefficient of restitution.
     pub ratio: f64,
-    /// All impacts together, as one at the end of the time; its case is that of each in the end.
+    /// All impacts combined into one at the end of the time, with the case of the last ones.
     pub impact: Impact,
 }
 
-/// Why bounces do not settle.
+/// Reason why bounces do not settle.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum NoSettling {
@@ -59,33 +58,32 @@ pub enum NoSettling {
     /// The gap does not open.
     #[error("gap_rate = {gap_rate} sqrt(g R) must be finite and greater than 0")]
     Closed {
-        /// The gap rate that was given.
+        /// The gap rate.
         gap_rate: f64,
     },
-    /// 1 − h cos θ θ′² ≤ 0: the gap opens further by itself.
-    #[error("1 - h cos(theta) theta'^2 = {contact} is not positive: the plane does not pull the rim back")]
+    /// 1 − h cos θ θ′² ≤ 0: the gap grows without an impact.
+    #[error("1 - h cos(theta) theta'^2 = {contact} is not positive: the gap does not close again")]
     LeavesPlane {
         /// 1 − h cos θ θ′².
         contact: f64,
     },
-    /// The bounces do not shrink, or not by more than rounding: e = 1 where they slip, without friction, and by Newton's law. With
-    /// e < 1 that would be reverse chatter, by which a hoop at rest against the plane could as well begin to bounce; this body
-    /// has none.
+    /// The bounces do not decay by more than rounding: e = 1 in slip, without friction, or by Newton's law. Growth for
+    /// e < 1 would be reverse chatter, which this body does not show.
     #[error("each bounce is {ratio} times as fast as the one before")]
     Grows {
         /// Ratio of the rates of successive bounces.
         ratio: f64,
     },
-    /// The bounces change their kind more often than are summed.
-    #[error("the bounces have not taken one kind within {bounces}")]
+    /// The bounces did not take one kind within the maximum number.
+    #[error("the kind of the bounces still changes after {bounces}")]
     Unsettled {
-        /// Number of bounces that were followed, many that slip alike at once.
+        /// Number of bounces summed; a run of bounces that slip counts as one.
         bounces: usize,
     },
 }
 
 impl Hoop {
-    /// The sum of all bounces from a state on in which the gap opens at a small rate, with the angle and the rate held fixed.
+    /// The sum of all bounces from a state with a small positive gap rate, at fixed θ and θ′.
     ///
     /// ```
     /// use littlewood::{Hoop, Restitution, RestitutionLaw, Start};
@@ -102,7 +100,7 @@ impl Hoop {
     /// ```
     ///
     /// # Errors
-    /// Says why they do not settle.
+    /// The reason why the bounces do not settle.
     pub fn settling(
         &self,
         state: &State,
@@ -116,7 +114,7 @@ impl Hoop {
         Bounces::new(self, &body, state, restitution)?.sum(state, gap_rate, f64::INFINITY)
     }
 
-    /// The same where the bounces that remain are short enough for it.
+    /// [`Hoop::settling`], if the remaining bounces are short enough for fixed coefficients.
     #[inline]
     pub(crate) fn short_settling(
         &self,
@@ -126,32 +124,34 @@ impl Hoop {
         restitution: Restitution,
     ) -> Option<Settling> {
         // No sum is shorter than its first bounce, and W ≤ 1 + h θ′².
-        if gap_rate > LONGEST * (1.0 + body.h * (state.theta_rate * state.theta_rate)) {
+        if gap_rate > MAX_SETTLING_TIME * (1.0 + body.h * (state.theta_rate * state.theta_rate)) {
             return None;
         }
         let pace = 1.0 + state.theta_rate.abs();
         let bounces = Bounces::new(self, body, state, restitution).ok()?;
-        if 2.0 * gap_rate / bounces.contact_force * pace > LONGEST {
+        if 2.0 * gap_rate / bounces.contact_force * pace > MAX_SETTLING_TIME {
             return None;
         }
-        let settling = bounces.sum(state, gap_rate, LONGEST).ok()?;
+        let settling = bounces.sum(state, gap_rate, MAX_SETTLING_TIME).ok()?;
         let Settling { duration, impact: Impact { before, after, .. }, .. } = settling;
-        // An impact that ends the slip may change the velocities at once, however slow the bounce.
+        // A slow bounce can still change the velocities by a finite amount if its impact ends the slip.
         let spin = after.theta_rate - before.theta_rate;
-        if duration * pace > LONGEST || duration * (spin.abs() + (after.slip - before.slip).abs()) > ERROR {
+        if duration * pace > MAX_SETTLING_TIME
+            || duration * (spin.abs() + (after.slip - before.slip).abs()) > MAX_SUM_ERROR
+        {
             return None;
         }
-        // The angle and the rate change on the way: with those of later on the sum is the same.
+        // The sum must not depend on whether θ and θ′ are those of the start, the middle or the end.
         let holds = [0.5, 1.0].into_iter().all(|part| {
             let theta = state.theta + part * duration * state.theta_rate;
             let later = State { theta, theta_rate: state.theta_rate + part * spin, ..*state };
             let sum = Bounces::new(self, body, &later, restitution)
-                .and_then(|bounces| bounces.sum(&later, gap_rate, 2.0 * LONGEST));
+                .and_then(|bounces| bounces.sum(&later, gap_rate, 2.0 * MAX_SETTLING_TIME));
             sum.is_ok_and(|Settling { duration: other, impact, .. }| {
                 let other_spin = impact.after.theta_rate - impact.before.theta_rate;
-                (other - duration).abs() * pace <= ERROR
-                    && (other_spin - spin).abs() <= ERROR * pace
-                    && (impact.after.slip - after.slip).abs() <= ERROR * pace
+                (other - duration).abs() * pace <= MAX_SUM_ERROR
+                    && (other_spin - spin).abs() <= MAX_SUM_ERROR * pace
+                    && (impact.after.slip - after.slip).abs() <= MAX_SUM_ERROR * pace
             })
         });
         holds.then_some(settling)
@@ -180,7 +180,7 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds a bounce `times` over, its works `works` times.
+    /// Adds `times` a bounce, and `works` times its work.
     fn add(&mut self, duration: f64, impact: &Impact, times: f64, works: f64) {
         self.duration += duration * times;
         self.normal += impact.impulse.normal * times;
@@ -207,7 +207,7 @@ impl Bounces {
         })
     }
 
-    /// The sum, or why there is none; of a sum that is longer than `longest` it need not be found out.
+    /// The sum of all bounces. A sum longer than `longest` may return [`NoSettling::Unsettled`].
     fn sum(&self, state: &State, gap_rate: f64, longest: f64) -> Result<Settling, NoSettling> {
         let mut sums = Sums::default();
         let (mut slip, mut opening) = (state.slip, gap_rate);
@@ -223,9 +223,10 @@ impl Bounces {
             };
             let impact = self.contact.impact(before, self.restitution);
             let ratio = impact.after.gap_rate / opening;
-            let shrinks = 1.0 - ratio > ROUNDING;
-            // As long as the bounces do the same, everything changes from one to the next by this ratio.
-            let repeats = (impact.after.slip - slip * ratio).abs() <= SAME_KIND * slip.abs() * ratio;
+            let shrinks = 1.0 - ratio > RATIO_ROUNDING;
+            // All velocities of a repeating bounce scale with this ratio.
+            let repeats =
+                (impact.after.slip - slip * ratio).abs() <= REPETITION_TOLERANCE * slip.abs() * ratio;
             if repeats && impact.case != ImpactCase::Slides {
                 if !shrinks {
                     return Err(NoSettling::Grows { ratio });
@@ -253,7 +254,7 @@ impl Bounces {
                 sums.add(duration, &impact, 1.0, 1.0);
                 (slip, opening) = (impact.after.slip, impact.after.gap_rate);
             }
-            if opening <= NEGLIGIBLE * gap_rate {
+            if opening <= NEGLIGIBLE_RATE_RATIO * gap_rate {
                 return Ok(self.settled((state, gap_rate), &sums, slip, (ratio, impact.case)));
             }
             if opening > gap_rate / f64::EPSILON {
@@ -289,28 +290,29 @@ impl Bounces {
     }
 }
 
-/// 1 + r + r² + …, so many terms.
+/// 1 + r + r² + … with `count` terms.
 fn geometric(ratio: f64, count: f64) -> f64 {
     if ratio == 1.0 || count <= 1.0 { count } else { libm::expm1(count * libm::log(ratio)) / (ratio - 1.0) }
 }
 
-/// Bounces that slip throughout, from one on: their slip velocities, behind one more and one more, are sₖ = s0 + (s1 − s0) gₖ with the
-/// geometric sum gₖ.
+/// A run of bounces that slip throughout. The slip velocity after the kth is sₖ = s0 + (s1 − s0) gₖ, with the geometric
+/// sum gₖ of k terms.
 #[derive(Clone, Copy, Debug)]
 struct Slides {
     ratio: f64,
-    /// After the impact before the first.
+    /// Slip velocity s0 after the impact before the first.
     slip: f64,
-    /// Before and after the first.
+    /// Slip velocities before and after the first impact.
     before: f64,
     after: f64,
 }
 
 impl Slides {
-    /// Bounces that slip, this one among them: all, or about half of those that do, so that rounding does not lead past the last.
+    /// Number of bounces to add, including the first: all if infinitely many slip, otherwise about half of those that do, so
+    /// that rounding does not pass the last.
     fn number(&self) -> f64 {
         let Self { ratio, slip, before, after } = *self;
-        // A slip velocity, and how it changes with gₖ.
+        // The number of bounces until the slip velocity `now` + `change` gₖ vanishes.
         let further = |now: f64, change: f64| {
             let until = -now / change;
             if now == 0.0 {
@@ -329,7 +331,7 @@ impl Slides {
         1.0 + (0.5 * most).floor()
     }
 
-    /// The sum of the mean slip velocities in so many impacts, each in units of its impulse.
+    /// The sum of the mean slip velocities in `number` impacts, each weighted with its impulse over the first.
     fn slipped(&self, number: f64) -> f64 {
         let Self { ratio, slip, before, after } = *self;
         let count = geometric(ratio, number);

@@ -1,9 +1,9 @@
-//! Where sliding is well posed: P = Î + m h sin θ q as a trigonometric polynomial, and its zeros.
+//! Well-posedness of sliding: P = Î + m h sin θ q as a trigonometric polynomial, and its zeros.
 
 use crate::math::form::Trigonometric;
 use crate::model::Heavy;
 
-/// P and q of slides with σ = +1 at every angle, with this coefficient of friction; those with σ = −1 are the mirror image.
+/// P and q as functions of θ for σ = +1 and this coefficient of friction; those for σ = −1 are the mirror image.
 pub(crate) fn solvability(body: &Heavy, mu: f64) -> (Trigonometric, Trigonometric) {
     let Heavy { mass, h, inertia, .. } = *body;
     let q = Trigonometric::linear(-mu, h, -mu * h);
@@ -16,7 +16,8 @@ pub(crate) fn is_solvable(body: &Heavy, mu: f64) -> bool {
     body.inertia > 0.0 && lowest_zero(body, mu).is_none()
 }
 
-/// Least cosine of the angles, of either direction of slip, at which P vanishes: below P > 0, since at the bottom P is Î. None where P has no zeros.
+/// Least cos θ at which P vanishes, for either direction of slip; `None` where P has no zeros. At the bottom P = Î, so
+/// P > 0 at smaller cosines.
 pub(crate) fn lowest_zero(body: &Heavy, mu: f64) -> Option<f64> {
     // With y = h |s|, P ≥ Î − m y μ (1 + h) + m y², which is least at y = μ (1 + h)/2.
     let y = 0.5 * mu * (1.0 + body.h);
@@ -31,9 +32,9 @@ mod tests {
     use super::*;
     use core::f64::consts::PI;
 
-    /// Also next to where the bound of P tells that it has no zeros.
+    /// Inertias close to the lower bound of P, on both sides, are included.
     #[test]
-    fn the_lowest_zero_is_where_p_vanishes_first_on_the_way_up() {
+    fn the_lowest_zero_is_the_first_on_the_way_up() {
         let (mut with, mut without) = (0, 0);
         for h in [0.05, 0.3, 0.7, 1.0] {
             for mu in [0.1, 0.8, 3.0] {
@@ -60,7 +61,7 @@ mod tests {
                             "{body:?} {mu}"
                         );
                     } else {
-                        // Between two angles at which P was looked at.
+                        // The zero lies between two samples.
                         let least = p(libm::acos(lowest), 1.0).min(p(libm::acos(lowest), -1.0));
                         assert!(least.abs() < 1e-12, "{body:?} {mu}: {least}");
                     }

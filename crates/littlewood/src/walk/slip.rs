@@ -58,7 +58,7 @@ impl LastSlip {
         let nearest = real.min_by(|a, b| (a - away).abs().total_cmp(&(b - away).abs()));
         let (theta, theta_rate, arrival) = match nearest.filter(|other| (other - away).abs() < away.abs()) {
             None => self.back_on_limit(state)?,
-            Some(other) if integrals.is_known_from(body, at_slip, other) => {
+            Some(other) if integrals.deflation_is_better(body, at_slip, other) => {
                 let theta = self.at_cosine(other, state.theta)?;
                 (theta, integrals.rate_at_rest(body, sincos(theta)), Arrival::Open)
             }

@@ -1,4 +1,4 @@
-//! The energy that a lift-off needs, and the proof that there is none.
+//! The least energy of a lift-off, and the proof that a motion never lifts off.
 
 mod turn;
 
@@ -8,16 +8,16 @@ use crate::math::bernstein::Bernstein;
 use crate::math::trig::sincos;
 use crate::mechanics::{FrictionlessIntegrals, energy, lowest_zero};
 use crate::model::{Body, Heavy, Hoop, State};
-use turn::{ROUNDING, WholeTurns, at_most};
+use turn::{ENERGY_ROUNDING, WholeTurns, at_most};
 
 impl Hoop {
-    /// Least energy (2.8) of a lift-off, Î/(2h) + ℓ̂. Infinite for a balanced hoop, whose normal force is constant; none for a
-    /// massless hoop, which stays at the plane.
+    /// Least energy (2.8) of a lift-off, Î/(2h) + ℓ̂. Infinite for a balanced hoop, whose normal force is constant; `None`
+    /// for a massless hoop, which stays at the plane.
     ///
     /// A hoop in contact leaves the plane only where h cos θ θ′² ≥ 1 (2.18). Its energy is at least
-    /// ½ (Î + m h² sin²θ) θ′² + ℓ̂ cos θ, the mass centre moving up and down only, which with θ′² = 1/(h cos θ) falls as cos θ grows,
-    /// to Î/(2h) + ℓ̂ at the top. Sliding takes energy off and rolling conserves it,
-    /// so that a hoop in contact with less never comes to a lift-off.
+    /// ½ (Î + m h² sin²θ) θ′² + ℓ̂ cos θ, the value for a mass centre that moves vertically. With θ′² = 1/(h cos θ) this
+    /// decreases as cos θ grows, to Î/(2h) + ℓ̂ at the top. Sliding dissipates energy and rolling conserves it. A hoop in contact
+    /// with less energy therefore never lifts off.
     ///
     /// ```
     /// let hoop = littlewood::Hoop::figure_2(0.5, 0.4)?;
@@ -33,23 +33,25 @@ impl Hoop {
         }
     }
 
-    /// Whether energy and momentum prove that a hoop that is in contact at this state never lifts off, by a margin that covers rounding.
-    /// Only where P > 0 at all angles that it may reach, ℓ̂ cos θ ≤ E: elsewhere an impact without a collision may throw it up.
+    /// Whether energy and momentum prove, by a margin that covers rounding, that a hoop in contact at this state never
+    /// lifts off. The proof requires P > 0 at all angles it can reach, ℓ̂ cos θ ≤ E: where P ≤ 0, an impact without
+    /// collision can throw the hoop up.
     ///
-    /// It has less energy than [`Hoop::lift_off_energy`], or it has less without the part m V²/2 of the mass centre's horizontal velocity
-    /// V, and V is too small for friction to make up for that: at any instant, or over a whole turn.
+    /// It holds if the energy is below [`Hoop::lift_off_energy`]. It also holds if the energy without m V²/2, with V the
+    /// horizontal velocity of the mass centre, is below it, and V is too small for friction to supply the difference, at
+    /// any instant or over a whole turn.
     #[must_use]
     pub fn never_lifts_off(&self, state: &State) -> bool {
         ContactProof::default().holds(self, state)
     }
 }
 
-/// The proof that a hoop never lifts off, for many states of one hoop.
+/// The proof that a hoop never lifts off, with the results common to all states of one hoop.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ContactProof {
-    /// The least cosine of an angle at which P vanishes, if there is one, once it is needed.
+    /// [`lowest_zero`] of P.
     lowest_zero: OnceLock<Option<f64>>,
-    /// What the work of friction over whole turns proves, if anything, once it is needed.
+    /// Bounds from the work of friction over whole turns, if they prove anything.
     whole_turns: OnceLock<Option<WholeTurns>>,
 }
 
@@ -75,18 +77,18 @@ impl ContactProof {
     }
 }
 
-/// Whether the energy without that of the horizontal velocity V is less than a lift-off needs, and stays so.
+/// Whether V is always too small for C, twice the energy without m V²/2, to grow to the value of a lift-off.
 ///
-/// With C twice that energy, dC = 2 m (η′ − V) dV and m dV = −σ μ N dτ: C grows only where V has the sign of −θ′ and is not smaller than θ′ (1 + h cos θ),
-/// since η′ = V + θ′ (1 + h cos θ), in rolling as in sliding. At the C of a lift-off this is no less than its least value on a turn, while m V² is at most
-/// what of the energy C leaves.
+/// dC = 2 m (η′ − V) dV and m dV = −σ μ N dτ, with η′ = V + θ′ (1 + h cos θ). C grows, in rolling and in sliding, only
+/// where V has the sign of −θ′ and |V| ≥ |θ′| (1 + h cos θ). At the C of a lift-off, |θ′| (1 + h cos θ) has a minimum
+/// over a turn, while m V² is at most twice the energy minus C.
 fn turns_too_slowly(body: &Heavy, energy: f64, needed: f64) -> bool {
     let fastest = FrictionlessIntegrals { energy: needed, momentum: ((energy - needed) / body.mass).sqrt() };
     // In powers of cos θ + 1.
     let terms = fastest.standstills(body, -1.0);
     let size = terms.iter().flatten().fold(0.0, |size: f64, term| size.max(term.abs()));
     let mut excess = terms.map(|[first, second]| first + second);
-    excess[0] += ROUNDING * size;
+    excess[0] += ENERGY_ROUNDING * size;
     Bernstein::from_taylor(&excess, 2.0).negated().first_crossing().is_none()
 }
 
@@ -106,7 +108,7 @@ mod tests {
                 .with_inertia(inertia)
                 .with_friction(mu, mu);
             let hoop = Hoop::new(parameters).unwrap();
-            let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+            let Body::Heavy(body) = hoop.body() else { unreachable!("has inertia") };
             let zeros = solvability(&body, mu).0.sign_changes();
             let lowest = zeros.into_iter().map(libm::cos).fold(f64::INFINITY, f64::min);
             assert!(lowest > -0.998 && lowest < 0.998, "{lowest}");

@@ -1,45 +1,49 @@
-//! What friction does over a whole turn: whether it can turn a hoop faster, to a lift-off.
+//! The work of friction over a whole turn: whether it can accelerate the rotation of a hoop to a lift-off.
 
 use core::f64::consts::PI;
 use std::sync::LazyLock;
 
 use crate::model::Heavy;
 
-/// Relative error that an energy may have.
-pub(super) const ROUNDING: f64 = 1e-12;
+/// Bound on the relative rounding error of an energy.
+pub(super) const ENERGY_ROUNDING: f64 = 1e-12;
 
-/// Cells of half a turn, in each of which every quantity is bounded. None crosses θ = π/2.
-const CELLS: usize = 256;
+/// Number of cells of half a turn. A power of 2: θ = π/2 is a boundary.
+const CELLS_PER_HALF_TURN: usize = 256;
 
-/// Least part of J that J − a²/J is computed for: cancellation leaves it thirteen digits.
-const LEAST_DENOMINATOR: f64 = 1e-3;
+/// Least (J − a²/J)/J: cancellation then leaves thirteen digits.
+const MIN_DENOMINATOR_RATIO: f64 = 1e-3;
 
-/// Cosines at the ends of the cells, from the bottom on.
-static COSINES: LazyLock<[f64; CELLS + 1]> =
-    LazyLock::new(|| core::array::from_fn(|k| -libm::cos(PI * k as f64 / CELLS as f64)));
+/// Cosines at the boundaries of the cells, from the bottom up.
+static COSINES: LazyLock<[f64; CELLS_PER_HALF_TURN + 1]> =
+    LazyLock::new(|| core::array::from_fn(|k| -libm::cos(PI * k as f64 / CELLS_PER_HALF_TURN as f64)));
 
-/// What a quantity is at most, whose terms have been rounded.
+/// Upper bound of a quantity with rounded terms.
 pub(super) fn at_most(quantity: f64) -> f64 {
-    quantity + ROUNDING * (1.0 + quantity.abs())
+    quantity + ENERGY_ROUNDING * (1.0 + quantity.abs())
 }
 
 /// The proof that a hoop never lifts off, by the work of friction over whole turns.
 ///
-/// C is twice the energy without that of the horizontal velocity V of the mass centre, v = −V sign θ′, ω = |θ′| (1 + h cos θ), and F the friction
-/// force in the direction of the rotation. A lift-off needs C = L, twice [`crate::Hoop::lift_off_energy`], and above 2 ℓ̂ the hoop rotates. Then
+/// C is twice the energy without that of the horizontal velocity V of the mass centre, v = −V sign θ′,
+/// ω = |θ′| (1 + h cos θ), and F the friction force in the direction of the rotation. A lift-off requires C = L, twice
+/// [`crate::Hoop::lift_off_energy`]. For C > 2 ℓ̂ the hoop rotates, and
 ///
 /// ```text
 /// dC/d|θ| = 2 F (1 + h cos θ),    F = φ m Î w/(J + φ m h sin |θ| (1 + h cos θ)),    J = Î + m h² sin² θ,
 /// ```
 ///
-/// where φ = μk for v > ω, φ = −μk for v < ω, and |φ| ≤ μs in rolling, v = ω. F grows with φ. Hence C grows in a turn by no more than some Δ. A motion that comes
-/// from C < L − Δ to L takes more than a turn for the last Δ, and grows in the last turn before L. Then v is at least v* somewhere in that turn, if friction with
-/// φ = μs where ω ≤ v* and with φ = −μk elsewhere does no work on C, and twice the energy is at least L − Δ + m v*². It never grows.
+/// where φ = μk for v > ω, φ = −μk for v < ω, and |φ| ≤ μs in rolling, v = ω. F increases with φ.
+///
+/// Hence C grows by at most some Δ in a turn. A motion from C < L − Δ to C = L takes more than one turn for the last Δ,
+/// and C grows over the last turn before L. Let v* be such that the friction with φ = μs where ω ≤ v*, and φ = −μk
+/// elsewhere, does no work on C in a turn. Then v ≥ v* somewhere in the last turn, where twice the energy is at least
+/// L − Δ + m v*². The energy never grows, so a motion that starts below both bounds never lifts off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct WholeTurns {
-    /// L − Δ: what C has to be below.
+    /// Upper bound L − Δ of C.
     pub(super) turning: f64,
-    /// L − Δ + m v*²: what twice the energy has to be below.
+    /// Upper bound L − Δ + m v*² of twice the energy.
     pub(super) energy: f64,
 }
 
@@ -48,14 +52,14 @@ pub(super) struct WholeTurns {
 struct Cell {
     /// Least ω.
     least_velocity: f64,
-    /// Half of what C gains at most with φ = μs.
+    /// Half the largest gain of C, with φ = μs.
     gain: f64,
-    /// Half of what it loses at least with φ = −μk.
+    /// Half the least loss of C, with φ = −μk.
     loss: f64,
 }
 
 impl WholeTurns {
-    /// For a hoop with P > 0 at every angle, of which L is needed. None where Δ covers all of the rotations below L.
+    /// The bounds for a hoop with P > 0 at every angle, with `needed` = L. `None` if L − Δ ≤ 2 ℓ̂.
     pub(super) fn new(body: &Heavy, friction: [f64; 2], needed: f64) -> Option<Self> {
         let ends = || COSINES.windows(2).map(|ends| [ends[0], ends[1]]);
         let separatrix = 2.0 * body.offset;
@@ -71,19 +75,19 @@ impl WholeTurns {
         let mut cells: Vec<Cell> =
             ends().map(|ends| Cell::new(body, friction, ends, [turning, needed])).collect();
         cells.sort_unstable_by(|a, b| a.least_velocity.total_cmp(&b.least_velocity));
-        let mut work = -cells.iter().map(|cell| cell.loss).sum::<f64>() * (1.0 - ROUNDING);
+        let mut work = -cells.iter().map(|cell| cell.loss).sum::<f64>() * (1.0 - ENERGY_ROUNDING);
         let fastest = cells.iter().find(|cell| {
-            work += (cell.gain + cell.loss) * (1.0 + ROUNDING);
+            work += (cell.gain + cell.loss) * (1.0 + ENERGY_ROUNDING);
             work > 0.0
         });
-        // Without friction C stays as it is.
-        let velocity = fastest.map_or(f64::INFINITY, |cell| cell.least_velocity * (1.0 - ROUNDING));
+        // Without friction C is constant.
+        let velocity = fastest.map_or(f64::INFINITY, |cell| cell.least_velocity * (1.0 - ENERGY_ROUNDING));
         Some(Self { turning, energy: turning + body.mass * velocity * velocity })
     }
 }
 
 impl Cell {
-    /// Between two cosines of which the first is the lower, for these values of C.
+    /// The bounds between two cosines, the lower first, for C between `least` and `most`.
     fn new(body: &Heavy, [mu_s, mu_k]: [f64; 2], [low, high]: [f64; 2], [least, most]: [f64; 2]) -> Self {
         let Heavy { mass, h, inertia, offset } = *body;
         let is_above = low + high > 0.0;
@@ -93,7 +97,7 @@ impl Cell {
         let [light, heavy] = [spin(outer), spin(inner)];
         let [short, long] = [1.0 + h * low, 1.0 + h * high];
         let [slow, fast] = [(least - 2.0 * offset * high) / heavy, (most - 2.0 * offset * low) / light];
-        // w = 1 − h cos θ u, which is not below 0 before a lift-off.
+        // w = 1 − h cos θ u, non-negative before a lift-off.
         let [weak, strong] = if is_above {
             [1.0 - h * high * fast, 1.0 - h * low * slow]
         } else {
@@ -102,10 +106,10 @@ impl Cell {
         // The mean of 1/(J ± a) is 1/(J − a²/J).
         let coupling = mu_s * mass * h * long;
         let denominator = light - coupling * coupling * sine_square(inner) / light;
-        let scale = 2.0 * PI / CELLS as f64 * mass * inertia;
+        let scale = 2.0 * PI / CELLS_PER_HALF_TURN as f64 * mass * inertia;
         Self {
             least_velocity: short * slow.max(0.0).sqrt(),
-            gain: if denominator > LEAST_DENOMINATOR * light {
+            gain: if denominator > MIN_DENOMINATOR_RATIO * light {
                 scale * mu_s * strong * long / denominator
             } else {
                 f64::INFINITY
@@ -135,7 +139,7 @@ mod tests {
             .with_inertia(inertia)
             .with_friction(mu_s, mu_k);
         let hoop = Hoop::new(parameters).unwrap();
-        let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
+        let Body::Heavy(body) = hoop.body() else { unreachable!("has inertia") };
         (hoop, body)
     }
 
