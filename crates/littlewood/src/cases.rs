@@ -1,4 +1,4 @@
-//! The motions that the paper shows or speaks of, by name.
+//! The motions of the paper, and some beyond it, by name.
 //!
 //! ```
 //! use littlewood::cases::{CASES, find_case};
@@ -15,14 +15,14 @@ use core::f64::consts::FRAC_PI_2;
 use crate::model::{Hoop, HoopParameters, Limits, ParameterError, RestitutionLaw, Setup, Start};
 use crate::motion::trajectory::Trajectory;
 
-/// A motion of the paper: a hoop and a start.
+/// A named motion: a hoop and a start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NamedCase {
-    /// Name, as the command line takes it.
+    /// Name on the command line.
     pub name: &'static str,
-    /// What the motion does.
+    /// Description of the motion.
     pub title: &'static str,
-    /// Where the paper has it.
+    /// Source in the paper.
     pub source: &'static str,
     /// Hoop and start.
     pub setup: Setup,
@@ -38,7 +38,7 @@ impl NamedCase {
     }
 }
 
-/// Short for a case, as the third film of the paper is called.
+/// Short and full name of a case, by the name of the third video of the paper.
 const SHORT: (&str, &str) = ("libration", "figure-2-libration");
 
 /// The case of this name; `libration` is short for `figure-2-libration`.
@@ -56,14 +56,14 @@ const fn thin_hoop_with(restitution: f64) -> HoopParameters {
     THIN_HOOP.with_restitution(restitution, RestitutionLaw::Energetic)
 }
 
-/// Angle of the impacts of [`crate::impact::BouncingOrbit`], of those at which a small disturbance does not grow.
+/// Impact angle of a stable [`crate::impact::BouncingOrbit`].
 const BOUNCING_ANGLE: f64 = 2.2;
 
-/// The rates of that motion over the top.
+/// θ′ and gap rate of that motion over the top.
 const BOUNCING_RATE: f64 = 1.239_306_550_206_238_1;
 const BOUNCING_GAP_RATE: f64 = 1.274_198_847_857_927_4;
 
-/// √(3/5): from the top, θ′² = cos θ_s for μs = ½, so that N and the static friction give way together.
+/// √(3/5), since θ′² = cos θ_s = 3/5 for μs = ½: from the top, N vanishes as slip begins.
 const TYPE_II_RATE: f64 = 0.774_596_669_241_483_4;
 
 /// Cases: name, title and source, then hoop and start.
@@ -73,8 +73,7 @@ macro_rules! cases {
     };
 }
 
-/// All cases. The starts that the paper does not give were searched for; `tests/cases.rs` shows that each motion does
-/// what its title says.
+/// All cases. Starts that the paper does not give were found by search; `tests/cases.rs` verifies each title.
 pub const CASES: &[NamedCase] = cases! {
     "figure-3", "slides, rolls, slides, then jumps", "Figure 3, section 2(f)" =>
         THIN_HOOP, Start::at(FRAC_PI_2, 2.0);

@@ -1,14 +1,14 @@
 //! Littlewood's hoop: exact simulation of a hoop with a particle fixed to it, on a rough plane.
 //!
-//! The body is that of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of
-//! Littlewood's rolling hoop* (Proc. R. Soc. A 475, 2019), whose equation numbers the documentation cites. A disc or
+//! The model is that of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of
+//! Littlewood's rolling hoop* (Proc. R. Soc. A 475, 2019); the documentation cites its equation numbers. A disc or
 //! hoop of mass m1, radius R and moment of inertia `I_zz` carries a particle of mass m2 at the distance ℓ from its
-//! centre. θ is the angle of the particle from the upward vertical, counterclockwise; η = x + θ, so that η′ is the slip
-//! velocity of the contact point. Everything is dimensionless, m2 = R = g = 1 (2.9); [`si`] converts.
+//! centre. θ is the counterclockwise angle of the particle from the upward vertical. With η = x + θ, η′ is the slip
+//! velocity of the contact point. All quantities are dimensionless, m2 = R = g = 1 (2.9); [`si`] converts.
 //!
 //! # A tour
 //!
-//! A [`Hoop`] and a [`Start`] make a [`Trajectory`]:
+//! A [`Hoop`] and a [`Start`] determine a [`Trajectory`]:
 //!
 //! ```
 //! use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Start};
@@ -26,7 +26,7 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 //!
-//! Rolling that never ends is proved, not timed out:
+//! Endless rolling is proved, without a time limit:
 //!
 //! ```
 //! use littlewood::cases::find_case;
@@ -42,8 +42,8 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 //!
-//! With a coefficient of restitution a motion goes on after its landing: impacts with friction, bounces to their end, and the
-//! jam of Painlevé's paradox.
+//! With a coefficient of restitution a motion continues after a landing, with frictional impacts, settling and the jam of
+//! Painlevé's paradox.
 //!
 //! ```
 //! use littlewood::{Cause, Hoop, Limits, Mode, Restitution, RestitutionLaw, Start};
@@ -56,29 +56,29 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 //!
-//! # Where things are
+//! # Modules
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
-//! | the root | a hoop, its start, its motion, and an [`Engine`] for many motions |
-//! | [`cases`] | the motions that the paper shows or speaks of, by name |
+//! | root | a hoop, its start, its motion, and an [`Engine`] for many motions |
+//! | [`cases`] | the motions of the paper, and some beyond it, by name |
 //! | [`modes`] | the solution of each phase: rolling, sliding, gliding, flight |
 //! | [`theory`] | the paper: phase plane, equations, closed forms, regions of starts, the automaton |
-//! | [`many`] | engines for as many starts as are expected |
+//! | [`many`] | engines for many starts |
 //! | [`impact`] | impacts with friction, bounces that settle or never end |
 //! | [`si`] | kilograms, metres, seconds |
-//! | [`tables`] | what front ends loop over: quantities, columns, classes, codes |
+//! | [`tables`] | tables for front ends: quantities, columns, classes, codes |
 //!
-//! # How exact
+//! # Accuracy
 //!
-//! Rolling, gliding and flight are evaluated from closed forms and elliptic integrals, sliding from Taylor series that
-//! have converged to rounding. Events are isolated, not sampled: see `DESIGN.md`. Constants that decide are
-//! at the level of rounding; the user chooses none.
+//! Closed forms and elliptic integrals give rolling, gliding and flight; Taylor series that converge to rounding give
+//! sliding. Events are isolated, not sampled: see `DESIGN.md`. Tolerances are at the level of rounding; the user sets
+//! none.
 
 #[cfg(feature = "ablation")]
 pub mod ablation;
 #[cfg(not(feature = "ablation"))]
-#[expect(dead_code, unreachable_pub, reason = "the benchmark alone lists the parts")]
+#[expect(dead_code, unreachable_pub, reason = "only the benchmark lists the parts")]
 mod ablation;
 pub mod cases;
 mod engine;
@@ -106,15 +106,15 @@ pub use walk::outcome::{Outcome, OutcomeKind};
 pub mod theory {
     //! The paper: its phase plane, its equations, its closed forms, and the automaton of its motions.
     //!
-    //! [`PhasePlane`] has the regions and curves of the figures, [`RollingLaw`] and [`SlidingLaw`] the equations of motion in contact,
-    //! and [`closed_form`] what §3 derives for Littlewood's own hoop. [`Hoop::classify`](crate::Hoop::classify) says in which
-    //! [`StartRegion`] a start lies. [`EDGES`] lists which motion may follow on which: no simulated motion takes another edge.
+    //! [`PhasePlane`] gives the regions and curves of the figures, [`RollingLaw`] and [`SlidingLaw`] the equations of motion
+    //! in contact, and [`closed_form`] the results of §3 for Littlewood's hoop. [`Hoop::classify`](crate::Hoop::classify)
+    //! returns the [`StartRegion`] of a start. [`EDGES`] lists all transitions of simulated motions.
     //!
     //! ```
     //! use littlewood::theory::closed_form;
     //! use littlewood::{Hoop, Limits, Start};
     //!
-    //! // From the top, Littlewood's hoop slips at the time (3.6).
+    //! // From the top, Littlewood's hoop begins to slip at the time of (3.6).
     //! let motion = Hoop::littlewood(0.5, 0.4)?.simulate(Start::at(0.0, 0.1), Limits::default())?;
     //! let slips = motion.transitions()[0].time();
     //! assert!((slips - closed_form::slip_time_from_top(0.1, 0.5)).abs() < 1e-14);
@@ -132,11 +132,11 @@ pub mod theory {
 }
 
 pub mod impact {
-    //! Impacts of the rim on the plane: a rigid body, Coulomb's friction, and restitution by one of three laws.
+    //! Impacts of the rim on the plane: a rigid body, Coulomb friction, and one of three laws of restitution.
     //!
-    //! [`Hoop::impact`](crate::Hoop::impact) computes one [`Impact`] in closed form, [`Hoop::settling`](crate::Hoop::settling) the sum
-    //! of bounces that accumulate, and [`BouncingOrbit`] a motion that bounces for ever. A simulation calls the first two by itself
-    //! where the hoop has a [`Restitution`](crate::Restitution); its transitions carry the impacts.
+    //! [`Hoop::impact`](crate::Hoop::impact) computes one [`Impact`] in closed form,
+    //! [`Hoop::settling`](crate::Hoop::settling) the sum of infinitely many bounces, and [`BouncingOrbit`] a motion that
+    //! bounces for ever. The transitions of a simulated hoop with a [`Restitution`](crate::Restitution) contain the impacts.
     //!
     //! ```
     //! use littlewood::cases::find_case;
@@ -158,11 +158,12 @@ pub mod impact {
 }
 
 pub mod many {
-    //! Many starts: an [`Engine`](crate::Engine) makes summaries, each in about a microsecond.
+    //! Many starts: an [`Engine`](crate::Engine) computes a summary in about a microsecond.
     //!
-    //! [`Engine::new`](crate::Engine::new) prepares a hoop once, which takes as long as some hundreds of summaries. Where fewer are
-    //! expected, or each start has a hoop of its own, [`Engine::builder`](crate::Engine::builder) prepares nothing. A phase that an engine
-    //! does not resolve to rounding is left to the solvers of the simulation; [`Engine::doubts`](crate::Engine::doubts) counts why.
+    //! [`Engine::new`](crate::Engine::new) prepares tables for a hoop in the time of some hundreds of summaries.
+    //! [`Engine::builder`](crate::Engine::builder) prepares them only if the expected number of starts repays it. An engine
+    //! leaves a phase that it does not resolve to rounding to the solvers of the simulation;
+    //! [`Engine::doubts`](crate::Engine::doubts) counts the reasons.
     //!
     //! ```
     //! use littlewood::{Engine, Hoop, Limits, OutcomeKind, Start};
@@ -181,15 +182,15 @@ pub mod many {
 }
 
 pub mod si {
-    //! SI units at the edge: a hoop and its start in kilograms, metres and seconds, and the units that convert its motion.
+    //! SI units: a hoop and its start in kilograms, metres and seconds, and the units that convert its motion.
     //!
-    //! Everything else in this library is dimensionless, m2 = R = g = 1 (2.9).
+    //! The rest of this library is dimensionless, m2 = R = g = 1 (2.9).
     //!
     //! ```
     //! use littlewood::si::SiParameters;
     //! use littlewood::tables::Dimension;
     //!
-    //! // A particle of 0.14 kg on a hoop of radius 0.45 m, where gravity is standard.
+    //! // A particle of 0.14 kg on a hoop of radius 0.45 m, with standard gravity.
     //! let units = SiParameters { particle_mass_kg: 0.14, radius_m: 0.45, ..SiParameters::default() }.units()?;
     //! assert!((units.to_si(Dimension::Time, 2.0) - 2.0 * (0.45_f64 / 9.80665).sqrt()).abs() < 1e-15);
     //! # Ok::<(), littlewood::ParameterError>(())
@@ -201,10 +202,10 @@ pub mod si {
 }
 
 pub mod tables {
-    //! The tables that front ends loop over: quantities of a hoop and a start, columns of samples and summaries, classes of outcomes,
-    //! codes of phases.
+    //! Tables for front ends: quantities of a hoop and a start, columns of samples and summaries, classes of outcomes, codes
+    //! of phases.
     //!
-    //! Each item has a name, which `FromStr` reads, and a code. A [`Setup`] is a hoop and a start by the quantities of the table.
+    //! Each item has a name, which `FromStr` parses, and a code. A [`Setup`] is a hoop and a start with access by quantity.
     //!
     //! ```
     //! use littlewood::tables::{Quantity, Setup, SummaryColumn};
@@ -231,7 +232,7 @@ pub mod tables {
     pub use crate::walk::sequence::{PhaseCode, PhaseSequence};
 }
 
-/// The example of the package's page.
+/// Tests the examples of `README.md`.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 mod readme {}

@@ -1,15 +1,15 @@
-//! Dimensions of the quantities: what a unit of (2.9) is in m2, R and g, and in SI units.
+//! Dimensions, with the units of (2.9) and of the SI.
 
-/// Which system of units a number is in.
+/// System of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum System {
-    /// That of (2.9): m2 = R = g = 1.
+    /// Dimensionless, m2 = R = g = 1 (2.9).
     Dimensionless,
     /// Kilograms, metres, seconds.
     Si,
 }
 
-/// The dimension of a quantity: what one unit of (2.9) is in m2, R and g, and in SI units.
+/// The dimension of a quantity, with its unit of (2.9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Dimension {
     /// A ratio.
@@ -41,8 +41,8 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// Twice the exponents of m2, R and g; the unit of (2.9) in plain letters, and as it is printed; the SI unit in plain letters, as
-    /// it is printed, and at the end of a name.
+    /// Twice the exponents of m2, R and g; the unit of (2.9), plain and typeset; the SI unit, plain, typeset and as the
+    /// suffix of a name.
     const fn row(self) -> ([i8; 3], [&'static str; 2], [&'static str; 3]) {
         match self {
             Self::Ratio => ([0, 0, 0], ["1", ""], ["1", "", ""]),
@@ -61,51 +61,51 @@ impl Dimension {
         }
     }
 
-    /// The unit of (2.9) in m2, R and g, in plain letters; `1` for a ratio and an angle.
+    /// Unit of (2.9) in plain letters; `1` for a ratio and an angle.
     #[must_use]
     pub const fn scale(self) -> &'static str {
         self.row().1[0]
     }
 
-    /// The same as it is printed; empty for a ratio and an angle.
+    /// Typeset unit of (2.9); empty for a ratio and an angle.
     #[must_use]
     pub const fn scale_sign(self) -> &'static str {
         self.row().1[1]
     }
 
-    /// The SI unit in plain letters; `1` for a ratio.
+    /// SI unit in plain letters; `1` for a ratio.
     #[must_use]
     pub const fn si_unit(self) -> &'static str {
         self.row().2[0]
     }
 
-    /// The same as it is printed; empty for a ratio.
+    /// Typeset SI unit; empty for a ratio.
     #[must_use]
     pub const fn si_sign(self) -> &'static str {
         self.row().2[1]
     }
 
-    /// What follows the name of a quantity that is given in SI units; empty for a ratio.
+    /// Suffix of the name of a quantity in SI units; empty for a ratio.
     #[must_use]
     pub const fn si_suffix(self) -> &'static str {
         self.row().2[2]
     }
 
-    /// Unit of a value in the system of (2.9) that UDUNITS can read: `rad` for an angle, else `1`, with
-    /// [`Dimension::scale`] in an attribute of its own.
+    /// UDUNITS unit of a value in the system of (2.9): `rad` for an angle, else `1`. [`Dimension::scale`] is a separate
+    /// attribute.
     #[must_use]
     pub const fn cf_unit(self) -> &'static str {
         if matches!(self, Self::Angle) { "rad" } else { "1" }
     }
 
-    /// Exponents of m2, R and g, twice each.
+    /// Twice the exponents of m2, R and g.
     #[must_use]
     pub const fn halves(self) -> [i8; 3] {
         self.row().0
     }
 }
 
-/// A number or a word that belongs to an outcome, under its name in records.
+/// A detail of an outcome in records.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Detail {
     /// A number with its dimension.

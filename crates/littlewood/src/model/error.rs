@@ -1,77 +1,77 @@
-//! Errors of parameters: the quantity, its value, the bound it breaks and its unit.
+//! Parameter errors: the quantity, its value and unit, and the violated bound.
 
 use thiserror::Error;
 
 use crate::model::{Bound, Number, Quantity, Reading, RestitutionLaw};
 
-/// Least moment of inertia about the mass centre: fifth powers of its inverse are in the range of doubles.
-pub(crate) const LEAST_INERTIA: f64 = 1e-60;
+/// Least moment of inertia about the mass centre: fifth powers of its inverse, 1e300, are representable.
+pub(crate) const MIN_INERTIA: f64 = 1e-60;
 
-/// A parameter of a hoop or of a start that has no physical meaning.
+/// A parameter of a hoop or a start without physical meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ParameterError {
-    /// One value breaks one bound.
+    /// A value violates a bound.
     #[error("{} {bound}", Reading(*quantity, *value))]
     OutOfBounds {
-        /// The quantity that was given.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: f64,
-        /// The bound it breaks.
+        /// The violated bound.
         bound: Bound,
     },
-    /// A single point mass at the centre: nothing resists or drives a rotation, so there is no motion.
+    /// A point mass at the centre, without inertia and without a moment of its weight: no equation of motion.
     #[error(
         "offset = 0 and moment of inertia = 0 (mass_ratio = {}, inertia = 0): \
          a point mass at the centre of the hoop has no equation of motion",
         Number(*mass_ratio)
     )]
     NoMotion {
-        /// The mass ratio that was given.
+        /// The mass ratio.
         mass_ratio: f64,
     },
-    /// A hoop that is all but massless: powers of 1/Î leave the range of doubles.
+    /// A nearly massless hoop: powers of 1/Î overflow.
     #[error(
         "moment of inertia about the mass centre = {} m2 R^2 must be 0, or not less than {} m2 R^2",
-        Number(*inertia), Number(LEAST_INERTIA)
+        Number(*inertia), Number(MIN_INERTIA)
     )]
     NearlyMassless {
         /// Î.
         inertia: f64,
     },
-    /// A law of restitution that has nothing to act on.
+    /// A law of restitution without a coefficient.
     #[error(
         "restitution_law = {law} without restitution: without a coefficient the motion ends where the rim lands"
     )]
     LawAlone {
-        /// The law that was given.
+        /// The law.
         law: RestitutionLaw,
     },
-    /// A coefficient of restitution of a massless hoop.
+    /// A massless hoop with a coefficient of restitution.
     #[error(
         "restitution = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
          its rim has no inertia that an impulse could act on, so it has no impact",
         Number(*restitution)
     )]
     MasslessImpact {
-        /// The coefficient that was given.
+        /// The coefficient.
         restitution: f64,
     },
-    /// A massless hoop that is thrown: nothing determines how it turns in the air.
+    /// A massless hoop that starts in flight, where its rotation is not determined.
     #[error(
         "gap_rate = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
          without inertia its rotation in the air is not determined",
         Number(*gap_rate)
     )]
     MasslessFlight {
-        /// The rate that was given.
+        /// The gap rate.
         gap_rate: f64,
     },
 }
 
 impl ParameterError {
-    /// Advice for the person who typed the value.
+    /// Advice for the user.
     #[must_use]
     pub const fn hint(&self) -> &'static str {
         match self {
@@ -81,7 +81,7 @@ impl ParameterError {
             }
             Self::NoMotion { .. } => "give the disc a moment of inertia, or move the particle off the centre",
             Self::NearlyMassless { .. } => {
-                "set mass_ratio and inertia to 0 for a massless hoop, or take 1e-16: no motion tells it from less"
+                "set mass_ratio and inertia to 0 for a massless hoop, or to 1e-16: smaller values give the same motion"
             }
             Self::OutOfBounds { bound: Bound::Finite, .. } => {
                 "NaN and infinities are not numbers to start from"
@@ -93,7 +93,7 @@ impl ParameterError {
         }
     }
 
-    /// The quantity that it is about: one of those that would have to change.
+    /// The quantity to change, or one of them.
     #[must_use]
     pub const fn quantity(&self) -> Quantity {
         match self {
@@ -105,7 +105,7 @@ impl ParameterError {
         }
     }
 
-    /// Whether two values contradict each other that have a meaning each by itself, such as μk > μs.
+    /// Whether several values, each valid alone, contradict each other, such as μk > μs.
     #[must_use]
     pub const fn is_contradiction(&self) -> bool {
         matches!(
@@ -120,13 +120,13 @@ impl ParameterError {
 }
 
 impl Quantity {
-    /// Refuses what is not a finite number within the bounds of the table.
+    /// Checks that a value is finite and within the bounds of the table.
     ///
     /// # Errors
-    /// Names the first bound that the value breaks.
+    /// The first violated bound.
     #[inline(always)]
     pub fn check(self, value: f64) -> Result<f64, ParameterError> {
-        // Without a loop the bounds of a quantity that is known are folded.
+        // Without a loop the compiler folds the bounds of a constant quantity.
         let keeps = match self.bounds() {
             [] => true,
             [only] => only.allows(value),
@@ -136,7 +136,7 @@ impl Quantity {
         if value.is_finite() && keeps { Ok(value) } else { Err(self.refusal(value)) }
     }
 
-    /// The first bound that a value breaks.
+    /// The first bound that a value violates.
     #[cold]
     fn refusal(self, value: f64) -> ParameterError {
         let broken = self.bounds().iter().find(|bound| value.is_finite() && !bound.allows(value));
@@ -145,7 +145,7 @@ impl Quantity {
     }
 }
 
-/// Passes `value` on when the bound allows it.
+/// `value`, if the bound allows it.
 pub(crate) fn within(quantity: Quantity, value: f64, bound: Bound) -> Result<f64, ParameterError> {
     if bound.allows(value) { Ok(value) } else { Err(ParameterError::OutOfBounds { quantity, value, bound }) }
 }

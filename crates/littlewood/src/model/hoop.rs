@@ -1,13 +1,13 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
-use crate::model::{Bound, LEAST_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, within};
+use crate::model::{Bound, MIN_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, within};
 
-/// The numbers that define a hoop, as a user gives them. [`Hoop::new`] checks them.
+/// The unchecked parameters of a hoop. [`Hoop::new`] checks them.
 ///
 /// ```
 /// use littlewood::{Hoop, HoopParameters};
 ///
-/// // A homogeneous disc with the mass of the particle, which sits halfway to the rim: I_zz = ½ m1 R².
+/// // A homogeneous disc with the mass of the particle, which is halfway to the rim: I_zz = ½ m1 R².
 /// let disc = HoopParameters::thin(1.0).with_offset(0.5).with_inertia(0.5).with_friction(0.5, 0.4);
 /// assert_eq!(Hoop::new(disc)?.offset(), 0.5);
 /// # Ok::<(), littlewood::ParameterError>(())
@@ -26,15 +26,15 @@ pub struct HoopParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction, μk ≥ 0.
     pub mu_k: f64,
-    /// Coefficient of restitution 0 ≤ e ≤ 1; without one a motion ends where the rim lands.
+    /// Coefficient of restitution 0 ≤ e ≤ 1; without one a motion ends at a landing.
     pub restitution: Option<f64>,
-    /// What e is a ratio of; the energetic law where e is given alone.
+    /// Law of restitution; `None` with a coefficient is the energetic law.
     pub restitution_law: Option<RestitutionLaw>,
 }
 
 impl HoopParameters {
-    /// A thin hoop of this mass ratio m̂1 with the particle on its rim, without friction: ℓ = R, I_zz = m1 R². Any other body is one with
-    /// another offset and another moment of inertia.
+    /// A thin hoop of this mass ratio m̂1 with the particle on its rim, without friction: ℓ = R, I_zz = m1 R². Other bodies
+    /// have another offset and moment of inertia.
     #[must_use]
     pub const fn thin(mass_ratio: f64) -> Self {
         Self {
@@ -66,14 +66,14 @@ impl HoopParameters {
         Self { mu_s, mu_k, ..self }
     }
 
-    /// The same hoop with this coefficient of restitution, by this law: its motion goes on after a landing.
+    /// The same hoop with this coefficient and law of restitution: its motion continues after a landing.
     #[must_use]
     pub const fn with_restitution(self, coefficient: f64, law: RestitutionLaw) -> Self {
         Self { restitution: Some(coefficient), restitution_law: Some(law), ..self }
     }
 }
 
-/// A hoop whose parameters have been checked.
+/// A hoop with checked parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hoop {
     parameters: HoopParameters,
@@ -81,7 +81,7 @@ pub struct Hoop {
     restitution: Option<Restitution>,
 }
 
-/// The two bodies of the paper, which obey different equations: with inertia (§2) and without (§3).
+/// The two bodies of the paper, with different equations: with inertia (§2) and without (§3).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Body {
     /// Î > 0: rolls, slides and flies.
@@ -90,7 +90,7 @@ pub enum Body {
     Massless(Massless),
 }
 
-/// A hoop with inertia; its mass ratio may be 0. Only [`Hoop::new`] makes one.
+/// A hoop with inertia; its mass ratio may be 0. Constructed by [`Hoop::new`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Heavy {
@@ -104,7 +104,7 @@ pub struct Heavy {
     pub inertia: f64,
 }
 
-/// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Only [`Hoop::new`] makes one.
+/// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Constructed by [`Hoop::new`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Massless {
@@ -116,7 +116,7 @@ impl Restitution {
     /// A coefficient with a law.
     ///
     /// # Errors
-    /// The coefficient must lie between 0 and 1.
+    /// A coefficient outside [0, 1].
     pub fn new(coefficient: f64, law: RestitutionLaw) -> Result<Self, ParameterError> {
         Ok(Self { coefficient: Quantity::Restitution.check(coefficient)?, law })
     }
@@ -126,9 +126,8 @@ impl Hoop {
     /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, 0 ≤ e ≤ 1, and a body that can move.
     ///
     /// # Errors
-    /// Names the first value that breaks a bound. ℓ̂ = 0 with Î = 0 is refused: see
-    /// [`ParameterError::NoMotion`]; so are 0 < Î < 1e-60, a law of restitution without a coefficient, and a coefficient of restitution
-    /// of a massless hoop, which no impulse can act on.
+    /// The first value that violates a bound; ℓ̂ = 0 with Î = 0 ([`ParameterError::NoMotion`]); 0 < Î < 1e-60; a law of
+    /// restitution without a coefficient; a massless hoop with a coefficient of restitution.
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
         let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } =
             parameters;
@@ -146,7 +145,7 @@ impl Hoop {
         let mass = 1.0 + mass_ratio;
         let about_mass_centre = inertia + mass_ratio * offset * offset / mass;
         let body = if about_mass_centre > 0.0 {
-            if about_mass_centre < LEAST_INERTIA {
+            if about_mass_centre < MIN_INERTIA {
                 return Err(ParameterError::NearlyMassless { inertia: about_mass_centre });
             }
             Body::Heavy(Heavy { mass, h: offset / mass, offset, inertia: about_mass_centre })
@@ -185,7 +184,7 @@ impl Hoop {
         Self::new(HoopParameters::thin(1.0).with_friction(mu_s, mu_k))
     }
 
-    /// The parameters as they were given.
+    /// The parameters.
     #[must_use]
     pub const fn parameters(&self) -> HoopParameters {
         self.parameters
@@ -221,7 +220,7 @@ impl Hoop {
         self.parameters.mu_k
     }
 
-    /// The restitution of an impact; none where a motion ends at the landing.
+    /// The restitution of an impact; `None` if a motion ends at a landing.
     #[must_use]
     pub const fn restitution(&self) -> Option<Restitution> {
         self.restitution
@@ -230,7 +229,7 @@ impl Hoop {
     /// The same hoop with a restitution.
     ///
     /// # Errors
-    /// A massless hoop has none.
+    /// A massless hoop.
     pub fn with_restitution(&self, restitution: Restitution) -> Result<Self, ParameterError> {
         Self::new(self.parameters.with_restitution(restitution.coefficient(), restitution.law()))
     }

@@ -1,42 +1,43 @@
-//! Limits of a simulation, and the proofs that end it.
+//! Limits of a simulation and the proofs that end it.
 
 use crate::model::{Body, Bound, Heavy, Hoop, ParameterError, Quantity, Start, State, named, within};
 
-/// The most that a slide counts: whole turns of a longer one are passed at once.
-const LONGEST_SLIDE: f64 = 32.0;
+/// Largest length that one slide adds to the total: the solver skips whole turns of a longer one.
+const MAX_COUNTED_LENGTH: f64 = 32.0;
 
 named! {
-    /// Which proofs end a motion, besides those that a phase lasts for ever.
+    /// Proofs that end a motion, in addition to the proof that a phase lasts for ever.
     #[derive(Default)]
     pub enum Proof, "proof",
-    /// In words, for help and messages.
+    /// Label for help and messages.
     pub label: &'static str {
-        /// None: the motion is followed to a phase without end, or to a limit.
+        /// No other: a motion ends in a phase without end or at a limit.
         None = 0, "none" => "only that a phase lasts for ever";
-        /// That it repeats itself ([`crate::Outcome::RepeatsForever`], [`crate::Outcome::SlidesForever`]) or slips for ever
-        /// ([`crate::Outcome::SlipsForever`]); at a limit of transitions or of steps, that it stays in contact.
+        /// The motion is periodic ([`crate::Outcome::RepeatsForever`], [`crate::Outcome::SlidesForever`]) or slips for ever
+        /// ([`crate::Outcome::SlipsForever`]); at a limit of transitions or slides, it stays in contact.
         #[default]
         Endless = 1, "endless" => "that the motion repeats itself or slips for ever; at a limit, that it stays in contact";
-        /// The same, and at any time that it never lifts off ([`crate::Outcome::StaysInContact`]): for the question who jumps.
+        /// As `Endless`; a proof that the hoop never lifts off ([`crate::Outcome::StaysInContact`]) ends a motion at any time.
         Contact = 2, "contact" => "the same, and as soon as it is known that the hoop never lifts off";
     }
 }
 
-/// When to stop a motion that has not come to its end.
+/// Limits of a motion without a final outcome.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Limits {
-    /// Time τ at which to stop, if any. A motion that is proved to roll for ever is reported as such in any case.
+    /// Time limit τ. Endless rolling is reported as such in any case.
     pub until: Option<f64>,
-    /// Largest number of transitions. Light hoops on nearly smooth planes need it, whose friction takes off next to no energy,
-    /// and e = 1, where bounces that slip, or on a plane without friction, do not end.
+    /// Maximum number of transitions. Light hoops on nearly smooth planes reach it, since friction dissipates little energy,
+    /// and so do hoops with e = 1, whose bounces with slip, or without friction, do not end.
     pub transitions: usize,
-    /// Largest length of all slides together: of each, that of its chord in the plane of time and angle, √(Δτ² + Δθ²), but no more than 32, since
-    /// whole turns of a longer one are passed at once; times 1 + ln(1 + m/Î), since the particle of a light hoop passes the bottom in short steps.
-    /// Motions on planes of next to no friction need it, which slide thousands of times; the default takes about a quarter of a second.
+    /// Maximum total length of the slides. Each adds its chord √(Δτ² + Δθ²), at most 32, since the solver skips whole turns
+    /// of a longer slide. The sum is multiplied by 1 + ln(1 + m/Î), since the particle of a light hoop passes the bottom in
+    /// short steps. Motions with thousands of slides, on planes with little friction, reach it; the default takes about a
+    /// quarter of a second.
     pub slides: usize,
-    /// Which proofs end a motion that is not followed to a time limit.
+    /// Proofs that end a motion without a time limit.
     pub proof: Proof,
 }
 
@@ -46,21 +47,23 @@ impl Default for Limits {
     }
 }
 
-/// m/Î of lighter hoops tells no more: their slides are not resolved.
-const LIGHTEST: f64 = 1e18;
+/// Largest m/Î in the weight: slides of lighter hoops are not resolved.
+const MAX_MASS_OVER_INERTIA: f64 = 1e18;
 
-/// What the length of the slides of a hoop is multiplied by.
+/// Factor on the length of the slides of a hoop.
 pub(crate) fn weight_of_slides(hoop: &Hoop) -> f64 {
     match hoop.body() {
-        Body::Heavy(Heavy { mass, inertia, .. }) => 1.0 + libm::log1p((mass / inertia).min(LIGHTEST)),
+        Body::Heavy(Heavy { mass, inertia, .. }) => {
+            1.0 + libm::log1p((mass / inertia).min(MAX_MASS_OVER_INERTIA))
+        }
         Body::Massless(_) => 1.0,
     }
 }
 
-/// What a slide from a state to another counts of the length of all slides.
+/// Length that a slide between two states adds to the total.
 pub(crate) fn length_of_slide(from: &State, to: &State) -> f64 {
     let (time, angle) = (to.time - from.time, to.theta - from.theta);
-    (time * time + angle * angle).sqrt().min(LONGEST_SLIDE)
+    (time * time + angle * angle).sqrt().min(MAX_COUNTED_LENGTH)
 }
 
 impl Limits {
@@ -72,12 +75,12 @@ impl Limits {
         Ok(())
     }
 
-    /// The proofs that end a motion: none where the states up to a time limit are wanted.
+    /// The proofs that end a motion: none with a time limit, up to which all states are required.
     pub(crate) const fn proof(&self) -> Proof {
         if self.until.is_some() { Proof::None } else { self.proof }
     }
 
-    /// Stops at the time τ.
+    /// The default limits with a time limit τ.
     #[must_use]
     pub fn until(time: f64) -> Self {
         Self::default().with_until(Some(time))
@@ -89,19 +92,19 @@ impl Limits {
         Self { until, ..self }
     }
 
-    /// The same limits with a largest number of transitions.
+    /// The same limits with a maximum number of transitions.
     #[must_use]
     pub const fn with_transitions(self, transitions: usize) -> Self {
         Self { transitions, ..self }
     }
 
-    /// The same limits with a largest length of all slides.
+    /// The same limits with a maximum total length of the slides.
     #[must_use]
     pub const fn with_slides(self, slides: usize) -> Self {
         Self { slides, ..self }
     }
 
-    /// The same limits, ending a motion by these proofs.
+    /// The same limits with these proofs.
     #[must_use]
     pub const fn with_proof(self, proof: Proof) -> Self {
         Self { proof, ..self }

@@ -1,4 +1,4 @@
-//! What is given: quantities and their units, the hoop, its start, the limits of a simulation.
+//! The input of a simulation: quantities and units, the hoop, its start and the limits.
 
 pub(crate) mod dimension;
 pub(crate) mod error;
@@ -14,7 +14,7 @@ pub(crate) mod state;
 pub(crate) mod units;
 
 pub(crate) use self::dimension::{Detail, Dimension, System};
-pub(crate) use self::error::{LEAST_INERTIA, ParameterError, within};
+pub(crate) use self::error::{MIN_INERTIA, ParameterError, within};
 pub(crate) use self::hoop::{Body, Heavy, Hoop, HoopParameters, Massless};
 pub(crate) use self::limits::{Limits, Proof, length_of_slide, weight_of_slides};
 pub(crate) use self::mode::{Direction, Mode};

@@ -1,4 +1,4 @@
-//! The modes of motion and the directions of slip.
+//! Modes of motion and directions of slip.
 
 use crate::model::named;
 
@@ -9,7 +9,7 @@ named! {
         Rolling = 0, "rolling";
         /// η′ ≠ 0, kinetic friction (2.16).
         Sliding = 1, "sliding";
-        /// In contact without any contact force, N = 0 (3.17).
+        /// In contact with N = 0 (3.17).
         Gliding = 2, "gliding";
         /// Off the plane (§2e).
         Flight = 3, "flight";
@@ -26,7 +26,7 @@ impl Mode {
         }
     }
 
-    /// Whether the plane presses on the rim: N > 0.
+    /// Whether N > 0.
     #[must_use]
     pub const fn has_normal_force(self) -> bool {
         match self {
@@ -65,7 +65,7 @@ impl Direction {
         }
     }
 
-    /// Its place in [`Direction::ALL`].
+    /// Index in [`Direction::ALL`].
     pub(crate) const fn index(self) -> usize {
         match self {
             Self::Negative => 0,
@@ -73,7 +73,7 @@ impl Direction {
         }
     }
 
-    /// σ of a direction that may be missing, as records hold it; 0 where there is no slip.
+    /// σ in records; 0 without slip.
     #[must_use]
     pub const fn code(direction: Option<Self>) -> i8 {
         match direction {
@@ -83,7 +83,7 @@ impl Direction {
         }
     }
 
-    /// The sign of a number; none for zero (and NaN).
+    /// The sign of a number; `None` for zero and NaN.
     #[must_use]
     pub fn of_sign(value: f64) -> Option<Self> {
         if value > 0.0 {
@@ -104,7 +104,7 @@ impl Direction {
         }
     }
 
-    /// An arrow.
+    /// Arrow in this direction.
     #[must_use]
     pub const fn arrow(self) -> char {
         match self {

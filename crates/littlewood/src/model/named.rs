@@ -1,32 +1,32 @@
-//! Enumerations whose items have a name and a number, each written once.
+//! Enumerations with a name and a code for each item.
 
 use thiserror::Error;
 
-/// A name that a table does not have.
+/// An unknown name.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("there is no {noun} named '{name}'; there are {}", known.join(", "))]
 pub struct UnknownName {
-    /// What was looked for.
+    /// Kind of item.
     pub noun: &'static str,
-    /// The name that was given.
+    /// The unknown name.
     pub name: String,
-    /// The names that there are.
+    /// The known names.
     pub known: &'static [&'static str],
 }
 
-/// A number that a table does not have.
+/// An unknown code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("there is no {noun} with the code {code}")]
 pub struct UnknownCode {
-    /// What was looked for.
+    /// Kind of item.
     pub noun: &'static str,
-    /// The number that was given.
+    /// The unknown code.
     pub code: u8,
 }
 
-/// Declares an enumeration with the name and the number of each item, and what follows from them: `ALL`, `NAMES`,
-/// `name`, `code`, `Display`, `FromStr`, `TryFrom<u8>`, and with the feature `serde` the names in text formats. An item may have a row
-/// of what else is known of it, which a function of the given name returns.
+/// Declares an enumeration with the name and the code of each item, and derives `ALL`, `NAMES`, `name`, `code`, `Display`,
+/// `FromStr`, `TryFrom<u8>` and, with the feature `serde`, the names in text formats. Items may have a further value, which
+/// a method of the given name returns.
 macro_rules! named {
     (
         $(#[$meta:meta])*
@@ -70,10 +70,10 @@ macro_rules! named {
             /// All items, in order.
             pub const ALL: [Self; [$( $code ),+].len()] = [$( Self::$Item ),+];
 
-            /// Their names, in the same order.
+            /// All names, in the order of `ALL`.
             pub const NAMES: [&'static str; [$( $code ),+].len()] = [$( $name ),+];
 
-            /// Lower-case name, as files, flags and programs write it.
+            /// Lower-case name in files, flags and programs.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {
@@ -81,7 +81,7 @@ macro_rules! named {
                 }
             }
 
-            /// Number, as arrays hold it.
+            /// Code in arrays.
             #[must_use]
             pub const fn code(self) -> u8 {
                 self as u8

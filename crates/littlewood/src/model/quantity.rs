@@ -1,8 +1,8 @@
-//! The quantities that a user can set: one table from which flags, scenario files, records, axes, messages and the
-//! fields of the laboratory derive.
+//! The table of quantities that a user can set, the source of flags, scenario files, records, axes, messages and the
+//! fields of the laboratory.
 //!
-//! A new quantity of a hoop or a start is one row here, one field of [`crate::HoopParameters`] or
-//! [`crate::Start`], and one line of [`crate::tables::Setup::place`].
+//! A new quantity of a hoop or a start takes one row here, one field of [`crate::HoopParameters`] or [`crate::Start`],
+//! and one line of [`crate::tables::Setup::field`].
 
 use core::fmt;
 
@@ -14,48 +14,48 @@ named! {
     /// Its row of the table.
     pub row: QuantityRow {
         /// Mass ratio m̂1 = m1/m2 of (2.9).
-        MassRatio = 0, "mass_ratio" => row((PLAIN, Group::Hoop, D::Mass, Some(Self::DiscMassKg)), ["m1/m2", "m₁/m₂"],
+        MassRatio = 0, "mass_ratio" => row((DIMENSIONLESS, Group::Hoop, D::Mass, Some(Self::DiscMassKg)), ["m1/m2", "m₁/m₂"],
             (PARAMETER, Presence::Required, [0.0, 5.0]), "mass of the disc over mass of the particle",
             "Mass of the disc over that of the particle, m1/m2 >= 0");
         /// Offset ℓ̂ = ℓ/R of (2.9).
-        Offset = 1, "offset" => row((PLAIN, Group::Hoop, D::Length, Some(Self::OffsetM)), ["l/R", "ℓ/R"],
-            (PART, Presence::Required, [0.0, 1.0]), "distance of the particle from the centre over the radius",
+        Offset = 1, "offset" => row((DIMENSIONLESS, Group::Hoop, D::Length, Some(Self::OffsetM)), ["l/R", "ℓ/R"],
+            (FRACTION, Presence::Required, [0.0, 1.0]), "distance of the particle from the centre over the radius",
             "Distance of the particle from the centre, l/R, 0 to 1");
         /// Moment of inertia Î_zz = I_zz/(m2 R²) of (2.9).
-        Inertia = 2, "inertia" => row((PLAIN, Group::Hoop, D::Inertia, Some(Self::InertiaKgM2)), ["Izz/(m2 R^2)", "Izz/(m₂R²)"],
+        Inertia = 2, "inertia" => row((DIMENSIONLESS, Group::Hoop, D::Inertia, Some(Self::InertiaKgM2)), ["Izz/(m2 R^2)", "Izz/(m₂R²)"],
             (PARAMETER, Presence::Required, [0.0, 5.0]), "moment of inertia of the disc about its centre over m2 R^2",
             "Moment of inertia of the disc about its centre, Izz/(m2 R^2) >= 0; 0 together with --mass-ratio 0 \
              is Littlewood's massless hoop");
         /// Coefficient of static friction μs of (2.13).
-        MuS = 3, "mu_s" => row((PLAIN, Group::Hoop, D::Ratio, None), ["mu_s", "μₛ"],
+        MuS = 3, "mu_s" => row((DIMENSIONLESS, Group::Hoop, D::Ratio, None), ["mu_s", "μₛ"],
             (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of static friction",
             "Coefficient of static friction (2.13), with SI parameters too");
         /// Coefficient of kinetic friction μk of (2.15).
-        MuK = 4, "mu_k" => row((PLAIN, Group::Hoop, D::Ratio, None), ["mu_k", "μₖ"],
+        MuK = 4, "mu_k" => row((DIMENSIONLESS, Group::Hoop, D::Ratio, None), ["mu_k", "μₖ"],
             (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of kinetic friction",
             "Coefficient of kinetic friction (2.15), from 0 to that of static friction, with SI parameters too");
         /// Angle θ of the particle from the upward vertical.
-        Theta = 5, "theta" => row((PLAIN, Group::Start, D::Angle, None), ["theta", "θ"],
+        Theta = 5, "theta" => row((DIMENSIONLESS, Group::Start, D::Angle, None), ["theta", "θ"],
             (COORDINATE, Presence::Required, [-3.1, 6.2]), "angle of the particle from the upward vertical",
             "Angle theta of the particle from the upward vertical, counterclockwise, with SI parameters too");
         /// Rate θ′ = dθ/dτ.
-        ThetaRate = 6, "theta_rate" => row((PLAIN, Group::Start, D::AngularRate, Some(Self::ThetaRateRadPerS)), ["theta'", "θ′"],
+        ThetaRate = 6, "theta_rate" => row((DIMENSIONLESS, Group::Start, D::AngularRate, Some(Self::ThetaRateRadPerS)), ["theta'", "θ′"],
             (RATE, Presence::Required, [-4.0, 4.0]), "rate of the angle",
             "Rate theta' in sqrt(g/R) rad");
         /// Slip velocity η′ of (2.7).
-        Slip = 7, "slip" => row((PLAIN, Group::Start, D::Velocity, Some(Self::SlipMPerS)), ["eta'", "η′"],
+        Slip = 7, "slip" => row((DIMENSIONLESS, Group::Start, D::Velocity, Some(Self::SlipMPerS)), ["eta'", "η′"],
             (RATE, Presence::Default(0.0), [-2.0, 2.0]), "slip velocity of the contact point",
             "Slip velocity eta' of the contact point (2.7) in sqrt(g R)");
         /// Horizontal position x of the geometric centre.
-        X = 8, "x" => row((PLAIN, Group::Place, D::Length, Some(Self::XM)), ["x", "x"],
+        X = 8, "x" => row((DIMENSIONLESS, Group::Place, D::Length, Some(Self::XM)), ["x", "x"],
             (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
             "Horizontal position of the centre in R");
         /// Time τ.
-        Time = 9, "time" => row((PLAIN, Group::Place, D::Time, Some(Self::TimeS)), ["tau", "τ"],
+        Time = 9, "time" => row((DIMENSIONLESS, Group::Place, D::Time, Some(Self::TimeS)), ["tau", "τ"],
             (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "time",
             "Time of the start, tau, in sqrt(R/g)");
         /// Time limit of a simulation.
-        Until = 10, "until" => row((PLAIN, Group::Run, D::Time, Some(Self::UntilS)), ["tau", "τ"],
+        Until = 10, "until" => row((DIMENSIONLESS, Group::Run, D::Time, Some(Self::UntilS)), ["tau", "τ"],
             (FINITE, Presence::Optional, [0.0, 50.0]), "time limit",
             "Stop at this time tau, in sqrt(R/g) [default: run to a final outcome]");
         /// Mass m1 of the disc or hoop in kilograms.
@@ -103,13 +103,13 @@ named! {
             (FINITE, Presence::Optional, [0.0, 10.0]), "time limit",
             "Stop at this time in SI units, s");
         /// Coefficient of restitution e of an impact.
-        Restitution = 22, "restitution" => row((PLAIN, Group::Hoop, D::Ratio, None), ["e", "e"],
-            (PART, Presence::Optional, [0.0, 1.0]), "coefficient of restitution",
+        Restitution = 22, "restitution" => row((DIMENSIONLESS, Group::Hoop, D::Ratio, None), ["e", "e"],
+            (FRACTION, Presence::Optional, [0.0, 1.0]), "coefficient of restitution",
             "Coefficient of restitution of the impact of the rim on the plane, 0 to 1, with SI parameters too; \
              without it the motion ends where the rim lands");
         /// Rate at which the gap under the rim opens.
-        GapRate = 23, "gap_rate" => row((PLAIN, Group::Start, D::Velocity, Some(Self::GapRateMPerS)), ["gap'", "gap′"],
-            (OPENING, Presence::Default(0.0), [0.0, 3.0]), "rate at which the gap under the rim opens",
+        GapRate = 23, "gap_rate" => row((DIMENSIONLESS, Group::Start, D::Velocity, Some(Self::GapRateMPerS)), ["gap'", "gap′"],
+            (NON_NEGATIVE_RATE, Presence::Default(0.0), [0.0, 3.0]), "rate at which the gap under the rim opens",
             "Rate at which the rim leaves the plane, in sqrt(g R)");
         /// Rate at which the gap opens in metres per second.
         GapRateMPerS = 24, "gap_rate_m_per_s" => row((SI, Group::Start, D::Velocity, Some(Self::GapRate)), ["d gap/dt", "d gap/dt"],
@@ -118,19 +118,19 @@ named! {
     }
 }
 
-/// What holds where a quantity is not given.
+/// Whether a quantity must be given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Presence {
-    /// It must be given.
+    /// Must be given.
     Required,
-    /// It is this.
+    /// Has a default.
     Default(f64),
-    /// There is none, which has a meaning of its own.
+    /// May be absent, without a default.
     Optional,
 }
 
 impl Presence {
-    /// The value that is assumed, if there is one.
+    /// The default, if any.
     #[must_use]
     pub const fn default_value(self) -> Option<f64> {
         match self {
@@ -141,17 +141,17 @@ impl Presence {
 }
 
 named! {
-    /// What a quantity belongs to.
+    /// Group of a quantity.
     pub enum Group, "group of quantities" {
         /// The body and its friction.
         Hoop = 0, "hoop";
-        /// The motion with which it starts.
+        /// The initial motion.
         Start = 1, "start";
-        /// Where and when it starts, which no motion depends on.
+        /// Position and time of the start, on which the motion does not depend.
         Place = 2, "place";
         /// The units of (2.9).
         Units = 3, "units";
-        /// When to stop.
+        /// The time limit.
         Run = 4, "run";
     }
 }
@@ -159,32 +159,31 @@ named! {
 /// A row of the table of quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuantityRow {
-    /// What it belongs to.
+    /// Group.
     pub group: Group,
-    /// Its dimension.
+    /// Dimension.
     pub dimension: Dimension,
-    /// The system that a number of this name is in. An angle and a ratio are the same number in both, and are listed
-    /// as dimensionless.
+    /// System of units. Angles and ratios have the same value in both systems and are listed as dimensionless.
     pub system: System,
-    /// The same quantity in the other system; none where the number is the same in both, or exists in one only.
+    /// The quantity in the other system; `None` if its value is the same in both, or it exists in one only.
     pub twin: Option<Quantity>,
     /// Symbol in plain letters.
     pub symbol: &'static str,
-    /// Symbol as it is printed.
+    /// Typeset symbol.
     pub sign: &'static str,
-    /// What it is, as files say it.
+    /// Description for files.
     pub long_name: &'static str,
-    /// What it is, as the help of a flag says it.
+    /// Help text of the flag.
     pub help: &'static str,
-    /// Bounds besides being a finite number, in the order in which they are checked.
+    /// Bounds in addition to finiteness, in the order of the checks.
     pub bounds: &'static [Bound],
-    /// What holds where it is not given.
+    /// Whether it must be given.
     pub presence: Presence,
-    /// Range in which a person usually sets it.
+    /// Usual range, for controls.
     pub usual: [f64; 2],
 }
 
-/// The bound that a value breaks.
+/// A bound on a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
     /// The value must be a finite number.
@@ -204,7 +203,7 @@ pub enum Bound {
 }
 
 impl Bound {
-    /// Whether a value keeps it.
+    /// Whether a value satisfies the bound.
     #[inline(always)]
     #[must_use]
     pub const fn allows(&self, value: f64) -> bool {
@@ -248,7 +247,7 @@ impl fmt::Display for Reading {
     }
 }
 
-/// A number as messages show it: with all its digits, and with an exponent where it would fill the line with zeros.
+/// A number in messages: all digits, with an exponent for very small and very large values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Number(pub f64);
 
@@ -266,28 +265,28 @@ impl fmt::Display for Number {
 /// Standard acceleration of free fall, m/s².
 pub const STANDARD_GRAVITY: f64 = 9.80665;
 
-/// Largest parameter of a hoop: beyond it products of parameters leave the range in which they are exact to rounding.
-const LARGEST_PARAMETER: f64 = 1e9;
+/// Largest parameter of a hoop: products of larger ones lose accuracy.
+const MAX_PARAMETER: f64 = 1e9;
 
-/// Largest time, angle and position of a start: there doubles still resolve 1e-7.
-const LARGEST_COORDINATE: f64 = 1e9;
+/// Largest time, angle and position of a start: doubles resolve 1e-7 there.
+const MAX_COORDINATE: f64 = 1e9;
 
 /// Largest rate and slip velocity of a start: a flight at this rate turns 1e11 times.
-const LARGEST_RATE: f64 = 1e6;
+const MAX_RATE: f64 = 1e6;
 
-const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(LARGEST_PARAMETER)];
-const COORDINATE: &[Bound] = &[Bound::MagnitudeAtMost(LARGEST_COORDINATE)];
-const RATE: &[Bound] = &[Bound::MagnitudeAtMost(LARGEST_RATE)];
-const PART: &[Bound] = &[Bound::NonNegative, Bound::AtMostConstant(1.0)];
-const OPENING: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(LARGEST_RATE)];
+const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_PARAMETER)];
+const COORDINATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_COORDINATE)];
+const RATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_RATE)];
+const FRACTION: &[Bound] = &[Bound::NonNegative, Bound::AtMostConstant(1.0)];
+const NON_NEGATIVE_RATE: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_RATE)];
 const POSITIVE: &[Bound] = &[Bound::Positive];
 const NON_NEGATIVE: &[Bound] = &[Bound::NonNegative];
 const FINITE: &[Bound] = &[];
 
-const PLAIN: System = System::Dimensionless;
+const DIMENSIONLESS: System = System::Dimensionless;
 const SI: System = System::Si;
 
-/// A row: place in the table, symbols, bounds with presence and usual range, and what the quantity is for files and for help.
+/// A row: system, group, dimension and twin; symbols; bounds, presence and usual range; texts for files and help.
 const fn row(
     (system, group, dimension, twin): (System, Group, Dimension, Option<Quantity>),
     [symbol, sign]: [&'static str; 2],
@@ -299,15 +298,15 @@ const fn row(
 }
 
 impl Quantity {
-    /// The parameters of a hoop, without dimension.
+    /// The dimensionless parameters of a hoop.
     pub const HOOP: [Self; 6] =
         [Self::MassRatio, Self::Offset, Self::Inertia, Self::MuS, Self::MuK, Self::Restitution];
 
-    /// The numbers of a start, without dimension.
+    /// The dimensionless quantities of a start.
     pub const START: [Self; 6] =
         [Self::Theta, Self::ThetaRate, Self::Slip, Self::GapRate, Self::X, Self::Time];
 
-    /// What a motion depends on, and what a sweep can therefore vary, in the order in which tables have it.
+    /// The quantities that determine a motion and that a sweep can vary, in the order of tables.
     pub const AXES: [Self; 10] = [
         Self::Theta,
         Self::ThetaRate,
@@ -321,7 +320,7 @@ impl Quantity {
         Self::Restitution,
     ];
 
-    /// The numbers of a hoop in SI units, with the units of (2.9) among them.
+    /// The quantities of a hoop in SI units, including the units of (2.9).
     pub const SI_HOOP: [Self; 9] = [
         Self::DiscMassKg,
         Self::ParticleMassKg,
@@ -334,24 +333,24 @@ impl Quantity {
         Self::Restitution,
     ];
 
-    /// The numbers of a start in SI units.
+    /// The quantities of a start in SI units.
     pub const SI_START: [Self; 6] =
         [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::GapRateMPerS, Self::XM, Self::TimeS];
 
-    /// Bounds besides being a finite number, in the order in which they are checked.
+    /// Bounds in addition to finiteness, in the order of the checks.
     #[inline(always)]
     #[must_use]
     pub const fn bounds(self) -> &'static [Bound] {
         self.row().bounds
     }
 
-    /// What it belongs to.
+    /// Group.
     #[must_use]
     pub const fn group(self) -> Group {
         self.row().group
     }
 
-    /// Its dimension.
+    /// Dimension.
     #[must_use]
     pub const fn dimension(self) -> Dimension {
         self.row().dimension
@@ -363,26 +362,25 @@ impl Quantity {
         self.row().symbol
     }
 
-    /// Symbol of the paper, as it is printed.
+    /// Symbol of the paper, typeset.
     #[must_use]
     pub const fn sign(self) -> &'static str {
         self.row().sign
     }
 
-    /// What it is, in words.
+    /// Description.
     #[must_use]
     pub const fn long_name(self) -> &'static str {
         self.row().long_name
     }
 
-    /// Whether a number of this name is in SI units. θ, μs and μk are the same numbers in both systems and count for
-    /// neither.
+    /// Whether the quantity is in SI units. False for θ, μs and μk, which have the same values in both systems.
     #[must_use]
     pub const fn is_si(self) -> bool {
         matches!(self.row().system, System::Si)
     }
 
-    /// Whether the number is a ratio: the parameters of (2.9) are quotients by m2, R and m2 R².
+    /// Whether the quantity is a ratio, as the parameters of (2.9) are.
     const fn is_ratio(self) -> bool {
         match self.row().group {
             Group::Hoop => !self.is_si(),
@@ -396,13 +394,13 @@ impl Quantity {
         self.of_units(self.dimension().scale(), self.dimension().si_unit())
     }
 
-    /// Unit, as it is printed; empty for a ratio.
+    /// Typeset unit; empty for a ratio.
     #[must_use]
     pub const fn unit_sign(self) -> &'static str {
         self.of_units(self.dimension().scale_sign(), self.dimension().si_sign())
     }
 
-    /// The one of two units that it has, of (2.9) and in SI units; empty for a ratio.
+    /// The unit of (2.9) or the SI unit, by the system of the quantity; empty for a ratio.
     const fn of_units(self, scale: &'static str, si: &'static str) -> &'static str {
         if self.is_ratio() || matches!(self.dimension(), Dimension::Ratio) {
             ""
@@ -413,7 +411,7 @@ impl Quantity {
         }
     }
 
-    /// The same quantity without dimension, by (2.9); itself where there is none, or it has none.
+    /// The dimensionless quantity of (2.9); `self` if it is dimensionless or has no twin.
     #[must_use]
     pub const fn dimensionless(self) -> Self {
         match (self.is_si(), self.row().twin) {
@@ -422,13 +420,13 @@ impl Quantity {
         }
     }
 
-    /// The same quantity in SI units; none for one that is the same in both systems, or is in SI units.
+    /// The quantity in SI units; `None` if `self` is in SI units, or the same in both systems.
     #[must_use]
     pub const fn si_twin(self) -> Option<Self> {
         if self.is_si() { None } else { self.row().twin }
     }
 
-    /// Advice for the person who typed a value out of bounds.
+    /// Advice for a value out of bounds.
     pub(crate) const fn hint(self) -> &'static str {
         match self.dimensionless() {
             Self::MuK => "kinetic friction is never stronger than static friction: 0 <= mu_k <= mu_s",
@@ -440,7 +438,7 @@ impl Quantity {
             Self::MassRatio => "a massless hoop has mass 0; less is not possible",
             Self::Until => "the time limit is absolute: it lies at or after the start",
             Self::Restitution => "0 is an impact without rebound, 1 one that gives everything back",
-            Self::GapRate => "the rim is at the plane at the start: it can leave it, not enter it",
+            Self::GapRate => "the rim starts at the plane and can only leave it",
             Self::Theta
             | Self::ThetaRate
             | Self::Slip
@@ -489,7 +487,7 @@ mod tests {
     }
 
     #[test]
-    fn twins_are_each_others_and_names_in_si_units_end_in_the_unit() {
+    fn twins_are_mutual_and_names_in_si_units_end_in_the_unit() {
         for quantity in Quantity::ALL {
             if let Some(twin) = quantity.row().twin {
                 assert_eq!(twin.row().twin, Some(quantity));

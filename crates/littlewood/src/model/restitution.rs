@@ -1,20 +1,20 @@
-//! A coefficient of restitution with its law.
+//! Coefficient and law of restitution.
 
 use crate::model::named;
 
 named! {
-    /// What the coefficient of restitution is a ratio of; the energetic law, which never gains energy, is the default.
+    /// Definition of the coefficient of restitution. The default, the energetic law, never increases the energy.
     #[derive(Default)]
     pub enum RestitutionLaw, "law of restitution",
-    /// In words, for menus and legends.
+    /// Label for menus and legends.
     pub label: &'static str {
-        /// Of works: the work that the normal force gives back is e² of what it has taken up (Stronge).
+        /// Ratio of works: the normal force does e² times as much work in restitution as it absorbs in compression (Stronge).
         #[default]
         Energetic = 0, "energetic" => "energetic (Stronge)";
-        /// Of impulses: that of restitution is e times that of compression.
+        /// Ratio of impulses: that of restitution is e times that of compression.
         Poisson = 1, "poisson" => "impulses (Poisson)";
-        /// Of velocities: the gap opens e times as fast as it has closed. It can gain energy where friction changes on the
-        /// way.
+        /// Ratio of velocities: the gap opens e times as fast as it closed. It can increase the energy if slip ends during
+        /// the impact.
         Newton = 2, "newton" => "velocities (Newton)";
     }
 }

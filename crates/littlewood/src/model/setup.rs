@@ -1,8 +1,8 @@
-//! A hoop and a start together, by the quantities of the table.
+//! A hoop and a start, with access by quantity.
 
 use crate::model::{HoopParameters, Quantity, Start};
 
-/// A hoop and a start as they are given, not yet checked.
+/// An unchecked hoop and start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Setup {
@@ -12,8 +12,8 @@ pub struct Setup {
     pub start: Start,
 }
 
-/// Where a quantity stands in a setup.
-enum Place<'a> {
+/// The field of a quantity in a setup.
+enum Field<'a> {
     Number(&'a mut f64),
     Optional(&'a mut Option<f64>),
 }
@@ -25,16 +25,16 @@ impl Setup {
         Self { hoop, start }
     }
 
-    /// Where a quantity stands; none for a limit and for what is in SI units.
-    const fn place(&mut self, quantity: Quantity) -> Option<Place<'_>> {
+    /// The field of a quantity; `None` for a limit and for quantities in SI units.
+    const fn field(&mut self, quantity: Quantity) -> Option<Field<'_>> {
         let Self { hoop, start } = self;
-        Some(Place::Number(match quantity {
+        Some(Field::Number(match quantity {
             Quantity::MassRatio => &mut hoop.mass_ratio,
             Quantity::Offset => &mut hoop.offset,
             Quantity::Inertia => &mut hoop.inertia,
             Quantity::MuS => &mut hoop.mu_s,
             Quantity::MuK => &mut hoop.mu_k,
-            Quantity::Restitution => return Some(Place::Optional(&mut hoop.restitution)),
+            Quantity::Restitution => return Some(Field::Optional(&mut hoop.restitution)),
             Quantity::Theta => &mut start.theta,
             Quantity::ThetaRate => &mut start.theta_rate,
             Quantity::Slip => &mut start.slip,
@@ -57,30 +57,30 @@ impl Setup {
         }))
     }
 
-    /// The value of a quantity; none for one that is not given, for a limit and for what is in SI units.
+    /// The value of a quantity; `None` if it is absent, for a limit and for quantities in SI units.
     #[must_use]
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         Self::value(&mut { *self }, quantity)
     }
 
     const fn value(&mut self, quantity: Quantity) -> Option<f64> {
-        match self.place(quantity) {
-            Some(Place::Number(value)) => Some(*value),
-            Some(Place::Optional(value)) => *value,
+        match self.field(quantity) {
+            Some(Field::Number(value)) => Some(*value),
+            Some(Field::Optional(value)) => *value,
             None => None,
         }
     }
 
-    /// Sets a quantity; nothing happens for a limit and for what is in SI units.
+    /// Sets a quantity; no effect for a limit and for quantities in SI units.
     pub const fn set(&mut self, quantity: Quantity, value: f64) {
-        match self.place(quantity) {
-            Some(Place::Number(place)) => *place = value,
-            Some(Place::Optional(place)) => *place = Some(value),
+        match self.field(quantity) {
+            Some(Field::Number(field)) => *field = value,
+            Some(Field::Optional(field)) => *field = Some(value),
             None => {}
         }
     }
 
-    /// The values of some quantities; NaN for those that are not given or not part of a setup.
+    /// The values of several quantities; NaN for those without a value.
     #[must_use]
     pub fn values<const N: usize>(&self, quantities: [Quantity; N]) -> [f64; N] {
         let mut copy = *self;

@@ -1,4 +1,4 @@
-//! Conversion between SI units and the dimensionless quantities of (2.9), both ways.
+//! Conversion between SI units and the dimensionless quantities of (2.9).
 
 use crate::model::{
     Bound, Dimension, Hoop, HoopParameters, ParameterError, Quantity, RestitutionLaw, STANDARD_GRAVITY,
@@ -45,9 +45,9 @@ pub struct SiParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction μk.
     pub mu_k: f64,
-    /// Coefficient of restitution e, if the motion goes on after a landing.
+    /// Coefficient of restitution e; without one a motion ends at a landing.
     pub restitution: Option<f64>,
-    /// Law of restitution; the energetic one where e is given alone.
+    /// Law of restitution; `None` with a coefficient is the energetic law.
     pub restitution_law: Option<RestitutionLaw>,
 }
 
@@ -62,13 +62,13 @@ pub struct SiState {
     pub theta_rate_rad_per_s: f64,
     /// Slip velocity dη/dt, m/s.
     pub slip_m_per_s: f64,
-    /// Rate at which the gap under the rim opens, m/s. Of a state in flight it is not told: zero.
+    /// Gap rate of a start, m/s; zero in a state, also in flight.
     pub gap_rate_m_per_s: f64,
     /// Position x of the geometric centre, m.
     pub x_m: f64,
 }
 
-/// Standard gravity, and otherwise zeros: masses and lengths must be given, friction and restitution may be.
+/// Standard gravity, zero for all other numbers, no restitution. Masses and lengths must be set.
 impl Default for SiParameters {
     fn default() -> Self {
         Self {
@@ -87,10 +87,10 @@ impl Default for SiParameters {
 }
 
 impl SiParameters {
-    /// The units that m2, R and g make; the other parameters are not looked at.
+    /// The units of (2.9) from m2, R and g.
     ///
     /// # Errors
-    /// All three must be finite and greater than zero.
+    /// m2, R or g not finite or not positive.
     pub fn units(&self) -> Result<Units, ParameterError> {
         let mass_kg = Quantity::ParticleMassKg.check(self.particle_mass_kg)?;
         let length_m = Quantity::RadiusM.check(self.radius_m)?;
@@ -98,10 +98,10 @@ impl SiParameters {
         Ok(Units { mass_kg, length_m, time_s: (length_m / gravity).sqrt(), gravity_m_per_s2: gravity })
     }
 
-    /// The dimensionless hoop, and the units to convert its motion with.
+    /// The dimensionless hoop and the units of its motion.
     ///
     /// # Errors
-    /// m2, R, g > 0; m1, `I_zz` ≥ 0; 0 ≤ ℓ ≤ R; 0 ≤ μk ≤ μs; all finite; and as [`Hoop::new`].
+    /// Unless m2, R, g > 0, m1, `I_zz` ≥ 0, 0 ≤ ℓ ≤ R, 0 ≤ μk ≤ μs, all finite; and as [`Hoop::new`].
     pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
         let Self { disc_mass_kg, radius_m, offset_m, inertia_kg_m2, mu_s, mu_k, .. } = *self;
         let mass = Quantity::DiscMassKg.check(disc_mass_kg)?;
@@ -123,7 +123,7 @@ impl SiParameters {
         Ok((Hoop::new(parameters)?, units))
     }
 
-    /// The parameters of a hoop, which need not have been checked, in SI units.
+    /// The parameters of a hoop in SI units, unchecked.
     #[must_use]
     pub fn new(hoop: &HoopParameters, units: &Units) -> Self {
         let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } = *hoop;
@@ -143,7 +143,7 @@ impl SiParameters {
     }
 }
 
-/// A hoop and a start in SI units, by the quantities of the table.
+/// A hoop and a start in SI units, with access by quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SiSetup {
     /// The hoop.
@@ -161,8 +161,8 @@ impl SiSetup {
         Self { hoop: SiParameters::new(&setup.hoop, units), start }
     }
 
-    /// From the value of each quantity of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. What must be given and is not is
-    /// NaN, which [`SiSetup::to_setup`] refuses.
+    /// From the values of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. A missing value is NaN, an error in
+    /// [`SiSetup::to_setup`].
     #[must_use]
     pub fn from_values(
         value: impl Fn(Quantity) -> Option<f64>,
@@ -193,7 +193,7 @@ impl SiSetup {
         }
     }
 
-    /// The value of a quantity; none for what is dimensionless only, and for a limit.
+    /// The value of a quantity; `None` for a limit and for dimensionless quantities with an SI twin.
     #[must_use]
     pub const fn get(&self, quantity: Quantity) -> Option<f64> {
         let Self { hoop, start } = self;
@@ -226,7 +226,7 @@ impl SiSetup {
         })
     }
 
-    /// The checked hoop, the start, and the units to convert the motion with.
+    /// The dimensionless setup, with the hoop checked, and the units of the motion.
     ///
     /// # Errors
     /// As [`SiParameters::to_hoop`] and [`Units::start`].
@@ -237,10 +237,10 @@ impl SiSetup {
 }
 
 impl Units {
-    /// A start given in SI units.
+    /// The dimensionless start.
     ///
     /// # Errors
-    /// All values must be finite, the rate of the gap not negative.
+    /// A value that is not finite; a negative gap rate.
     pub fn start(&self, si: &SiState) -> Result<Start, ParameterError> {
         let plain = |quantity: Quantity, value: f64| -> Result<f64, ParameterError> {
             Ok(self.from_si(quantity.dimension(), within(quantity, value, Bound::Finite)?))
@@ -258,10 +258,10 @@ impl Units {
         })
     }
 
-    /// A time limit given in seconds, for a motion that starts at `start`, dimensionless.
+    /// The dimensionless time limit of a motion from `start`.
     ///
     /// # Errors
-    /// It must be finite and not before the start: said in seconds.
+    /// A limit that is not finite or before the start, in seconds.
     pub fn until(&self, until_s: f64, start: &Start) -> Result<f64, ParameterError> {
         let until = self.from_si(Dimension::Time, Quantity::UntilS.check(until_s)?);
         if until < start.time {

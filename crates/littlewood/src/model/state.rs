@@ -1,8 +1,8 @@
-//! Starts and states.
+//! The start of a motion and the state at an instant.
 
 use crate::model::{ParameterError, Quantity};
 
-/// A start with the rim at the plane: dimensionless time, angle, rate, slip velocity, rate of the gap and position.
+/// The initial condition of a motion, with the rim at the plane; dimensionless.
 ///
 /// ```
 /// let start = littlewood::Start::at(0.5, -1.0).with_slip(0.25);
@@ -20,7 +20,7 @@ pub struct Start {
     pub theta_rate: f64,
     /// Slip velocity η′ of the contact point (2.7).
     pub slip: f64,
-    /// Rate at which the gap under the rim opens, zero or positive: a hoop thrown from the plane.
+    /// Gap rate, zero or positive: the rate at which the rim leaves the plane.
     #[cfg_attr(feature = "serde", serde(default))]
     pub gap_rate: f64,
     /// Horizontal position x of the geometric centre.
@@ -40,7 +40,7 @@ impl Start {
         Self { slip, ..self }
     }
 
-    /// The same start, but leaving the plane at this rate.
+    /// The same start with this gap rate.
     #[must_use]
     pub const fn with_gap_rate(self, gap_rate: f64) -> Self {
         Self { gap_rate, ..self }
@@ -58,16 +58,16 @@ impl Start {
         Self { x, ..self }
     }
 
-    /// The state without the rate of the gap.
+    /// The state, without the gap rate.
     pub(crate) const fn state(&self) -> State {
         let Self { time, theta, theta_rate, slip, gap_rate: _, x } = *self;
         State { time, theta, theta_rate, slip, x }
     }
 
-    /// Refuses what is not finite, and what a double no longer resolves.
+    /// The state, if all values are within the bounds of [`Quantity::START`].
     ///
     /// # Errors
-    /// Names the first value that breaks a bound of [`Quantity::START`].
+    /// The first value that violates a bound.
     pub fn check(self) -> Result<State, ParameterError> {
         Quantity::GapRate.check(self.gap_rate)?;
         Ok(State {
@@ -87,8 +87,7 @@ impl From<State> for Start {
     }
 }
 
-/// The state of the body at an instant. In flight `slip` is the horizontal velocity of the lowest point of the
-/// rim, which is the slip velocity that a landing there would have.
+/// The state of the body at an instant. In flight `slip` is the horizontal velocity of the lowest point of the rim.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
@@ -104,7 +103,7 @@ pub struct State {
     pub x: f64,
 }
 
-/// A start that has not been checked, as a state, which has no rate of the gap.
+/// The state of an unchecked start, without its gap rate.
 impl From<Start> for State {
     fn from(start: Start) -> Self {
         start.state()

@@ -1,4 +1,4 @@
-//! Conversion between (2.9) and SI units, from the exponents of the dimensions.
+//! Units of (2.9) in SI units, from the exponents of the dimensions.
 
 use crate::model::Dimension;
 
@@ -16,8 +16,8 @@ pub struct Units {
 }
 
 impl Units {
-    /// The unit of a dimension as a fraction, by the exponents of m2, R and g. Powers of R/g alone are powers of the
-    /// unit of time; an odd power of √g brings one unit of time.
+    /// The unit of a dimension as a fraction, from the exponents of m2, R and g. Powers of R/g are powers of the unit of
+    /// time; an odd power of √g contributes one unit of time.
     fn fraction(&self, dimension: Dimension) -> (Option<f64>, f64) {
         let [mass, mut length, mut gravity] = dimension.halves();
         let mut time = 0;
@@ -51,13 +51,13 @@ impl Units {
     #[must_use]
     pub fn to_si(&self, dimension: Dimension, value: f64) -> f64 {
         match self.fraction(dimension) {
-            // A quotient, not a product with the reciprocal: one rounding less.
+            // A quotient has one rounding less than a product with the reciprocal.
             (None, below) => value / below,
             (Some(above), below) => value * (above / below),
         }
     }
 
-    /// A value in SI units without dimension.
+    /// A value in SI units, made dimensionless.
     #[must_use]
     pub fn from_si(&self, dimension: Dimension, value: f64) -> f64 {
         match self.fraction(dimension) {
