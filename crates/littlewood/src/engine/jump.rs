@@ -11,7 +11,7 @@ use crate::ablation::{Part, is_on};
 use crate::math::trig::without_turns;
 use crate::model::hoop::Heavy;
 use crate::model::state::State;
-use crate::modes::flight::{Flight, TakeOff, is_told_by_rate};
+use crate::modes::flight::{Flight, TakeOff, sine_follows_from_rate};
 
 use super::interpolant::{Basis, Interpolant, Tolerance};
 
@@ -45,7 +45,7 @@ pub(super) fn angles(theta: f64, (sin, cos): (f64, f64), opening: f64) -> Option
         return None;
     }
     let angle = -without_turns(theta);
-    let told = is_told_by_rate(theta, (sin, cos));
+    let told = sine_follows_from_rate(theta, (sin, cos));
     JUMPS.as_ref()?.angles(if told { angle - opening * cos / sin } else { angle })
 }
 

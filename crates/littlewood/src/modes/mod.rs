@@ -1,8 +1,7 @@
-//! The four modes of motion, each with its solution in time and what may end it.
+//! The four modes of motion: the solution of each in time, and the events that end it.
 //!
-//! A phase of a motion has its solution ([`Phase::solution`](crate::Phase::solution)), which can be asked for any instant and for
-//! more than states: of rolling its orbit in the plane (θ, θ′), where the orbit ends ([`RollingEnd`]), or how it comes back for ever
-//! ([`Recurrence`]).
+//! [`Phase::solution`](crate::Phase::solution) returns the solution of a phase, which gives the state at any time. A rolling solution
+//! also gives its orbit in the (θ, θ′) plane, with the end of the orbit ([`RollingEnd`]) or its recurrence ([`Recurrence`]).
 //!
 //! ```
 //! use littlewood::cases::find_case;
@@ -36,7 +35,7 @@ pub use self::rolling::{
 pub use self::sample::Position;
 pub use self::sliding::{SlideLimit, Sliding};
 
-/// The exact solution during a phase, with τ and x since the start of the motion, and θ without its whole turns there.
+/// The exact solution of a phase. τ and x are relative to the start of the motion, and θ excludes the whole turns of the start.
 #[derive(Clone, Debug)]
 pub enum PhaseSolution {
     /// Rolling along an orbit.

@@ -1,9 +1,9 @@
-//! All that is known of an instant of a motion.
+//! Kinematics, forces and energy at one instant of a motion.
 
 use crate::mechanics::energy;
 use crate::model::{Direction, Hoop, Mode, State};
 
-/// Everything about one instant of a motion.
+/// Kinematics, forces and energy at one instant of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -46,7 +46,7 @@ pub struct Position {
     pub y: f64,
 }
 
-/// Values at an instant that depend on the mode; the rest follows for all modes alike.
+/// The quantities at an instant that depend on the mode; all others follow from the state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant {
     pub(crate) mode: Mode,

@@ -1,11 +1,11 @@
-//! The gap under the rim in flight: where it turns, and where it closes first.
+//! The gap under the rim in flight: its extrema and its first zero.
 
 use core::f64::consts::{PI, TAU};
 
 use crate::math::bracket::{Bracket, Step};
 use crate::math::trig::{TruncatedSeries, without_turns};
 
-/// The gap as a function of its argument p: the angle φ, or the time where the hoop turns so slowly that the gap is concave.
+/// The gap as a function of an argument p: the angle φ, or the time if the gap is concave (h θ′² ≤ 1).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gap {
     pub(super) h: f64,
@@ -13,9 +13,9 @@ pub(super) struct Gap {
     pub(super) cos: f64,
     /// Rate of the gap in p at the start.
     pub(super) rise: f64,
-    /// Its second derivative at the start, h c0 less the weight; exactly zero at a lift-off from sliding.
+    /// Second derivative at the start, h c0 − weight; exactly zero at a lift-off from sliding.
     pub(super) opening: f64,
-    /// The part of the second derivative that is the parabola's: 1/θ′², or 1 in time.
+    /// Contribution of the parabola to the second derivative: 1/θ′², or 1 in time.
     pub(super) weight: f64,
     /// dφ/dp.
     pub(super) spin: f64,
@@ -32,20 +32,20 @@ pub(super) struct Bound {
 }
 
 impl Bound {
-    /// Gap where the tangents of two ends meet.
+    /// Gap at the intersection of the tangents at two points.
     fn tangents_meet(&self, other: &Self) -> f64 {
         let way = (other.gap - self.gap - other.slope * (other.at - self.at)) / (self.slope - other.slope);
         self.gap + self.slope * way
     }
 
-    /// About where the gap turns between two inflections: where the slope has the course of the cubic 3 t² − 2 t³.
+    /// Estimate of the extremum between two inflections: the slope is modelled by the cubic 3 t² − 2 t³.
     fn about_turning(&self, other: &Self) -> f64 {
         let part = self.slope / (self.slope - other.slope);
         let way = 0.5 - libm::sin(libm::asin(1.0 - 2.0 * part) / 3.0);
         self.at + (other.at - self.at) * way
     }
 
-    /// About where the gap closes before the other end: on the parabola through this end, with its slope, and the other.
+    /// Estimate of the zero before `other`, on the parabola through both points with the slope at this one.
     fn about_touchdown(&self, other: &Self) -> f64 {
         let width = other.at - self.at;
         let bend = (other.gap - self.gap - self.slope * width) / (width * width);
@@ -54,9 +54,9 @@ impl Bound {
     }
 }
 
-/// The gap near an argument, from its derivatives there: polynomials, without another sine or cosine.
+/// Polynomial expansion of the gap about an argument; its evaluation needs no further sine or cosine.
 ///
-/// From the third derivative on they are those of −h cos(θ0 + φ) alone, so that a step of s, which turns the hoop by y = spin s,
+/// From the third on, the derivatives are those of −h cos(θ0 + φ). A step s turns the hoop by y = spin s and
 /// adds jerk s³ (y − sin y)/y³ + snap s⁴ (cos y − 1 + y²/2)/y⁴ to the parabola.
 #[derive(Clone, Copy, Debug)]
 struct Expansion {
@@ -69,37 +69,38 @@ struct Expansion {
     spin: f64,
 }
 
-/// How far an expansion reaches, in φ.
-const REACH: f64 = 0.125;
+/// Largest step of an expansion, in φ: the neglected terms of gap and slope, y¹¹/11! and y¹⁰/10!, are then below 3e-16.
+const MAX_EXPANSION_TURN: f64 = 0.125;
 
-/// Nearer to the start, where gap, slope and curvature may vanish together, an expansion reaches this part of the way.
-const PART: f64 = 0.125;
+/// Largest step of an expansion as a fraction of the argument: at the start gap, slope and curvature may vanish together.
+const MAX_EXPANSION_FRACTION: f64 = 0.125;
 
-/// (−1)^k/(2k + n)! for k = 3, 2, 1, 0: terms of (sin y)/y, (1 − cos y)/y², (y − sin y)/y³ and so on for n = 1, 2, 3 and 4. Up to
-/// [`REACH`] those left out are below the last digit of the gap and of its slope.
-const fn terms(n: usize) -> [f64; 4] {
+/// (−1)^k/(2k + n)! for k = 3, 2, 1, 0: the coefficients of (sin y)/y, (1 − cos y)/y², (y − sin y)/y³, … for n = 1, 2, 3, 4. Within
+/// [`MAX_EXPANSION_TURN`] the neglected trig_coefficients are below the rounding of the gap and of its slope.
+const fn trig_coefficients(n: usize) -> [f64; 4] {
     let mut term = 1.0;
     let mut i = 1;
     while i <= n {
         term /= i as f64;
         i += 1;
     }
-    let mut terms = [0.0; 4];
+    let mut trig_coefficients = [0.0; 4];
     let mut k = 0;
     while k < 4 {
-        terms[3 - k] = term;
+        trig_coefficients[3 - k] = term;
         let power = (2 * k + n) as f64;
         term /= -((power + 1.0) * (power + 2.0));
         k += 1;
     }
-    terms
+    trig_coefficients
 }
 
-const TERMS: [[f64; 4]; 4] = [terms(1), terms(2), terms(3), terms(4)];
+const TRIG_COEFFICIENTS: [[f64; 4]; 4] =
+    [trig_coefficients(1), trig_coefficients(2), trig_coefficients(3), trig_coefficients(4)];
 
 impl Expansion {
     fn reach(&self) -> f64 {
-        (REACH / self.spin).min(PART * self.at)
+        (MAX_EXPANSION_TURN / self.spin).min(MAX_EXPANSION_FRACTION * self.at)
     }
 
     /// The gap and its first three derivatives after a step.
@@ -108,7 +109,7 @@ impl Expansion {
         let turn = self.spin * step;
         let square = turn * turn;
         let [first, second, third, fourth] =
-            TERMS.map(|[a, b, c, d]| ((a * square + b) * square + c) * square + d);
+            TRIG_COEFFICIENTS.map(|[a, b, c, d]| ((a * square + b) * square + c) * square + d);
         let (jerk, snap) = (self.jerk * step, self.snap * step * step);
         [
             self.gap + step * (self.slope + step * (0.5 * self.curvature + (jerk * third + snap * fourth))),
@@ -119,25 +120,24 @@ impl Expansion {
     }
 }
 
-/// Whether at a lift-off the rate tells the direction better than the angle. A rounding of θ moves sin θ by cos θ ε |θ|/2, those on
-/// the way from θ′ to cos θ by cos² θ/sin θ times four of ε/2.
-pub(crate) fn is_told_by_rate(theta: f64, (sin, cos): (f64, f64)) -> bool {
+/// Whether sin θ at a lift-off is more accurate from θ′ than from θ. Rounding of θ changes sin θ by cos θ ε |θ|/2; the four roundings
+/// from θ′ to cos θ change it by 4 (ε/2) cos² θ/sin θ.
+pub(crate) fn sine_follows_from_rate(theta: f64, (sin, cos): (f64, f64)) -> bool {
     (sin * theta).abs() > 4.0 * cos
 }
 
-/// Up to this angle the gap is taken from its expansion at the start, beyond from the parabola and the rim as they are.
-const NEAR: f64 = 1.0;
+/// Largest angle at which the gap uses the difference b; beyond it the rounding of b, times φ²/2, would dominate.
+const MAX_ANGLE_WITH_DIFFERENCE: f64 = 1.0;
 
-/// Largest error of a bound by tangents, in parts of the terms of the gap: of the dozen operations from them to the bound each rounds
-/// by half a digit.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Largest error of a bound by tangents, relative to the trig_coefficients of the gap: a dozen operations round by ε/2 each.
+const TANGENT_BOUND_ERROR: f64 = 16.0 * f64::EPSILON;
 
 impl Gap {
-    /// The same where sliding lifts off, 1 = h c0 θ′². That holds to the rounding of θ0 and of θ′, and s0 follows from the one that
-    /// tells it better: b = 0, and the parabola has the weight of a body that turns at this rate.
+    /// The gap at a lift-off from sliding, where 1 = h c0 θ′² holds to the rounding of θ0 and θ′: sets b = 0 and c0 = 1/(h θ′²), and
+    /// takes s0 from the more accurate of θ0 and θ′.
     pub(super) fn at_lift_off(self) -> Self {
         let cos = self.weight / self.h;
-        let sin = if is_told_by_rate(self.theta, (self.sin, self.cos)) {
+        let sin = if sine_follows_from_rate(self.theta, (self.sin, self.cos)) {
             -((1.0 - cos) * (1.0 + cos)).max(0.0).sqrt()
         } else {
             self.sin
@@ -158,13 +158,13 @@ impl Gap {
         let turned = spin * at;
         let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(turned);
         let (square, lever) = (spin * spin, h * (spin * spin));
-        let (gap, slope) = if turned <= NEAR {
+        let (gap, slope) = if turned <= MAX_ANGLE_WITH_DIFFERENCE {
             (
                 rise * at + (0.5 * opening * at * at - h * (cos * even + sin * odd)),
                 rise + (opening * at - h * spin * (cos * odd + sin * versine)),
             )
         } else {
-            // b is a difference, and its rounding would grow with the square of the angle.
+            // Avoids b, a difference whose rounding error grows with the square of the angle.
             (
                 at * (rise - 0.5 * weight * at) + h * (cos * versine - sin * odd),
                 (rise - weight * at) + h * spin * (cos * sine - sin * versine),
@@ -181,13 +181,13 @@ impl Gap {
         }
     }
 
-    /// Size of the terms of the gap up to an argument.
+    /// Bound of the trig_coefficients of the gap up to an argument.
     fn size(&self, at: f64) -> f64 {
         at * (self.rise + self.weight * at) + self.h * (2.0 + self.spin * at)
     }
 
-    /// The root of a quantity between two arguments, from a guess. The quantity and its first two derivatives follow from the
-    /// argument, and the gap and its first three derivatives there.
+    /// The root of a quantity in a bracket, from a guess. `quantity` maps the argument, and the gap with its first three derivatives
+    /// there, to the quantity and its first two derivatives.
     fn root(
         &self,
         bracket: Bracket,
@@ -211,18 +211,18 @@ impl Gap {
         }
     }
 
-    /// The landing of a gap that is concave: between zero, where the gap rises, and the landing of a gap that is wider.
+    /// The landing of a concave gap: between zero and the landing of a larger gap.
     pub(super) fn only_landing(&self) -> Bound {
         let (guess, high) = self.about_only_landing();
         let bracket = Bracket { low: 0.0, high: high * (1.0 + 8.0 * f64::EPSILON) };
-        // gap/p, which falls: a convex combination of the slopes up to p. It has no root at zero.
+        // gap/p has no root at zero, and decreases: it is the mean of the slopes up to p.
         self.root(bracket, guess, |p, [gap, slope, curvature, _]| {
             let (value, fall) = (gap / p, slope / p);
             (value, fall - value / p, (curvature - 2.0 * (fall - value / p)) / p)
         })
     }
 
-    /// A guess of the landing of a gap that is concave, and the landing of a gap that is wider.
+    /// An estimate of the landing of a concave gap, and an upper bound: the landing of a larger gap.
     fn about_only_landing(&self) -> (f64, f64) {
         // With the time as p, gap″ = −1 + h θ′² cos(θ0 + φ): the gap falls faster than with h θ′² − 1, and than the
         // parabola of the mass centre with a rim 2 h lower.
@@ -237,7 +237,7 @@ impl Gap {
         (if weight > 0.0 { flat * weight / (weight + jerk * flat) } else { high }, high)
     }
 
-    /// The largest gap of one that is concave, before the landing.
+    /// The maximum of a concave gap.
     pub(super) fn only_apex(&self, landing: f64) -> Bound {
         let guess = if self.opening < 0.0 { self.rise / -self.opening } else { 0.5 * landing };
         self.root(Bracket { low: 0.0, high: landing }, guess, |_, [_, slope, curvature, jerk]| {
@@ -245,8 +245,8 @@ impl Gap {
         })
     }
 
-    /// The zeros of gap″, at cos(θ0 + φ) = c0 − b/h, where it turns from + to − and back. The first is ahead of the start if
-    /// gap″ ≥ 0 there. Otherwise it is the second turn ahead, behind the one from − to +.
+    /// The zeros of gap″, cos(θ0 + φ) = c0 − b/h. At `first` gap″ changes from + to −. This is the first zero after the start if
+    /// gap″ ≥ 0 at the start, and the second zero otherwise.
     fn inflections(&self) -> Inflections {
         let (from_top, level) = if self.opening == 0.0 {
             // A lift-off from sliding starts on the inflection −level itself.
@@ -272,7 +272,7 @@ impl Gap {
         }
     }
 
-    /// Where gap′ vanishes between two inflections at which it has these values of different sign.
+    /// The zero of gap′ between two inflections where it has opposite signs.
     fn turning(&self, from: &Bound, to: &Bound) -> Bound {
         let sign = from.slope.signum();
         let bracket = Bracket { low: from.at, high: to.at };
@@ -281,15 +281,15 @@ impl Gap {
         })
     }
 
-    /// The largest gap, and the landing.
+    /// The maximum of the gap, and the landing.
     pub(super) fn extent(&self) -> (Bound, Bound) {
         let inflections = self.inflections();
-        let (opens, closes) = self.clear();
+        let (opens, closes) = self.open_interval();
         let mut highest = Bound::default();
         let mut index = 0;
         let mut known = None;
         if self.opening < 0.0 {
-            // The gap is concave at first. It is convex from the turn before the first.
+            // The gap is concave at first, and convex from the inflection before `first` on.
             let turn = self.bound(inflections.first - (TAU - inflections.fall));
             let first = self.bound(inflections.first);
             let start = Bound { at: 0.0, gap: 0.0, slope: self.rise };
@@ -306,7 +306,7 @@ impl Gap {
             let last = inflections.last_before(closes);
             let at = inflections.at(index);
             if at >= opens && at < closes && last > index {
-                // Many turns may pass before the parabola comes down; none of them needs a look.
+                // The parabola proves that the gap stays open for many turns.
                 (skipped, index, known) = (true, last, None);
             }
             let from = known.unwrap_or_else(|| self.bound(inflections.at(index)));
@@ -319,34 +319,34 @@ impl Gap {
         }
     }
 
-    /// The landing between two inflections, if there is one; the largest gap so far is kept.
+    /// The landing between two inflections, if any; updates the maximum.
     fn advance(&self, mut from: Bound, to: &Bound, highest: &mut Bound) -> Option<Bound> {
-        // Between inflections the gap is concave or convex: the tangents at the ends bound its extremum.
+        // Between inflections the gap is concave or convex, so the tangents at the ends bound its extremum.
         let bound = from.tangents_meet(to);
         if from.slope > 0.0 && to.slope <= 0.0 && bound > highest.gap {
             from = self.turning(&from, to);
             if from.gap > highest.gap {
                 *highest = from;
             }
-        } else if from.slope < 0.0 && to.slope > 0.0 && bound <= ROUNDING * self.size(to.at) {
+        } else if from.slope < 0.0 && to.slope > 0.0 && bound <= TANGENT_BOUND_ERROR * self.size(to.at) {
             let lowest = self.turning(&from, to);
             if lowest.gap <= 0.0 {
                 return Some(self.touchdown(&from, &lowest));
             }
             from = lowest;
         }
-        // Where an inflection rounds to the start itself, the gap has only begun to open.
+        // An inflection may round to the start, where the gap has not opened yet.
         let has_only_opened = from.gap == 0.0 && from.slope > 0.0 && to.slope > 0.0;
         (to.gap <= 0.0 && !has_only_opened).then(|| self.touchdown(&from, to))
     }
 
-    /// Where the gap, which falls from `from` to `to`, closes.
+    /// The zero of a gap that decreases from `from` to `to`.
     fn touchdown(&self, from: &Bound, to: &Bound) -> Bound {
         let bracket = Bracket { low: from.at, high: to.at };
         self.root(bracket, from.about_touchdown(to), |_, [gap, slope, curvature, _]| (gap, slope, curvature))
     }
 
-    /// The largest gap of a flight of many turns: within half a turn of the top of the parabola.
+    /// The maximum of the gap in a flight of many turns: within half a turn of the apex of the parabola.
     fn apex(&self, landing: f64) -> Bound {
         let inflections = self.inflections();
         let top = ((self.rise - self.h * self.sin) / self.weight).max(0.0);
@@ -369,8 +369,8 @@ impl Gap {
         }
     }
 
-    /// Where the parabola alone proves that the gap is open: gap ≥ h (c0 − 1) + (v/ω − h s0) φ − φ²/(2θ′²).
-    fn clear(&self) -> (f64, f64) {
+    /// The interval on which the parabola proves that the gap is open: gap ≥ h (c0 − 1) + (v/ω − h s0) φ − φ²/(2θ′²).
+    fn open_interval(&self) -> (f64, f64) {
         let slope = self.rise - self.h * self.sin;
         let discriminant = slope * slope - 2.0 * self.weight * self.h * (1.0 - self.cos);
         if slope <= 0.0 || discriminant <= 0.0 {
@@ -381,7 +381,7 @@ impl Gap {
     }
 }
 
-/// The zeros of gap″: a sequence of angles with two alternating distances that add up to a turn.
+/// The zeros of gap″: angles with two alternating distances that add up to a turn.
 #[derive(Clone, Copy, Debug)]
 struct Inflections {
     first: f64,
@@ -405,7 +405,7 @@ impl Inflections {
 mod tests {
     use super::*;
 
-    /// A gap at an angle of a hoop with h = 0.5 that turns at a rate, with a rate of the gap.
+    /// The gap of a hoop with h = 0.5.
     fn gap_at(theta: f64, rate: f64, gap_rate: f64) -> Gap {
         let (sin, cos) = libm::sincos(theta);
         let opening = (0.5 * (cos * (rate * rate)) - 1.0) / (rate * rate);
@@ -436,7 +436,7 @@ mod tests {
                     for (near, there, error) in [
                         (value, there.gap, rounding),
                         (slope, there.slope, rounding),
-                        // These only lead on to the root.
+                        // These only steer the iteration.
                         (curvature, there.curvature, 1e-13),
                         (jerk, there.jerk, 1e-12),
                     ] {
@@ -453,7 +453,7 @@ mod tests {
             let gap = gap_at(theta, 4.0, 3.0);
             let (highest, landing) = gap.extent();
             for found in [highest, landing] {
-                // The terms of the gap grow with the square of the angle.
+                // The trig_coefficients of the gap grow with the square of the angle.
                 let rounding = 4e-16 * (1.0 + found.at * found.at);
                 let there = gap.bound(found.at);
                 assert!((there.gap - found.gap).abs() < rounding, "{theta}: {there:?} {found:?}");
@@ -478,7 +478,7 @@ mod tests {
 
     #[test]
     fn a_cubic_turns_where_it_is_guessed() {
-        // Slopes with the course of 1 − (3 t² − 2 t³)/q, which vanishes where 3 t² − 2 t³ = q.
+        // The slopes follow 1 − (3 t² − 2 t³)/q, which vanishes at 3 t² − 2 t³ = q.
         for t in [0.1, 0.3, 0.5, 0.8] {
             let part = t * t * (3.0 - 2.0 * t);
             let [from, to] =
@@ -490,7 +490,7 @@ mod tests {
     #[test]
     fn the_only_landing_is_about_where_it_is_guessed() {
         for (k, theta) in (0..24).map(|k| (k, 0.26 * f64::from(k) - 3.1)) {
-            // h θ′² ≤ 1, and so small a rate of the gap that the hoop hardly turns before it lands.
+            // h θ′² ≤ 1, and a gap rate so small that the hoop turns little before it lands.
             let rate = 0.05 + 0.05 * f64::from(k);
             let (sin, cos) = libm::sincos(theta);
             let opening = 0.5 * cos * rate * rate - 1.0;
@@ -506,7 +506,7 @@ mod tests {
                     "{theta} {rise}: {landing} {guess}"
                 );
             }
-            // A body that does not turn is on a parabola, whose landing is known.
+            // Without rotation the gap is a parabola with a known landing.
             let still = Gap { spin: 0.0, opening: -1.0, ..gap(0.7) };
             let (guess, high) = still.about_only_landing();
             assert!((guess - 1.4).abs() < 1e-14 && (high - 1.4).abs() < 1e-14, "{guess} {high}");
@@ -515,7 +515,7 @@ mod tests {
 
     #[test]
     fn tangents_of_a_parabola_meet_half_way() {
-        // Those of p² at a and b meet at (a + b)/2, where they are a b.
+        // The tangents of p² at a and b meet at (a + b)/2 with the value a b.
         for (a, b) in [(-1.0, 2.0), (0.5, 3.0), (-4.0, -0.5)] {
             let [from, to] = [a, b].map(|phi: f64| Bound { at: phi, gap: phi * phi, slope: 2.0 * phi });
             assert!((from.tangents_meet(&to) - a * b).abs() < 1e-14, "{a} {b}");

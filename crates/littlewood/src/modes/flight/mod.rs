@@ -1,27 +1,26 @@
-//! Free flight (§2e): the mass centre on a parabola, the rotation at constant rate, until the rim touches down.
+//! Free flight (§2e): the mass centre follows a parabola and the hoop turns at constant rate, until the rim touches down.
 //!
-//! A flight begins with the rim at the plane: where a normal force has vanished, or with a rate v ≥ 0 of the gap, after an
-//! impact or thrown. In the angle φ = ω Δτ since the start, ω = |θ′|, seen in the direction of rotation, the gap under the rim is
+//! A flight begins with the rim on the plane: where the normal force vanishes, or with a rate v ≥ 0 of the gap after an
+//! impact or a throw. With φ = ω Δτ, ω = |θ′|, and angles positive in the direction of rotation, the gap under the rim is
 //!
 //! ```text
 //! gap = v φ/ω + b φ²/2 − h [c0 C(φ) + s0 S(φ)],   C = cos φ − 1 + φ²/2,   S = φ − sin φ,   b = h c0 − 1/θ′²,
 //! ```
 //!
-//! with a simple root at the start for v > 0, a double one for v = 0 and b > 0, and a triple one where sliding lifts off
-//! (v = b = 0). Those roots are never searched for. b is a difference, which of a fast hoop keeps few digits of the weight 1/θ′²
-//! that brings it down, and the sum is good near the start alone. Beyond a radian the same is
+//! It has a simple root at the start for v > 0, a double root for v = 0 and b > 0, and a triple root at a lift-off from sliding
+//! (v = b = 0). The search excludes these roots. The difference b loses digits of the weight 1/θ′² of a fast hoop. So this form
+//! is used near the start only. Beyond one radian the gap is computed as
 //!
 //! ```text
 //! gap = v φ/ω − φ²/(2 θ′²) + h [c0 (1 − cos φ) − s0 S(φ)].
 //! ```
 //!
-//! Where sliding lifts off, h c0 θ′² = 1 holds to the last digits of θ0 and θ′. Both follow from one of them: b = 0 and
-//! c0 = 1/(h θ′²), and s0 from the angle or from c0, whichever tells it better.
+//! At a lift-off from sliding, h c0 θ′² = 1 holds to the rounding of θ0 and θ′. There b = 0 and c0 = 1/(h θ′²) are set, and
+//! s0 follows from the angle or from c0, whichever is more accurate.
 //!
-//! The second derivative b + h (cos(θ0 + φ) − c0) has known zeros, so that
-//! gap″, then gap′, then gap are monotone between points that follow from each other, and the first sign change after the
-//! start is the landing. Where h θ′² ≤ 1 it has none: the gap is concave in time, and there is one landing; the same
-//! formula is then taken in time, which a hoop needs that does not turn.
+//! The zeros of the second derivative b + h (cos(θ0 + φ) − c0) are known. Between them gap′ is monotone, and between the zeros
+//! of gap′ the gap is monotone; its first sign change after the start is the landing. For h θ′² ≤ 1 the gap is concave and has
+//! one landing; the argument is then the time, which also covers a hoop that does not turn.
 
 mod gap;
 
@@ -32,12 +31,12 @@ use crate::modes::{Instant, Sample};
 
 use gap::{Bound, Gap};
 
-pub(crate) use gap::is_told_by_rate;
+pub(crate) use gap::sine_follows_from_rate;
 
 /// How the rim leaves the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum TakeOff {
-    /// The normal force has just vanished: 1 = h cos θ θ′².
+    /// The normal force vanishes: 1 = h cos θ θ′².
     Grazing,
     /// 1 < h cos θ θ′²: the plane cannot hold the rim.
     Unloaded,
@@ -58,20 +57,19 @@ pub struct Flight {
     /// Rate of the argument of the gap in time: |θ′|, or 1.
     clock: f64,
     landing: Bound,
-    /// Where the gap is largest; none where it is found once it is asked for.
+    /// Maximum of the gap; none if it is computed on demand.
     apex: Option<Bound>,
-    /// Bounces without number, all together: a gap below 1e-14.
+    /// Whether the flight stands for infinitely many bounces, with a gap below 1e-14.
     settles: bool,
 }
 
 impl Flight {
-    /// From a state with the rim at the plane. The cosine is that of the decision on flight, so that its sign of
-    /// 1 − h cos θ θ′² is found again.
+    /// From a state with the rim on the plane. The decision on flight used the same cosine, so 1 − h cos θ θ′² has the same sign here.
     pub(crate) fn new(body: &Heavy, start: State, take_off: TakeOff) -> Self {
         Self::from_direction(body, start, take_off, libm::sincos(start.theta))
     }
 
-    /// The same with the sine and cosine of the angle.
+    /// [`Self::new`] with the sine and cosine of the angle.
     pub(crate) fn from_direction(
         body: &Heavy,
         start: State,
@@ -86,7 +84,7 @@ impl Flight {
         Self { landing, apex: Some(apex), ..flight }
     }
 
-    /// The same where the angles φ of the landing and of the largest gap are known.
+    /// [`Self::new`] with known angles φ of the landing and of the maximum of the gap.
     pub(crate) fn with_angles(
         body: &Heavy,
         start: State,
@@ -99,13 +97,13 @@ impl Flight {
         Self { landing, apex: Some(apex), ..flight }
     }
 
-    /// The same before it is known where it ends.
+    /// A flight whose landing and maximum are still unset.
     fn without_landing(body: &Heavy, start: State, take_off: TakeOff, (sin, cos): (f64, f64)) -> Self {
         let h = body.h;
         let rate = start.theta_rate;
         let travel = if rate < 0.0 { -1.0 } else { 1.0 };
         let square = rate * rate;
-        // −w, of the w that decided on flight.
+        // −w, with the w of the decision on flight.
         let opening = h * (cos * square) - 1.0;
         let weight = 1.0 / square;
         let in_angle = Gap {
@@ -144,7 +142,7 @@ impl Flight {
         }
     }
 
-    /// Bounces without number that take so much time together, as one flight.
+    /// Infinitely many bounces of total duration `duration`, as one flight.
     pub(crate) fn settling(body: &Heavy, start: State, gap_rate: f64, duration: f64) -> Self {
         let (sin, cos) = libm::sincos(start.theta);
         let rate = start.theta_rate;
@@ -156,23 +154,23 @@ impl Flight {
         Self { gap, clock: 1.0, landing, settles: true, ..flight }
     }
 
-    /// Whether the gap is concave, and taken in time.
+    /// Whether the gap is concave; its argument is then the time.
     fn is_concave(&self) -> bool {
         self.gap.rise > 0.0 && self.h * (self.start.theta_rate * self.start.theta_rate) <= 1.0
     }
 
-    /// Whether it stands for bounces without number, by which the hoop settles.
+    /// Whether the flight stands for infinitely many bounces after which the hoop settles.
     #[must_use]
     pub const fn settles(&self) -> bool {
         self.settles
     }
 
-    /// Where the gap is largest.
+    /// Maximum of the gap.
     fn highest(&self) -> Bound {
         self.apex.unwrap_or_else(|| self.gap.only_apex(self.landing.at))
     }
 
-    /// Arguments of the landing and of the largest gap.
+    /// Arguments of the landing and of the maximum of the gap.
     pub(crate) fn angles(&self) -> [f64; 2] {
         [self.landing.at, self.highest().at]
     }
@@ -194,8 +192,8 @@ impl Flight {
         self.clock * self.landing.slope
     }
 
-    /// Time since the start, and height, of the largest gap between the rim and the plane. Of bounces by which the hoop
-    /// settles it is not resolved: zero.
+    /// Time since the start, and height, of the largest gap between the rim and the plane. Both are zero for settling bounces,
+    /// whose gap is not resolved.
     #[must_use]
     pub fn apex(&self) -> (f64, f64) {
         if self.settles {
@@ -220,8 +218,8 @@ impl Flight {
         }
     }
 
-    /// Gap under the rim and its rate after the time `elapsed`. Where bounces settle the gap is zero, and its rate that of a
-    /// flight without impacts, whose impulses come together at the end.
+    /// Gap under the rim and its rate after the time `elapsed`. For settling bounces the gap is zero, and the rate is that of a
+    /// flight without impacts: the impulses act together at the end.
     #[must_use]
     pub fn gap(&self, elapsed: f64) -> (f64, f64) {
         let Bound { gap, slope, .. } = self.gap.bound(self.clock * elapsed);
@@ -243,7 +241,7 @@ impl Flight {
             forces: (0.0, 0.0),
             gap,
         };
-        // The energy is that of the start: of an angle far out the last digit, times the rate, is much of the velocities.
+        // The energy of the start: at an angle of many turns, the rounding of θ times the rate dominates the velocities.
         let energy = energy(hoop, &self.start, 0.0, self.take_off_rate());
         Sample { energy, ..instant.sample(hoop, state) }
     }

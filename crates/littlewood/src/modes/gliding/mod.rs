@@ -1,15 +1,15 @@
-//! Gliding of a massless hoop (§3c–e): in contact with the plane, without any force from it, N = F = 0.
+//! Gliding of a massless hoop (§3c–e): contact with N = F = 0.
 //!
-//! The particle falls freely (3.19) and the hoop, which has no mass, follows: ȳ = 1 + ℓ̂ cos θ, x̄′ = η′ − θ′(1 + ℓ̂c).
-//! Everything is algebraic in the time: with V = ȳ′ = V0 − Δτ,
+//! The particle falls freely (3.19) and the massless hoop follows: ȳ = 1 + ℓ̂ cos θ, x̄′ = η′ − θ′(1 + ℓ̂c).
+//! The solution is algebraic in the time: with V = ȳ′ = V0 − Δτ,
 //!
 //! ```text
 //! ℓ̂ (1 − cos θ) = 2 ℓ̂ sin²(θ0/2) − V0 Δτ + Δτ²/2,    θ′ = −V/(ℓ̂ sin θ),    η′ = v + θ′ (1 + ℓ̂ cos θ).
 //! ```
 //!
-//! So are the rests of the slip, roots of a polynomial of degree three in the height of the particle ([`rest`]).
+//! The zeros of the slip are roots of a cubic polynomial in the height of the particle ([`rest`]).
 //!
-//! Conserved are the vertical energy of the particle w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ (the w printed in (3.18) is not
+//! Gliding conserves the vertical energy of the particle w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ (the w printed in (3.18) is not
 //! conserved by (3.17)), the energy e_s and the horizontal momentum v.
 
 mod particle;
@@ -18,7 +18,7 @@ mod rest;
 use crate::model::{Direction, Hoop, Massless, Mode, State};
 use crate::modes::{Instant, Sample};
 
-use self::particle::{Particle, Place};
+use self::particle::{Particle, ParticleState};
 pub(crate) use self::rest::GlideEntry;
 use self::rest::Slip;
 
@@ -32,7 +32,7 @@ pub struct Gliding {
     limit_of_small_inertia: bool,
 }
 
-/// Integrals of gliding (3.18), with the first one corrected.
+/// First integrals of gliding (3.18), with w corrected.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlidingIntegrals {
     /// Vertical energy of the particle about the centre, w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ.
@@ -72,12 +72,11 @@ pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f
 /// How a phase of gliding ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GlidingEnd {
-    /// η′ = 0, and whether the normal force of rolling is positive there.
+    /// η′ = 0; `presses` if the normal force of rolling is positive there.
     Rest { state: State, presses: bool },
-    /// The particle comes down to its lowest place under the centre, θ = ±π, with unbounded θ′ (3.20). The state has
-    /// an infinite rate.
+    /// The particle reaches its lowest point, θ = ±π, with unbounded θ′ (3.20). The rate of the state is infinite.
     Bottom(State),
-    /// The particle comes up to its highest place with velocity to spare: it would lift the hoop.
+    /// The particle reaches its highest point with upward velocity left: it would lift the hoop.
     Top(State),
     /// The time limit.
     TimeLimit(State),
@@ -112,7 +111,7 @@ impl Gliding {
         let end = if is_stopped {
             GlidingEnd::TimeLimit(if place.elapsed == 0.0 { start } else { state })
         } else if slip.rest.is_some() {
-            // N has the sign of η″ on the side of the particle, and η″ that of the slip to come.
+            // N of rolling has the sign of η″ towards the particle, and η″ the sign of the slip that follows.
             GlidingEnd::Rest {
                 state: State { slip: 0.0, ..state },
                 presses: slip.direction.sign() * particle.side < 0.0,
@@ -131,19 +130,19 @@ impl Gliding {
         Some(self.direction)
     }
 
-    /// Whether this phase is the limit of the motions of a heavy hoop as its inertia vanishes. It is not where μk σ sin θ is positive
-    /// and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ): a sliding hoop of small inertia has no such motion (Painlevé).
+    /// Whether this phase is the limit of sliding of a heavy hoop as its inertia vanishes. The limit does not exist where
+    /// μk σ sin θ > 0 and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ) (Painlevé).
     #[must_use]
     pub const fn is_small_inertia_limit(&self) -> bool {
         self.limit_of_small_inertia
     }
 
-    fn is_limit_of_small_inertia(&self, mu_k: f64, end: &Place) -> bool {
+    fn is_limit_of_small_inertia(&self, mu_k: f64, end: &ParticleState) -> bool {
         let particle = &self.particle;
         if self.direction.sign() * particle.side < 0.0 {
             return true;
         }
-        // ℓ̂|sin θ|/(1 + ℓ̂ cos θ) has one maximum on a side, so it is least at the ends and where θ turns back.
+        // ℓ̂|sin θ|/(1 + ℓ̂ cos θ) has one maximum on a side, so its minimum lies at an end or where θ′ = 0.
         let turning = particle.rise;
         let turns = (turning > 0.0 && turning < end.elapsed).then(|| particle.place(turning));
         [particle.place(0.0), *end]

@@ -1,19 +1,18 @@
-//! The falling particle that a gliding hoop follows.
+//! The freely falling particle of a gliding hoop.
 //!
-//! With a = ℓ̂(1 − cos θ) and b = ℓ̂(1 + cos θ), the heights below the top and above the bottom of its way, and z = −V = Δτ − V0,
+//! With its depth a = ℓ̂(1 − cos θ) below the top, its height b = ℓ̂(1 + cos θ) above the bottom, and z = −V = Δτ − V0,
 //!
 //! ```text
 //! a = a0 + f,   b = b0 − f,   z² = V0² + 2f,   f = Δτ (Δτ/2 − V0).
 //! ```
 //!
-//! Each is computed from terms that do not cancel: next to the end of the glide from the time that is left, at the end itself
-//! exactly.
+//! Each is computed from terms that do not cancel: near the end of the glide from the time left, and at the end exactly.
 
 use core::f64::consts::TAU;
 
 use crate::model::{Massless, State};
 
-/// The particle from the start of a glide.
+/// The motion of the particle from the start of a glide.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Particle {
     start: State,
@@ -30,13 +29,13 @@ pub(super) struct Particle {
     pub(super) rise: f64,
     /// v.
     pub(super) momentum: f64,
-    /// Place of the mass centre.
+    /// Horizontal position of the mass centre at the start.
     mass_centre: f64,
 }
 
-/// Where the particle is.
+/// The particle at an instant.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct ParticleState {
     pub(super) elapsed: f64,
     /// a and b.
     pub(super) below_top: f64,
@@ -45,7 +44,7 @@ pub(super) struct Place {
     pub(super) fall_rate: f64,
 }
 
-impl Place {
+impl ParticleState {
     /// |ℓ̂ sin θ|.
     pub(super) fn arm(&self) -> f64 {
         (self.below_top * self.above_bottom).sqrt()
@@ -57,7 +56,7 @@ impl Particle {
         let l = body.offset;
         let (sin, cos) = libm::sincos(0.5 * start.theta);
         let sine = libm::sin(start.theta);
-        // Through the top the particle passes to the side it moves to.
+        // At the top the direction of motion decides the side.
         let side = if sine < 0.0 || (sine == 0.0 && start.theta_rate < 0.0) { -1.0 } else { 1.0 };
         let inside = 1.0 - l;
         let above_bottom = 2.0 * l * cos * cos;
@@ -65,7 +64,7 @@ impl Particle {
             start: *start,
             offset: l,
             inside,
-            // On its side the angle is within (0, π) of the top, which next to the bottom only the side tells.
+            // The side fixes the number of turns; next to the bottom the angle alone would be ambiguous.
             turns: (start.theta / TAU - 0.25 * side).round(),
             side,
             below_top: 2.0 * l * sin * sin,
@@ -91,18 +90,18 @@ impl Particle {
         self.below_top * (self.above_bottom * self.spin().1 - 2.0)
     }
 
-    /// Time to θ = ±π (3.20): ȳ = 1 − ℓ̂.
+    /// Time to θ = ±π (3.20), where ȳ = 1 − ℓ̂.
     fn time_to_bottom(&self) -> f64 {
         let root = self.square_at_bottom().sqrt();
         if self.rise >= 0.0 { self.rise + root } else { 2.0 * self.above_bottom / (root - self.rise) }
     }
 
-    /// Whether the particle comes up to the top with velocity to spare.
+    /// Whether the particle reaches the top with upward velocity left.
     pub(super) fn reaches_top(&self) -> bool {
         self.rise > 0.0 && self.square_at_top() > 0.0
     }
 
-    /// Times to θ = 0, going up and coming down again, if the particle gets there.
+    /// Times to θ = 0 on the way up and on the way down of the free fall, if the particle reaches the top.
     fn times_to_top(&self) -> Option<(f64, f64)> {
         self.reaches_top().then(|| {
             let late = self.rise + self.square_at_top().sqrt();
@@ -110,17 +109,17 @@ impl Particle {
         })
     }
 
-    /// Where the glide ends if the slip does not end it before.
-    pub(super) fn end(&self) -> Place {
+    /// The end of the glide if the slip does not vanish before.
+    pub(super) fn end(&self) -> ParticleState {
         let height = 2.0 * self.offset;
         match self.times_to_top() {
-            Some((elapsed, _)) => Place {
+            Some((elapsed, _)) => ParticleState {
                 elapsed,
                 below_top: 0.0,
                 above_bottom: height,
                 fall_rate: -self.square_at_top().sqrt(),
             },
-            None => Place {
+            None => ParticleState {
                 elapsed: self.time_to_bottom(),
                 below_top: height,
                 above_bottom: 0.0,
@@ -129,8 +128,8 @@ impl Particle {
         }
     }
 
-    /// Where the particle is after a time before the end.
-    pub(super) fn place(&self, elapsed: f64) -> Place {
+    /// The particle after the time `elapsed`, before the end.
+    pub(super) fn place(&self, elapsed: f64) -> ParticleState {
         let fall_rate = elapsed - self.rise;
         let below_top = match self.times_to_top() {
             Some((early, late)) => 0.5 * (early - elapsed) * (late - elapsed),
@@ -139,11 +138,16 @@ impl Particle {
         };
         let to_bottom = self.time_to_bottom();
         let above_bottom = 0.5 * (to_bottom - elapsed) * (elapsed + 2.0 * self.above_bottom / to_bottom);
-        Place { elapsed, below_top: below_top.max(0.0), above_bottom: above_bottom.max(0.0), fall_rate }
+        ParticleState {
+            elapsed,
+            below_top: below_top.max(0.0),
+            above_bottom: above_bottom.max(0.0),
+            fall_rate,
+        }
     }
 
-    /// The state there.
-    pub(super) fn state(&self, place: &Place) -> State {
+    /// The state of the hoop.
+    pub(super) fn state(&self, place: &ParticleState) -> State {
         let arm = place.arm();
         let half_angle = libm::atan2(place.below_top.sqrt(), place.above_bottom.sqrt());
         let rate = self.side * place.fall_rate / arm;
@@ -152,7 +156,7 @@ impl Particle {
             time: self.start.time + place.elapsed,
             theta: TAU * self.turns + self.side * 2.0 * half_angle,
             theta_rate: rate,
-            // On the rim the lever of the unbounded rate vanishes at the bottom.
+            // For ℓ̂ = 1 the lever vanishes at the bottom, where the rate is infinite.
             slip: if lever == 0.0 { self.momentum } else { self.momentum + rate * lever },
             x: self.mass_centre + self.momentum * place.elapsed + self.side * arm,
         }

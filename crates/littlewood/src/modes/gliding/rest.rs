@@ -1,67 +1,65 @@
 //! The first rest of the slip, η′ = v + θ′(1 + ℓ̂ cos θ) = 0.
 //!
-//! With L = 1 − ℓ̂ + b and the heights of [`super::particle`], a b η′ is v √(ab) ± z L, so that η′ vanishes only while z has the
-//! sign that v does not have on the side of the particle, and there it has the sign, or the opposite sign, of
+//! With L = 1 − ℓ̂ + b and the heights a, b of [`super::particle`], √(ab) η′ = v √(ab) ± z L. So η′ vanishes only where the two
+//! terms have opposite signs, and there its sign is plus or minus the sign of
 //!
 //! ```text
 //! P = v² a b − z² L²,
 //! ```
 //!
-//! a polynomial of degree three in the height. Its coefficients are written down at both ends of the way, about each in the height
-//! from there, without the terms that cancel: P0 = a0 b0 η0′ (η0′ − 2 θ0′ L0) at the start, with the root at a start from rest divided
-//! out. So the rests that lie next to the start (Type II), to the turning point, to the bottom (ℓ̂ near 1) and to the top are as exact
-//! as those between.
+//! a cubic polynomial in the height. It is expanded about both ends of the path, in the height from that end, without cancelling
+//! terms: P0 = a0 b0 η0′ (η0′ − 2 θ0′ L0) at the start, and at a start from rest the known root is divided out. So roots near the
+//! start (Type II), the turning point, the bottom (ℓ̂ near 1) and the top are as accurate as any other.
 //!
-//! At a start from rest P/f has, at f = 0, the value −2 L0 G with G = ℓ̂ sin θ η″ = 1 + ℓ̂c − ℓ̂(ℓ̂ + c) θ′² (3.17), and N = L0 G/D where the hoop
-//! rolls.
+//! At a start from rest P/f → −2 L0 G as f → 0, with G = ℓ̂ sin θ η″ = 1 + ℓ̂c − ℓ̂(ℓ̂ + c) θ′² (3.17). In rolling N = L0 G/D.
 
 use crate::math::bernstein::{Bernstein, first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::model::Direction;
 
-use super::particle::{Particle, Place};
+use super::particle::{Particle, ParticleState};
 
 /// How a glide begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GlideEntry {
     /// With η′ ≠ 0.
     Moving,
-    /// With η′ = 0. The event that led there may know whether the normal force of rolling is positive.
+    /// With η′ = 0. `presses` is the sign of the normal force of rolling, if the preceding event determined it.
     FromRest { presses: Option<bool> },
-    /// With η′ = η″ = 0, on N = 0 of rolling.
+    /// With η′ = η″ = 0, where N = 0 in rolling.
     Unloaded,
 }
 
-/// How a glide slips: the direction of slip, and where it comes to rest for the first time, if it does.
+/// The slip of a glide: its direction, and its first zero, if any.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slip {
     pub(super) direction: Direction,
-    pub(super) rest: Option<Place>,
+    pub(super) rest: Option<ParticleState>,
 }
 
-/// The part of the way of the particle on which the slip can come to rest.
+/// The part of the particle's path on which the slip can vanish.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Way {
-    /// Down, from the start to the bottom.
+enum Path {
+    /// From the start down to the bottom.
     Down,
-    /// Down, from the turning point to the bottom.
+    /// From the turning point down to the bottom.
     DownFromTurn,
-    /// Up, from the start to the turning point.
+    /// From the start up to the turning point.
     UpToTurn,
-    /// Up, from the start to the top.
+    /// From the start up to the top.
     UpToTop,
 }
 
-/// c0 + c1 x + c2 x² + c3 x³. Where c0 is small against the other terms, a root near 0 is as exact as c0.
+/// c0 + c1 x + c2 x² + c3 x³. A root near 0 has the relative accuracy of c0.
 type Cubic = [f64; 4];
 
-/// Height from one of the ends of a way.
+/// Height from one end of a path.
 enum Height {
     FromBegin(f64),
     ToEnd(f64),
 }
 
-/// What the polynomials are made of.
+/// Quantities at the start from which the polynomials are formed.
 struct Terms {
     /// 1 − ℓ̂ and 1 + ℓ̂, L at the bottom and at the top.
     inside: f64,
@@ -85,13 +83,13 @@ struct Terms {
 }
 
 impl Slip {
-    /// Follows the slip of a particle.
+    /// The slip of a glide that starts with the slip velocity `slip`.
     pub(super) fn of(particle: &Particle, slip: f64, entry: GlideEntry) -> Self {
         let mut terms = Terms::new(particle, slip);
         let begun = match entry {
             GlideEntry::Moving => Direction::of_sign(slip),
             GlideEntry::FromRest { presses } => {
-                // The sign of N has been decided before. G has it, but for rounding.
+                // The preceding event decided the sign of N; G has the same sign except for rounding.
                 if presses.is_some_and(|presses| presses != (terms.pull > 0.0)) {
                     terms.pull = 0.0;
                 }
@@ -106,24 +104,24 @@ impl Slip {
             terms.slip = 0.0;
         }
         let direction = begun.unwrap_or_else(|| {
-            // Where the slip is towards the side of the particle, P < 0 on the way down and P > 0 on the way up.
+            // With slip towards the side of the particle, P < 0 on the way down and P > 0 on the way up.
             let down = if particle.rise > 0.0 { -1.0 } else { 1.0 };
             let towards = -particle.side * down * initial_sign(&terms.about_start(down));
             if towards < 0.0 { Direction::Negative } else { Direction::Positive }
         });
-        Self { direction, rest: Way::of(particle).and_then(|way| terms.rest(particle, way)) }
+        Self { direction, rest: Path::of(particle).and_then(|path| terms.rest(particle, path)) }
     }
 }
 
-impl Way {
-    /// None where v does not allow any rest.
+impl Path {
+    /// None if the sign of v excludes a zero of the slip.
     fn of(particle: &Particle) -> Option<Self> {
         let drift = particle.momentum * particle.side;
         let rises = particle.rise > 0.0;
         match (rises, particle.reaches_top()) {
             (true, true) => (drift > 0.0).then_some(Self::UpToTop),
             (true, false) if drift > 0.0 => Some(Self::UpToTurn),
-            // With v = 0 the slip comes to rest at the turning point itself.
+            // With v = 0 the slip vanishes at the turning point.
             (true, false) => Some(Self::DownFromTurn),
             (false, _) => (drift < 0.0).then_some(Self::Down),
         }
@@ -149,12 +147,12 @@ impl Terms {
             top: particle.square_at_top(),
             momentum: particle.momentum * particle.momentum,
             slip: slip * (slip - 2.0 * rate * lever),
-            // At the top a glide begins only with ℓ̂ θ′² = 1, where G = 0.
+            // A glide from the top has ℓ̂ θ′² = 1, hence G = 0.
             pull: if a == 0.0 { 0.0 } else { b * ((1.0 - rate) * (1.0 + rate)) + inside * (1.0 + l * spin) },
         }
     }
 
-    /// P about the start, in f times `down`, which is −1 on the way up.
+    /// P about the start, in f × `down`; `down` is −1 on the way up.
     fn about_start(&self, down: f64) -> Cubic {
         let Self { a, b, lever, slip, pull, .. } = *self;
         let slope = (b - a) * slip - 2.0 * lever * pull;
@@ -187,36 +185,36 @@ impl Terms {
         [-top * outside * outside, slope, 4.0 * outside - momentum - top, -2.0]
     }
 
-    /// P about the two ends of a way, in the height that has been passed and in the height that is left, and the whole height.
-    fn ends(&self, way: Way) -> (Cubic, Cubic, f64) {
-        match way {
-            Way::Down => (self.about_start(1.0), self.about_bottom(), self.b),
-            Way::DownFromTurn => (self.about_turn(), self.about_bottom(), self.turn().1),
-            Way::UpToTurn => (self.about_start(-1.0), self.about_turn(), 0.5 * self.rise),
-            Way::UpToTop => (self.about_start(-1.0), self.about_top(), self.a),
+    /// P about the two ends of a path, in the height from each end, and the total height.
+    fn ends(&self, path: Path) -> (Cubic, Cubic, f64) {
+        match path {
+            Path::Down => (self.about_start(1.0), self.about_bottom(), self.b),
+            Path::DownFromTurn => (self.about_turn(), self.about_bottom(), self.turn().1),
+            Path::UpToTurn => (self.about_start(-1.0), self.about_turn(), 0.5 * self.rise),
+            Path::UpToTop => (self.about_start(-1.0), self.about_top(), self.a),
         }
     }
 
-    /// The first rest on a way.
-    fn rest(&self, particle: &Particle, way: Way) -> Option<Place> {
-        let at_turn = way == Way::DownFromTurn && particle.momentum == 0.0;
-        let ends = self.ends(way);
+    /// The first zero of the slip on a path.
+    fn rest(&self, particle: &Particle, path: Path) -> Option<ParticleState> {
+        let at_turn = path == Path::DownFromTurn && particle.momentum == 0.0;
+        let ends = self.ends(path);
         let found = if at_turn { Height::FromBegin(0.0) } else { first_rest(ends)? };
         let (turn_a, turn_b) = self.turn();
-        let (from_turn, down) = match way {
-            Way::Down => (false, 1.0),
-            Way::DownFromTurn => (true, 1.0),
-            Way::UpToTurn | Way::UpToTop => (false, -1.0),
+        let (from_turn, down) = match path {
+            Path::Down => (false, 1.0),
+            Path::DownFromTurn => (true, 1.0),
+            Path::UpToTurn | Path::UpToTop => (false, -1.0),
         };
-        // a, b, z², and the height that has been passed.
-        let (below_top, above_bottom, square, passed) = match (found, way) {
+        // a, b, z², and the height from the beginning of the path.
+        let (below_top, above_bottom, square, passed) = match (found, path) {
             (Height::FromBegin(y), _) if from_turn => (turn_a + y, turn_b - y, 2.0 * y, y),
             (Height::FromBegin(y), _) => {
                 (self.a + down * y, self.b - down * y, self.rise + 2.0 * down * y, y)
             }
-            (Height::ToEnd(y), Way::UpToTurn) => (turn_a + y, turn_b - y, 2.0 * y, ends.2 - y),
-            (Height::ToEnd(y), Way::UpToTop) => (y, self.whole - y, self.top + 2.0 * y, ends.2 - y),
-            (Height::ToEnd(y), Way::Down | Way::DownFromTurn) => {
+            (Height::ToEnd(y), Path::UpToTurn) => (turn_a + y, turn_b - y, 2.0 * y, ends.2 - y),
+            (Height::ToEnd(y), Path::UpToTop) => (y, self.whole - y, self.top + 2.0 * y, ends.2 - y),
+            (Height::ToEnd(y), Path::Down | Path::DownFromTurn) => {
                 (self.whole - y, y, self.bottom - 2.0 * y, ends.2 - y)
             }
         };
@@ -226,21 +224,21 @@ impl Terms {
         } else {
             2.0 * down * passed / (fall_rate - particle.rise)
         };
-        Some(Place { elapsed, below_top, above_bottom, fall_rate })
+        Some(ParticleState { elapsed, below_top, above_bottom, fall_rate })
     }
 }
 
-/// Sign just right of 0.
+/// Sign just above 0.
 fn initial_sign(cubic: &Cubic) -> f64 {
     cubic.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum())
 }
 
-/// The first change of sign on a way: on its first half by the polynomial about its begin, on the other by that about its end.
+/// The first sign change on a path: by the polynomial about its beginning on the first half, about its end on the second.
 fn first_rest((begin, end, height): (Cubic, Cubic, f64)) -> Option<Height> {
     let middle = 0.5 * height;
     let sign = initial_sign(&begin);
     let [begin, end] = [begin, end].map(|cubic| cubic.map(|c| sign * c));
-    // Without a root at the start itself, where the slip is at rest, or a particle at the top.
+    // Divides out a root at the start: slip from rest, or a particle at the top.
     let roots = begin.iter().take_while(|c| **c == 0.0).count();
     let first = first_crossing(&begin[roots..], middle).map(Height::FromBegin);
     first.or_else(|| {

@@ -1,34 +1,33 @@
-//! Where rolling gives way: the boundary of 𝓡 (2.14) on an orbit, as roots of forms in the half angle.
+//! The end of rolling: the boundary of 𝓡 (2.14) on an orbit, as roots of forms in the half angle.
 //!
-//! On an orbit with constant K, N D² and F D² are trigonometric polynomials of degree three in θ (rolling is
-//! algebraic), that is, forms of degree six in X = cos(θ/2), Y = sin(θ/2), with 1 = X² + Y²,
-//! cos θ = X² − Y², sin θ = 2XY:
+//! On an orbit with constant K, N D² and F D² are trigonometric polynomials of degree three in θ,
+//! that is, forms of degree six in X = cos(θ/2), Y = sin(θ/2), with 1 = X² + Y², cos θ = X² − Y², sin θ = 2XY:
 //!
 //! ```text
 //! N D² = (m + ℓ̂c) D² − ℓ̂² K s² − ℓ̂ c K D
 //! F D² = s [ℓ̂ K (D − m − ℓ̂c) − ℓ̂ D²]
 //! ```
 //!
-//! [`crate::math::form`] restricts them to an arc, where the first crossing is isolated. For a massless hoop the resultant of N and F points at the particle,
-//! F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
+//! [`crate::math::form`] restricts them to an arc and isolates the first crossing. For a massless hoop the contact force points
+//! at the particle, F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
 
 use crate::math::bernstein::Bernstein;
 use crate::math::form::{Form, HalfAngle};
 use crate::mechanics::RollingLaw;
 use crate::model::{Body, Direction, Heavy, Hoop};
 
-/// What gives way where rolling ends.
+/// The limit at which rolling ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum RollingLimit {
-    /// |F| = μs N: the body begins to slip in this direction (opposite to the friction force).
+    /// |F| = μs N: the body begins to slip in this direction, against the friction force.
     Friction(Direction),
-    /// N = 0 before static friction gives way: only a massless hoop, where N and F vanish together.
+    /// N = 0 before |F| = μs N: only for a massless hoop, where N and F vanish together.
     NormalForce,
 }
 
 impl RollingLimit {
-    /// The direction in which the body begins to slip; none where the normal force gives way.
+    /// The direction in which the body begins to slip; none at N = 0.
     #[must_use]
     pub const fn direction(self) -> Option<Direction> {
         match self {
@@ -38,40 +37,40 @@ impl RollingLimit {
     }
 }
 
-/// The end of rolling: where and when static friction or the normal force gives way.
+/// The end of rolling, at a limit of static friction or of the normal force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RollingEnd {
-    /// Time since the orbit was entered.
+    /// Time since the start of the phase.
     pub elapsed: f64,
     /// Angle.
     pub theta: f64,
     /// Rate.
     pub theta_rate: f64,
-    /// What gives way.
+    /// The limit reached.
     pub limit: RollingLimit,
 }
 
 /// Whether static friction can sustain rolling at a state with η′ = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Hold {
-    /// Rolling holds, now and for some time.
+    /// Rolling holds for some time.
     Holds,
-    /// The friction demand exceeds μs N by `excess` ≥ 0; zero on the boundary, when the orbit leaves 𝓡.
+    /// |F| exceeds μs N by `excess` ≥ 0; zero on the boundary if the orbit leaves 𝓡.
     Slips { direction: Direction, excess: f64 },
-    /// N would have to be negative, or vanishes and would become so.
+    /// N < 0, or N = 0 and decreasing.
     NoNormalForce,
 }
 
-/// A limit seen in the frame of the body instead of the direction of motion.
-pub(super) fn turned(limit: RollingLimit, travel: f64) -> RollingLimit {
+/// Converts a limit from the frame of the motion, where ϑ increases, to the frame of the body.
+pub(super) fn in_body_frame(limit: RollingLimit, travel: f64) -> RollingLimit {
     match limit {
         RollingLimit::Friction(direction) if travel < 0.0 => RollingLimit::Friction(direction.reversed()),
         other => other,
     }
 }
 
-/// Product of quadratic forms that have only even powers, a0 X² + a1 Y².
+/// Product of forms in even powers, such as a0 X² + a1 Y².
 fn even_product<const P: usize, const Q: usize, const R: usize>(p: [f64; P], q: [f64; Q]) -> [f64; R] {
     let mut product = [0.0; R];
     for (i, a) in p.iter().enumerate() {
@@ -83,9 +82,10 @@ fn even_product<const P: usize, const Q: usize, const R: usize>(p: [f64; P], q: 
 }
 
 /// X² + Y² = 1.
-const ONE: [f64; 2] = [1.0, 1.0];
+const HALF_ANGLE_NORM: [f64; 2] = [1.0, 1.0];
 
-/// N D² and F D², each as its part without K and the factor of K, in forms of the half angle: N D² in its even powers, F D² in its odd ones.
+/// N D² and F D²/(2ℓ̂) as forms in the half angle, each with its part free of K and its factor of K. N D² has even powers, F D² odd
+/// powers.
 #[derive(Clone, Copy, Debug)]
 struct Forces {
     normal: [[f64; 4]; 2],
@@ -103,15 +103,15 @@ impl Forces {
         let d2: [f64; 3] = even_product(d, d);
         let c_d: [f64; 3] = even_product([l, -l], d);
         let centripetal: [f64; 3] = [c_d[0], c_d[1] + 4.0 * l * l, c_d[2]];
-        let driven: [f64; 4] = even_product(centripetal, ONE);
+        let driven: [f64; 4] = even_product(centripetal, HALF_ANGLE_NORM);
         Self {
             normal: [even_product(d2, carried), driven.map(|x| -x)],
-            friction: [d2.map(|x| -x), even_product(rest, ONE)],
+            friction: [d2.map(|x| -x), even_product(rest, HALF_ANGLE_NORM)],
         }
     }
 }
 
-/// The forms that must stay non-negative while the body rolls, in a frame where it moves towards larger angles.
+/// The forms that are non-negative while the body rolls, in a frame where its angle increases.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Boundary {
     /// (μs N − F) D² and (μs N + F) D².
@@ -153,14 +153,14 @@ impl Boundary {
                 // N D/(1 + ℓ̂c) = (1 + ℓ̂c) D − ℓ̂(ℓ̂ + c)(K − D)
                 let pull = [l * (1.0 + l), -l * (1.0 - l)];
                 let held: [f64; 3] = even_product([lever[0] + pull[0], lever[1] + pull[1]], d);
-                let pulled: [f64; 3] = even_product(pull, ONE);
+                let pulled: [f64; 3] = even_product(pull, HALF_ANGLE_NORM);
                 let normal: [f64; 3] = core::array::from_fn(|i| held[i] - k * pulled[i]);
                 Self::Massless([cone(1.0), cone(-1.0)], Form([normal[0], 0.0, normal[1], 0.0, normal[2]]))
             }
         }
     }
 
-    /// The margins on an arc, each with what gives way when it becomes negative.
+    /// The margins on an arc, each with the limit that is reached when it becomes negative.
     pub(super) fn on_arc(
         &self,
         from: HalfAngle,
@@ -183,13 +183,13 @@ impl Boundary {
     }
 }
 
-/// The margins (μs N − F) D² and (μs N + F) D² as forms of degree six in (cos θ/2, sin θ/2): for each its parts A and B, of which it
-/// is A + K B on the orbit with constant K; none for a massless hoop.
+/// The margins (μs N − F) D² and (μs N + F) D² = A + K B on the orbit with constant K: for each, A and B as forms of degree six in
+/// (cos θ/2, sin θ/2); none for a massless hoop.
 pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
     let Body::Heavy(body) = hoop.body() else { return None };
     let law = RollingLaw::new(hoop);
     let Forces { normal, friction } = Forces::new(&body, &law);
-    // Each by itself: as a difference of two orbits the part B would lose its digits where D is large.
+    // A and B are formed separately: B from the difference of two orbits would cancel for large D.
     let part = |i: usize| margins(hoop.mu_s(), law.offset, (normal[i], friction[i]));
     let ([minus, plus], [minus_driven, plus_driven]) = (part(0), part(1));
     Some([[minus, minus_driven], [plus, plus_driven]])

@@ -1,10 +1,10 @@
-//! The orbit of rolling that grazes the limit of static friction: towards it equal coefficients of friction lead.
+//! The grazing orbit: the rolling orbit that touches the limit of static friction. Motions with μs = μk can converge to it.
 //!
-//! On the orbit with constant K the margin (μs N − F) D² is A(θ) + K B(θ), and vanishes where K is the level −A/B. Rolling
-//! holds for ever below the least level that the orbit meets, K*; at K* the margin touches zero at an angle θ*. That is a
-//! minimum of the level, or, in libration, a turning point. (The margin of the other side is the mirror image.)
+//! On the orbit with constant K the margin (μs N − F) D² is A(θ) + K B(θ), and vanishes where the level −A/B equals K. Rolling
+//! holds for ever below the lowest level K* that the orbit meets. At K* the margin touches zero at an angle θ*, either a
+//! minimum of the level or, in libration, a turning point. (The margin of the other side is the mirror image.)
 //!
-//! With μs = μk a slip out of an orbit a little above, at the energy E = E* + ε, begins with η″ = 0. Along the orbit the
+//! With μs = μk a slip at the energy E = E* + ε with small ε begins with η″ = 0. Along the orbit the
 //! excess |F| − μ N is a ε′ − ω t² with ε′ = K − K* = 2ε, the time t from its maximum, and the constants
 //!
 //! ```text
@@ -12,14 +12,14 @@
 //! a = −(B + (A + K* B)′/D′)/D²,  ω = ½ (A + K* B)′ θ″/D²    at a turning point.
 //! ```
 //!
-//! The slip velocity is the integral of D (|F| − μN)/(m P): it grows from −t0 to t0 = √(aε′/ω), and is back at zero at 2 t0.
-//! The friction force takes μ N ∫ |η′| dτ off the energy:
+//! The slip velocity is the integral of D (|F| − μN)/(m P): it grows from −t0 to t0 = √(aε′/ω), and returns to zero at 2 t0.
+//! The friction force dissipates the energy μ N ∫ |η′| dτ:
 //!
 //! ```text
 //! ΔE = c ε²,    c = 9 μ N a² D/(m P ω).
 //! ```
 //!
-//! So ε falls like 1/(c n) with the number n of slips, and never to zero.
+//! So ε decreases like 1/(c n) with the number n of slips, and never vanishes.
 
 use core::f64::consts::PI;
 
@@ -33,38 +33,38 @@ use super::boundary::margin_forms;
 use super::orbit::RollingOrbit;
 use super::recurrence::Recurrence;
 
-/// Angles at which a level has extrema, when they are closer, are one.
-const SAME_ANGLE: f64 = 1e-7;
+/// Distance below which two extrema of a level count as one: a double root is found to √ε only.
+const SAME_ANGLE_TOLERANCE: f64 = 1e-7;
 
-/// The orbit of rolling that grazes the limit of static friction.
+/// The rolling orbit that grazes the limit of static friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct GrazingOrbit {
-    /// Energy E* of the orbit: below it, and near it, static friction holds for ever.
+    /// Energy E* of the orbit; just below it static friction holds for ever.
     pub energy: f64,
-    /// Angle in 0 to π at which |F| = μs N; the orbit grazes the limit at the opposite angle, too.
+    /// Angle θ* from 0 to π at which |F| = μs N; the orbit also grazes the limit at −θ*.
     pub theta: f64,
     /// |θ′| there; zero at a turning point.
     pub theta_rate: f64,
-    /// How the orbit recurs.
+    /// Recurrence of the orbit.
     pub recurrence: Recurrence,
     /// c of the loss c (E − E*)² of a slip with μk = μs, in the limit E → E*.
     pub loss: f64,
-    /// Energy below which the limit is exceeded at the angle θ* only.
+    /// Energy up to which the limit is exceeded only at θ*.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) ceiling: f64,
 }
 
 impl GrazingOrbit {
-    /// The grazing orbit of the highest energy below this one, among the orbits that rotate, if such an orbit has this energy, or
-    /// librate, if it librates. None if all orbits hold down to the lowest energy, or none does; none of a massless hoop.
+    /// The grazing orbit of the highest energy below `energy`, among rotations if an orbit of this energy rotates, otherwise
+    /// among librations. None if static friction holds on all such orbits, or on none; none for a massless hoop.
     #[must_use]
     pub fn below(hoop: &Hoop, energy: f64) -> Option<Self> {
         Levels::new(hoop)?.orbit_below(hoop, energy)
     }
 
-    /// Its numbers, with the names that records use.
+    /// Values with their names in records.
     pub(crate) fn details(&self) -> Vec<(&'static str, Detail)> {
         let mut details = vec![
             ("grazing_energy", Detail::Real(self.energy, Dimension::Energy)),
@@ -75,16 +75,15 @@ impl GrazingOrbit {
         details
     }
 
-    /// Whether slips with μk = μs from this energy to that one lead towards this orbit for ever: the energy is above E*, the
-    /// limit is exceeded at θ* only, and the slip has lost what the law of the loss says, a small part of its distance from
-    /// E*, so that all later ones do.
+    /// Whether a slip with μk = μs from the energy `before` to `after` proves convergence to this orbit: E > E*, the
+    /// limit is exceeded only at θ*, and the slip lost the energy c (E − E*)², a small fraction of E − E*, as all later slips will.
     fn attracts(&self, before: f64, after: f64) -> bool {
-        /// Largest part of E − E* that the slip may have lost.
+        /// Largest fraction of E − E* that the slip may have lost: the law of the loss holds to leading order only.
         const SMALL_LOSS: f64 = 0.125;
         let distance = before - self.energy;
         let expected = self.loss * distance * distance;
         let lost = before - after;
-        // The loss of a slip so close to E* that it drowns in the rounding of the energy.
+        // Close to E* the loss is below the rounding of the energy.
         let rounding = 64.0 * f64::EPSILON * (1.0 + before.abs());
         after > self.energy
             && before < self.ceiling
@@ -93,7 +92,7 @@ impl GrazingOrbit {
     }
 }
 
-/// The levels at which the limit of static friction begins, or ceases, to be exceeded on the orbits of a hoop.
+/// The levels at which orbits begin, or cease, to exceed the limit of static friction.
 #[derive(Clone, Debug)]
 pub(crate) struct Levels {
     law: RollingLaw,
@@ -102,7 +101,7 @@ pub(crate) struct Levels {
     /// The margin (μs N − F) D² = A + K B of one side.
     constant: Trigonometric,
     slope: Trigonometric,
-    /// By their constant K, the lowest first.
+    /// In ascending order of K.
     levels: Vec<Level>,
 }
 
@@ -112,7 +111,7 @@ struct Level {
     constant: f64,
     angle: f64,
     at_turning_point: bool,
-    /// The grazing orbit there, if there is one, once it is asked for.
+    /// The grazing orbit at this level, if any; computed on demand.
     orbit: OnceLock<Option<GrazingOrbit>>,
 }
 
@@ -123,7 +122,7 @@ impl Level {
 }
 
 impl Levels {
-    /// Of a heavy hoop that is not balanced.
+    /// The levels of a heavy hoop; none if it is balanced.
     pub(crate) fn new(hoop: &Hoop) -> Option<Self> {
         let Body::Heavy(body) = hoop.body() else { return None };
         if body.h == 0.0 {
@@ -136,13 +135,13 @@ impl Levels {
             let constant = -a.value(angle) / b.value(angle);
             (constant > law.denominator(angle)).then(|| Level::new(constant, angle, false))
         });
-        // A body at rest is on the limit where A + D B = 0.
+        // At rest |F| = μs N where A + D B = 0.
         let at_rest = a.plus(&law.denominator_polynomial().times(&b)).sign_changes().into_iter();
         let at_rest = at_rest.map(|angle| Level::new(law.denominator(angle), angle, true));
         let mut levels: Vec<Level> = inside.chain(at_rest).collect();
         levels.sort_by(|a, b| a.constant.total_cmp(&b.constant));
         levels.dedup_by(|a, b| {
-            (a.angle - b.angle).abs() < SAME_ANGLE && a.at_turning_point == b.at_turning_point
+            (a.angle - b.angle).abs() < SAME_ANGLE_TOLERANCE && a.at_turning_point == b.at_turning_point
         });
         Some(Self { law, body, mu_k: hoop.mu_k(), constant: a, slope: b, levels })
     }
@@ -156,17 +155,17 @@ impl Levels {
         0.5 * (constant - self.law.mean_denominator())
     }
 
-    /// The energy of a state of rolling.
+    /// Energy of a rolling state.
     pub(crate) fn energy(&self, state: &State) -> f64 {
         self.law.energy(state.theta, state.theta_rate)
     }
 
-    /// The grazing orbit to which a slip with μk = μs from one energy to another is known to lead.
+    /// The grazing orbit to which a slip with μk = μs from one energy to another provably leads.
     pub(crate) fn attracting(&self, hoop: &Hoop, before: f64, after: f64) -> Option<GrazingOrbit> {
         self.orbit_below(hoop, after).filter(|orbit| orbit.attracts(before, after))
     }
 
-    /// The grazing orbit of the highest energy below this one.
+    /// The grazing orbit of the highest energy below `energy`.
     fn orbit_below(&self, hoop: &Hoop, energy: f64) -> Option<GrazingOrbit> {
         let above = self.levels.partition_point(|level| level.constant < self.constant_of(energy));
         let rotates = energy > self.law.separatrix_energy();
@@ -177,7 +176,7 @@ impl Levels {
             .find_map(|at| *self.levels[at].orbit.get_or_init(|| self.orbit_at(hoop, at)))
     }
 
-    /// The grazing orbit at a level, if it is one above which the limit is exceeded, and not below.
+    /// The grazing orbit at a level, if orbits above exceed the limit and orbits below do not.
     fn orbit_at(&self, hoop: &Hoop, at: usize) -> Option<GrazingOrbit> {
         let Level { constant, angle, at_turning_point, .. } = self.levels[at];
         let lowest = if constant > self.law.top { self.law.top } else { self.law.bottom };

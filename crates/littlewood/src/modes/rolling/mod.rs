@@ -6,8 +6,8 @@
 //! D(θ) (θ′² + 1) = K,     K = 2E + Î + m(1 + h²) constant,
 //! ```
 //!
-//! so that θ′², θ″, N and F are functions of θ alone on an orbit: rolling is algebraic. [`orbit`] gives the time as
-//! an elliptic integral, [`boundary`] the angle at which static friction gives way as a root of a polynomial.
+//! So θ′², θ″, N and F are functions of θ alone on an orbit: rolling is algebraic. [`orbit`] gives the time as
+//! an elliptic integral, and [`boundary`] the angle at which rolling ends as a root of a polynomial.
 
 mod boundary;
 mod grazing;
@@ -27,7 +27,7 @@ use crate::mechanics::RollingLaw;
 use crate::model::{Hoop, Mode, State};
 use crate::modes::{Instant, Sample};
 
-/// A phase of rolling: an orbit entered at a state.
+/// A phase of rolling: an orbit and the state at its start.
 #[derive(Clone, Copy, Debug)]
 pub struct Rolling {
     law: RollingLaw,
@@ -61,7 +61,7 @@ impl Rolling {
         self.state_at(theta, theta_rate, elapsed)
     }
 
-    /// The constraint x + θ = const of rolling gives the position.
+    /// Adds the position from the rolling constraint x + θ = const.
     pub(crate) fn state_at(&self, theta: f64, theta_rate: f64, elapsed: f64) -> State {
         State {
             time: self.start.time + elapsed,

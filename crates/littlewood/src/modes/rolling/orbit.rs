@@ -1,6 +1,6 @@
-//! The orbit of a rolling body: time as an elliptic integral, the way back, and the end of rolling.
+//! The orbit of a rolling body: time as an elliptic integral of the angle, its inverse, and the end of rolling.
 //!
-//! Measured from the bottom, z = −cos(ϑ/2) = k sin ψ, where ϑ is the angle in the direction of motion and
+//! Let z = −cos(ϑ/2) = k sin ψ, zero at the bottom, where ϑ is the angle in the direction of motion and
 //! k² = (K − D(π))/(4ℓ̂) in libration, k = 1 in rotation. With β = 4ℓ̂k² and κ = K − D(0), the energy over the top,
 //!
 //! ```text
@@ -9,8 +9,8 @@
 //! ```
 //!
 //! with s = sin ψ, c = cos ψ, γ = |κ| + β, q² = (|κ| + βc²)/γ, p = 1 + βs²/D(π): an integral of the third kind in
-//! Carlson's symmetric form (DLMF 19.25.14) whose two terms have the same sign, so that nothing cancels. It holds
-//! for libration, rotation and the separatrix alike.
+//! Carlson's symmetric form (DLMF 19.25.14). Its two terms have the same sign, so nothing cancels. It holds
+//! for libration, rotation and the separatrix.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -22,7 +22,7 @@ use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop};
 
 use super::boundary::{Boundary, RollingLimit};
-use super::boundary::{Hold, RollingEnd, turned};
+use super::boundary::{Hold, RollingEnd, in_body_frame};
 use super::recurrence::Recurrence;
 use super::rim::RimOrbit;
 
@@ -36,12 +36,12 @@ enum Kind {
     Rim(RimOrbit),
 }
 
-/// The orbit where D(π) > 0: every body but Littlewood's own.
+/// An orbit of a body with D(π) > 0, that is, of every body but Littlewood's hoop.
 #[derive(Clone, Copy, Debug)]
 struct Elliptic {
     law: RollingLaw,
     boundary: Boundary,
-    /// Direction of motion at the start: ϑ = travel·θ grows.
+    /// Direction of motion at the start: ϑ = travel·θ increases.
     travel: f64,
     motion: Swing,
     /// ϑ and D ϑ′² at the start.
@@ -51,11 +51,11 @@ struct Elliptic {
     excess: f64,
     /// β = 4ℓ̂k².
     swing: f64,
-    /// Number of the turn of ϑ, and the start within it.
+    /// Turn of ϑ, and z = −cos(ϑ/2), y = sin(ϑ/2) at the start.
     lap: f64,
     z: f64,
     y: f64,
-    /// Time from the bottom to the start, and to the top or the turning point.
+    /// Time from the bottom to the start, and from the bottom to the top or the turning point.
     entered: f64,
     quarter: f64,
 }
@@ -88,8 +88,7 @@ impl RollingOrbit {
         }
     }
 
-    /// Time until the orbit first reaches the angle `theta` (not reduced), if it ever does: an elliptic integral, whose
-    /// cost does not grow with the number of turns.
+    /// Time until the orbit first reaches the angle `theta` (not reduced), if it does. The cost does not depend on the number of turns.
     #[must_use]
     pub fn time_to(&self, theta: f64) -> Option<f64> {
         match &self.0 {
@@ -98,7 +97,7 @@ impl RollingOrbit {
         }
     }
 
-    /// The first point ahead at which rolling gives way; none proves that the body rolls for ever.
+    /// The first point ahead at which rolling ends; none proves that the body rolls for ever.
     #[must_use]
     pub fn end(&self) -> Option<RollingEnd> {
         match &self.0 {
@@ -107,7 +106,7 @@ impl RollingOrbit {
         }
     }
 
-    /// The same from a point on the limit of static friction, from where it holds: no end at once.
+    /// [`Self::end`] for a start with |F| = μs N after which static friction holds: the start is no end.
     pub(crate) fn end_from_limit(&self) -> Option<RollingEnd> {
         match &self.0 {
             Kind::Elliptic(orbit) => orbit.end(true),
@@ -115,7 +114,7 @@ impl RollingOrbit {
         }
     }
 
-    /// How the orbit recurs if friction and the normal force hold.
+    /// Recurrence of the orbit while the limits of friction and of the normal force are not reached.
     #[must_use]
     pub fn recurrence(&self) -> Recurrence {
         match &self.0 {
@@ -134,7 +133,7 @@ impl RollingOrbit {
 
 impl Elliptic {
     fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
-        // At a turning point gravity decides where the body goes.
+        // At a turning point gravity decides the direction of motion.
         let travel = match Direction::of_sign(theta_rate).or_else(|| Direction::of_sign(libm::sin(theta))) {
             Some(direction) => direction.sign(),
             None => 1.0,
@@ -144,10 +143,10 @@ impl Elliptic {
         let denominator = law.bottom + four_l * z * z;
         let kinetic = denominator * theta_rate * theta_rate;
         if kinetic == 0.0 && theta_rate != 0.0 {
-            // A rate whose energy is not representable: a turning point, at which gravity decides.
+            // The kinetic energy underflows: the start is a turning point, where gravity decides.
             return Self::new(hoop, law, theta, 0.0);
         }
-        // Energy over the top and over the bottom, each from terms that do not cancel more than they must.
+        // Energy relative to the top and to the bottom, with the least cancellation.
         let over_top = kinetic - four_l * y * y;
         let over_bottom = kinetic + four_l * z * z;
         let rotates = over_top >= 0.0;
@@ -172,7 +171,7 @@ impl Elliptic {
             quarter: f64::INFINITY,
         };
         if motion == Swing::Libration && orbit.amplitude() <= 0.5 * f64::EPSILON * theta.abs() {
-            // Both turning points round to the angle of the start: no double lies between them.
+            // Both turning points round to the angle of the start.
             orbit.motion = Swing::Rest;
         }
         if orbit.motion != Swing::Rest {
@@ -195,8 +194,8 @@ impl Elliptic {
         2.0 * libm::atan2(self.swing.sqrt(), self.excess.sqrt())
     }
 
-    /// D ϑ′² at another angle of the same turn, with its z, from that at the start: K − D changes by 4ℓ̂ (z0² − z²),
-    /// whose factor z0 − z is taken from the angles to avoid cancellation next to a turning point.
+    /// D ϑ′² at another angle of the same turn, with its z. It differs from the start by 4ℓ̂ (z0² − z²);
+    /// the factor z0 − z is computed from the angles to avoid cancellation near a turning point.
     fn kinetic_at(&self, angle: f64, z: f64) -> f64 {
         let difference = -2.0
             * flip(self.lap)
@@ -210,7 +209,7 @@ impl Elliptic {
         z * (4.0 * self.law.offset / self.swing).sqrt()
     }
 
-    /// τ(ψ) − τ(0) for ψ in [−π/2, π/2], given by its sine and cosine.
+    /// τ(ψ) − τ(0) for ψ in [−π/2, π/2], from sin ψ and cos ψ.
     fn time_from_bottom(&self, sine: f64, cosine: f64) -> f64 {
         time_from_bottom(self.law.bottom, (self.excess, self.swing), (sine, cosine))
     }
@@ -270,7 +269,7 @@ impl Elliptic {
         elapsed.filter(|elapsed| *elapsed >= 0.0 && elapsed.is_finite())
     }
 
-    /// Sine and cosine of ψ, by the inverse of τ(ψ), which grows with ψ.
+    /// Sine and cosine of ψ, by inversion of the increasing function τ(ψ).
     fn phase_at(&self, local: f64) -> (f64, f64) {
         let direction = |psi: f64| {
             let (sine, cosine) = libm::sincos(psi);
@@ -285,7 +284,7 @@ impl Elliptic {
         }))
     }
 
-    /// ϑ on a turn, from z = −cos(ϑ/2) and y = sin(ϑ/2).
+    /// ϑ in turn `lap`, from z = −cos(ϑ/2) and y = sin(ϑ/2).
     fn angle_of(&self, lap: f64, z: f64, y: f64) -> f64 {
         TAU * lap + 2.0 * libm::atan2(y, -z)
     }
@@ -311,7 +310,7 @@ impl Elliptic {
         }
     }
 
-    /// The arcs that lie ahead, until every point of the orbit has been passed.
+    /// The arcs ahead, which together cover the orbit.
     fn arcs(&self) -> impl Iterator<Item = Arc> {
         let here = [-self.z, self.y];
         let bottom = [0.0, 1.0];
@@ -387,7 +386,7 @@ impl Elliptic {
             elapsed: elapsed.max(0.0),
             theta: self.travel * self.angle_of(lap, z, y),
             theta_rate: self.travel * rate,
-            limit: turned(limit, self.travel),
+            limit: in_body_frame(limit, self.travel),
         }
     }
 
@@ -399,8 +398,8 @@ impl Elliptic {
             if margin.initial_sign() >= 0.0 {
                 continue;
             }
-            hold = match (hold, turned(limit, self.travel)) {
-                // Both cones are left at once only where N < 0.
+            hold = match (hold, in_body_frame(limit, self.travel)) {
+                // Both margins are negative only where N < 0.
                 (Hold::Slips { .. } | Hold::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
                     Hold::NoNormalForce
                 }
@@ -413,7 +412,7 @@ impl Elliptic {
     }
 }
 
-/// τ(ψ) − τ(0) for ψ in [−π/2, π/2], given by its sine and cosine, from D(π), |κ| and β.
+/// τ(ψ) − τ(0) for ψ in [−π/2, π/2], from D(π), |κ| and β, and from sin ψ and cos ψ.
 pub(crate) fn time_from_bottom(bottom: f64, (excess, swing): (f64, f64), (sine, cosine): (f64, f64)) -> f64 {
     let gamma = excess + swing;
     let c2 = cosine * cosine;
@@ -428,7 +427,7 @@ fn start_value(margin: &Bernstein) -> f64 {
     margin.coefficients()[0]
 }
 
-/// Part of an orbit between two directions of the half angle.
+/// Part of an orbit between two half angles.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
     from: HalfAngle,
@@ -455,7 +454,7 @@ fn reduce(angle: f64) -> (f64, f64, f64) {
     let flip = flip(lap);
     let (mut x, mut y) = (flip * cos, flip * sin);
     if y < 0.0 {
-        // Rounding put the angle on the wrong side of a multiple of 2π.
+        // Rounding moved the angle across a multiple of 2π.
         lap += if x > 0.0 { -1.0 } else { 1.0 };
         (x, y) = (-x, -y);
     }

@@ -1,14 +1,14 @@
-//! How a motion that lasts for ever recurs.
+//! Recurrence of endless motions.
 
 use crate::model::{Detail, Dimension, named};
 
-/// How a motion that lasts for ever recurs.
+/// Recurrence of a motion that lasts for ever.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Recurrence {
-    /// At rest in an equilibrium (or a homogeneous disc at rest anywhere).
+    /// Rest in an equilibrium (for a homogeneous disc, anywhere).
     Rest,
-    /// Back and forth about the stable equilibrium.
+    /// Oscillation about the stable equilibrium.
     Libration {
         /// Time of one oscillation.
         period: f64,
@@ -17,12 +17,12 @@ pub enum Recurrence {
         /// Largest angle.
         theta_max: f64,
     },
-    /// Over the top, always in the same direction.
+    /// Rotation over the top in one direction.
     Rotation {
         /// Time of one turn.
         period: f64,
     },
-    /// On the separatrix towards the unstable equilibrium, which is not reached in finite time.
+    /// Approach to the unstable equilibrium on the separatrix, in infinite time.
     Asymptotic {
         /// Angle of that equilibrium.
         theta: f64,
@@ -30,7 +30,7 @@ pub enum Recurrence {
 }
 
 named! {
-    /// A kind of recurrence, by its name.
+    /// The kind of a recurrence.
     pub enum RecurrenceKind, "recurrence" {
         /// [`Recurrence::Rest`].
         Rest = 0, "rest";
@@ -44,7 +44,7 @@ named! {
 }
 
 impl Recurrence {
-    /// Its kind, which has a name.
+    /// The kind.
     #[must_use]
     pub const fn kind(&self) -> RecurrenceKind {
         match self {
@@ -55,7 +55,7 @@ impl Recurrence {
         }
     }
 
-    /// Period; none at rest and on the separatrix.
+    /// Period; none for rest and on the separatrix.
     #[must_use]
     pub const fn period(&self) -> Option<f64> {
         match self {
@@ -64,7 +64,7 @@ impl Recurrence {
         }
     }
 
-    /// Kind and numbers, with the names that records use.
+    /// Kind and values with their names in records.
     #[must_use]
     pub fn details(&self) -> Vec<(&'static str, Detail)> {
         let mut details = vec![("recurrence", Detail::Word(self.kind().name()))];

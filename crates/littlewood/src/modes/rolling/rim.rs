@@ -1,4 +1,4 @@
-//! Rolling of Littlewood's own hoop, massless with the particle on the rim (§3a), in closed form.
+//! Rolling of Littlewood's hoop, massless with the particle on the rim (§3a), in closed form.
 //!
 //! D = 2(1 + cos θ) vanishes at θ = ±π, and (3.1) becomes linear in Z = sin(θ/2): Z″ = Z/4. With
 //! a = Z0 and b = 2Z0′ = θ0′ cos(θ0/2),
@@ -7,7 +7,7 @@
 //! Z(τ) = a cosh(Δτ/2) + b sinh(Δτ/2),     2Z′(τ) = a sinh(Δτ/2) + b cosh(Δτ/2).
 //! ```
 //!
-//! This is (3.3) for every start: the α of (3.4) is a + b, for θ0′ of either sign, and no division by it is needed.
+//! This is (3.3) without division by α: the α of (3.4) is a + b, for θ0′ of either sign.
 
 use core::f64::consts::{PI, TAU};
 
@@ -58,7 +58,7 @@ impl RimOrbit {
         (TAU * self.lap + 2.0 * libm::atan2(z, x), twice_rate / x)
     }
 
-    /// sin²(θ/2) where N = 0, that is θ′² = 1, on this orbit.
+    /// sin²(θ/2) at N = 0, that is, θ′² = 1, on this orbit.
     fn unloaded(&self) -> f64 {
         0.5 * (1.0 + self.a * self.a - self.b * self.b)
     }
@@ -71,7 +71,7 @@ impl RimOrbit {
         }
         let (sum, difference) = (self.a + self.b, self.a - self.b);
         let time = |twice_rate: f64| {
-            // Z + 2Z′ grows like e^(Δτ/2), Z − 2Z′ decays: divide by the one that is not small.
+            // Z + 2Z′ grows like e^(Δτ/2) and Z − 2Z′ decays; divide by the larger.
             let growth = if sum.abs() >= difference.abs() {
                 (target + twice_rate) / sum
             } else {

@@ -1,4 +1,4 @@
-//! A phase of sliding: Taylor steps, each searched for the end of the phase before it is taken.
+//! A phase of sliding: Taylor steps, each searched for events, and leaps over whole turns.
 
 use core::f64::consts::TAU;
 
@@ -7,33 +7,33 @@ use crate::mechanics::{SlidePath, SlidingLaw};
 use crate::model::{Direction, Hoop, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
-use super::leap::{Bounds, FEWEST, MOST, Passed, Place, section_of};
-use super::series::{DEGREE, LONGEST, Series, SlideSeries, crossing, root, value};
+use super::leap::{LeapLimits, MAX_LEAP_TURNS, MIN_LEAP_TURNS, PhasePoint, Skipped, section_of};
+use super::series::{DEGREE, INITIAL_MAX_STEP, Series, SlideSeries, crossing, root, value};
 use super::singular::{Approach, Fate};
 
-/// A step that moves the clock by no more than this part of itself has run into a singularity of the equations.
-const STALL: f64 = 4.0 * f64::EPSILON;
+/// Least step relative to the time. A shorter step means a singularity of the equations.
+const MIN_RELATIVE_STEP: f64 = 4.0 * f64::EPSILON;
 
-/// Steps of at most [`LONGEST`] that a slide takes before it is followed in longer ones.
-const PATIENCE: usize = 64;
+/// Number of steps, a time of at most 1024, after which the maximum step doubles with each step.
+const STEPS_BEFORE_DOUBLING: usize = 64;
 
-/// Steps that cost as much as a leap.
-const ATTEMPT: usize = 100;
+/// Cost of an attempted leap, in steps.
+const LEAP_COST_IN_STEPS: usize = 100;
 
-/// Least distance from P = 0 at which a slide is compared with the first terms in the distance, where there is one: its powers are then
-/// known to half of the digits, and so are the terms.
-const CLOSE: f64 = 1e-7;
+/// Least distance from P = 0 for the leading-order terms, if the slide offers one: a few √ε, so that distance and terms keep half of
+/// the digits.
+const DISTANCE_FOR_EXPANSION: f64 = 1e-7;
 
-/// An angle so close to a section is on it.
-const AT_SECTION: f64 = 1e-9;
+/// Distance from the section below which an angle counts as on it; the leap then begins one turn later.
+const SECTION_TOLERANCE: f64 = 1e-9;
 
 /// How a slide begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Entry {
     /// With η′ ≠ 0.
     Moving,
-    /// With η′ = 0 and this acceleration η″, whose sign is the direction of slip or which is zero: on the static
-    /// limit with μs = μk, where η‴ decides. η′ = 0 is then no event at the start.
+    /// With η′ = 0 and this acceleration η″. It has the sign of the direction of slip, or vanishes on the static
+    /// limit with μs = μk, where η‴ decides. The zero of η′ at the start is no event.
     FromRest { slip_acceleration: f64 },
 }
 
@@ -44,20 +44,20 @@ pub(crate) enum SlidingEnd {
     Rest(State),
     /// w = 0: the normal force vanishes.
     LiftOff(State),
-    /// P = 0 with slip left and N beyond all bounds: sliding has no solution beyond.
+    /// P = 0 with η′ ≠ 0 and unbounded N: sliding has no solution beyond.
     Singular(State),
-    /// Steps that shrink to nothing where P is not small, faster than the clock resolves, or next to P = 0 where rounding decides.
+    /// The time scale falls below double precision: away from P = 0, or next to P = 0 where rounding decides the outcome.
     Unresolved(State),
-    /// The largest number of steps, or of turns; with an estimate of the time until η′ = 0.
+    /// The limit of steps or of turns; with an estimate of the time until η′ = 0.
     StepLimit { state: State, time_left: f64 },
     /// The time limit.
     TimeLimit(State),
-    /// Lasts for ever: without kinetic friction, energy and horizontal momentum are conserved, and a motion
-    /// that has passed a whole period without an event repeats itself.
+    /// No end: without kinetic friction, energy and horizontal momentum are conserved, and a slide
+    /// without an event in a whole period repeats.
     Endless(Recurrence),
 }
 
-/// A phase of sliding, with the state at any time as a Taylor polynomial.
+/// A phase of sliding; Taylor polynomials give the state at any time.
 #[derive(Clone, Debug)]
 pub struct Sliding {
     law: SlidingLaw,
@@ -65,68 +65,68 @@ pub struct Sliding {
     start: State,
     path: SlidePath,
     steps: Vec<Step>,
-    /// Turns that are passed at once, between steps.
+    /// Leaps between steps.
     leaps: Vec<Leap>,
-    /// Number of leaps that have been tried.
+    /// Number of attempted leaps.
     attempts: usize,
-    /// Time and angle of the turning points, followed without kinetic friction only.
+    /// Time and angle of the turning points; recorded only without kinetic friction.
     turnings: Vec<(f64, f64)>,
     cycle: Option<Cycle>,
 }
 
-/// The period of a slide that repeats itself.
+/// The period of a slide that repeats.
 #[derive(Clone, Copy, Debug)]
 struct Cycle {
-    /// A time after which a whole period has been followed.
+    /// Start of a period that the steps cover.
     from: f64,
     period: f64,
-    /// What θ gains in a period.
+    /// Change of θ in a period.
     advance: f64,
 }
 
-/// Whole turns, or periods, between two steps.
+/// A leap over turns, or periods, between two steps.
 #[derive(Clone, Debug)]
 struct Leap {
     /// Time since the start of the phase.
     begin: f64,
-    /// Whole turns before it, up to the angles of [`Passed`].
+    /// θ minus the angle of [`Skipped`]: the whole turns before the leap.
     turned: f64,
-    passed: Passed,
+    passed: Skipped,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Step {
     /// Time since the start of the phase.
     begin: f64,
-    /// What θ has beyond the series: whole turns.
+    /// θ minus its series: whole turns.
     turned: f64,
     theta: Series,
     theta_rate: Series,
     slip: Series,
 }
 
-/// Angles and velocities on the way.
+/// A point of the slide.
 #[derive(Clone, Copy, Debug)]
-struct Here {
+struct SlidePoint {
     elapsed: f64,
-    /// What the angle is short of θ: whole turns, or a negative zero, which changes no number that it is added to.
+    /// Whole turns to be added to `theta`; a negative zero leaves every sum unchanged.
     turned: f64,
     theta: f64,
     theta_rate: f64,
     slip: f64,
 }
 
-/// What a slide that may be long looks out for.
+/// State of the search for leaps.
 #[derive(Clone, Copy, Debug, Default)]
-struct Lookout {
+struct LeapSearch {
     /// Time of the last turning point.
     turning: Option<f64>,
-    /// Least and largest value of the part of σ η′ that comes and goes, at the steps since then.
+    /// Minimum and maximum of the oscillating part of σ η′ at the steps since then.
     range: Option<(f64, f64)>,
-    /// Number of steps before which no leap is tried again.
-    ready: usize,
-    /// Whether a leap has passed as many turns as are resolved.
-    has_passed_most: bool,
+    /// Number of steps before the next attempt.
+    next_attempt: usize,
+    /// Whether a leap reached [`MAX_LEAP_TURNS`].
+    has_reached_max: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -137,7 +137,7 @@ enum Event {
 }
 
 impl Sliding {
-    /// Follows the slide to its end, or for the time `allowed`, or for `most` steps.
+    /// Integrates the slide to its end, for at most the time `allowed` and `most` steps.
     pub(crate) fn run(
         law: SlidingLaw,
         start: State,
@@ -146,7 +146,7 @@ impl Sliding {
         (allowed, most): (Option<f64>, usize),
     ) -> (Self, SlidingEnd) {
         let mut slide = Self::new(law, start, direction);
-        let end = slide.follow(entry, (allowed, most), Lookout::default());
+        let end = slide.follow(entry, (allowed, most), LeapSearch::default());
         (slide, end)
     }
 
@@ -168,12 +168,12 @@ impl Sliding {
         &mut self,
         entry: Entry,
         (allowed, most): (Option<f64>, usize),
-        mut lookout: Lookout,
+        mut search: LeapSearch,
     ) -> SlidingEnd {
         let sign = self.direction.sign();
         let start = self.start;
         let integral = self.integral();
-        let mut here = Here {
+        let mut here = SlidePoint {
             elapsed: 0.0,
             turned: -0.0,
             theta: start.theta,
@@ -188,18 +188,18 @@ impl Sliding {
                 series.slip[1] = slip_acceleration;
                 known_roots = if slip_acceleration == 0.0 { 2 } else { 1 };
             }
-            // P ≥ Î unless it is on its way to zero.
+            // P ≥ Î except where it tends to zero.
             let is_near_zero = series.solvability[0] < 0.5 * self.law.body.inertia;
             let reach = if self.law.body.h == 0.0 {
                 series.straight_reach()
             } else {
-                series.reach(longest_step(self.steps.len()))
+                series.reach(max_step(self.steps.len()))
             };
-            if self.work() >= most || lookout.has_passed_most {
+            if self.work() >= most || search.has_reached_max {
                 let state = self.state_from(here);
                 return SlidingEnd::StepLimit { state, time_left: self.time_left(&here) };
             }
-            if reach <= STALL * (start.time + here.elapsed).abs().max(1.0) {
+            if reach <= MIN_RELATIVE_STEP * (start.time + here.elapsed).abs().max(1.0) {
                 return if is_near_zero {
                     self.singular_end(here)
                 } else {
@@ -208,7 +208,7 @@ impl Sliding {
             }
             let last = allowed.is_some_and(|allowed| here.elapsed + reach >= allowed);
             if !last && !reach.is_finite() {
-                // The slip of a balanced hoop on a plane of next to no friction ends at a time that is no number.
+                // With very small friction the slip of a balanced hoop ends at a time that overflows.
                 return SlidingEnd::StepLimit { state: self.state_from(here), time_left: f64::INFINITY };
             }
             let width = match allowed {
@@ -223,7 +223,7 @@ impl Sliding {
                 slip: series.slip,
             });
             if let Some((at, event)) = first_event(&series, sign, known_roots, width) {
-                let found = Here {
+                let found = SlidePoint {
                     elapsed: here.elapsed + at,
                     turned: here.turned,
                     theta: value(&series.theta, at),
@@ -240,7 +240,7 @@ impl Sliding {
             let theta = value(&series.theta, width);
             let elapsed = here.elapsed + width;
             let (sin, cos) = libm::sincos(theta);
-            let next = Here {
+            let next = SlidePoint {
                 elapsed,
                 turned: here.turned,
                 theta,
@@ -259,12 +259,12 @@ impl Sliding {
             if last {
                 return SlidingEnd::TimeLimit(self.state_from(next));
             }
-            here = self.leap(&mut lookout, &series, (here, next), allowed).unwrap_or(next);
+            here = self.leap(&mut search, &series, (here, next), allowed).unwrap_or(next);
         }
     }
 
-    /// The end next to P = 0, with the numbers to which the slide comes while the angle and the time do not change any more.
-    fn singular_end(&mut self, here: Here) -> SlidingEnd {
+    /// The end next to P = 0, with the limits of θ′ and η′ at fixed angle and time.
+    fn singular_end(&mut self, here: SlidePoint) -> SlidingEnd {
         let State { theta, theta_rate, slip, .. } = self.start;
         let loss = self.law.friction * here.elapsed;
         let (sin, cos) = libm::sincos(theta);
@@ -278,7 +278,7 @@ impl Sliding {
             rest: self.integral() - loss,
             error: f64::EPSILON * (8.0 * terms + (8.0 + steps) * loss.abs()),
         };
-        let is_earlier = |step: &&Step| (step.theta[0] - here.theta).abs() >= CLOSE;
+        let is_earlier = |step: &&Step| (step.theta[0] - here.theta).abs() >= DISTANCE_FOR_EXPANSION;
         let earlier =
             self.steps.iter().rev().take_while(|step| step.turned.to_bits() == here.turned.to_bits());
         let earlier = earlier.clone().find(is_earlier).or(earlier.last());
@@ -292,7 +292,7 @@ impl Sliding {
             Fate::Sticks => 0.0,
             Fate::Jams | Fate::LiftsOff => approach.rest + theta_rate * self.law.lever(sin, cos),
         };
-        let end = Here { theta_rate, slip, ..here };
+        let end = SlidePoint { theta_rate, slip, ..here };
         let constant = |value: f64| core::array::from_fn(|n| if n == 0 { value } else { 0.0 });
         self.steps.push(Step {
             begin: here.elapsed,
@@ -309,51 +309,51 @@ impl Sliding {
         }
     }
 
-    /// Passes whole turns, or periods, at once from a place within the step from `here` to `next`.
+    /// Leaps from a point between `here` and `next`, if turns or periods can be skipped there; returns the point after the leap.
     fn leap(
         &mut self,
-        lookout: &mut Lookout,
+        search: &mut LeapSearch,
         series: &SlideSeries,
-        (here, next): (Here, Here),
+        (here, next): (SlidePoint, SlidePoint),
         allowed: Option<f64>,
-    ) -> Option<Here> {
+    ) -> Option<SlidePoint> {
         let SlidingLaw { body, friction } = self.law;
         if friction == 0.0 || body.h == 0.0 || !is_on(Part::WholeTurns) {
             return None;
         }
         let integral = self.integral();
-        let bounds = |elapsed: f64| Bounds {
+        let bounds = |elapsed: f64| LeapLimits {
             slip: self.direction.sign() * (integral - friction * elapsed),
             friction: friction.abs(),
             allowed: allowed.map_or(f64::INFINITY, |allowed| allowed - elapsed),
         };
         let width = next.elapsed - here.elapsed;
         let swings = self.direction.sign() * (here.slip - integral + friction * here.elapsed);
-        let (least, most) = lookout.range.unwrap_or((swings, swings));
+        let (least, most) = search.range.unwrap_or((swings, swings));
         let (least, most) = (least.min(swings), most.max(swings));
-        lookout.range = Some((least, most));
-        let is_ready = self.steps.len() >= lookout.ready;
+        search.range = Some((least, most));
+        let is_ready = self.steps.len() >= search.next_attempt;
         let (begin, turned, passed) = if next.theta_rate * here.theta_rate < 0.0 {
             let at = root(&series.theta_rate, 0.0, here.theta_rate.signum(), width);
             let begin = here.elapsed + at;
-            lookout.range = None;
-            let swing = begin - lookout.turning.replace(begin)?;
-            // On the way back θ′ has the other sign.
-            if !is_ready || bounds(begin).longest(least.min(-most)) < 2.0 * FEWEST * swing {
+            search.range = None;
+            let swing = begin - search.turning.replace(begin)?;
+            // θ′ changes sign on the way back.
+            if !is_ready || bounds(begin).longest(least.min(-most)) < 2.0 * MIN_LEAP_TURNS * swing {
                 return None;
             }
             let theta = value(&series.theta, at);
-            (begin, here.turned, Passed::periods(&self.law, theta, bounds(begin)))
+            (begin, here.turned, Skipped::periods(&self.law, theta, bounds(begin)))
         } else {
             let travel = here.theta_rate.signum();
             let rate = here.theta_rate.abs().max(next.theta_rate.abs());
-            if !is_ready || bounds(here.elapsed).longest(least) * rate < FEWEST * TAU {
+            if !is_ready || bounds(here.elapsed).longest(least) * rate < MIN_LEAP_TURNS * TAU {
                 return None;
             }
             let section = section_of(&self.law, travel);
             let (sin, cos) = libm::sincos(here.theta);
             let mut ahead = (travel * (section - libm::atan2(sin, cos))).rem_euclid(TAU);
-            if ahead < AT_SECTION {
+            if ahead < SECTION_TOLERANCE {
                 ahead += TAU;
             }
             let mut gain = series.theta;
@@ -365,15 +365,16 @@ impl Sliding {
             let begin = here.elapsed + at;
             let turned = here.turned + here.theta + travel * ahead - section;
             let rate = value(&series.theta_rate, at);
-            (begin, turned, Passed::turns(&self.law, rate, bounds(begin)))
+            (begin, turned, Skipped::turns(&self.law, rate, bounds(begin)))
         };
         self.attempts += 1;
         let Some(passed) = passed else {
-            lookout.ready = 2 * self.steps.len();
+            search.next_attempt = 2 * self.steps.len();
             return None;
         };
         let end = self.here(begin + passed.duration, turned + passed.advance, passed.end);
-        *lookout = Lookout { has_passed_most: passed.count >= MOST - 1.0, ..Lookout::default() };
+        *search =
+            LeapSearch { has_reached_max: passed.count >= MAX_LEAP_TURNS - 1.0, ..LeapSearch::default() };
         self.leaps.push(Leap { begin, turned, passed });
         Some(end)
     }
@@ -383,15 +384,15 @@ impl Sliding {
         self.law.momentum_integral(&State { time: 0.0, ..self.start })
     }
 
-    /// With the slip from the first integral.
-    fn here(&self, elapsed: f64, turned: f64, Place { theta, rate }: Place) -> Here {
+    /// A point of the slide, with η′ from the first integral.
+    fn here(&self, elapsed: f64, turned: f64, PhasePoint { theta, rate }: PhasePoint) -> SlidePoint {
         let (sin, cos) = libm::sincos(theta);
         let slip = self.integral() + rate * self.law.lever(sin, cos) - self.law.friction * elapsed;
-        Here { elapsed, turned, theta, theta_rate: rate, slip }
+        SlidePoint { elapsed, turned, theta, theta_rate: rate, slip }
     }
 
-    /// Time until η′ = 0 at the pace so far, of the slip without the part that comes and goes with each turn.
-    fn time_left(&self, here: &Here) -> f64 {
+    /// Time until η′ = 0, extrapolated from the mean loss of η′ without its oscillating part.
+    fn time_left(&self, here: &SlidePoint) -> f64 {
         let steady = |theta: f64, theta_rate: f64, slip: f64| {
             let (sin, cos) = libm::sincos(theta);
             self.direction.sign() * (slip - theta_rate * (self.law.lever(sin, cos) - 1.0))
@@ -402,8 +403,13 @@ impl Sliding {
         if lost > 0.0 { now.max(0.0) / lost * here.elapsed } else { f64::INFINITY }
     }
 
-    /// Whether a slide without friction has passed a whole period, and which.
-    fn recurrence(&mut self, series: &SlideSeries, here: &Here, next: &Here) -> Option<Recurrence> {
+    /// The recurrence of a slide without friction, once a whole period has passed.
+    fn recurrence(
+        &mut self,
+        series: &SlideSeries,
+        here: &SlidePoint,
+        next: &SlidePoint,
+    ) -> Option<Recurrence> {
         if series.theta_rate.iter().all(|c| *c == 0.0) {
             return Some(Recurrence::Rest);
         }
@@ -420,7 +426,7 @@ impl Sliding {
             self.cycle = Some(Cycle { from: 0.0, period, advance });
             return Some(Recurrence::Rotation { period });
         }
-        // From the first to the third turning point is a period; the start lies before it, on the same orbit.
+        // The period is the time from the first to the third turning point; the start precedes them on the same orbit.
         let &[(first, theta_first), (_, theta_second), (third, _)] = &self.turnings[..] else { return None };
         self.cycle = Some(Cycle { from: first, period: third - first, advance: 0.0 });
         Some(Recurrence::Libration {
@@ -449,9 +455,9 @@ impl Sliding {
         self.steps.len()
     }
 
-    /// What the slide has cost, in steps.
+    /// Cost of the slide, in steps.
     pub(crate) fn work(&self) -> usize {
-        self.steps.len() + ATTEMPT * self.attempts
+        self.steps.len() + LEAP_COST_IN_STEPS * self.attempts
     }
 
     /// State after the time `elapsed` since the phase began.
@@ -474,7 +480,7 @@ impl Sliding {
             return self.state_from(self.here(elapsed, turned + advance, place));
         }
         let at = within - step.begin;
-        self.state_from(Here {
+        self.state_from(SlidePoint {
             elapsed,
             turned: step.turned,
             theta: gained + value(&step.theta, at),
@@ -483,8 +489,8 @@ impl Sliding {
         })
     }
 
-    /// Adds the position, from the second integral.
-    fn state_from(&self, here: Here) -> State {
+    /// Adds the position from the second integral.
+    fn state_from(&self, here: SlidePoint) -> State {
         State {
             time: self.start.time + here.elapsed,
             theta: here.turned + here.theta,
@@ -508,10 +514,10 @@ impl Sliding {
     }
 }
 
-/// Longest step after so many: without bound in the end, for slides that are slow as a whole.
-fn longest_step(steps: usize) -> f64 {
-    let doublings = steps.saturating_sub(PATIENCE).min(60);
-    (0..doublings).fold(LONGEST, |longest, _| 2.0 * longest)
+/// Maximum step; doubles with each step after [`STEPS_BEFORE_DOUBLING`], so that slow slides end.
+fn max_step(steps: usize) -> f64 {
+    let doublings = steps.saturating_sub(STEPS_BEFORE_DOUBLING).min(60);
+    (0..doublings).fold(INITIAL_MAX_STEP, |longest, _| 2.0 * longest)
 }
 
 /// The first of the three events within a step, if any.
@@ -543,13 +549,13 @@ mod tests {
         SlidingLaw::new(&Hoop::new(hoop).unwrap(), direction).unwrap()
     }
 
-    /// The slide with leaps, and without.
+    /// The slide with and without leaps.
     fn both(law: SlidingLaw, start: State, allowed: Option<f64>) -> [(Sliding, SlidingEnd); 2] {
         let direction = Direction::of_sign(start.slip).unwrap();
-        [0, usize::MAX].map(|ready| {
+        [0, usize::MAX].map(|next_attempt| {
             let mut slide = Sliding::new(law, start, direction);
-            let lookout = Lookout { ready, ..Lookout::default() };
-            let end = slide.follow(Entry::Moving, (allowed, 200_000), lookout);
+            let search = LeapSearch { next_attempt, ..LeapSearch::default() };
+            let end = slide.follow(Entry::Moving, (allowed, 200_000), search);
             (slide, end)
         })
     }
@@ -564,7 +570,7 @@ mod tests {
         }
     }
 
-    /// Difference of two states, in units of the size of what is subtracted.
+    /// Largest relative difference of two states.
     fn difference(a: &State, b: &State) -> f64 {
         let part = |a: f64, b: f64, size: f64| (a - b).abs() / (1.0 + size);
         part(a.time, b.time, a.time)
@@ -577,8 +583,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(96))]
 
-        /// Steps, each with an error of the last digit in the energy and so in the pace, are wrong by up to their number times the
-        /// last digit of the angle that has been turned through.
+        /// Each step has a relative error ε of the energy and of the rate. After n steps the error of the angle is up to n ε times the total
+        /// rotation.
         #[test]
         fn leaps_agree_with_steps(
             mass_ratio in 0.0..3.0_f64, offset in 0.02..1.0_f64, own in 0.05..3.0_f64,
@@ -587,7 +593,7 @@ mod tests {
         ) {
             let direction = if positive { Direction::Positive } else { Direction::Negative };
             let law = law(mass_ratio, offset, own, libm::pow(10.0, exponent), direction);
-            // Above the separatrix about half of the time, below lift-off.
+            // About half of the cases rotate; none lifts off at once.
             let rate = rate / law.body.h.sqrt();
             prop_assume!(law.contact(theta, rate) > 0.0);
             let start = State { time: 0.0, theta, theta_rate: rate, slip: direction.sign() * slip, x: 0.0 };
@@ -600,7 +606,7 @@ mod tests {
             let steps = by_steps.steps() as f64;
             let fastest = by_steps.steps.iter().fold(0.0_f64, |most, step| most.max(step.theta_rate[0].abs()));
             let tolerance = f64::EPSILON * steps * (1.0 + fastest * end.time);
-            // Next to the separatrix the pace tells more of the energy: as much as it does of so many last digits of the rate at the start.
+            // Near the separatrix the period is sensitive to the energy; the tolerance allows for it by a perturbed start.
             let shaken = State { theta_rate: rate * (1.0 + f64::EPSILON * steps), ..start };
             let [(by_shaken, shaken), _] = both(law, shaken, allowed);
             let Some((_, shaken)) = end_state(&shaken) else { return Ok(()) };
@@ -615,7 +621,7 @@ mod tests {
         }
     }
 
-    /// The state and what is computed from it are continuous where a leap begins, between its turns, and where it ends.
+    /// The state is continuous at the beginning of a leap, between its turns, and at its end.
     #[test]
     fn leaps_leave_no_seam() {
         for (law, rate) in [
@@ -632,7 +638,7 @@ mod tests {
             let count = leap.passed.count;
             let turn = duration / count;
             for time in [0.0, 0.1 * turn, turn, 7.0 * turn, 0.3 * duration, duration - turn, duration] {
-                // Turns take nearly, but not quite the same time: scan a little around each instant.
+                // The times of turns differ slightly: scan around each instant.
                 for shift in 0..200 {
                     let at = (leap.begin + time + turn * (f64::from(shift) / 100.0 - 1.0)).max(0.0);
                     let (before, after) = (slide.state(at), slide.state(at + 1e-9));
@@ -645,8 +651,7 @@ mod tests {
         }
     }
 
-    /// With next to no offset a slide is that of a balanced hoop, whose accelerations are constant. Its rate falls through zero and
-    /// rises again where the slip is large.
+    /// With a tiny offset a slide is that of a balanced hoop, whose accelerations are constant. For large slip the rate changes sign.
     #[test]
     fn a_nearly_balanced_hoop_slides_as_a_balanced_one() {
         for (inertia, mu_k, rate, slip) in

@@ -1,23 +1,23 @@
-//! Many turns, or periods, of a slide at once.
+//! Leaps: many turns, or periods, of a slide in one step.
 //!
-//! A slide through n turns takes Σ T(ε_k), k = 0 … n − 1, with T the time of a turn and ε_k the linear map of
-//! [`super::turn`]. T is analytic where u > 0 in the turn, and ε_k analytic in k. On a stretch of turns T is a polynomial p of k
-//! through Chebyshev nodes, and the sum is exact: with x = 2 k/M − 1 on a stretch of M turns,
+//! A slide through n turns takes the time Σ T(ε_k), k = 0 … n − 1, with T the time of a turn and ε_k the linear map of
+//! [`super::turn`]. T is analytic where u > 0 in the turn, and ε_k is analytic in k. On a stretch of M turns a polynomial p(x),
+//! x = 2 k/M − 1, interpolates T at Chebyshev nodes, and its sum is exact:
 //!
 //! ```text
 //! Σ p = D(x) − D(−1),      D(x + 1/M) − D(x − 1/M) = p(x),      D = (M/2) Σ_j c_j M^(−2j) d^(2j−1)p/dx^(2j−1),
 //! ```
 //!
-//! c_j the coefficients of z/sinh z (Euler and Maclaurin).
+//! with c_j the coefficients of z/sinh z (Euler and Maclaurin).
 //!
-//! *No event is passed over.* At each angle u is monotone in the number of the turn. So where P > 0 and w > 0 in the last turn
-//! of a leap and at the top of the first, they are in all: w = 1 − h c u is linear in u, and at w = 0 it has the slope h s θ′³,
-//! so that it falls through zero before a top and rises behind it. σ η′ = σ C − μk τ + σ θ′ (1 + h c + f h s) is, in every turn
-//! but the last, at least σ C − μk (time at the end of the last) + the least value of the last term in the last turn (or in the
-//! first, where its lever has the other sign). Both are proved with the Taylor series of the last turn.
+//! *A leap skips no event.* At each angle u is monotone in the number of the turn. So P > 0 and w > 0 in all turns of a leap if
+//! they hold in the last turn and at the top of the first: w = 1 − h c u is linear in u and has the slope h s θ′³ at w = 0, so
+//! it can become negative only before a top. In every turn but the last, σ η′ = σ C − μk τ + σ θ′ (1 + h c + f h s) is at least
+//! σ C − μk (time at the end of the last) + the minimum of the oscillating term in the last turn (or in the first, if its lever
+//! changes sign). The Taylor series of the last turn prove both.
 //!
-//! *Libration.* θ′ = 0 does not change σ: the slide retraces u(θ), and (θ, θ′) is periodic for ever while η′ falls by μk times
-//! the period.
+//! *Libration.* θ′ = 0 does not change σ: the slide retraces u(θ). So (θ, θ′) is periodic while |η′| falls by μk times the period
+//! in each.
 
 use core::f64::consts::{PI, TAU};
 
@@ -27,55 +27,55 @@ use crate::mechanics::SlidingLaw;
 use super::series::{DEGREE, Series, SlideSeries, crossing, root, value};
 use super::turn::{Turn, section};
 
-/// Fewer turns, or periods, are followed one by one.
-pub(super) const FEWEST: f64 = 16.0;
+/// Least number of turns, or periods, of a leap; fewer are integrated step by step.
+pub(super) const MIN_LEAP_TURNS: f64 = 16.0;
 
-/// More are not: the angle at their end is known to 1e-6 of a turn only.
-pub(super) const MOST: f64 = 1e9;
+/// Largest number of turns, or periods, of a leap: the angle after so many has an error of 1e-6 of a turn.
+pub(super) const MAX_LEAP_TURNS: f64 = 1e9;
 
-/// Turns of a stretch that are summed one by one.
-const FEW: usize = 8;
+/// Largest number of turns whose times are summed one by one: half the nodes of a polynomial.
+const MAX_SINGLY_SUMMED: usize = 8;
 
-/// Degree of the polynomial of a stretch, plus one.
+/// Number of nodes of the polynomial of a stretch.
 const NODES: usize = 16;
 
-/// Largest ratio of the least u of the turns of a stretch: the zero of u is five half widths from its middle, so that the
-/// polynomial through 16 nodes has the relative error 9.9^−16.
-const RATIO: f64 = 1.5;
+/// Largest ratio of min u between the turns of a stretch. The zero of u is then five half widths from the middle, and the
+/// interpolation error through 16 nodes is (5 + √24)^−16 = 9.9^−16.
+const MAX_ENERGY_RATIO: f64 = 1.5;
 
-/// Largest |κ| of the turns of a stretch, in which ε_k is then nearly a parabola.
-const GROWTH: f64 = 0.5;
+/// Largest |κ| times the number of turns of a stretch: ε_k is then nearly quadratic in k.
+const MAX_GROWTH: f64 = 0.5;
 
-/// Relative margin of what is proved.
-const MARGIN: f64 = 64.0 * f64::EPSILON;
+/// Relative margin of a proof, for some tens of roundings.
+const PROOF_MARGIN: f64 = 64.0 * f64::EPSILON;
 
-/// Largest relative difference of the time of a turn by quadrature and by series.
-const SAME_TIME: f64 = 1e-11;
+/// Largest relative difference between the times of a turn by quadrature and by series.
+const MAX_TIME_MISMATCH: f64 = 1e-11;
 
-/// Steps in which a turn, or half a period, must be done.
-const MOST_STEPS: usize = 2_000;
+/// Largest number of steps of a turn, or of half a period.
+const MAX_STEPS_PER_TURN: usize = 2_000;
 
-/// What ends a leap before its turns end.
+/// The limits of a leap: the remaining slip and the remaining time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds {
+pub(super) struct LeapLimits {
     /// σ η′ − σ θ′ (1 + h c + f h s) at the beginning.
     pub(super) slip: f64,
     /// μk.
     pub(super) friction: f64,
-    /// Time left; infinite without a limit.
+    /// Time to the time limit; infinite if there is none.
     pub(super) allowed: f64,
 }
 
-impl Bounds {
-    /// Time until the limit, or η′ = 0 if the part that comes and goes is `lowest`.
+impl LeapLimits {
+    /// Time to the time limit, or to η′ = 0 if the oscillating part of σ η′ is `lowest`.
     pub(super) fn longest(&self, lowest: f64) -> f64 {
         ((self.slip + lowest) / self.friction).min(self.allowed)
     }
 
-    /// What is left of σ η′ after a time, if the part that comes and goes with the turns is `lowest`.
+    /// Lower bound of σ η′ after a time, if the oscillating part is `lowest`.
     fn left(&self, time: f64, lowest: f64) -> f64 {
         self.slip - self.friction * time + lowest
-            - MARGIN * (self.slip.abs() + self.friction * time + lowest.abs())
+            - PROOF_MARGIN * (self.slip.abs() + self.friction * time + lowest.abs())
     }
 
     fn holds(&self, time: f64, lowest: f64) -> bool {
@@ -86,27 +86,27 @@ impl Bounds {
 /// One turn, or half a period, by series.
 struct Probe {
     time: f64,
-    /// Least and largest value of θ′ (1 + h c + f h s).
+    /// Minimum and maximum of θ′ (1 + h c + f h s).
     range: (f64, f64),
 }
 
-/// A place in the plane of (θ, θ′).
+/// A point of the (θ, θ′) plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct PhasePoint {
     pub(super) theta: f64,
     pub(super) rate: f64,
 }
 
 impl Probe {
-    /// Follows the slide from a place until `done` says at which time of a step it is; none if it meets an event before.
+    /// Integrates the slide until `done` returns a time within a step; none if an event comes first.
     fn new(
         law: &SlidingLaw,
-        start: Place,
-        done: impl Fn(&SlideSeries, f64, Place) -> Option<f64>,
+        start: PhasePoint,
+        done: impl Fn(&SlideSeries, f64, PhasePoint) -> Option<f64>,
     ) -> Option<Self> {
         let mut probe = Self { time: 0.0, range: (f64::INFINITY, f64::NEG_INFINITY) };
         let mut here = start;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS_PER_TURN {
             let (sin, cos) = libm::sincos(here.theta);
             let mut series = SlideSeries::new(law, here.theta, here.rate, here.rate * law.lever(sin, cos));
             series.slip[1] += law.friction;
@@ -123,7 +123,7 @@ impl Probe {
                 return Some(probe);
             }
             probe.time += width;
-            here = Place { theta: value(&series.theta, width), rate: value(&series.theta_rate, width) };
+            here = PhasePoint { theta: value(&series.theta, width), rate: value(&series.theta_rate, width) };
             if here.rate * start.rate < 0.0 {
                 return None;
             }
@@ -131,8 +131,8 @@ impl Probe {
         None
     }
 
-    /// A whole turn.
-    fn turn(law: &SlidingLaw, start: Place) -> Option<Self> {
+    /// One turn.
+    fn turn(law: &SlidingLaw, start: PhasePoint) -> Option<Self> {
         let travel = start.rate.signum();
         Self::new(law, start, |series, width, _| {
             let level = start.theta + TAU.copysign(travel);
@@ -141,15 +141,15 @@ impl Probe {
         })
     }
 
-    /// From a turning point to the next.
+    /// Half a period, from a turning point to the next.
     fn swing(law: &SlidingLaw, theta: f64) -> Option<Self> {
-        Self::new(law, Place { theta, rate: 0.0 }, |series, width, here| {
+        Self::new(law, PhasePoint { theta, rate: 0.0 }, |series, width, here| {
             let then = value(&series.theta_rate, width);
             (here.rate * then < 0.0).then(|| root(&series.theta_rate, 0.0, here.rate.signum(), width))
         })
     }
 
-    /// Takes the values of a series on [0, width] in.
+    /// Extends the range by the values of a series on [0, width].
     fn widen(&mut self, series: &Series, width: f64) {
         let mut swing = 0.0;
         let mut slope = [0.0; DEGREE];
@@ -171,28 +171,28 @@ impl Probe {
     }
 }
 
-/// Times of the turns of a stretch.
+/// Times within a stretch.
 #[derive(Clone, Debug)]
 enum Times {
-    /// At the end of each.
+    /// At the end of each turn.
     Each(Vec<f64>),
-    /// D(x) − D(−1), by powers of x.
+    /// Coefficients of D(x) − D(−1) in powers of x.
     Smooth([f64; NODES + 1]),
 }
 
-/// Turns whose times are summed together.
+/// Consecutive turns whose times are summed together.
 #[derive(Clone, Debug)]
 struct Stretch {
-    /// Number of the first.
+    /// Number of the first turn.
     first: f64,
     turns: f64,
-    /// Time at its beginning.
+    /// Time at the beginning.
     begin: f64,
     times: Times,
 }
 
 impl Stretch {
-    /// Time at the beginning of turn `n` of the leap, which is one of the stretch or the next.
+    /// Time at the beginning of turn `n` of the leap, a turn of the stretch or the next turn.
     fn time(&self, n: f64) -> f64 {
         let within = n - self.first;
         let passed = match &self.times {
@@ -213,9 +213,9 @@ impl Stretch {
     }
 }
 
-/// From values of a polynomial at the Chebyshev nodes of a stretch of `turns` turns to the powers of D(x) − D(−1).
+/// Coefficients of D(x) − D(−1) from the values of p at the Chebyshev nodes of a stretch of `turns` turns.
 fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
-    // Powers of x, by way of Chebyshev polynomials: the last two of these, and the next.
+    // Coefficients of p in powers of x, by the recurrence of the Chebyshev polynomials.
     let mut powers = [0.0; NODES];
     let (mut before, mut this) = ([0.0; NODES], [0.0; NODES]);
     this[0] = 1.0;
@@ -264,38 +264,38 @@ fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
     sum
 }
 
-/// Whole turns that are passed at once.
+/// The turns of a leap.
 #[derive(Clone, Debug)]
 struct Turns {
     /// +1 or −1, the sign of θ′.
     travel: f64,
-    /// The section, in the direction of travel.
+    /// Angle of the section, in the direction of travel.
     section: f64,
     turn: Turn,
     /// ε at the beginning.
     energy: f64,
-    /// Largest number of turns whose times can be summed.
+    /// Upper bound of the number of turns whose times can be summed.
     most: f64,
     stretches: Vec<Stretch>,
-    /// Turns that are passed.
+    /// Number of turns that the leap skips.
     count: f64,
 }
 
-/// The law as it is seen in the direction of travel.
-fn seen(law: &SlidingLaw, travel: f64) -> SlidingLaw {
+/// The law in the direction of travel.
+fn in_travel_direction(law: &SlidingLaw, travel: f64) -> SlidingLaw {
     SlidingLaw { friction: travel * law.friction, ..*law }
 }
 
-/// The section at which turns in a direction are counted, and so the angle at which a leap can begin, up to whole turns.
+/// Angle of the section at which a leap can begin, up to whole turns.
 pub(super) fn section_of(law: &SlidingLaw, travel: f64) -> f64 {
-    travel * section(&seen(law, travel))
+    travel * section(&in_travel_direction(law, travel))
 }
 
 impl Turns {
-    /// [`Passed::turns`].
-    fn new(law: &SlidingLaw, rate: f64, bounds: Bounds) -> Option<Self> {
+    /// [`Skipped::turns`].
+    fn new(law: &SlidingLaw, rate: f64, bounds: LeapLimits) -> Option<Self> {
         let travel = rate.signum();
-        let ahead = seen(law, travel);
+        let ahead = in_travel_direction(law, travel);
         let coarse = Turn::new(&ahead, None)?;
         let energy = coarse.energy(rate);
         let most = most_turns(&ahead, &coarse, energy, bounds)?;
@@ -308,23 +308,23 @@ impl Turns {
         Some(turns)
     }
 
-    /// Number of turns that are proved to be without event.
-    fn proved(&mut self, law: &SlidingLaw, bounds: Bounds) -> Option<f64> {
+    /// Number of turns that are proved free of events.
+    fn proved(&mut self, law: &SlidingLaw, bounds: LeapLimits) -> Option<f64> {
         let side = law.friction.signum();
         let probe = |turns: &Self, n: f64| {
             let probe = Probe::turn(law, turns.place(n))?;
             let quadrature = turns.turn.time(turns.energy_at(n));
-            let same = (probe.time - quadrature).abs() <= SAME_TIME * quadrature;
+            let same = (probe.time - quadrature).abs() <= MAX_TIME_MISMATCH * quadrature;
             same.then_some(if side > 0.0 { probe.range.0 } else { -probe.range.1 })
         };
-        // Where the lever of θ′ can be negative, this part of the slip need not fall from turn to turn.
+        // If the lever of θ′ can be negative, the oscillating part of the slip need not decrease from turn to turn.
         let f = law.friction;
         let first = if law.body.h * (1.0 + f * f).sqrt() < 1.0 { f64::INFINITY } else { probe(self, 0.0)? };
-        // The nodes miss the least value by a little, about the same in turns close to each other.
+        // The minimum over the nodes exceeds the true minimum, by nearly the same amount in neighbouring turns.
         let mut excess = 0.0;
         for _ in 0..8 {
             let n = self.last(bounds, first, excess)?;
-            if n < FEWEST {
+            if n < MIN_LEAP_TURNS {
                 return None;
             }
             let lowest = probe(self, n).map(|lowest| lowest.min(first));
@@ -342,8 +342,8 @@ impl Turns {
         None
     }
 
-    /// The last turn in which the slip is left, by the nodes less an excess; none if it is not even in the first.
-    fn last(&mut self, bounds: Bounds, first: f64, excess: f64) -> Option<f64> {
+    /// The last turn that ends with σ η′ > 0, from the minimum over the nodes less `excess`; none if the first does not.
+    fn last(&mut self, bounds: LeapLimits, first: f64, excess: f64) -> Option<f64> {
         let left = |turns: &Self, stretch: &Stretch, n: f64| {
             let lowest = turns.turn.lowest_slip(turns.energy_at(n)) - excess;
             bounds.holds(stretch.time(n + 1.0), lowest.min(first))
@@ -367,7 +367,7 @@ impl Turns {
         (self.most >= 1.0).then_some(self.most - 1.0)
     }
 
-    /// Adds a stretch; false where there are no more turns.
+    /// Adds a stretch; false if no turns are left.
     fn extend(&mut self) -> bool {
         let (first, begin) =
             self.stretches.last().map_or((0.0, 0.0), |last| (last.first + last.turns, last.end()));
@@ -375,23 +375,23 @@ impl Turns {
         if left < 1.0 {
             return false;
         }
-        // u is least at the end of a turn where it falls, at its beginning where it rises.
+        // The minimum of u lies at the end of a turn if u decreases, and at its beginning if u increases.
         let falls = self.turn.beta() < 0.0;
         let least = self.energy_at(if falls { first + 1.0 } else { first });
-        let then = if falls { least / RATIO } else { least * RATIO };
-        let smooth = self.turn.turns(least, then).min(GROWTH / self.turn.kappa().abs());
+        let then = if falls { least / MAX_ENERGY_RATIO } else { least * MAX_ENERGY_RATIO };
+        let smooth = self.turn.turns(least, then).min(MAX_GROWTH / self.turn.kappa().abs());
         let turns = smooth.min(left).floor();
-        let stretch = if turns > FEW as f64 {
+        let stretch = if turns > MAX_SINGLY_SUMMED as f64 {
             let values = core::array::from_fn(|k| {
                 let x = libm::cos(PI * (2 * k + 1) as f64 / (2 * NODES) as f64);
                 self.turn.time(self.energy_at(first + 0.5 * ((x + 1.0) * turns - 1.0)))
             });
             Stretch { first, turns, begin, times: Times::Smooth(sum_of_turns(&values, turns)) }
         } else {
-            let mut ends = Vec::with_capacity(FEW);
+            let mut ends = Vec::with_capacity(MAX_SINGLY_SUMMED);
             let mut sum = 0.0;
             let mut n = first;
-            while ends.len() < FEW && n < self.most {
+            while ends.len() < MAX_SINGLY_SUMMED && n < self.most {
                 sum += self.turn.time(self.energy_at(n));
                 ends.push(sum);
                 n += 1.0;
@@ -412,12 +412,15 @@ impl Turns {
         self.stretches.get(index).map_or(0.0, |stretch| stretch.time(n))
     }
 
-    /// Where turn `n` begins, with the angle of the section.
-    fn place(&self, n: f64) -> Place {
-        Place { theta: self.travel * self.section, rate: self.travel * self.turn.rate(self.energy_at(n)) }
+    /// Angle and rate at the beginning of turn `n`, without whole turns.
+    fn place(&self, n: f64) -> PhasePoint {
+        PhasePoint {
+            theta: self.travel * self.section,
+            rate: self.travel * self.turn.rate(self.energy_at(n)),
+        }
     }
 
-    /// The last turn that begins before a time.
+    /// The last turn that begins at or before a time.
     fn turn_at(&self, time: f64) -> f64 {
         let index = self.stretches.partition_point(|stretch| stretch.begin <= time).saturating_sub(1);
         let Some(stretch) = self.stretches.get(index) else { return 0.0 };
@@ -426,7 +429,7 @@ impl Turns {
     }
 }
 
-/// The last of the numbers from `low` to before `high` for which something holds, that holds for the first of them.
+/// The last of `low`, `low` + 1, … below `high` for which a monotone condition holds; it holds for `low`.
 fn last_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     while high - low > 1.0 {
         let middle = (0.5 * (low + high)).floor();
@@ -439,16 +442,16 @@ fn last_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     low
 }
 
-/// Turns whose times can be summed; none if they are too few.
-fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: Bounds) -> Option<f64> {
-    let Bounds { slip, friction, allowed } = bounds;
+/// Upper bound of the number of turns whose times can be summed; none if it is below [`MIN_LEAP_TURNS`].
+fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: LeapLimits) -> Option<f64> {
+    let LeapLimits { slip, friction, allowed } = bounds;
     let (h, beta) = (law.body.h, turn.beta());
-    // A turn that begins with the rim about to leave the plane is followed.
+    // The first turn lifts off.
     if turn.load_at_top(h, energy) >= 1.0 {
         return None;
     }
     let ends = if beta < 0.0 {
-        // The first turn is the fastest: none is shorter.
+        // The first turn is the fastest; half its time is below the time of any turn.
         let shortest = 0.5 * turn.time(energy);
         let most_slip = slip + turn.largest_slip(energy);
         let sticks = most_slip / (friction * shortest) + 1.0;
@@ -456,34 +459,33 @@ fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: Bounds) -> Opt
     } else {
         turn.turns(energy, turn.lift_off_energy(h))
     };
-    let most = ends.min(MOST).floor();
-    (most >= FEWEST).then_some(most)
+    let most = ends.min(MAX_LEAP_TURNS).floor();
+    (most >= MIN_LEAP_TURNS).then_some(most)
 }
 
-/// Turns or periods that are passed at once.
+/// The turns or periods that a leap skips.
 #[derive(Clone, Debug)]
-pub(super) struct Passed {
+pub(super) struct Skipped {
     pub(super) count: f64,
-    /// Time that they take.
+    /// Their duration.
     pub(super) duration: f64,
-    /// What θ gains.
+    /// Change of θ.
     pub(super) advance: f64,
-    /// The place at the end, with an angle that has been reduced by what θ gains.
-    pub(super) end: Place,
-    kind: Kind,
+    /// Angle and rate at the end, without the change of θ.
+    pub(super) end: PhasePoint,
+    kind: SkippedKind,
 }
 
 #[derive(Clone, Debug)]
-enum Kind {
+enum SkippedKind {
     Turns(Box<Turns>),
-    /// Of a libration from a turning point, each of this length.
+    /// Periods of a libration from a turning point, each of this duration.
     Periods(f64),
 }
 
-impl Passed {
-    /// As many turns as can be proved to be without event, from the section on at the rate θ′; none if they are fewer than
-    /// [`FEWEST`].
-    pub(super) fn turns(law: &SlidingLaw, rate: f64, bounds: Bounds) -> Option<Self> {
+impl Skipped {
+    /// The turns from the section with the rate θ′ that are proved free of events; none if fewer than [`MIN_LEAP_TURNS`].
+    pub(super) fn turns(law: &SlidingLaw, rate: f64, bounds: LeapLimits) -> Option<Self> {
         let turns = Turns::new(law, rate, bounds)?;
         let count = turns.count;
         Some(Self {
@@ -491,49 +493,49 @@ impl Passed {
             duration: turns.time(count),
             advance: turns.travel * count * TAU,
             end: turns.place(count),
-            kind: Kind::Turns(Box::new(turns)),
+            kind: SkippedKind::Turns(Box::new(turns)),
         })
     }
 
-    /// As many periods, from a turning point on. The swing that has led there was without event.
-    pub(super) fn periods(law: &SlidingLaw, theta: f64, bounds: Bounds) -> Option<Self> {
+    /// The periods from a turning point that are proved free of events. The preceding swing had no event.
+    pub(super) fn periods(law: &SlidingLaw, theta: f64, bounds: LeapLimits) -> Option<Self> {
         let swing = Probe::swing(law, theta)?;
         let period = 2.0 * swing.time;
-        // On the way back θ′ has the other sign.
+        // θ′ changes sign on the way back.
         let lowest = swing.range.0.min(-swing.range.1);
         let free = ((bounds.slip + lowest) / bounds.friction).min(bounds.allowed) / period;
-        let mut count = (free.min(MOST) - 1.0).floor();
-        if count >= FEWEST && !bounds.holds((count + 1.0) * period, lowest) {
+        let mut count = (free.min(MAX_LEAP_TURNS) - 1.0).floor();
+        if count >= MIN_LEAP_TURNS && !bounds.holds((count + 1.0) * period, lowest) {
             count -= 1.0;
         }
-        let proved = count >= FEWEST && bounds.holds((count + 1.0) * period, lowest);
-        let end = Place { theta, rate: 0.0 };
+        let proved = count >= MIN_LEAP_TURNS && bounds.holds((count + 1.0) * period, lowest);
+        let end = PhasePoint { theta, rate: 0.0 };
         proved.then_some(Self {
             count,
             duration: period * count,
             advance: 0.0,
             end,
-            kind: Kind::Periods(period),
+            kind: SkippedKind::Periods(period),
         })
     }
 
-    /// The place after a time, and what θ has gained.
-    pub(super) fn place(&self, law: &SlidingLaw, time: f64) -> (Place, f64) {
+    /// Angle and rate after a time, and the change of θ over the whole turns before.
+    pub(super) fn place(&self, law: &SlidingLaw, time: f64) -> (PhasePoint, f64) {
         let (begin, mut here, gained) = match &self.kind {
-            Kind::Turns(turns) => {
+            SkippedKind::Turns(turns) => {
                 let n = turns.turn_at(time);
                 (turns.time(n), turns.place(n), turns.travel * n * TAU)
             }
-            Kind::Periods(period) => {
+            SkippedKind::Periods(period) => {
                 let n = (time / period).floor().min(self.count - 1.0).max(0.0);
                 (n * period, self.end, 0.0)
             }
         };
         let mut left = time - begin;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS_PER_TURN {
             let series = SlideSeries::new(law, here.theta, here.rate, 0.0);
             let width = series.reach(f64::INFINITY).min(left);
-            here = Place { theta: value(&series.theta, width), rate: value(&series.theta_rate, width) };
+            here = PhasePoint { theta: value(&series.theta, width), rate: value(&series.theta_rate, width) };
             left -= width;
             if left <= 0.0 {
                 break;

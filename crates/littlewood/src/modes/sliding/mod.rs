@@ -1,7 +1,7 @@
 //! Sliding (§2b): η′ ≠ 0, kinetic friction F = −μk N σ with σ = sign(η′) (2.15).
 //!
-//! The equations are those of [`crate::theory::SlidingLaw`]. Two first integrals reduce a slide to the single function θ(τ). The horizontal and vertical balances of momentum,
-//! m x̄″ = −μk σ N and m ȳ″ = N − m, have the combination x̄″ + μk σ (ȳ″ + 1) = 0, hence
+//! The equations are those of [`crate::theory::SlidingLaw`]. Two first integrals reduce a slide to the single function θ(τ): the
+//! horizontal and vertical balances of momentum, m x̄″ = −μk σ N and m ȳ″ = N − m, give x̄″ + μk σ (ȳ″ + 1) = 0, hence
 //!
 //! ```text
 //! η′ − θ′ (1 + h cos θ + μk σ h sin θ) + μk σ τ = const,
@@ -18,21 +18,22 @@ mod turn;
 pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlidingEnd};
 
-/// A limit of slides.
+/// The limit that stopped a motion with long slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum SlideLimit {
-    /// The largest length of all slides together ([`crate::Limits::slides`]) was reached at the end of one.
+    /// The slides of the motion exceeded the total length [`crate::Limits::slides`].
     All {
         /// The limit.
         slides: usize,
     },
-    /// Slides of more than 2,000 steps have together taken more than 100,000, this one the last of them; or, on a plane of next to no friction, or of a fast hoop, it has turned more often
-    /// than angles resolve, or ends at a time beyond all numbers.
+    /// The slides of more than 2,000 steps exceeded 100,000 steps in total. Or, with very small friction or a fast hoop, this slide
+    /// passed more turns than double precision resolves, or its duration is not representable.
     One {
-        /// Its steps.
+        /// Steps of this slide.
         steps: usize,
-        /// Time until η′ = 0 at the pace so far; infinite if the slip has not lost any, or if the time is beyond all numbers.
+        /// Time until η′ = 0, extrapolated from the mean loss of slip so far; infinite if the slip has not decreased, or if the time
+        /// is not representable.
         time_left: f64,
     },
 }

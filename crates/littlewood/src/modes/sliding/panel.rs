@@ -1,11 +1,11 @@
-//! Gauss–Legendre quadrature on panels, with the integral up to each node.
+//! Gauss–Legendre quadrature on panels, with the integrals up to each node.
 
 use std::sync::OnceLock;
 
 /// Number of nodes of a panel.
 pub(super) const NODES: usize = 16;
 
-/// Nodes of [−1, 1] with what is computed from values there.
+/// Nodes on [−1, 1] with their weights.
 #[derive(Clone, Debug)]
 pub(super) struct Rule {
     pub(super) nodes: [f64; NODES],
@@ -30,7 +30,7 @@ fn legendre(x: f64) -> ([f64; NODES + 1], f64) {
 }
 
 impl Rule {
-    /// The rule, which is computed once.
+    /// The rule, computed once.
     pub(super) fn get() -> &'static Self {
         static RULE: OnceLock<Rule> = OnceLock::new();
         RULE.get_or_init(Self::new)
@@ -40,7 +40,7 @@ impl Rule {
         let count = NODES as f64;
         let mut nodes = [0.0; NODES];
         for i in 0..NODES / 2 {
-            // Newton's method from an estimate that is good to 1e-3.
+            // Newton's method from an estimate with an error below 1e-3.
             let mut x = libm::cos(core::f64::consts::PI * (i as f64 + 0.75) / (count + 0.5));
             for _ in 0..6 {
                 let (p, slope) = legendre(x);
@@ -81,7 +81,7 @@ impl Rule {
         core::array::from_fn(|i| dot(&self.integrals[i], values))
     }
 
-    /// The last two coefficients: how far the polynomial through the nodes is from the function.
+    /// Magnitude of the last two coefficients, an estimate of the interpolation error.
     pub(super) fn tail(&self, values: &[f64; NODES]) -> f64 {
         dot(&self.tails[0], values).abs() + dot(&self.tails[1], values).abs()
     }
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn the_tail_tells_a_polynomial_from_another_function() {
+    fn the_tail_is_small_for_polynomials_only() {
         let rule = Rule::get();
         let noise = rule.tail(&rule.nodes.map(|x| 1.0 + x * x));
         assert!(noise < 3e-15, "{noise:e}");

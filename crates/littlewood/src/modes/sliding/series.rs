@@ -1,26 +1,26 @@
 //! Taylor series of a sliding motion about an instant.
 //!
-//! Automatic differentiation by recurrence: every product is a convolution of coefficients. The series carry
-//! θ, θ′, η′ and the two quantities whose signs limit sliding, w and P. The equations are those of [`SlidingLaw`], coefficient
-//! by coefficient; a test holds the two against each other.
+//! Automatic differentiation by recurrence: every product is a convolution of coefficients. The series are those of
+//! θ, θ′, η′ and of the two quantities whose signs limit sliding, w and P. They solve the equations of [`SlidingLaw`], which a
+//! test checks.
 
 use crate::math::bernstein::{first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
 
-/// Degree of the series. The step-size rule of Jorba and Zou asks for 20 at double precision; two more cost
+/// Degree of the series. The step-size rule of Jorba and Zou gives 20 at double precision; two more cost
 /// little and allow longer steps.
 pub(super) const DEGREE: usize = 22;
 
 /// Coefficients 0 to `DEGREE` of a power series in the time since its centre.
 pub(super) type Series = [f64; DEGREE + 1];
 
-/// Truncation error that a step may make in a coefficient's sum, relative to the size of θ′ and θ″.
-const TOLERANCE: f64 = f64::EPSILON / 4.0;
+/// Largest truncation error of a step, relative to θ′ and θ″: below the rounding.
+const TRUNCATION_TOLERANCE: f64 = f64::EPSILON / 4.0;
 
-/// Longest step: the series of a body at rest has no scale of its own.
-pub(super) const LONGEST: f64 = 16.0;
+/// Maximum of the first steps: the series of a body at rest has no time scale.
+pub(super) const INITIAL_MAX_STEP: f64 = 16.0;
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlideSeries {
@@ -33,8 +33,8 @@ pub(super) struct SlideSeries {
     pub(super) solvability: Series,
 }
 
-/// Coefficients `n` of products of series, each added up in the order of its first factor; all at a time, since an addition waits
-/// for the one before.
+/// Coefficients `n` of products of series, each summed in the order of its first factor. The interleaved sums hide the latency of
+/// the additions.
 #[inline(always)]
 fn convolve<const N: usize>(products: [(&Series, &Series); N], n: usize) -> [f64; N] {
     let mut sums = [0.0; N];
@@ -60,7 +60,7 @@ impl SlideSeries {
         let mut s = Self { theta: zero, theta_rate: zero, slip: zero, contact: zero, solvability: zero };
         let (mut sin, mut cos, mut u, mut q) = (zero, zero, zero, zero);
         let (mut lever, mut acceleration) = (zero, zero);
-        // j θ_j, the coefficients of dθ in sin θ = ∫ cos θ dθ and cos θ = −∫ sin θ dθ.
+        // j θ_j: coefficients of dθ in sin θ = ∫ cos θ dθ and cos θ = −∫ sin θ dθ.
         let mut increment = zero;
 
         s.theta[0] = theta;
@@ -101,22 +101,22 @@ impl SlideSeries {
         s
     }
 
-    /// Length of the step of a balanced hoop, ℓ = 0, whose accelerations are constant: the series end with them, and the slide
-    /// is one step, beyond the time at which η′ = 0, or the time of a turn where there is no friction.
+    /// Step of a balanced hoop, ℓ = 0. Its accelerations are constant and the series finite, so one step covers the slide up to
+    /// η′ = 0, or one turn without friction.
     pub(super) fn straight_reach(&self) -> f64 {
         let time = |speed: f64, over: f64| if speed == 0.0 { 0.0 } else { over / speed.abs() };
         let rest = time(self.slip[1], self.slip[0].abs());
         let turn = if self.slip[1] == 0.0 { time(self.theta_rate[0], core::f64::consts::TAU) } else { 0.0 };
-        LONGEST.max(1.5 * rest.max(turn))
+        INITIAL_MAX_STEP.max(1.5 * rest.max(turn))
     }
 
-    /// Length of the step on which the series has converged to the last digit, from its last two coefficients
-    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); no longer than `longest`.
+    /// Step on which the series converges to rounding, from its last two coefficients
+    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); at most `longest`.
     pub(super) fn reach(&self, longest: f64) -> f64 {
         let (rate, acceleration) = (self.theta_rate[0].abs(), self.theta_rate[1].abs());
         let mut reach = longest;
         if !self.theta_rate[DEGREE].is_finite() || !self.slip[DEGREE].is_finite() {
-            // Coefficients grow like reach^−n: overflow means a reach below 1e-13.
+            // Coefficients grow like reach^−n, so overflow means a reach below 1e-13.
             return 0.0;
         }
         for order in [DEGREE - 1, DEGREE] {
@@ -124,9 +124,10 @@ impl SlideSeries {
                 .iter()
                 .fold(0.0_f64, |size, series| size.max(series[order].abs()));
             if size > 0.0 && rate.max(acceleration) > 0.0 {
-                let of =
-                    |scale: f64, order: usize| libm::exp(libm::log(TOLERANCE * scale / size) / order as f64);
-                // θ′ grows to the size of θ″ times the step: where a fast slip ends at once, and next to P = 0, θ″ is much larger.
+                let of = |scale: f64, order: usize| {
+                    libm::exp(libm::log(TRUNCATION_TOLERANCE * scale / size) / order as f64)
+                };
+                // θ′ grows to θ″ times the step, which dominates next to P = 0 and where a fast slip ends at once.
                 let grown = of(acceleration, order - 1);
                 let grown = if grown <= 1.0 { grown } else { of(acceleration, order) };
                 reach = reach.min(of(rate, order).max(grown));
@@ -154,7 +155,7 @@ pub(super) fn crossing(series: &Series, width: f64) -> Option<f64> {
     first_crossing(series, width)
 }
 
-/// Where a series that is monotone on [0, width], of the given sign at 0, takes a level.
+/// The point of [0, width] where a monotone series takes the value `level`; `sign` is the sign of series − level at 0.
 pub(super) fn root(series: &Series, level: f64, sign: f64, width: f64) -> f64 {
     Bracket { low: 0.0, high: width }.refine(|at| {
         let (value, slope) = value_and_slope(series, at);
@@ -186,7 +187,7 @@ mod tests {
             prop_assert!((series.theta_rate[1] - expected.theta).abs() < 1e-14 * size);
             prop_assert!((series.slip[1] - expected.slip).abs() < 1e-13 * size);
             // The first integral holds along the series, term by term.
-            let at = 0.5 * series.reach(LONGEST);
+            let at = 0.5 * series.reach(INITIAL_MAX_STEP);
             let [start, then] = [0.0, at].map(|time| {
                 let [theta, theta_rate, slip] =
                     [&series.theta, &series.theta_rate, &series.slip].map(|series| value(series, time));

@@ -1,32 +1,32 @@
-//! The end of a slide next to P = 0, where its steps shrink to the resolution of the clock.
+//! The end of a slide next to P = 0, where the steps shrink to the resolution of the time.
 //!
-//! Seen with σ = +1, so that sin θ > 0: where P = 0, q = −Î/(m h sin θ) < 0. The normal force there is as large as it takes, while the
-//! angle does not change any more: θ′ falls and η′ with it, for η′ − θ′ L + μk τ is constant, L = 1 + h (cos θ + μk sin θ) > 0. How far θ′
-//! can fall tells what comes first, the end of the slip or that of the force:
+//! For σ = +1, sin θ > 0 and q = −Î/(m h sin θ) < 0 at P = 0. There the normal force grows without bound at a fixed angle, and θ′
+//! decreases. η′ decreases with θ′, since η′ − θ′ L + μk τ is constant, L = 1 + h (cos θ + μk sin θ) > 0. The limit of θ′ decides
+//! whether the slip or the normal force vanishes first:
 //!
-//! - *From above*, θ′ < 0, w ~ C ξ^λ with the distance ξ and λ = 2 Î cos θ/(sin θ P_θ). Where cos θ > 0, λ > 0 and w vanishes with ξ, at
-//!   θ′ = −1/√(h cos θ): if there η′ < 0 by the first integral, the slip has ended before. If η′ > 0, the slide jams where λ < 1 and C > 0,
-//!   and lifts off otherwise. Where cos θ ≤ 0, λ ≤ 0 and θ′ falls without bound: the slip ends.
-//! - *From below*, θ′ > 0, the slide turns back before P = 0 (λ < −1 where cos θ > 0, and w ≥ 1 where not) and leaves with −θ′, unless the
-//!   slip has ended before.
+//! - *From above*, θ′ < 0, w ~ C ξ^λ with the distance ξ and λ = 2 Î cos θ/(sin θ P_θ). If cos θ > 0, then λ > 0, and w vanishes with ξ
+//!   at θ′ = −1/√(h cos θ). If the first integral gives η′ < 0 there, the slip ends before. If η′ > 0, the slide jams for λ < 1 and
+//!   C > 0, and lifts off otherwise. If cos θ ≤ 0, then λ ≤ 0 and θ′ decreases without bound: the slip ends.
+//! - *From below*, θ′ > 0, the slide turns back before P = 0 (λ < −1 if cos θ > 0, and w ≥ 1 otherwise) and leaves with −θ′, unless the
+//!   slip ends before.
 
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
 
-/// Errors of a sum of products and of sines, in units of its largest terms.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Relative rounding error of a sum of products and of sines: sixteen roundings of ε/2.
+const SUM_ERROR: f64 = 8.0 * f64::EPSILON;
 
-/// Newton steps to the zero of P, from where P is a few last digits.
-const NEWTON_STEPS: usize = 8;
+/// Largest number of Newton steps to the zero of P. They start next to it and converge quadratically.
+const MAX_NEWTON_STEPS: usize = 8;
 
-/// What a slide does next to P = 0.
+/// The outcome of a slide next to P = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Fate {
-    /// Arrives with slip left, with N beyond all bounds.
+    /// Reaches P = 0 with η′ ≠ 0 and unbounded N.
     Jams,
-    /// The normal force has vanished before.
+    /// The normal force vanishes before.
     LiftsOff,
-    /// The slip has ended before.
+    /// The slip ends before.
     Sticks,
 }
 
@@ -36,23 +36,23 @@ pub(super) struct Approach<'a> {
     pub(super) law: &'a SlidingLaw,
     pub(super) theta: f64,
     pub(super) theta_rate: f64,
-    /// η′ = θ′ L + this.
+    /// η′ − θ′ L.
     pub(super) rest: f64,
-    /// What `rest` may be wrong by.
+    /// Error bound of `rest`.
     pub(super) error: f64,
 }
 
-/// Where P = 0.
+/// The zero of P.
 #[derive(Clone, Copy, Debug)]
 struct Zero {
-    /// From the angle of the approach.
+    /// Angle relative to that of the approach.
     ahead: f64,
     sin: f64,
     cos: f64,
     /// P_θ and P_θθ.
     slope: f64,
     bend: f64,
-    /// What the angle may be wrong by.
+    /// Error bound of the angle.
     error: f64,
 }
 
@@ -68,24 +68,24 @@ impl Zero {
             let bend = mass * h * (sin * (h * (law.friction * cos - sin) - q) + 2.0 * cos * turned);
             let size =
                 inertia + mass * h * sin.abs() * (h * sin.abs() + law.friction.abs() * (1.0 + h * cos));
-            let error = ROUNDING * (size / slope.abs() + reduced.abs());
+            let error = SUM_ERROR * (size / slope.abs() + reduced.abs());
             (law.p(sin, q), Self { ahead, sin, cos, slope, bend, error })
         };
         let (mut p, mut zero) = at(0.0);
-        for _ in 0..NEWTON_STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             if p.abs() <= zero.error * zero.slope.abs() {
                 break;
             }
             (p, zero) = at(zero.ahead - p / zero.slope);
         }
-        // Also where it is no number.
+        // Rejects NaN, too.
         (p.abs() <= zero.error * zero.slope.abs()).then_some(zero)
     }
 }
 
 impl Approach<'_> {
-    /// What follows, with θ′ there, from an earlier angle and rate of the slide, at which the first terms in the distance from P = 0
-    /// hold. None where the rounding of the numbers decides, or P = 0 is not the cause.
+    /// The outcome and the limit of θ′, from an earlier angle and rate at which the leading-order terms hold. None if
+    /// rounding decides, or if P = 0 is not the cause.
     pub(super) fn fate(&self, earlier: (f64, f64)) -> Option<(Fate, f64)> {
         let Self { law, theta, theta_rate, rest, error } = *self;
         let (h, sigma) = (law.body.h, law.friction.signum());
@@ -101,7 +101,7 @@ impl Approach<'_> {
         let slip = sigma * (last * lever + rest);
         let tilt = if is_from_above { 0.5 * sin / cos } else { 0.0 };
         let by_angle = (last * (lever * tilt + h * (law.friction * cos - sin))).abs();
-        let doubt = error + ROUNDING * (last * lever).abs() + by_angle * zero.error;
+        let doubt = error + SUM_ERROR * (last * lever).abs() + by_angle * zero.error;
         if slip < -doubt {
             sticks
         } else if slip > doubt && is_from_above {
@@ -111,19 +111,19 @@ impl Approach<'_> {
         }
     }
 
-    /// Jam or lift-off, by λ and C.
+    /// Jam or lift-off, from λ and C.
     fn without_force(&self, zero: &Zero, earlier: (f64, f64)) -> Option<Fate> {
         let law = self.law;
         let Zero { sin, cos, slope, bend, .. } = *zero;
         let exponent = 2.0 * law.body.inertia * cos / (sin * slope);
         let (theta, rate) = earlier;
         let distance = (theta - self.theta - zero.ahead).abs();
-        // The smooth part of w, to the first order.
+        // The regular part of w, to first order.
         let tangent = sin.abs() / cos;
         let smooth = tangent / (1.0 - exponent);
         let force = law.contact(theta, rate);
         let next = distance * ((bend / slope).abs() + tangent + 1.0 / tangent);
-        let doubt = ROUNDING * (1.0 + (1.0 - force).abs()) + smooth * (zero.error + distance * next);
+        let doubt = SUM_ERROR * (1.0 + (1.0 - force).abs()) + smooth * (zero.error + distance * next);
         if exponent >= 1.0 || force - smooth * distance < -doubt {
             Some(Fate::LiftsOff)
         } else {

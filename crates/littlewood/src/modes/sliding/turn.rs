@@ -1,18 +1,18 @@
-//! A slide over whole turns: a linear map, and the time of a turn as a function of the energy at its beginning.
+//! A slide over whole turns: the linear map of the energy, and the time of a turn as a function of the energy at its beginning.
 //!
-//! Seen in the direction of travel, θ′ > 0, with f = μk σ there, twice the energy about the mean drift,
+//! In the direction of travel, θ′ > 0, with f = μk σ, twice the energy relative to the mean drift,
 //! e = (Î + m h² s²) u + 2 m h c, obeys
 //!
 //! ```text
 //! de/dθ = −2 f (1 + h c) N,       N = Î m w/P,       w = 1 − h c u.
 //! ```
 //!
-//! The right side has one sign while N > 0: at each angle u = θ′² falls from turn to turn where f > 0, and rises where f < 0. It is
-//! linear in e, with periodic coefficients that are of the order of f, so that nothing cancels however small f is:
-//! e = e₀(θ) + ε A(θ), where e₀ is the slide with u = 0 at the section θs at which turns are counted. Over a turn
-//! ε becomes α ε + β, with log α = κ = f ∮ 2 m Î (1 + h c) h c/(P G) dθ, G = Î + m h² s², and u = (e − 2 m h c)/G.
+//! The right side has one sign while N > 0: at each angle u = θ′² decreases from turn to turn for f > 0, and increases for f < 0.
+//! It is linear in e, with periodic coefficients of order f, so nothing cancels as f → 0:
+//! e = e₀(θ) + ε A(θ), where e₀ is the slide with u = 0 at the section θs at which turns are counted. A turn maps
+//! ε to α ε + β, with log α = κ = f ∮ 2 m Î (1 + h c) h c/(P G) dθ, G = Î + m h² s², and u = (e − 2 m h c)/G.
 //!
-//! The section is where u is least in each turn: the unstable equilibrium of the slide, q = 0, or where |q| is least
+//! The section lies at the minimum of u in each turn: the unstable equilibrium of the slide, q = 0, or the minimum of |q|
 //! if q has no zero.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -22,19 +22,19 @@ use crate::model::Heavy;
 
 use super::panel::{NODES, Rule, largest};
 
-/// Most panels of a turn: those of very light hoops would be more.
-const MOST_PANELS: usize = 160;
+/// Largest number of panel halvings in a turn; only very light hoops would need more.
+const MAX_PANELS: usize = 160;
 
-/// Panels at the beginning, before any is halved.
-const PANELS: usize = 6;
+/// Number of panels before any is halved.
+const INITIAL_PANELS: usize = 6;
 
-/// The linear map is known to rounding where a tail of its coefficients is below this part of their largest value so far.
-const CONVERGED: f64 = 1e-14;
+/// Largest tail of the coefficients of the linear map, relative to their largest value: the map is then exact to rounding.
+const MAP_TOLERANCE: f64 = 1e-14;
 
-/// The time is, where a tail of 1/√u is below this part of its largest value: the rule is exact to twice the degree.
-const HALF_CONVERGED: f64 = 1e-8;
+/// Largest relative tail of 1/√u. The square root of the rounding suffices, since the rule is exact to twice the degree.
+const TIME_TOLERANCE: f64 = 1e-8;
 
-/// The section at which turns of a law are counted, in the direction of travel, within (−π, π].
+/// Angle of the section at which turns are counted, in the direction of travel, within (−π, π].
 pub(super) fn section(law: &SlidingLaw) -> f64 {
     // q = h √(1 + f²) sin(θ − atan f) − f.
     let f = law.friction;
@@ -47,13 +47,13 @@ pub(super) fn section(law: &SlidingLaw) -> f64 {
 /// The slides of a law through one turn from the section.
 #[derive(Clone, Debug)]
 pub(super) struct Turn {
-    /// Growth of ε in a turn, log α, and its fall β.
+    /// log α and β.
     kappa: f64,
     beta: f64,
     /// Î + m h² s² at the section: ε = G u there.
     section_inertia: f64,
     nodes: Vec<Node>,
-    /// base and gain at the top.
+    /// `base` and `gain` at the top.
     top: (f64, f64),
 }
 
@@ -64,12 +64,12 @@ struct Node {
     /// u = base + ε gain.
     base: f64,
     gain: f64,
-    /// ± lever: what the slip gains for each unit of the rate.
+    /// ± lever, the derivative of the slip velocity in the rate.
     lever: f64,
 }
 
 impl Node {
-    /// The rate of the slide with ε.
+    /// θ′ of the slide with ε.
     fn rate(&self, energy: f64) -> f64 {
         (self.base + energy * self.gain).sqrt()
     }
@@ -85,8 +85,8 @@ struct Sampled {
 }
 
 impl Turn {
-    /// The turn of a law in the direction of travel; `energies` between which times are wanted. None where P vanishes in the turn,
-    /// or too many panels would be needed.
+    /// The turn of a law in the direction of travel, accurate for times between two `energies`. None if P vanishes in the turn,
+    /// or if it needs too many panels.
     pub(super) fn new(law: &SlidingLaw, energies: Option<(f64, f64)>) -> Option<Self> {
         let rule = Rule::get();
         let Heavy { mass, h, inertia, .. } = law.body;
@@ -100,18 +100,19 @@ impl Turn {
             nodes: Vec::new(),
             top: (f64::NAN, f64::NAN),
         };
-        // The top is the end of a panel.
+        // A panel ends at the top.
         let to_top = if start > 0.0 { TAU - start } else { -start };
-        let mut ends: Vec<f64> = (0..=PANELS).map(|k| k as f64 / PANELS as f64 * TAU).collect();
+        let mut ends: Vec<f64> =
+            (0..=INITIAL_PANELS).map(|k| k as f64 / INITIAL_PANELS as f64 * TAU).collect();
         if to_top > 0.0 {
             ends.push(to_top);
             ends.sort_by(f64::total_cmp);
         }
         let mut pending: Vec<(f64, f64)> =
             ends.windows(2).rev().map(|pair| (pair[0], pair[1])).filter(|(a, b)| a < b).collect();
-        // log A/f and the work −(e₀ − e₀(θs))/(f A) up to here.
+        // log A/f and the work −(e₀ − e₀(θs))/(f A) so far.
         let (mut growth, mut work) = (0.0, 0.0);
-        // Near the bottom of a rim hoop both are small differences.
+        // The largest values so far: near the bottom of a rim hoop both are small differences.
         let mut scale = (0.0_f64, 0.0_f64);
         let f = law.friction;
         let value = |lower: f64, inertia: f64, growth: f64, work: f64| {
@@ -126,8 +127,8 @@ impl Turn {
             let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
             let sampled = Sampled::new(law, start, rule.nodes.map(|x| centre + half * x))?;
             scale = (scale.0.max(largest(&sampled.growth)), scale.1.max(largest(&sampled.work)));
-            let mut fine = rule.tail(&sampled.growth) <= CONVERGED * scale.0
-                && rule.tail(&sampled.work) <= CONVERGED * scale.1;
+            let mut fine = rule.tail(&sampled.growth) <= MAP_TOLERANCE * scale.0
+                && rule.tail(&sampled.work) <= MAP_TOLERANCE * scale.1;
             let mut nodes = [(0.0, 0.0); NODES];
             let mut works = [0.0; NODES];
             if fine {
@@ -135,7 +136,7 @@ impl Turn {
                 for i in 0..NODES {
                     works[i] = sampled.work[i] * libm::exp(-f * growths[i]);
                 }
-                fine = rule.tail(&works) <= CONVERGED * scale.1.max(largest(&works));
+                fine = rule.tail(&works) <= MAP_TOLERANCE * scale.1.max(largest(&works));
                 let sums = rule.up_to(&works);
                 for i in 0..NODES {
                     let (lower, inertia) = (sampled.lower[i], sampled.inertia[i]);
@@ -143,12 +144,12 @@ impl Turn {
                 }
                 for energy in energies.into_iter().flat_map(|(low, high)| [low, high]) {
                     let slowness = nodes.map(|(base, gain)| 1.0 / (base + energy * gain).sqrt());
-                    fine &= rule.tail(&slowness) < HALF_CONVERGED * largest(&slowness);
+                    fine &= rule.tail(&slowness) < TIME_TOLERANCE * largest(&slowness);
                 }
             }
             if !fine {
                 panels += 1;
-                if panels > MOST_PANELS {
+                if panels > MAX_PANELS {
                     return None;
                 }
                 pending.push((centre, right));
@@ -171,7 +172,7 @@ impl Turn {
         turn.top.0.is_finite().then_some(turn)
     }
 
-    /// ε where the section is passed at this rate.
+    /// ε of a slide that passes the section at this rate.
     pub(super) fn energy(&self, rate: f64) -> f64 {
         self.section_inertia * (rate * rate)
     }
@@ -191,7 +192,7 @@ impl Turn {
         self.kappa
     }
 
-    /// ε after `turns` from ε.
+    /// ε after a number of turns.
     pub(super) fn after(&self, energy: f64, turns: f64) -> f64 {
         let one = libm::expm1(self.kappa);
         if one == 0.0 {
@@ -201,7 +202,7 @@ impl Turn {
         energy + (grown * energy + self.beta * (grown / one))
     }
 
-    /// Turns from ε to `then`: none if it has been passed, infinite if it is not reached.
+    /// Number of turns from ε to `then`: zero if it was passed, infinite if it is not reached.
     pub(super) fn turns(&self, energy: f64, then: f64) -> f64 {
         let one = libm::expm1(self.kappa);
         if one == 0.0 {
@@ -216,7 +217,7 @@ impl Turn {
         self.nodes.iter().fold(0.0, |sum, node| sum + node.weight / node.rate(energy))
     }
 
-    /// h u at the top of the turn that begins with ε: the slide stays on the plane where it is below 1.
+    /// h u at the top of the turn that begins with ε; the slide stays in contact if it is below 1.
     pub(super) fn load_at_top(&self, h: f64, energy: f64) -> f64 {
         h * (self.top.0 + energy * self.top.1)
     }
@@ -226,12 +227,12 @@ impl Turn {
         (1.0 / h - self.top.0) / self.top.1
     }
 
-    /// Largest value at the nodes of the magnitude of the part of η′ that comes and goes with the turns.
+    /// Largest magnitude, over the nodes, of the oscillating part of η′.
     pub(super) fn largest_slip(&self, energy: f64) -> f64 {
         self.nodes.iter().fold(0.0, |largest, node| largest.max(node.lever.abs() * node.rate(energy)))
     }
 
-    /// Least value at the nodes of the part of σ η′ that comes and goes with the turns, σ θ′ (1 + h c + f h s).
+    /// Minimum, over the nodes, of the oscillating part of σ η′, σ θ′ (1 + h c + f h s).
     pub(super) fn lowest_slip(&self, energy: f64) -> f64 {
         self.nodes.iter().fold(f64::INFINITY, |lowest, node| lowest.min(node.lever * node.rate(energy)))
     }
@@ -247,7 +248,7 @@ fn lower_by(start: f64, angle: f64) -> f64 {
 }
 
 impl Sampled {
-    /// At these angles from the section; none where P ≤ 0 at one of them.
+    /// At angles relative to the section; none if P ≤ 0 at one of them.
     fn new(law: &SlidingLaw, start: f64, angles: [f64; NODES]) -> Option<Self> {
         let Heavy { mass, h, inertia: own, .. } = law.body;
         let mut sampled = Self {
