@@ -194,7 +194,7 @@ mod tests {
     use super::*;
     use crate::model::hoop::HoopParameters;
     use crate::walk::automaton::Cause;
-    use crate::walk::follow::{Room, Solver};
+    use crate::walk::follow::{ChainBudget, Solver};
 
     /// Whatever is left to the simulation has the same answer, only later, which no test of answers would notice.
     #[test]
@@ -225,7 +225,8 @@ mod tests {
         let motion = hoop.simulate(start, Limits::default().with_transitions(transitions)).unwrap();
         let slip = motion.transitions().iter().rfind(|one| one.cause == Cause::Slip).unwrap();
         let solver = FastSolver::new(hoop, laws, &Limits::default()).with_chains(chains);
-        let room = Room { transitions: 5_000, slides: f64::INFINITY, are_told: false, open: None };
+        let room =
+            ChainBudget { transitions: 5_000, slides: f64::INFINITY, record_phases: false, open: None };
         let place = solver.place(slip.before);
         let linked = solver.pass_links(&place, slip.direction.unwrap(), &room).expect("links");
         linked.transitions as usize

@@ -15,7 +15,9 @@ use crate::modes::rolling::{Hold, RollingLimit};
 use crate::walk::automaton::Cause;
 use crate::walk::candidates::{Arrival, Evidence, Next, SlipEvidence, next_motion, weigh};
 use crate::walk::exact::Exact;
-use crate::walk::follow::{Ending, Linked, MaybeFlight, Room, Solution, Solved, SolvedBy, Solver, next_slip};
+use crate::walk::follow::{
+    ChainBudget, ChainSegment, Ending, MaybeFlight, Solution, Solved, SolvedBy, Solver, next_slip,
+};
 use crate::walk::outcome::{Outcome, OutcomeKind};
 use crate::walk::sequence::PhaseSequence;
 
@@ -479,7 +481,12 @@ impl Solver for FastSolver<'_> {
         Self::take(self.exact.glide(&place.state, body, entry))
     }
 
-    fn pass_links(&self, place: &Place, direction: Direction, room: &Room<'_>) -> Option<Linked<Place>> {
+    fn pass_links(
+        &self,
+        place: &Place,
+        direction: Direction,
+        room: &ChainBudget<'_>,
+    ) -> Option<ChainSegment<Place>> {
         let chains = self.chains?;
         let (state, travel) = (place.state, place.travel());
         let point = chains.point(&state, direction)?;
@@ -493,7 +500,7 @@ impl Solver for FastSolver<'_> {
                 && self.is_in_time(&state, passage.elapsed)
                 && room.open.is_none_or(|open| after(passage).is_some_and(|(_, state)| open(&state)))
         };
-        let (passage, phases) = if room.are_told {
+        let (passage, phases) = if room.record_phases {
             chains.links(point, self, has_room)?
         } else {
             (chains.pass(point, self, has_room)?, PhaseSequence::default())
@@ -502,7 +509,7 @@ impl Solver for FastSolver<'_> {
         let place = Place::new(end);
         let towards = direction_of(slip.side, place.travel());
         self.computed(&end);
-        Some(Linked {
+        Some(ChainSegment {
             place,
             direction: towards,
             transitions: passage.route.transitions,

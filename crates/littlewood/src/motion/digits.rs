@@ -1,8 +1,8 @@
-//! How many digits of a motion can be trusted, by motions beside it.
+//! The number of significant digits of a motion, estimated from perturbed motions.
 //!
-//! Two things move a printed number from that of the exact motion: the numbers of the hoop and of the start are doubles, each known to its last
-//! place, and every phase of the simulation rounds. The first is measured by motions of which one of these numbers is another; the second by motions
-//! in which each phase begins and ends beside where it would, by as much as rounding may do there.
+//! A printed number differs from the exact one for two reasons: the parameters of the hoop and the start are known to the last place of a
+//! double only, and every phase of the simulation rounds. Motions with one perturbed parameter measure the first error. Motions whose
+//! phases start and end with perturbed states, by the size of the rounding, measure the second.
 
 use core::cell::Cell;
 
@@ -12,7 +12,7 @@ use crate::model::{
 };
 use crate::modes::{Flight, GlideEntry, PhaseSolution, TakeOff};
 use crate::walk::{
-    Arrival, Cause, Ending, Event, Exact, Known, Next, Origin, Outcome, PhaseSeen, Recorder, Solved,
+    Arrival, Cause, Ending, Event, Exact, Known, Next, Origin, Outcome, PhaseRecord, Recorder, Solved,
     SolvedBy, Solver, walk,
 };
 
@@ -33,28 +33,28 @@ pub struct Digits {
     pub x: u8,
 }
 
-/// Digits of a number that nothing but its own last digit makes uncertain.
-const ALL: u8 = 15;
+/// Digits of a number with an error of its last place only.
+const MAX_DIGITS: u8 = 15;
 
-/// Units of the last place by which a number is changed: enough to be seen through the rounding of the results. The change of these is
-/// taken for one unit.
-const UNITS: u64 = 8;
+/// Perturbation of a parameter in units of the last place: large enough to exceed the rounding of the results. The measured change is
+/// divided by this number.
+const PERTURBATION_ULPS: u64 = 8;
 
-/// Motions with rounding of random signs on the way. The largest change in so many is nearly two standard deviations of the change, and taken
-/// twice.
-const SHAKEN: u64 = 12;
+/// Number of motions with perturbed phases. The largest of 12 random changes is nearly two standard deviations; it counts twice.
+const PERTURBED_MOTIONS: u64 = 12;
 
-/// Places on a slide where it is shaken, its end among them.
-const PIECES: u32 = 4;
+/// Number of perturbations of a slide, with that of its end: rounding on the way may grow more than that at the start.
+const PERTURBATIONS_PER_SLIDE: u32 = 4;
 
 impl Hoop {
-    /// For each transition of the motion from `start` how many digits of its state can be trusted: those that the numbers of the hoop
-    /// and of the start determine, each known to its last place, and that rounding on the way has left.
+    /// Estimates the significant digits of the state at each transition of the motion from `start`. They account for the last place
+    /// of each parameter of the hoop and the start, and for rounding in the simulation.
     ///
-    /// Each number is changed in its last places, up and down, and the motion is simulated again, up to 24 times; and 12 times with each phase shaken
-    /// by as much as it may round, all in random directions that are the same in every call. The changes of a state are its uncertainty.
-    /// A transition is `None` from which on a motion with such a change has other events: the numbers do not decide what happens there.
-    /// Numbers that are 0, ℓ̂ = 1 and e = 1 are taken to be meant exactly, and so is μs = μk, which are changed together.
+    /// The motion is simulated again up to 24 times with one parameter perturbed up or down in its last places. Then it is simulated 12
+    /// times with each phase perturbed by its rounding in pseudo-random directions, the same in every call. The changes of a state are its
+    /// uncertainty.
+    /// A transition and all later ones are `None` if a perturbed motion has another event there: the parameters do not determine it.
+    /// Zeros, ℓ̂ = 1 and e = 1 are exact, and so is μs = μk: equal coefficients are perturbed together.
     ///
     /// ```
     /// use littlewood::{Hoop, Limits, Start};
@@ -69,20 +69,21 @@ impl Hoop {
     /// As [`Hoop::simulate`].
     pub fn digits(&self, start: Start, limits: Limits) -> Result<Vec<Option<Digits>>, ParameterError> {
         let motion = self.events(start, limits, None)?;
-        let mut spreads = Spreads { motion: &motion, of: vec![Some([0.0; 5]); motion.len()] };
+        let mut spreads = Uncertainties { motion: &motion, of: vec![Some([0.0; 5]); motion.len()] };
         for pair in self.neighbours(start) {
             let changes = pair.map(|setup| {
-                // A bound may forbid the one direction; the other remains.
+                // A bound may exclude one of the two directions.
                 Self::new(setup.hoop).ok()?.events(setup.start, limits, None).ok()
             });
-            spreads.add(changes.iter().flatten(), 0.5 / UNITS as f64);
+            spreads.add(changes.iter().flatten(), 0.5 / PERTURBATION_ULPS as f64);
         }
-        let shaken = (0..SHAKEN).map(|seed| self.events(start, limits, Some(Signs::new(seed))));
-        spreads.add(shaken.collect::<Result<Vec<_>, _>>()?.iter(), 2.0);
-        let mut decided = true;
+        let perturbed =
+            (0..PERTURBED_MOTIONS).map(|seed| self.events(start, limits, Some(RandomSigns::new(seed))));
+        spreads.add(perturbed.collect::<Result<Vec<_>, _>>()?.iter(), 2.0);
+        let mut is_determined = true;
         Ok(Vec::from_iter(spreads.of.iter().zip(&motion).map(|(spread, event)| {
-            decided &= spread.is_some();
-            let spread = spread.filter(|_| decided)?;
+            is_determined &= spread.is_some();
+            let spread = spread.filter(|_| is_determined)?;
             let values = event.state.numbers();
             let [time, theta, theta_rate, slip, x] =
                 core::array::from_fn(|place| digits(values[place], spread[place]));
@@ -90,23 +91,23 @@ impl Hoop {
         })))
     }
 
-    /// The events of a motion, with rounding on the way or without.
+    /// The events of a motion, with perturbed phases if `signs` are given.
     fn events(
         &self,
         start: Start,
         limits: Limits,
-        signs: Option<Signs>,
-    ) -> Result<Vec<Seen>, ParameterError> {
+        signs: Option<RandomSigns>,
+    ) -> Result<Vec<EventRecord>, ParameterError> {
         let state = self.check(start)?;
         limits.check(&start)?;
         let (origin, state, limits) = Origin::of(state, limits);
         let mut events = Events { origin, seen: Vec::new() };
-        let solver = Shaken { exact: Exact::new(self, &limits), signs };
+        let solver = PerturbedSolver { exact: Exact::new(self, &limits), signs };
         walk(&solver, (state, start.gap_rate), (&limits, Known::default()), &mut events);
         Ok(events.seen)
     }
 
-    /// Hoops and starts that differ in the last place of one number, closer to zero and farther.
+    /// Hoops and starts with one number perturbed in its last places, towards zero and away from it.
     fn neighbours(&self, start: Start) -> impl Iterator<Item = [Setup; 2]> {
         let setup = Setup::new(self.parameters(), start);
         let is_exact = |quantity, value: f64| {
@@ -118,21 +119,25 @@ impl Hoop {
             if coefficients_are_equal && quantity == Quantity::MuK {
                 return None;
             }
-            Some([value.to_bits().saturating_sub(UNITS), value.to_bits() + UNITS].map(|bits| {
-                let value = f64::from_bits(bits);
-                let mut setup = setup;
-                setup.set(quantity, value);
-                if coefficients_are_equal && quantity == Quantity::MuS {
-                    setup.set(Quantity::MuK, value);
-                }
-                setup
-            }))
+            Some(
+                [value.to_bits().saturating_sub(PERTURBATION_ULPS), value.to_bits() + PERTURBATION_ULPS].map(
+                    |bits| {
+                        let value = f64::from_bits(bits);
+                        let mut setup = setup;
+                        setup.set(quantity, value);
+                        if coefficients_are_equal && quantity == Quantity::MuS {
+                            setup.set(Quantity::MuK, value);
+                        }
+                        setup
+                    },
+                ),
+            )
         })
     }
 }
 
 impl Digits {
-    /// The least of the five.
+    /// The minimum of the five numbers.
     #[must_use]
     pub fn least(&self) -> u8 {
         let Self { time, theta, theta_rate, slip, x } = *self;
@@ -140,37 +145,37 @@ impl Digits {
     }
 }
 
-/// A transition, as far as it is compared.
+/// The compared data of a transition.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct EventRecord {
     state: State,
     kind: (Cause, Option<Mode>, Option<Mode>, Option<Direction>),
 }
 
-/// Keeps the transitions of a motion.
+/// Records the transitions of a motion.
 struct Events {
     origin: Origin,
-    seen: Vec<Seen>,
+    seen: Vec<EventRecord>,
 }
 
 impl Recorder<PhaseSolution> for Events {
-    fn phase(&mut self, _: PhaseSeen, _: PhaseSolution) {}
+    fn phase(&mut self, _: PhaseRecord, _: PhaseSolution) {}
 
     fn transition(&mut self, event: &Event, _: Option<&Impact>, direction: Option<Direction>) {
         let Event { state, from, to, cause } = *event;
-        self.seen.push(Seen { state: self.origin.state(state), kind: (cause, from, to, direction) });
+        self.seen.push(EventRecord { state: self.origin.state(state), kind: (cause, from, to, direction) });
     }
 }
 
-/// Changes of the numbers of each transition of a motion; none where an event is another.
-struct Spreads<'a> {
-    motion: &'a [Seen],
+/// Uncertainties of the state at each transition of a motion; none if a perturbed motion has another event.
+struct Uncertainties<'a> {
+    motion: &'a [EventRecord],
     of: Vec<Option<[f64; 5]>>,
 }
 
-impl Spreads<'_> {
-    /// Adds the largest changes in some motions, times a factor.
-    fn add<'a>(&mut self, others: impl Iterator<Item = &'a Vec<Seen>> + Clone, factor: f64) {
+impl Uncertainties<'_> {
+    /// Adds the largest changes over some motions, times a factor.
+    fn add<'a>(&mut self, others: impl Iterator<Item = &'a Vec<EventRecord>> + Clone, factor: f64) {
         for (index, (spread, seen)) in self.of.iter_mut().zip(self.motion).enumerate() {
             let mut largest = [0.0_f64; 5];
             for other in others.clone() {
@@ -191,16 +196,16 @@ impl Spreads<'_> {
     }
 }
 
-/// Signs that look random: a linear congruence.
+/// Pseudo-random signs from a linear congruential generator.
 #[derive(Clone, Debug)]
-struct Signs(Cell<u64>);
+struct RandomSigns(Cell<u64>);
 
-impl Signs {
+impl RandomSigns {
     fn new(seed: u64) -> Self {
         Self(Cell::new(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15)))
     }
 
-    /// A number moved by so much, up or down; what would be no number is left.
+    /// The value moved up or down by `by`; unchanged if the result is not finite.
     fn moved(&self, value: f64, by: f64) -> f64 {
         let state =
             self.0.get().wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -210,24 +215,24 @@ impl Signs {
     }
 }
 
-/// The exact solver, whose phases begin and end beside where they would.
-struct Shaken<'a> {
+/// The exact solver with perturbed starts and ends of phases.
+struct PerturbedSolver<'a> {
     exact: Exact<'a>,
-    signs: Option<Signs>,
+    signs: Option<RandomSigns>,
 }
 
-impl Shaken<'_> {
-    /// The start of a phase, each number moved in its last place: what a solution rounds on its way is as much as this.
-    fn begun(&self, state: &State) -> State {
+impl PerturbedSolver<'_> {
+    /// The start of a phase with each number moved in its last place, the size of the rounding within the solution.
+    fn perturbed_start(&self, state: &State) -> State {
         let State { time, theta, theta_rate, slip, x } = *state;
         let Some(signs) = &self.signs else { return *state };
         let moved = |value: f64| signs.moved(value, f64::EPSILON * value.abs());
         State { time, theta: moved(theta), theta_rate: moved(theta_rate), slip: moved(slip), x }
     }
 
-    /// A later state of a phase from a state, each number moved by the last place of what it is the sum of: of what it was, and of what the phase,
-    /// in so many steps, has added.
-    fn ended(&self, from: &State, (mode, steps): (Mode, f64), to: State) -> State {
+    /// A later state of a phase, with each number moved by the rounding of its terms: the earlier value, and the change over a number of
+    /// steps.
+    fn perturbed_end(&self, from: &State, (mode, steps): (Mode, f64), to: State) -> State {
         let Some(signs) = &self.signs else { return to };
         let least = f64::EPSILON * steps.sqrt();
         let moved = |value: f64, size: f64| signs.moved(value, least * size);
@@ -240,30 +245,30 @@ impl Shaken<'_> {
         let rate = from.theta_rate.abs().max(to.theta_rate.abs());
         let turned = from.theta.abs() + rate * duration;
         let slipped = from.slip.abs().max(to.slip.abs());
-        // Of the first integral of a slide, and of the second.
+        // Terms of the first and of the second integral of a slide.
         let velocity = slipped + rate * (1.0 + h + friction * h) + friction * duration;
         let place = from.x.abs() + h + friction * h;
         State {
             time: moved(to.time, to.time + duration),
             theta: moved(to.theta, turned),
             theta_rate: moved(to.theta_rate, rate),
-            // In contact rest is without rounding.
+            // In contact, η′ = 0 is exact.
             slip: if to.slip == 0.0 && mode != Mode::Flight { 0.0 } else { moved(to.slip, velocity) },
             x: moved(to.x, place + turned + velocity * duration),
         }
     }
 
-    /// A landing that comes earlier or later by as much as the last place of what the gap is the sum of.
-    fn landed(&self, flight: &Flight, gap_rate: f64, signs: &Signs) -> (State, f64) {
+    /// A landing with its time moved by the rounding of the terms of the gap.
+    fn perturbed_landing(&self, flight: &Flight, gap_rate: f64, signs: &RandomSigns) -> (State, f64) {
         let duration = flight.duration();
         let gap = self.hoop().h() + (flight.take_off_rate() + 0.5 * duration) * duration;
-        // A gap that grazes the plane comes to it as slowly as rounding lets it.
+        // At a grazing landing the gap rate, a divisor, may be as small as rounding.
         let late = (f64::EPSILON * gap / gap_rate.abs()).min(duration);
         let duration = signs.moved(duration, late);
         (flight.state(duration), flight.gap(duration).1)
     }
 
-    fn shaken(&self, from: &State, solved: SolvedBy<Self>) -> SolvedBy<Self> {
+    fn perturbed(&self, from: &State, solved: SolvedBy<Self>) -> SolvedBy<Self> {
         let Solved { solution, direction, ending } = solved;
         let (mode, steps) = match &solution {
             PhaseSolution::Rolling(_) => (Mode::Rolling, 1.0),
@@ -271,12 +276,14 @@ impl Shaken<'_> {
             PhaseSolution::Gliding(_) => (Mode::Gliding, 1.0),
             PhaseSolution::Flight(_) => (Mode::Flight, 1.0),
         };
-        let moved = |state: State| self.ended(from, (mode, steps), state);
+        let moved = |state: State| self.perturbed_end(from, (mode, steps), state);
         let ending = match ending {
             Ending::Event { place, cause, arrival } => Ending::Event { place: moved(place), cause, arrival },
             Ending::Landing { state, gap_rate } => {
                 let (state, gap_rate) = match (&solution, &self.signs) {
-                    (PhaseSolution::Flight(flight), Some(signs)) => self.landed(flight, gap_rate, signs),
+                    (PhaseSolution::Flight(flight), Some(signs)) => {
+                        self.perturbed_landing(flight, gap_rate, signs)
+                    }
                     _ => (state, gap_rate),
                 };
                 Ending::Landing { state: moved(state), gap_rate }
@@ -292,7 +299,7 @@ impl Shaken<'_> {
     }
 }
 
-impl Solver for Shaken<'_> {
+impl Solver for PerturbedSolver<'_> {
     type Place = State;
     type Solution = PhaseSolution;
     type Verdict = Outcome;
@@ -318,7 +325,7 @@ impl Solver for Shaken<'_> {
     }
 
     fn roll(&self, state: &State, on_limit: bool) -> SolvedBy<Self> {
-        self.shaken(state, self.exact.roll(&self.begun(state), on_limit))
+        self.perturbed(state, self.exact.roll(&self.perturbed_start(state), on_limit))
     }
 
     fn slide(
@@ -328,14 +335,14 @@ impl Solver for Shaken<'_> {
         direction: Direction,
         slip_acceleration: Option<f64>,
     ) -> SolvedBy<Self> {
-        let begun = self.begun(state);
-        let mut from = begun;
-        let mut solved = self.exact.slide(&begun, body, direction, slip_acceleration);
+        let perturbed_start = self.perturbed_start(state);
+        let mut from = perturbed_start;
+        let mut solved = self.exact.slide(&perturbed_start, body, direction, slip_acceleration);
         if self.signs.is_none() {
             return solved;
         }
-        // What is rounded on the way may grow by more than what is rounded at the start.
-        for pieces in (2..=PIECES).rev() {
+        // Rounding on the way may grow more than rounding at the start.
+        for pieces in (2..=PERTURBATIONS_PER_SLIDE).rev() {
             let (PhaseSolution::Sliding(slide), Some(end)) =
                 (&solved.solution, solved.ending.state(|place| *place))
             else {
@@ -343,15 +350,19 @@ impl Solver for Shaken<'_> {
             };
             let steps = (slide.steps() as f64 / f64::from(pieces)).max(1.0);
             let cut = slide.state((end.time - from.time) / f64::from(pieces));
-            // The first integral keeps the size of the slip with which the slide has begun.
-            let cut = self.ended(&State { slip: begun.slip, ..from }, (Mode::Sliding, steps), cut);
+            // The rounding of the first integral scales with the slip at the start of the slide.
+            let cut = self.perturbed_end(
+                &State { slip: perturbed_start.slip, ..from },
+                (Mode::Sliding, steps),
+                cut,
+            );
             if Direction::of_sign(cut.slip) != Some(direction) {
                 break;
             }
             from = cut;
             solved = self.exact.slide(&from, body, direction, None);
         }
-        self.shaken(&State { slip: begun.slip, ..from }, solved)
+        self.perturbed(&State { slip: perturbed_start.slip, ..from }, solved)
     }
 
     fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
@@ -361,25 +372,25 @@ impl Solver for Shaken<'_> {
             }
             (take_off @ (TakeOff::Rising { .. } | TakeOff::Grazing | TakeOff::Unloaded), _) => take_off,
         };
-        self.shaken(state, self.exact.fly(&self.begun(state), body, take_off))
+        self.perturbed(state, self.exact.fly(&self.perturbed_start(state), body, take_off))
     }
 
     fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {
-        self.shaken(state, self.exact.settle(&self.begun(state), body, settling))
+        self.perturbed(state, self.exact.settle(&self.perturbed_start(state), body, settling))
     }
 
     fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> SolvedBy<Self> {
-        // A glide begins with forces that go with its state, which is not moved without them.
-        self.shaken(state, self.exact.glide(state, body, entry))
+        // The entry of a glide is tied to its state, so the start is not perturbed.
+        self.perturbed(state, self.exact.glide(state, body, entry))
     }
 }
 
-/// Significant digits of a value that is uncertain by `spread`.
+/// Significant digits of a value with the uncertainty `spread`.
 fn digits(value: f64, spread: f64) -> u8 {
     if value.is_infinite() || spread == 0.0 {
-        return if spread == 0.0 { ALL } else { 0 };
+        return if spread == 0.0 { MAX_DIGITS } else { 0 };
     }
     let relative = f64::EPSILON + spread / value.abs();
-    // Rounds down; infinite where the value is 0.
-    (-libm::log10(relative)).clamp(0.0, f64::from(ALL)) as u8
+    // Rounds down. The error of a value 0 is infinite.
+    (-libm::log10(relative)).clamp(0.0, f64::from(MAX_DIGITS)) as u8
 }

@@ -1,17 +1,17 @@
-//! The simulation: the walk along the automaton with exact solutions, kept as a trajectory.
+//! The simulation: the walk along the automaton with exact solutions, recorded as a trajectory.
 
 use crate::mechanics::Impact;
 use crate::model::{Body, Direction, Hoop, Limits, ParameterError, Start, State};
 use crate::modes::PhaseSolution;
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::{Event, Exact, Known, Origin, Outcome, PhaseSeen, Recorder, Transition, walk};
+use crate::walk::{Event, Exact, Known, Origin, Outcome, PhaseRecord, Recorder, Transition, walk};
 
 impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.
     ///
-    /// Each transition is isolated as a root of the solution and located to machine precision: to a few units of what the last digits of
-    /// hoop and start determine (docs/accuracy.md measures it, and says where digits are lost). The result is the same on every platform,
-    /// bit for bit. Without a coefficient of restitution the motion ends where the rim lands; with one it goes on.
+    /// Each transition is isolated as a root of the solution and located to machine precision, that is, to a few times the uncertainty
+    /// due to the last digits of hoop and start (docs/accuracy.md gives measurements). The result is identical on every platform,
+    /// bit for bit. Without a coefficient of restitution the motion ends at the first landing.
     ///
     /// ```
     /// use littlewood::{Hoop, Limits, Mode, Start};
@@ -46,7 +46,7 @@ impl Hoop {
         Ok(trajectory)
     }
 
-    /// Refuses a start that this hoop cannot have.
+    /// Checks a start for this hoop.
     pub(crate) fn check(&self, start: Start) -> Result<State, ParameterError> {
         let state = start.check()?;
         match self.body() {
@@ -59,8 +59,8 @@ impl Hoop {
 }
 
 impl Recorder<PhaseSolution> for Trajectory {
-    fn phase(&mut self, phase: PhaseSeen, solution: PhaseSolution) {
-        let PhaseSeen { start, end, .. } = phase;
+    fn phase(&mut self, phase: PhaseRecord, solution: PhaseSolution) {
+        let PhaseRecord { start, end, .. } = phase;
         let Self { hoop, origin, .. } = *self;
         self.phases.push(Phase { hoop, origin, solution, start, end, ended_by: None });
     }

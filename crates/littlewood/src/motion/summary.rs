@@ -1,4 +1,4 @@
-//! The summary of a motion: outcome, sequence of phases, the end, first slip, lift-off and jump.
+//! The summary of a motion: outcome, sequence of phases, end, first slip, lift-off and jump.
 
 use crate::math::trig::sincos;
 use crate::mechanics::{Impact, energy_at};
@@ -6,10 +6,11 @@ use crate::model::{Direction, Hoop, Mode, State};
 use crate::modes::{Flight, PhaseSolution};
 use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{
-    Cause, Event, MaybeFlight, Origin, OutcomeKind, PhaseSeen, PhaseSequence, Recorder, Transition, Wants,
+    Cause, Event, MaybeFlight, Origin, OutcomeKind, PhaseDetail, PhaseRecord, PhaseSequence, Recorder,
+    Transition,
 };
 
-/// The summary of a motion. Times, angles and lengths are dimensionless; what did not happen is NaN.
+/// The summary of a motion. All values are dimensionless; the values of absent events are NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -20,9 +21,9 @@ pub struct Summary {
     pub sequence: PhaseSequence,
     /// Number of transitions.
     pub transitions: u32,
-    /// State at the end, or where the phase begins that lasts for ever ([`crate::Outcome::state`]).
+    /// State at the end, or at the start of an endless phase ([`crate::Outcome::state`]).
     pub end: State,
-    /// Energy there (2.8). Infinite rates make it NaN.
+    /// Energy at this state (2.8); NaN if a rate is infinite.
     pub energy: f64,
     /// Time of the first slip out of rolling; NaN if none.
     pub first_slip_time: f64,
@@ -32,19 +33,19 @@ pub struct Summary {
     pub jump_length: f64,
     /// Largest gap between the rim and the plane in the first flight; NaN without landing.
     pub jump_height: f64,
-    /// Number of landings; bounces that settle, all together, count as none.
+    /// Number of landings, without settling bounces.
     pub landings: u32,
-    /// Energy lost in impacts, those of settling and jams among them.
+    /// Energy lost in impacts, including settling and jams.
     pub impact_energy_lost: f64,
-    /// Time from which on the rim stays at the plane after it has left it: of the last landing without rebound, or of the end
-    /// of the last bounces. NaN where it has never left it, or is off it at the end.
+    /// Time after which the rim stays on the plane: the last landing without rebound, or the end of the last
+    /// settling bounces. NaN if the rim never leaves the plane, or is off the plane at the end.
     pub settle_time: f64,
-    /// Whether the motion met P ≤ 0 (Painlevé): no motion, several, a singular slide, or a jam.
+    /// Whether P ≤ 0 occurred (Painlevé): no consistent motion, several, a singular slide, or a jam.
     pub painleve: bool,
 }
 
 impl Summary {
-    /// The summary of a point whose parameters contradict each other.
+    /// The summary of a point with contradictory parameters.
     pub const INVALID: Self = Self::without_motion(OutcomeKind::Invalid);
 
     /// The summary of a point that has not been computed.
@@ -71,23 +72,23 @@ impl Summary {
     }
 }
 
-/// Makes a summary of a motion from its phases and transitions.
+/// Builds a summary from the phases and transitions of a motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SummaryRecorder<'a> {
     hoop: &'a Hoop,
     origin: Origin,
     summary: Summary,
-    /// Where the last phase begins and with which rate of the gap, if it is a flight that no impact has ended.
+    /// Start and initial gap rate of the last phase, if it is a flight not yet ended by an impact.
     flight: Option<(State, f64)>,
     /// Largest gap of the flight before the first landing.
     jump_height: f64,
-    /// Rate of the gap after the last impact, if no phase has followed it.
+    /// Gap rate after the last impact, if no phase has followed.
     gap_rate: f64,
 }
 
 impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
-    fn phase(&mut self, phase: PhaseSeen, solution: S) {
+    fn phase(&mut self, phase: PhaseRecord, solution: S) {
         self.summary.sequence.push(phase.mode, phase.direction);
         (self.flight, self.gap_rate) = (None, 0.0);
         let Some(flight) = solution.flight() else { return };
@@ -126,8 +127,8 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
         }
     }
 
-    fn wants(&self) -> Wants {
-        if self.summary.sequence.is_truncated() { Wants::Number } else { Wants::Modes }
+    fn detail(&self) -> PhaseDetail {
+        if self.summary.sequence.is_truncated() { PhaseDetail::Number } else { PhaseDetail::Modes }
     }
 
     fn links(&mut self, transitions: u32, phases: PhaseSequence) {
@@ -137,26 +138,26 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
 }
 
 impl<'a> SummaryRecorder<'a> {
-    /// Of a motion that is followed from this origin.
+    /// A recorder of a motion with this origin.
     pub(crate) const fn new(hoop: &'a Hoop, origin: Origin) -> Self {
         let summary =
             Summary { impact_energy_lost: 0.0, ..Summary::without_motion(OutcomeKind::NotComputed) };
         Self { hoop, origin, summary, flight: None, jump_height: f64::NAN, gap_rate: 0.0 }
     }
 
-    /// The summary of a motion that ended in this way, at this state, as seen from the origin.
+    /// The summary of a motion with this outcome and end; the end is relative to the origin.
     pub(crate) fn finish(self, outcome: OutcomeKind, end: State) -> Summary {
         let Self { hoop, origin, mut summary, flight, mut gap_rate, .. } = self;
         (summary.outcome, summary.end) = (outcome, origin.state(end));
         summary.painleve |= outcome.is_painleve();
         let mut last = end;
         if let Some(start) = flight {
-            // The energy of a flight is that of its start, where there is no gap.
+            // The energy of a flight is that of its start, where the gap is zero.
             (last, gap_rate) = start;
         }
         if !summary.sequence.is_empty() {
             let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, gap_rate));
-            // Where a rate is infinite the energy is not a number.
+            // The energy is NaN if a rate is infinite.
             summary.energy = if energy.is_finite() { energy } else { f64::NAN };
         }
         summary
@@ -171,13 +172,13 @@ impl MaybeFlight for &PhaseSolution {
 }
 
 impl Trajectory {
-    /// The motion in a few numbers.
+    /// The summary of the motion.
     #[must_use]
     pub fn summary(&self) -> Summary {
         let mut recorder = SummaryRecorder::new(self.hoop(), self.origin);
         let mut transitions = self.transitions().iter().peekable();
-        // A transition has its place at the end of a phase, as seen from the origin; a jam before a phase has none, and needs none.
-        let mut tell = |recorder: &mut SummaryRecorder<'_>, ended: Option<&Phase>| {
+        // The state of a transition relative to the origin is that of the end of its phase. A jam before a phase does not need it.
+        let mut record = |recorder: &mut SummaryRecorder<'_>, ended: Option<&Phase>| {
             let ends = ended.is_some();
             while let Some(transition) = transitions.next_if(|next| next.from.is_some() == ends) {
                 let Transition { before, impact, from, to, direction, cause, .. } = *transition;
@@ -190,18 +191,18 @@ impl Trajectory {
             }
         };
         for phase in self.phases() {
-            // Jams from states without a consistent motion come before the phase that they lead to.
-            tell(&mut recorder, None);
-            let seen = PhaseSeen {
+            // Jams from states without a consistent motion precede the next phase.
+            record(&mut recorder, None);
+            let seen = PhaseRecord {
                 mode: phase.mode(),
                 direction: phase.direction(),
                 start: phase.start,
                 end: phase.end,
             };
             recorder.phase(seen, phase.solution());
-            tell(&mut recorder, Some(phase));
+            record(&mut recorder, Some(phase));
         }
-        tell(&mut recorder, None);
+        record(&mut recorder, None);
         recorder.finish(self.outcome.kind(), self.outcome.state())
     }
 }

@@ -1,54 +1,54 @@
-//! The automaton of the paper as a table of edges: from which mode, on which event, to which mode.
+//! The automaton of the paper as a table of edges: mode, event, next mode.
 //!
-//! [`crate::Hoop::simulate`] takes no other edge; the tests hold every simulated transition against this table, and
-//! the table against the motions, so that no edge is there for show.
+//! [`crate::Hoop::simulate`] takes no other edge. The tests check every simulated transition against the table, and
+//! that motions take every edge.
 
 use crate::mechanics::Impact;
 use crate::model::{Direction, Mode, State, named};
 use crate::modes::RollingLimit;
 
 named! {
-    /// What ends a phase of motion.
+    /// The event that ends a phase.
     pub enum Cause, "cause of a transition",
-    /// Label, and whether the motion goes on in contact without a loss.
+    /// Label, and whether the motion stays in contact without an impact.
     row: (&'static str, bool) {
-        /// Rolling: static friction gives way, |F| = μs N (2.13, 3.9).
+        /// Rolling: static friction reaches its limit, |F| = μs N (2.13, 3.9).
         Slip = 0, "slip" => ("slip", true);
-        /// Rolling of a massless hoop: N = 0 before static friction gives way (3.8).
+        /// Rolling of a massless hoop: N = 0 before |F| = μs N (3.8).
         NormalForceZero = 1, "normal_force_zero" => ("N = 0", true);
         /// Sliding or gliding: η′ = 0, and static friction holds.
         Stick = 2, "stick" => ("stick", true);
-        /// Sliding or gliding: η′ = 0, and the slip goes on in the other direction.
+        /// Sliding or gliding: η′ changes sign.
         Reversal = 3, "reversal" => ("reversal", true);
-        /// Sliding or gliding: η′ = 0 is touched, and the slip goes on in the same direction.
+        /// Sliding or gliding: η′ touches zero without a change of sign.
         Graze = 4, "graze" => ("graze", true);
         /// Sliding: N = 0 with the mass centre rising (§2d).
         LiftOff = 5, "lift_off" => ("lift-off", false);
-        /// Flight: the rim touches the plane (§2e). With a coefficient of restitution the impact is part of it.
+        /// Flight: the rim touches the plane (§2e); with a coefficient of restitution the event includes the impact.
         Landing = 6, "landing" => ("landing", false);
         /// Gliding: the particle on the rim reaches the plane, θ = ±π (3.20).
         ParticleAtPlane = 7, "particle_at_plane" => ("particle at the plane", false);
-        /// Gliding: a particle inside the rim reaches its lowest place, θ = ±π.
+        /// Gliding: a particle inside the rim reaches its lowest point, θ = ±π.
         ParticleAtBottom = 8, "particle_at_bottom" => ("particle at the bottom", false);
-        /// Gliding: the particle reaches θ = 0 with velocity to spare.
+        /// Gliding: the particle reaches θ = 0 with upward velocity left.
         ParticleAtTop = 9, "particle_at_top" => ("particle at the top", false);
         /// Sliding: P = Î + m h sin θ q reaches zero while N > 0 (Painlevé).
         Singularity = 10, "singularity" => ("P = 0", false);
-        /// Flight: bounces without number have come to their end, and the rim stays at the plane.
+        /// Flight: infinitely many bounces have ended, and the rim stays on the plane.
         Settle = 11, "settle" => ("settles", false);
-        /// Sliding where P ≤ 0: an impact without a collision ends the slip (Painlevé).
+        /// Sliding with P ≤ 0: an impact without collision ends the slip (Painlevé).
         Jam = 12, "jam" => ("jam", false);
     }
 }
 
 impl Cause {
-    /// In words, for tables and pictures.
+    /// Label for tables and figures.
     #[must_use]
     pub const fn label(self) -> &'static str {
         self.row().0
     }
 
-    /// Whether the motion goes on in contact, and what it conserves is conserved.
+    /// Whether the motion stays in contact without an impact, so that its first integrals continue to hold.
     pub(crate) const fn keeps_contact(self) -> bool {
         self.row().1
     }
@@ -67,23 +67,23 @@ named! {
 /// An edge of the automaton.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Edge {
-    /// Bodies that have it.
+    /// Class of bodies to which it applies.
     pub body: BodyClass,
-    /// Mode that ends; none where no motion was consistent.
+    /// Mode that ends; none if no motion was consistent.
     pub from: Option<Mode>,
     /// Event.
     pub cause: Cause,
-    /// Condition, in the symbols of the paper.
+    /// Guard condition, in the symbols of the paper.
     pub guard: &'static str,
-    /// What is set at the transition; everything else is continuous.
+    /// Quantities set at the transition; all others are continuous.
     pub reset: &'static str,
-    /// Mode that begins; none where the simulation ends.
+    /// Mode that begins; none if the simulation ends.
     pub to: Option<Mode>,
-    /// Where the paper has it.
+    /// Equation or section of the paper, or another source.
     pub source: &'static str,
 }
 
-/// Edges, one a line: body, mode that ends, event, mode that begins; guard, reset, source.
+/// Edges, one per line: body, mode that ends, event, mode that begins; guard, reset, source.
 macro_rules! edges {
     ($( $body:ident: $from:expr, $cause:ident, $to:expr => $guard:literal, $reset:literal, $source:literal; )+) => {
         &[$( Edge {
@@ -128,7 +128,7 @@ pub const EDGES: &[Edge] = {
     }
 };
 
-/// The edge that a transition takes, if the table has it.
+/// The edge of a transition; none if the table does not contain it.
 #[must_use]
 pub fn find_edge(
     body: BodyClass,
@@ -140,7 +140,7 @@ pub fn find_edge(
 }
 
 impl RollingLimit {
-    /// The event.
+    /// The event at which rolling ends.
     #[must_use]
     pub const fn cause(self) -> Cause {
         match self {
@@ -150,7 +150,7 @@ impl RollingLimit {
     }
 }
 
-/// An event between two phases, or at the end of the last.
+/// An event between two phases, or at the end of the last phase.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Event {
     /// State just before.
@@ -174,13 +174,13 @@ impl Event {
 pub struct Transition {
     /// State just before.
     pub before: State,
-    /// State just after: the same, unless there is an impact.
+    /// State just after; equal to `before` unless there is an impact.
     pub after: State,
-    /// The impact, if the velocities jump. Where bounces have settled it is all of theirs together.
+    /// The impact, if the velocities jump. For bounces that settle it is the sum of their impacts.
     pub impact: Option<Impact>,
-    /// Mode that ends; none where a hoop jams from a state at which no motion was consistent.
+    /// Mode that ends; none for a jam from a state without a consistent motion.
     pub from: Option<Mode>,
-    /// Mode that begins; none where the motion is not followed further.
+    /// Mode that begins; none if the simulation ends.
     pub to: Option<Mode>,
     /// Direction of slip of the motion that begins.
     pub direction: Option<Direction>,

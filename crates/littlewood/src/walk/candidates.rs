@@ -1,6 +1,6 @@
-//! Which motion follows: the candidates that the accelerations admit, all together.
+//! The motion that follows a state: all candidates that are consistent with the accelerations.
 //!
-//! At η′ = 0 three motions compete: rolling (|F| ≤ μs N, N > 0), sliding to either side (N > 0 and σ η″ > 0, or
+//! At η′ = 0 three motions compete: rolling (|F| ≤ μs N, N > 0), sliding in either direction (N > 0 and σ η″ > 0, or
 //! η″ = 0 and η‴ of that sign) and flight (1 − h cos θ θ′² < 0, or = 0 and falling). With the forces N and F of
 //! rolling, the slip acceleration of sliding is
 //!
@@ -8,11 +8,11 @@
 //! η″ = −D (F + μk σ N)/(m P),
 //! ```
 //!
-//! so that for P > 0 only σ = −sign F can slide, and only if |F| > μk N. While μk N < |F| ≤ μs N both rolling and
-//! sliding would agree with their accelerations; it is the meaning of static friction that a body at rest against
-//! the plane then stays at rest. A slide from rest is therefore a candidate only where rolling is not.
+//! So for P > 0 only σ = −sign F can slide, and only if |F| > μk N. For μk N < |F| ≤ μs N both rolling and
+//! sliding are consistent with their accelerations; by the definition of static friction the contact then sticks. So
+//! a slide from η′ = 0 is a candidate only if rolling is not.
 //!
-//! One candidate is taken. None or several (Painlevé: P ≤ 0) is an answer of its own.
+//! The motion continues if there is exactly one candidate. None or several (Painlevé: P ≤ 0) is an outcome.
 
 use crate::mechanics::{
     ContactForces, RollingLaw, SlidingLaw, contact, leaves_plane, slip_acceleration_at_rest,
@@ -20,7 +20,7 @@ use crate::mechanics::{
 use crate::model::{Body, Detail, Dimension, Direction, Heavy, Hoop, Massless, Mode, State};
 use crate::modes::{GlideEntry, Hold, RollingLimit, RollingOrbit, TakeOff};
 
-/// The motions that might follow at a state, and what decides between them.
+/// The candidate motions at a state, and the quantities that decide between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -37,20 +37,20 @@ pub struct Candidates {
     pub gliding: bool,
     /// N and F that rolling would need (2.12).
     pub rolling_forces: ContactForces,
-    /// 1 − h cos θ θ′²: negative where the body would leave the plane.
+    /// 1 − h cos θ θ′²; negative if the body would leave the plane.
     pub contact: f64,
-    /// P = Î + m h sin θ q for σ = −1 and σ = +1; sliding is not well posed where it is not positive (Painlevé).
+    /// P = Î + m h sin θ q for σ = −1 and σ = +1; sliding is not well posed for P ≤ 0 (Painlevé).
     pub solvability: [f64; 2],
 }
 
 impl Candidates {
-    /// Number of motions that are consistent.
+    /// Number of consistent motions.
     #[must_use]
     pub fn count(&self) -> usize {
         self.consistent().count()
     }
 
-    /// The numbers that decide, with the names that records use.
+    /// The deciding quantities with their names in records.
     #[must_use]
     pub const fn details(&self) -> [(&'static str, Detail); 5] {
         let [negative, positive] = self.solvability;
@@ -77,14 +77,14 @@ impl Candidates {
     }
 }
 
-/// The motion that follows.
+/// The motion that begins.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Next {
-    /// `on_limit` where |F| = μs N, and static friction holds from there on.
+    /// `on_limit` if |F| = μs N at the start and static friction holds after it.
     Roll {
         on_limit: bool,
     },
-    /// `slip_acceleration` where η′ = 0.
+    /// `slip_acceleration` is η″ at a start with η′ = 0.
     Slide {
         body: Heavy,
         direction: Direction,
@@ -102,23 +102,23 @@ pub(crate) enum Next {
     Several(Box<Candidates>),
 }
 
-/// How the state was reached, which resolves ties on a boundary.
+/// How the state was reached; resolves ties on a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Arrival {
-    /// No boundary: a start, or a slide that came to rest.
+    /// On no known boundary: a start, or the end of a slide.
     Open,
-    /// The slip of a glide has just come to rest, where the normal force of rolling is positive or negative.
+    /// The slip of a glide vanishes. `presses` if the normal force of rolling is positive.
     GlideAtRest { presses: bool },
-    /// Rolling has just reached this limit.
+    /// Rolling reaches this limit.
     RollingLimit(RollingLimit),
-    /// A slide without kinetic friction has come back to the limit of static friction, and slips on in this direction; or static
-    /// friction holds from there on.
+    /// A slide without kinetic friction returns to the limit of static friction. The slip continues in this direction, or none if static
+    /// friction holds.
     BackOnLimit(Option<Direction>),
-    /// The normal force of a slide has just vanished, w falling through zero: only flight follows.
+    /// The normal force of a slide vanishes, with w decreasing: only flight follows.
     LiftOff,
 }
 
-/// Decides which motion follows at `state`, from the exact conditions.
+/// Decides which motion begins at `state`, from the exact conditions.
 pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next {
     match hoop.body() {
         Body::Heavy(body) => match arrival {
@@ -134,7 +134,7 @@ pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next 
     }
 }
 
-/// Quantities on which the decision for a heavy hoop rests.
+/// The quantities that decide for a heavy hoop.
 pub(crate) struct Evidence<P> {
     /// w = 1 − h cos θ θ′².
     pub(crate) contact: f64,
@@ -146,21 +146,20 @@ pub(crate) struct Evidence<P> {
     pub(crate) solvability: P,
     /// Whether P > 0 in both directions.
     pub(crate) is_solvable: bool,
-    /// Whether rolling, if it follows, begins with |F| = μs N.
+    /// Whether rolling would begin with |F| = μs N.
     pub(crate) on_limit: bool,
 }
 
-/// State of the slip.
+/// Evidence about the slip.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum SlipEvidence {
     /// η′ ≠ 0.
     Moving(Direction),
-    /// η′ = 0: whether static friction sustains rolling, N and F of rolling, and D.
+    /// η′ = 0, with N, F and D of rolling.
     AtRest { hold: Hold, rolling_forces: ContactForces, denominator: f64 },
 }
 
-/// From the state by the exact rules: rolling is decided by the coefficients of the margins from which the end of
-/// rolling is found, too.
+/// Evaluates the evidence at a state. Rolling is decided by the same margins from which its end is computed.
 fn exact_evidence(
     hoop: &Hoop,
     body: &Heavy,
@@ -208,7 +207,7 @@ fn exact_evidence(
     }
 }
 
-/// Weighs all candidates for the motion of a heavy hoop together.
+/// Decides between all candidates for a heavy hoop.
 #[inline(always)]
 pub(crate) fn weigh<P: Fn(Direction) -> f64>(
     hoop: &Hoop,
@@ -218,8 +217,8 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
 ) -> Next {
     let Evidence { contact, leaves, slip, ref solvability, is_solvable, on_limit } = *evidence;
     if is_solvable && contact != 0.0 {
-        // Without Painlevé's paradox the candidates exclude each other: the plane presses on a hoop in contact where w > 0,
-        // and while N > 0 in rolling, friction drives a slide only against its own direction.
+        // For P > 0 the candidates exclude each other: contact requires w > 0, and with N > 0 in rolling a slide begins only against
+        // the friction force.
         match slip {
             _ if leaves => return Next::Fly { body: *body, take_off: TakeOff::Unloaded },
             SlipEvidence::Moving(direction) => {
@@ -247,8 +246,8 @@ pub(crate) fn weigh<P: Fn(Direction) -> f64>(
     weigh_all((hoop, body, state), (contact, leaves), (slip, on_limit), Direction::ALL.map(solvability))
 }
 
-/// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`, where N > 0 never less than that. With a large
-/// coefficient μs N is large where N is a small difference, and F has the digits; on the limit −σF = μs N.
+/// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`; at least `excess` for N > 0. With a large
+/// μs the term μs N amplifies the cancellation in N, so F is used instead; on the limit −σF = μs N.
 pub(crate) fn slip_drive(hoop: &Hoop, forces: &ContactForces, (direction, excess): (Direction, f64)) -> f64 {
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
     if mu_s <= 1.0 {
@@ -263,21 +262,21 @@ pub(crate) fn slip_drive(hoop: &Hoop, forces: &ContactForces, (direction, excess
     }
 }
 
-/// The same without a short cut.
+/// The general case of [`weigh`], which includes P ≤ 0 and w = 0.
 fn weigh_all(
     (hoop, body, state): (&Hoop, &Heavy, &State),
     (contact, leaves): (f64, bool),
     (slip, on_limit): (SlipEvidence, bool),
     solvability: [f64; 2],
 ) -> Next {
-    // N = Î m w/P > 0; with w = 0 the normal force grows from zero if the body does not leave the plane.
+    // N = Î m w/P > 0; for w = 0 the normal force increases from zero unless the body leaves the plane.
     let w = if contact == 0.0 && !leaves { 1.0 } else { contact };
     let pressed = |direction: Direction| {
         let p = solvability[direction.index()];
         (w > 0.0 && p > 0.0) || (w < 0.0 && p < 0.0)
     };
 
-    // Of a slide that is consistent, η″ where η′ = 0.
+    // For each consistent slide, η″ if η′ = 0.
     let mut sliding: [Option<Option<f64>>; 2] = [None; 2];
     let mut rolling = false;
     match slip {
@@ -294,12 +293,12 @@ fn weigh_all(
             for (against, direction, excess) in slip.into_iter().flat_map(|(against, excess)| {
                 [against, against.reversed()].map(|direction| (against, direction, excess))
             }) {
-                // −(σF + μk N): towards `against` it is |F| − μk N, from the excess over μs N that made the
-                // decision, so that its sign cannot differ.
+                // −(σF + μk N). Towards `against` it equals |F| − μk N and follows from the excess over μs N that decided against
+                // rolling, so the signs agree.
                 let drive = if direction == against {
                     slip_drive(hoop, &forces, (direction, excess))
                 } else {
-                    // On the limit of a large coefficient F may be zero but for rounding, which then tells either side of the cone.
+                    // On the limit with a large μs, F may vanish to rounding, and its sign need not agree with `against`.
                     let rounds = excess == 0.0 && hoop.mu_s() > 1.0;
                     let along =
                         if rounds { direction.sign() * forces.friction } else { forces.friction.abs() };
@@ -310,7 +309,7 @@ fn weigh_all(
                     continue;
                 }
                 let acceleration = slip_acceleration_at_rest(body.mass, denominator, drive, p);
-                // On the static limit with μs = μk it is 0, and η‴ has the sign of `against`.
+                // On the static limit with μs = μk it vanishes, and η‴ has the sign of `against`.
                 if acceleration > 0.0 || (drive == 0.0 && direction == against) {
                     sliding[direction.index()] = Some(Some(direction.sign() * acceleration));
                 }
@@ -344,7 +343,7 @@ fn weigh_all(
     }
 }
 
-/// The direction against the friction force that rolling would need, and by how much it exceeds μs N.
+/// The direction against the friction force of rolling, and |F| − μs N.
 fn opposing(forces: &ContactForces, mu_s: f64) -> Option<(Direction, f64)> {
     let direction = Direction::of_sign(forces.friction)?.reversed();
     Some((direction, forces.friction.abs() - mu_s * forces.normal))
@@ -364,7 +363,7 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
         return Next::Roll { on_limit: false };
     }
     let contact = contact(1.0, body.offset, libm::cos(theta) * (theta_rate * theta_rate));
-    // At the top the particle must have just the acceleration of free fall: ℓ̂ θ′² = 1.
+    // At the top a glide requires the acceleration of free fall: ℓ̂ θ′² = 1.
     if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
         let entry = match arrival {
             Arrival::Open | Arrival::BackOnLimit(_) | Arrival::LiftOff if !at_rest => GlideEntry::Moving,

@@ -1,4 +1,4 @@
-//! Phases solved exactly: closed forms, elliptic integrals and converged Taylor series.
+//! The exact solver: closed forms, elliptic integrals and converged Taylor series.
 
 use core::cell::Cell;
 
@@ -18,38 +18,38 @@ pub(crate) struct Exact<'a> {
     hoop: &'a Hoop,
     until: Option<f64>,
     proof: Proof,
-    /// Steps that hard slides may still take.
+    /// Remaining steps of hard slides.
     steps: Cell<usize>,
 }
 
-/// Largest number of steps of all hard slides of a motion: a quarter of a second, and 60 MB. Their length says nothing of them: a hoop of Î = 1e-12 m that comes
-/// to rest next to a graze needs 43,000 steps for a length of 4e-4.
-const MAX_STEPS: usize = 100_000;
+/// Largest number of steps of all hard slides of a motion: a quarter of a second, and 60 MB. The length of a slide does not bound its
+/// steps: a hoop of Î = 1e-12 m that comes to rest near a graze takes 43,000 steps for a length of 4e-4.
+const MAX_STEPS_OF_HARD_SLIDES: usize = 100_000;
 
-/// Slides of no more steps are not hard: the length of all slides limits them. Whoever computes phases otherwise leaves the hard ones to this solver, so that
-/// they are counted alike.
-const ORDINARY: usize = 2_000;
+/// Largest number of steps of a slide that is not hard; the total length limits such slides. Other solvers delegate hard slides to this
+/// one, so that the count is the same.
+const MAX_STEPS_OF_EASY_SLIDE: usize = 2_000;
 
 type ExactEnding = Ending<State, Outcome>;
 
 impl<'a> Exact<'a> {
     pub(crate) const fn new(hoop: &'a Hoop, limits: &Limits) -> Self {
-        Self { hoop, until: limits.until, proof: limits.proof(), steps: Cell::new(MAX_STEPS) }
+        Self { hoop, until: limits.until, proof: limits.proof(), steps: Cell::new(MAX_STEPS_OF_HARD_SLIDES) }
     }
 
-    /// Time left until the limit.
+    /// Time to the time limit.
     fn allowed(&self, state: &State) -> Option<f64> {
         self.until.map(|until| until - state.time)
     }
 
-    /// A phase cut at the time limit, with just the time that was asked for.
+    /// A phase cut at the time limit, with the exact time of the limit.
     fn stopped(&self, state: State) -> ExactEnding {
         let state = State { time: self.until.unwrap_or(state.time), ..state };
-        Self::given_up(state, Outcome::TimeLimit { state })
+        Self::without_event(state, Outcome::TimeLimit { state })
     }
 
     /// The end of the motion without an event.
-    const fn given_up(state: State, verdict: Outcome) -> ExactEnding {
+    const fn without_event(state: State, verdict: Outcome) -> ExactEnding {
         Ending::Motion { event: None, end: Some(state), verdict }
     }
 
@@ -58,7 +58,7 @@ impl<'a> Exact<'a> {
         Ending::Motion { event: Some((cause, state)), end: Some(state), verdict: outcome }
     }
 
-    /// A flight, with what ends it at its end, if the limit does not before.
+    /// A flight that ends by `ends`, or at the time limit if that comes first.
     fn flown(&self, flight: Flight, start: &State, ends: impl Fn(State) -> ExactEnding) -> SolvedBy<Self> {
         let duration = flight.duration();
         let ending = match self.allowed(start) {
@@ -68,7 +68,7 @@ impl<'a> Exact<'a> {
         Solved { solution: PhaseSolution::Flight(flight), direction: None, ending }
     }
 
-    /// A phase without end; of one with a time limit the state there is its end.
+    /// A phase without end; it is cut at the time limit, if any.
     fn endless(&self, start: &State, at: impl Fn(f64) -> State, outcome: Outcome) -> ExactEnding {
         let end = self.allowed(start).map(|allowed| {
             let state = at(allowed);
@@ -133,9 +133,9 @@ impl Solver for Exact<'_> {
         let entry = slip_acceleration
             .map_or(Entry::Moving, |slip_acceleration| Entry::FromRest { slip_acceleration });
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
-        let bounds = (self.allowed(state), self.steps.get().max(ORDINARY));
+        let bounds = (self.allowed(state), self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE));
         let (slide, end) = Sliding::run(law, *state, direction, entry, bounds);
-        if slide.work() > ORDINARY {
+        if slide.work() > MAX_STEPS_OF_EASY_SLIDE {
             self.steps.set(self.steps.get().saturating_sub(slide.work()));
         }
         let ending = match end {
@@ -146,15 +146,15 @@ impl Solver for Exact<'_> {
             SlidingEnd::Singular(place) => {
                 Ending::Singular { state: place, solvability: law.solvability(place.theta) }
             }
-            SlidingEnd::Unresolved(state) => Self::given_up(state, Outcome::Unresolved { state }),
+            SlidingEnd::Unresolved(state) => Self::without_event(state, Outcome::Unresolved { state }),
             SlidingEnd::StepLimit { state, .. }
                 if self.proof != Proof::None && self.hoop.never_lifts_off(&state) =>
             {
-                Self::given_up(state, Outcome::StaysInContact { state })
+                Self::without_event(state, Outcome::StaysInContact { state })
             }
             SlidingEnd::StepLimit { state, time_left } => {
                 let limit = SlideLimit::One { steps: slide.work(), time_left };
-                Self::given_up(state, Outcome::StepLimit { state, limit })
+                Self::without_event(state, Outcome::StepLimit { state, limit })
             }
             SlidingEnd::TimeLimit(state) => self.stopped(state),
             SlidingEnd::Endless(recurrence) => {

@@ -1,9 +1,7 @@
-//! The walk of a motion along the automaton: one phase after the other, each solved by a [`Solver`], told to a
-//! [`Recorder`].
+//! The walk of a motion along the automaton: a [`Solver`] solves each phase, and a [`Recorder`] records it.
 //!
-//! There is one loop and one decision on what follows, whether the phases are solved exactly or looked up in tables, and
-//! whether a trajectory is kept or a summary. What the engine does can therefore differ from what the simulation does
-//! only where a solver of a phase differs.
+//! Exact and tabulated phases, trajectories and summaries share one loop and one decision on the next motion. So the engine
+//! can differ from the simulation only in the solution of a phase.
 
 use crate::mechanics::{Contact, ContactVelocities, Impact, Settling};
 use crate::model::{
@@ -12,25 +10,25 @@ use crate::model::{
 use crate::modes::{Flight, GlideEntry, RollingLimit, SlideLimit, TakeOff};
 use crate::walk::{Arrival, Cause, Event, Known, LastSlip, Next, Outcome, PhaseSequence, Proofs};
 
-/// Solves phases of motion, each from the place where it begins to the event that ends it, or to the time limit.
+/// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
 pub(crate) trait Solver {
-    /// A state, with what the solver has computed for it.
+    /// A state with the quantities that the solver derives from it.
     type Place;
     /// The solution of a phase.
     type Solution: Solution;
-    /// How the motion ended.
+    /// The outcome of a motion.
     type Verdict: From<Outcome>;
 
     fn hoop(&self) -> &Hoop;
-    /// The time limit of the motion; infinite, if there is none.
+    /// The time limit of the motion; infinite if there is none.
     fn until(&self) -> f64;
     fn place(&self, state: State) -> Self::Place;
     fn state(place: &Self::Place) -> State;
-    /// Which motion follows.
+    /// The motion that begins.
     fn decide(&self, place: &Self::Place, arrival: Arrival) -> Next;
-    /// `on_limit` where |F| = μs N at the start, and static friction holds from there on.
+    /// `on_limit` if |F| = μs N at the start and static friction holds after it.
     fn roll(&self, place: &Self::Place, on_limit: bool) -> SolvedBy<Self>;
-    /// `slip_acceleration` where η′ = 0 at the start.
+    /// `slip_acceleration` is η″ at a start with η′ = 0.
     fn slide(
         &self,
         place: &Self::Place,
@@ -39,44 +37,48 @@ pub(crate) trait Solver {
         slip_acceleration: Option<f64>,
     ) -> SolvedBy<Self>;
     fn fly(&self, place: &Self::Place, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self>;
-    /// Bounces without number.
+    /// Infinitely many bounces.
     fn settle(&self, place: &Self::Place, body: &Heavy, settling: &Settling) -> SolvedBy<Self>;
     fn glide(&self, place: &Self::Place, body: &Massless, entry: GlideEntry) -> SolvedBy<Self>;
-    /// Links of a chain of slips at once, from a slip out of rolling in a direction, none of which leads to a grazing orbit for sure: none
-    /// where phases are to be followed.
-    fn pass_links(&self, _: &Self::Place, _: Direction, _: &Room<'_>) -> Option<Linked<Self::Place>> {
+    /// Skips links of a chain of slips, from a slip out of rolling, if none of them provably leads to a grazing orbit. None if
+    /// the phases must be solved one by one.
+    fn pass_links(
+        &self,
+        _: &Self::Place,
+        _: Direction,
+        _: &ChainBudget<'_>,
+    ) -> Option<ChainSegment<Self::Place>> {
         None
     }
 }
 
-/// What a motion has room for before something else may end it.
-pub(crate) struct Room<'a> {
-    /// Most transitions.
+/// Limits of the links that may be skipped.
+pub(crate) struct ChainBudget<'a> {
+    /// Largest number of transitions.
     pub(crate) transitions: u32,
-    /// Largest length of slides.
+    /// Largest length of the slides.
     pub(crate) slides: f64,
-    /// Whether its phases are told: no more of them than a sequence holds.
-    pub(crate) are_told: bool,
-    /// Whether nothing that would end the motion is known in a state, where that is asked at each event; what is known in a state is known
-    /// in all that follow.
+    /// Whether to record the phases, at most as many as a sequence holds.
+    pub(crate) record_phases: bool,
+    /// If proofs examine each state: whether a state leaves the outcome open. Once decided, the outcome is decided in all later states.
     pub(crate) open: Option<&'a dyn Fn(&State) -> bool>,
 }
 
-/// Links from a slip out of rolling to a later one.
-pub(crate) struct Linked<P> {
+/// Skipped links, from a slip out of rolling to a later one.
+pub(crate) struct ChainSegment<P> {
     pub(crate) place: P,
-    /// Of the slip there.
+    /// Direction of the later slip.
     pub(crate) direction: Direction,
     pub(crate) transitions: u32,
     /// Length of the slides.
     pub(crate) slid: f64,
-    /// If they are told.
+    /// The phases, if recorded.
     pub(crate) phases: PhaseSequence,
 }
 
 /// A phase that may be a flight.
 pub(crate) trait MaybeFlight {
-    /// The flight, if it is one.
+    /// The flight, if any.
     fn flight(&self) -> Option<&Flight>;
 }
 
@@ -86,33 +88,32 @@ pub(crate) trait Solution: MaybeFlight {
     fn theta_range(&self) -> Option<(f64, f64)>;
 }
 
-/// A phase that has been solved.
+/// A solved phase.
 pub(crate) struct Solved<S, P, V> {
     pub(crate) solution: S,
-    /// Direction of slip, which for a glide from η′ = 0 only its solution tells.
+    /// Direction of slip; for a glide from η′ = 0 it follows from the solution.
     pub(crate) direction: Option<Direction>,
     pub(crate) ending: Ending<P, V>,
 }
 
 pub(crate) type SolvedBy<T> = Solved<<T as Solver>::Solution, <T as Solver>::Place, <T as Solver>::Verdict>;
 
-/// How a phase ends.
+/// The end of a phase.
 pub(crate) enum Ending<P, V> {
-    /// By an event after which the motion goes on.
+    /// An event after which the motion continues.
     Event { place: P, cause: Cause, arrival: Arrival },
-    /// By the landing of the rim.
+    /// The landing of the rim.
     Landing { state: State, gap_rate: f64 },
-    /// By the end of bounces.
+    /// The end of infinitely many bounces.
     Settled { state: State, settling: Box<Settling> },
-    /// By P = 0 in a slide, with P there.
+    /// P = 0 in a slide, with the computed value of P.
     Singular { state: State, solvability: f64 },
-    /// With the motion: `event` is its last transition, if there is one, `end` the state at the end of the phase, if
-    /// it has one.
+    /// The end of the motion: `event` is its last transition, `end` the state at the end of the phase, if any.
     Motion { event: Option<(Cause, State)>, end: Option<State>, verdict: V },
 }
 
 impl<P, V> Ending<P, V> {
-    /// The state at the end of the phase, if it has one.
+    /// The state at the end of the phase, if any.
     pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
         match self {
             Self::Event { place, .. } => Some(of(place)),
@@ -126,59 +127,59 @@ impl<P, V> Ending<P, V> {
 
 /// Records the phases and transitions of a motion.
 pub(crate) trait Recorder<S> {
-    /// A phase in a mode, from a state to a state, or without end.
-    fn phase(&mut self, phase: PhaseSeen, solution: S);
-    /// An event, which ends the last phase if it has a mode that ends; its impact, and the direction of slip of the motion
-    /// that begins.
+    /// Records a phase.
+    fn phase(&mut self, phase: PhaseRecord, solution: S);
+    /// Records an event, with its impact and the direction of slip of the motion that begins. It ends the last phase if its `from` is a
+    /// mode.
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>);
-    /// Which phases are to be told.
-    fn wants(&self) -> Wants {
-        Wants::Solutions
+    /// The detail to record of the next phases.
+    fn detail(&self) -> PhaseDetail {
+        PhaseDetail::Solutions
     }
-    /// Phases and transitions from a slip out of rolling to a later one, the first phases that are wanted among them.
+    /// Records skipped links: the number of transitions, and the phases at the current detail.
     fn links(&mut self, _transitions: u32, _phases: PhaseSequence) {}
 }
 
-/// What a recorder keeps of the phases that follow.
+/// The detail at which a recorder keeps phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wants {
-    /// Their solutions.
+pub(crate) enum PhaseDetail {
+    /// Solutions.
     Solutions,
-    /// Their modes.
+    /// Modes and directions of slip.
     Modes,
-    /// Their number.
+    /// The number of transitions only.
     Number,
 }
 
-/// A phase as it is passed to a recorder.
+/// A phase as passed to a recorder; `end` is none for an endless phase.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PhaseSeen {
+pub(crate) struct PhaseRecord {
     pub(crate) mode: Mode,
     pub(crate) direction: Option<Direction>,
     pub(crate) start: State,
     pub(crate) end: Option<State>,
 }
 
-/// What begins.
+/// The motion that begins.
 enum Begin {
-    /// A motion that was decided on.
+    /// The motion decided from the state.
     Motion(Next),
-    /// Bounces that accumulate.
+    /// Infinitely many bounces.
     Settle(Heavy, Box<Settling>),
 }
 
-/// Where a motion is: the place, and what begins there.
-struct Now<P> {
+/// The current place of a motion, and the motion that begins there.
+struct Current<P> {
     place: P,
     begin: Begin,
-    /// Where rolling has given way, while the slides that follow conserve the energy and the horizontal momentum.
+    /// The last slip, while the slides after it conserve energy and horizontal momentum.
     limit: Option<LastSlip>,
-    /// The direction of slip, where rolling has just given way to it.
+    /// The direction of slip, if rolling ended in this slip.
     slips: Option<Direction>,
 }
 
-impl<P> Now<P> {
-    /// At a slip out of rolling.
+impl<P> Current<P> {
+    /// A slip out of rolling.
     fn slipping<T: Solver<Place = P>>(solver: &T, place: P, direction: Direction) -> Self {
         let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
         let begin = Begin::Motion(solver.decide(&place, arrival));
@@ -187,13 +188,14 @@ impl<P> Now<P> {
     }
 }
 
-/// An event, and the impact that it is, if it is one.
-type Happening = (Event, Option<Box<Impact>>);
+/// An event and its impact, if any.
+type EventWithImpact = (Event, Option<Box<Impact>>);
 
-/// The same of an impact; or the event alone, where its end is no state to go on from.
-type Rebound = Result<Happening, Event>;
+/// An event with an impact; the event alone if the state after it is not representable.
+type Rebound = Result<EventWithImpact, Event>;
 
-/// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion, or to a limit, with what is known of the hoop for proofs.
+/// Walks from a start, which leaves the plane at `gap_rate`, to the end of the motion or to a limit. `known` is shared data for
+/// proofs.
 pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     (start, gap_rate): (State, f64),
@@ -210,7 +212,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         return outcome.into();
     }
     let limit = LastSlip::at_start(solver.hoop(), start, begin.direction());
-    let mut now = Now { place, begin, limit, slips: None };
+    let mut now = Current { place, begin, limit, slips: None };
     let mut pending: Option<Event> = None;
     let (mut count, mut slid) = (0, 0.0);
     let weight = weight_of_slides(solver.hoop());
@@ -220,7 +222,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         (count, slid) = (count + passed.0, slid + passed.1);
         let (begins, mode) = (T::state(&now.place), now.begin.mode());
         let mut range = None;
-        let seen = proofs.wants_range().then_some(&mut range);
+        let seen = proofs.needs_range().then_some(&mut range);
         let (event, impact) = match follow(solver, &mut now, (recorder, &mut pending), seen) {
             Ok(happening) => happening,
             Err(verdict) => return verdict,
@@ -228,7 +230,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         let event = Event { to: now.begin.mode(), ..event };
         let direction = now.begin.direction();
         if event.to == Some(Mode::Gliding) {
-            // The direction of a glide from rest is known only once it is followed.
+            // The direction of a glide from rest follows from its solution.
             pending = Some(event);
         } else {
             recorder.transition(&event, impact.as_deref(), direction);
@@ -255,70 +257,71 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     }
 }
 
-/// Passes links of a chain of slips, if a slip out of rolling has been reached, within a number of transitions and a length of slides: how many, and how long.
+/// Skips links of a chain of slips after a slip out of rolling, within a number of transitions and a length of slides. Returns the
+/// number of transitions and the length of slides skipped.
 #[inline(always)]
 fn pass_links<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
-    now: &mut Now<T::Place>,
+    now: &mut Current<T::Place>,
     recorder: &mut R,
     proofs: &mut Proofs<'_>,
     (most, longest): (usize, f64),
 ) -> (usize, f64) {
     let (mut passed, mut slid) = (0, 0.0);
-    while let (Some(direction), Wants::Modes | Wants::Number, true) =
-        (now.slips, recorder.wants(), proofs.may_pass_links())
+    while let (Some(direction), PhaseDetail::Modes | PhaseDetail::Number, true) =
+        (now.slips, recorder.detail(), proofs.may_pass_links())
     {
         let open = |state: &State| !proofs.ends_motion(state);
-        let room = Room {
+        let budget = ChainBudget {
             transitions: u32::try_from(most - passed).unwrap_or(u32::MAX).saturating_sub(1),
             slides: longest - slid,
-            are_told: recorder.wants() == Wants::Modes,
-            open: proofs.asks_each_state().then_some(&open),
+            record_phases: recorder.detail() == PhaseDetail::Modes,
+            open: proofs.examines_each_state().then_some(&open),
         };
-        let Some(linked) = solver.pass_links(&now.place, direction, &room) else { break };
-        let Linked { place, direction, transitions, slid: length, phases } = linked;
+        let Some(segment) = solver.pass_links(&now.place, direction, &budget) else { break };
+        let ChainSegment { place, direction, transitions, slid: length, phases } = segment;
         recorder.links(transitions, phases);
         (passed, slid) = (passed + transitions as usize, slid + length);
-        proofs.passed_to(&T::state(&place));
-        *now = Now::slipping(solver, place, direction);
+        proofs.skipped_to(&T::state(&place));
+        *now = Current::slipping(solver, place, direction);
     }
     (passed, slid)
 }
 
-/// The next slip out of rolling after one, its direction, and the length of the slides up to it, if the motion comes to one before anything but slides and rolls, and within the
-/// phases that `tell` accepts.
+/// The next slip out of rolling, its direction, and the length of the slides before it. None if another mode or an impact comes first,
+/// or a phase that `accepts` refuses.
 pub(crate) fn next_slip<T: Solver>(
     solver: &T,
     slip: T::Place,
     direction: Direction,
-    tell: impl FnMut(Mode, Option<Direction>) -> bool,
+    accepts: impl FnMut(Mode, Option<Direction>) -> bool,
 ) -> Option<(State, Direction, f64)> {
-    let mut teller = Teller { tell, goes_on: true, slid: 0.0 };
-    let mut now = Now::slipping(solver, slip, direction);
+    let mut checker = ModeChecker { accepts, accepted: true, slid: 0.0 };
+    let mut now = Current::slipping(solver, slip, direction);
     loop {
-        let (_, impact) = follow(solver, &mut now, (&mut teller, &mut None), None).ok()?;
-        if impact.is_some() || !teller.goes_on {
+        let (_, impact) = follow(solver, &mut now, (&mut checker, &mut None), None).ok()?;
+        if impact.is_some() || !checker.accepted {
             return None;
         }
         if let Some(direction) = now.slips {
-            let slid = weight_of_slides(solver.hoop()) * teller.slid;
+            let slid = weight_of_slides(solver.hoop()) * checker.slid;
             return Some((T::state(&now.place), direction, slid));
         }
     }
 }
 
-/// Tells the modes of phases, as long as they are accepted.
-struct Teller<F> {
-    tell: F,
-    goes_on: bool,
+/// Checks the modes of phases, and sums the length of slides.
+struct ModeChecker<F> {
+    accepts: F,
+    accepted: bool,
     /// Length of the slides.
     slid: f64,
 }
 
-impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for Teller<F> {
-    fn phase(&mut self, phase: PhaseSeen, _: S) {
+impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for ModeChecker<F> {
+    fn phase(&mut self, phase: PhaseRecord, _: S) {
         let touches = matches!(phase.mode, Mode::Rolling | Mode::Sliding);
-        self.goes_on &= touches && (self.tell)(phase.mode, phase.direction);
+        self.accepted &= touches && (self.accepts)(phase.mode, phase.direction);
         if let (Mode::Sliding, Some(end)) = (phase.mode, &phase.end) {
             self.slid += length_of_slide(&phase.start, end);
         }
@@ -327,15 +330,15 @@ impl<S, F: FnMut(Mode, Option<Direction>) -> bool> Recorder<S> for Teller<F> {
     fn transition(&mut self, _: &Event, _: Option<&Impact>, _: Option<Direction>) {}
 }
 
-/// Follows the phase that begins now to the event that ends it, and tells the recorder of it; or says how the motion has ended.
-/// The range of the angle of a slide is kept where it is asked for.
+/// Solves and records the phase that begins now, up to the event that ends it; or returns the outcome if the motion ends.
+/// Stores the range of the angle of a slide in `range`, if given.
 #[inline(always)]
 fn follow<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
-    now: &mut Now<T::Place>,
+    now: &mut Current<T::Place>,
     (recorder, pending): (&mut R, &mut Option<Event>),
     range: Option<&mut Option<(f64, f64)>>,
-) -> Result<Happening, T::Verdict> {
+) -> Result<EventWithImpact, T::Verdict> {
     follow_phase(solver, now, (recorder, pending), range).map_err(|(last, verdict)| {
         if let Some(event) = last {
             recorder.transition(&event, None, None);
@@ -344,14 +347,14 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     })
 }
 
-/// The same, but for the event that ends the motion, if there is one.
+/// [`follow`] without recording the event that ends the motion; returns this event, if any, with the outcome.
 #[inline(always)]
 fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
-    now: &mut Now<T::Place>,
+    now: &mut Current<T::Place>,
     (recorder, pending): (&mut R, &mut Option<Event>),
     range: Option<&mut Option<(f64, f64)>>,
-) -> Result<Happening, (Option<Event>, T::Verdict)> {
+) -> Result<EventWithImpact, (Option<Event>, T::Verdict)> {
     now.slips = None;
     let place = &now.place;
     let state = T::state(place);
@@ -379,9 +382,9 @@ fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
         *range = solution.theta_range();
     }
     if let Ending::Event { place, cause: Cause::Stick, arrival } = &mut ending {
-        comes_to_rest(solver, now, place, arrival);
+        correct_rest(solver, now, place, arrival);
     }
-    recorder.phase(PhaseSeen { mode, direction, start: state, end: ending.state(T::state) }, solution);
+    recorder.phase(PhaseRecord { mode, direction, start: state, end: ending.state(T::state) }, solution);
     match ending {
         Ending::Event { place: reached, cause, arrival } => {
             Ok((continues(solver, now, (mode, direction), reached, (cause, arrival)), None))
@@ -404,12 +407,13 @@ fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
     }
 }
 
-/// What an impact leads to; where its end is no state to go on from, the motion ends before it, and without an impact in this way.
+/// The event of an impact. The motion ends before the impact if the state after it is not representable, and ends with `outcome` if
+/// there is no impact.
 #[inline(always)]
 fn leads_on<V: From<Outcome>>(
     rebound: Option<Rebound>,
     (last, outcome): (Option<Event>, Outcome),
-) -> Result<Happening, (Option<Event>, V)> {
+) -> Result<EventWithImpact, (Option<Event>, V)> {
     match rebound {
         Some(Ok(happening)) => Ok(happening),
         Some(Err(event)) => Err((Some(event), Outcome::Unresolved { state: event.state }.into())),
@@ -417,16 +421,16 @@ fn leads_on<V: From<Outcome>>(
     }
 }
 
-/// Moves the place at which a slide comes to rest to where its conserved quantities have it, and tells how it is reached.
+/// Corrects the place at which a slide comes to rest, and its arrival, by the conserved quantities.
 #[inline(always)]
-fn comes_to_rest<T: Solver>(solver: &T, now: &Now<T::Place>, place: &mut T::Place, arrival: &mut Arrival) {
+fn correct_rest<T: Solver>(solver: &T, now: &Current<T::Place>, place: &mut T::Place, arrival: &mut Arrival) {
     let (Arrival::Open, Some(limit), Body::Heavy(body)) = (*arrival, &now.limit, solver.hoop().body()) else {
         return;
     };
     let slide = T::state(&now.place).time..=solver.until();
-    *arrival = match limit.comes_to_rest(&body, &T::state(place)) {
+    *arrival = match limit.correct_rest(&body, &T::state(place)) {
         Some((state, arrival)) => {
-            // The slide as it was followed ends within the time limit: its last digits do not put its end outside.
+            // The uncorrected end lies within the time limit, and rounding must not move it outside.
             if slide.contains(&state.time) {
                 *place = solver.place(state);
             }
@@ -436,11 +440,11 @@ fn comes_to_rest<T: Solver>(solver: &T, now: &Now<T::Place>, place: &mut T::Plac
     };
 }
 
-/// What follows an event without an impact.
+/// Sets the motion after an event without an impact.
 #[inline(always)]
 fn continues<T: Solver>(
     solver: &T,
-    now: &mut Now<T::Place>,
+    now: &mut Current<T::Place>,
     (mode, direction): (Mode, Option<Direction>),
     place: T::Place,
     (cause, arrival): (Cause, Arrival),
@@ -466,45 +470,55 @@ fn continues<T: Solver>(
         | Arrival::BackOnLimit(_)
         | Arrival::LiftOff => None,
     };
-    // Only now is it known what coming to rest leads to.
+    // The next motion distinguishes stick, graze, reversal and lift-off.
     let cause = match (cause, begin.mode()) {
         (Cause::Stick, Some(Mode::Sliding | Mode::Gliding)) => {
             let same = begin.direction().is_some() && begin.direction() == direction;
             if same { Cause::Graze } else { Cause::Reversal }
         }
-        // The normal force has vanished at the same instant.
+        // The normal force vanishes at the same instant.
         (Cause::Stick, Some(Mode::Flight)) => Cause::LiftOff,
         (cause, Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None) => cause,
     };
     Event::new(state, mode, cause)
 }
 
-/// What follows a landing of a hoop with restitution.
-fn lands<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, gap_rate: f64) -> Option<Rebound> {
+/// Sets the motion after a landing of a hoop with restitution.
+fn lands<T: Solver>(solver: &T, now: &mut Current<T::Place>, state: State, gap_rate: f64) -> Option<Rebound> {
     let hoop = solver.hoop();
     let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else { return None };
     let event = Event::new(state, Mode::Flight, Cause::Landing);
     let coordinates = [(Quantity::Time, state.time), (Quantity::Theta, state.theta), (Quantity::X, state.x)];
     if coordinates.into_iter().any(|(quantity, value)| quantity.check(value).is_err()) {
-        // A flight of many turns leads to angles at which no start is accepted either.
+        // After a flight of many turns the angle may exceed the bound of a start.
         return Some(Err(event));
     }
-    // The gap comes from above: where it touches without crossing, its rate may round to a positive number.
+    // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
     let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
     Some(rebounds(solver, now, &body, (event, impact)))
 }
 
-/// What follows P ≤ 0 with slip left, for a hoop with restitution.
-fn jam<T: Solver>(solver: &T, now: &mut Now<T::Place>, from: Option<Mode>, state: State) -> Option<Rebound> {
+/// Sets the motion after P ≤ 0 with η′ ≠ 0, for a hoop with restitution.
+fn jam<T: Solver>(
+    solver: &T,
+    now: &mut Current<T::Place>,
+    from: Option<Mode>,
+    state: State,
+) -> Option<Rebound> {
     let Body::Heavy(body) = solver.hoop().body() else { return None };
     let impact = solver.hoop().jam(&state)?;
     Some(rebounds(solver, now, &body, (Event { state, from, to: None, cause: Cause::Jam }, impact)))
 }
 
-/// What follows the end of bounces.
-fn settles<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, settling: &Settling) -> Happening {
-    // The flight has turned the hoop by so little that the sum took the angle for fixed: the last digits of the slip differ.
+/// Sets the motion after the end of infinitely many bounces.
+fn settles<T: Solver>(
+    solver: &T,
+    now: &mut Current<T::Place>,
+    state: State,
+    settling: &Settling,
+) -> EventWithImpact {
+    // The sum of the bounces assumes a fixed angle. The small rotation of the flight changes the last digits of the slip.
     let before = ContactVelocities::of(&state, settling.impact.before.gap_rate);
     let impact = Impact { before, ..settling.impact };
     now.place = solver.place(impact.state_after(&state));
@@ -512,11 +526,11 @@ fn settles<T: Solver>(solver: &T, now: &mut Now<T::Place>, state: State, settlin
     (Event::new(state, Mode::Flight, Cause::Settle), Some(Box::new(impact)))
 }
 
-/// What follows an impact: a flight, if the gap opens; nothing, where its velocities are no numbers, as those of a body of next to no
+/// Sets the motion after an impact: a flight if the gap opens. An error if a velocity overflows, which occurs for very small
 /// inertia.
 fn rebounds<T: Solver>(
     solver: &T,
-    now: &mut Now<T::Place>,
+    now: &mut Current<T::Place>,
     body: &Heavy,
     (event, impact): (Event, Impact),
 ) -> Rebound {
@@ -534,7 +548,7 @@ fn rebounds<T: Solver>(
     Ok((event, Some(Box::new(impact))))
 }
 
-/// A gap that opens: bounces that settle, where they are short enough, and else a flight.
+/// The motion with an opening gap: settling bounces if they are short enough, otherwise a flight.
 fn rise<T: Solver>(solver: &T, body: &Heavy, state: &State, gap_rate: f64) -> Begin {
     let hoop = solver.hoop();
     let settling =
@@ -565,7 +579,7 @@ impl Begin {
         }
     }
 
-    /// The direction of slip, where it is known before the motion is followed.
+    /// The direction of slip, if it is known before the phase is solved.
     const fn direction(&self) -> Option<Direction> {
         match self {
             Self::Motion(Next::Slide { direction, .. }) => Some(*direction),

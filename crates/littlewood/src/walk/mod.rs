@@ -1,4 +1,4 @@
-//! From mode to mode: which motion is consistent, which event ends it, how the motion ends.
+//! The transitions between modes: the consistent motion at a state, the event that ends it, and the outcome of the motion.
 
 pub(crate) mod automaton;
 pub(crate) mod candidates;
@@ -14,7 +14,7 @@ pub(crate) use self::automaton::{Cause, Event, Transition};
 pub(crate) use self::candidates::{Arrival, Candidates, Next, next_motion};
 pub(crate) use self::exact::Exact;
 pub(crate) use self::follow::{
-    Ending, MaybeFlight, PhaseSeen, Recorder, Solution, Solved, SolvedBy, Solver, Wants, walk,
+    Ending, MaybeFlight, PhaseDetail, PhaseRecord, Recorder, Solution, Solved, SolvedBy, Solver, walk,
 };
 pub(crate) use self::origin::Origin;
 pub(crate) use self::outcome::{Outcome, OutcomeKind};

@@ -1,7 +1,7 @@
-//! Where a motion starts in time, along the plane and in whole turns.
+//! The origin of a motion: τ, x and the whole turns of its start.
 //!
-//! The laws know no instant and no place, and of the angle its sine and cosine alone. So a motion is followed from τ = 0, x = 0 and |θ| ≤ π, and
-//! what its start has beyond that is added to what leaves the core: such a number is the rounded sum of two, and nothing else depends on the origin.
+//! The equations depend neither on τ nor on x, and on θ only through its sine and cosine. So each motion is simulated from τ = 0, x = 0 and
+//! |θ| ≤ π, and the origin is added to the results. Each result is the rounded sum of two numbers; nothing else depends on the origin.
 
 use crate::math::trig::without_turns;
 use crate::model::{Limits, State};
@@ -13,19 +13,19 @@ use crate::walk::Outcome;
 pub(crate) struct Origin {
     time: f64,
     x: f64,
-    /// Sum of two, so that the angle of the start is found again.
+    /// Whole turns as an unevaluated sum, which restores θ of the start exactly.
     turns: [f64; 2],
-    /// The time limit since the start, and as it was given.
+    /// The time limit relative to the start, and as given.
     until: Option<[f64; 2]>,
 }
 
 impl Origin {
-    /// The origin of a motion, and its start and limits as seen from there.
+    /// The origin of a motion, and its start and limits relative to it.
     pub(crate) fn of(start: State, limits: Limits) -> (Self, State, Limits) {
         let theta = without_turns(start.theta);
         let turns = start.theta - theta;
         let rest = (start.theta - turns) - theta;
-        // A negative zero changes no number that it is added to.
+        // Adding a negative zero leaves every number unchanged.
         let [time, x, turns, rest] =
             [start.time, start.x, turns, rest].map(|from| if from == 0.0 { -0.0 } else { from });
         let until = limits.until.map(|until| [until - start.time, until]);
@@ -37,16 +37,16 @@ impl Origin {
         )
     }
 
-    /// The time at which so much has passed since the start.
+    /// The time after `elapsed`.
     pub(crate) const fn time(&self, elapsed: f64) -> f64 {
         match self.until {
-            // The difference may have lost digits of a limit that is close to zero.
+            // The difference may have lost digits of a limit near zero.
             Some([most, until]) if elapsed == most => until,
             Some(_) | None => self.time + elapsed,
         }
     }
 
-    /// What has passed since the start.
+    /// The time since the start.
     pub(crate) const fn elapsed(&self, time: f64) -> f64 {
         time - self.time
     }
@@ -56,7 +56,7 @@ impl Origin {
         turns + (rest + theta)
     }
 
-    /// A state that is seen from the origin.
+    /// The absolute state from one relative to the origin.
     pub(crate) const fn state(&self, state: State) -> State {
         let State { time, theta, theta_rate, slip, x } = state;
         State { time: self.time(time), theta: self.theta(theta), theta_rate, slip, x: self.x + x }

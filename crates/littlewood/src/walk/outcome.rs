@@ -1,13 +1,13 @@
-//! How a motion ends: as a number for arrays ([`OutcomeKind`]), and with all that is known ([`Outcome`]).
+//! The outcome of a motion: as a number for arrays ([`OutcomeKind`]), and with its data ([`Outcome`]).
 
 use crate::model::{Detail, Dimension, State, named};
 use crate::modes::{GrazingOrbit, Recurrence, SlideLimit};
 use crate::walk::{Candidates, Cause};
 
 named! {
-    /// How a motion ended, as a number. The last two are those of points in an array that have no motion.
+    /// The kind of an outcome, as a number. The last two mark points of an array without a motion.
     pub enum OutcomeKind, "outcome",
-    /// Label; whether the motion has been followed to its end, and not only to a limit; the event that is this outcome.
+    /// Label; whether the outcome is final, and not a limit; the event with which the motion ends.
     row: (&'static str, bool, Option<Cause>) {
         /// [`Outcome::Landing`].
         Landing = 0, "landing" => ("lands", true, Some(Cause::Landing));
@@ -41,50 +41,50 @@ named! {
         RepeatsForever = 14, "repeats_forever" => ("repeats for ever", true, None);
         /// [`Outcome::StaysInContact`].
         StaysInContact = 15, "stays_in_contact" => ("stays in contact", true, None);
-        /// A point that has not been computed: what a partial grid holds where chunks are missing.
+        /// A point that has not been computed, as in the missing chunks of a partial grid.
         NotComputed = 254, "not_computed" => ("not computed", false, None);
-        /// A point whose hoop has no physical meaning because two parameters contradict each other, such as μk > μs.
+        /// A point with contradictory parameters, such as μk > μs.
         Invalid = 255, "invalid" => ("invalid parameters", false, None);
     }
 }
 
 impl OutcomeKind {
-    /// In words, for tables and pictures.
+    /// Label for tables and figures.
     #[must_use]
     pub const fn label(self) -> &'static str {
         self.row().0
     }
 
-    /// Whether the motion has been followed to its end, and not only to a limit.
+    /// Whether the outcome is final, and not a limit.
     #[must_use]
     pub const fn is_final(self) -> bool {
         self.row().1
     }
 
-    /// Whether the last phase lasts for ever.
+    /// Whether the last phase has no end.
     #[must_use]
     pub const fn is_forever(self) -> bool {
         matches!(self, Self::RollsForever | Self::SlidesForever)
     }
 
-    /// Whether the motion met P ≤ 0 (Painlevé): no motion, several, or a slide that runs into P = 0.
+    /// Whether the motion ended at P ≤ 0 (Painlevé): no consistent motion, several, or a slide that reaches P = 0.
     #[must_use]
     pub const fn is_painleve(self) -> bool {
         matches!(self, Self::Inconsistent | Self::Ambiguous | Self::Singular)
     }
 
-    /// The event that is this outcome, the last transition of the motion; none where the motion ends without one.
+    /// The event with which the motion ends, its last transition; none if it ends without an event.
     #[must_use]
     pub const fn last_event(self) -> Option<Cause> {
         self.row().2
     }
 }
 
-/// How a simulation ended.
+/// The outcome of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Outcome {
-    /// The body has come down from a flight; the state is that just before the impact.
+    /// The body lands after a flight; the state is just before the impact.
     Landing {
         /// State.
         state: State,
@@ -95,19 +95,19 @@ pub enum Outcome {
     RollsForever {
         /// State at the start of the last phase.
         since: State,
-        /// How the motion recurs.
+        /// Recurrence of the motion.
         recurrence: Recurrence,
     },
-    /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period has passed without
+    /// Without kinetic friction energy and horizontal momentum are conserved, and a whole period passed without
     /// an event.
     SlidesForever {
         /// State at the start of the last phase.
         since: State,
-        /// How θ and θ′ recur.
+        /// Recurrence of θ and θ′.
         recurrence: Recurrence,
     },
-    /// With μs = μk the motion rolls and slips for ever: its slips shrink towards the orbit of rolling that grazes the limit of
-    /// static friction, E − E* like 1/n with their number n. Said where a slip ends whose loss shows it.
+    /// With μs = μk the motion rolls and slips for ever and converges to the grazing orbit: E − E* decreases like 1/n with the
+    /// number n of slips. Declared at the end of a slip whose energy loss proves it.
     SlipsForever {
         /// State at the end of that slip.
         state: State,
@@ -116,36 +116,35 @@ pub enum Outcome {
         /// Number of slips, 1/(c (E − E*)), in which E − E* halves.
         slips_to_halve: f64,
     },
-    /// Without kinetic friction, or without mass, energy is conserved in contact, and the motion has come back to an event: it
-    /// repeats itself.
+    /// Without kinetic friction, or for a massless hoop, energy is conserved in contact. The motion returned to an earlier event, so it
+    /// repeats.
     RepeatsForever {
         /// State at the first of the two events.
         since: State,
         /// Time between them.
         period: f64,
-        /// What θ gains in a period, a multiple of 2π.
+        /// Change of θ in a period, a multiple of 2π.
         theta_gained: f64,
         /// Number of transitions in a period.
         transitions: usize,
     },
-    /// Energy and momentum do not suffice for a lift-off, now and later ([`crate::Hoop::never_lifts_off`]); the motion in contact has been
-    /// followed to here only, because no more was asked for or because a limit was reached.
+    /// Energy and momentum exclude any later lift-off ([`crate::Hoop::never_lifts_off`]). The simulation stopped here, either on
+    /// request or at a limit.
     StaysInContact {
         /// State.
         state: State,
     },
-    /// The particle on the rim of a massless hoop has reached the plane, θ = ±π. No impact follows: the rim has no inertia that
-    /// an impulse could act on.
+    /// The particle on the rim of a massless hoop reaches the plane, θ = ±π. No impact law applies, since the rim has no inertia.
     ParticleAtPlane {
         /// State, with an infinite rate.
         state: State,
     },
-    /// The particle inside the rim of a massless hoop has reached its lowest place, θ = ±π.
+    /// The particle inside the rim of a massless hoop reaches its lowest point, θ = ±π.
     ParticleAtBottom {
         /// State, with an infinite rate.
         state: State,
     },
-    /// The particle of a massless hoop has reached its highest place with velocity to spare.
+    /// The particle of a massless hoop reaches its highest point with upward velocity left.
     ParticleAtTop {
         /// State, with an infinite rate.
         state: State,
@@ -166,7 +165,7 @@ pub enum Outcome {
     Inconsistent {
         /// State.
         state: State,
-        /// The candidates, none of which is consistent.
+        /// The inconsistent candidates.
         candidates: Candidates,
     },
     /// Several motions are consistent.
@@ -176,22 +175,22 @@ pub enum Outcome {
         /// The candidates.
         candidates: Candidates,
     },
-    /// A slide has run into P = 0 with N > 0, beyond which it has no solution (Painlevé).
+    /// A slide reaches P = 0 with N > 0, beyond which it has no solution (Painlevé).
     Singular {
         /// State.
         state: State,
         /// P there.
         solvability: f64,
     },
-    /// Slides were too long.
+    /// The slides exceeded a limit.
     StepLimit {
         /// State.
         state: State,
         /// Which limit of slides was reached.
         limit: SlideLimit,
     },
-    /// The motion changes faster than its numbers resolve: a slide of a hoop of next to no inertia, its particle passing the
-    /// bottom, or one next to P = 0 whose end rounding decides; or an impact at an angle or a place beyond those that a start may have, or whose velocities are no numbers.
+    /// The time scale falls below double precision: a slide of a hoop with very small inertia whose particle passes the bottom, or a slide
+    /// next to P = 0 whose end depends on rounding. Or an impact beyond the bounds of θ and x of a start, or with velocities that overflow.
     Unresolved {
         /// State.
         state: State,
@@ -199,7 +198,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// The kind, which has a name, a number and a label.
+    /// The kind, with a name, a number and a label.
     #[must_use]
     pub const fn kind(&self) -> OutcomeKind {
         match self {
@@ -222,20 +221,20 @@ impl Outcome {
         }
     }
 
-    /// The state that decides: at the end, or where the phase begins that lasts for ever.
+    /// The state at the end, or at the start of an endless phase.
     #[must_use]
     pub const fn state(&self) -> State {
         let mut copy = *self;
         *copy.parts_mut().0
     }
 
-    /// Whether the motion has been followed to its end, and not only to a limit.
+    /// Whether the outcome is final, and not a limit.
     #[must_use]
     pub const fn is_final(&self) -> bool {
         self.kind().is_final()
     }
 
-    /// How a motion that lasts for ever recurs; none for the other outcomes.
+    /// The recurrence of an endless motion; none for other outcomes.
     #[must_use]
     pub const fn recurrence(&self) -> Option<Recurrence> {
         let mut copy = *self;
@@ -245,14 +244,14 @@ impl Outcome {
         }
     }
 
-    /// The candidates that were examined where no motion, or more than one, is consistent.
+    /// The candidates, if no motion or more than one is consistent.
     #[must_use]
     pub const fn candidates(&self) -> Option<Candidates> {
         let mut copy = *self;
         copy.parts_mut().2
     }
 
-    /// The parts that several outcomes have: the state, how the motion recurs, and the candidates.
+    /// The common parts of outcomes: state, recurrence and candidates.
     pub(crate) const fn parts_mut(&mut self) -> (&mut State, Option<&mut Recurrence>, Option<Candidates>) {
         match self {
             Self::RollsForever { since, recurrence } | Self::SlidesForever { since, recurrence } => {
@@ -276,7 +275,7 @@ impl Outcome {
         }
     }
 
-    /// What is known besides kind, state and candidates, with the names that records use.
+    /// The values besides kind, state and candidates, with their names in records.
     #[must_use]
     pub fn details(&self) -> Vec<(&'static str, Detail)> {
         match *self {

@@ -1,10 +1,10 @@
-//! What can be proved at an event about all that follows it, so that a motion need not be followed for ever.
+//! Proofs at an event about the rest of the motion, which end the simulation of an endless motion.
 //!
-//! - Without kinetic friction, and for a massless hoop, energy is conserved in contact: every slip, stick and reversal of a
-//!   motion is one of finitely many, and a motion that comes back to one repeats itself.
+//! - Without kinetic friction, and for a massless hoop, energy is conserved in contact. A motion then has finitely many
+//!   distinct slips, sticks and reversals, and repeats once it returns to one.
 //! - With μs = μk > 0 slips shrink towards the orbit that grazes the limit of static friction ([`GrazingOrbit`]).
-//! - The energy in contact never grows, what of it is not in the horizontal velocity grows within bounds only, and a lift-off needs at
-//!   least a certain part of it ([`Hoop::never_lifts_off`]).
+//! - In contact the energy never increases, its part outside the horizontal velocity has an upper bound, and a lift-off requires a
+//!   minimum of this part ([`Hoop::never_lifts_off`]).
 
 use core::f64::consts::TAU;
 
@@ -13,20 +13,20 @@ use crate::model::{Body, Direction, Hoop, Limits, Mode, Proof, State};
 use crate::modes::{Levels, Recurrence};
 use crate::walk::{Cause, Event, Outcome};
 
-/// Two reversals are the same if this part of the distance to one of the other direction is between them.
-const SAME_REVERSAL: f64 = 0.25;
+/// Two reversals count as the same if their distance is at most this fraction of the distance to a reversal of the other direction.
+const MAX_REVERSAL_DISTANCE_RATIO: f64 = 0.25;
 
-/// What rounding may have moved a number by, relative to one plus its size.
-const ROUNDING: f64 = 1e-9;
+/// Largest difference of equal values, relative to one plus their size: rounding of some thousand steps is far below.
+const EQUALITY_TOLERANCE: f64 = 1e-9;
 
-/// Whether two rates are the same.
+/// Whether two values are equal within rounding.
 pub(crate) fn is_same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= ROUNDING * (1.0 + a.abs())
+    (a - b).abs() <= EQUALITY_TOLERANCE * (1.0 + a.abs())
 }
 
-/// Whether two angles, of which the first may be the larger by many turns, are the same direction.
+/// Whether two angles are equal up to whole turns and rounding; the first may have many turns.
 pub(crate) fn is_same_direction(a: f64, b: f64) -> bool {
-    angle_between(a, b) <= ROUNDING * (1.0 + a.abs())
+    angle_between(a, b) <= EQUALITY_TOLERANCE * (1.0 + a.abs())
 }
 
 /// The angle between two directions, from 0 to π.
@@ -35,33 +35,33 @@ fn angle_between(a: f64, b: f64) -> f64 {
     (a - b - turns * TAU).abs()
 }
 
-/// What has been seen of a motion, as far as proofs need it.
+/// The data of a motion that proofs need.
 #[derive(Debug)]
 pub(crate) struct Proofs<'a> {
     hoop: &'a Hoop,
     proof: Proof,
-    /// What others have found for the proof that the hoop never lifts off.
+    /// Proof data shared between motions of the hoop.
     shared: Option<&'a ContactProof>,
-    /// Where none is shared.
+    /// Proof data of this motion, if none is shared.
     own: ContactProof,
     kind: Kind<'a>,
 }
 
-/// What proofs need of a hoop, as far as it has been found for other motions.
+/// Data of a hoop for proofs, shared between motions.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Known<'a> {
     pub(crate) levels: Option<&'a Levels>,
     pub(crate) contact: Option<&'a ContactProof>,
 }
 
-/// What may be proved of a motion by its events.
+/// The property of a motion that its events may prove.
 #[derive(Debug)]
 enum Kind<'a> {
     /// Nothing.
     None,
-    /// That it repeats itself.
+    /// The motion repeats.
     Conservative(Vec<Visit>),
-    /// That it slips for ever.
+    /// The motion slips for ever.
     Grazing(Box<Slips<'a>>),
 }
 
@@ -71,7 +71,7 @@ struct Visit {
     state: State,
     cause: Cause,
     direction: Option<Direction>,
-    /// Angles of the slide that it ends.
+    /// Range of the angle of the slide that it ends.
     range: Option<(f64, f64)>,
 }
 
@@ -87,13 +87,13 @@ struct Slip {
 #[derive(Debug)]
 struct Slips<'a> {
     law: RollingLaw,
-    /// The last slip, if none but complete slips have followed it.
+    /// The current slip.
     slip: Option<Slip>,
-    /// The slip before it, if it was one towards the grazing orbit.
+    /// The slip before it, if its loss proved convergence to a grazing orbit.
     confirmed: Option<Slip>,
-    /// Levels that others have prepared.
+    /// Levels shared between motions.
     shared: Option<&'a Levels>,
-    /// Where none are shared, once they are needed.
+    /// Levels of this motion if none are shared, computed on demand.
     own: Option<Option<Levels>>,
 }
 
@@ -119,16 +119,17 @@ impl<'a> Proofs<'a> {
     }
 
     /// Whether the range of the angle of slides is needed.
-    pub(crate) const fn wants_range(&self) -> bool {
+    pub(crate) const fn needs_range(&self) -> bool {
         matches!(self.kind, Kind::Conservative(_))
     }
 
-    /// What is known where a motion in this mode begins, if that is to end it.
+    /// The outcome if the state proves that the motion never lifts off, and this proof ends it.
     pub(crate) fn at_start(&self, state: &State, mode: Option<Mode>) -> Option<Outcome> {
         (touches(mode) && self.ends_motion(state)).then_some(Outcome::StaysInContact { state: *state })
     }
 
-    /// What an event proves, with the direction of slip and the state after it, and the range of the angle of a slide that it ends.
+    /// The outcome that an event proves, from the state and the direction of slip after it, and from the range of the angle of the slide
+    /// before it.
     pub(crate) fn at_event(
         &mut self,
         event: &Event,
@@ -143,7 +144,7 @@ impl<'a> Proofs<'a> {
         endless.or_else(|| self.at_start(after, event.to))
     }
 
-    /// Whether links of slips may be passed without their events, if none of these is a slip that leads to a grazing orbit.
+    /// Whether links of slips may be skipped, if none of them leads to a grazing orbit.
     pub(crate) const fn may_pass_links(&self) -> bool {
         match self.kind {
             Kind::None | Kind::Grazing(_) => true,
@@ -151,8 +152,8 @@ impl<'a> Proofs<'a> {
         }
     }
 
-    /// Takes note of a slip out of rolling at the end of links that were passed.
-    pub(crate) fn passed_to(&mut self, slip: &State) {
+    /// Adds the slip out of rolling after skipped links.
+    pub(crate) fn skipped_to(&mut self, slip: &State) {
         match &mut self.kind {
             Kind::None | Kind::Conservative(_) => {}
             Kind::Grazing(slips) => {
@@ -162,12 +163,12 @@ impl<'a> Proofs<'a> {
         }
     }
 
-    /// Whether each state may end the motion.
-    pub(crate) fn asks_each_state(&self) -> bool {
+    /// Whether each state must be examined.
+    pub(crate) fn examines_each_state(&self) -> bool {
         self.proof == Proof::Contact
     }
 
-    /// Whether a state in contact, and all that follow it, ends the motion.
+    /// Whether a state in contact ends the motion by proof; all later states then do, too.
     pub(crate) fn ends_motion(&self, state: &State) -> bool {
         self.proof == Proof::Contact && self.never_lifts_off(state)
     }
@@ -176,7 +177,7 @@ impl<'a> Proofs<'a> {
         self.shared.unwrap_or(&self.own).holds(self.hoop, state)
     }
 
-    /// What is known where a limit of transitions stops a motion that goes on in this mode.
+    /// The outcome at a limit, in the mode that would follow: replaces the limit by a proof, if there is one.
     pub(crate) fn at_limit(&self, limit: Outcome, mode: Option<Mode>) -> Outcome {
         let state = limit.state();
         if self.proof != Proof::None && touches(mode) && self.never_lifts_off(&state) {
@@ -191,7 +192,7 @@ fn touches(mode: Option<Mode>) -> bool {
     mode.is_some_and(Mode::touches_plane)
 }
 
-/// Adds an event to those of a conservative motion; whether the motion repeats itself.
+/// Adds an event of a conservative motion; returns the outcome if the motion repeats.
 fn repeats(
     visits: &mut Vec<Visit>,
     event: &Event,
@@ -233,9 +234,9 @@ fn repeats(
     Some(Outcome::SlidesForever { since, recurrence })
 }
 
-/// Whether a reversal on a smooth plane is an earlier one of the same direction. There θ′ depends on θ and its sign alone, and reversals to the two
-/// sides follow each other: between two of one direction, in one way through the angles, lies one of the other. Two of them next to
-/// each other are known to rounding times the inverse of their distance, so that it is this distance that tells.
+/// Whether a reversal on a smooth plane is the same as an earlier one of the same direction. There |θ′| is a function of θ, and
+/// reversals of the two directions alternate along the path: between two different ones of one direction lies one of the other. The
+/// error of a close pair is inversely proportional to its distance, so this distance sets the tolerance.
 fn is_same_reversal(visits: &[Visit], earlier: &Visit, state: &State) -> bool {
     let away = |visit: &Visit| angle_between(visit.state.theta, state.theta);
     let others = visits.iter().filter(|visit| visit.direction != earlier.direction).map(away);
@@ -243,24 +244,24 @@ fn is_same_reversal(visits: &[Visit], earlier: &Visit, state: &State) -> bool {
     earlier.cause == Cause::Reversal
         && earlier.state.theta_rate * state.theta_rate > 0.0
         && nearest.is_finite()
-        && away(earlier) <= SAME_REVERSAL * nearest
+        && away(earlier) <= MAX_REVERSAL_DISTANCE_RATIO * nearest
 }
 
 impl Slips<'_> {
-    /// The levels of the orbits; none of a hoop that has none.
+    /// The levels of the hoop, if any.
     fn levels(&mut self, hoop: &Hoop) -> Option<&Levels> {
         let own = &mut self.own;
         self.shared.or_else(|| own.get_or_insert_with(|| Levels::new(hoop)).as_ref())
     }
 
-    /// A slip out of rolling begins.
+    /// Adds the beginning of a slip out of rolling.
     fn begins(&mut self, state: &State) {
         let energy = self.law.energy(state.theta, state.theta_rate);
         let ahead = libm::sin(state.theta) * state.theta_rate > 0.0;
         self.slip = Some(Slip { energy, ahead });
     }
 
-    /// Adds an event; whether the motion slips for ever.
+    /// Adds an event; returns the outcome if the motion slips for ever.
     fn add(&mut self, hoop: &Hoop, event: &Event) -> Option<Outcome> {
         let Event { state, cause, to, .. } = *event;
         if (cause, to) == (Cause::Slip, Some(Mode::Sliding)) {
@@ -273,8 +274,8 @@ impl Slips<'_> {
         let energy = self.law.energy(state.theta, state.theta_rate);
         let orbit = self.levels(hoop)?.attracting(hoop, slip.energy, energy)?;
         self.confirmed = Some(slip);
-        // An orbit that grazes the limit away from its turning points does so before and behind the vertical, and slips
-        // there differ but for the limit.
+        // An orbit that grazes the limit away from its turning points does so on both sides of the vertical. The losses there differ
+        // except in the limit, so a slip on each side is required.
         let is_known = orbit.theta_rate == 0.0 || before.is_some_and(|before| before.ahead != slip.ahead);
         let slips_to_halve = 1.0 / (orbit.loss * (energy - orbit.energy));
         is_known.then_some(Outcome::SlipsForever { state, orbit, slips_to_halve })

@@ -1,13 +1,13 @@
-//! The modes that a motion passes through, in 64 bits.
+//! The sequence of the modes of a motion, in 64 bits.
 
 use core::fmt;
 
 use crate::model::{Direction, Mode, named};
 
 named! {
-    /// What a phase is in a sequence: its mode with its direction of slip.
+    /// The code of a phase in a sequence: mode and direction of slip.
     pub enum PhaseCode, "phase",
-    /// Mode and direction, and what the letter stands for.
+    /// Mode and direction, and the meaning of the letter.
     row: ((Mode, Option<Direction>), &'static str) {
         /// Rolling.
         Rolling = 1, "R" => ((Mode::Rolling, None), "rolling");
@@ -27,7 +27,7 @@ named! {
 }
 
 impl PhaseCode {
-    /// Of a mode and its direction of slip.
+    /// The code of a mode and a direction of slip.
     #[must_use]
     pub const fn new(mode: Mode, direction: Option<Direction>) -> Self {
         match (mode, direction) {
@@ -41,23 +41,23 @@ impl PhaseCode {
         }
     }
 
-    /// The mode and its direction of slip.
+    /// The mode and the direction of slip.
     #[must_use]
     pub const fn mode(self) -> (Mode, Option<Direction>) {
         self.row().0
     }
 
-    /// What the letter stands for, for legends.
+    /// Meaning of the letter, for legends.
     #[must_use]
     pub const fn meaning(self) -> &'static str {
         self.row().1
     }
 }
 
-/// A sequence of phases in 64 bits: up to [`PhaseSequence::CAPACITY`] phases of four bits each, then a mark that more
+/// A sequence of phases in 64 bits: up to [`PhaseSequence::CAPACITY`] phases of four bits each, and a bit that is set if more
 /// follow.
 ///
-/// Written with one letter a phase, the name of its [`PhaseCode`]; `…` where more phases follow than fit.
+/// Displayed with one letter per phase, the name of its [`PhaseCode`], and `…` if more phases follow.
 ///
 /// ```
 /// use littlewood::{Hoop, Limits, Start};
@@ -78,7 +78,7 @@ impl PhaseSequence {
     /// Version of the code. Version 1 had three bits a phase.
     pub const VERSION: u32 = 2;
 
-    /// How the bits are to be read.
+    /// Description of the bits.
     pub const ENCODING: &'static str =
         "4 bits a phase, the first phase lowest, up to 15 phases; bit 63 is set if there are more";
 
@@ -90,7 +90,7 @@ impl PhaseSequence {
     /// The bits of all phases that fit.
     const PHASES: u64 = (1 << (Self::BITS * Self::CAPACITY)) - 1;
 
-    /// The last bit of each.
+    /// The lowest bit of each phase.
     const LAST_BITS: u64 = Self::PHASES / ((1 << Self::BITS) - 1);
 
     /// From the 64 bits of [`PhaseSequence::bits`].
@@ -99,7 +99,7 @@ impl PhaseSequence {
         Self(bits)
     }
 
-    /// The number that arrays hold; [`PhaseSequence::ENCODING`] says how.
+    /// The number stored in arrays, encoded as [`PhaseSequence::ENCODING`] describes.
     #[must_use]
     pub const fn bits(self) -> u64 {
         self.0
@@ -118,7 +118,7 @@ impl PhaseSequence {
     /// Adds the phases of another sequence.
     pub(crate) const fn append(&mut self, other: Self) {
         let length = self.len();
-        // What does not fit is shifted out.
+        // Phases beyond the capacity are shifted out.
         self.0 |= ((other.0 & Self::PHASES) << (Self::BITS * length)) & Self::PHASES;
         if other.is_truncated() || length + other.len() > Self::CAPACITY {
             self.0 |= Self::OVERFLOW;
@@ -127,20 +127,20 @@ impl PhaseSequence {
 
     /// The phases of the mirror image of a motion.
     pub(crate) const fn mirrored(self) -> Self {
-        // The codes of opposite directions differ in their last bit: those of sliding, 2 and 3, and of gliding, 4 and 5, alone have
-        // one of the two bits before it.
+        // Codes of opposite directions differ in the lowest bit. Only those of sliding, 2 and 3, and of gliding, 4 and 5, have exactly
+        // one of the two bits above it.
         let directed = ((self.0 >> 1) ^ (self.0 >> 2)) & Self::LAST_BITS;
         Self(self.0 ^ directed)
     }
 
-    /// Number of phases that are kept.
+    /// Number of phases stored.
     #[must_use]
     pub const fn len(self) -> u32 {
         let used = u64::BITS - (self.0 & !Self::OVERFLOW).leading_zeros();
         used.div_ceil(Self::BITS)
     }
 
-    /// Whether there is no phase: no motion was consistent at the start.
+    /// Whether the sequence is empty: no motion was consistent at the start.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
@@ -152,13 +152,13 @@ impl PhaseSequence {
         self.0 & Self::OVERFLOW != 0
     }
 
-    /// The first phase, if there is one.
+    /// The first phase, if any.
     #[must_use]
     pub fn first(self) -> Option<(Mode, Option<Direction>)> {
         self.codes().next().and_then(Result::ok).map(PhaseCode::mode)
     }
 
-    /// The phases that are kept; a number that is no code of a phase is an error.
+    /// The phases stored; an unknown code is an error.
     pub fn codes(self) -> impl Iterator<Item = Result<PhaseCode, crate::model::named::UnknownCode>> {
         (0..self.len()).map(move |i| PhaseCode::try_from((self.0 >> (Self::BITS * i)) as u8 & 0xf))
     }
@@ -178,7 +178,7 @@ impl fmt::Display for PhaseSequence {
 mod tests {
     use super::*;
 
-    /// As many phases as there are kinds of them, some more than once.
+    /// Phases of all kinds in turn.
     fn phases(count: usize) -> Vec<(Mode, Option<Direction>)> {
         PhaseCode::ALL.iter().cycle().take(count).map(|code| code.mode()).collect()
     }

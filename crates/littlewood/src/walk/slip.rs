@@ -1,12 +1,14 @@
-//! Where a slip has begun, as slides without kinetic friction come back to it.
+//! The last slip out of rolling, to which slides without kinetic friction return.
 //!
-//! Such a slide conserves the energy and the horizontal momentum: θ′² and η′ are the same functions of cos θ as long as it slides,
-//! through reversals and turning points. At a slip |F| = μs N and η′ = 0. So η′ vanishes again just where the hoop is back at that angle, or at
-//! its mirror image, and |F| = μs N holds there exactly, which rounding would decide either way. Where N is small η″ is small, too, and
-//! the zero of η′ is less well known than the angle is: so the slide ends at the angle. What follows is known by symmetry: the friction force that rolling needs, over the normal force, is the same in size at all four places (±θ, ±θ′), and grows at two of them, where
-//! the hoop slips, and falls at the other two, where static friction holds from there on.
+//! Such a slide conserves energy and horizontal momentum: θ′² and η′ are fixed functions of cos θ, also through reversals and
+//! turning points. A slip has |F| = μs N and η′ = 0. So η′ vanishes again where the hoop returns to that angle or to its
+//! mirror image. There |F| = μs N holds exactly, and rounding would decide arbitrarily. For small N, η″ is small, too, and
+//! the angle is more accurate than the zero of η′. So the slide ends at the angle.
 //!
-//! A motion that starts with η′ = 0 where rolling would ask for more than the limit, however little, asks for as much more at all four places, and slips at each.
+//! Symmetry decides the next motion: |F|/N of rolling is equal at the four states (±θ, ±θ′). It increases at two of them, where
+//! the hoop slips, and decreases at the other two, where static friction holds.
+//!
+//! A motion may also start with η′ = 0 and |F| > μs N. It then has the same excess at the four states, and slips at each.
 
 use core::f64::consts::TAU;
 
@@ -15,9 +17,9 @@ use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
 use crate::model::{Direction, Heavy, Hoop, State};
 use crate::walk::{Arrival, is_same};
 
-/// Where a motion starts and two zeros of η′ are closer than this in their cosines, it hardly vanishes, or hardly does not: the slide as it is followed tells. On the limit
-/// of static friction η″ does not vanish.
-const GRAZES: f64 = 1e-6;
+/// Least distance, in cos θ, of two zeros of η′ after a start at rest. A closer pair is a near-tangent zero, which is left to the
+/// numerical slide. On the limit of static friction η″ does not vanish.
+const MIN_STANDSTILL_DISTANCE: f64 = 1e-6;
 
 /// The beginning of a slip without kinetic friction, at η′ = 0.
 #[derive(Clone, Copy, Debug)]
@@ -25,24 +27,24 @@ pub(crate) struct LastSlip {
     state: State,
     /// Direction in which the slip began.
     direction: Direction,
-    /// Whether it is the end of rolling, where |F| = μs N; where a motion starts |F| is larger.
+    /// Whether the slip ended rolling, with |F| = μs N. A start has |F| > μs N.
     is_on_limit: bool,
 }
 
 impl LastSlip {
-    /// Where rolling has given way; none with kinetic friction, which conserves nothing.
+    /// A slip that ended rolling; none with kinetic friction, which dissipates energy.
     pub(crate) fn out_of_rolling(hoop: &Hoop, state: State, direction: Direction) -> Option<Self> {
         (hoop.mu_k() == 0.0).then_some(Self { state, direction, is_on_limit: true })
     }
 
-    /// Where a motion starts that slides, if it does: with η′ = 0 rolling asks for more than static friction there is, if there is any.
+    /// The start of a motion, if it slides from η′ = 0: there |F| of rolling exceeds μs N.
     pub(crate) fn at_start(hoop: &Hoop, state: State, slides: Option<Direction>) -> Option<Self> {
         let direction = slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0)?;
         Some(Self { state, direction, is_on_limit: false })
     }
 
-    /// A state at which η′ has vanished again, with the digits that the conserved quantities give it, and how it is reached.
-    pub(crate) fn comes_to_rest(&self, body: &Heavy, state: &State) -> Option<(State, Arrival)> {
+    /// Corrects a state with η′ = 0 by the conserved quantities; also returns the arrival.
+    pub(crate) fn correct_rest(&self, body: &Heavy, state: &State) -> Option<(State, Arrival)> {
         let [integrals, here] =
             [&self.state, state].map(|state| FrictionlessIntegrals::new(body, state, sincos(state.theta)));
         if !is_same(integrals.energy, here.energy) || !is_same(integrals.momentum, here.momentum) {
@@ -51,7 +53,7 @@ impl LastSlip {
         let [at_slip, now] = [self.state.theta, state.theta].map(|angle| sincos(angle).1);
         let away = now - at_slip;
         let others = integrals.other_standstills(body, at_slip);
-        if !self.is_on_limit && others.iter().any(|other| other.abs() < GRAZES) {
+        if !self.is_on_limit && others.iter().any(|other| other.abs() < MIN_STANDSTILL_DISTANCE) {
             return None;
         }
         let real = others.into_iter().filter(|other| !other.is_nan());
@@ -68,16 +70,16 @@ impl LastSlip {
             }
         };
         let law = SlidingLaw::of_body(*body, 0.0, self.direction);
-        // The time is that of the angle where the angle changes faster than the slip.
+        // The angle fixes the time if it changes faster than the slip.
         let by_angle = theta_rate.abs() > law.accelerations(theta, theta_rate).slip.abs();
         let late = if by_angle { (theta - state.theta) / theta_rate } else { 0.0 };
-        // Next to η′ = 0 the hoop moves on as if it rolled.
+        // Near η′ = 0 the hoop moves as in rolling.
         let x = state.x - theta_rate * late;
         let placed = State { time: state.time + late, theta, theta_rate, slip: 0.0, x };
         Some((placed, arrival))
     }
 
-    /// The angle and the rate of the one of the four that is the nearest to a state, and how it is reached.
+    /// Angle and rate of the nearest of the four states, and the arrival.
     fn back_on_limit(&self, state: &State) -> Option<(f64, f64, Arrival)> {
         let [turned, mirrored] =
             [self.state.theta, -self.state.theta].map(|angle| same_direction_near(angle, state.theta));
@@ -86,7 +88,7 @@ impl LastSlip {
             return None;
         }
         let is_turned = from_turned < from_mirrored;
-        // Beyond the limit it slips on everywhere.
+        // With |F| > μs N it slips at all four states.
         let slips = !self.is_on_limit || is_turned == (state.theta_rate * self.state.theta_rate > 0.0);
         let direction = if is_turned { self.direction } else { self.direction.reversed() };
         Some((
@@ -96,8 +98,8 @@ impl LastSlip {
         ))
     }
 
-    /// The angle next to one whose cosine is that at the slip and so much more: Newton's method for the product 2 sin ½(θ + θ₀) sin ½(θ₀ − θ), which
-    /// does not cancel. None where it leads elsewhere, as next to a cosine of ±1.
+    /// The angle near `near` with cos θ = cos θ₀ + `more`, by Newton's method on the product 2 sin ½(θ + θ₀) sin ½(θ₀ − θ), which
+    /// does not cancel. None if the iteration does not converge to it, as near cos θ = ±1.
     fn at_cosine(&self, more: f64, near: f64) -> Option<f64> {
         let from = self.state.theta;
         converge(near, |theta| {
@@ -107,7 +109,7 @@ impl LastSlip {
     }
 }
 
-/// The angle in the direction of one, next to another.
+/// The angle equal to `direction` up to whole turns that is nearest to `to`.
 fn same_direction_near(direction: f64, to: f64) -> f64 {
     direction + TAU * ((to - direction) / TAU).round()
 }
