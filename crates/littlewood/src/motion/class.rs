@@ -1,38 +1,38 @@
-//! The coarser division of outcomes that maps show.
+//! The classes of outcomes that maps show.
 
 use crate::model::named;
 use crate::motion::summary::Summary;
 use crate::walk::OutcomeKind;
 
 named! {
-    /// Class of outcomes that maps show: coarser than the outcome, but with jumps divided by when they begin.
+    /// A class of outcomes for maps: coarser than the outcome, but with early and late lift-offs distinguished.
     pub enum Class, "class of outcomes",
-    /// In words, for legends.
+    /// Label for legends.
     pub label: &'static str {
         /// In flight from the start.
         LeavesAtOnce = 0, "leaves_at_once" => "leaves at once";
         /// Lifts off after some time in contact. A motion in flight at the time limit counts as lifted off.
         LiftsOffLater = 1, "lifts_off_later" => "lifts off later";
-        /// Rolls for ever, which is proved.
+        /// Rolls for ever (proved).
         RollsForever = 2, "rolls_forever" => "rolls for ever";
-        /// Slides, or rolls and slides, in the same way again and again, without kinetic friction or without mass, which is proved.
+        /// Repeats a cycle of slides, or of rolls and slides, without kinetic friction or mass (proved).
         RepeatsForever = 3, "repeats_forever" => "repeats for ever";
-        /// Rolls and slips for ever, with μs = μk, which is proved.
+        /// Rolls and slips for ever with μs = μk (proved).
         SlipsForever = 4, "slips_forever" => "slips for ever";
-        /// In contact, as far as it was followed: to a limit of time, of transitions or of steps, or until its energy proved that it
+        /// In contact up to a limit of time, transitions or steps, or until its energy proves that it
         /// never lifts off.
         InContact = 5, "in_contact" => "in contact";
-        /// The particle has reached the plane.
+        /// The particle reaches the plane.
         ParticleAtPlane = 6, "particle_at_plane" => "particle at the plane";
-        /// The particle has reached its lowest place inside a massless rim.
+        /// The particle reaches its lowest point inside a massless rim.
         ParticleAtBottom = 7, "particle_at_bottom" => "particle at the bottom";
-        /// The particle has reached the top with velocity to spare.
+        /// The particle reaches the top with upward velocity left.
         ParticleAtTop = 8, "particle_at_top" => "particle at the top";
-        /// A Painlevé paradox: no motion, several motions, or a slide that runs into a singularity.
+        /// A Painlevé paradox: no consistent motion, several, or a slide that reaches P = 0.
         Painleve = 9, "painleve" => "Painlevé paradox";
-        /// Faster than the clock resolves.
+        /// The time scale falls below double precision.
         Unresolved = 10, "unresolved" => "unresolved";
-        /// Parameters that contradict each other.
+        /// Contradictory parameters.
         Invalid = 11, "invalid" => "invalid parameters";
         /// Not computed.
         NotComputed = 12, "not_computed" => "not computed";
@@ -52,7 +52,7 @@ impl Class {
         Self::of_end(summary.outcome)
     }
 
-    /// The class of an end, whenever the body has lifted off before it.
+    /// The class of an outcome, without regard to an earlier lift-off.
     #[must_use]
     pub const fn of_end(outcome: OutcomeKind) -> Self {
         match outcome {
@@ -74,7 +74,7 @@ impl Class {
         }
     }
 
-    /// Whether the body stays in contact, as far as it was followed.
+    /// Whether the body stays in contact up to the end of the simulation.
     #[must_use]
     pub const fn stays_in_contact(self) -> bool {
         matches!(self, Self::RollsForever | Self::RepeatsForever | Self::SlipsForever | Self::InContact)

@@ -1,4 +1,4 @@
-//! Where a start lies in the plane of the paper, and what follows at once.
+//! The region of a start in the phase plane of the paper, and the motion that begins there.
 
 use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
 use crate::model::{Body, Direction, Hoop, Limits, Mode, ParameterError, Start, named};
@@ -6,19 +6,19 @@ use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
 use crate::walk::{Arrival, Candidates, Next, Origin, next_motion};
 
 named! {
-    /// The part of the state space that a start lies in.
+    /// The region of the state space that contains a start.
     pub enum StartRegion, "region of starts" {
-        /// 𝓡 of (2.14), (3.10): rolls.
+        /// 𝓡 of (2.14), (3.10): rolling.
         Rolling = 0, "rolling_region";
-        /// 𝓝 but not 𝓡: N > 0, static friction does not suffice.
+        /// 𝓝 without 𝓡: N > 0 and |F| > μs N.
         BeyondFriction = 1, "beyond_friction";
-        /// N ≤ 0 in rolling, yet 1 − h cos θ θ′² > 0: slides in contact. The paper calls it loss of contact.
+        /// N ≤ 0 in rolling and 1 − h cos θ θ′² > 0: sliding in contact. The paper calls it loss of contact.
         SlidingBand = 2, "sliding_band";
-        /// 1 − h cos θ θ′² < 0, or zero and falling, or a start at which the gap opens: leaves the plane.
+        /// 1 − h cos θ θ′² < 0, or zero and decreasing, or an opening gap: flight.
         LossOfContact = 3, "loss_of_contact";
         /// η′ ≠ 0 and in contact.
         Slipping = 4, "slipping";
-        /// Massless hoop outside 𝓡, or with η′ ≠ 0: glides.
+        /// Massless hoop outside 𝓡, or with η′ ≠ 0: gliding.
         Gliding = 5, "gliding";
         /// No motion is consistent.
         Inconsistent = 6, "inconsistent";
@@ -27,7 +27,7 @@ named! {
     }
 }
 
-/// What is known of a start without simulating it.
+/// The classification of a start, without a simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -36,27 +36,26 @@ pub struct Classification {
     pub region: StartRegion,
     /// Mode that begins, if exactly one is consistent.
     pub mode: Option<Mode>,
-    /// Direction of slip that begins; none for rolling and flight, and for a glide from η′ = 0, where it follows from
-    /// the glide.
+    /// Direction of slip that begins; none for rolling and flight, and for a glide from η′ = 0, whose solution determines it.
     pub direction: Option<Direction>,
     /// Energy E (2.8).
     pub energy: f64,
-    /// N and F that rolling from here would need (2.12).
+    /// N and F that rolling would need (2.12).
     pub rolling_forces: ContactForces,
     /// 1 − h cos θ θ′².
     pub contact: f64,
-    /// For a start in 𝓡: where rolling ends; none if it does not start there, or rolls for ever.
+    /// The end of rolling for a start in 𝓡; none if it rolls for ever.
     pub rolling_end: Option<RollingEnd>,
-    /// For a start in 𝓡 that rolls for ever: how the motion comes back.
+    /// The recurrence for a start in 𝓡 that rolls for ever.
     pub recurrence: Option<Recurrence>,
-    /// For Littlewood's hoop in 𝓡: Type I, II or III. None on the stable manifold.
+    /// For Littlewood's hoop in 𝓡: Type I, II or III; none on the stable manifold.
     pub rolling_type: Option<RollingType>,
-    /// What was examined, where no motion or several are consistent.
+    /// The candidates, if no motion or more than one is consistent.
     pub candidates: Option<Candidates>,
 }
 
 impl Hoop {
-    /// Says which region a start lies in, what begins there, and, for Littlewood's hoop, of which type it is.
+    /// Determines the region of a start, the motion that begins, and, for Littlewood's hoop, its type.
     ///
     /// ```
     /// use littlewood::theory::RollingType;
@@ -126,7 +125,7 @@ impl Hoop {
         match self.body() {
             Body::Massless(body) if body.offset == 1.0 => {
                 let by_energy = RollingType::of_energy(rolling_energy(theta, theta_rate), self.mu_s())?;
-                // Near e = 1 + 2 cos θ_s the energy may round to either side; the end of rolling decides.
+                // Near e = 1 + 2 cos θ_s the energy may round to either side, so the end of rolling decides.
                 match (end?.limit, by_energy) {
                     (_, RollingType::II) => Some(RollingType::II),
                     (RollingLimit::NormalForce, _) => Some(RollingType::I),

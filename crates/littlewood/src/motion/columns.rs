@@ -1,4 +1,4 @@
-//! The columns of a sample and of a summary: name, dimension, meaning, and how each is computed.
+//! The columns of samples and summaries: name, dimension, description and value.
 
 use crate::model::{Dimension, Direction, Mode, State, named};
 use crate::modes::Sample;
@@ -8,7 +8,7 @@ use crate::walk::{OutcomeKind, PhaseSequence};
 named! {
     /// A column of the samples of a motion, in the order of records.
     pub enum SampleColumn, "column of a sample",
-    /// Dimension, if it has one; symbol; what it is, in words.
+    /// Dimension, if any; symbol; description.
     row: (Option<Dimension>, &'static str, &'static str) {
         /// Time τ.
         Time = 0, "time" => (Some(Dimension::Time), "τ", "time");
@@ -93,7 +93,7 @@ impl SampleValue {
 }
 
 impl SampleColumn {
-    /// Its value in a sample.
+    /// The value in a sample.
     #[must_use]
     pub const fn of(self, sample: &Sample) -> SampleValue {
         SampleValue::Real(match self {
@@ -125,19 +125,19 @@ impl SampleColumn {
         self.row().0
     }
 
-    /// Symbol as it is printed.
+    /// Printed symbol.
     #[must_use]
     pub const fn sign(self) -> &'static str {
         self.row().1
     }
 
-    /// What it is, in words.
+    /// Description.
     #[must_use]
     pub const fn long_name(self) -> &'static str {
         self.row().2
     }
 
-    /// Name of the column in SI units; none for a code, which has no unit.
+    /// Column name with the SI unit; none for a code.
     #[must_use]
     pub fn si_name(self) -> Option<String> {
         self.dimension().map(|dimension| format!("{self}{}", dimension.si_suffix()))
@@ -147,7 +147,7 @@ impl SampleColumn {
 named! {
     /// A column of the results of a sweep, in the order of stores.
     pub enum SummaryColumn, "column of a summary",
-    /// Type, dimension, and what it is, in words.
+    /// Type, dimension and description.
     row: (ColumnType, Dimension, &'static str) {
         /// [`Summary::outcome`].
         Outcome = 0, "outcome" => (ColumnType::Outcome, Dimension::Ratio, "outcome");
@@ -197,11 +197,11 @@ pub enum ColumnType {
     Count,
     /// Yes or no, 8 bits.
     Flag,
-    /// A number in double precision; NaN where there is nothing.
+    /// A number in double precision; NaN if absent.
     Real,
 }
 
-/// A value of a summary, as arrays hold it.
+/// A value of a summary, as stored in arrays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SummaryValue {
     /// 8 bits.
@@ -214,8 +214,8 @@ pub enum SummaryValue {
     F64(f64),
 }
 
-/// The place of a value in a summary.
-enum Place<'a> {
+/// A mutable reference to a value of a summary.
+enum Field<'a> {
     Outcome(&'a mut OutcomeKind),
     Sequence(&'a mut PhaseSequence),
     Count(&'a mut u32),
@@ -224,12 +224,12 @@ enum Place<'a> {
 }
 
 impl SummaryColumn {
-    const fn place(self, summary: &mut Summary) -> Place<'_> {
-        Place::Real(match self {
-            Self::Outcome => return Place::Outcome(&mut summary.outcome),
-            Self::Sequence => return Place::Sequence(&mut summary.sequence),
-            Self::Transitions => return Place::Count(&mut summary.transitions),
-            Self::Painleve => return Place::Flag(&mut summary.painleve),
+    const fn field(self, summary: &mut Summary) -> Field<'_> {
+        Field::Real(match self {
+            Self::Outcome => return Field::Outcome(&mut summary.outcome),
+            Self::Sequence => return Field::Sequence(&mut summary.sequence),
+            Self::Transitions => return Field::Count(&mut summary.transitions),
+            Self::Painleve => return Field::Flag(&mut summary.painleve),
             Self::EndTime => &mut summary.end.time,
             Self::EndTheta => &mut summary.end.theta,
             Self::EndThetaRate => &mut summary.end.theta_rate,
@@ -240,7 +240,7 @@ impl SummaryColumn {
             Self::LiftOffTime => &mut summary.lift_off_time,
             Self::JumpLength => &mut summary.jump_length,
             Self::JumpHeight => &mut summary.jump_height,
-            Self::Landings => return Place::Count(&mut summary.landings),
+            Self::Landings => return Field::Count(&mut summary.landings),
             Self::ImpactEnergyLost => &mut summary.impact_energy_lost,
             Self::SettleTime => &mut summary.settle_time,
         })
@@ -252,19 +252,19 @@ impl SummaryColumn {
         self.row().0
     }
 
-    /// Dimension; that of a ratio for counts and codes.
+    /// Dimension; [`Dimension::Ratio`] for counts and codes.
     #[must_use]
     pub const fn dimension(self) -> Dimension {
         self.row().1
     }
 
-    /// What it is, in words.
+    /// Description.
     #[must_use]
     pub const fn long_name(self) -> &'static str {
         self.row().2
     }
 
-    /// The columns of numbers: real ones, and counts.
+    /// The columns of real numbers and counts.
     pub fn numbers() -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(|column| match column.column_type() {
             ColumnType::Real | ColumnType::Count => true,
@@ -277,27 +277,27 @@ impl SummaryColumn {
         Self::ALL.into_iter().filter(|column| column.column_type() == ColumnType::Real)
     }
 
-    /// Its value in a summary. There is one NaN: the sign and payload of one that arithmetic makes are not specified.
+    /// The value in a summary. Every NaN becomes [`f64::NAN`], since the sign and payload of a computed NaN are unspecified.
     #[must_use]
     pub fn of(self, summary: &Summary) -> SummaryValue {
-        self.place(&mut { *summary }).value()
+        self.field(&mut { *summary }).value()
     }
 
-    /// Sets its value in a summary. A value of another type, or a number that is no code, is not taken: false.
+    /// Sets the value in a summary. Returns false, and changes nothing, for a value of another type or an unknown code.
     pub fn set(self, summary: &mut Summary, value: SummaryValue) -> bool {
-        match (self.place(summary), value) {
-            (Place::Outcome(outcome), SummaryValue::U8(code)) => match OutcomeKind::try_from(code) {
+        match (self.field(summary), value) {
+            (Field::Outcome(outcome), SummaryValue::U8(code)) => match OutcomeKind::try_from(code) {
                 Ok(kind) => *outcome = kind,
                 Err(_) => return false,
             },
-            (Place::Sequence(sequence), SummaryValue::U64(bits)) => {
+            (Field::Sequence(sequence), SummaryValue::U64(bits)) => {
                 *sequence = PhaseSequence::from_bits(bits);
             }
-            (Place::Count(count), SummaryValue::U32(value)) => *count = value,
-            (Place::Flag(flag), SummaryValue::U8(value)) => *flag = value != 0,
-            (Place::Real(real), SummaryValue::F64(value)) => *real = value,
+            (Field::Count(count), SummaryValue::U32(value)) => *count = value,
+            (Field::Flag(flag), SummaryValue::U8(value)) => *flag = value != 0,
+            (Field::Real(real), SummaryValue::F64(value)) => *real = value,
             (
-                Place::Outcome(_) | Place::Sequence(_) | Place::Count(_) | Place::Flag(_) | Place::Real(_),
+                Field::Outcome(_) | Field::Sequence(_) | Field::Count(_) | Field::Flag(_) | Field::Real(_),
                 _,
             ) => {
                 return false;
@@ -307,7 +307,7 @@ impl SummaryColumn {
     }
 }
 
-impl Place<'_> {
+impl Field<'_> {
     const fn value(self) -> SummaryValue {
         match self {
             Self::Outcome(outcome) => SummaryValue::U8(outcome.code()),
@@ -324,6 +324,6 @@ impl Summary {
     #[must_use]
     pub fn values(&self) -> [SummaryValue; SummaryColumn::ALL.len()] {
         let mut copy = *self;
-        SummaryColumn::ALL.map(|column| column.place(&mut copy).value())
+        SummaryColumn::ALL.map(|column| column.field(&mut copy).value())
     }
 }

@@ -1,4 +1,4 @@
-//! A motion that has been simulated: its trajectory, samples, summary, and trusted digits.
+//! A simulated motion: its trajectory, samples, summary, and significant digits.
 
 pub(crate) mod class;
 pub(crate) mod classify;

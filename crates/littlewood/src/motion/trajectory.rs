@@ -1,4 +1,4 @@
-//! A motion as a whole: its phases, the transitions between them, how it ends, and the state at any time.
+//! A motion: its phases, the transitions between them, its outcome, and the state at any time.
 
 use crate::model::{Direction, Hoop, Mode, State};
 use crate::modes::{Instant, PhaseSolution, Sample};
@@ -10,10 +10,10 @@ pub struct Phase {
     pub(crate) hoop: Hoop,
     pub(crate) origin: Origin,
     pub(crate) solution: PhaseSolution,
-    /// The start as seen from the origin, and the end.
+    /// Start and end, relative to the origin.
     pub(crate) start: State,
     pub(crate) end: Option<State>,
-    /// Index of the transition that ends it.
+    /// Index of the transition that ends the phase.
     pub(crate) ended_by: Option<usize>,
 }
 
@@ -39,7 +39,7 @@ impl Phase {
         }
     }
 
-    /// The solution itself.
+    /// The solution.
     #[must_use]
     pub const fn solution(&self) -> &PhaseSolution {
         &self.solution
@@ -51,7 +51,7 @@ impl Phase {
         self.origin.state(self.start)
     }
 
-    /// State at the end; none for a phase that lasts for ever. Its rate is infinite where a gliding particle reaches
+    /// State at the end; none for an endless phase. The rate is infinite if a gliding particle reaches
     /// θ = 0 or ±π.
     #[must_use]
     pub const fn end(&self) -> Option<State> {
@@ -61,24 +61,24 @@ impl Phase {
         }
     }
 
-    /// Time at the end; infinite for a phase that lasts for ever.
+    /// Time at the end; infinite for an endless phase.
     #[must_use]
     pub fn end_time(&self) -> f64 {
         self.end.map_or(f64::INFINITY, |end| self.origin.time(end.time))
     }
 
-    /// Duration; infinite for a phase that lasts for ever.
+    /// Duration; infinite for an endless phase.
     #[must_use]
     pub fn duration(&self) -> f64 {
         self.last_instant() - self.start.time
     }
 
-    /// Time at the end since the start of the motion.
+    /// Time from the start of the motion to the end of the phase.
     fn last_instant(&self) -> f64 {
         self.end.map_or(f64::INFINITY, |end| end.time)
     }
 
-    /// The instant `time`, the first or the last if it is not within the phase.
+    /// The sample at `time`, clamped to the phase.
     fn at(&self, time: f64) -> Sample {
         let elapsed = if time <= self.origin.time(self.start.time) {
             0.0
@@ -104,7 +104,7 @@ impl Phase {
         }
     }
 
-    /// Gliding that is not the limit of the motions of a heavy hoop as its inertia vanishes; false for the other modes.
+    /// Whether the phase is gliding that is not the limit of sliding as the inertia of a heavy hoop vanishes.
     #[must_use]
     pub const fn is_outside_small_inertia_limit(&self) -> bool {
         match &self.solution {
@@ -113,7 +113,7 @@ impl Phase {
         }
     }
 
-    /// The instant `elapsed` after the start of the phase, as this phase sees it.
+    /// The sample at the time `elapsed` after the start of the phase, clamped to the phase.
     #[must_use]
     pub fn sample(&self, elapsed: f64) -> Sample {
         let duration = self.duration();
@@ -135,13 +135,13 @@ impl Phase {
         })
     }
 
-    /// First instant.
+    /// The first sample.
     #[must_use]
     pub fn first(&self) -> Sample {
         self.sample(0.0)
     }
 
-    /// Last instant, before the transition that ends the phase; none for a phase that lasts for ever.
+    /// The last sample, before the transition that ends the phase; none for an endless phase.
     #[must_use]
     pub fn last(&self) -> Option<Sample> {
         self.end.map(|_| self.sample(self.duration()))
@@ -156,7 +156,7 @@ pub struct Trajectory {
     pub(crate) start: State,
     pub(crate) phases: Vec<Phase>,
     pub(crate) transitions: Vec<Transition>,
-    /// As seen from the origin.
+    /// Relative to the origin.
     pub(crate) outcome: Outcome,
 }
 
@@ -173,38 +173,38 @@ impl Trajectory {
         self.start
     }
 
-    /// The phases in order. Empty where no motion, or more than one, is consistent at the start.
+    /// The phases in order; empty if no motion, or more than one, is consistent at the start.
     #[must_use]
     pub fn phases(&self) -> &[Phase] {
         &self.phases
     }
 
-    /// The transitions in order. Each ends a phase, but for a jam from a state at which no motion was consistent:
-    /// [`Trajectory::end_of`] says which ends a phase.
+    /// The transitions in order. Each ends a phase, except a jam from a state without a consistent motion;
+    /// [`Trajectory::end_of`] returns the transition of a phase.
     #[must_use]
     pub fn transitions(&self) -> &[Transition] {
         &self.transitions
     }
 
-    /// The transition that ends a phase; none for the last phase of a motion that stops or lasts for ever.
+    /// The transition that ends a phase; none for a last phase that is endless or cut at a limit.
     #[must_use]
     pub fn end_of(&self, phase: &Phase) -> Option<&Transition> {
         self.transitions.get(phase.ended_by?)
     }
 
-    /// How the motion ended.
+    /// The outcome.
     #[must_use]
     pub const fn outcome(&self) -> Outcome {
         self.origin.outcome(self.outcome)
     }
 
-    /// Time at which the motion ends; infinite if it lasts for ever and no time limit was set.
+    /// Time at the end of the motion; infinite if the motion is endless and has no time limit.
     #[must_use]
     pub fn end_time(&self) -> f64 {
         self.phases.last().map_or(self.start.time, Phase::end_time)
     }
 
-    /// Energy lost: to friction in sliding, and in impacts.
+    /// Energy lost to sliding friction and in impacts.
     #[must_use]
     pub fn energy_lost(&self) -> f64 {
         self.phases.iter().map(Phase::energy_lost).sum::<f64>() + self.impact_energy_lost()
@@ -220,8 +220,8 @@ impl Trajectory {
             .sum()
     }
 
-    /// The instant `time`, found in O(log n) of the number of phases and steps; none outside the motion. At a
-    /// transition it is the first instant of the motion that begins.
+    /// The sample at `time`, in O(log n) of the number of phases and steps; none outside the motion. At a
+    /// transition it is the first sample of the next phase.
     #[must_use]
     pub fn at(&self, time: f64) -> Option<Sample> {
         if !(time.is_finite() && time >= self.start.time && time <= self.end_time()) {
@@ -231,8 +231,8 @@ impl Trajectory {
         Some(self.phases.get(after.checked_sub(1)?)?.at(time))
     }
 
-    /// The one instant of a motion without a phase, since none is consistent at its start: the state, with its energy.
-    /// Accelerations and forces are NaN, and the mode says nothing. None for a motion that has a phase.
+    /// The only sample of a motion without a phase: the state and its energy at the start. Accelerations and forces are NaN, and the
+    /// mode is meaningless. None for a motion with a phase.
     #[must_use]
     pub fn only_instant(&self) -> Option<Sample> {
         let unknown = (f64::NAN, f64::NAN);
@@ -246,7 +246,7 @@ impl Trajectory {
         self.phases.is_empty().then(|| instant.sample(&self.hoop, self.start))
     }
 
-    /// The instants `times`, each as [`Trajectory::at`] has it.
+    /// The samples at `times`, by [`Trajectory::at`].
     pub fn sample<'a, I>(&'a self, times: I) -> impl Iterator<Item = Option<Sample>> + use<'a, I>
     where
         I: IntoIterator<Item = f64>,
@@ -255,18 +255,17 @@ impl Trajectory {
         times.into_iter().map(|time| self.at(time))
     }
 
-    /// `count` instants evenly spaced from the start to `until` (or to the end, if that comes first), together with
-    /// every transition in between, which appears twice: as the last instant of the phase that ends and as the first
-    /// of the phase that begins, because the forces may jump there.
+    /// `count` evenly spaced samples from the start to `until`, or to the end if that comes first. Every transition in between
+    /// adds two samples, the last of the phase that ends and the first of the phase that begins, because the forces may jump.
     pub fn sample_evenly(&self, count: usize, until: f64) -> impl Iterator<Item = Sample> + '_ {
-        // In the time since the start.
+        // Times are relative to the start.
         let last = self.phases.last().map_or(0.0, Phase::last_instant);
         let end = if until < self.end_time() { self.origin.elapsed(until) } else { last };
         let intervals = count.saturating_sub(1).max(1);
         let grid = move |i: usize| {
             if i == intervals { end } else { end * (i as f64 / intervals as f64) }
         };
-        // Number of grid points before a time, from an estimate that rounding may put one off.
+        // Number of grid points before a time. Rounding may put the estimate off by one.
         let before = move |time: f64| {
             let estimate = time / end * intervals as f64;
             let mut i = if estimate > 0.0 { (estimate as usize).min(count) } else { 0 };
@@ -286,7 +285,7 @@ impl Trajectory {
             .flat_map(move |(index, phase)| {
                 let (start, stop) = (phase.start.time, phase.last_instant());
                 let first = (index > 0).then(|| phase.first());
-                // A grid point on a transition is the transition.
+                // Skips a grid point that coincides with a transition.
                 let from = before(start)
                     + usize::from(index > 0 && before(start) < count && grid(before(start)) == start);
                 let to = if index == last { count } else { before(stop) };
