@@ -152,7 +152,6 @@ struct EventRecord {
     kind: (Cause, Option<Mode>, Option<Mode>, Option<Direction>),
 }
 
-/// Records the transitions of a motion.
 struct Events {
     origin: Origin,
     seen: Vec<EventRecord>,

@@ -164,7 +164,6 @@ impl<'a> SummaryRecorder<'a> {
     }
 }
 
-/// A borrowed solution.
 impl MaybeFlight for &PhaseSolution {
     fn flight(&self) -> Option<&Flight> {
         (**self).flight()

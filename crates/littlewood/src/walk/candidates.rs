@@ -77,7 +77,6 @@ impl Candidates {
     }
 }
 
-/// The motion that begins.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Next {
     /// `on_limit` if |F| = μs N at the start and static friction holds after it.
@@ -138,9 +137,7 @@ pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> Next 
 pub(crate) struct Evidence<P> {
     /// w = 1 − h cos θ θ′².
     pub(crate) contact: f64,
-    /// Whether the body leaves the plane.
     pub(crate) leaves: bool,
-    /// The slip.
     pub(crate) slip: SlipEvidence,
     /// P in a direction of slip.
     pub(crate) solvability: P,

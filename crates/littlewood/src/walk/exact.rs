@@ -12,7 +12,6 @@ use crate::walk::{
     Arrival, Cause, Ending, MaybeFlight, Next, Outcome, Solution, Solved, SolvedBy, Solver, next_motion,
 };
 
-/// Solves the phases of one hoop.
 #[derive(Clone, Debug)]
 pub(crate) struct Exact<'a> {
     hoop: &'a Hoop,
@@ -37,7 +36,6 @@ impl<'a> Exact<'a> {
         Self { hoop, until: limits.until, proof: limits.proof(), steps: Cell::new(MAX_STEPS_OF_HARD_SLIDES) }
     }
 
-    /// Time to the time limit.
     fn allowed(&self, state: &State) -> Option<f64> {
         self.until.map(|until| until - state.time)
     }

@@ -14,7 +14,6 @@ use crate::walk::{Arrival, Cause, Event, Known, LastSlip, Next, Outcome, PhaseSe
 pub(crate) trait Solver {
     /// A state with the quantities that the solver derives from it.
     type Place;
-    /// The solution of a phase.
     type Solution: Solution;
     /// The outcome of a motion.
     type Verdict: From<Outcome>;
@@ -54,9 +53,7 @@ pub(crate) trait Solver {
 
 /// Limits of the links that may be skipped.
 pub(crate) struct ChainBudget<'a> {
-    /// Largest number of transitions.
     pub(crate) transitions: u32,
-    /// Largest length of the slides.
     pub(crate) slides: f64,
     /// Whether to record the phases, at most as many as a sequence holds.
     pub(crate) record_phases: bool,
@@ -67,7 +64,6 @@ pub(crate) struct ChainBudget<'a> {
 /// Skipped links, from a slip out of rolling to a later one.
 pub(crate) struct ChainSegment<P> {
     pub(crate) place: P,
-    /// Direction of the later slip.
     pub(crate) direction: Direction,
     pub(crate) transitions: u32,
     /// Length of the slides.
@@ -78,17 +74,14 @@ pub(crate) struct ChainSegment<P> {
 
 /// A phase that may be a flight.
 pub(crate) trait MaybeFlight {
-    /// The flight, if any.
     fn flight(&self) -> Option<&Flight>;
 }
 
 /// Properties of a solved phase, exact or tabulated.
 pub(crate) trait Solution: MaybeFlight {
-    /// Smallest and largest angle of a slide.
     fn theta_range(&self) -> Option<(f64, f64)>;
 }
 
-/// A solved phase.
 pub(crate) struct Solved<S, P, V> {
     pub(crate) solution: S,
     /// Direction of slip; for a glide from η′ = 0 it follows from the solution.
@@ -98,7 +91,6 @@ pub(crate) struct Solved<S, P, V> {
 
 pub(crate) type SolvedBy<T> = Solved<<T as Solver>::Solution, <T as Solver>::Place, <T as Solver>::Verdict>;
 
-/// The end of a phase.
 pub(crate) enum Ending<P, V> {
     /// An event after which the motion continues.
     Event { place: P, cause: Cause, arrival: Arrival },
@@ -127,7 +119,6 @@ impl<P, V> Ending<P, V> {
 
 /// Records the phases and transitions of a motion.
 pub(crate) trait Recorder<S> {
-    /// Records a phase.
     fn phase(&mut self, phase: PhaseRecord, solution: S);
     /// Records an event, with its impact and the direction of slip of the motion that begins. It ends the last phase if its `from` is a
     /// mode.
@@ -143,7 +134,6 @@ pub(crate) trait Recorder<S> {
 /// The detail at which a recorder keeps phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PhaseDetail {
-    /// Solutions.
     Solutions,
     /// Modes and directions of slip.
     Modes,
@@ -164,7 +154,6 @@ pub(crate) struct PhaseRecord {
 enum Begin {
     /// The motion decided from the state.
     Motion(Next),
-    /// Infinitely many bounces.
     Settle(Heavy, Box<Settling>),
 }
 
@@ -179,7 +168,6 @@ struct Current<P> {
 }
 
 impl<P> Current<P> {
-    /// A slip out of rolling.
     fn slipping<T: Solver<Place = P>>(solver: &T, place: P, direction: Direction) -> Self {
         let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
         let begin = Begin::Motion(solver.decide(&place, arrival));
@@ -568,7 +556,6 @@ fn flush<S>(recorder: &mut impl Recorder<S>, pending: &mut Option<Event>, direct
 }
 
 impl Begin {
-    /// The mode that begins.
     const fn mode(&self) -> Option<Mode> {
         match self {
             Self::Motion(Next::Roll { .. }) => Some(Mode::Rolling),

@@ -46,7 +46,6 @@ impl Origin {
         }
     }
 
-    /// The time since the start.
     pub(crate) const fn elapsed(&self, time: f64) -> f64 {
         time - self.time
     }

@@ -57,7 +57,6 @@ pub(crate) struct Known<'a> {
 /// The property of a motion that its events may prove.
 #[derive(Debug)]
 enum Kind<'a> {
-    /// Nothing.
     None,
     /// The motion repeats.
     Conservative(Vec<Visit>),
@@ -75,7 +74,6 @@ struct Visit {
     range: Option<(f64, f64)>,
 }
 
-/// A slip out of rolling.
 #[derive(Clone, Copy, Debug)]
 struct Slip {
     energy: f64,
@@ -83,7 +81,6 @@ struct Slip {
     ahead: bool,
 }
 
-/// Slips with μs = μk.
 #[derive(Debug)]
 struct Slips<'a> {
     law: RollingLaw,

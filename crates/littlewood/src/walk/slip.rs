@@ -25,7 +25,6 @@ const MIN_STANDSTILL_DISTANCE: f64 = 1e-6;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LastSlip {
     state: State,
-    /// Direction in which the slip began.
     direction: Direction,
     /// Whether the slip ended rolling, with |F| = μs N. A start has |F| > μs N.
     is_on_limit: bool,

@@ -23,7 +23,6 @@ pub(super) struct Gap {
     pub(super) theta: f64,
 }
 
-/// The gap and its slope at an argument.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Bound {
     pub(super) at: f64,
@@ -145,7 +144,6 @@ impl Gap {
         Self { cos, sin, opening: 0.0, ..self }
     }
 
-    /// Gap and slope at an argument.
     pub(super) fn bound(&self, at: f64) -> Bound {
         let Expansion { gap, slope, .. } = self.expansion(at);
         Bound { at, gap, slope }

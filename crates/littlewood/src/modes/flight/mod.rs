@@ -49,7 +49,6 @@ pub(crate) enum TakeOff {
 pub struct Flight {
     h: f64,
     start: State,
-    /// Velocity of the mass centre.
     vx: f64,
     vy: f64,
     mass_centre_x: f64,
@@ -165,7 +164,6 @@ impl Flight {
         self.settles
     }
 
-    /// Maximum of the gap.
     fn highest(&self) -> Bound {
         self.apex.unwrap_or_else(|| self.gap.only_apex(self.landing.at))
     }

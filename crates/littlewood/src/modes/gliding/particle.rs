@@ -27,13 +27,11 @@ pub(super) struct Particle {
     pub(super) above_bottom: f64,
     /// V0.
     pub(super) rise: f64,
-    /// v.
     pub(super) momentum: f64,
     /// Horizontal position of the mass centre at the start.
     mass_centre: f64,
 }
 
-/// The particle at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ParticleState {
     pub(super) elapsed: f64,
@@ -146,7 +144,6 @@ impl Particle {
         }
     }
 
-    /// The state of the hoop.
     pub(super) fn state(&self, place: &ParticleState) -> State {
         let arm = place.arm();
         let half_angle = libm::atan2(place.below_top.sqrt(), place.above_bottom.sqrt());

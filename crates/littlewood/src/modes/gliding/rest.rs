@@ -53,7 +53,6 @@ enum Path {
 /// c0 + c1 x + c2 x² + c3 x³. A root near 0 has the relative accuracy of c0.
 type Cubic = [f64; 4];
 
-/// Height from one end of a path.
 enum Height {
     FromBegin(f64),
     ToEnd(f64),

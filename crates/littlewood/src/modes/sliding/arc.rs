@@ -65,9 +65,7 @@ pub struct Sliding {
     start: State,
     path: SlidePath,
     steps: Vec<Step>,
-    /// Leaps between steps.
     leaps: Vec<Leap>,
-    /// Number of attempted leaps.
     attempts: usize,
     /// Time and angle of the turning points; recorded only without kinetic friction.
     turnings: Vec<(f64, f64)>,
@@ -119,7 +117,6 @@ struct SlidePoint {
 /// State of the search for leaps.
 #[derive(Clone, Copy, Debug, Default)]
 struct LeapSearch {
-    /// Time of the last turning point.
     turning: Option<f64>,
     /// Minimum and maximum of the oscillating part of σ η′ at the steps since then.
     range: Option<(f64, f64)>,
@@ -489,7 +486,6 @@ impl Sliding {
         })
     }
 
-    /// Adds the position from the second integral.
     fn state_from(&self, here: SlidePoint) -> State {
         State {
             time: self.start.time + here.elapsed,

@@ -131,7 +131,6 @@ impl Probe {
         None
     }
 
-    /// One turn.
     fn turn(law: &SlidingLaw, start: PhasePoint) -> Option<Self> {
         let travel = start.rate.signum();
         Self::new(law, start, |series, width, _| {
@@ -171,10 +170,8 @@ impl Probe {
     }
 }
 
-/// Times within a stretch.
 #[derive(Clone, Debug)]
 enum Times {
-    /// At the end of each turn.
     Each(Vec<f64>),
     /// Coefficients of D(x) − D(−1) in powers of x.
     Smooth([f64; NODES + 1]),
@@ -186,7 +183,6 @@ struct Stretch {
     /// Number of the first turn.
     first: f64,
     turns: f64,
-    /// Time at the beginning.
     begin: f64,
     times: Times,
 }
@@ -467,7 +463,6 @@ fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: LeapLimits) ->
 #[derive(Clone, Debug)]
 pub(super) struct Skipped {
     pub(super) count: f64,
-    /// Their duration.
     pub(super) duration: f64,
     /// Change of θ.
     pub(super) advance: f64,

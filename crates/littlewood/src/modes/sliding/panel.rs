@@ -2,7 +2,6 @@
 
 use std::sync::OnceLock;
 
-/// Number of nodes of a panel.
 pub(super) const NODES: usize = 16;
 
 /// Nodes on [−1, 1] with their weights.
@@ -71,7 +70,6 @@ impl Rule {
         Self { nodes, weights, integrals, tails }
     }
 
-    /// Integral over [−1, 1].
     pub(super) fn integral(&self, values: &[f64; NODES]) -> f64 {
         dot(&self.weights, values)
     }
@@ -87,7 +85,6 @@ impl Rule {
     }
 }
 
-/// The largest magnitude.
 pub(super) fn largest(values: &[f64; NODES]) -> f64 {
     values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
 }

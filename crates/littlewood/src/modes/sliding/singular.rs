@@ -30,7 +30,6 @@ pub(super) enum Fate {
     Sticks,
 }
 
-/// A slide next to P = 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Approach<'a> {
     pub(super) law: &'a SlidingLaw,
@@ -42,7 +41,6 @@ pub(super) struct Approach<'a> {
     pub(super) error: f64,
 }
 
-/// The zero of P.
 #[derive(Clone, Copy, Debug)]
 struct Zero {
     /// Angle relative to that of the approach.

@@ -57,7 +57,6 @@ pub(super) struct Turn {
     top: (f64, f64),
 }
 
-/// A node of the quadrature.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     weight: f64,
@@ -75,7 +74,6 @@ impl Node {
     }
 }
 
-/// Values at the nodes of a panel.
 struct Sampled {
     sin_cos: [(f64, f64); NODES],
     lower: [f64; NODES],
@@ -187,7 +185,6 @@ impl Turn {
         self.beta
     }
 
-    /// log α.
     pub(super) const fn kappa(&self) -> f64 {
         self.kappa
     }
