@@ -579,8 +579,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(96))]
 
-        /// Each step has a relative error ε of the energy and of the rate. After n steps the error of the angle is up to n ε times the total
-        /// rotation.
+        /// Each step has a relative error ε of the energy and of the rate. After n steps the error of the angle is up to n ε times
+        /// the total rotation.
         #[test]
         fn leaps_agree_with_steps(
             mass_ratio in 0.0..3.0_f64, offset in 0.02..1.0_f64, own in 0.05..3.0_f64,
