@@ -16,7 +16,6 @@ use super::series::{
     sum_of_sizes, value,
 };
 use super::step::{Step, rotated};
-use super::turn::{NEAR, Turn};
 
 /// Cells of a turn, evenly spaced. They overlap, wherever P is not close to zero.
 pub(super) const CELLS: usize = 16;
@@ -29,18 +28,6 @@ const TILE: f64 = 0.098_491_403_357_164_26;
 
 /// A step in a cell is not shorter, in t.
 const SHORTEST: f64 = 1e-9;
-
-/// Newton's method for a turning point ends with a shorter step: its error is of the second order.
-const LAST_STEP: f64 = 1e-9;
-
-/// A turn is not wider than this, by the quadratic term of u: 0.9/2.8 of the linear one.
-const FARTHEST: f64 = 0.33;
-
-/// A turning point nearer than this, in t, is not told from the place of the slide to all digits.
-const NEAREST: f64 = 1e-2;
-
-/// A turning point where the derivative of u by t is a smaller part of its coefficients is not told to all digits by their sum.
-const STEEP: f64 = 0.1;
 
 /// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
 #[derive(Clone, Debug)]
@@ -95,26 +82,6 @@ fn degree_of(series: [&Series; 2], t: f64) -> usize {
         terms.iter().rposition(|c| c.abs() > least).unwrap_or(0)
     });
     degrees[0].max(degrees[1]).next_multiple_of(2)
-}
-
-/// The zero of a polynomial next ahead of a place by Newton's method, where it falls towards it, with the slope and half the curvature there.
-fn zero(u: &[f64], from: f64) -> Option<(f64, f64, f64)> {
-    let mut t = from;
-    for _ in 0..20 {
-        let fold = |(value, slope, bend): (f64, f64, f64), c: &f64| {
-            (value * t + c, slope * t + value, bend * t + slope)
-        };
-        let (value, slope, bend) = u.iter().rev().fold((0.0, 0.0, 0.0), fold);
-        let step = -value / slope;
-        t += step;
-        if !(t > from - 1.0 && t < 2.0) {
-            return None;
-        }
-        if step.abs() <= LAST_STEP {
-            return Some((t, slope, bend));
-        }
-    }
-    None
 }
 
 impl Cell {
@@ -215,10 +182,11 @@ impl Cell {
     /// The step over the whole tile of a slide that crosses it in this time, and its place at the beginning.
     pub(super) fn whole_step(&self, here: &Waypoint, level: f64, time: f64) -> Option<(Waypoint, Step)> {
         let place = Waypoint { z: -self.end, ..*here };
-        Some((place, self.step_at(level, self.degrees.1, (self.end, Some((place.z, time))))?))
+        let u = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
+        Some((place, self.step_at((level, u), self.degrees.1, (self.end, Some((place.z, time))))?))
     }
 
-    /// The step of a slide with this direction and u to the end of the tile, or of a narrower cell, or a part of the way, and its place there. None at
+    /// The step of a slide with this direction and u to the end of the tile, or of a narrower cell, or half as far, and its place there. None at
     /// other places, where u is not known to stay away from zero, and where η″ may change its sign twice.
     pub(super) fn step(&self, here: &Waypoint) -> Option<(Waypoint, Step)> {
         let z = self.place(here.direction);
@@ -229,50 +197,12 @@ impl Cell {
         let at_place = |series: &Series| value(&series[..=degree], z);
         let level = (here.u - at_place(&self.p)) / at_place(&self.h);
         let slope = self.p[1] + level * self.h[1];
-        let part = |part: f64| z + part * (self.end - z);
-        [self.end, part(0.5), part(0.25)].into_iter().find_map(|end| {
-            // What fails mostly does so by the slope.
-            if !Step::is_nearly_even(level, slope, (z, end)) {
-                return None;
-            }
-            let step = self.step_at(level, degree, (end, None))?;
-            Step::is_clear(&step.u[..=degree], (z, end)).then_some((Waypoint { z, ..*here }, step))
-        })
-    }
-
-    /// The turn of a slide with this direction, u and |du/dz| about a turning point ahead in the cell, with the distance in z, and as a part of the turn.
-    /// None where the turning point is not known as well as by a series about it.
-    pub(super) fn turn(&self, direction: (f64, f64), u_here: f64, steep: f64) -> Option<(f64, f64, Turn)> {
-        let t = self.place(direction);
-        let is_near = u_here <= NEAR * (1.0 - t) * self.width * steep;
-        if !(is_near && t >= -1.0) {
-            return None;
-        }
-        let degree = self.degrees.0;
-        let at_place = |series: &Series| value(&series[..=degree], t);
-        let level = (u_here - at_place(&self.p)) / at_place(&self.h);
-        let mut u: Series = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
-        let size = u[0].abs() + u[1].abs();
-        let (t0, slope, curvature) = zero(&u[..=degree], t)?;
-        // Farther away it is not in the turn.
-        let is_near = (t0 - t) * curvature.abs() <= FARTHEST * slope.abs();
-        if !(is_near && t0 <= 1.0 && t0 - t > NEAREST && -slope > STEEP * size) {
-            return None;
-        }
-        // In powers of t − t0: Horner's scheme, again and again.
-        for low in 0..degree {
-            for k in (low..degree).rev() {
-                u[k] += t0 * u[k + 1];
-            }
-        }
-        u[0] = 0.0;
-        u.iter_mut().skip(1).step_by(2).for_each(|c| *c = -*c);
-        let (signs, doubt) = self.signs(level);
-        // Away from the turning point they come in the opposite order.
-        let known = (signs != Signs::Unknown).then_some((signs.reversed(), doubt));
-        let (z, z0) = (self.width * t, self.width * t0);
-        let turn = Turn::about(&u, (1.0 + t0, self.width), (self.direction, z0), |_, _| known)?;
-        Some(((z0 - z) / (1.0 + z * z0), (z0 - z) / turn.width, turn))
+        // What fails mostly does so by the slope.
+        let nearly_even = |end: &f64| Step::is_nearly_even(level, slope, (z, *end));
+        let u: Series = core::array::from_fn(|k| self.p[k] + level * self.h[k]);
+        let clear = |end: &f64| Step::is_clear(&u[..=degree], (z, *end));
+        let end = [self.end, 0.5 * (z + self.end)].into_iter().filter(nearly_even).find(clear)?;
+        Some((Waypoint { z, ..*here }, self.step_at((level, u), degree, (end, None))?))
     }
 
     /// The signs of σ η″ of a slide on the cell, and the largest |η″| where its sign is not known.
@@ -283,19 +213,24 @@ impl Cell {
         (pattern(&coefficients, band), 2.0 * band / self.least)
     }
 
-    fn step_at(&self, level: f64, degree: usize, (end, known): (f64, Option<(f64, f64)>)) -> Option<Step> {
+    fn step_at(
+        &self,
+        (level, u): (f64, Series),
+        degree: usize,
+        (end, known): (f64, Option<(f64, f64)>),
+    ) -> Option<Step> {
         let (signs, doubt) = self.signs(level);
         let is_whole = end == self.end;
         (signs != Signs::Unknown).then(|| Step {
             width: self.width,
-            u: core::array::from_fn(|k| self.p[k] + level * self.h[k]),
+            u,
             degree,
             signs,
             doubt,
             direction: self.direction,
             end,
             known,
-            exit: is_whole.then(|| (self.exit.0 + level * self.exit.1, self.law_at_exit)),
+            exit: is_whole.then_some((self.exit.0 + level * self.exit.1, self.law_at_exit)),
             is_tile: is_whole && self.is_tile(),
         })
     }
@@ -385,28 +320,6 @@ mod tests {
             }
         }
         assert!(crossings > 80, "{crossings}");
-    }
-
-    /// Slides that turn in a cell turn where their own series say, and take as long.
-    #[test]
-    fn a_turn_in_a_cell_is_a_slide() {
-        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
-        let mut turns = 0;
-        for (law, sigma, number, cell) in cells(&hoop) {
-            for (t, u) in [(-0.6, 0.2), (0.0, 0.3), (-0.9, 0.05)] {
-                let direction = rotated(cell.direction, cell.width * t);
-                let own = Expansion::new(&law, sigma, direction, u);
-                let Some((distance, part, turn)) = cell.turn(direction, u, own.u[1].abs()) else { continue };
-                let expected = own.zero(own.reach(0)).unwrap();
-                assert!((distance - expected).abs() < 4e-15, "{number} {t}: {distance} {expected}");
-                let y = -part.sqrt();
-                assert!((turn.u(y) - u).abs() < 4e-15, "{number} {t}");
-                is_a_slide(&turn, &law, (y.max(-1.0), -0.05));
-                is_a_slide(&turn, &law, (0.1, 0.9));
-                turns += 1;
-            }
-        }
-        assert!(turns > 20, "{turns}");
     }
 
     /// The sign of η″ is told for a slide as it is at points of the cell.

@@ -20,7 +20,7 @@ use super::cell::{CELLS, Cell, Cells};
 use super::piece::{Piece, UNCERTAIN, Way, Waypoint};
 use super::series::{Expansion, Signs};
 use super::step::{Step, rotated};
-use super::turn::{NEAR, Turn};
+use super::turn::Turn;
 use super::{SlideEnd, SlideEvent, Turns};
 
 /// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole turns.
@@ -38,10 +38,13 @@ const FEWEST_PERIODS: f64 = 3.0;
 /// A place is the same after a period if its angle is the same to this.
 const SAME_ANGLE: f64 = 1e-12;
 
+/// A turning point nearer than this part of the width on which u has converged is the centre of the next piece.
+const NEAR: f64 = 0.7;
+
 /// A turning point behind is the centre of the next piece if it is nearer than this part of the piece.
 const BEHIND: f64 = 0.5;
 
-/// A turning point is looked for where u changes by more than itself over this z.
+/// No cell holds a slide whose u changes by more than itself over this z.
 const STEEP: f64 = 0.25;
 
 /// How a slide is seen: perhaps mirrored.
@@ -185,23 +188,14 @@ impl<'a> Slide<'a> {
         }
     }
 
-    /// Passes a step, or a turn, in a cell. None where no cell has them.
+    /// Passes a step in a cell. None where no cell has one.
     fn in_cell(&mut self, cells: &'a Cells) -> Option<Result<Option<SlideEnd>, Doubt>> {
         let Self { frame, here, .. } = *self;
         let ((sin, cos), law) = (here.direction, frame.law());
-        // du/dz.
+        // du/dz: where u is steep it is not known to stay away from zero, and this is known soonest.
         let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
-        let may_turn = STEEP * slope.abs() > here.u && !(self.is_behind_turn && slope > 0.0);
-        if may_turn {
-            let before = Before::of(frame, here, slope);
-            let turn = Cell::about(before.frame.theta).into_iter().find_map(|number| {
-                let cell = cells.get(before.frame.law(), before.frame.sigma, number)?;
-                let (distance, part, turn) = cell.turn(before.direction, here.u, slope.abs())?;
-                Some((before.place(distance, part)?, turn))
-            });
-            if let Some(((frame, place), turn)) = turn {
-                return Some(self.pass_turn(frame, &place, &turn));
-            }
+        if STEEP * slope.abs() > here.u {
+            return None;
         }
         Cell::about(frame.theta).into_iter().find_map(|number| {
             let (place, step) = cells.get(law, frame.sigma, number)?.step(&here)?;

@@ -275,9 +275,36 @@ impl Expansion {
         None
     }
 
-    /// [`smooth`] of u.
-    pub(super) fn smooth(&self, terms: (usize, usize), widths: (f64, f64), part: f64) -> Option<f64> {
-        smooth(&self.u, terms, widths, part)
+    /// The width, at most this, on a multiple `stretch` of which the terms of u from `from` on are at most this part of the one at
+    /// `lead`, by their sizes.
+    pub(super) fn smooth(
+        &self,
+        (lead, from): (usize, usize),
+        (widest, stretch): (f64, f64),
+        part: f64,
+    ) -> Option<f64> {
+        let most = part * self.u[lead].abs();
+        let linear = if from == lead + 1 { self.u[from].abs() } else { 0.0 };
+        let terms = |far: f64| sum_of_sizes(&self.u[from..], far) * power(far, from - lead);
+        let far = stretch * widest;
+        let sum = terms(far);
+        if sum <= most {
+            return (widest > 0.0).then_some(widest);
+        }
+        // Behind a linear term the sum grows at least with the square of the width: as far as the parabola through it leads, and, by
+        // the parabola through the sum there, perhaps farther.
+        let parabola = |far: f64, sum: f64| {
+            let bend = (sum - linear * far) / (far * far);
+            2.0 * most / (linear + (linear * linear + 4.0 * bend * most).sqrt())
+        };
+        let near = parabola(far, sum);
+        let least = terms(near);
+        let farther = MARGIN * parabola(near, least);
+        let sum = terms(farther);
+        // The secant of a convex function lies above it.
+        let secant = || near + (farther - near) * (most - least) / (sum - least);
+        let width = if sum <= most { farther } else { secant() } / stretch;
+        (width > 0.0).then_some(width)
     }
 
     /// The signs of σ η″ up to a width, from u in powers of t = z/width, and the largest |η″| where its sign is not known,
@@ -296,38 +323,6 @@ impl Expansion {
         }
         Some((pattern(&bernstein(low), band), 2.0 * band / least))
     }
-}
-
-/// The width, at most this, on a multiple `stretch` of which the terms of u from `from` on are at most this part of the one at
-/// `lead`, by their sizes.
-pub(super) fn smooth(
-    u: &Series,
-    (lead, from): (usize, usize),
-    (widest, stretch): (f64, f64),
-    part: f64,
-) -> Option<f64> {
-    let most = part * u[lead].abs();
-    let linear = if from == lead + 1 { u[from].abs() } else { 0.0 };
-    let terms = |far: f64| sum_of_sizes(&u[from..], far) * power(far, from - lead);
-    let far = stretch * widest;
-    let sum = terms(far);
-    if sum <= most {
-        return (widest > 0.0).then_some(widest);
-    }
-    // Behind a linear term the sum grows at least with the square of the width: as far as the parabola through it leads, and, by
-    // the parabola through the sum there, perhaps farther.
-    let parabola = |far: f64, sum: f64| {
-        let bend = (sum - linear * far) / (far * far);
-        2.0 * most / (linear + (linear * linear + 4.0 * bend * most).sqrt())
-    };
-    let near = parabola(far, sum);
-    let least = terms(near);
-    let farther = MARGIN * parabola(near, least);
-    let sum = terms(farther);
-    // The secant of a convex function lies above it.
-    let secant = || near + (farther - near) * (most - least) / (sum - least);
-    let width = if sum <= most { farther } else { secant() } / stretch;
-    (width > 0.0).then_some(width)
 }
 
 /// The width in z on which a series, divided by z^`lead`, has converged beside a number of this size.

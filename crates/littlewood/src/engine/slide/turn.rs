@@ -1,14 +1,13 @@
 //! A slide about a turning point, at which θ′ changes its sign.
 //!
 //! Friction does not depend on the sign of θ′, so that u is the same function of the angle before and behind the turning point.
-//! With z the tangent of half the angle from a centre and z0 its value at the turning point, u = (z0 − z) v(z), and with
-//! z = z0 − width · y², y going from negative to positive through the turning point, dτ/dy = 4 √width/((1 + z²) √v) has no singularity.
-//! The centre is that of a cell, or the turning point.
+//! There u = z v(z), z ≥ 0 being the tangent of half the angle from the turning point, and with z = width · y², y going from
+//! negative to positive through the turning point, dτ/dy = 4 √width/((1 + z²) √v) has no singularity.
 
 use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
 
 use super::piece::Piece;
-use super::series::{DEGREE, Expansion, Series, Signs, scaled, smooth, value};
+use super::series::{DEGREE, Expansion, Series, Signs, scaled, value};
 use super::step::rotated;
 
 /// Up to this multiple of the width v has no zero: the terms of its series are at most the part `SMOOTH` of the first. The Gauss sum
@@ -16,13 +15,10 @@ use super::step::rotated;
 const CLEAR: f64 = 2.8;
 const SMOOTH: f64 = 0.9;
 
-/// A turning point is looked for nearer than this part of the width on which u has converged.
-pub(super) const NEAR: f64 = 0.7;
-
 /// A turn, with the coordinate y from −1 to 1, in the frame of motion before the turning point.
 #[derive(Clone, Debug)]
 pub(super) struct Turn {
-    /// z0 − z at y = ± 1.
+    /// z at y = ± 1.
     pub(super) width: f64,
     /// u/width in powers of y², without its factor y².
     v: Series,
@@ -30,51 +26,32 @@ pub(super) struct Turn {
     pub(super) signs: Signs,
     /// Largest |η″| where its sign is not known, about a change of sign.
     pub(super) doubt: f64,
-    /// sin ϑ and cos ϑ at the centre.
-    centre: (f64, f64),
-    /// z at the turning point.
-    z0: f64,
+    /// sin ϑ and cos ϑ at the turning point.
+    direction: (f64, f64),
 }
 
 impl Turn {
     /// From the expansion about the turning point in the frame of motion behind it, the sine and cosine of whose angle these are.
     pub(super) fn new(expansion: &Expansion, (sin, cos): (f64, f64)) -> Option<Self> {
-        let reach = expansion.reach(1);
-        Self::about(&expansion.u, (reach, 1.0), ((-sin, cos), 0.0), |u, width| {
-            expansion.signs(u, width, false)
-        })
-    }
-
-    /// From u in powers of (z0 − z)/scale, known up to a reach, with the centre of z, and what tells the signs up to a width.
-    pub(super) fn about(
-        u: &Series,
-        (reach, scale): (f64, f64),
-        (centre, z0): ((f64, f64), f64),
-        signs: impl FnOnce(&Series, f64) -> Option<(Signs, f64)>,
-    ) -> Option<Self> {
-        if u[1] <= 0.0 {
+        if expansion.u[1] <= 0.0 {
             return None;
         }
-        let part = smooth(u, (1, 2), (reach, CLEAR), SMOOTH)?;
-        let (u, width) = (scaled(*u, part), scale * part);
-        let (signs, doubt) = signs(&u, part)?;
+        let width = expansion.smooth((1, 2), (expansion.reach(1), CLEAR), SMOOTH)?;
+        let u = scaled(expansion.u, width);
+        let (signs, doubt) = expansion.signs(&u, width, false)?;
         let mut v = [0.0; DEGREE + 1];
         v[..DEGREE].copy_from_slice(&u[1..]);
-        Some(Self { width, v: v.map(|c| c / width), signs, doubt, centre, z0 })
-    }
-
-    fn z(&self, y: f64) -> f64 {
-        self.z0 - self.width * y * y
+        Some(Self { width, v: v.map(|c| c / width), signs, doubt, direction: (-sin, cos) })
     }
 
     /// Angle from the turning point at y, back in the frame of motion before it.
     pub(super) fn turned_by(&self, y: f64) -> f64 {
-        -2.0 * libm::atan(self.width * y * y / (1.0 + self.z0 * self.z(y)))
+        -2.0 * libm::atan(self.width * y * y)
     }
 
     /// dτ/dy from v.
     fn slowness_of(&self, y: f64, v: f64) -> f64 {
-        let z = self.z(y);
+        let z = self.width * y * y;
         // u = width y² v.
         4.0 / ((1.0 + z * z) * (v / self.width).sqrt())
     }
@@ -91,11 +68,11 @@ impl Piece for Turn {
     }
 
     fn direction(&self, y: f64) -> (f64, f64) {
-        rotated(self.centre, self.z(y))
+        rotated(self.direction, -self.width * y * y)
     }
 
     fn turning(&self, y: f64) -> f64 {
-        let z = self.z(y);
+        let z = self.width * y * y;
         -4.0 * self.width * y / (1.0 + z * z)
     }
 
