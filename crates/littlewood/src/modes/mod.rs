@@ -15,6 +15,8 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 
+use crate::model::Mode;
+
 pub(crate) mod flight;
 pub(crate) mod gliding;
 pub(crate) mod rolling;
@@ -46,4 +48,16 @@ pub enum PhaseSolution {
     Gliding(Gliding),
     /// Flight.
     Flight(Flight),
+}
+
+impl PhaseSolution {
+    /// Mode of motion.
+    pub(crate) const fn mode(&self) -> Mode {
+        match self {
+            Self::Rolling(_) => Mode::Rolling,
+            Self::Sliding(_) => Mode::Sliding,
+            Self::Gliding(_) => Mode::Gliding,
+            Self::Flight(_) => Mode::Flight,
+        }
+    }
 }

@@ -269,13 +269,11 @@ impl PerturbedSolver<'_> {
 
     fn perturbed(&self, from: &State, solved: SolvedBy<Self>) -> SolvedBy<Self> {
         let Solved { solution, direction, ending } = solved;
-        let (mode, steps) = match &solution {
-            PhaseSolution::Rolling(_) => (Mode::Rolling, 1.0),
-            PhaseSolution::Sliding(slide) => (Mode::Sliding, slide.steps() as f64),
-            PhaseSolution::Gliding(_) => (Mode::Gliding, 1.0),
-            PhaseSolution::Flight(_) => (Mode::Flight, 1.0),
+        let steps = match &solution {
+            PhaseSolution::Sliding(slide) => slide.steps() as f64,
+            PhaseSolution::Rolling(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => 1.0,
         };
-        let moved = |state: State| self.perturbed_end(from, (mode, steps), state);
+        let moved = |state: State| self.perturbed_end(from, (solution.mode(), steps), state);
         let ending = match ending {
             Ending::Event { place, cause, arrival } => Ending::Event { place: moved(place), cause, arrival },
             Ending::Landing { state, gap_rate } => {

@@ -105,19 +105,32 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, _: Option<Direction>) {
         self.summary.transitions = self.summary.transitions.saturating_add(1);
-        if event.cause == Cause::Slip && self.summary.first_slip_time.is_nan() {
-            self.summary.first_slip_time = self.origin.time(event.state.time);
-        }
-        if event.cause == Cause::Landing {
-            if self.summary.landings == 0
-                && let Some((start, _)) = self.flight
-            {
-                self.summary.jump_length = (event.state.x - start.x).abs();
-                self.summary.jump_height = self.jump_height;
+        match event.cause {
+            Cause::Slip if self.summary.first_slip_time.is_nan() => {
+                self.summary.first_slip_time = self.origin.time(event.state.time);
             }
-            self.summary.landings += 1;
+            Cause::Landing => {
+                if self.summary.landings == 0
+                    && let Some((start, _)) = self.flight
+                {
+                    self.summary.jump_length = (event.state.x - start.x).abs();
+                    self.summary.jump_height = self.jump_height;
+                }
+                self.summary.landings += 1;
+            }
+            Cause::Jam => self.summary.painleve = true,
+            Cause::Slip
+            | Cause::NormalForceZero
+            | Cause::Stick
+            | Cause::Reversal
+            | Cause::Graze
+            | Cause::LiftOff
+            | Cause::ParticleAtPlane
+            | Cause::ParticleAtBottom
+            | Cause::ParticleAtTop
+            | Cause::Singularity
+            | Cause::Settle => {}
         }
-        self.summary.painleve |= event.cause == Cause::Jam;
         if let Some(impact) = impact {
             (self.flight, self.gap_rate) = (None, impact.after.gap_rate);
             self.summary.impact_energy_lost += impact.energy_lost();

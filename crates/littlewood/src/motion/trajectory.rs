@@ -21,12 +21,7 @@ impl Phase {
     /// Mode of motion.
     #[must_use]
     pub const fn mode(&self) -> Mode {
-        match self.solution {
-            PhaseSolution::Rolling(_) => Mode::Rolling,
-            PhaseSolution::Sliding(_) => Mode::Sliding,
-            PhaseSolution::Gliding(_) => Mode::Gliding,
-            PhaseSolution::Flight(_) => Mode::Flight,
-        }
+        self.solution.mode()
     }
 
     /// Direction of slip; none for rolling and flight.
