@@ -26,7 +26,7 @@ pub struct Block {
     pub index: u32,
     /// Of the simulated motions: phases, transitions, impacts, outcomes, and samples of all phases.
     pub trajectories: u64,
-    /// Of the summaries that the engine makes, without tables, and with those of one of the hoops.
+    /// Of the summaries of engines for few starts, and of one for many starts of one of the hoops.
     pub summaries: u64,
 }
 

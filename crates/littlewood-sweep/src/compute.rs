@@ -79,7 +79,7 @@ struct Job<'a> {
     watch: &'a Watch<'a>,
     /// Engines that were prepared earlier.
     known: Vec<Prepared>,
-    /// Whether engines with tables are kept.
+    /// Whether engines for many starts are kept.
     keep: bool,
     /// Tasks among which the points of a hoop are shared.
     share: usize,
@@ -131,8 +131,8 @@ impl Workers {
 
     /// Computes points, in their order. The result does not depend on the number of threads.
     ///
-    /// Points that share their hoop share its engine, wherever they stand; a hoop with few points is simulated without
-    /// tables; results with and without tables agree to rounding. Where the parameters of a hoop contradict each other
+    /// Points that share their hoop share its engine, wherever they stand; a hoop with few points has one for
+    /// few starts. Results of engines for many starts and for few agree to rounding. Where the parameters of a hoop contradict each other
     /// (μk > μs, or a point mass at the centre) the outcome is
     /// [`OutcomeKind::Invalid`](littlewood::OutcomeKind::Invalid).
     ///

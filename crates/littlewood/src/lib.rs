@@ -160,9 +160,8 @@ pub mod impact {
 pub mod many {
     //! Many starts: an [`Engine`](crate::Engine) computes a summary in about a microsecond.
     //!
-    //! [`Engine::new`](crate::Engine::new) prepares tables for a hoop in the time of some hundreds of summaries.
-    //! [`Engine::builder`](crate::Engine::builder) prepares them only if the expected number of starts repays it. An engine
-    //! leaves a phase that it does not resolve to rounding to the solvers of the simulation;
+    //! [`Engine::new`](crate::Engine::new) is for many starts of a hoop: it keeps series of slides, and passes chains of slips at once.
+    //! [`Engine::builder`](crate::Engine::builder) is for as many as are expected: with few, only long motions keep series. An engine leaves a phase that it does not resolve to rounding to the solvers of the simulation;
     //! [`Engine::doubts`](crate::Engine::doubts) counts the reasons.
     //!
     //! ```

@@ -358,7 +358,7 @@ fn a_sequence_of_phases_keeps_its_length_in_64_bits() {
     }
 }
 
-/// The engine of a hoop tells of the same motions as its simulation, with tables and without.
+/// Engines for many starts and for few have the motions of the simulation.
 fn agree(hoop: &Hoop, starts: &[Start]) -> Result<(), TestCaseError> {
     agree_within(20.0, hoop, starts)
 }

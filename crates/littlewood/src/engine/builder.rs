@@ -9,7 +9,7 @@ use crate::model::limits::Limits;
 use crate::model::state::Start;
 use crate::motion::summary::Summary;
 
-/// Starts of one hoop from which on it saves more time to prepare it than that costs.
+/// Starts of one hoop from which on motions share what is kept of it from their first phase on.
 const MANY: u64 = 256;
 
 /// Makes an [`Engine`] for as many starts of a hoop as are expected.
@@ -18,7 +18,7 @@ const MANY: u64 = 256;
 /// use littlewood::{Engine, Hoop};
 ///
 /// let hoop = Hoop::figure_2(0.5, 0.4)?;
-/// // Where each start has a hoop of its own, nothing is prepared.
+/// // Where each start has its own hoop, only long motions use what is kept.
 /// assert!(!Engine::builder(&hoop).expected_starts(1).prepares());
 /// assert!(Engine::builder(&hoop).expected_starts(40_000).prepares());
 /// # Ok::<(), littlewood::ParameterError>(())
@@ -36,7 +36,7 @@ impl EngineBuilder {
         Self { starts, ..self }
     }
 
-    /// Whether so many starts are worth it to prepare the hoop.
+    /// Whether so many starts share what is kept from the first phase on.
     #[must_use]
     pub const fn prepares(&self) -> bool {
         self.starts >= MANY
