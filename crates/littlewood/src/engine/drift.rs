@@ -10,23 +10,23 @@ use crate::model::state::State;
 use crate::modes::flight::Flight;
 
 /// Rounding of the evidence at a state, as a part of its terms: a few products and sums of numbers that are known to the last digit.
-const EVIDENCE: f64 = 64.0 * f64::EPSILON;
+const SIGN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Where 1 − h cos θ θ′² is a smaller part of its terms, the normal force has lost the digits by which rolling and slipping are told apart. Chosen: of the
-/// motions of the tests that need it, fast ones with coefficients of friction of 1e9, the worst has 3e-8.
-const CANCELLED: f64 = 2.5e-7;
+/// Where 1 − h cos θ θ′² is a smaller part of its terms, the normal force has lost the digits by which rolling and slipping are told
+/// apart. Chosen: of the motions of the tests that need it, fast ones with coefficients of friction of 1e9, the worst has 3e-8.
+const MIN_RELATIVE_CONTACT: f64 = 2.5e-7;
 
 /// Rounding of a phase, as a part of the numbers at its end.
-const PHASE: f64 = 64.0 * f64::EPSILON;
+const PHASE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Light hoops amplify rounding by (Î/m)^(−1/2) at each passage of the bottom; this part of it is in PHASE.
-const AMPLIFIED: f64 = 0.1;
+/// Light hoops amplify rounding by (Î/m)^(−1/2) at each passage of the bottom; this part of it is in PHASE_ROUNDING.
+const AMPLIFICATION_PART: f64 = 0.1;
 
 /// A state that is known to no more than this is lost: impacts and slides decide by numbers that are not looked at.
-const LOST: f64 = 1e-4;
+const MAX_DRIFT: f64 = 1e-4;
 
 /// Beyond this angle phases are those of the simulation: whole turns of it are not taken off to the last digits.
-const FAR: f64 = 1e5;
+const MAX_ANGLE: f64 = 1e5;
 
 /// How far a motion has drifted from the simulation.
 #[derive(Clone, Debug)]
@@ -53,7 +53,7 @@ impl Drift {
         let amplification = (body.mass / body.inertia).sqrt();
         Self {
             h: body.h,
-            phase: PHASE * (AMPLIFIED * amplification).max(1.0),
+            phase: PHASE_ROUNDING * (AMPLIFICATION_PART * amplification).max(1.0),
             impact: 1.0 + amplification,
             lost: Cell::default(),
             is_told: Cell::new(false),
@@ -77,19 +77,19 @@ impl Drift {
 
     /// Whether the phase from an angle is solved as in the simulation.
     pub(super) const fn is_far(&self, theta: f64) -> bool {
-        theta.abs() > FAR
+        theta.abs() > MAX_ANGLE
     }
 
     /// Whether 1 − h cos θ θ′², with terms of this size, is far enough from zero to compare forces.
     #[inline(always)]
     pub(super) fn is_known(&self, number: f64, size: f64) -> bool {
-        self.exceeds(number, CANCELLED * size, size)
+        self.exceeds(number, MIN_RELATIVE_CONTACT * size, size)
     }
 
     /// Whether the sign of a number with terms of this size is known.
     #[inline(always)]
     pub(super) fn is_clear(&self, number: f64, size: f64) -> bool {
-        self.exceeds(number, EVIDENCE * size, size)
+        self.exceeds(number, SIGN_ROUNDING * size, size)
     }
 
     /// Whether a number with terms of this size is larger than a bound and what is lost.
@@ -103,7 +103,8 @@ impl Drift {
         is_clear
     }
 
-    /// Takes note of a phase in contact, or several, that lead to an angle. Friction makes motions in contact forget, and amplifies nothing.
+    /// Takes note of a phase in contact, or several, that lead to an angle. Friction makes motions in contact forget, and amplifies
+    /// nothing.
     #[inline(always)]
     pub(super) fn add_phase(&self, theta: f64) {
         let lost = self.largest().max(self.phase + f64::EPSILON * theta.abs());
@@ -145,7 +146,7 @@ impl Drift {
         };
         self.lost.set(lost);
         // No number is not known either.
-        let is_known = lost.theta < LOST && lost.rate < LOST;
+        let is_known = lost.theta < MAX_DRIFT && lost.rate < MAX_DRIFT;
         if !is_known {
             self.is_told.set(true);
         }

@@ -23,7 +23,7 @@ const SHORT_PANEL: f64 = 0.2;
 const LONG_PANEL: f64 = 0.66;
 
 /// Most nodes; beyond, elliptic integrals are cheaper.
-const MOST_NODES: f64 = 128.0;
+const MAX_NODES: f64 = 128.0;
 
 /// Time on the orbit with D(π), |κ(0)| and β, from where ψ has this sine and cosine on, over an arc of ψ. None where it comes so close to a
 /// singularity, next to the separatrix or to the bottom of a light hoop, that it would take too many nodes.
@@ -40,7 +40,7 @@ pub(super) fn duration(bottom: f64, (excess, swing): (f64, f64), from: (f64, f64
     let is_short = short <= 2.0 * long;
     let count = if is_short { short } else { long };
     let nodes = if is_short { 8.0 * short } else { 16.0 * long };
-    if nodes > MOST_NODES {
+    if nodes > MAX_NODES {
         return None;
     }
     let (sin, cos) = sincos(0.5 * arc / count);

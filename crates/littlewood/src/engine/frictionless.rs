@@ -1,8 +1,8 @@
 //! Slides without kinetic friction: both first integrals in closed form.
 //!
-//! With c = cos ϑ, s = sin ϑ and u = ϑ′² the contact breaks where 1 − h c u = (Î + m h² − h C c + m h² c²)/J vanishes, whose numerator falls
-//! towards the top as long as u ≥ 0; η′ vanishes only where A² J = (C − 2 m h c)(1 + h c)², a cubic equation. C, A and J are those of
-//! [`FrictionlessIntegrals`].
+//! With c = cos ϑ, s = sin ϑ and u = ϑ′² the contact breaks where 1 − h c u = (Î + m h² − h C c + m h² c²)/J vanishes, whose numerator
+//! falls towards the top as long as u ≥ 0; η′ vanishes only where A² J = (C − 2 m h c)(1 + h c)², a cubic equation. C, A and J are those
+//! of [`FrictionlessIntegrals`].
 
 use crate::math::bernstein::Bernstein;
 use crate::mechanics::equations::contact;
@@ -12,7 +12,7 @@ use crate::model::hoop::Heavy;
 use super::place::Place;
 
 /// A lift-off, a turning point at the top, or a zero of η′ that is nearer than this part of the terms is left to the solvers of phases.
-const UNCERTAIN: f64 = 1e-9;
+const SIGN_TOLERANCE: f64 = 1e-9;
 
 /// Whether a slide without kinetic friction comes so close to the top, at so low a rate, or stays so close to rest at the bottom, that
 /// rounding tells whether it passes, or which way it goes.
@@ -20,7 +20,7 @@ pub(super) fn is_next_to_equilibrium(body: &Heavy, place: &Place) -> bool {
     let energy = FrictionlessIntegrals::new(body, &place.state, place.direction).energy;
     let over_bottom = energy + 2.0 * body.offset;
     over_bottom <= 8.0 * f64::EPSILON * body.offset
-        || (energy - 2.0 * body.offset).abs() <= UNCERTAIN * energy.abs()
+        || (energy - 2.0 * body.offset).abs() <= SIGN_TOLERANCE * energy.abs()
 }
 
 /// Whether a slide without kinetic friction is proved to have no event: it repeats itself for ever.
@@ -29,11 +29,11 @@ pub(super) fn slides_forever(body: &Heavy, Place { state, direction }: &Place) -
     let integrals = FrictionlessIntegrals::new(body, state, *direction);
     let FrictionlessIntegrals { energy, momentum } = integrals;
     let over_top = energy - 2.0 * offset;
-    let rotates = over_top > UNCERTAIN * energy.abs();
-    if !rotates && over_top > -UNCERTAIN * energy.abs() {
+    let rotates = over_top > SIGN_TOLERANCE * energy.abs();
+    if !rotates && over_top > -SIGN_TOLERANCE * energy.abs() {
         return false;
     }
-    if rotates && contact(1.0, h, over_top / inertia) < UNCERTAIN {
+    if rotates && contact(1.0, h, over_top / inertia) < SIGN_TOLERANCE {
         return false;
     }
     // The same sign as θ′ all the way round.
@@ -45,7 +45,7 @@ pub(super) fn slides_forever(body: &Heavy, Place { state, direction }: &Place) -
     let terms = integrals.standstills(body, -1.0);
     let size = terms.iter().flatten().fold(0.0, |size: f64, term| size.max(term.abs()));
     let excess = Bernstein::from_taylor(&terms.map(|[first, second]| first + second), width);
-    let least = UNCERTAIN * size;
+    let least = SIGN_TOLERANCE * size;
     excess.coefficients().iter().all(|c| *c > least)
         || (rotates && excess.coefficients().iter().all(|c| *c < -least))
 }

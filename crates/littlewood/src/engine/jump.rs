@@ -16,19 +16,19 @@ use crate::modes::flight::{Flight, TakeOff, sine_follows_from_rate};
 use super::interpolant::{Basis, Interpolant, Tolerance};
 
 /// From this angle on the time in the air jumps up: C/S has a point of inflection there, where tan φ/2 = φ/2.
-const SINGULAR: f64 = 1.351_816_804_319_27;
+const SINGULAR_ANGLE: f64 = 1.351_816_804_319_27;
 
 /// Lift-offs farther from the top are solved one by one.
-const STEEPEST: f64 = 1.34;
+const MAX_LIFT_OFF_ANGLE: f64 = 1.34;
 
 /// Nearer to the top, too, since the ratios that are interpolated end there.
-const FLATTEST: f64 = 1e-6;
+const MIN_LIFT_OFF_ANGLE: f64 = 1e-6;
 
 /// Farther out the turns in an angle are not taken off to the last digit.
-const FARTHEST: f64 = 1e6;
+const MAX_ANGLE: f64 = 1e6;
 
 /// Width of a piece in units of its distance from the singular angle.
-const GRADING: f64 = 0.2;
+const RELATIVE_PIECE_WIDTH: f64 = 0.2;
 
 /// Angles of the landing and of the largest gap, over the angle from the top at the lift-off.
 #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ static JUMPS: LazyLock<Option<JumpTable>> = LazyLock::new(JumpTable::new);
 /// Angles of the landing and of the largest gap of the jump out of a slide, from the angle of the lift-off in the direction of
 /// rotation, its sine and cosine, and what rounding has left of h cos θ θ′² − 1. None where it has to be solved.
 pub(super) fn angles(theta: f64, (sin, cos): (f64, f64), opening: f64) -> Option<[f64; 2]> {
-    if theta.abs() > FARTHEST || !is_on(Part::Jumps) {
+    if theta.abs() > MAX_ANGLE || !is_on(Part::Jumps) {
         return None;
     }
     let angle = -without_turns(theta);
@@ -57,8 +57,8 @@ impl JumpTable {
         let basis = Basis::new();
         let mut pieces = Vec::new();
         let mut left = 0.0;
-        while left < STEEPEST {
-            let right = left + GRADING * (SINGULAR - left);
+        while left < MAX_LIFT_OFF_ANGLE {
+            let right = left + RELATIVE_PIECE_WIDTH * (SINGULAR_ANGLE - left);
             let values = basis.nodes(left, right).map(|angle| {
                 let (sin, cos) = libm::sincos(angle);
                 let theta_rate = 1.0 / (body.h * cos).sqrt();
@@ -74,7 +74,7 @@ impl JumpTable {
     }
 
     fn angles(&self, angle: f64) -> Option<[f64; 2]> {
-        if !(FLATTEST..STEEPEST).contains(&angle) {
+        if !(MIN_LIFT_OFF_ANGLE..MAX_LIFT_OFF_ANGLE).contains(&angle) {
             return None;
         }
         let index = self.pieces.partition_point(|piece| piece.right < angle);

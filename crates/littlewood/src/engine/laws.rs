@@ -69,7 +69,8 @@ impl Laws {
         roll::follow(&self.orbit(place)?, &self.margins, on_limit, is_long.then_some(&self.octants))
     }
 
-    /// The end of the slide that begins at a place, or where it is cut after the time `allowed`; `from_limit` where η′ = η″ = 0 at the start.
+    /// The end of the slide that begins at a place, or where it is cut after the time `allowed`; `from_limit` where η′ = η″ = 0 at the
+    /// start.
     pub(super) fn slide(
         &self,
         place: &Place,

@@ -1,7 +1,7 @@
 //! An orbit of rolling, entered at a state: when it is where, and where it is when.
 //!
-//! Everything is seen in the direction of motion. The phase ψ is half the angle from the bottom on orbits over the top, and that of the swing on
-//! others; the time is the Gauss sum of [`duration`], or, where that would be long, the elliptic integral.
+//! Everything is seen in the direction of motion. The phase ψ is half the angle from the bottom on orbits over the top, and that of the
+//! swing on others; the time is the Gauss sum of [`duration`], or, where that would be long, the elliptic integral.
 
 use core::f64::consts::TAU;
 
@@ -12,13 +12,13 @@ use crate::modes::rolling::time_from_bottom;
 use super::duration::{duration, slowness};
 
 /// Orbits whose energy over the top is a smaller part of their constant are left to the exact solver.
-const SEPARATRIX: f64 = 1e-9;
+const MIN_SEPARATRIX_DISTANCE: f64 = 1e-9;
 
 /// Newton's method for the phase at a time ends with a shorter step: its error is of the second order.
-const LAST_STEP: f64 = 1e-9;
+const MAX_LAST_STEP: f64 = 1e-9;
 
 /// It takes four steps or five.
-const MOST_STEPS: usize = 12;
+const MAX_STEPS: usize = 12;
 
 /// An orbit entered at a state: z = −cos ϑ/2 and y = sin ϑ/2 ≥ 0 there.
 #[derive(Clone, Copy, Debug)]
@@ -70,7 +70,7 @@ impl<'a> Orbit<'a> {
         let over_bottom = kinetic + four_l * z * z;
         let rotates = over_top > 0.0;
         let swing = if rotates { four_l } else { over_bottom };
-        let is_clear = over_top.abs() > SEPARATRIX * (law.bottom + over_bottom);
+        let is_clear = over_top.abs() > MIN_SEPARATRIX_DISTANCE * (law.bottom + over_bottom);
         is_clear.then_some(Self { law, rotates, lap, z, y, kinetic, excess: over_top.abs(), swing })
     }
 
@@ -120,16 +120,16 @@ impl<'a> Orbit<'a> {
         elapsed.max(0.0)
     }
 
-    /// Where it is after a time, less than a period: Newton's method for the phase, each step of which adds its own time. None where the sum would
-    /// be long.
+    /// Where it is after a time, less than a period: Newton's method for the phase, each step of which adds its own time. None where the
+    /// sum would be long.
     pub(super) fn after(&self, time: f64) -> Option<Reached> {
         let orbit = (self.excess, self.swing);
         let (mut here, mut left) = (self.entry(), time);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let arc = left / slowness(self.law.bottom, orbit, here);
             let (sin, cos) = sincos(arc);
             let there = (here.0 * cos + here.1 * sin, here.1 * cos - here.0 * sin);
-            if arc.abs() < LAST_STEP {
+            if arc.abs() < MAX_LAST_STEP {
                 return Some(self.at(there));
             }
             left -= if arc > 0.0 {

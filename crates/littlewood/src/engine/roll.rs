@@ -27,7 +27,7 @@ pub(super) fn direction_of(side: usize, travel: f64) -> Direction {
 }
 
 /// A margin within this part of its terms of zero is solved exactly.
-const UNCERTAIN_MARGIN: f64 = 1e-12;
+const MARGIN_TOLERANCE: f64 = 1e-12;
 
 /// Slower slips are solved exactly: an angle reduced to a turn is known to 4e-16, and at this rate the time to 1e-13.
 const MIN_RATE: f64 = 4e-3;
@@ -103,9 +103,9 @@ fn holds(sums: impl IntoIterator<Item = [f64; 2]>) -> (f64, f64) {
     for [a, b] in sums {
         let level = -a / b;
         if b > 0.0 {
-            bounds.0 = f64::max(bounds.0, level + 4.0 * UNCERTAIN_MARGIN * level.abs());
+            bounds.0 = f64::max(bounds.0, level + 4.0 * MARGIN_TOLERANCE * level.abs());
         } else if b < 0.0 {
-            bounds.1 = f64::min(bounds.1, level - 4.0 * UNCERTAIN_MARGIN * level.abs());
+            bounds.1 = f64::min(bounds.1, level - 4.0 * MARGIN_TOLERANCE * level.abs());
         } else if a <= 0.0 {
             bounds.1 = 0.0;
         }
@@ -118,7 +118,7 @@ fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
     let mut broken = None;
     for (side, [a, b]) in margins.iter().enumerate() {
         let margin = a + k * b;
-        if margin.abs() <= UNCERTAIN_MARGIN * (a.abs() + (k * b).abs()) {
+        if margin.abs() <= MARGIN_TOLERANCE * (a.abs() + (k * b).abs()) {
             return None;
         }
         if margin < 0.0 {
@@ -420,8 +420,8 @@ mod tests {
         [x, y]
     }
 
-    /// Where a margin vanishes and grows behind, on both sides of the body, forth and back: the exact solver's slip, by the orbit alone and by what is kept
-    /// of it.
+    /// Where a margin vanishes and grows behind, on both sides of the body, forth and back: the exact solver's slip, by the orbit alone
+    /// and by what is kept of it.
     #[test]
     fn an_orbit_on_the_limit_slips_where_it_does_for_the_exact_solver() {
         let mut slips = 0;
@@ -554,8 +554,8 @@ mod tests {
     fn an_orbit_on_the_limit_is_not_said_to_hold() {
         // Margins K − 2 and 6 − 2 K, both positive for 2 < K < 3.
         let (least, most) = holds([[-2.0, 1.0], [6.0, -2.0]]);
-        assert!(least > 2.0 * (1.0 + UNCERTAIN_MARGIN) && least < 2.0 + 1e-10, "{least:e}");
-        assert!(most < 3.0 * (1.0 - UNCERTAIN_MARGIN) && most > 3.0 - 1e-10, "{most:e}");
+        assert!(least > 2.0 * (1.0 + MARGIN_TOLERANCE) && least < 2.0 + 1e-10, "{least:e}");
+        assert!(most < 3.0 * (1.0 - MARGIN_TOLERANCE) && most > 3.0 - 1e-10, "{most:e}");
         // A margin that no orbit changes.
         assert_eq!(holds([[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
         assert_eq!(holds([[1.0, 0.0], [-1.0, 0.0]]).1, 0.0);

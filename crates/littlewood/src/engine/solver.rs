@@ -97,8 +97,8 @@ impl<'a> FastSolver<'a> {
         Self { hoop, laws, chains: None, until, exact, phases_without: Cell::new(0), drift }
     }
 
-    /// The solver of an engine for few starts: a motion uses what is kept if it is long. This depends on the motion alone, so that it has the same
-    /// bits wherever it is computed.
+    /// The solver of an engine for few starts: a motion uses what is kept if it is long. This depends on the motion alone, so that it has
+    /// the same bits wherever it is computed.
     pub(super) fn for_few_starts(self) -> Self {
         self.phases_without.set(PHASES_WITHOUT_CELLS);
         self

@@ -45,13 +45,13 @@ pub(super) struct Curves {
 }
 
 /// Largest amplification of the rounding of levels that polynomials are made for: next to an extremum of the level there is no bound.
-const MOST_AMPLIFIED: f64 = 1e3;
+const MAX_AMPLIFICATION: f64 = 1e3;
 
 /// More halvings of a part on which slips are told by their rate: chains that contract towards a turning point end at small ones.
-const HALVINGS_TO_REST: u32 = 3;
+const MORE_HALVINGS_TO_REST: u32 = 3;
 
 /// An end of a piece is a pole if 1/K is smaller there than in the middle by this.
-const POLE: f64 = 1e-9;
+const POLE_TOLERANCE: f64 = 1e-9;
 
 impl Curves {
     pub(super) fn new(slips: SlipCurves) -> Self {
@@ -74,7 +74,7 @@ impl Curves {
                     if !slips.limit(side, middle).is_some_and(|u| u > 0.0) {
                         continue;
                     }
-                    let slowest = POLE * slips.inverse_level(side, middle).abs();
+                    let slowest = POLE_TOLERANCE * slips.inverse_level(side, middle).abs();
                     let half = |end: f64| {
                         let coordinate = if rests.contains(&end) {
                             Coordinate::Rate
@@ -135,7 +135,7 @@ impl Curves {
     pub(super) fn more_halvings(&self, part: usize) -> (u32, Option<f64>) {
         match self.parts[part].coordinate {
             Coordinate::Angle | Coordinate::InverseLevel => (0, None),
-            Coordinate::Rate => (HALVINGS_TO_REST, Some(self.parts[part].bounds.0)),
+            Coordinate::Rate => (MORE_HALVINGS_TO_REST, Some(self.parts[part].bounds.0)),
         }
     }
 
@@ -148,7 +148,7 @@ impl Curves {
             (first * (to - from) / (last - first)).abs()
         };
         match part.coordinate {
-            Coordinate::Angle => moves([from, to]).min(MOST_AMPLIFIED),
+            Coordinate::Angle => moves([from, to]).min(MAX_AMPLIFICATION),
             Coordinate::InverseLevel => from.abs(),
             Coordinate::Rate => moves([from, to].map(|rate| self.angle_at(part, rate))),
         }

@@ -31,7 +31,7 @@ pub(super) use passage::Passage;
 const LEVELS: usize = 14;
 
 /// Successes on a level after which a higher one is tried that has failed.
-const AFTER_FAILURE: usize = 2;
+const SUCCESSES_BEFORE_RETRY: usize = 2;
 
 /// Follows a motion from a slip to the next.
 pub(super) trait Follow {
@@ -128,7 +128,7 @@ impl Chains {
         let mut total: Option<Passage> = None;
         let mut level = 0;
         // Links passed on this level since it was found to be the highest: enough of them, and a higher one is tried again.
-        let mut passed = AFTER_FAILURE;
+        let mut passed = SUCCESSES_BEFORE_RETRY;
         loop {
             let here = total.map_or(point, |passage| passage.end);
             let next = self
@@ -140,7 +140,7 @@ impl Chains {
                 Some(passage) => {
                     total = Some(passage);
                     passed += 1;
-                    if passed >= AFTER_FAILURE && level + 1 < LEVELS {
+                    if passed >= SUCCESSES_BEFORE_RETRY && level + 1 < LEVELS {
                         level += 1;
                     }
                 }
@@ -158,8 +158,8 @@ impl Chains {
         let (more, end) = self.curves.more_halvings(point.part);
         let making = Making {
             basis: &self.basis,
-            tolerance: tree::CONVERGED * self.noise * (1_u64 << level) as f64,
-            halvings: tree::HALVINGS + (self.noise as u32).ilog2() + more,
+            tolerance: tree::TOLERANCE * self.noise * (1_u64 << level) as f64,
+            halvings: tree::MAX_HALVINGS + (self.noise as u32).ilog2() + more,
             end,
             amplification: |part, ends| self.curves.amplification(part, ends),
             value: |at| self.value(level, Point { at, ..point }, follow),

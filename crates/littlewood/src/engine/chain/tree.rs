@@ -13,23 +13,23 @@ use super::passage::{Passage, Route};
 
 /// Polynomials have converged when their last coefficients are below this part of the largest value, times what rounding in a link is
 /// amplified by.
-pub(super) const CONVERGED: f64 = 2e-15;
+pub(super) const TOLERANCE: f64 = 2e-15;
 
-/// Most halvings of a part for a heavy hoop. The finest structure of a light one is finer by as much as it amplifies rounding. What is left is
-/// narrow, and followed phase by phase in less time than finer pieces would take.
-pub(super) const HALVINGS: u32 = 12;
+/// Most halvings of a part for a heavy hoop. The finest structure of a light one is finer by as much as it amplifies rounding. What is
+/// left is narrow, and followed phase by phase in less time than finer pieces would take.
+pub(super) const MAX_HALVINGS: u32 = 12;
 
 /// Part of the tolerance to which the level of an orbit is known: a few units in its last place.
 const LEVEL_ROUNDING: f64 = 0.25;
 
 /// Halvings after which an interval without links at its ends and its middle is taken to have none.
-const SEARCHED: u32 = 3;
+const MIN_HALVINGS_SEARCHED: u32 = 3;
 
 /// To this the length of slides is told.
-const COUNTED: f64 = 1e-9;
+const LENGTH_TOLERANCE: f64 = 1e-9;
 
 /// By how many tolerances the polynomials may miss the links between the nodes.
-const MISSED: f64 = 8.0;
+const MAX_MISS: f64 = 8.0;
 
 /// One piece.
 #[derive(Clone, Debug)]
@@ -134,7 +134,7 @@ where
     let [first, second, last] = [left, middle, right].map(value);
     let (Some(first), Some(second), Some(last)) = (&first, &second, &last) else {
         let nothing = first.is_none() && second.is_none() && last.is_none();
-        let searched = halvings >= SEARCHED && *end != Some(left);
+        let searched = halvings >= MIN_HALVINGS_SEARCHED && *end != Some(left);
         return if nothing && searched { Fit::Nothing } else { divided() };
     };
     let (route, phases) = (first.0.route, first.1);
@@ -158,14 +158,14 @@ where
     let relative = Tolerance { relative: *tolerance, least };
     // x comes back to where it was, unlike time; the length of slides is only counted.
     let moved = Tolerance { least: least.max(*tolerance), ..relative };
-    let counted = Tolerance { relative: COUNTED, least: COUNTED };
+    let counted = Tolerance { relative: LENGTH_TOLERANCE, least: LENGTH_TOLERANCE };
     let tolerances = [relative, relative, moved, counted];
     let Some(interpolant) = basis.through(left, right, &numbers, &tolerances) else { return divided() };
     let agrees = |at: f64, expected: [f64; 4]| {
         let values = interpolant.at(at).into_iter().zip(expected).zip(&tolerances);
-        values
-            .into_iter()
-            .all(|((value, expected), tolerance)| (value - expected).abs() <= MISSED * tolerance.of(expected))
+        values.into_iter().all(|((value, expected), tolerance)| {
+            (value - expected).abs() <= MAX_MISS * tolerance.of(expected)
+        })
     };
     let between = nodes.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).chain([left, right]);
     for at in between {

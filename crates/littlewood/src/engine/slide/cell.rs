@@ -12,7 +12,7 @@ use crate::mechanics::equations::SlidingLaw;
 
 use super::piece::{LawAt, Waypoint};
 use super::series::{
-    CONVERGED, Low, Polynomials, Series, Signs, bernstein, from_both_sides, least, pattern, reach, scaled,
+    CONVERGENCE, Low, Polynomials, Series, Signs, bernstein, from_both_sides, least, pattern, reach, scaled,
     sum_of_sizes, value,
 };
 use super::step::{Step, rotated};
@@ -21,13 +21,13 @@ use super::step::{Step, rotated};
 pub(super) const CELLS: usize = 16;
 
 /// Largest z of a cell, tan π/16: the centre of the next one. In wider cells u changes more than the Gauss sum of the time allows.
-const WIDEST: f64 = 0.198_912_367_379_658_02;
+const MAX_WIDTH: f64 = 0.198_912_367_379_658_02;
 
 /// The tiles of the cells, up to this z, tan π/32, cover a turn.
 const TILE: f64 = 0.098_491_403_357_164_26;
 
 /// A step in a cell is not shorter, in t.
-const SHORTEST: f64 = 1e-9;
+const MIN_STEP: f64 = 1e-9;
 
 /// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
 #[derive(Clone, Debug)]
@@ -78,7 +78,7 @@ fn largest(series: &Series) -> f64 {
 fn degree_of(series: [&Series; 2], t: f64) -> usize {
     let degrees = series.map(|series| {
         let terms = scaled(*series, t);
-        let least = CONVERGED * largest(&terms);
+        let least = CONVERGENCE * largest(&terms);
         terms.iter().rposition(|c| c.abs() > least).unwrap_or(0)
     });
     degrees[0].max(degrees[1]).next_multiple_of(2)
@@ -109,8 +109,8 @@ impl Cell {
         let direction = sincos(cell as f64 * (TAU / CELLS as f64));
         let polynomials = Polynomials::new(law, sigma, direction);
         let [p, h] = polynomials.solutions([0.0, 1.0], [1.0, 0.0]);
-        let size = largest(&scaled(p, WIDEST));
-        let width = reach(&p, 0, size).min(reach(&h, 0, 1.0)).min(WIDEST);
+        let size = largest(&scaled(p, MAX_WIDTH));
+        let width = reach(&p, 0, size).min(reach(&h, 0, 1.0)).min(MAX_WIDTH);
         let [p, h] = [p, h].map(|series| scaled(series, width));
         let least = least(from_both_sides(polynomials.p(width)));
         if !(least > 0.0 && width > 0.0) {
@@ -157,10 +157,11 @@ impl Cell {
         turn_sin / ((1.0 + turn_cos) * self.width)
     }
 
-    /// Of a slide with this u at the beginning of the tile: u_c, and u at the end of the tile. None where u is not known to stay away from zero.
+    /// Of a slide with this u at the beginning of the tile: u_c, and u at the end of the tile. None where u is not known to stay away
+    /// from zero.
     pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
         let level = (u - self.entry.0) / self.entry.1;
-        let is_clear = self.terms.0 + level * self.terms.1 <= Step::SMOOTH * level;
+        let is_clear = self.terms.0 + level * self.terms.1 <= Step::MAX_TERMS * level;
         (self.is_tile() && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
     }
 
@@ -186,11 +187,11 @@ impl Cell {
         Some((place, self.step_at((level, u), self.degrees.1, (self.end, Some((place.z, time))))?))
     }
 
-    /// The step of a slide with this direction and u to the end of the tile, or of a narrower cell, or half as far, and its place there. None at
-    /// other places, where u is not known to stay away from zero, and where η″ may change its sign twice.
+    /// The step of a slide with this direction and u to the end of the tile, or of a narrower cell, or half as far, and its place there.
+    /// None at other places, where u is not known to stay away from zero, and where η″ may change its sign twice.
     pub(super) fn step(&self, here: &Waypoint) -> Option<(Waypoint, Step)> {
         let z = self.place(here.direction);
-        if !(z >= -1.0 && z < self.end - SHORTEST) {
+        if !(z >= -1.0 && z < self.end - MIN_STEP) {
             return None;
         }
         let degree = if z >= -self.end { self.degrees.1 } else { self.degrees.0 };

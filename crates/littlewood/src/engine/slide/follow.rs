@@ -7,9 +7,9 @@
 //! - the signs of η″ tell whether η′ is monotone, or has one extremum: its values there and at the end tell whether it has
 //!   vanished.
 //!
-//! *Periods.* Friction does not depend on the sign of θ′, so that in a libration θ′² is the same function of the angle in every period, and η′
-//! falls by μk times the period in each: periods without an event are passed at once. Without kinetic friction rotations are periodic, too, and
-//! no event follows a whole period without one.
+//! *Periods.* Friction does not depend on the sign of θ′, so that in a libration θ′² is the same function of the angle in every period,
+//! and η′ falls by μk times the period in each: periods without an event are passed at once. Without kinetic friction rotations are
+//! periodic, too, and no event follows a whole period without one.
 
 use core::f64::consts::{FRAC_PI_8, PI, TAU};
 
@@ -17,35 +17,35 @@ use crate::engine::doubt::Doubt;
 use crate::mechanics::equations::{SlidingLaw, contact};
 
 use super::cell::{CELLS, Cell, Cells};
-use super::piece::{Piece, UNCERTAIN, Way, Waypoint};
+use super::piece::{Piece, SIGN_TOLERANCE, Way, Waypoint};
 use super::series::{Expansion, Signs};
 use super::step::{Step, rotated};
 use super::turn::Turn;
 use super::{SlideEnd, SlideEvent, Turns};
 
 /// Most pieces: a slide over more than some 16 turns is left to the exact solver, which sums whole turns.
-const MOST_PIECES: usize = 512;
+const MAX_PIECES: usize = 512;
 
 /// A slide over more turns than this is left to the exact solver.
-const MOST_TURNS: f64 = 16.0;
+const MAX_TURNS: f64 = 16.0;
 
 /// So is a libration over more periods: the rounding of its period would be multiplied by as many.
-const MOST_PERIODS: f64 = 64.0;
+const MAX_PERIODS: f64 = 64.0;
 
 /// Fewer periods are followed one by one.
-const FEWEST_PERIODS: f64 = 3.0;
+const MIN_PERIODS_TO_SKIP: f64 = 3.0;
 
 /// A place is the same after a period if its angle is the same to this.
-const SAME_ANGLE: f64 = 1e-12;
+const PERIOD_TOLERANCE: f64 = 1e-12;
 
 /// A turning point nearer than this part of the width on which u has converged is the centre of the next piece.
-const NEAR: f64 = 0.7;
+const MAX_TURN_DISTANCE: f64 = 0.7;
 
 /// A turning point behind is the centre of the next piece if it is nearer than this part of the piece.
-const BEHIND: f64 = 0.5;
+const MAX_PART_BEHIND_TURN: f64 = 0.5;
 
 /// No cell holds a slide whose u changes by more than itself over this z.
-const STEEP: f64 = 0.25;
+const MIN_DOUBLING_DISTANCE: f64 = 0.25;
 
 /// How a slide is seen: perhaps mirrored.
 #[derive(Clone, Copy, Debug)]
@@ -157,7 +157,7 @@ pub(in crate::engine) fn follow(
             return Ok(end);
         }
     }
-    while slide.pieces < MOST_PIECES {
+    while slide.pieces < MAX_PIECES {
         slide.pieces += 1;
         if let Some(end) = slide.pass_piece()? {
             return Ok(end);
@@ -194,7 +194,7 @@ impl<'a> Slide<'a> {
         let ((sin, cos), law) = (here.direction, frame.law());
         // du/dz: where u is steep it is not known to stay away from zero, and this is known soonest.
         let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
-        if STEEP * slope.abs() > here.u {
+        if MIN_DOUBLING_DISTANCE * slope.abs() > here.u {
             return None;
         }
         Cell::about(frame.theta).into_iter().find_map(|number| {
@@ -209,7 +209,7 @@ impl<'a> Slide<'a> {
         let Self { frame, allowed, .. } = *self;
         let law = frame.law();
         while let Some(number) = self.edge
-            && self.pieces < MOST_PIECES
+            && self.pieces < MAX_PIECES
             && let Some(cell) = cells.get(law, frame.sigma, number)
             && let Some((level, u)) = cell.crossing(self.here.u)
         {
@@ -227,7 +227,7 @@ impl<'a> Slide<'a> {
             };
             let stays = |cos: f64, u: f64| {
                 let cos_u = law.body.h * cos * u;
-                contact(1.0, 1.0, cos_u) > UNCERTAIN * (1.0 + law.body.h * u)
+                contact(1.0, 1.0, cos_u) > SIGN_TOLERANCE * (1.0 + law.body.h * u)
             };
             // The top is in the middle of the first.
             let stays = stays(edge.direction.1, u) && (number != 0 || stays(1.0, level));
@@ -239,7 +239,7 @@ impl<'a> Slide<'a> {
                 Signs::Rising => here.slip_acceleration > doubt,
                 Signs::Unknown => false,
             };
-            let slips = at.slip > UNCERTAIN * (1.0 + u.sqrt() + frame.integral.abs());
+            let slips = at.slip > SIGN_TOLERANCE * (1.0 + u.sqrt() + frame.integral.abs());
             let next = Some(Cell::next(number));
             let end = if stays && slips && is_least_at_an_end && elapsed <= allowed {
                 let least = here.slip.min(at.slip);
@@ -357,7 +357,8 @@ impl<'a> Slide<'a> {
         };
         let turned = theta - mark.theta;
         let turns = if turned.abs() < PI { 0.0 } else { (turned / TAU).round() };
-        let is_same = sign == mark.sign && (turned - TAU * turns).abs() <= SAME_ANGLE * (1.0 + theta.abs());
+        let is_same =
+            sign == mark.sign && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
         if !(is_same && (turns != 0.0 || count >= mark.turns + 2.0)) {
             // Where the first piece began the slide may never be again.
             if here.piece > 2 * mark.piece + CELLS {
@@ -373,7 +374,7 @@ impl<'a> Slide<'a> {
             if allowed == f64::INFINITY {
                 return Ok(Some(SlideEnd::Never));
             }
-            if allowed > MOST_PERIODS {
+            if allowed > MAX_PERIODS {
                 return Err(Doubt::TooLong);
             }
             // What is left is no less than nothing, whatever rounding does.
@@ -381,12 +382,12 @@ impl<'a> Slide<'a> {
             let late = here.elapsed + whole * period > self.allowed;
             self.pass_periods(if late { whole - 1.0 } else { whole }, period, TAU * turns);
         } else if turns != 0.0 {
-            if periods > MOST_TURNS {
+            if periods > MAX_TURNS {
                 return Err(Doubt::TooLong);
             }
-        } else if periods > MOST_PERIODS {
+        } else if periods > MAX_PERIODS {
             return Err(Doubt::TooLong);
-        } else if periods > FEWEST_PERIODS {
+        } else if periods > MIN_PERIODS_TO_SKIP {
             // The last ones, in which rounding might tell, are followed.
             self.pass_periods(periods.floor() - 2.0, period, 0.0);
         }
@@ -416,7 +417,7 @@ fn over_step(way: &Way<'_, Step>, here: &Waypoint, step: &Step) -> Result<Passed
     let top = step.top().clamp(here.z, end);
     let (h, u) = (way.law.body.h, step.u(top));
     let w = contact(1.0, h, u);
-    if w.abs() < UNCERTAIN * (1.0 + h * u) {
+    if w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
         return Err(Doubt::Contact);
     }
     if w < 0.0 { pass(way, (here, top), false, signs) } else { pass(way, (here, end), true, signs) }
@@ -456,7 +457,7 @@ fn pass<P: Piece>(
 ) -> Result<Passed, Doubt> {
     let (h, u) = (way.law.body.h, way.piece.u(to));
     let w = if held { 1.0 } else { contact(1.0, h, way.piece.direction(to).1 * u) };
-    if !held && w.abs() < UNCERTAIN * (1.0 + h * u) {
+    if !held && w.abs() < SIGN_TOLERANCE * (1.0 + h * u) {
         return Err(Doubt::Contact);
     }
     let lifts_off = w < 0.0;
@@ -487,7 +488,8 @@ fn pass<P: Piece>(
         Signs::Positive | Signs::Negative | Signs::Falling => Ok(passed),
         Signs::Rising => {
             let Some(least) = way.least(here, &there) else { return Ok(passed) };
-            let uncertain = doubt * (there.elapsed - here.elapsed) + UNCERTAIN * way.size_of_slip(&least);
+            let uncertain =
+                doubt * (there.elapsed - here.elapsed) + SIGN_TOLERANCE * way.size_of_slip(&least);
             // Where it hardly vanishes, or hardly does not, rounding would decide.
             if least.slip.abs() <= uncertain {
                 return Err(Doubt::Slip);
@@ -505,7 +507,7 @@ fn turn_about<'a>(
     expansion: &Expansion,
 ) -> Option<(Frame<'a>, Waypoint, Turn)> {
     let reach = expansion.reach(0);
-    if here.u > NEAR * reach * expansion.u[1].abs() {
+    if here.u > MAX_TURN_DISTANCE * reach * expansion.u[1].abs() {
         return None;
     }
     let distance = expansion.zero(reach)?.abs();
@@ -541,7 +543,7 @@ impl<'a> Before<'a> {
         let Self { frame, here, direction, is_ahead } = *self;
         let y = if is_ahead { -part.sqrt() } else { part.sqrt() };
         let frame = Frame { theta: frame.theta + 2.0 * libm::atan(distance), ..frame };
-        let farthest = if is_ahead { 1.0 } else { BEHIND };
+        let farthest = if is_ahead { 1.0 } else { MAX_PART_BEHIND_TURN };
         (part < farthest).then_some((frame, Waypoint { z: y, direction, ..here }))
     }
 }

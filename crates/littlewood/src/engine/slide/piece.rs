@@ -10,34 +10,34 @@ use crate::model::hoop::Heavy;
 const MIN_SLIP_ACCELERATION: f64 = 2e-3;
 
 /// Rounding of η′ by light hoops, which amplify it by (Î/m)^(−1/2) at each passage of the bottom, as a part of that.
-const AMPLIFIED: f64 = 0.1;
+const AMPLIFICATION_PART: f64 = 0.1;
 
 /// Newton's method for a place at a time ends with a shorter step: its error is of the second order.
-const LAST_STEP: f64 = 1e-8;
+const MAX_LAST_STEP: f64 = 1e-8;
 
 /// The same for the place at which η′ vanishes.
-const LAST_STEP_TO_REST: f64 = 1e-7;
+const MAX_LAST_STEP_TO_REST: f64 = 1e-7;
 
 /// The same for the place at which the normal force vanishes.
-const LAST_STEP_TO_LIFT_OFF: f64 = 1e-9;
+const MAX_LAST_STEP_TO_LIFT_OFF: f64 = 1e-9;
 
 /// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more than this part of itself: the error is
 /// the fourth power of that over 2880.
-const SHORT_STEP: f64 = 1e-3;
+const MAX_SIMPSON_STEP: f64 = 1e-3;
 
 /// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that part: Newton's method takes it for
 /// fixed.
-const LAST_TIME: f64 = 1e-14;
+const MAX_TIME_ERROR: f64 = 1e-14;
 
 /// The place of a minimum of η′ is known to this: the value to the second order.
-const LEAST_WIDTH: f64 = 1e-7;
+const MINIMUM_TOLERANCE: f64 = 1e-7;
 
 /// A number within this part of its terms of zero may have either sign in the simulation: rounding, as much as passages of the bottom of
 /// a light hoop and a small P amplify it.
-pub(super) const UNCERTAIN: f64 = 1e-9;
+pub(super) const SIGN_TOLERANCE: f64 = 1e-9;
 
 /// Where η″ vanishes at an end of a way its sign is told so far inside, as a part of the way.
-const INSIDE: f64 = 1e-6;
+const INSET: f64 = 1e-6;
 
 /// A part of a slide on which u is known as a function of a coordinate z, which grows with time.
 pub(super) trait Piece {
@@ -107,7 +107,7 @@ pub(super) struct Way<'a, P> {
 impl<P: Piece> Way<'_, P> {
     /// Whether the sign of σ η′ at a waypoint is lost in the rounding of the terms of the first integral.
     pub(super) fn is_doubtful(&self, at: &Waypoint) -> bool {
-        at.slip.abs() <= UNCERTAIN * self.size_of_slip(at)
+        at.slip.abs() <= SIGN_TOLERANCE * self.size_of_slip(at)
     }
 
     /// The size of the terms of η′ at a waypoint, in the first integral.
@@ -125,7 +125,8 @@ impl<P: Piece> Way<'_, P> {
     fn beside(&self, here: &Waypoint, z: f64) -> Option<Waypoint> {
         let (middle, u) = (0.5 * (here.z + z), self.piece.u(z));
         let (first, last) = (self.piece.slowness(here.z, here.u), self.piece.slowness(z, u));
-        if !((z - here.z).abs() <= SHORT_STEP && (last - first).abs() <= SHORT_STEP * first.abs()) {
+        if !((z - here.z).abs() <= MAX_SIMPSON_STEP && (last - first).abs() <= MAX_SIMPSON_STEP * first.abs())
+        {
             return None;
         }
         let sum = first + 4.0 * self.piece.slowness(middle, self.piece.u(middle)) + last;
@@ -162,7 +163,7 @@ impl<P: Piece> Way<'_, P> {
             let u = self.piece.u(z);
             let value = contact(1.0, h, cos * u);
             let slope = self.piece.turning(z) * (h * sin * u - h * cos * self.law.drive(sin, cos) * value);
-            Step { value, step: -value / slope, last: LAST_STEP_TO_LIFT_OFF }
+            Step { value, step: -value / slope, last: MAX_LAST_STEP_TO_LIFT_OFF }
         });
         self.at(here, z)
     }
@@ -172,10 +173,10 @@ impl<P: Piece> Way<'_, P> {
         // Falls where η″ rises, as a bracket has it.
         let falling = |z: f64| -self.slip_acceleration(z);
         let inside = |at: &Waypoint, other: &Waypoint| {
-            if at.slip_acceleration.abs() > UNCERTAIN * (1.0 + at.u) {
+            if at.slip_acceleration.abs() > SIGN_TOLERANCE * (1.0 + at.u) {
                 return (at.z, -at.slip_acceleration);
             }
-            let z = at.z + INSIDE * (other.z - at.z);
+            let z = at.z + INSET * (other.z - at.z);
             (z, falling(z))
         };
         let ((low, at_low), (high, at_high)) = (inside(here, there), inside(there, here));
@@ -188,7 +189,7 @@ impl<P: Piece> Way<'_, P> {
             let value = falling(z);
             let step = value * (before.0 - z) / (value - before.1);
             before = (z, value);
-            Step { value, step, last: LEAST_WIDTH }
+            Step { value, step, last: MINIMUM_TOLERANCE }
         });
         Some(self.at(here, z))
     }
@@ -200,7 +201,7 @@ impl<P: Piece> Way<'_, P> {
         }
         let (here, there) =
             (self.piece.slowness(z, u), self.piece.slowness(z + step, self.piece.u(z + step)));
-        let is_last = (0.5 * step * (here + there) * (there - here)).abs() < LAST_TIME * here.abs();
+        let is_last = (0.5 * step * (here + there) * (there - here)).abs() < MAX_TIME_ERROR * here.abs();
         if is_last { longest } else { last_digit(z) }
     }
 
@@ -212,7 +213,7 @@ impl<P: Piece> Way<'_, P> {
             let u = self.piece.u(z);
             let value = elapsed - (here.elapsed + self.piece.time(here.z, z));
             let step = value / self.piece.slowness(z, u);
-            Step { value, step, last: self.last_step(z, u, step, LAST_STEP) }
+            Step { value, step, last: self.last_step(z, u, step, MAX_LAST_STEP) }
         });
         self.waypoint(z, self.piece.u(z), elapsed)
     }
@@ -232,11 +233,11 @@ impl<P: Piece> Way<'_, P> {
         let z = Bracket { low: here.z, high: there.z }.iterate(here.z + part * span, |z| {
             let at = evaluate(z);
             let step = -at.slip / slope(&at);
-            Step { value: at.slip, step, last: self.last_step(z, at.u, step, LAST_STEP_TO_REST) }
+            Step { value: at.slip, step, last: self.last_step(z, at.u, step, MAX_LAST_STEP_TO_REST) }
         });
         let at = evaluate(z);
         let Heavy { mass, inertia, .. } = self.law.body;
-        let amplified = (AMPLIFIED * (mass / inertia).sqrt()).max(1.0);
+        let amplified = (AMPLIFICATION_PART * (mass / inertia).sqrt()).max(1.0);
         if at.slip_acceleration.abs() < MIN_SLIP_ACCELERATION * amplified * (1.0 + at.u.sqrt()) {
             return Err(Doubt::SlowStop);
         }
@@ -304,8 +305,8 @@ pub(super) mod check {
         }
     }
 
-    /// Between its ends a slide comes to rest where it is made to, and is at a time where it is then, and few times are asked for. How often
-    /// it came to rest, where η′ falls all the way, and how many times were asked for then.
+    /// Between its ends a slide comes to rest where it is made to, and is at a time where it is then, and few times are asked for. How
+    /// often it came to rest, where η′ falls all the way, and how many times were asked for then.
     pub(in crate::engine) fn finds_places(
         piece: &impl Piece,
         law: &SlidingLaw,

@@ -21,19 +21,19 @@ pub(super) const DEGREE: usize = 32;
 const TERMS: usize = 6;
 
 /// Part of the first coefficient that the last of a series may be.
-pub(super) const CONVERGED: f64 = f64::EPSILON / 16.0;
+pub(super) const CONVERGENCE: f64 = f64::EPSILON / 16.0;
 
 /// A width that is tried is so much less than the parabola leads to: where the sum is one, rounding would tell.
-const MARGIN: f64 = 0.98;
+const WIDTH_MARGIN: f64 = 0.98;
 
 /// Degree of the polynomials whose sign is examined; what they leave out is bounded.
-const LOW: usize = 10;
+const SIGN_DEGREE: usize = 10;
 
 /// Coefficients of powers, the lowest first.
 pub(super) type Series = [f64; DEGREE + 1];
 
 /// The lowest of them.
-pub(super) type Low = [f64; LOW + 1];
+pub(super) type Low = [f64; SIGN_DEGREE + 1];
 
 /// 1/n.
 const RECIPROCALS: Series = {
@@ -207,16 +207,16 @@ impl Polynomials {
         let b = scaled(self.b, width);
         // Sums of the sizes of the coefficients of u from each on.
         let mut rest = 0.0;
-        for c in u[LOW + 1..].iter().rev() {
+        for c in u[SIGN_DEGREE + 1..].iter().rev() {
             rest += c.abs();
         }
-        let mut low = [0.0; LOW + 1];
+        let mut low = [0.0; SIGN_DEGREE + 1];
         let mut band = 0.0;
         for j in 0..7 {
-            // What the factor b_j leaves out: the coefficients of u above LOW − j.
+            // What the factor b_j leaves out: the coefficients of u above SIGN_DEGREE − j.
             band += b[j].abs() * rest;
-            rest += u[LOW - j].abs();
-            for k in j..LOW + 1 {
+            rest += u[SIGN_DEGREE - j].abs();
+            for k in j..SIGN_DEGREE + 1 {
                 low[k] += b[j] * u[k - j];
             }
         }
@@ -299,7 +299,7 @@ impl Expansion {
         };
         let near = parabola(far, sum);
         let least = terms(near);
-        let farther = MARGIN * parabola(near, least);
+        let farther = WIDTH_MARGIN * parabola(near, least);
         let sum = terms(farther);
         // The secant of a convex function lies above it.
         let secant = || near + (farther - near) * (most - least) / (sum - least);
@@ -319,7 +319,7 @@ impl Expansion {
         if from_zero {
             // What is left of the first coefficient is the rounding of the start.
             low.rotate_left(1);
-            low[LOW] = 0.0;
+            low[SIGN_DEGREE] = 0.0;
         }
         Some((pattern(&bernstein(low), band), 2.0 * band / least))
     }
@@ -327,7 +327,7 @@ impl Expansion {
 
 /// The width in z on which a series, divided by z^`lead`, has converged beside a number of this size.
 pub(super) fn reach(series: &Series, lead: usize, size: f64) -> f64 {
-    let scale = CONVERGED * size;
+    let scale = CONVERGENCE * size;
     let width = root(scale / series[DEGREE].abs()).min(1.0);
     // The last coefficient may be small by chance.
     let before = series[DEGREE - 1].abs() * power(width, DEGREE - 1 - lead);
@@ -381,7 +381,7 @@ pub(super) fn from_both_sides<const N: usize>(mut c: [f64; N]) -> [f64; N] {
 
 /// Signs of a function whose Bernstein coefficients are known to `band`.
 pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
-    let (first, last) = (coefficients[0], coefficients[LOW]);
+    let (first, last) = (coefficients[0], coefficients[SIGN_DEGREE]);
     let is_first = |b: f64| if first > 0.0 { b > band } else { b < -band };
     let is_last = |b: f64| if last > 0.0 { b > band } else { b < -band };
     if !is_first(first) || !is_last(last) {
@@ -407,7 +407,7 @@ mod tests {
     use crate::model::mode::Direction;
 
     /// The pattern of coefficients that are these multiples of the band.
-    fn seen(coefficients: [f64; LOW + 1]) -> Signs {
+    fn seen(coefficients: [f64; SIGN_DEGREE + 1]) -> Signs {
         pattern(&coefficients.map(|b| 1e-3 * b), 1e-3)
     }
 
@@ -467,11 +467,11 @@ mod tests {
 
     #[test]
     fn signs_are_told_only_where_they_are_clear() {
-        let [up, down] = [[5.0; LOW + 1], [-5.0; LOW + 1]];
+        let [up, down] = [[5.0; SIGN_DEGREE + 1], [-5.0; SIGN_DEGREE + 1]];
         assert_eq!((seen(up), seen(down)), (Signs::Positive, Signs::Negative));
-        for at in 1..LOW {
+        for at in 1..SIGN_DEGREE {
             // What is doubtful between two signs may be the change; what is clear is another change.
-            let with = |mut coefficients: [f64; LOW + 1], doubtful: f64| {
+            let with = |mut coefficients: [f64; SIGN_DEGREE + 1], doubtful: f64| {
                 coefficients[at..].iter_mut().for_each(|b| *b = -*b);
                 coefficients[at] = doubtful;
                 seen(coefficients)
@@ -483,15 +483,16 @@ mod tests {
                 touched[at] = doubtful;
                 assert_eq!(seen(touched), Signs::Unknown, "{at} {doubtful}");
             }
-            let twice = |mut coefficients: [f64; LOW + 1]| {
+            let twice = |mut coefficients: [f64; SIGN_DEGREE + 1]| {
                 coefficients[at] = -coefficients[at];
-                coefficients[LOW] = -coefficients[LOW];
+                coefficients[SIGN_DEGREE] = -coefficients[SIGN_DEGREE];
                 seen(coefficients)
             };
-            let expected = if at == LOW - 1 { [Signs::Falling, Signs::Rising] } else { [Signs::Unknown; 2] };
+            let expected =
+                if at == SIGN_DEGREE - 1 { [Signs::Falling, Signs::Rising] } else { [Signs::Unknown; 2] };
             assert_eq!([twice(up), twice(down)], expected, "{at}");
         }
-        for end in [0, LOW] {
+        for end in [0, SIGN_DEGREE] {
             let mut doubtful = up;
             doubtful[end] = 0.9;
             assert_eq!(seen(doubtful), Signs::Unknown, "{end}");

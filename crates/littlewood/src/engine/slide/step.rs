@@ -9,11 +9,11 @@ use crate::mechanics::equations::SlidingLaw;
 use super::piece::{LawAt, Piece};
 use super::series::{DEGREE, Expansion, Series, Signs, scaled, sum_of_sizes, value};
 
-/// Up to this multiple of a step u has no zero: the terms of its series are at most the part [`Step::SMOOTH`] of the first, but for a linear
-/// term that makes it grow by at most `GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities lie
-/// outside the ellipse about the step with the half axes 1.3 and 1.2, r = 5 and r⁻²⁴ = 2e-17.
-const CLEAR: f64 = 1.8;
-const GROWTH: f64 = 0.9;
+/// Up to this multiple of a step u has no zero: the terms of its series are at most the part [`Step::MAX_TERMS`] of the first, but for a
+/// linear term that makes it grow by at most `MAX_GROWTH` on the step. The Gauss sum of 1/√u is then exact to rounding: its singularities
+/// lie outside the ellipse about the step with the half axes 1.3 and 1.2, r = 5 and r⁻²⁴ = 2e-17.
+const CLEAR_MULTIPLE: f64 = 1.8;
+const MAX_GROWTH: f64 = 0.9;
 
 /// Powers of the Gauss nodes on [0, 1], by power.
 const POWERS: [[f64; NODES]; DEGREE + 1] = {
@@ -56,7 +56,7 @@ pub(super) struct Step {
 
 impl Step {
     /// The part of u that the terms behind the first may be.
-    pub(super) const SMOOTH: f64 = 0.9;
+    pub(super) const MAX_TERMS: f64 = 0.9;
 
     /// The step from an angle with this sine and cosine, where η″ = 0 if it is `from_zero`. `reach` is the width on which the series has
     /// converged.
@@ -68,9 +68,9 @@ impl Step {
     ) -> Result<Self, Doubt> {
         let [u0, slope, ..] = expansion.u;
         let width = if slope > 0.0 {
-            expansion.smooth((0, 2), (reach.min(GROWTH * u0 / slope), CLEAR), Self::SMOOTH)
+            expansion.smooth((0, 2), (reach.min(MAX_GROWTH * u0 / slope), CLEAR_MULTIPLE), Self::MAX_TERMS)
         } else {
-            expansion.smooth((0, 1), (reach, CLEAR), Self::SMOOTH)
+            expansion.smooth((0, 1), (reach, CLEAR_MULTIPLE), Self::MAX_TERMS)
         };
         let width = width.ok_or(Doubt::TurningPoint)?;
         let u = scaled(expansion.u, width);
@@ -89,21 +89,21 @@ impl Step {
         })
     }
 
-    /// Whether u has no zero near the step between two t by the sizes of its terms: on the same ellipse about the step all but the first are at
-    /// most the part [`Step::SMOOTH`] of that.
+    /// Whether u has no zero near the step between two t by the sizes of its terms: on the same ellipse about the step all but the first
+    /// are at most the part [`Step::MAX_TERMS`] of that.
     pub(super) fn is_clear(u: &[f64], (from, to): (f64, f64)) -> bool {
         let far = Self::far(from, to);
-        far * sum_of_sizes(&u[1..], far) <= Self::SMOOTH * u[0]
+        far * sum_of_sizes(&u[1..], far) <= Self::MAX_TERMS * u[0]
     }
 
     /// Whether its first two coefficients allow that.
     pub(super) fn is_nearly_even(u0: f64, slope: f64, (from, to): (f64, f64)) -> bool {
-        Self::far(from, to) * slope.abs() <= Self::SMOOTH * u0
+        Self::far(from, to) * slope.abs() <= Self::MAX_TERMS * u0
     }
 
     /// Largest |t| on the ellipse about the step between two t.
     pub(super) fn far(from: f64, to: f64) -> f64 {
-        0.5 * (from + to).abs() + (CLEAR - 0.5) * (to - from)
+        0.5 * (from + to).abs() + (CLEAR_MULTIPLE - 0.5) * (to - from)
     }
 
     /// Time of the whole step.

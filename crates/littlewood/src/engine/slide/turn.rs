@@ -10,10 +10,10 @@ use super::piece::Piece;
 use super::series::{DEGREE, Expansion, Series, Signs, scaled, value};
 use super::step::rotated;
 
-/// Up to this multiple of the width v has no zero: the terms of its series are at most the part `SMOOTH` of the first. The Gauss sum
+/// Up to this multiple of the width v has no zero: the terms of its series are at most the part `MAX_TERMS` of the first. The Gauss sum
 /// of 1/√v in y is then exact to rounding: r = 2.9 and r⁻³² = 1e-15 at least.
-const CLEAR: f64 = 2.8;
-const SMOOTH: f64 = 0.9;
+const CLEAR_MULTIPLE: f64 = 2.8;
+const MAX_TERMS: f64 = 0.9;
 
 /// A turn, with the coordinate y from −1 to 1, in the frame of motion before the turning point.
 #[derive(Clone, Debug)]
@@ -36,7 +36,7 @@ impl Turn {
         if expansion.u[1] <= 0.0 {
             return None;
         }
-        let width = expansion.smooth((1, 2), (expansion.reach(1), CLEAR), SMOOTH)?;
+        let width = expansion.smooth((1, 2), (expansion.reach(1), CLEAR_MULTIPLE), MAX_TERMS)?;
         let u = scaled(expansion.u, width);
         let (signs, doubt) = expansion.signs(&u, width, false)?;
         let mut v = [0.0; DEGREE + 1];
