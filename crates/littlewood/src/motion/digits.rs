@@ -382,12 +382,18 @@ impl Solver for PerturbedSolver<'_> {
     }
 }
 
+/// Rounding of numbers below the normal ones: each product and sum on the way loses up to half a unit of 2^−1074.
+const SUBNORMAL_ERROR: f64 = 64.0 * 5e-324;
+
 /// Significant digits of a value with the uncertainty `spread`.
 fn digits(value: f64, spread: f64) -> u8 {
-    if value.is_infinite() || spread == 0.0 {
-        return if spread == 0.0 { MAX_DIGITS } else { 0 };
+    if spread == 0.0 && (value == 0.0 || !value.is_subnormal()) {
+        return MAX_DIGITS;
     }
-    let relative = f64::EPSILON + spread / value.abs();
+    if value.is_infinite() {
+        return 0;
+    }
+    let relative = f64::EPSILON + (spread + SUBNORMAL_ERROR) / value.abs();
     // Rounds down. The error of a value 0 is infinite.
     (-libm::log10(relative)).clamp(0.0, f64::from(MAX_DIGITS)) as u8
 }
