@@ -40,7 +40,11 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
             "gap_rate = 0.5 of a massless hoop",
             "give the hoop a mass or a moment of inertia",
         ),
-        (&["--gap-rate", "-1"], "gap_rate = -1 sqrt(g R) must not be negative", "the rim starts at the plane"),
+        (
+            &["--gap-rate", "-1"],
+            "gap_rate = -1 sqrt(g R) must not be negative",
+            "the rim starts at the plane",
+        ),
         (
             &["--gap-rate", "nan"],
             "gap_rate = NaN sqrt(g R) must be a finite number",
