@@ -110,8 +110,8 @@ def simulate_many(
 
     Notes
     -----
-    Hoops with some hundreds of starts, by the dimensions that the parameters of the hoop do not have, are prepared with
-    tables, which makes a start about five times as fast and changes times by a few units in the last digits. The choice
+    Motions of a hoop with some hundreds of starts, by the dimensions that the parameters of the hoop do not have, share
+    the series of its slides, which makes a start faster and changes times by a few units in the last digits. The choice
     does not depend on blocks or threads; neither do the results.
 
     Examples
