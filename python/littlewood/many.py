@@ -170,7 +170,8 @@ def outcome_map(
     """
     values = fill(hoop, quantities)
     law = _law(hoop, law, values)
-    return _simulate(grid(values, law, [*quantities]), until, max_transitions, max_slides, proof, chunks, threads, progress)
+    points = grid(values, law, [*quantities])
+    return _simulate(points, until, max_transitions, max_slides, proof, chunks, threads, progress)
 
 
 def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:

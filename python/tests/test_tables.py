@@ -47,7 +47,8 @@ def test_a_sweep_takes_the_axes_of_the_table():
 @pytest.mark.parametrize("function", [lw.Hoop, lw.Hoop.from_si, lw.Hoop.simulate, lw.Hoop.simulate_si])
 def test_defaults_are_those_of_the_table(function):
     # What a start in SI units calls `theta_rad` has the name `theta` in the table.
-    ours = {"theta_rad": "theta", **dict.fromkeys(["law", "units", "until", "until_s", "max_transitions", "max_slides", "proof"])}
+    other = ["law", "units", "until", "until_s", "max_transitions", "max_slides", "proof"]
+    ours = {"theta_rad": "theta", **dict.fromkeys(other)}
     for name, one in arguments(function).items():
         row = ours.get(name, name)
         if row is not None:
