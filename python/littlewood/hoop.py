@@ -215,8 +215,8 @@ class Hoop:
         max_transitions : int, optional
             Largest number of transitions: a light hoop on a nearly smooth plane may make very many.
         max_slides : int, optional
-            Largest length of all slides together, √(Δτ² + Δθ²) each but at most 32, times 1 + ln(1 + m/Î): on a plane of
-            next to no friction they are long and many.
+            Largest length of all slides together, √(Δτ² + Δθ²) each but at most 32, times 1 + ln(1 + m/Î): on a plane
+            of next to no friction they are long and many.
         proof : {"endless", "contact", "none"}, optional
             What is enough to end a motion without a time limit: that it repeats itself or slips for ever; besides, as
             soon as that is known, that it never lifts off; or only that a phase lasts for ever.
