@@ -57,7 +57,7 @@ def _records(
     axes: Mapping[str, tuple[int, ...]],
     fixed: Mapping[str, float],
     law: str | None,
-    limits: tuple[float | None, int, str],
+    limits: tuple[float | None, int, int, str],
     starts: int,
 ) -> npt.NDArray[Any]:
     arrays = dict(zip(names, blocks, strict=True))
