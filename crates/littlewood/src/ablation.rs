@@ -12,16 +12,13 @@ pub enum Part {
     KeptCells,
     /// Sums over whole turns of a slide.
     WholeTurns,
-    /// Without kinetic friction, the proof that a slide has no event.
-    ClosedForms,
     /// The table of jumps out of slides.
     Jumps,
 }
 
 impl Part {
     /// Every part.
-    pub const ALL: [Self; 5] =
-        [Self::Chains, Self::KeptCells, Self::WholeTurns, Self::ClosedForms, Self::Jumps];
+    pub const ALL: [Self; 4] = [Self::Chains, Self::KeptCells, Self::WholeTurns, Self::Jumps];
 }
 
 #[cfg(feature = "ablation")]

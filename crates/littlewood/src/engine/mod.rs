@@ -10,7 +10,6 @@ mod chain;
 mod doubt;
 mod drift;
 mod duration;
-mod frictionless;
 mod interpolant;
 mod jump;
 mod laws;

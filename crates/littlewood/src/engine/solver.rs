@@ -4,6 +4,7 @@ use core::cell::Cell;
 
 use crate::ablation::{Part, is_on};
 use crate::mechanics::equations::contact;
+use crate::mechanics::frictionless::FrictionlessIntegrals;
 use crate::mechanics::settling::Settling;
 use crate::model::hoop::{Heavy, Hoop, Massless};
 use crate::model::limits::Limits;
@@ -24,12 +25,12 @@ use crate::walk::sequence::PhaseSequence;
 use super::chain::{Chains, Follow, Passage, SlipPoint};
 use super::doubt::Doubt;
 use super::drift::Drift;
+use super::jump;
 use super::laws::Laws;
 use super::orbit::Reached;
 use super::place::Place;
 use super::roll::{RollEnd, direction_of};
 use super::slide::SlideEnd;
-use super::{frictionless, jump};
 
 /// Phases that are computed before cells are kept for a hoop that is not prepared: few motions have more, and those go on for long.
 const PHASES_WITHOUT_CELLS: u32 = 4;
@@ -46,6 +47,18 @@ pub(super) struct FastSolver<'a> {
     /// Phases that are computed before what is kept is used.
     phases_without: Cell<u32>,
     drift: Drift,
+}
+
+/// Equilibria of a slide without kinetic friction are nearer than this part of its energy.
+const EQUILIBRIUM_TOLERANCE: f64 = 1e-9;
+
+/// Whether a slide without kinetic friction comes so close to the top, at so low a rate, or stays so close to rest at the bottom, that
+/// rounding tells whether it passes, or which way it goes.
+fn is_next_to_equilibrium(body: &Heavy, place: &Place) -> bool {
+    let energy = FrictionlessIntegrals::new(body, &place.state, place.direction).energy;
+    let over_bottom = energy + 2.0 * body.offset;
+    over_bottom <= 8.0 * f64::EPSILON * body.offset
+        || (energy - 2.0 * body.offset).abs() <= EQUILIBRIUM_TOLERANCE * energy.abs()
 }
 
 /// How a motion ended, as far as a summary tells.
@@ -390,15 +403,8 @@ impl Solver for FastSolver<'_> {
         {
             return left_to_the_simulation(Doubt::Cancelled);
         }
-        if is_conservative && frictionless::is_next_to_equilibrium(body, place) {
+        if is_conservative && is_next_to_equilibrium(body, place) {
             return left_to_the_simulation(Doubt::Separatrix);
-        }
-        if is_conservative
-            && is_on(Part::ClosedForms)
-            && self.until.is_infinite()
-            && frictionless::slides_forever(body, place)
-        {
-            return never();
         }
         let allowed = self.until - state.time;
         // On the static limit with equal coefficients η″ vanishes, too.
