@@ -140,8 +140,10 @@ impl Drift {
         let rounding = self.phase + f64::EPSILON * flight.state(time).theta.abs();
         let lost = Lost {
             theta: turned + rounding,
-            // Impulses are as large as the closing rate, and change with the angle by as much.
-            rate: rate + self.impact * (closing + closes.abs() * turned) / scale + rounding,
+            // Impulses are as large as the closing rate, or as the slip that they stop, and change with the angle by as much.
+            rate: rate
+                + self.impact * (closing + (closes.abs() + start.slip.abs()) * turned) / scale
+                + rounding,
             gap_rate: coefficient * closing + closes.abs() * turned + rounding * scale,
         };
         self.lost.set(lost);

@@ -280,7 +280,7 @@ pub(super) fn follow(
         let [negative, positive] = here.map(|[a, b]| (a + k * b).abs());
         usize::from(positive < negative)
     });
-    // So close to the limit rounding would tell whether it slips at once.
+    // So close to the limit, rounding would decide whether the hoop slips at once.
     if breaks(k, &limit.map_or(here, |side| [here[1 - side]; 2])) != Some(None) {
         return Err(Doubt::FrictionLimit);
     }

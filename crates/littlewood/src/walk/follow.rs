@@ -19,7 +19,7 @@ pub(crate) trait Solver {
     type Verdict: From<Outcome>;
 
     fn hoop(&self) -> &Hoop;
-    /// The time limit of the motion; infinite if there is none.
+    /// The time limit of the motion, or infinity.
     fn until(&self) -> f64;
     fn place(&self, state: State) -> Self::Place;
     fn state(place: &Self::Place) -> State;
@@ -141,7 +141,7 @@ pub(crate) enum PhaseDetail {
     Number,
 }
 
-/// A phase as passed to a recorder; `end` is none for an endless phase.
+/// A phase as passed to a recorder; `end` is `None` if the phase never ends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PhaseRecord {
     pub(crate) mode: Mode,

@@ -162,7 +162,7 @@ impl Cell {
     pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
         let level = (u - self.entry.0) / self.entry.1;
         let is_clear = self.terms.0 + level * self.terms.1 <= Step::MAX_TERMS * level;
-        (self.is_tile() && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
+        (self.is_tile() && level > 0.0 && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
     }
 
     /// The time from the beginning of the tile to its end.
@@ -248,7 +248,7 @@ mod tests {
     use crate::engine::slide::piece::Piece;
     use crate::engine::slide::piece::check::is_a_slide;
     use crate::engine::slide::series::Expansion;
-    use crate::model::hoop::{Body, Hoop};
+    use crate::model::hoop::{Body, Hoop, HoopParameters};
     use crate::model::mode::Direction;
 
     /// All cells of a hoop, with their laws and signs.
@@ -321,6 +321,28 @@ mod tests {
             }
         }
         assert!(crossings > 80, "{crossings}");
+    }
+
+    /// Also of light hoops, and next to zeros of P, where p and h change most.
+    #[test]
+    fn u_is_positive_where_a_tile_is_crossed() {
+        let mut crossings = 0;
+        for (mass_ratio, inertia, mu) in
+            [(1.0, 1.0, 0.4), (0.01, 0.01, 0.4), (0.0, 3e-4, 0.4), (0.2, 0.1, 1.4)]
+        {
+            let hoop = HoopParameters::thin(mass_ratio).with_inertia(inertia).with_friction(mu, mu);
+            for (_, sigma, number, cell) in cells(&Hoop::new(hoop).unwrap()) {
+                for exponent in -24..=24 {
+                    let u = libm::pow(10.0, 0.25 * f64::from(exponent));
+                    let Some((level, end)) = cell.crossing(u) else { continue };
+                    let [p, h, _] = &cell.nodes;
+                    let least = p.iter().zip(h).map(|(p, h)| p + level * h).fold(end, f64::min);
+                    assert!(least > 0.0, "{mass_ratio} {inertia}: {sigma} {number} {u}: {least}");
+                    crossings += 1;
+                }
+            }
+        }
+        assert!(crossings > 1000, "{crossings}");
     }
 
     /// The sign of η″ is told for a slide as it is at points of the cell.

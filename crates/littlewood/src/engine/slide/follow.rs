@@ -17,7 +17,7 @@ use crate::engine::doubt::Doubt;
 use crate::mechanics::equations::{SlidingLaw, contact};
 
 use super::cell::{CELLS, Cell, Cells};
-use super::piece::{Piece, SIGN_TOLERANCE, Way, Waypoint};
+use super::piece::{Piece, SIGN_TOLERANCE, Way, Waypoint, size_of_slip};
 use super::series::{Expansion, Signs};
 use super::step::{Step, rotated};
 use super::turn::Turn;
@@ -167,7 +167,7 @@ pub(in crate::engine) fn follow(
 }
 
 impl<'a> Slide<'a> {
-    /// Passes what lies ahead: a cell, a turn, or a step of its own series.
+    /// Passes the next piece: a step in a cell, a turn, or a step by a new series.
     fn pass_piece(&mut self) -> Result<Option<SlideEnd>, Doubt> {
         if let Some(cells) = self.cells {
             if let Some(end) = self.cross_tiles(cells)? {
@@ -204,7 +204,7 @@ impl<'a> Slide<'a> {
         })
     }
 
-    /// Crosses whole tiles, until something happens in one, or a series of its own is needed.
+    /// Crosses whole tiles up to the first with an event, or up to a place where no tile can be crossed.
     fn cross_tiles(&mut self, cells: &'a Cells) -> Result<Option<SlideEnd>, Doubt> {
         let Self { frame, allowed, .. } = *self;
         let law = frame.law();
@@ -225,10 +225,8 @@ impl<'a> Slide<'a> {
                 slip_acceleration: frame.sigma * (edge.alpha + edge.beta * u),
                 direction: edge.direction,
             };
-            let stays = |cos: f64, u: f64| {
-                let cos_u = law.body.h * cos * u;
-                contact(1.0, 1.0, cos_u) > SIGN_TOLERANCE * (1.0 + law.body.h * u)
-            };
+            let h = law.body.h;
+            let stays = |cos: f64, u: f64| contact(1.0, h, cos * u) > SIGN_TOLERANCE * (1.0 + h * u);
             // The top is in the middle of the first.
             let stays = stays(edge.direction.1, u) && (number != 0 || stays(1.0, level));
             let (signs, doubt) = cell.signs(level);
@@ -239,7 +237,7 @@ impl<'a> Slide<'a> {
                 Signs::Rising => here.slip_acceleration > doubt,
                 Signs::Unknown => false,
             };
-            let slips = at.slip > SIGN_TOLERANCE * (1.0 + u.sqrt() + frame.integral.abs());
+            let slips = at.slip > SIGN_TOLERANCE * size_of_slip(u, frame.integral);
             let next = Some(Cell::next(number));
             let end = if stays && slips && is_least_at_an_end && elapsed <= allowed {
                 let least = here.slip.min(at.slip);
@@ -296,11 +294,14 @@ impl<'a> Slide<'a> {
     ) -> Result<Option<SlideEnd>, Doubt> {
         // Towards larger angles, and back.
         let [from, middle, to] = [place.z, 0.0, 1.0].map(|y| turn.direction(y).0);
-        if (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to) {
+        let passes_top = (place.z < 0.0 && passes_top(from, middle)) || passes_top(-middle, -to);
+        // Behind its linear term u changes by less than half over the turn: w ≥ 1 − h u.
+        let held = 2.0 * before.law().body.h * turn.u(1.0) < 1.0;
+        if passes_top && !held {
             return Err(Doubt::TurningPoint);
         }
         let way = before.way(turn);
-        let passed = self.cut(&way, place, over_turn(&way, place)?);
+        let passed = self.cut(&way, place, over_turn(&way, place, held)?);
         let at = passed.at;
         if place.z < 0.0 && at.z > 0.0 {
             self.turns = Some(Turns::another(self.turns, before.sign * before.theta));
@@ -367,10 +368,11 @@ impl<'a> Slide<'a> {
             return Ok(None);
         }
         let period = here.elapsed - mark.elapsed;
-        let loss = self.frame.law().friction * period;
+        let friction = self.frame.law().friction;
+        let loss = friction * period;
         let allowed = (self.allowed - here.elapsed) / period;
         let periods = (self.least / loss).min(allowed);
-        if loss == 0.0 {
+        if friction == 0.0 {
             if allowed == f64::INFINITY {
                 return Ok(Some(SlideEnd::Never));
             }
@@ -429,8 +431,8 @@ fn passes_top(from: f64, to: f64) -> bool {
     from < 0.0 && to >= 0.0
 }
 
-/// Passes a turn from a place to y = 1, or to the event before.
-fn over_turn(way: &Way<'_, Turn>, here: &Waypoint) -> Result<Passed, Doubt> {
+/// Passes a turn from a place to y = 1, or to the event before. `held` says that the normal force cannot vanish.
+fn over_turn(way: &Way<'_, Turn>, here: &Waypoint, held: bool) -> Result<Passed, Doubt> {
     let Turn { signs, doubt, .. } = *way.piece;
     match signs {
         // Towards the turning point, where u = 0, the signs come in the opposite order.
@@ -439,11 +441,11 @@ fn over_turn(way: &Way<'_, Turn>, here: &Waypoint) -> Result<Passed, Doubt> {
             if middle.end != End::Open {
                 return Ok(middle);
             }
-            let passed = pass(way, (&middle.at, 1.0), false, (signs, doubt))?;
+            let passed = pass(way, (&middle.at, 1.0), held, (signs, doubt))?;
             Ok(Passed { least: passed.least.min(middle.least), ..passed })
         }
         Signs::Rising | Signs::Falling | Signs::Positive | Signs::Negative | Signs::Unknown => {
-            pass(way, (here, 1.0), false, (signs, doubt))
+            pass(way, (here, 1.0), held, (signs, doubt))
         }
     }
 }

@@ -93,6 +93,11 @@ pub(in crate::engine) struct Waypoint {
     pub(in crate::engine) direction: (f64, f64),
 }
 
+/// The size of the terms of η′ where u is this, in the first integral with this constant.
+pub(super) fn size_of_slip(u: f64, integral: f64) -> f64 {
+    1.0 + u.sqrt() + integral.abs()
+}
+
 /// The way of a slide through a piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way<'a, P> {
@@ -112,7 +117,7 @@ impl<P: Piece> Way<'_, P> {
 
     /// The size of the terms of η′ at a waypoint, in the first integral.
     pub(super) fn size_of_slip(&self, at: &Waypoint) -> f64 {
-        1.0 + at.u.sqrt() + self.integral.abs()
+        size_of_slip(at.u, self.integral)
     }
 
     /// Everything at z, from the way since `here`.

@@ -73,8 +73,16 @@ impl Step {
             expansion.smooth((0, 1), (reach, CLEAR_MULTIPLE), Self::MAX_TERMS)
         };
         let width = width.ok_or(Doubt::TurningPoint)?;
-        let u = scaled(expansion.u, width);
-        let (signs, doubt) = expansion.signs(&u, width, from_zero).ok_or(Doubt::Pole)?;
+        let on = |width: f64| {
+            let u = scaled(expansion.u, width);
+            expansion.signs(&u, width, from_zero).map(|(signs, doubt)| (width, u, signs, doubt))
+        };
+        let mut step = on(width).ok_or(Doubt::Pole)?;
+        // Where η″ vanishes at the end of a step, or twice on it, half of the step has its signs.
+        if step.2 == Signs::Unknown {
+            step = on(0.5 * width).ok_or(Doubt::Pole)?;
+        }
+        let (width, u, signs, doubt) = step;
         Ok(Self {
             width,
             u,

@@ -62,7 +62,7 @@ pub(super) struct LeapLimits {
     pub(super) slip: f64,
     /// μk.
     pub(super) friction: f64,
-    /// Time to the time limit; infinite if there is none.
+    /// Time left until the time limit, or infinity.
     pub(super) allowed: f64,
 }
 
