@@ -61,7 +61,7 @@ environments() {
 with_wheel() {
   stage wheel python/build.sh
   LITTLEWOOD_WHEEL="$(wheel)" stage python python/test.sh
-  stage engines engines/test.sh
+  stage engines evidence/engines/test.sh
 }
 
 wheel() {
@@ -82,7 +82,7 @@ links=$((LITTLEWOOD_FUZZ_SECONDS / 6))
 begin_beside with_wheel
 LITTLEWOOD_FUZZ_SECONDS=$((LITTLEWOOD_FUZZ_SECONDS - links)) stage rust cargo test "${everything[@]}" --no-fail-fast
 stage without-features without_features
-begin_beside stage studies studies/test.sh
+begin_beside stage studies evidence/studies/test.sh
 LITTLEWOOD_FUZZ_SECONDS="$links" stage page web/test.sh
 LITTLEWOOD_WHEEL="$(wheel)" stage documentation docs/test.sh
 end_beside

@@ -39,9 +39,10 @@ include_patterns = [
     "docs/*.md",
     "docs/**/*.md",
     "python/docs/*.md",
-    "bench/README.md",
-    "reference/README.md",
-    "truth/families.md",
+    "evidence/README.md",
+    "evidence/bench/README.md",
+    "evidence/reference/README.md",
+    "evidence/truth/families.md",
 ]
 exclude_patterns = [
     "target",

@@ -29,7 +29,7 @@ from littlewood.certify.checker import Range, digest, pi, precision, sine_and_co
 from littlewood.certify.compare import differences
 
 ROOT = Path(__file__).resolve().parents[2]
-TRUTH = ROOT / "truth"
+TRUTH = ROOT / "evidence" / "truth"
 THIN = (1.0, 1.0, 1.0, 0.5, 0.4)
 FIGURE_3 = Case(THIN, (math.pi / 2, 2.0, 0.0, 0.0))
 THROWN = Case(THIN, (0.4, -1.0, 0.25, 0.1))
@@ -96,7 +96,7 @@ def test_the_table_of_figure_3(figure_3: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("name", ["figure_3", "slide_sticks", "turning_point_in_slide", "equal_friction", "band"])
 def test_certificates_contain_the_references_of_40_digits(name: str) -> None:
-    data = json.loads((ROOT / "reference" / "motions.json").read_text())
+    data = json.loads((ROOT / "evidence" / "reference" / "motions.json").read_text())
     motion = next(one for one in data["motions"] if one["name"] == name)
     hoop = tuple(float(motion["hoop"][key]) for key in ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"))
     start = tuple(float(motion["start"][key]) for key in ("theta", "theta_rate", "slip"))

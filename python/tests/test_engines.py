@@ -1,4 +1,4 @@
-"""The parts of engines/run.py that need no engine."""
+"""The parts of evidence/engines/run.py that need no engine."""
 
 import importlib.util
 import json
@@ -11,7 +11,7 @@ import pytest
 
 import littlewood as lw
 
-FOLDER = Path(__file__).resolve().parents[2] / "engines"
+FOLDER = Path(__file__).resolve().parents[2] / "evidence" / "engines"
 
 
 @pytest.fixture(scope="module")

@@ -271,7 +271,7 @@ def test_the_command_prints_and_draws(motion, columns, instants, tmp_path, capsy
 
 
 def test_a_certificate_names_a_case(tmp_path, capsys):
-    certificate = sorted((ROOT / "truth" / "certificates").glob("si-*.json"))[0]
+    certificate = sorted((ROOT / "evidence" / "truth" / "certificates").glob("si-*.json"))[0]
     motion = simulated(json.loads(certificate.read_text(encoding="utf-8"))["case"])
     units = motion.hoop.require_units()
     instants = np.linspace(0.0, min(3.0, motion.end_time), 400)

@@ -62,7 +62,7 @@ export async function pixelOf(page: Page, theta: number, rate: number, most = 4)
   };
 }
 
-/** The events of Figure 3 with 40 digits computed independently (reference/motions.json). */
+/** The events of Figure 3 with 40 digits computed independently (evidence/reference/motions.json). */
 export const FIGURE_3 = [
   { cause: 'stick', time: 0.564107553101996750, theta: 2.91722565678924913, rate: 2.93644326144529653, slip: 0 },
   { cause: 'slip', time: 0.973223074772405405, theta: 4.06633287423929561, rate: 2.46087950463497717, slip: 0 },

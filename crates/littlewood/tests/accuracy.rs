@@ -1,4 +1,4 @@
-//! Random motions of the whole accepted range, against 60 digits (`reference/accuracy`). The errors of those that the file keeps are
+//! Random motions of the whole accepted range, against 60 digits (`evidence/reference/accuracy`). The errors of those that the file keeps are
 //! those that it has measured, or at least as small as of ordinary motions.
 #![allow(clippy::panic)]
 
@@ -7,11 +7,11 @@ use serde_json::Value;
 
 use crate::coincidences::{number, numbers, of_state};
 
-const REFERENCE: &str = include_str!("../../../reference/accuracy.json");
+const REFERENCE: &str = include_str!("../../../evidence/reference/accuracy.json");
 
 #[test]
 fn errors_on_the_whole_accepted_range_are_those_of_the_page() {
-    let data: Value = serde_json::from_str(REFERENCE).expect("reference/accuracy.json");
+    let data: Value = serde_json::from_str(REFERENCE).expect("evidence/reference/accuracy.json");
     let ordinary = number(&data["parts"]["ordinary"]["lost"][2]);
     let mut compared = 0;
     for motion in data["kept"].as_array().expect("a list of motions") {

@@ -1,4 +1,4 @@
-//! Flights, bounces and their end: against numbers of 25 digits from `reference/bounces.py`, and by their invariants on random
+//! Flights, bounces and their end: against numbers of 25 digits from `evidence/reference/bounces.py`, and by their invariants on random
 //! hoops.
 #![allow(clippy::panic)] // a failed expectation
 
@@ -15,7 +15,7 @@ use littlewood::{
 use proptest::prelude::*;
 use serde_json::Value;
 
-const BOUNCES: &str = include_str!("../../../reference/bounces.json");
+const BOUNCES: &str = include_str!("../../../evidence/reference/bounces.json");
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
@@ -27,7 +27,7 @@ fn numbers<const N: usize>(value: &Value) -> [f64; N] {
 }
 
 fn data(key: &str) -> Vec<Value> {
-    let data: Value = serde_json::from_str(BOUNCES).expect("reference/bounces.json");
+    let data: Value = serde_json::from_str(BOUNCES).expect("evidence/reference/bounces.json");
     data[key].as_array().expect("a list").clone()
 }
 

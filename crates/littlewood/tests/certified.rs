@@ -1,4 +1,4 @@
-//! Every motion of `truth/certificates`, whose numbers are enclosed by balls of 30 digits: the same events, and each number of each
+//! Every motion of `evidence/truth/certificates`, whose numbers are enclosed by balls of 30 digits: the same events, and each number of each
 //! event within the bound of its family.
 #![allow(clippy::panic)] // a failed expectation
 
@@ -134,7 +134,7 @@ fn pairs<'a>(events: &[Value], transitions: &'a [Transition]) -> Result<Vec<&'a 
 
 #[test]
 fn every_certified_motion_is_that_of_the_library() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../truth/certificates");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../evidence/truth/certificates");
     let mut families: BTreeMap<String, (u32, f64)> = BTreeMap::new();
     let mut wrong = Vec::new();
     for entry in fs::read_dir(folder).expect("the certificates") {

@@ -1,4 +1,4 @@
-//! Starts beside the curves on which two events coincide, against the motions of `reference/coincidences.json`: an integration of the
+//! Starts beside the curves on which two events coincide, against the motions of `evidence/reference/coincidences.json`: an integration of the
 //! balances of momentum with 40 digits. Every number has a unit there, estimated in the same digits: what it changes by where the
 //! numbers of the start, and the states between, change by an ulp.
 #![allow(clippy::panic)]
@@ -6,7 +6,7 @@
 use littlewood::{Direction, Hoop, HoopParameters, Limits, Mode, Phase, Proof, Start, State};
 use serde_json::Value;
 
-const REFERENCE: &str = include_str!("../../../reference/coincidences.json");
+const REFERENCE: &str = include_str!("../../../evidence/reference/coincidences.json");
 
 /// Errors of the library, in units. `largest` in the file is the most of all starts that are compared there.
 const UNITS: f64 = 64.0;
@@ -30,7 +30,7 @@ struct Motion {
 }
 
 fn motions() -> Vec<Motion> {
-    let data: Value = serde_json::from_str(REFERENCE).expect("reference/coincidences.json");
+    let data: Value = serde_json::from_str(REFERENCE).expect("evidence/reference/coincidences.json");
     let kept = data["kept"].as_array().expect("a list of motions");
     Vec::from_iter(kept.iter().map(|reference| {
         let [mass_ratio, offset, inertia, mu_s, mu_k] = numbers(&reference["hoop"]);

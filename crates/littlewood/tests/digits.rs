@@ -1,11 +1,11 @@
-//! The digits that are said to be trusted, against the motions of `reference/digits-usual.json` and `digits-heavy.json`, followed with 60 digits.
+//! The digits that are said to be trusted, against the motions of `evidence/reference/digits-usual.json` and `digits-heavy.json`, followed with 60 digits.
 #![allow(clippy::panic)] // a failed expectation
 
 use littlewood::{Hoop, HoopParameters, Limits, Start, State};
 use serde_json::Value;
 
-const USUAL: &str = include_str!("../../../reference/digits-usual.json");
-const HEAVY: &str = include_str!("../../../reference/digits-heavy.json");
+const USUAL: &str = include_str!("../../../evidence/reference/digits-usual.json");
+const HEAVY: &str = include_str!("../../../evidence/reference/digits-heavy.json");
 
 /// Claims of some motions.
 #[derive(Default)]

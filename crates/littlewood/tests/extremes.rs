@@ -106,7 +106,7 @@ fn a_hoop_that_is_all_but_massless_is_refused() {
 }
 
 /// With μs = 1e9 rolling gives way where N is 1e-19, so that rounding tells the wrong side of the cone: the slide against the friction force is
-/// taken all the same. Times from a program of 60 digits (`reference/follower`).
+/// taken all the same. Times from a program of 60 digits (`evidence/reference/follower`).
 #[test]
 fn a_slip_at_huge_friction_goes_against_the_friction_force() {
     let light = 3.093_124_034_665_051_7e-11;

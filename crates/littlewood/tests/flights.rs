@@ -1,4 +1,4 @@
-//! Flights over the whole range of starts: against numbers of 25 digits from `reference/flights.py`, and by the heights of the
+//! Flights over the whole range of starts: against numbers of 25 digits from `evidence/reference/flights.py`, and by the heights of the
 //! rim at twice the digits of a double.
 
 use std::f64::consts::TAU;
@@ -13,7 +13,7 @@ use serde_json::Value;
 /// Seed of the motions that are drawn.
 const SEED: u64 = 25;
 
-const FLIGHTS: &str = include_str!("../../../reference/flights.json");
+const FLIGHTS: &str = include_str!("../../../evidence/reference/flights.json");
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
@@ -23,7 +23,7 @@ fn number(value: &Value) -> f64 {
 /// the rate does not change: θ″ vanishes with the normal force.
 #[test]
 fn landings_over_the_whole_range_are_those_of_the_parabola() {
-    let data: Value = serde_json::from_str(FLIGHTS).expect("reference/flights.json");
+    let data: Value = serde_json::from_str(FLIGHTS).expect("evidence/reference/flights.json");
     let flights = data["flights"].as_array().expect("a list");
     for flight in flights {
         let h = number(&flight["h"]);

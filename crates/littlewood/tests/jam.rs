@@ -11,7 +11,7 @@ use littlewood::{
 use proptest::prelude::*;
 use serde_json::Value;
 
-const JAMS: &str = include_str!("../../../reference/jams.json");
+const JAMS: &str = include_str!("../../../evidence/reference/jams.json");
 
 fn hoop(mass: f64, mu_k: f64) -> Hoop {
     Hoop::new(HoopParameters::thin(mass).with_friction(0.5, mu_k)).expect("a valid hoop")
@@ -138,10 +138,10 @@ fn a_slip_that_ends_before_sticks() {
 }
 
 /// Jams, ends of the slip and lift-offs next to P = 0, at 1e-1 to 1e-30 from it, and with slips that are 1e-11 of themselves from that
-/// which is just spent, against an integration with 80 digits of `reference/jams.py`.
+/// which is just spent, against an integration with 80 digits of `evidence/reference/jams.py`.
 #[test]
 fn slides_end_next_to_p_0_as_at_80_digits() {
-    let data: Value = serde_json::from_str(JAMS).expect("reference/jams.json");
+    let data: Value = serde_json::from_str(JAMS).expect("evidence/reference/jams.json");
     let number = |value: &Value| {
         value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
     };

@@ -1,5 +1,5 @@
 //! Against numbers computed elsewhere: the 40-digit table of Figure 3, the closed form of Figure 7, and the motions and
-//! rolling times of `reference/`, integrated with mpmath from the full Newton–Euler equations.
+//! rolling times of `evidence/reference/`, integrated with mpmath from the full Newton–Euler equations.
 #![allow(clippy::disallowed_methods, clippy::panic, clippy::excessive_precision)] // expected values may come from the platform's mathematics
 
 use std::f64::consts::PI;
@@ -9,9 +9,9 @@ use littlewood::modes::{Recurrence, RollingOrbit};
 use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Sample, Start, State, Trajectory};
 use serde_json::Value;
 
-const MOTIONS: &str = include_str!("../../../reference/motions.json");
-const SLIDES: &str = include_str!("../../../reference/slides.json");
-const ROLLING: &str = include_str!("../../../reference/rolling.json");
+const MOTIONS: &str = include_str!("../../../evidence/reference/motions.json");
+const SLIDES: &str = include_str!("../../../evidence/reference/slides.json");
+const ROLLING: &str = include_str!("../../../evidence/reference/rolling.json");
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
@@ -114,7 +114,7 @@ fn compare_sample(name: &str, ours: &Sample, theirs: &Value, tolerance: f64) {
 
 #[test]
 fn motions_agree_with_newton_euler_at_40_digits() {
-    let data: Value = serde_json::from_str(MOTIONS).expect("reference/motions.json");
+    let data: Value = serde_json::from_str(MOTIONS).expect("evidence/reference/motions.json");
     let motions = data["motions"].as_array().expect("a list of motions");
     assert!(motions.len() >= 16);
     for reference in motions {
@@ -165,7 +165,7 @@ fn near_separatrix(hoop: &Hoop, theta: f64, theta_rate: f64) -> f64 {
 
 #[test]
 fn rolling_times_agree_with_quadrature() {
-    let data: Value = serde_json::from_str(ROLLING).expect("reference/rolling.json");
+    let data: Value = serde_json::from_str(ROLLING).expect("evidence/reference/rolling.json");
     let arcs = data["arcs"].as_array().expect("a list of arcs");
     assert!(arcs.len() >= 20);
     for arc in arcs {

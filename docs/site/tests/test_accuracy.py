@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parents[3]
-sys.path.insert(0, str(ROOT / "reference"))
+sys.path.insert(0, str(ROOT / "evidence" / "reference"))
 
 from accuracy.page import PAGE, PICTURE, content, filled, fingerprint  # noqa: E402
 

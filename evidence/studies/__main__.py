@@ -1,0 +1,59 @@
+"""`python -m evidence.studies NAME…`: computes studies, and puts their tables and pictures into their pages."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import sys
+import time
+
+import matplotlib as mpl
+
+from .page import put
+from .study import NAMES, Study, load
+
+
+def computed(study: Study) -> str:
+    """Return the page with all its numbers computed again."""
+    text = study.page.read_text(encoding="utf-8")
+    for label, content in study.texts.items():
+        text = put(text, label, content())
+    return text
+
+
+def draw(study: Study) -> None:
+    """Write the pictures."""
+    mpl.rcParams["svg.hashsalt"] = "littlewood"
+    study.folder.mkdir(exist_ok=True)
+    for name, figure in study.pictures.items():
+        figure().savefig(study.folder / f"{name}.svg", metadata={"Date": None})
+
+
+def main() -> int:
+    """Compute what is asked for; 1 if a check finds another page."""
+    parser = argparse.ArgumentParser(prog="python -m evidence.studies", description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"{', '.join(NAMES)}; all, if none is given")
+    parser.add_argument("--check", action="store_true", help="write nothing, and say where a page has other numbers")
+    arguments = parser.parse_args()
+    for name in arguments.names:
+        if name not in NAMES:
+            parser.error(f"no study is called {name}; they are {', '.join(NAMES)}")
+    differs = False
+    for name in arguments.names or NAMES:
+        begin = time.perf_counter()
+        study = load(name)
+        before, after = study.page.read_text(encoding="utf-8"), computed(study)
+        if arguments.check:
+            differs = differs or before != after
+            sys.stdout.writelines(
+                difflib.unified_diff(before.splitlines(True), after.splitlines(True), "committed", "computed", n=0)
+            )
+        else:
+            study.page.write_text(after, encoding="utf-8")
+            draw(study)
+        print(f"{name}: {time.perf_counter() - begin:.0f} s")
+    return 1 if differs else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

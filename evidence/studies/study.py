@@ -1,0 +1,62 @@
+"""A study: one question, with the tables and pictures of its page."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PAGES = Path(__file__).parents[2] / "docs" / "studies"
+
+NAMES = (
+    "one-angle",
+    "best-hop",
+    "bouncing-for-ever",
+    "jam",
+    "how-many-slips",
+    "band",
+    "massless-limit",
+    "real-film",
+    "sequences",
+)
+"""All studies, in the order of their index; each is a module of this package."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Study:
+    """What a page takes from its computation.
+
+    Parameters
+    ----------
+    name : str
+        Name of the page in docs/studies, and of the folder of its pictures.
+    texts : mapping of str to callable
+        What stands between the marks of a label: lines of a table, or one number in a sentence.
+    pictures : mapping of str to callable
+        Figures by the names of their files.
+    """
+
+    name: str
+    texts: Mapping[str, Callable[[], list[str] | str]]
+    pictures: Mapping[str, Callable[[], Figure]]
+
+    @property
+    def page(self) -> Path:
+        """The page."""
+        return PAGES / f"{self.name}.md"
+
+    @property
+    def folder(self) -> Path:
+        """Where its pictures are."""
+        return PAGES / self.name
+
+
+def load(name: str) -> Study:
+    """Import a study of `NAMES`."""
+    study: Study = importlib.import_module(f".{name.replace('-', '_')}", __package__).STUDY
+    return study
