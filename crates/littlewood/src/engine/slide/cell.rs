@@ -17,14 +17,14 @@ use super::series::{
 };
 use super::step::{Step, rotated};
 
-/// Cells of a turn, evenly spaced. They overlap, wherever P is not close to zero.
-pub(super) const CELLS: usize = 16;
+/// Of a turn the coarsest tiles are so many.
+pub(super) const TILES: usize = 16;
 
-/// Largest z of a cell, tan π/16: the centre of the next one. In wider cells u changes more than the Gauss sum of the time allows.
-const MAX_WIDTH: f64 = 0.198_912_367_379_658_02;
+/// Halved so often, where the series of a tile do not reach over it, or u changes too much on it.
+pub(super) const HALVINGS: usize = 5;
 
-/// The tiles of the cells, up to this z, tan π/32, cover a turn.
-const TILE: f64 = 0.098_491_403_357_164_26;
+/// The finest tiles of a turn. Angles at which tiles begin are counted in these.
+const EDGES: usize = TILES << HALVINGS;
 
 /// A step in a cell is not shorter, in t.
 const MIN_STEP: f64 = 1e-9;
@@ -34,7 +34,7 @@ const MIN_STEP: f64 = 1e-9;
 pub(super) struct Cell {
     /// sin ϑ and cos ϑ at the centre.
     direction: (f64, f64),
-    /// z at the end.
+    /// z at the end: twice as far from the centre as the tile, or as far as the series reach.
     width: f64,
     /// u = p + u_c h, truncated at the first of these degrees, which are even, and on the tile at the second.
     p: Series,
@@ -45,7 +45,7 @@ pub(super) struct Cell {
     b: (Low, f64),
     /// P is nowhere less.
     least: f64,
-    /// t at the end of its tile; 1 where it does not reach so far.
+    /// t at the end of its tile.
     end: f64,
     /// p and h at the ends of its tile.
     entry: (f64, f64),
@@ -58,15 +58,99 @@ pub(super) struct Cell {
     terms: (f64, f64),
 }
 
+/// A part of a turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Tile {
+    pub(super) halvings: usize,
+    /// Of TILES · 2^halvings, from the top.
+    number: usize,
+}
+
+impl Tile {
+    /// So many there are of a turn.
+    const fn count(self) -> usize {
+        TILES << self.halvings
+    }
+
+    pub(super) fn angle(self) -> f64 {
+        TAU / self.count() as f64
+    }
+
+    /// The tile that begins at an edge, halved so often, if there is one.
+    pub(super) const fn at(edge: usize, halvings: usize) -> Option<Self> {
+        let shift = HALVINGS - halvings;
+        let number = edge >> shift;
+        if number << shift == edge { Some(Self { halvings, number }) } else { None }
+    }
+
+    /// The edge at its end.
+    pub(super) const fn exit(self) -> usize {
+        ((self.number + 1) << (HALVINGS - self.halvings)) % EDGES
+    }
+
+    /// The tile whose centre is the next ahead of an angle, and the one before.
+    pub(super) fn about(theta: f64, halvings: usize) -> [Self; 2] {
+        let tile = |number| Self { halvings, number };
+        let count = tile(0).count();
+        let place = theta * (count as f64 / TAU) - 0.5;
+        let turns = (place / count as f64).floor();
+        let before = (place - count as f64 * turns) as usize % count;
+        [tile((before + 1) % count), tile(before)]
+    }
+}
+
+/// The angle of an edge, next to another angle.
+pub(super) fn edge_near(edge: usize, theta: f64) -> f64 {
+    let angle = edge as f64 * (TAU / EDGES as f64);
+    angle + TAU * ((theta - angle) / TAU + 0.5).floor()
+}
+
+type Kept = [OnceLock<Option<Box<Cell>>>];
+
 /// The cells of one hoop, made where slides come, and the same whichever slide that is.
 #[derive(Clone, Debug, Default)]
-pub(in crate::engine) struct Cells([[OnceLock<Option<Box<Cell>>>; CELLS]; 2]);
+pub(in crate::engine) struct Cells([[OnceLock<Box<Kept>>; HALVINGS + 1]; 2]);
 
 impl Cells {
-    /// A cell for the direction `sigma` of slip in the frame of motion, if there is one.
-    pub(super) fn get(&self, law: &SlidingLaw, sigma: f64, number: usize) -> Option<&Cell> {
-        let cells = &self.0[usize::from(sigma > 0.0)];
-        cells[number].get_or_init(|| Cell::new(law, sigma, number).map(Box::new)).as_deref()
+    /// The cell of a tile for the direction `sigma` of slip in the frame of motion, if there is one.
+    pub(super) fn get(&self, law: &SlidingLaw, sigma: f64, tile: Tile) -> Option<&Cell> {
+        let cells = &self.0[usize::from(sigma > 0.0)][tile.halvings];
+        let cells = cells.get_or_init(|| (0..tile.count()).map(|_| OnceLock::new()).collect());
+        cells[tile.number].get_or_init(|| Cell::new(law, sigma, tile).map(Box::new)).as_deref()
+    }
+
+    /// The first cell, from the coarsest on, in which a slide at an angle has this: the next whose centre is ahead, or the one before.
+    pub(super) fn find<T>(
+        &self,
+        (law, sigma): (&SlidingLaw, f64),
+        (theta, halvings): (f64, usize),
+        mut found: impl FnMut(&Cell, Tile) -> Option<T>,
+    ) -> Option<T> {
+        for halvings in halvings..=HALVINGS {
+            for tile in Tile::about(theta, halvings) {
+                if let Some(cell) = self.get(law, sigma, tile)
+                    && let Some(found) = found(cell, tile)
+                {
+                    return Some(found);
+                }
+            }
+        }
+        None
+    }
+
+    /// The coarsest tile from an edge, halved at least so often, that a slide with this u crosses; with u_c, and u at its end.
+    pub(super) fn crossing(
+        &self,
+        (law, sigma): (&SlidingLaw, f64),
+        (edge, halvings): (usize, usize),
+        u: f64,
+    ) -> Option<(Tile, &Cell, f64, f64)> {
+        (halvings..=HALVINGS).find_map(|halvings| {
+            let tile = Tile::at(edge, halvings)?;
+            let cell = self.get(law, sigma, tile)?;
+            let (level, end) = cell.crossing(u)?;
+            Some((tile, cell, level, end))
+        })
     }
 }
 
@@ -85,35 +169,20 @@ fn degree_of(series: [&Series; 2], t: f64) -> usize {
 }
 
 impl Cell {
-    /// The cell whose centre is the next ahead of an angle, and the one before.
-    pub(super) fn about(theta: f64) -> [usize; 2] {
-        let place = theta * (CELLS as f64 / TAU);
-        let turns = (place / CELLS as f64).floor();
-        let before = (place - CELLS as f64 * turns) as usize % CELLS;
-        [Self::next(before), before]
-    }
-
-    /// The cell whose tile begins where that of another ends.
-    pub(super) const fn next(number: usize) -> usize {
-        (number + 1) % CELLS
-    }
-
-    /// The angle at which the tile of a cell begins, next to an angle.
-    pub(super) fn beginning_near(number: usize, theta: f64) -> f64 {
-        let beginning = (number as f64 - 0.5) * (TAU / CELLS as f64);
-        beginning + TAU * ((theta - beginning) / TAU + 0.5).floor()
-    }
-
-    /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not known to be positive.
-    fn new(law: &SlidingLaw, sigma: f64, cell: usize) -> Option<Self> {
-        let direction = sincos(cell as f64 * (TAU / CELLS as f64));
+    /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not known to be positive, and where the
+    /// series do not reach over the tile.
+    fn new(law: &SlidingLaw, sigma: f64, tile: Tile) -> Option<Self> {
+        let angle = tile.angle();
+        let direction = sincos((tile.number as f64 + 0.5) * angle);
         let polynomials = Polynomials::new(law, sigma, direction);
         let [p, h] = polynomials.solutions([0.0, 1.0], [1.0, 0.0]);
-        let size = largest(&scaled(p, MAX_WIDTH));
-        let width = reach(&p, 0, size).min(reach(&h, 0, 1.0)).min(MAX_WIDTH);
+        // z at the end of the tile; u changes no more than the Gauss sum of the time allows up to twice the angle.
+        let [half, widest] = [0.25, 0.5].map(|part| libm::tan(part * angle));
+        let size = largest(&scaled(p, widest));
+        let width = reach(&p, 0, size).min(reach(&h, 0, 1.0)).min(widest);
         let [p, h] = [p, h].map(|series| scaled(series, width));
         let least = least(from_both_sides(polynomials.p(width)));
-        if !(least > 0.0 && width > 0.0) {
+        if !(least > 0.0 && width > half) {
             return None;
         }
         let signs = |u: &Series, part_of_a: f64| {
@@ -122,15 +191,15 @@ impl Cell {
         };
         let (a, b) = (signs(&p, 1.0), signs(&h, 0.0));
         let at = |t: f64| [&p, &h].map(|series| value(series, t));
-        let end = (TILE / width).min(1.0);
+        let end = half / width;
         let degrees = (degree_of([&p, &h], 1.0), degree_of([&p, &h], end));
         let [entry, exit] = [at(-end), at(end)];
         let far = Step::far(-end, end);
         let [p_terms, h_terms] = [&p, &h].map(|series| far * sum_of_sizes(&series[1..], far));
         let nodes = NODE.map(|node| at(end * node));
         let weight = |j: usize| {
-            let z = TILE * NODE[j];
-            2.0 * TILE * WEIGHT[j] / (1.0 + z * z)
+            let z = half * NODE[j];
+            2.0 * half * WEIGHT[j] / (1.0 + z * z)
         };
         Some(Self {
             direction,
@@ -140,7 +209,7 @@ impl Cell {
             end,
             entry: (entry[0], entry[1]),
             exit: (exit[0], exit[1]),
-            law_at_exit: LawAt::new(law, rotated(direction, end * width)),
+            law_at_exit: LawAt::new(law, rotated(direction, half)),
             nodes: [nodes.map(|node| node[0]), nodes.map(|node| node[1]), core::array::from_fn(weight)],
             terms: (p_terms, h_terms),
             p,
@@ -162,7 +231,7 @@ impl Cell {
     pub(super) fn crossing(&self, u: f64) -> Option<(f64, f64)> {
         let level = (u - self.entry.0) / self.entry.1;
         let is_clear = self.terms.0 + level * self.terms.1 <= Step::MAX_TERMS * level;
-        (self.is_tile() && level > 0.0 && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
+        (level > 0.0 && is_clear).then_some((level, self.exit.0 + level * self.exit.1))
     }
 
     /// The time from the beginning of the tile to its end.
@@ -187,8 +256,7 @@ impl Cell {
         Some((place, self.step_at((level, u), self.degrees.1, (self.end, Some((place.z, time))))?))
     }
 
-    /// The step of a slide with this direction and u to the end of the tile, or of a narrower cell, or half as far, and its place there.
-    /// None at other places, where u is not known to stay away from zero, and where η″ may change its sign twice.
+    /// The step of a slide with this direction and u to the end of the tile, or half as far, and its place there. None at other places, where u is not known to stay away from zero, and where η″ may change its sign twice.
     pub(super) fn step(&self, here: &Waypoint) -> Option<(Waypoint, Step)> {
         let z = self.place(here.direction);
         if !(z >= -1.0 && z < self.end - MIN_STEP) {
@@ -232,13 +300,8 @@ impl Cell {
             end,
             known,
             exit: is_whole.then_some((self.exit.0 + level * self.exit.1, self.law_at_exit)),
-            is_tile: is_whole && self.is_tile(),
+            is_tile: is_whole,
         })
-    }
-
-    /// Whether it reaches to the end of its tile.
-    fn is_tile(&self) -> bool {
-        self.end < 1.0
     }
 }
 

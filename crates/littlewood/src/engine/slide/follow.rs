@@ -11,12 +11,12 @@
 //! and η′ falls by μk times the period in each: periods without an event are passed at once. Without kinetic friction rotations are
 //! periodic, too, and no event follows a whole period without one.
 
-use core::f64::consts::{FRAC_PI_8, PI, TAU};
+use core::f64::consts::{PI, TAU};
 
 use crate::engine::doubt::Doubt;
 use crate::mechanics::equations::{SlidingLaw, contact};
 
-use super::cell::{CELLS, Cell, Cells};
+use super::cell::{Cells, HALVINGS, TILES, edge_near};
 use super::piece::{Piece, SIGN_TOLERANCE, Way, Waypoint, size_of_slip};
 use super::series::{Expansion, Signs};
 use super::step::{Step, rotated};
@@ -125,7 +125,7 @@ struct Mark {
 struct Slide<'a> {
     frame: Frame<'a>,
     here: Waypoint,
-    /// The cell at whose beginning it is.
+    /// The edge of tiles at which it is.
     edge: Option<usize>,
     /// Whether the last piece was a turn.
     is_behind_turn: bool,
@@ -194,12 +194,11 @@ impl<'a> Slide<'a> {
         let ((sin, cos), law) = (here.direction, frame.law());
         // du/dz: where u is steep it is not known to stay away from zero, and this is known soonest.
         let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
-        if MIN_DOUBLING_DISTANCE * slope.abs() > here.u {
-            return None;
-        }
-        Cell::about(frame.theta).into_iter().find_map(|number| {
-            let (place, step) = cells.get(law, frame.sigma, number)?.step(&here)?;
-            let edge = step.is_tile.then(|| Cell::next(number));
+        let halvings =
+            (0..=HALVINGS).find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= here.u * (1_u32 << k) as f64)?;
+        cells.find((law, frame.sigma), (frame.theta, halvings), |cell, tile| {
+            let (place, step) = cell.step(&here)?;
+            let edge = step.is_tile.then(|| tile.exit());
             Some(self.pass_step(&place, &step, edge))
         })
     }
@@ -208,27 +207,28 @@ impl<'a> Slide<'a> {
     fn cross_tiles(&mut self, cells: &'a Cells) -> Result<Option<SlideEnd>, Doubt> {
         let Self { frame, allowed, .. } = *self;
         let law = frame.law();
-        while let Some(number) = self.edge
+        let mut halvings = 0;
+        while let Some(edge) = self.edge
             && self.pieces < MAX_PIECES
-            && let Some(cell) = cells.get(law, frame.sigma, number)
-            && let Some((level, u)) = cell.crossing(self.here.u)
+            && let Some((tile, cell, level, u)) =
+                cells.crossing((law, frame.sigma), (edge, halvings), self.here.u)
         {
+            halvings = tile.halvings.saturating_sub(1);
             let here = &self.here;
             let time = cell.time(level);
             let elapsed = here.elapsed + time;
-            let edge = cell.law_at_exit();
+            let exit = cell.law_at_exit();
             let at = Waypoint {
                 z: 1.0,
                 u,
                 elapsed,
-                slip: frame.sigma * (frame.integral + u.sqrt() * edge.lever - law.friction * elapsed),
-                slip_acceleration: frame.sigma * (edge.alpha + edge.beta * u),
-                direction: edge.direction,
+                slip: frame.sigma * (frame.integral + u.sqrt() * exit.lever - law.friction * elapsed),
+                slip_acceleration: frame.sigma * (exit.alpha + exit.beta * u),
+                direction: exit.direction,
             };
             let h = law.body.h;
-            let stays = |cos: f64, u: f64| contact(1.0, h, cos * u) > SIGN_TOLERANCE * (1.0 + h * u);
-            // The top is in the middle of the first.
-            let stays = stays(edge.direction.1, u) && (number != 0 || stays(1.0, level));
+            // The top is an edge.
+            let stays = contact(1.0, h, exit.direction.1 * u) > SIGN_TOLERANCE * (1.0 + h * u);
             let (signs, doubt) = cell.signs(level);
             // η′ is monotone, or has a maximum.
             let is_least_at_an_end = match signs {
@@ -238,10 +238,10 @@ impl<'a> Slide<'a> {
                 Signs::Unknown => false,
             };
             let slips = at.slip > SIGN_TOLERANCE * size_of_slip(u, frame.integral);
-            let next = Some(Cell::next(number));
+            let next = Some(tile.exit());
             let end = if stays && slips && is_least_at_an_end && elapsed <= allowed {
                 let least = here.slip.min(at.slip);
-                self.frame.theta += FRAC_PI_8;
+                self.frame.theta += tile.angle();
                 (self.edge, self.here) = (next, at);
                 self.go_on(least, true)?
             } else {
@@ -276,7 +276,7 @@ impl<'a> Slide<'a> {
         if passed.end == End::Open {
             (self.edge, self.here, self.is_behind_turn) = (edge, at, false);
             self.frame.theta = match edge {
-                Some(number) => Cell::beginning_near(number, frame.theta),
+                Some(edge) => edge_near(edge, frame.theta),
                 None => frame.theta + step.turned(place.z, at.z),
             };
             return self.go_on(passed.least, edge.is_some());
@@ -362,7 +362,7 @@ impl<'a> Slide<'a> {
             sign == mark.sign && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
         if !(is_same && (turns != 0.0 || count >= mark.turns + 2.0)) {
             // Where the first piece began the slide may never be again.
-            if here.piece > 2 * mark.piece + CELLS {
+            if here.piece > 2 * mark.piece + TILES {
                 set(self, here);
             }
             return Ok(None);
