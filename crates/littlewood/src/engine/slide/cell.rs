@@ -274,12 +274,22 @@ impl Cell {
         Some((Waypoint { z, ..*here }, self.step_at((level, u), degree, (end, None))?))
     }
 
+    /// The Bernstein coefficients of n³ P σ η″ of a slide, and what they leave out.
+    fn coefficients(&self, level: f64) -> (Low, f64) {
+        let (a, b) = (&self.a, &self.b);
+        (core::array::from_fn(|k| a.0[k] + level * b.0[k]), a.1 + level.abs() * b.1)
+    }
+
     /// The signs of σ η″ of a slide on the cell, and the largest |η″| where its sign is not known.
     pub(super) fn signs(&self, level: f64) -> (Signs, f64) {
-        let (a, b) = (&self.a, &self.b);
-        let coefficients: Low = core::array::from_fn(|k| a.0[k] + level * b.0[k]);
-        let band = a.1 + level.abs() * b.1;
+        let (coefficients, band) = self.coefficients(level);
         (pattern(&coefficients, band), 2.0 * band / self.least)
+    }
+
+    /// σ η″ of a slide is no less on the cell, if it is negative somewhere.
+    pub(super) fn least_slip_acceleration(&self, level: f64) -> f64 {
+        let (coefficients, band) = self.coefficients(level);
+        (coefficients.into_iter().fold(0.0, f64::min) - band) / self.least
     }
 
     fn step_at(
@@ -314,15 +324,16 @@ mod tests {
     use crate::model::hoop::{Body, Hoop, HoopParameters};
     use crate::model::mode::Direction;
 
-    /// All cells of a hoop, with their laws and signs.
-    fn cells(hoop: &Hoop) -> Vec<(SlidingLaw, f64, usize, Cell)> {
+    /// All cells of a hoop whose tiles are halved so often, with their laws and signs.
+    fn cells(hoop: &Hoop, halvings: usize) -> Vec<(SlidingLaw, f64, Tile, Cell)> {
         let Body::Heavy(body) = hoop.body() else { unreachable!("it has mass") };
         let laws = [Direction::Negative, Direction::Positive]
             .map(|direction| (SlidingLaw::of_body(body, hoop.mu_k(), direction), direction.sign()));
         laws.into_iter()
             .flat_map(|(law, sigma)| {
-                (0..CELLS)
-                    .filter_map(move |number| Some((law, sigma, number, Cell::new(&law, sigma, number)?)))
+                (0..TILES << halvings)
+                    .map(move |number| Tile { halvings, number })
+                    .filter_map(move |tile| Some((law, sigma, tile, Cell::new(&law, sigma, tile)?)))
             })
             .collect()
     }
@@ -335,14 +346,14 @@ mod tests {
     #[test]
     fn a_step_through_a_cell_is_a_slide() {
         let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
-        let (cells, mut steps) = (cells(&hoop), 0);
-        assert_eq!(cells.len(), 2 * CELLS);
-        for (law, sigma, number, cell) in &cells {
+        let (cells, mut steps) = (cells(&hoop, 0), 0);
+        assert_eq!(cells.len(), 2 * TILES);
+        for (law, sigma, tile, cell) in &cells {
             for (from, u) in [(-0.9, 3.0), (-0.4, 1.3), (0.3, 0.6), (0.0, 20.0)] {
                 let Some((place, step)) = cell.step(&waypoint(cell, from, u)) else { continue };
                 assert!((place.z - from).abs() < 1e-15);
                 steps += 1;
-                assert!((step.u(from) - u).abs() < 1e-15 * (4.0 + u), "{number} {from}");
+                assert!((step.u(from) - u).abs() < 1e-15 * (4.0 + u), "{tile:?} {from}");
                 is_a_slide(&step, law, (from, step.end));
                 // The same slide by its own series, as far as that goes.
                 let direction = step.direction(from);
@@ -352,9 +363,9 @@ mod tests {
                 let t = libm::tan(0.5 * turned) / own.width;
                 if t <= 1.0 {
                     let (end, there) = (step.u(step.end), own.u(t));
-                    assert!((end - there).abs() < 4e-15 * (1.0 + u), "{number} {from}: {end} {there}");
+                    assert!((end - there).abs() < 4e-15 * (1.0 + u), "{tile:?} {from}: {end} {there}");
                     let [time, expected] = [step.time(from, step.end), own.time(0.0, t)];
-                    assert!((time - expected).abs() < 4e-15, "{number} {from}: {time} {expected}");
+                    assert!((time - expected).abs() < 4e-15, "{tile:?} {from}: {time} {expected}");
                 }
             }
         }
@@ -366,19 +377,19 @@ mod tests {
     fn crossings_of_whole_cells_are_steps() {
         let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
         let mut crossings = 0;
-        for (law, sigma, number, cell) in cells(&hoop) {
-            let next = Cell::new(&law, sigma, Cell::next(number)).unwrap();
-            let there = rotated(next.direction, -TILE);
+        for (law, sigma, tile, cell) in cells(&hoop, 0) {
+            let next = Cell::new(&law, sigma, Tile::at(tile.exit(), 0).unwrap()).unwrap();
+            let there = rotated(next.direction, -next.width * next.end);
             for u in [0.6, 1.3, 3.0, 20.0, 1e4] {
                 let Some((level, end)) = cell.crossing(u) else { continue };
                 let (place, step) = cell.step(&waypoint(&cell, -cell.end, u)).unwrap();
                 crossings += 1;
-                assert!((end - step.u(cell.end)).abs() < 4e-15 * (1.0 + u), "{number} {u}");
+                assert!((end - step.u(cell.end)).abs() < 4e-15 * (1.0 + u), "{tile:?} {u}");
                 let (time, expected) = (cell.time(level), step.time(place.z, cell.end));
-                assert!((time - expected).abs() < 4e-15 * expected, "{number} {u}: {time} {expected}");
+                assert!((time - expected).abs() < 4e-15 * expected, "{tile:?} {u}: {time} {expected}");
                 let edge = cell.law_at_exit();
                 let (sin, cos) = edge.direction;
-                assert!((sin - there.0).abs() < 1e-15 && (cos - there.1).abs() < 1e-15, "{number}");
+                assert!((sin - there.0).abs() < 1e-15 && (cos - there.1).abs() < 1e-15, "{tile:?}");
                 let accelerates = law.accelerations(libm::atan2(sin, cos), end.sqrt()).slip;
                 assert!((edge.alpha + edge.beta * end - accelerates).abs() < 1e-14 * (1.0 + u));
             }
@@ -394,13 +405,14 @@ mod tests {
             [(1.0, 1.0, 0.4), (0.01, 0.01, 0.4), (0.0, 3e-4, 0.4), (0.2, 0.1, 1.4)]
         {
             let hoop = HoopParameters::thin(mass_ratio).with_inertia(inertia).with_friction(mu, mu);
-            for (_, sigma, number, cell) in cells(&Hoop::new(hoop).unwrap()) {
+            let hoop = Hoop::new(hoop).unwrap();
+            for (_, sigma, tile, cell) in (0..=HALVINGS).flat_map(|halvings| cells(&hoop, halvings)) {
                 for exponent in -24..=24 {
                     let u = libm::pow(10.0, 0.25 * f64::from(exponent));
                     let Some((level, end)) = cell.crossing(u) else { continue };
                     let [p, h, _] = &cell.nodes;
                     let least = p.iter().zip(h).map(|(p, h)| p + level * h).fold(end, f64::min);
-                    assert!(least > 0.0, "{mass_ratio} {inertia}: {sigma} {number} {u}: {least}");
+                    assert!(least > 0.0, "{mass_ratio} {inertia}: {sigma} {tile:?} {u}: {least}");
                     crossings += 1;
                 }
             }
@@ -413,7 +425,7 @@ mod tests {
     fn signs_in_a_cell_are_those_of_the_slip_acceleration() {
         let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
         let (mut same, mut changes) = (0, 0);
-        for (law, sigma, number, cell) in cells(&hoop) {
+        for (law, sigma, tile, cell) in cells(&hoop, 0) {
             for u in [0.5, 1.0, 1.5, 2.0, 3.0, 5.0] {
                 let Some((_, step)) = cell.step(&waypoint(&cell, -0.9, u)) else { continue };
                 let at = |t: f64| {
@@ -426,8 +438,8 @@ mod tests {
                 let positive = |value: &f64| *value > 0.0;
                 let (first, last) = (positive(&seen[0]), positive(&seen[40]));
                 match step.signs {
-                    Signs::Positive => assert!(seen.iter().all(positive), "{number} {u}"),
-                    Signs::Negative => assert!(!seen.iter().any(positive), "{number} {u}"),
+                    Signs::Positive => assert!(seen.iter().all(positive), "{tile:?} {u}"),
+                    Signs::Negative => assert!(!seen.iter().any(positive), "{tile:?} {u}"),
                     Signs::Falling | Signs::Rising => {
                         assert_eq!(
                             (first, last),
@@ -447,16 +459,62 @@ mod tests {
 
     #[test]
     fn angles_lie_between_the_centres_about_them() {
+        for halvings in 0..=HALVINGS {
+            let tile = |number| Tile { halvings, number };
+            let count = TILES << halvings;
+            for turns in [-3.0, 0.0, 7.0] {
+                for number in 0..count {
+                    let theta = TAU * (turns + (number as f64 + 0.8) / count as f64);
+                    assert_eq!(Tile::about(theta, halvings), [tile((number + 1) % count), tile(number)]);
+                }
+            }
+            assert_eq!(Tile::about(0.0, halvings), [tile(0), tile(count - 1)]);
+        }
+    }
+
+    #[test]
+    fn tiles_follow_each_other() {
+        for halvings in 0..=HALVINGS {
+            let mut edge = 0;
+            for number in 0..TILES << halvings {
+                let tile = Tile::at(edge, halvings).unwrap();
+                assert_eq!(tile.number, number);
+                // Its first half begins there, too, and a wider tile only where it is the first half of that.
+                if halvings < HALVINGS {
+                    assert_eq!(Tile::at(edge, halvings + 1).unwrap().number, 2 * number);
+                }
+                if halvings > 0 {
+                    assert_eq!(Tile::at(edge, halvings - 1).is_some(), number % 2 == 0);
+                }
+                edge = tile.exit();
+            }
+            assert_eq!(edge, 0);
+        }
         for turns in [-3.0, 0.0, 7.0] {
-            for number in 0..CELLS {
-                let theta = TAU * (turns + (number as f64 + 0.3) / CELLS as f64);
-                assert_eq!(Cell::about(theta), [(number + 1) % CELLS, number]);
+            let expected = TAU * (turns + 5.0 / EDGES as f64);
+            assert!((edge_near(5, expected - 0.6) - expected).abs() < 1e-14, "{turns}");
+        }
+    }
+
+    /// Where η″ rises through zero it is nowhere less than what is told of it.
+    #[test]
+    fn slip_accelerations_are_no_less_than_the_least() {
+        let hoop = Hoop::figure_2(0.5, 0.4).unwrap();
+        let mut falls = 0;
+        for (law, sigma, tile, cell) in cells(&hoop, 0) {
+            for level in [0.5, 1.0, 1.5, 2.0, 3.0, 5.0] {
+                let least = cell.least_slip_acceleration(level);
+                let seen = (-20..=20).map(|k| {
+                    let t = 0.05 * f64::from(k);
+                    let (sin, cos) = rotated(cell.direction, cell.width * t);
+                    let (alpha, beta) = law.slip_acceleration(sin, cos);
+                    sigma * (alpha + beta * (value(&cell.p, t) + level * value(&cell.h, t)))
+                });
+                let lowest = seen.fold(0.0, f64::min);
+                assert!(lowest >= least, "{tile:?} {level}: {lowest} {least}");
+                falls += u32::from(lowest < 0.0);
             }
         }
-        assert_eq!((Cell::about(0.0), Cell::about(-1e-300)), ([1, 0], [1, 0]));
-        for turns in [-3.0, 0.0, 7.0] {
-            let expected = TAU * (turns + 4.5 / CELLS as f64);
-            assert!((Cell::beginning_near(5, expected - 0.6) - expected).abs() < 1e-14, "{turns}");
-        }
+        assert!(falls > 30, "{falls}");
     }
 }

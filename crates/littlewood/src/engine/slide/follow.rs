@@ -229,18 +229,27 @@ impl<'a> Slide<'a> {
             let h = law.body.h;
             // The top is an edge.
             let stays = contact(1.0, h, exit.direction.1 * u) > SIGN_TOLERANCE * (1.0 + h * u);
+            let slips = |slip: f64, u: f64| slip > SIGN_TOLERANCE * size_of_slip(u, frame.integral);
+            let at_ends = here.slip.min(at.slip);
             let (signs, doubt) = cell.signs(level);
-            // η′ is monotone, or has a maximum.
-            let is_least_at_an_end = match signs {
-                Signs::Positive | Signs::Negative => true,
-                Signs::Falling => at.slip > doubt * time,
-                Signs::Rising => here.slip_acceleration > doubt,
-                Signs::Unknown => false,
+            // η′ is monotone, has a maximum, or a minimum that is no less.
+            let least = match signs {
+                Signs::Positive | Signs::Negative => Some(at_ends),
+                Signs::Falling => (at.slip > doubt * time).then_some(at_ends),
+                Signs::Rising if here.slip_acceleration > doubt => Some(at_ends),
+                Signs::Rising => {
+                    let least = here.slip + time * cell.least_slip_acceleration(level);
+                    // On a tile that is crossed u is less than twice that in its middle.
+                    slips(least, 2.0 * level).then_some(least.min(at_ends))
+                }
+                Signs::Unknown => None,
             };
-            let slips = at.slip > SIGN_TOLERANCE * size_of_slip(u, frame.integral);
             let next = Some(tile.exit());
-            let end = if stays && slips && is_least_at_an_end && elapsed <= allowed {
-                let least = here.slip.min(at.slip);
+            let end = if let Some(least) = least
+                && stays
+                && slips(at.slip, u)
+                && elapsed <= allowed
+            {
                 self.frame.theta += tile.angle();
                 (self.edge, self.here) = (next, at);
                 self.go_on(least, true)?

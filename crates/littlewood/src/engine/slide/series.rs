@@ -381,6 +381,14 @@ pub(super) fn from_both_sides<const N: usize>(mut c: [f64; N]) -> [f64; N] {
 
 /// Signs of a function whose Bernstein coefficients are known to `band`.
 pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
+    let least = coefficients.iter().fold(f64::INFINITY, |least, b| least.min(*b));
+    let largest = coefficients.iter().fold(f64::NEG_INFINITY, |largest, b| largest.max(*b));
+    if least > band {
+        return Signs::Positive;
+    }
+    if largest < -band {
+        return Signs::Negative;
+    }
     let (first, last) = (coefficients[0], coefficients[SIGN_DEGREE]);
     let is_first = |b: f64| if first > 0.0 { b > band } else { b < -band };
     let is_last = |b: f64| if last > 0.0 { b > band } else { b < -band };
@@ -388,9 +396,6 @@ pub(super) fn pattern(coefficients: &Low, band: f64) -> Signs {
         return Signs::Unknown;
     }
     let begin = coefficients.iter().take_while(|b| is_first(**b)).count();
-    if begin == coefficients.len() {
-        return if first > 0.0 { Signs::Positive } else { Signs::Negative };
-    }
     // What is not known lies between.
     let end = coefficients.iter().rev().take_while(|b| is_last(**b)).count();
     let between = &coefficients[begin..coefficients.len() - end];
