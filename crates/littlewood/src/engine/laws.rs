@@ -38,7 +38,7 @@ impl Laws {
             sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
             rolling: RollingLaw::new(hoop),
             margins: margin_forms(hoop)?,
-            is_solvable: [hoop.mu_s(), hoop.mu_k()].into_iter().all(|mu| is_solvable(&body, mu)),
+            is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
             cells: Cells::default(),
             octants: Octants::default(),
             tally: Tally::default(),

@@ -44,7 +44,7 @@ const MAX_TURN_DISTANCE: f64 = 0.7;
 /// A turning point behind is the centre of the next piece if it is nearer than this part of the piece.
 const MAX_PART_BEHIND_TURN: f64 = 0.5;
 
-/// No cell holds a slide whose u changes by more than itself over this z.
+/// A tile holds no slide whose u changes by more than itself over this z, its halves none for which that is half as much, and so on.
 const MIN_DOUBLING_DISTANCE: f64 = 0.25;
 
 /// How a slide is seen: perhaps mirrored.
@@ -192,7 +192,7 @@ impl<'a> Slide<'a> {
     fn in_cell(&mut self, cells: &'a Cells) -> Option<Result<Option<SlideEnd>, Doubt>> {
         let Self { frame, here, .. } = *self;
         let ((sin, cos), law) = (here.direction, frame.law());
-        // du/dz: where u is steep it is not known to stay away from zero, and this is known soonest.
+        // du/dz: where u is steep tiles must be narrow, or there is none.
         let slope = 2.0 * law.drive(sin, cos) * contact(1.0, law.body.h, cos * here.u);
         let halvings =
             (0..=HALVINGS).find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= here.u * (1_u32 << k) as f64)?;
