@@ -282,7 +282,7 @@ def test_every_case_of_the_list_has_its_certificate() -> None:
     cases = json.loads((TRUTH / "cases.json").read_text())
     files = {path.stem for path in (TRUTH / "certificates").glob("*.json")}
     assert files == {one["name"] for one in cases}
-    assert f"- {len(files)} [certified motions]" in (ROOT / "README.md").read_text()
+    assert f"- {len(files)} [certified motions]" in (ROOT / "docs" / "index.md").read_text()
     for one in cases:
         certificate = json.loads((TRUTH / "certificates" / f"{one['name']}.json").read_text())
         assert certificate["case"] == Case.read(one).written()
