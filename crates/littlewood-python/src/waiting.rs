@@ -1,37 +1,16 @@
 //! Work on other threads, while this one listens for Ctrl-C and shows progress.
 
-use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use core::num::NonZeroUsize;
+use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use core::time::Duration;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 
+use littlewood_sweep::{Halt, Options, Progress, Refused, Workers};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
 /// Time between two looks at the signals.
 const LOOK: Duration = Duration::from_millis(100);
-
-/// What the work and the waiting thread tell each other.
-#[derive(Debug, Default)]
-pub(crate) struct Signals {
-    cancelled: AtomicBool,
-    done: AtomicUsize,
-}
-
-/// The work has stopped before its end.
-#[derive(Debug)]
-pub(crate) struct Cancelled;
-
-impl Signals {
-    /// An error if the work should stop.
-    pub(crate) fn check(&self) -> Result<(), Cancelled> {
-        if self.cancelled.load(Ordering::Relaxed) { Err(Cancelled) } else { Ok(()) }
-    }
-
-    /// Tells of this much more work done.
-    pub(crate) fn add(&self, count: usize) {
-        self.done.fetch_add(count, Ordering::Relaxed);
-    }
-}
 
 /// Runs `work` on `threads` threads of its own (0: as many as there are cores) without holding the interpreter.
 ///
@@ -41,19 +20,21 @@ pub(crate) fn run<T: Send>(
     py: Python<'_>,
     threads: usize,
     progress: Option<&Py<PyAny>>,
-    work: impl FnOnce(&Signals) -> Result<T, Cancelled> + Send,
-) -> PyResult<T> {
-    let signals = Signals::default();
+    work: impl FnOnce(&Workers, &Options<'_>) -> Result<T, Halt> + Send,
+) -> PyResult<Result<T, Refused>> {
+    let (cancelled, followed) = (AtomicBool::new(false), AtomicU64::new(0));
+    let count = |progress: Progress| {
+        followed.fetch_max(progress.followed, Ordering::Relaxed);
+    };
+    let options = || Options { cancel: Some(&cancelled), progress: Some(&count), ..Options::default() };
     py.detach(|| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .map_err(|error| PyRuntimeError::new_err(format!("cannot start {threads} threads: {error}")))?;
+        let workers = Workers::new(NonZeroUsize::new(threads))
+            .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
         let (sender, receiver) = channel();
         std::thread::scope(|scope| {
             scope.spawn(|| {
                 // The receiver outlives this thread, so that nothing is lost.
-                let _ = sender.send(pool.install(|| work(&signals)));
+                let _ = sender.send(work(&workers, &options()));
             });
             let mut raised = None;
             loop {
@@ -62,29 +43,27 @@ pub(crate) fn run<T: Send>(
                     Python::attach(|py| {
                         py.check_signals()?;
                         if let Some(progress) = progress {
-                            progress.call1(py, (signals.done.load(Ordering::Relaxed),))?;
+                            progress.call1(py, (followed.load(Ordering::Relaxed),))?;
                         }
                         Ok(())
                     })
                 };
-                match result {
-                    Ok(Ok(result)) => return raised.map_or_else(look, Err).map(|()| result),
-                    Ok(Err(Cancelled)) => return raised.map_or_else(look, Err).and_then(|()| Err(stopped())),
+                let result = match result {
+                    Ok(Ok(result)) => Ok(Ok(result)),
+                    Ok(Err(Halt::Refused(refused))) => Ok(Err(refused)),
+                    Ok(Err(Halt::Cancelled)) | Err(RecvTimeoutError::Disconnected) => {
+                        Err(PyRuntimeError::new_err("the simulation has stopped before its end"))
+                    }
                     Err(RecvTimeoutError::Timeout) => {
                         if let (None, Err(error)) = (&raised, look()) {
-                            signals.cancelled.store(true, Ordering::Relaxed);
+                            cancelled.store(true, Ordering::Relaxed);
                             raised = Some(error);
                         }
+                        continue;
                     }
-                    Err(RecvTimeoutError::Disconnected) => {
-                        return Err(stopped());
-                    }
-                }
+                };
+                return raised.map_or_else(look, Err).and(result);
             }
         })
     })
-}
-
-fn stopped() -> PyErr {
-    PyRuntimeError::new_err("the simulation has stopped before its end")
 }

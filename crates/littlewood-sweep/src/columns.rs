@@ -205,6 +205,11 @@ impl Columns {
         SummaryColumn::ALL.into_iter().zip(&self.columns)
     }
 
+    /// All columns with their values, to keep.
+    pub fn into_columns(self) -> impl ExactSizeIterator<Item = (SummaryColumn, ColumnValues)> {
+        SummaryColumn::ALL.into_iter().zip(self.columns)
+    }
+
     /// The values of a column of real numbers; none for codes and counts.
     #[must_use]
     pub fn reals(&self, column: SummaryColumn) -> Option<&[f64]> {

@@ -11,8 +11,9 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::columns::Columns;
+use crate::options::Options;
 use crate::setup::{HoopBits, hoop_bits};
-use crate::watch::Watch;
+use crate::watch::{Ledger, Watch};
 
 /// Points that one task computes: enough to outweigh its overhead, few enough to share a chunk among many cores.
 const TASK: usize = 512;
@@ -71,9 +72,29 @@ struct Task<'a> {
 /// The tasks of some hoops, and the engines that are kept.
 type Done<'a> = (Vec<Prepared>, Vec<Task<'a>>);
 
+/// Points that are made where they are followed.
+#[derive(Clone, Copy)]
+pub struct Points<'a> {
+    /// How many there are.
+    pub count: usize,
+    /// The point at a place below [`Points::count`].
+    pub at: &'a (dyn Fn(usize) -> Setup + Sync),
+    /// Whether all of them are known to have the same hoop.
+    pub share_hoop: bool,
+}
+
+impl core::fmt::Debug for Points<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Points")
+            .field("count", &self.count)
+            .field("share_hoop", &self.share_hoop)
+            .finish_non_exhaustive()
+    }
+}
+
 /// What all tasks have in common.
 struct Job<'a> {
-    points: &'a [Setup],
+    points: Points<'a>,
     starts_of_a_hoop: Option<u64>,
     limits: Limits,
     watch: &'a Watch<'a>,
@@ -87,14 +108,16 @@ struct Job<'a> {
 
 /// A point that was refused, by its place among the points.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Refused {
-    pub(crate) index: usize,
-    pub(crate) error: ParameterError,
+pub struct Refused {
+    /// Its place.
+    pub index: usize,
+    /// Why.
+    pub error: ParameterError,
 }
 
 /// Why points were not computed.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Halt {
+pub enum Halt {
     /// One of them was refused.
     Refused(Refused),
     /// The run was cancelled.
@@ -194,6 +217,22 @@ impl Workers {
         }
     }
 
+    /// Computes points as [`Workers::compute`] does, where it is told how far it is and may be cancelled: of
+    /// [`Options`] it takes `cancel` and `progress`. `starts_of_a_hoop` is how many starts each hoop has in all calls.
+    ///
+    /// # Errors
+    /// The first value, in the order of the points, that has no physical meaning by itself; a cancelled run.
+    pub fn follow(
+        &self,
+        points: Points<'_>,
+        starts_of_a_hoop: Option<u64>,
+        limits: Limits,
+        options: &Options<'_>,
+    ) -> Result<Columns, Halt> {
+        let ledger = Ledger::new(options, 0, points.count as u64);
+        self.follow_points(points, starts_of_a_hoop, limits, &ledger.watch())
+    }
+
     /// Computes points of a run in which each hoop has so many starts, or, where that is not known, as many as here.
     pub(crate) fn compute_points(
         &self,
@@ -202,7 +241,18 @@ impl Workers {
         limits: Limits,
         watch: &Watch<'_>,
     ) -> Result<Columns, Halt> {
-        let groups = group_by_hoop(points);
+        let points = Points { count: points.len(), at: &|index| points[index], share_hoop: false };
+        self.follow_points(points, starts_of_a_hoop, limits, watch)
+    }
+
+    fn follow_points(
+        &self,
+        points: Points<'_>,
+        starts_of_a_hoop: Option<u64>,
+        limits: Limits,
+        watch: &Watch<'_>,
+    ) -> Result<Columns, Halt> {
+        let groups = group_by_hoop(points, watch)?;
         let job = Job {
             points,
             starts_of_a_hoop,
@@ -212,13 +262,13 @@ impl Workers {
             keep: groups.len() <= KEPT,
             share: TASKS * self.threads(),
         };
-        let batches = batches(&groups, job.points_of_a_task(points.len()));
+        let batches = batches(&groups, job.points_of_a_task(points.count));
         let results: Vec<Done<'_>> = self
             .install(|| batches.par_iter().map(|batch| job.batch(batch)).collect::<Vec<Result<_, Halt>>>())
             .into_iter()
             .fold(Ok(Vec::new()), first_halt)?;
 
-        let mut columns = Columns::blank(points.len());
+        let mut columns = Columns::blank(points.count);
         let mut engines = Vec::new();
         for (prepared, tasks) in results {
             engines.extend(prepared);
@@ -299,7 +349,7 @@ impl Job<'_> {
     /// The engine of the hoop of a group, and whether it is kept.
     fn prepared(&self, group: &Group) -> Result<(Prepared, bool), Halt> {
         let index = group[0] as usize;
-        let point = &self.points[index];
+        let point = &(self.points.at)(index);
         let builder = match Hoop::new(point.hoop) {
             Ok(hoop) => {
                 let starts = self.starts_of_a_hoop.unwrap_or(group.len() as u64);
@@ -331,11 +381,12 @@ impl Job<'_> {
                 return Err(Halt::Cancelled);
             }
             let index = place as usize;
-            let summary = match engine.map(|engine| engine.summary(self.points[index].start, self.limits)) {
-                None => Summary::INVALID,
-                Some(Err(error)) if error.is_contradiction() => Summary::INVALID,
-                Some(summary) => summary.map_err(|error| Halt::Refused(Refused { index, error }))?,
-            };
+            let summary =
+                match engine.map(|engine| engine.summary((self.points.at)(index).start, self.limits)) {
+                    None => Summary::INVALID,
+                    Some(Err(error)) if error.is_contradiction() => Summary::INVALID,
+                    Some(summary) => summary.map_err(|error| Halt::Refused(Refused { index, error }))?,
+                };
             columns.set(i, &summary);
             watch.count();
         }
@@ -364,13 +415,19 @@ fn batches(groups: &[Group], points: usize) -> Vec<&[Group]> {
 ///
 /// # Panics
 /// For more than 2³² points.
-fn group_by_hoop(points: &[Setup]) -> Vec<Group> {
-    assert!(u32::try_from(points.len()).is_ok(), "at most 2^32 points at once; compute them in chunks");
+fn group_by_hoop(points: Points<'_>, watch: &Watch<'_>) -> Result<Vec<Group>, Halt> {
+    let count = u32::try_from(points.count).expect("at most 2^32 points at once; compute them in chunks");
+    if points.share_hoop && count > 0 {
+        return Ok(vec![(0..count).collect()]);
+    }
     let mut groups: Vec<Group> = Vec::new();
     let mut place: HashMap<HoopBits, usize> = HashMap::new();
     let mut last: Option<(HoopBits, usize)> = None;
-    for (index, point) in (0_u32..).zip(points) {
-        let bits = hoop_bits(point);
+    for index in 0..count {
+        if watch.is_cancelled() {
+            return Err(Halt::Cancelled);
+        }
+        let bits = hoop_bits(&(points.at)(index as usize));
         let group = match last {
             Some((same, group)) if same == bits => group,
             _ => *place.entry(bits).or_insert_with(|| {
@@ -381,5 +438,5 @@ fn group_by_hoop(points: &[Setup]) -> Vec<Group> {
         last = Some((bits, group));
         groups[group].push(index);
     }
-    groups
+    Ok(groups)
 }

@@ -67,7 +67,7 @@ pub use atlas::{Atlas, AtlasEntry};
 pub use axis::{Axis, AxisError, Spacing, Varies};
 pub use chunk::{Chunk, Chunks};
 pub use columns::{ColumnValues, Columns};
-pub use compute::{MOST_THREADS, ThreadsError, Workers};
+pub use compute::{Halt, MOST_THREADS, Points, Refused, ThreadsError, Workers};
 pub use description::{ForeignVersion, STORE_FORMAT};
 pub use destination::Target;
 pub use disk::{Disk, FileSystem, UNFINISHED};
