@@ -1,18 +1,17 @@
-"""How hoops and motions look: tables in plain text and in notebooks."""
+"""How hoops and motions look in notebooks."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from html import escape
 from typing import TYPE_CHECKING
 
-from .phase_table import HEADINGS, LEFT, TIME, TOLD, rows
 from .style import FAINT, MODE_COLOURS
 from .tables import HOOP, LAW_LABELS, QUANTITIES, SAMPLE_COLUMNS
 
 if TYPE_CHECKING:
     from .hoop import Hoop
-    from .trajectory import Trajectory
 
 # Colours follow the page, so that dark themes stay readable.
 _CELL = "padding:2px 10px;text-align:{};border:none;background:none"
@@ -23,23 +22,6 @@ def _hoop_rows(hoop: Hoop) -> list[tuple[str, str, str]]:
     values = [(QUANTITIES[name], getattr(hoop, name)) for name in HOOP]
     rows = [(one.sign, f"{value:.6g}", one.long_name) for one, value in values if value is not None]
     return rows if hoop.law is None else [*rows, ("", LAW_LABELS[hoop.law], "law of restitution")]
-
-
-def trajectory_text(motion: Trajectory) -> str:
-    """Return a motion as a table in plain text."""
-    table = [HEADINGS, *(row.cells for row in rows(motion))]
-    widths = [max(len(row[k]) for row in table) for k in range(len(HEADINGS))]
-    lines = [
-        "  ".join(
-            cell.ljust(width) if k in LEFT else cell.rjust(width)
-            for k, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in table
-    ]
-    lines.insert(1, "─" * max(len(line) for line in lines))
-    if not motion.phases:
-        lines.append(f"no phase: {motion.outcome.label}")
-    return "\n".join(lines)
 
 
 def _table(head: tuple[str, ...], rows: list[tuple[str, ...]], left: tuple[int, ...]) -> str:
@@ -57,27 +39,27 @@ def _table(head: tuple[str, ...], rows: list[tuple[str, ...]], left: tuple[int, 
     )
 
 
-def trajectory_html(motion: Trajectory) -> str:
-    """Return a motion as a table for a notebook."""
-    body = []
-    for mode, (order, name, *rest) in rows(motion):
-        paint = f"background:{MODE_COLOURS[mode]};border:1px solid {FAINT}" if mode is not None else ""
-        mark = f'<span style="display:inline-block;width:0.7em;height:0.7em;margin-right:0.5em;{paint}"></span>'
-        body.append((order, mark + escape(name), *(escape(cell) for cell in rest)))
-    start = motion.start
-    hoop = ", ".join(f"{sign} = {value}" if sign else value for sign, value, _ in _hoop_rows(motion.hoop))
-    told = [SAMPLE_COLUMNS["gap_rate"], *TOLD] if start.gap_rate > 0.0 else TOLD
-    state = ", ".join(f"{one.sign} = {getattr(start, one.name):.6g}" for one in told)
-    outcome = motion.outcome
-    final = "" if outcome.is_final else ", not its end"
-    measured = [f"{one.sign} in {one.unit_sign or 'rad'}" for one in (TIME, *TOLD)]
-    units = f"<small>{', '.join(measured)}, energy lost in {SAMPLE_COLUMNS['energy'].unit_sign}</small>"
-    table = _table(HEADINGS, body, LEFT) if body else ""
-    return (
-        f"<div><div><b>Motion of a hoop</b> with {escape(hoop)}</div><div>from {escape(state)}</div>{table}"
-        f"<div>Outcome: <b>{escape(str(outcome))}</b> at {TIME.sign} = {outcome.state.time:.6g}{final}</div>"
-        f"{units}</div>"
-    )
+def page_html(blocks: Iterable[tuple[str, list[str], list[tuple[str | None, list[str]]], list[int]]]) -> str:
+    """Return the page of a motion for a notebook: facts, tables and notes."""
+    parts = []
+    for kind, head, rows, numbers in blocks:
+        if kind == "table":
+            left = tuple(set(range(len(head))) - set(numbers))
+            parts.append(_table(tuple(map(escape, head)), [_coloured(*row) for row in rows], left))
+        elif kind == "fact":
+            lines = "<br>".join(escape(line) for _, (line,) in rows)
+            parts.append(f'<div style="display:flex"><b style="min-width:6em">{escape(head[0])}</b><div>{lines}</div></div>')
+        else:
+            parts.append(f"<div><small>{escape(head[0])}</small></div>")
+    return f"<div>{''.join(parts)}</div>"
+
+
+def _coloured(mode: str | None, cells: list[str]) -> tuple[str, ...]:
+    """Return a row of phases with the mark of its mode before the name of the motion."""
+    order, name, *rest = map(escape, cells)
+    paint = f"background:{MODE_COLOURS[mode]};border:1px solid {FAINT}" if mode is not None else ""
+    mark = f'<span style="display:inline-block;width:0.7em;height:0.7em;margin-right:0.5em;{paint}"></span>'
+    return (order, mark + name, *rest)
 
 
 def _sketch(hoop: Hoop) -> str:
@@ -105,5 +87,6 @@ def hoop_html(hoop: Hoop) -> str:
         for name, value in (("radius_m", hoop.units.length_m), ("particle_mass_kg", hoop.units.mass_kg)):
             quantity = QUANTITIES[name]
             table.append((quantity.sign, f"{value:.6g} {quantity.unit_sign}", escape(quantity.long_name)))
-        table.append((str(TIME.unit_sign), f"{hoop.units.time_s:.6g} {TIME.si_unit}", "unit of time"))
+        time = SAMPLE_COLUMNS["time"]
+        table.append((str(time.unit_sign), f"{hoop.units.time_s:.6g} {time.si_unit}", "unit of time"))
     return f'<div style="display:flex;align-items:center;gap:16px">{_sketch(hoop)}{_table((), table, (0, 2))}</div>'

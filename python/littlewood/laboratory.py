@@ -8,7 +8,7 @@ from typing import Any
 import anywidget
 import traitlets
 
-from .link import keys_of, link_of, motion_of, time_of
+from .link import link_of, motion_of, time_of
 from .trajectory import Trajectory
 
 __all__ = ["Laboratory"]
@@ -66,4 +66,4 @@ class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         shown = motion_of(self.link)
         instant = time_of(self.link, shown)
         if link_of(shown, instant) != link_of(self.motion, self.time):
-            self.link = link_of(self.motion, self.time, keys_of(self.link))
+            self.link = link_of(self.motion, self.time, self.link)

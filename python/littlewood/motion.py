@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -229,11 +229,14 @@ class Outcome:
         and `transitions` in the period of one that repeats itself; `transitions` where their limit was reached;
         `consistent`, `rolling_normal`, `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive`
         where no motion or several are consistent; `solvability` of a singular slide.
+    sentence : str
+        How it ended, in words.
     """
 
     kind: str
     state: State
-    details: Mapping[str, Any] = field(default_factory=lambda: _frozen({}))
+    details: Mapping[str, Any]
+    sentence: str
 
     @property
     def is_final(self) -> bool:
@@ -252,11 +255,7 @@ class Outcome:
         return period
 
     def __str__(self) -> str:
-        words = self.label
-        if "recurrence" in self.details:
-            words += f" ({self.details['recurrence']}"
-            words += f", period {self.period:.6g})" if self.period is not None else ")"
-        return words
+        return self.sentence
 
 
 @dataclass(frozen=True)

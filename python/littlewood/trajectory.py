@@ -14,7 +14,7 @@ from . import _core
 from .counts import checked_count, checked_limits
 from .elementwise import flat
 from .extras import require
-from .html import trajectory_html, trajectory_text
+from .html import page_html
 from .motion import ContactVelocities, Impact, Impulse, Outcome, Phase, Start, State, Transition, _frozen
 from .samples import Samples
 from .tables import CAUSES, IMPACT_CASES, MODES, SAMPLE_COLUMNS, SampleColumn
@@ -150,8 +150,8 @@ class Trajectory:
     @cached_property
     def outcome(self) -> Outcome:
         """How the motion ended."""
-        kind, state, details = self._core.outcome()
-        return Outcome(kind, State(*state), _frozen(details))
+        kind, state, details, sentence = self._core.outcome()
+        return Outcome(kind, State(*state), _frozen(details), sentence)
 
     @property
     def sequence(self) -> str:
@@ -357,13 +357,13 @@ class Trajectory:
         return Laboratory(self, time=time, height=height)
 
     def __repr__(self) -> str:
-        return f"<Trajectory {self.sequence or 'of no phase'}: {self.outcome}>"
+        return f"<Trajectory {self.sequence or 'of no phase'}: {self.outcome.label}>"
 
     def __str__(self) -> str:
-        return trajectory_text(self)
+        return self._core.text().rstrip()
 
     def _repr_html_(self) -> str:
-        return trajectory_html(self)
+        return page_html(self._core.blocks())
 
 
 def _impact(

@@ -32,6 +32,14 @@ def random_problems(count):
         yield {k: float(v) for k, v in hoop.items()}, {k: float(v) for k, v in start.items()}
 
 
+@pytest.mark.parametrize("name", lw.CASES)
+def test_both_print_the_same_page(command, name):
+    # The command line says which flag allows more.
+    page = command("simulate", name).stdout.replace("         --max-transitions allows more\n", "")
+    assert page.startswith(name)
+    assert page[page.index("Hoop  ") :].rstrip() == str(lw.case(name).simulate())
+
+
 def with_impacts(count):
     """Hoops that are not massless, with a coefficient of restitution and a law; some are thrown from the plane."""
     random = np.random.default_rng(1986)

@@ -19,11 +19,11 @@ import { showDefect, watch } from './ui/defect';
 import { byId } from './dom';
 import { Embedding } from './ui/embedding';
 import { EnergyBar } from './ui/energy-bar';
-import { EventTable } from './ui/event-table';
 import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
 import { Host } from './ui/host';
 import { ImpactPane } from './ui/impact-pane';
+import { PhaseTable } from './ui/phase-table';
 import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
 import { Share } from './ui/share';
@@ -46,7 +46,7 @@ function start(cases: NamedCase[]): void {
   if (location.hash === '#panic') provokePanic();
   const plain: State = { problem: problemOfCase(cases[0]!), view: { ...VIEW } };
   // A frame does not compute, even for a moment, what it does not show.
-  const { embed } = parse(location.hash, plain, cases).state.view;
+  const { embed } = parse(location.hash, plain).state.view;
   const first: State = { ...plain, view: { ...plain.view, embed } };
   const lab = new Lab(first, cases);
   setTheme(first.view.theme);
@@ -71,7 +71,7 @@ function start(cases: NamedCase[]): void {
   const bar = new ProblemBar(lab, () => clock.pause());
   const transport = new Transport(lab, clock);
   const story = new Story(lab);
-  const events = new EventTable(lab, go);
+  const phases = new PhaseTable(lab, go);
   const energy = new EnergyBar(lab);
   const impact = new ImpactPane(lab, palette, draw, go);
   new Share(lab, {
@@ -111,7 +111,7 @@ function start(cases: NamedCase[]): void {
       stale.motion = true;
       transport.showMotion();
       story.showMotion();
-      events.showMotion();
+      phases.showMotion();
       energy.showMotion();
       impact.showMotion();
       bar.show();
@@ -136,7 +136,7 @@ function start(cases: NamedCase[]): void {
       stale.time = true;
       transport.showTime();
       story.showTime();
-      events.showTime();
+      phases.showTime();
       energy.showTime();
       impact.showTime();
     }
@@ -148,14 +148,14 @@ function start(cases: NamedCase[]): void {
 
   const read = (fragment: string): void => {
     clock.pause();
-    const { state, fieldErrors } = parse(fragment, lab.state, cases);
+    const { state, fieldErrors } = parse(fragment, lab.state);
     reading = true;
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
     showLinkErrors(lab.fieldErrors);
   };
   const host = new Host((fragment) => {
-    if (fragment.replace(/^#/, '') !== format(lab.state, cases)) read(fragment);
+    if (fragment.replace(/^#/, '') !== format(lab.state)) read(fragment);
   });
   byId('theme', HTMLButtonElement).addEventListener('click', () => {
     lab.setView({ theme: isDark(lab.state.view.theme) ? 'light' : 'dark' });
@@ -167,7 +167,7 @@ function start(cases: NamedCase[]): void {
     byId('start-handle', HTMLButtonElement).focus();
   });
   window.addEventListener('hashchange', () => {
-    if (location.hash.slice(1) !== format(lab.state, cases)) read(location.hash);
+    if (location.hash.slice(1) !== format(lab.state)) read(location.hash);
   });
   lab.announce();
   if (location.hash.length > 1) read(location.hash);
@@ -181,7 +181,7 @@ function start(cases: NamedCase[]): void {
 
 /** The address of the state. As the document of a notebook's frame the page has no address, and this is the fragment alone. */
 function address(lab: Lab): string {
-  const fragment = `#${format(lab.state, lab.cases)}`;
+  const fragment = `#${format(lab.state)}`;
   return HAS_ADDRESS ? `${location.origin}${location.pathname}${location.search}${fragment}` : fragment;
 }
 
@@ -194,7 +194,7 @@ function writeSoon(lab: Lab, host: Host): void {
   timer = window.setTimeout(() => {
     // Another address that has come meanwhile, as by going back, is yet to be read.
     if (HAS_ADDRESS && location.hash === shown) history.replaceState(null, '', address(lab));
-    host.tell(format(lab.state, lab.cases));
+    host.tell(format(lab.state));
   }, ADDRESS_PAUSE);
 }
 

@@ -14,7 +14,7 @@ test('a frame shows the hoop, what happens, and the time line, and nothing to se
   await page.setViewportSize({ width: 640, height: 420 });
   await open(page, 'case=figure-3&at=1.2&embed=1');
   for (const id of ['hoop', 'sentence', 'play', 'time', 'now', 'whole']) await expect(page.locator(`#${id}`)).toBeVisible();
-  for (const id of ['case', 'open-share', 'theme', 'fields', 'plane', 'plots', 'events', 'speed', 'loop', 'follow', 'next']) {
+  for (const id of ['case', 'open-share', 'theme', 'fields', 'plane', 'plots', 'phases', 'speed', 'loop', 'follow', 'next']) {
     await expect(page.locator(`#${id}`)).toBeHidden();
   }
   // Everything is in sight: neither is there a bar to scroll.

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
 import { MATERIALS } from '../src/core/materials';
 import { ENERGY_PARTS } from '../src/generated/palette';
-import { events, field, FIGURE_3, FIGURE_3_LANDING, open, ready, type } from './lab';
+import { field, FIGURE_3, FIGURE_3_LANDING, LAST_DIGIT, open, phases, ready, type } from './lab';
 
 /** Figure 3 with e = 0.5, energetic law, computed with 40 digits (shared notes): after the first impact, and where it settles. */
 const FIRST = { rate: 1.803947379026181191, slip: 0, gap_rate: 0.978517419970790811, lost: 3.36244341922728 };
@@ -43,17 +43,17 @@ test('figure 3 bounces, each impact has its mark and its sentence, and it settle
   await expect(page.locator('#previous-impact')).toBeDisabled();
 
   // The table folds the bounces, and shows all that are wanted.
-  await expect(page.locator('#events tr')).toHaveCount(11);
-  await page.locator('#show-bounces').click();
-  const found = await events(page);
-  expect(found.filter((it) => it.cause === 'landing')).toHaveLength(marks - 1);
+  await expect(page.locator('#phases tr')).toHaveCount(13);
+  await page.locator('#phases tr.fold td[data-mode] button').click();
+  const found = await phases(page);
+  expect(found.filter((it) => it.end === 'landing')).toHaveLength(marks - 1);
   FIGURE_3.forEach((expected, i) => near(found[i + 1]!.time, expected.time));
   near(found[4]!.time, FIGURE_3_LANDING.time);
-  const settles = found.at(-2)!;
-  expect([settles.cause, settles.then]).toEqual(['settles', 'rolling']);
-  for (const key of ['time', 'theta', 'rate'] as const) near(settles[key], SETTLES[key]);
-  expect(settles.slip).toBe(0);
-  await page.locator('#events tr[data-event=settle] button').click();
+  const [bounces, rolls] = found.slice(-2);
+  expect([bounces!.end, rolls!.mode, rolls!.slip]).toEqual(['settles', 'rolling', 0]);
+  near(rolls!.time, SETTLES.time);
+  for (const key of ['theta', 'rate'] as const) near(rolls![key], SETTLES[key], LAST_DIGIT);
+  await page.locator('#phases tr').last().locator('button').click();
   await expect(page.locator('#impact-sentence')).toContainText('Settles');
   // Many impacts together have no diagram.
   await expect(page.locator('#routh')).toBeHidden();
@@ -78,7 +78,7 @@ test('the end of the way in Routh’s diagram is the impulse', async ({ page }) 
 
 test('restitution is off, on, changed and off again', async ({ page }) => {
   await open(page, 'case=figure-3');
-  const before = await events(page);
+  const before = await phases(page);
   await expect(page.locator('#bounces')).not.toBeChecked();
   await expect(page.locator('#slider-restitution')).toBeDisabled();
   await expect(page.locator('#law')).toBeDisabled();
@@ -93,10 +93,10 @@ test('restitution is off, on, changed and off again', async ({ page }) => {
   await page.keyboard.press('Home');
   await expect(field(page, 'restitution')).toHaveValue('0');
   // The table of the notes: with e = 0 it slides throughout, and goes on sliding.
-  const landed = (await events(page)).find((it) => it.cause === 'landing')!;
-  expect(landed.then).toBe('sliding');
-  near(landed.rate, 1.989854986135947259);
-  near(landed.slip, -0.025733797279415870);
+  const landed = (await phases(page))[4]!;
+  expect(landed.mode).toBe('sliding');
+  near(landed.rate, 1.989854986135947259, LAST_DIGIT);
+  near(landed.slip, -0.025733797279415870, LAST_DIGIT);
   await page.keyboard.press('ArrowRight');
   await expect(field(page, 'restitution')).toHaveValue('0.01');
   await expect(page).toHaveURL(/restitution=0\.01&restitution_law=energetic/);
@@ -104,7 +104,7 @@ test('restitution is off, on, changed and off again', async ({ page }) => {
   await expect(page).toHaveURL(/restitution_law=newton/);
 
   await page.locator('#bounces').uncheck();
-  expect(await events(page)).toEqual(before);
+  expect(await phases(page)).toEqual(before);
   await expect(page.locator('#case')).toHaveValue('figure-3');
   await expect(page).toHaveURL(/#case=figure-3(&|$)/);
   await page.locator('#bounces').check();
@@ -112,10 +112,10 @@ test('restitution is off, on, changed and off again', async ({ page }) => {
   // An empty field is off, too.
   await type(page, 'restitution', '');
   await expect(page.locator('#bounces')).not.toBeChecked();
-  expect(await events(page)).toEqual(before);
+  expect(await phases(page)).toEqual(before);
   await type(page, 'restitution', '1.5');
   await expect(page.locator('#message-restitution')).toHaveText(/must not exceed 1/);
-  expect(await events(page)).toEqual(before);
+  expect(await phases(page)).toEqual(before);
 });
 
 test('a link carries restitution, law, the rate of the gap and what the map shows', async ({ page, context }) => {
@@ -125,13 +125,13 @@ test('a link carries restitution, law, the rate of the gap and what the map show
   await expect(page.locator('#law')).toHaveValue('poisson');
   await expect(page.locator('#shows')).toHaveValue('hops');
   await expect(page.locator('#map')).not.toBeChecked();
-  const shown = await events(page);
+  const shown = await phases(page);
   await page.locator('#open-share').click();
   const link = await page.locator('#link-text').inputValue();
   const other = await context.newPage();
   await other.goto(link);
   await ready(other);
-  expect(await events(other)).toEqual(shown);
+  expect(await phases(other)).toEqual(shown);
   expect(new URL(other.url()).hash).toBe(new URL(link).hash);
   // A link without restitution ends at the landing, wherever it is opened.
   await other.evaluate(() => (location.hash = 'mass_ratio=1&offset=1&inertia=1&mu_s=0.5&mu_k=0.4&theta=1.5707963267948966&theta_rate=2&slip=0&gap_rate=0&x=0&time=0'));

@@ -1,7 +1,7 @@
 // Everything without a mouse.
 
 import { expect, test } from '@playwright/test';
-import { events, field, open } from './lab';
+import { phases, field, open } from './lab';
 
 test('the start moves with the arrow keys', async ({ page }) => {
   await open(page, 'case=rolls-forever');
@@ -16,7 +16,7 @@ test('the start moves with the arrow keys', async ({ page }) => {
   await page.keyboard.press('Shift+ArrowLeft');
   await expect(field(page, 'theta')).toHaveValue('0.045');
   await expect(field(page, 'theta_rate')).toHaveValue('2');
-  expect((await events(page))[0]!.then).toBe('flight');
+  expect((await phases(page))[0]!.mode).toBe('flight');
   await expect(page.locator('#start-handle')).toHaveAttribute('aria-label', /θ = 0\.045, θ′ = 2\./);
 });
 

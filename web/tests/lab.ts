@@ -30,18 +30,43 @@ function watch(page: Page): void {
   });
 }
 
-/** The events in the table: cause, mode that begins, time as it is shown. */
-export async function events(page: Page): Promise<{ cause: string; then: string; time: number; theta: number; rate: number; slip: number }[]> {
-  return page.locator('#events tr').evaluateAll((rows) =>
+/** A phase as the table shows it. The time is that of the button, with every digit and without dimension. */
+export interface PhaseRow {
+  mode: string;
+  time: number;
+  /** In the units that are shown, as the duration, angle, rate and slip. */
+  from: number;
+  duration: number;
+  theta: number;
+  rate: number;
+  slip: number;
+  end: string;
+}
+
+/** Half a unit of the last of five decimals, and its rounding. */
+export const LAST_DIGIT = 5.1e-6;
+
+/** The phases in the table, without the rows of impacts. */
+export async function phases(page: Page): Promise<PhaseRow[]> {
+  return page.locator('#phases tr:has(td[data-mode])').evaluateAll((rows) =>
     rows.map((row) => {
       const cells = [...row.querySelectorAll('td')].map((cell) => cell.textContent ?? '');
       const number = (text = ''): number => Number(text.replaceAll('−', '-').replace('∞', 'Infinity'));
       return {
-        time: number(cells[0]), cause: cells[1] ?? '', then: cells[2] ?? '', theta: number(cells[3]), rate: number(cells[4]),
-        slip: number(cells[5]),
+        mode: row.querySelector<HTMLElement>('[data-mode]')!.dataset['mode']!,
+        time: Number(row.querySelector<HTMLElement>('[data-time]')!.dataset['time']),
+        from: number(cells[2]), duration: number(cells[3]), theta: number(cells[4]), rate: number(cells[5]), slip: number(cells[6]),
+        end: cells[8] ?? '',
       };
     }),
   );
+}
+
+/** The time of the end of the motion, as the address has it. */
+export async function endOf(page: Page): Promise<number> {
+  await page.locator('#last').click();
+  await expect(page).toHaveURL(/at=/);
+  return Number(/at=([^&]*)/.exec(page.url())![1]);
 }
 
 export const field = (page: Page, name: string): Locator => page.locator(`#field-${name}`);

@@ -1,7 +1,7 @@
 // The state in the address, and the messages for a wrong one.
 
 import { expect, test } from '@playwright/test';
-import { events, field, open, ready, type } from './lab';
+import { phases, field, open, ready, type } from './lab';
 
 test('a link shows the same motion', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
@@ -14,7 +14,7 @@ test('a link shows the same motion', async ({ page, context }) => {
   await page.locator('#speed').selectOption('0.25');
   await page.locator('#follow').uncheck();
   await page.locator('#next').click();
-  const shown = { events: await events(page), time: await page.locator('#now').textContent() };
+  const shown = { phases: await phases(page), time: await page.locator('#now').textContent() };
   await page.locator('#copy-link').click();
   await expect(page.locator('#toast')).toHaveText('Copied.');
   const link = await page.evaluate(() => navigator.clipboard.readText());
@@ -22,7 +22,7 @@ test('a link shows the same motion', async ({ page, context }) => {
   const other = await context.newPage();
   await other.goto(link);
   await ready(other);
-  expect(await events(other)).toEqual(shown.events);
+  expect(await phases(other)).toEqual(shown.phases);
   await expect(other.locator('#now')).toHaveText(shown.time!);
   await expect(other.locator('#loop')).toBeChecked();
   await expect(other.locator('#follow')).not.toBeChecked();
@@ -35,13 +35,13 @@ test('a link in SI units shows the same motion', async ({ page, context }) => {
   await open(page, 'disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4&theta=1.2&theta_rate_rad_per_s=6');
   await expect(page.locator('#si')).toBeChecked();
   await expect(field(page, 'gravity_m_per_s2')).toHaveValue('9.80665');
-  const shown = await events(page);
+  const shown = await phases(page);
   await page.locator('#open-share').click();
   const link = await page.locator('#link-text').inputValue();
   const other = await context.newPage();
   await other.goto(link);
   await ready(other);
-  expect(await events(other)).toEqual(shown);
+  expect(await phases(other)).toEqual(shown);
 });
 
 test('the address changes with the page, and back brings nothing strange', async ({ page }) => {
@@ -77,7 +77,7 @@ for (const [state, name, message] of BAD) {
     await expect(field(page, name)).toHaveAttribute('aria-invalid', 'true');
     await expect(page.locator('#banner')).toContainText(message);
     // The last good state is there: figure 3.
-    expect((await events(page)).map((it) => it.cause)).toEqual(['start', 'stick', 'slip', 'lift-off', 'landing']);
+    expect((await phases(page)).map((it) => it.end)).toEqual(['stick', 'slip', 'lift-off', 'landing']);
   });
 }
 
@@ -86,16 +86,16 @@ test('a link with keys or values that are not known says so', async ({ page }) =
   await expect(page.locator('#case-message')).toHaveText("there is no case named 'no-such-case'");
   await expect(page.locator('#banner')).toContainText('colour=red');
   await expect(page.locator('#banner')).toContainText('at=soon');
-  await expect(page.locator('#events tr')).toHaveCount(5);
+  await expect(page.locator('#phases tr')).toHaveCount(4);
 });
 
 test('a bad number in a field leaves the last good motion and its address', async ({ page }) => {
   await open(page, 'case=figure-3');
-  const before = await events(page);
+  const before = await phases(page);
   for (const [text, message] of [['0.6', /must not exceed mu_s/], ['', /missing/], ['0,4', /not a number/]] as const) {
     await type(page, 'mu_k', text);
     await expect(page.locator('#message-mu_k')).toHaveText(message);
-    expect(await events(page)).toEqual(before);
+    expect(await phases(page)).toEqual(before);
     expect(page.url()).toContain('#case=figure-3');
   }
   await type(page, 'mu_k', '0.4');
@@ -104,5 +104,5 @@ test('a bad number in a field leaves the last good motion and its address', asyn
   await type(page, 'until', '-1');
   await expect(page.locator('#message-until')).toHaveText(/until = -1/);
   await type(page, 'until', '1');
-  expect((await events(page)).at(-1)!.cause).toBe('time limit');
+  expect((await phases(page)).at(-1)!.end).toBe('time limit');
 });

@@ -5,7 +5,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { CURVE_ROWS, CURVES } from '../src/generated/palette';
 import { DIMENSIONLESS, QUANTITY_ROWS, SI } from '../src/generated/tables';
-import { events, open, pixelOf, ready } from './lab';
+import { phases, open, pixelOf, ready } from './lab';
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
@@ -66,7 +66,7 @@ test('on a phone the start is dragged with a finger', async ({ browser, baseURL 
   await page.locator('#plane').scrollIntoViewIfNeeded();
   const to = await pixelOf(page, Math.PI / 2, 2);
   await page.touchscreen.tap(to.x, to.y);
-  expect((await events(page)).map((it) => it.then)).toEqual(['sliding', 'rolling', 'sliding', 'flight', 'ends']);
+  expect((await phases(page)).map((it) => it.mode)).toEqual(['sliding', 'rolling', 'sliding', 'flight']);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
   await context.close();
 });
@@ -82,7 +82,7 @@ test('it works without a network once it has been there', async ({ page, context
   await page.goto('./#case=figure-7');
   await page.reload();
   await ready(page);
-  expect((await events(page)).map((it) => it.cause)).toContain('particle at the plane');
+  expect((await phases(page)).map((it) => it.end)).toContain('particle at the plane');
   await expect(page.locator('html[data-map=done]')).toBeAttached();
   await page.locator('#open-share').click();
   // The part that is loaded when it is needed is there as well.

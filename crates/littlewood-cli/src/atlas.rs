@@ -80,7 +80,7 @@ pub(crate) fn run(args: &AtlasArgs) -> Result<(), Error> {
     let output = Output::open(None)?;
     let colour = output.has_colour();
     output.write(|writer| match args.format {
-        ShortFormat::Table => atlas::table(writer, &page, colour),
+        ShortFormat::Table => atlas::table(&page).write(writer, colour, None),
         ShortFormat::Json => atlas::json(writer, &page),
     })?;
     if points < total {

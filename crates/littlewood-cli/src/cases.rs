@@ -5,6 +5,11 @@ use crate::error::Error;
 use crate::output::Output;
 use crate::report;
 
+/// Width of the terminal, within reason; 100 where there is none.
+fn width() -> usize {
+    terminal_size::terminal_size().map_or(100, |(width, _)| usize::from(width.0).clamp(60, 100))
+}
+
 /// Runs the command.
 ///
 /// # Errors
@@ -13,7 +18,7 @@ pub(crate) fn run(args: &CasesArgs) -> Result<(), Error> {
     let output = Output::open(None)?;
     let colour = output.has_colour();
     output.write(|writer| match args.format {
-        ShortFormat::Table => report::table::cases(writer, colour),
+        ShortFormat::Table => report::table::cases().write(writer, colour, Some(width())),
         ShortFormat::Json => report::json::cases(writer),
     })
 }

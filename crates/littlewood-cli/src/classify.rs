@@ -17,7 +17,7 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Error> {
     let output = Output::open(None)?;
     let colour = output.has_colour();
     output.write(|writer| match args.format {
-        ShortFormat::Table => report::table::classification(writer, &problem, &found, colour),
+        ShortFormat::Table => report::table::classification(&problem, &found).write(writer, colour, None),
         ShortFormat::Json => report::json::classification(writer, &problem.subject(), &problem.hoop, &found),
     })
 }

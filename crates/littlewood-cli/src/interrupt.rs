@@ -15,9 +15,6 @@ use crate::error::Error;
 use crate::progress;
 use crate::unfinished;
 
-/// Exit code of a program that was asked to end, by whatever signal: that of Ctrl-C, 128 + SIGINT.
-pub(crate) const STOPPED: u8 = 130;
-
 /// How long work has to get to the flag, and to write what is finished.
 const PATIENCE: Duration = Duration::from_secs(5);
 
@@ -66,5 +63,5 @@ fn end() -> ! {
     let _held = unfinished::remove_all();
     progress::clear();
     Error::Stopped.print();
-    process::exit(STOPPED.into())
+    process::exit(Error::Stopped.exit_code().into())
 }

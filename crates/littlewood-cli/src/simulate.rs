@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use littlewood_report::Subject;
+use littlewood_report::page::Look;
 
 use crate::args::{Format, SimulateArgs};
 use crate::error::Error;
 use crate::output::Output;
 use crate::problem::Problem;
-use crate::report::table::Look;
 use crate::report::{self, Sampling};
 use crate::request::Request;
 use crate::scenario::Scenario;
@@ -41,14 +41,12 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Error> {
         samples.map(|count| Sampling::of(&trajectory, usize::try_from(count).unwrap_or(usize::MAX)));
     let digits = if args.digits { Some(problem.digits()?) } else { None };
     let subject = Subject { digits: digits.as_deref(), ..problem.subject() };
-    let look = Look {
-        sampling,
-        digits: digits.as_deref(),
-        all_bounces: args.all_bounces,
-        colour: output.has_colour(),
-    };
+    let look = Look { sampling, all: args.all_bounces, advice: None };
+    let colour = output.has_colour();
     output.write(|writer| match format {
-        Format::Table => report::table::motion(writer, &problem, &trajectory, look),
+        Format::Table => {
+            report::table::motion(&problem, &subject, &trajectory, look).write(writer, colour, None)
+        }
         Format::Json => report::json::motion(writer, &subject, &trajectory, sampling),
         Format::Csv => report::csv::motion(writer, &subject, &trajectory, sampling),
     })

@@ -108,7 +108,7 @@ fn the_page_and_the_rows_show_si_units() {
         "m₁ = 2 kg",
         "Izz = 2 kg m²",
         "√(R/g) = 0.5 s",
-        "lands at t = 1.9237 s",
+        "         t = 1.9237 s",
         "J lost to friction",
     ] {
         assert!(page.contains(part), "{part} is not in\n{page}");

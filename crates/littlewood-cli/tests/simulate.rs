@@ -277,7 +277,7 @@ fn no_consistent_motion_is_a_result_and_says_what_was_found() {
     assert_close(number(&outcome["solvability_negative"]), solvability(-1.0), 1e-14);
     assert_close(number(&outcome["contact"]), 1.0 - 0.75 * cos * 0.25, 1e-14);
     let page = text(&[&hoop[..], &start].concat());
-    assert!(page.contains("no motion is consistent at τ = 0"), "{page}");
+    assert!(page.contains("No motion is consistent here (Painlevé)"), "{page}");
     // In CSV too the reader learns what happened, with and without samples.
     for samples in [&[][..], &["--samples", "5"]] {
         let rows = text(&[&hoop[..], &start, &["--format", "csv"], samples].concat());
@@ -321,9 +321,9 @@ fn a_motion_that_slips_for_ever_ends_by_a_proof_and_says_towards_what() {
     assert_close(number(&outcome["grazing_theta"]), 1.628_570_503_598_365, 1e-12);
     assert_eq!(outcome["recurrence"], "rotation");
     let table = text(&ONE_COEFFICIENT);
+    let words = table.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        table.contains("slips for ever")
-            && table.contains("grazes the limit of static friction at θ = ±1.62"),
+        words.contains("Slips for ever") && words.contains("grazes the static limit at θ = ±1.6"),
         "{table}"
     );
 }
@@ -451,7 +451,7 @@ fn the_page_shows_the_phases_of_figure_3_at_a_glance() {
     assert_eq!(rows[3][..4], ["4", "flight", "1.51867", "2.32873"]);
     let ends: Vec<&str> = rows.iter().map(|row| row[row.len() - 1]).collect();
     assert_eq!(ends, ["stick", "slip", "lift-off", "landing"]);
-    assert!(page.contains("lands at τ = 3.8474"), "{page}");
+    assert!(page.contains("         τ = 3.8474  θ = 9.89117"), "{page}");
     assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
     assert!(!page.contains('\u{1b}'), "no colour where there is no terminal");
 }

@@ -8,6 +8,7 @@
 mod closed_form;
 mod digest;
 mod error;
+mod link;
 mod many;
 mod motion;
 mod palette;
@@ -28,6 +29,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     error::register(module)?;
     motion::register(module)?;
     units::register(module)?;
+    link::register(module)?;
     many::register(module)?;
     plane::register(module)?;
     closed_form::register(module)?;

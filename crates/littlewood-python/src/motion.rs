@@ -8,7 +8,10 @@ use littlewood::theory::{Candidates, Classification, RollingType};
 use littlewood::{
     Direction, Hoop, HoopParameters, Limits, Mode, Phase, RestitutionLaw, Sample, Start, Trajectory as Core,
 };
-use littlewood_report::{Instant, Sampling, instants};
+use littlewood_report::page::{self, Look};
+use littlewood_report::scale::Scale;
+use littlewood_report::sheet::{Block, Row, Sheet, Table};
+use littlewood_report::{Instant, Sampling, Subject, instants, sentence};
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -42,9 +45,12 @@ fn check_proof(py: Python<'_>, proof: &str) -> PyResult<()> {
     limits(py, None, (0, 0), proof).map(drop)
 }
 
-/// A simulated motion.
+/// A simulated motion, and the start that it was given.
 #[pyclass(frozen, module = "littlewood._core")]
-struct Trajectory(Core);
+struct Trajectory(Core, Start);
+
+/// A part of a page: what it is, its label or headings, its rows with the mode of each, and the columns of numbers.
+type BlockRow = (&'static str, Vec<String>, Vec<(Option<&'static str>, Vec<String>)>, Vec<usize>);
 
 /// Simulates a motion, with the interpreter released.
 #[pyfunction]
@@ -59,8 +65,9 @@ fn simulate(
 ) -> PyResult<Trajectory> {
     let hoop = hoop(py, &given)?;
     let limits = limits(py, until, (max_transitions, max_slides), proof)?;
-    let motion = py.detach(|| hoop.simulate(start(start_numbers), limits));
-    motion.map(Trajectory).map_err(|error| refuse(py, &error, None))
+    let start = start(start_numbers);
+    let motion = py.detach(|| hoop.simulate(start, limits));
+    motion.map(|motion| Trajectory(motion, start)).map_err(|error| refuse(py, &error, None))
 }
 
 /// θ′, η′ and the rate of the gap.
@@ -156,13 +163,41 @@ impl Trajectory {
             .collect()
     }
 
-    /// How the motion ended: kind, state, and what is known besides.
-    fn outcome<'py>(&self, py: Python<'py>) -> PyResult<(&'static str, StateNumbers, Bound<'py, PyDict>)> {
+    /// How the motion ended: kind, state, what is known besides, and all of it in a sentence.
+    fn outcome<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(&'static str, StateNumbers, Bound<'py, PyDict>, String)> {
         let outcome = self.0.outcome();
         let details = PyDict::new(py);
         add_details(&details, outcome.details())?;
         add_candidates(&details, outcome.candidates())?;
-        Ok((outcome.kind().name(), outcome.state().numbers(), details))
+        let words = sentence::outcome(&self.0, Scale::new(None));
+        Ok((outcome.kind().name(), outcome.state().numbers(), details, words))
+    }
+
+    /// The motion as the command line prints it.
+    fn text(&self) -> String {
+        let mut text = Vec::new();
+        // Writing to memory does not fail.
+        let _ = self.page().write(&mut text, false, None);
+        String::from_utf8(text).unwrap_or_default()
+    }
+
+    /// The same in parts: facts, tables and notes.
+    fn blocks(&self) -> Vec<BlockRow> {
+        let plain = |cells: &[String]| cells.iter().map(|cell| (None, vec![cell.clone()])).collect();
+        let row = |row: &Row| (row.mode.map(Mode::name), row.cells.clone());
+        let block = |block: &Block| match block {
+            Block::Title(text) => Some(("title", vec![text.clone()], vec![], vec![])),
+            Block::Fact(label, lines) => Some(("fact", vec![(*label).to_owned()], plain(lines), vec![])),
+            Block::Table(Table { head, rows, numbers }) => {
+                Some(("table", head.clone(), rows.iter().map(row).collect(), numbers.clone()))
+            }
+            Block::Note(text) => Some(("note", vec![text.clone()], vec![], vec![])),
+            Block::Gap => None,
+        };
+        self.page().blocks().iter().filter_map(block).collect()
     }
 
     fn end_time(&self) -> f64 {
@@ -218,6 +253,15 @@ impl Trajectory {
             Ok(samples)
         });
         samples.map_err(|error| too_large(&error))?.into_dict(py)
+    }
+}
+
+impl Trajectory {
+    fn page(&self) -> Sheet {
+        let mut sheet = Sheet::default();
+        let subject = Subject { case: None, start: self.1, units: None, digits: None };
+        page::motion(&mut sheet, &subject, &self.0, Look::default());
+        sheet
     }
 }
 

@@ -16,19 +16,22 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`number`] and [`scale`] write single values for a person, without dimension or in SI units; [`sentence`] says what
-//! happens at an instant.
+//! For a person, [`page`] has a motion as a [`sheet`] of facts and tables, and [`sentence`] what happens at an instant;
+//! [`number`] and [`scale`] write single values, without dimension or in SI units.
 
 pub mod csv;
 mod energy;
 mod instants;
 mod jam;
 pub mod json;
+pub mod link;
 pub mod number;
+pub mod page;
 mod record;
 mod sampling;
 pub mod scale;
 pub mod sentence;
+pub mod sheet;
 mod subject;
 
 pub use energy::kinetic_energy;

@@ -1,4 +1,5 @@
 //! The tests of the reports: one program, a module for each subject.
 
 mod impact;
+mod link;
 mod sentence;

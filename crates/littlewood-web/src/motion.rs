@@ -4,10 +4,12 @@ use core::fmt;
 
 use littlewood::cases::{NamedCase, find_case};
 use littlewood::tables::SampleColumn;
-use littlewood::{OutcomeKind, Sample, Trajectory, Transition};
+use littlewood::{Mode, OutcomeKind, Sample, Trajectory, Transition};
 use littlewood_report::scale::Scale;
-use littlewood_report::{Sampling, Subject, csv, json, sentence};
+use littlewood_report::sheet::Table;
+use littlewood_report::{Sampling, Subject, csv, json as documents, page, sentence};
 use littlewood_style::EnergyPart;
+use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::energy::Energies;
@@ -105,6 +107,17 @@ impl Motion {
         Routh::of(self.trajectory.hoop(), self.trajectory.transitions().get(transition)?)
     }
 
+    /// The table of the phases as the command line prints it, as JSON; with `all` nothing is folded or left out.
+    #[must_use]
+    pub fn table(&self, all: bool) -> String {
+        let Table { head, rows, numbers } = page::phases(&self.trajectory, self.scale(), all);
+        let rows: Vec<Value> = rows
+            .iter()
+            .map(|it| json!({ "mode": it.mode.map(Mode::name), "time": it.time, "folds": it.folds, "cells": it.cells }))
+            .collect();
+        json!({ "head": head, "rows": rows, "numbers": numbers }).to_string()
+    }
+
     /// How the motion ends, or does not.
     #[wasm_bindgen(js_name = outcomeSentence)]
     #[must_use]
@@ -115,7 +128,7 @@ impl Motion {
     /// The motion as `littlewood simulate --format json` prints it, with `--samples` if a number is given.
     #[must_use]
     pub fn json(&self, samples: Option<usize>) -> String {
-        self.text(|text| json::motion(text, &self.subject(), &self.trajectory, self.sampling(samples)))
+        self.text(|text| documents::motion(text, &self.subject(), &self.trajectory, self.sampling(samples)))
     }
 
     /// The motion as `littlewood simulate --format csv` prints it, with `--samples` if a number is given.

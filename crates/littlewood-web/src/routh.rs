@@ -72,19 +72,10 @@ impl Routh {
     /// Of an impact of this hoop; none for a transition without one, and for bounces that settle, which are many.
     pub(crate) fn of(hoop: &Hoop, transition: &Transition) -> Option<Self> {
         let impact = transition.impact.filter(|impact| impact.impulse.normal > 0.0)?;
-        match transition.cause {
-            Cause::Landing | Cause::Jam => Self::new(hoop, transition.before.theta, &impact),
-            Cause::Settle
-            | Cause::Slip
-            | Cause::NormalForceZero
-            | Cause::Stick
-            | Cause::Reversal
-            | Cause::Graze
-            | Cause::LiftOff
-            | Cause::ParticleAtPlane
-            | Cause::ParticleAtBottom
-            | Cause::ParticleAtTop
-            | Cause::Singularity => None,
+        if transition.cause == Cause::Settle {
+            None
+        } else {
+            Self::new(hoop, transition.before.theta, &impact)
         }
     }
 

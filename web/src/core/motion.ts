@@ -67,6 +67,23 @@ export interface Event {
 /** An event at which the velocities jump. */
 export type ImpactEvent = Event & { impact: Impact; transition: number };
 
+/** The table of the phases, as the command line prints it. */
+export interface Table {
+  head: string[];
+  rows: Row[];
+  /** The columns of numbers. */
+  numbers: number[];
+}
+
+export interface Row {
+  mode: Mode | null;
+  /** Where it begins in time; none for what is left out. */
+  time: number | null;
+  /** Phases that it stands for together, if they are several. */
+  folds: number | null;
+  cells: string[];
+}
+
 /** What the page reads of the JSON of a motion. */
 interface Document {
   start: { time: number; theta: number; theta_rate: number; slip: number; mode: string | null };
@@ -175,6 +192,11 @@ export class Motion {
     };
     core.free();
     return routh;
+  }
+
+  /** The table of the phases; with `all` nothing is folded or left out. */
+  table(all: boolean): Table {
+    return JSON.parse(this.core.table(all)) as Table;
   }
 
   json(samples?: number): string {

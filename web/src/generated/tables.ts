@@ -351,5 +351,42 @@ export const IMPULSE_UNITS = {
   si: 'N s',
 } as const satisfies Record<System, string>;
 
+/** What a link says of the page. */
+export const VIEW_KEYS = [
+  'rate',
+  'speed',
+  'loop',
+  'map',
+  'shows',
+  'follow',
+  'embed',
+  'theme',
+] as const;
+export type ViewKey = (typeof VIEW_KEYS)[number];
+
+/** What it may say. */
+export const VIEW_CHOICES = {
+  rate: ['1', '1.5', '2', '3', '4', '6', '8', '12', '20'],
+  speed: ['0.1', '0.25', '0.5', '1', '2', '4'],
+  loop: ['0', '1'],
+  map: ['0', '1'],
+  shows: ['outcome', 'hops'],
+  follow: ['0', '1'],
+  embed: ['0', '1'],
+  theme: ['auto', 'light', 'dark'],
+} as const satisfies Record<ViewKey, readonly string[]>;
+
+/** What it says at first. */
+export const VIEW_FIRST = {
+  rate: '4',
+  speed: '0.5',
+  loop: '0',
+  map: '1',
+  shows: 'outcome',
+  follow: '1',
+  embed: '0',
+  theme: 'auto',
+} as const satisfies Record<ViewKey, string>;
+
 /** What a core of the same version says of the order of names. */
 export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever repeats_forever slips_forever in_contact particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';

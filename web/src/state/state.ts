@@ -1,9 +1,11 @@
 // The state of the page: everything that a link carries.
 
 import { inOrder, LIMIT, numbersOf, type Values } from '../core/fields';
-import { LAWS, QUANTITY_ROWS, type Law, type Quantity, type System } from '../generated/tables';
+import {
+  LAWS, QUANTITY_ROWS, VIEW_CHOICES, VIEW_FIRST, type Law, type Quantity, type System, type ViewKey,
+} from '../generated/tables';
 
-export type Theme = 'auto' | 'light' | 'dark';
+export type Theme = (typeof VIEW_CHOICES.theme)[number];
 
 /** What a problem may be without. */
 export interface Options {
@@ -23,7 +25,7 @@ interface ProblemIn<S extends System> extends Options {
 export type ProblemState = ProblemIn<'dimensionless'> | ProblemIn<'si'>;
 
 /** What the map shows of each motion. */
-export const SHOWS = ['outcome', 'hops'] as const;
+export const SHOWS = VIEW_CHOICES.shows;
 export type Shows = (typeof SHOWS)[number];
 
 export interface ViewState {
@@ -46,13 +48,27 @@ export interface State {
   view: ViewState;
 }
 
-export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4] as const;
-export const RATES = [1, 1.5, 2, 3, 4, 6, 8, 12, 20] as const;
+export const SPEEDS: readonly number[] = VIEW_CHOICES.speed.map(Number);
+export const RATES: readonly number[] = VIEW_CHOICES.rate.map(Number);
 
-export const VIEW: Readonly<ViewState> = {
-  time: null, speed: 0.5, loop: false, rate: 4, map: true, shows: 'outcome', follow: true, embed: false,
-  theme: 'auto',
-};
+/** The view of the texts of a link. */
+export function viewOf(texts: Readonly<Record<ViewKey, string>>): ViewState {
+  const { rate, speed, loop, map, shows, follow, embed, theme } = texts;
+  return {
+    time: null, rate: Number(rate), speed: Number(speed), loop: loop === '1', map: map === '1', shows: shows as Shows,
+    follow: follow === '1', embed: embed === '1', theme: theme as Theme,
+  };
+}
+
+/** The texts of a view in a link. */
+export function textsOf({ rate, speed, loop, map, shows, follow, embed, theme }: ViewState): Record<ViewKey, string> {
+  const flag = (it: boolean): string => (it ? '1' : '0');
+  return {
+    rate: String(rate), speed: String(speed), loop: flag(loop), map: flag(map), shows, follow: flag(follow), embed: flag(embed), theme,
+  };
+}
+
+export const VIEW: Readonly<ViewState> = viewOf(VIEW_FIRST);
 
 /** A problem with a value for each number of its system. */
 export function problemWith(system: System, value: (quantity: Quantity) => number, options: Options): ProblemState {

@@ -21,7 +21,7 @@ export class Embedding {
   }
 
   private showLink(): void {
-    const { state, cases } = this.lab;
-    this.whole.href = `#${format({ ...state, view: { ...state.view, embed: false } }, cases)}`;
+    const { state } = this.lab;
+    this.whole.href = `#${format({ ...state, view: { ...state.view, embed: false } })}`;
   }
 }

@@ -4,7 +4,7 @@ import { isOptional, labelOf, LIMIT, meaningOf, numbersOf, sliderOf, stepOf } fr
 import { QUANTITY_ROWS, type Group, type Quantity, type System } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { valueOf } from '../state/state';
-import { readNumber } from '../state/url';
+import { readNumber } from '../core/wasm';
 import { brief, make } from '../dom';
 import { ImpactFields } from './impact-fields';
 
@@ -53,7 +53,7 @@ export class Fields {
       row.input.setAttribute('aria-invalid', String(fieldError !== undefined));
       if (fieldError) {
         if (document.activeElement !== row.input && fieldError.given !== '') row.input.value = fieldError.given;
-      } else if (document.activeElement !== row.input || readNumber(row.input.value) !== value) {
+      } else if (document.activeElement !== row.input || (readNumber(row.input.value) ?? null) !== value) {
         row.input.value = value === null ? '' : String(value);
       }
       if (row.slider && value !== null) {
@@ -123,7 +123,7 @@ export class Fields {
 
   private typed(quantity: Quantity, text: string): void {
     const isEmpty = text.trim() === '';
-    const value = readNumber(text);
+    const value = readNumber(text) ?? null;
     if (value !== null || (isEmpty && isOptional(quantity))) {
       this.lab.setQuantity(quantity, value);
     } else {
@@ -136,7 +136,7 @@ export class Fields {
   private stepped(event: KeyboardEvent, quantity: Quantity, input: HTMLInputElement): void {
     const way = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
     const value = readNumber(input.value);
-    if (way === 0 || value === null) return;
+    if (way === 0 || value === undefined) return;
     event.preventDefault();
     const step = stepOf(quantity) * (event.shiftKey ? 10 : 1);
     const next = Number((value + way * step).toFixed(10));

@@ -100,7 +100,7 @@ export class PlanePane {
   }
 
   private zoom(way: number): void {
-    const at = (RATES as readonly number[]).indexOf(this.lab.state.view.rate);
+    const at = RATES.indexOf(this.lab.state.view.rate);
     const rate = RATES[at + way];
     if (rate !== undefined) this.lab.setView({ rate });
   }
@@ -130,7 +130,7 @@ export class PlanePane {
     const rateChanged = this.curves?.rate !== view.rate;
     byId('map', HTMLInputElement).checked = view.map;
     byId('shows', HTMLSelectElement).value = view.shows;
-    const place = (RATES as readonly number[]).indexOf(view.rate);
+    const place = RATES.indexOf(view.rate);
     byId('zoom-in', HTMLButtonElement).disabled = place <= 0;
     byId('zoom-out', HTMLButtonElement).disabled = place >= RATES.length - 1;
     if (rateChanged) this.hoopChanged();

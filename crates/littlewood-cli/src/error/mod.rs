@@ -20,10 +20,12 @@ use littlewood_sweep::{PictureError, StoreError, SweepError, ThreadsError};
 use thiserror::Error;
 
 use crate::feature::Feature;
-use crate::interrupt::STOPPED;
 use crate::{BAD_INPUT, FAILURE};
 
 pub(crate) use excerpt::Excerpt;
+
+/// Exit code of a program that was asked to end, by whatever signal: that of Ctrl-C, 128 + SIGINT.
+const STOPPED: u8 = 130;
 
 /// A failure of the command line. No physical outcome is a failure.
 #[derive(Debug, Error)]

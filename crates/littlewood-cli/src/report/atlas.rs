@@ -9,9 +9,9 @@ use littlewood_sweep::{Atlas, AtlasEntry, Stop};
 use serde_json::{Map, Value, json};
 
 use super::json;
-use super::sheet::Sheet;
 use super::sweep::grouped;
 use littlewood_report::number::brief;
+use littlewood_report::sheet::Sheet;
 
 /// An atlas, and of what it is.
 #[derive(Debug)]
@@ -63,9 +63,9 @@ fn counts(atlas: &Atlas) -> [(&'static str, usize); 2] {
 }
 
 /// For a person.
-pub(crate) fn table(writer: &mut dyn Write, page: &Page, colour: bool) -> io::Result<()> {
+pub(crate) fn table(page: &Page) -> Sheet {
     let atlas = &page.atlas;
-    let mut sheet = Sheet::new(writer, colour);
+    let mut sheet = Sheet::default();
     let with_stop = atlas.entries.iter().any(|entry| entry.stop.is_some());
     let with_hoops = !page.hoops.is_empty();
     let mut heads = vec!["Sequence"];
@@ -88,8 +88,8 @@ pub(crate) fn table(writer: &mut dyn Write, page: &Page, colour: bool) -> io::Re
         })
         .collect();
     let right: Vec<usize> = (heads.len() - 2 - usize::from(with_hoops)..heads.len() - 1).collect();
-    sheet.table(&heads, rows, &right, None)?;
-    sheet.gap()?;
+    sheet.table(heads.into_iter().map(str::to_owned).collect(), rows, &right);
+    sheet.gap();
     let [(_, sequences), (_, without)] = counts(atlas);
     let plural = if sequences == 1 { "sequence" } else { "sequences" };
     let mut total = format!("{sequences} {plural} on {} starts", grouped(atlas.points));
@@ -100,12 +100,13 @@ pub(crate) fn table(writer: &mut dyn Write, page: &Page, colour: bool) -> io::Re
     if with_stop {
         lines.push(format!("{} if the stop counts too", atlas.entries.len()));
     }
-    sheet.fact("Total", &lines)?;
+    sheet.fact("Total", lines);
     if atlas.invalid > 0 {
         let label = Class::Invalid.label();
-        sheet.fact("Invalid", &[format!("{} starts with {label}", grouped(atlas.invalid))])?;
+        sheet.fact("Invalid", vec![format!("{} starts with {label}", grouped(atlas.invalid))]);
     }
-    sheet.note(&legend())
+    sheet.note(&legend());
+    sheet
 }
 
 /// The letters of sequences, by mode: `R rolling, - and + sliding`.

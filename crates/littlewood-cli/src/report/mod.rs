@@ -2,10 +2,6 @@
 
 #[cfg(feature = "sweep")]
 pub(crate) mod atlas;
-mod balance;
-mod bounces;
-mod phases;
-mod sheet;
 pub(crate) mod sweep;
 pub(crate) mod table;
 

@@ -4,11 +4,11 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Duration;
 
+use littlewood_report::sheet::Sheet;
 use littlewood_sweep::Report;
 use serde_json::{Map, Value, json};
 
 use super::json;
-use super::sheet::Sheet;
 use crate::args::ShortFormat;
 use crate::error::Error;
 use crate::output::Output;
@@ -39,8 +39,8 @@ impl Run {
         (self.report.computed > 0 && self.seconds > 0.0).then(|| self.report.computed as f64 / self.seconds)
     }
 
-    fn table(&self, writer: &mut dyn Write, colour: bool) -> io::Result<()> {
-        let mut sheet = Sheet::new(writer, colour);
+    fn table(&self) -> Sheet {
+        let mut sheet = Sheet::default();
         let rows = self
             .report
             .tally
@@ -50,26 +50,24 @@ impl Run {
                 vec![class.label().to_owned(), grouped(count), format!("{share:.2} %")]
             })
             .collect();
-        sheet.table(&["Class", "Starts", "Share"], rows, &[1, 2], None)?;
-        sheet.gap()?;
+        sheet.table(["Class", "Starts", "Share"].map(str::to_owned).to_vec(), rows, &[1, 2]);
+        sheet.gap();
         let mut starts = format!("{} of {}", grouped(self.done()), grouped(self.report.points));
         if self.report.reused > 0 {
             starts.push_str(&format!(", {} of them from before", grouped(self.report.reused)));
         }
-        sheet.fact("Starts", &[starts])?;
+        sheet.fact("Starts", vec![starts]);
         if let Some(rate) = self.rate() {
             let threads = if self.threads == 1 { "thread" } else { "threads" };
-            sheet.fact(
-                "Rate",
-                &[format!("{} starts per second on {} {threads}", grouped(rate as u64), self.threads)],
-            )?;
+            let rate = format!("{} starts per second on {} {threads}", grouped(rate as u64), self.threads);
+            sheet.fact("Rate", vec![rate]);
         }
         if self.report.damaged_chunks > 0 {
             let repaired = format!("{} damaged or missing chunks computed again", self.report.damaged_chunks);
-            sheet.fact("Repair", &[repaired])?;
+            sheet.fact("Repair", vec![repaired]);
         }
-        let out: Vec<String> = self.kept.iter().map(|path| path.display().to_string()).collect();
-        sheet.fact("Written", &out)
+        sheet.fact("Written", self.kept.iter().map(|path| path.display().to_string()).collect());
+        sheet
     }
 
     fn json(&self, writer: &mut dyn Write) -> io::Result<()> {
@@ -100,7 +98,7 @@ pub(crate) fn finish(run: &Run, format: ShortFormat) -> Result<(), Error> {
     let output = Output::open(None)?;
     let colour = output.has_colour();
     output.write(|writer| match format {
-        ShortFormat::Table => run.table(writer, colour),
+        ShortFormat::Table => run.table().write(writer, colour, None),
         ShortFormat::Json => run.json(writer),
     })?;
     if !run.report.complete {

@@ -2,7 +2,7 @@
 
 use littlewood::impact::{Impact, ImpactCase};
 use littlewood::tables::Dimension;
-use littlewood::{Cause, Hoop, Mode, Trajectory, Transition};
+use littlewood::{Hoop, Mode, Trajectory, Transition};
 
 use super::{three, to_the};
 use crate::energy::kinetic_energy;
@@ -35,11 +35,7 @@ pub(super) fn settling(
     scale: Scale<'_>,
 ) -> String {
     let before = trajectory.transitions().get(..index).unwrap_or_default();
-    let bounces = before
-        .iter()
-        .rev()
-        .take_while(|it| it.cause == Cause::Landing && it.to == Some(Mode::Flight))
-        .count();
+    let bounces = before.iter().rev().take_while(|it| it.is_bounce()).count();
     let after = match bounces {
         0 => "after ever smaller bounces without number".to_owned(),
         1 => "after a bounce, and ever smaller ones without number".to_owned(),

@@ -2,6 +2,8 @@
 
 mod impact;
 
+use core::f64::consts::TAU;
+
 use littlewood::modes::{PhaseSolution, Recurrence, SlideLimit};
 use littlewood::tables::Dimension;
 use littlewood::theory::{Candidates, ContactForces, RollingLaw};
@@ -11,8 +13,7 @@ use crate::number::brief;
 use crate::scale::Scale;
 
 /// Why nothing follows where a massless hoop strikes the plane.
-pub const NO_IMPACT: &str =
-    "there is no impact: a rim without inertia has nothing that an impulse could act on";
+const NO_IMPACT: &str = "there is no impact: a rim without inertia has nothing that an impulse could act on";
 
 /// What begins at the start, and why.
 #[must_use]
@@ -112,36 +113,42 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let last = trajectory.transitions().len().checked_sub(1);
     match trajectory.outcome() {
         Outcome::RollsForever { recurrence, .. } => {
-            format!("Rolls for ever, {}: friction holds on the whole orbit.", returns(&recurrence, scale))
+            format!(
+                "Rolls for ever, {}: static friction holds on the whole orbit.",
+                returns(&recurrence, scale)
+            )
         }
         Outcome::SlidesForever { recurrence, .. } => {
             format!("Slides for ever without friction, {}.", returns(&recurrence, scale))
         }
-        Outcome::SlipsForever { orbit, .. } => format!(
-            "Slips for ever, ever less: towards the orbit that grazes static friction at θ = ±{}, {}.",
-            brief(short(orbit.theta)),
+        Outcome::SlipsForever { orbit, slips_to_halve, .. } => format!(
+            "Slips for ever, with decaying amplitude: towards the orbit that grazes the static limit at θ = ±{}, {}; \
+             the distance from it halves in about {slips_to_halve:.0} slips.",
+            brief(orbit.theta),
             returns(&orbit.recurrence, scale)
         ),
-        Outcome::RepeatsForever { period, .. } => format!(
-            "Repeats itself for ever, with the period {}: no energy is lost.",
-            scale.show_with_unit(Dimension::Time, three(period))
+        Outcome::RepeatsForever { period, theta_gained, transitions, .. } => format!(
+            "Repeats itself for ever, with the period {}, {transitions} transitions and {:.0} turns: no energy is lost.",
+            scale.show_with_unit(Dimension::Time, period),
+            (theta_gained / TAU).abs(),
         ),
         Outcome::StaysInContact { .. } => {
             "Stays in contact for ever: energy and momentum do not suffice for a lift-off.".to_owned()
         }
         Outcome::TimeLimit { .. } => "The time limit ends the motion here.".to_owned(),
         Outcome::TransitionLimit { transitions, .. } => {
-            let bounces = trajectory.transitions().last().is_some_and(|event| event.cause == Cause::Landing);
+            let bounces = trajectory.transitions().last().is_some_and(Transition::is_bounce);
             let endless =
                 if bounces { "bounces may go on without end" } else { "slips may shrink without end" };
             format!("Stopped after {transitions} transitions: {endless}.")
         }
         Outcome::Inconsistent { candidates, .. } => {
-            format!("No motion is consistent here (Painlevé): {}.", examined(&candidates))
+            format!("No motion is consistent here (Painlevé): {}.", examined(&candidates).join("; "))
         }
         Outcome::Ambiguous { candidates, .. } => {
-            let several: Vec<String> = candidates.consistent().map(|(mode, _)| mode.to_string()).collect();
-            format!("Several motions are consistent here (Painlevé): {}.", several.join(", "))
+            let [rolling, sliding] = examined(&candidates);
+            let found = consistent(&candidates, ", ");
+            format!("Several motions are consistent here (Painlevé): {found}; {rolling}; {sliding}.")
         }
         Outcome::StepLimit { limit: SlideLimit::All { slides }, .. } => {
             format!(
@@ -176,7 +183,7 @@ fn gives_way(forces: &ContactForces, mu_s: f64) -> String {
     if forces.normal > 0.0 {
         format!("rolling would need a friction coefficient of {}; there is {}", demand(forces), brief(mu_s))
     } else {
-        "rolling would need a normal force that pulls".to_owned()
+        "rolling would need a tensile normal force".to_owned()
     }
 }
 
@@ -190,7 +197,7 @@ fn slip(event: &Transition, mu_s: f64) -> String {
     if event.to == Some(Mode::Gliding) {
         format!("Slips and glides: {beyond}; without inertia a slip bears no force.")
     } else {
-        format!("Slips: {beyond}, which is all there is.")
+        format!("Slips: {beyond}, the static limit.")
     }
 }
 
@@ -219,22 +226,46 @@ fn landing(flight: Option<&Phase>, scale: Scale<'_>) -> String {
     )
 }
 
-fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
+/// How a motion without an end recurs.
+#[must_use]
+pub fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
+    let show = |period| scale.show_with_unit(Dimension::Time, period);
     match *recurrence {
         Recurrence::Rest => "at rest in equilibrium".to_owned(),
-        Recurrence::Libration { period, .. } => {
-            format!("back and forth with the period {}", scale.show_with_unit(Dimension::Time, period))
+        Recurrence::Libration { period, theta_min, theta_max } => format!(
+            "back and forth between θ = {} and {} with the period {}",
+            brief(theta_min),
+            brief(theta_max),
+            show(period)
+        ),
+        Recurrence::Rotation { period } => format!("one turn in {}", show(period)),
+        Recurrence::Asymptotic { theta } => {
+            format!("towards the unstable equilibrium θ = {}, never reached", brief(theta))
         }
-        Recurrence::Rotation { period } => {
-            format!("one turn in {}", scale.show_with_unit(Dimension::Time, period))
-        }
-        Recurrence::Asymptotic { .. } => "towards the unstable equilibrium, never reached".to_owned(),
     }
 }
 
-fn examined(candidates: &Candidates) -> String {
-    let [negative, positive] = candidates.solvability.map(|p| brief(short(p)));
-    format!("sliding would need P > 0, and P is {negative} for σ = −1, {positive} for σ = +1")
+/// The motions that are consistent, with the word between them.
+#[must_use]
+pub fn consistent(candidates: &Candidates, between: &str) -> String {
+    let motions: Vec<String> =
+        candidates.consistent().map(|(mode, direction)| mode.with_arrow(direction)).collect();
+    motions.join(between)
+}
+
+/// What rolling and sliding would need where the motion that follows is not unique.
+#[must_use]
+pub fn examined(candidates: &Candidates) -> [String; 2] {
+    let [negative, positive] = candidates.solvability.map(brief);
+    [
+        format!(
+            "rolling would need N = {}, F = {}, and has 1 − h cos θ θ′² = {}",
+            brief(candidates.rolling_forces.normal),
+            brief(candidates.rolling_forces.friction),
+            brief(candidates.contact),
+        ),
+        format!("sliding would need P > 0, and P is {negative} for σ = −1, {positive} for σ = +1"),
+    ]
 }
 
 fn to_the(slip: f64) -> &'static str {

@@ -3,6 +3,7 @@
 use littlewood::impact::ImpactCase;
 use littlewood::tables::{Class, Dimension, Group, Quantity, SampleColumn, System};
 use littlewood::{Cause, Mode, OutcomeKind, RestitutionLaw};
+use littlewood_report::link::VIEW;
 use littlewood_web::{dimensionless_quantities, si_quantities};
 
 use crate::generated::source::{Source, object, quoted, quoted_or_null};
@@ -28,6 +29,7 @@ pub(crate) fn typescript() -> String {
     let labels = Class::ALL.map(|class| (class.name(), quoted(class.label())));
     source.record("CLASS_LABELS", ("Class", "string"), "In words.", labels);
     impacts(&mut source);
+    view(&mut source);
     source.lines(&format!(
         "/** What a core of the same version says of the order of names. */\nexport const BOUNDARY = {};",
         quoted(&littlewood_web::boundary())
@@ -165,6 +167,16 @@ fn impacts(source: &mut Source) {
         "The unit of an impulse.",
         impulse.map(|(system, sign)| (system, quoted(sign))),
     );
+}
+
+fn view(source: &mut Source) {
+    source.names("VIEW_KEYS", "ViewKey", "What a link says of the page.", VIEW.map(|(key, ..)| key));
+    let list =
+        |items: &[&str]| format!("[{}]", items.iter().map(|it| quoted(it)).collect::<Vec<_>>().join(", "));
+    let choices = VIEW.map(|(key, choices, _)| (key, list(choices)));
+    source.record("VIEW_CHOICES", ("ViewKey", "readonly string[]"), "What it may say.", choices);
+    let first = VIEW.map(|(key, _, first)| (key, quoted(first)));
+    source.record("VIEW_FIRST", ("ViewKey", "string"), "What it says at first.", first);
 }
 
 /// The names in the order of their codes, which are 0, 1, 2, …

@@ -194,4 +194,10 @@ impl Transition {
     pub const fn time(&self) -> f64 {
         self.before.time
     }
+
+    /// Whether it is a bounce: a landing after which the hoop flies again.
+    #[must_use]
+    pub fn is_bounce(&self) -> bool {
+        self.cause == Cause::Landing && self.to == Some(Mode::Flight)
+    }
 }

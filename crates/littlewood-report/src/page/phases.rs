@@ -1,34 +1,25 @@
 //! The table of the phases of a motion, with its impacts.
 
-use std::io;
-
 use littlewood::impact::Impact;
 use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, Quantity};
-use littlewood::{Cause, OutcomeKind, Phase, State, Trajectory, Transition};
-use littlewood_report::number::column;
-use littlewood_report::scale::Scale;
+use littlewood::{Cause, Mode, OutcomeKind, Phase, State, Trajectory, Transition};
 
-use super::bounces::{Part, parts};
-use super::sheet::Sheet;
+use super::ROUNDING;
+use super::parts::{Part, parts};
+use crate::number::column;
+use crate::scale::Scale;
+use crate::sheet::{Row, Table};
 
 /// Parts shown at most; of longer motions the first and the last ones.
 const FIRST_PARTS: usize = 30;
 const LAST_PARTS: usize = 10;
 
-/// Smaller energies and slip velocities are rounding where an impact loses nothing, or nothing slips.
-const ROUNDING: f64 = 1e-13;
-
 /// The columns of numbers.
 const NUMBERS: [usize; 7] = [0, 2, 3, 4, 5, 6, 7];
 
-/// Writes the table; with `all` nothing is folded or left out.
-pub(super) fn phases(
-    sheet: &mut Sheet<'_>,
-    trajectory: &Trajectory,
-    scale: Scale<'_>,
-    all: bool,
-) -> io::Result<()> {
+/// The table; with `all` nothing is folded or left out.
+pub(super) fn phases(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Table {
     let of_state = |quantity: Quantity| scale.heading(scale.sign(quantity), quantity.dimension());
     let header = [
         "#".to_owned(),
@@ -50,10 +41,11 @@ pub(super) fn phases(
             rows.extend(table.of(part));
         } else if index == hidden.start {
             let more: usize = parts.get(hidden.clone()).unwrap_or_default().iter().map(Part::phases).sum();
-            rows.push(vec!["…".to_owned(), format!("… {more} more")]);
+            let cells = vec!["…".to_owned(), format!("… {more} more")];
+            rows.push(Row { folds: Some(more), ..cells.into() });
         }
     }
-    sheet.table(&header, rows, &NUMBERS, None)
+    Table { head: header.to_vec(), rows, numbers: NUMBERS.to_vec() }
 }
 
 /// The mode of a phase, the direction of slip, and the mark of the footnote.
@@ -82,7 +74,7 @@ struct Rows<'a> {
 
 impl Rows<'_> {
     /// The rows of a part of the motion.
-    fn of(&self, part: &Part<'_>) -> Vec<Vec<String>> {
+    fn of(&self, part: &Part<'_>) -> Vec<Row> {
         match part {
             Part::Jam(jam) => self.impact(jam).into_iter().collect(),
             Part::Phase(index, phase) => {
@@ -91,6 +83,7 @@ impl Rows<'_> {
                 let settles = end.is_some_and(|end| end.cause == Cause::Settle);
                 let impacts = end.and_then(|end| end.impact).filter(|_| settles).map_or(0.0, |it| lost(&it));
                 let row = self.row(
+                    Some(phase.mode()),
                     [(index + 1).to_string(), motion_of(phase)],
                     &phase.start(),
                     phase.duration(),
@@ -104,13 +97,15 @@ impl Rows<'_> {
                 let phases = self.trajectory.phases().get(range.clone()).unwrap_or_default();
                 let (Some(first), Some(last)) = (phases.first(), phases.last()) else { return Vec::new() };
                 let impacts = phases.iter().filter_map(|phase| self.trajectory.end_of(phase)?.impact);
-                vec![self.row(
+                let row = self.row(
+                    Some(first.mode()),
                     [format!("{}…", range.start + 1), format!("{} bounces", range.len())],
                     &first.start(),
                     last.end_time() - first.start().time,
                     impacts.map(|impact| lost(&impact)).sum(),
                     self.ends_by(last),
-                )]
+                );
+                vec![Row { folds: Some(range.len()), ..row }]
             }
         }
     }
@@ -124,13 +119,13 @@ impl Rows<'_> {
     }
 
     /// An impact, with the state before it: that after it is in the next row.
-    fn impact(&self, transition: &Transition) -> Option<Vec<String>> {
+    fn impact(&self, transition: &Transition) -> Option<Row> {
         let impact = transition.impact?;
         let name = if transition.cause == Cause::Jam { "jam" } else { "impact" };
         let labels = [String::new(), name.to_owned()];
         let before = State { slip: rounded(transition.before.slip), ..transition.before };
-        let mut row = self.row(labels, &before, 0.0, lost(&impact), impact.case.label());
-        if let Some(duration) = row.get_mut(3) {
+        let mut row = self.row(None, labels, &before, 0.0, lost(&impact), impact.case.label());
+        if let Some(duration) = row.cells.get_mut(3) {
             duration.clear();
         }
         Some(row)
@@ -138,14 +133,15 @@ impl Rows<'_> {
 
     fn row(
         &self,
+        mode: Option<Mode>,
         [number, motion]: [String; 2],
         state: &State,
         duration: f64,
         lost: f64,
         ends_by: &str,
-    ) -> Vec<String> {
+    ) -> Row {
         let scale = self.scale;
-        vec![
+        let cells = vec![
             number,
             motion,
             column(scale.value(Dimension::Time, state.time)),
@@ -155,6 +151,7 @@ impl Rows<'_> {
             column(scale.value(Dimension::Velocity, state.slip)),
             column(scale.value(Dimension::Energy, lost)),
             ends_by.to_owned(),
-        ]
+        ];
+        Row { mode, time: Some(state.time), folds: None, cells }
     }
 }

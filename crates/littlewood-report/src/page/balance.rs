@@ -3,13 +3,12 @@
 use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, Quantity};
 use littlewood::{Phase, Trajectory};
-use littlewood_report::scale::Scale;
+
+use super::ROUNDING;
+use crate::scale::Scale;
 
 /// Jumps told one by one.
 const FIRST_JUMPS: usize = 4;
-
-/// Parts of an energy that are rounding.
-const ROUNDING: f64 = 1e-13;
 
 /// The highest point of every flight; of many, unless `all` are asked for, the first ones.
 pub(super) fn jumps(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Vec<String> {

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use littlewood::{Cause, Mode, Phase, Trajectory, Transition};
+use littlewood::{Mode, Phase, Trajectory, Transition};
 
 /// Flights of a sequence of bounces that are shown one by one.
 const FIRST_FLIGHTS: usize = 4;
@@ -61,10 +61,7 @@ pub(super) fn parts(trajectory: &Trajectory, fold: bool) -> Vec<Part<'_>> {
 /// Where the flights end that begin with a phase and follow one another.
 fn end_of_bounces(trajectory: &Trajectory, first: usize) -> usize {
     let phases = trajectory.phases().get(first..).unwrap_or_default();
-    let bounces = phases.iter().take_while(|phase| {
-        trajectory
-            .end_of(phase)
-            .is_some_and(|end| end.cause == Cause::Landing && end.to == Some(Mode::Flight))
-    });
+    let is_bounce = |phase: &&Phase| trajectory.end_of(phase).is_some_and(Transition::is_bounce);
+    let bounces = phases.iter().take_while(is_bounce);
     (first + bounces.count() + 1).min(trajectory.phases().len())
 }
