@@ -24,7 +24,7 @@ use core::f64::consts::{PI, TAU};
 use crate::math::bernstein::Bernstein;
 use crate::mechanics::SlidingLaw;
 
-use super::series::{DEGREE, Series, SlideSeries, crossing, root, value};
+use super::series::{DEGREE, PhasePoint, Series, SlideSeries, crossing, root, value};
 use super::turn::{Turn, section};
 
 /// Least number of turns, or periods, of a leap; fewer are integrated step by step.
@@ -52,6 +52,9 @@ const PROOF_MARGIN: f64 = 64.0 * f64::EPSILON;
 /// Largest relative difference between the times of a turn by quadrature and by series.
 const MAX_TIME_MISMATCH: f64 = 1e-11;
 
+/// Largest number of attempts to prove a number of turns free of events.
+const MAX_PROOFS: usize = 8;
+
 /// Largest number of steps of a turn, or of half a period.
 const MAX_STEPS_PER_TURN: usize = 2_000;
 
@@ -72,43 +75,31 @@ impl LeapLimits {
         ((self.slip + lowest) / self.friction).min(self.allowed)
     }
 
-    /// Lower bound of σ η′ after a time, if the oscillating part is `lowest`.
-    fn left(&self, time: f64, lowest: f64) -> f64 {
-        self.slip - self.friction * time + lowest
-            - PROOF_MARGIN * (self.slip.abs() + self.friction * time + lowest.abs())
-    }
-
+    /// Whether σ η′ > 0, and the time is left, up to this time, if the oscillating part of σ η′ is at least `lowest`.
     fn holds(&self, time: f64, lowest: f64) -> bool {
-        time <= self.allowed && self.left(time, lowest) > 0.0
+        let lost = self.friction * time;
+        let margin = PROOF_MARGIN * (self.slip.abs() + lost + lowest.abs());
+        time <= self.allowed && self.slip - lost + lowest - margin > 0.0
     }
 }
 
-/// One turn, or half a period, by series.
+/// A turn, or a swing from a turning point to the next, in Taylor steps.
 struct Probe {
     time: f64,
     /// Minimum and maximum of θ′ (1 + h c + f h s).
     range: (f64, f64),
 }
 
-/// A point of the (θ, θ′) plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PhasePoint {
-    pub(super) theta: f64,
-    pub(super) rate: f64,
-}
-
 impl Probe {
-    /// Integrates the slide until `done` returns a time within a step; none if an event comes first.
-    fn new(
-        law: &SlidingLaw,
-        start: PhasePoint,
-        done: impl Fn(&SlideSeries, f64, PhasePoint) -> Option<f64>,
-    ) -> Option<Self> {
+    /// The turn from a start with θ′ ≠ 0, or the swing from one with θ′ = 0; none if an event comes first.
+    fn new(law: &SlidingLaw, start: PhasePoint) -> Option<Self> {
+        let travel = start.rate.signum();
+        let end = start.theta + TAU.copysign(travel);
         let mut probe = Self { time: 0.0, range: (f64::INFINITY, f64::NEG_INFINITY) };
         let mut here = start;
         for _ in 0..MAX_STEPS_PER_TURN {
             let (sin, cos) = libm::sincos(here.theta);
-            let mut series = SlideSeries::new(law, here.theta, here.rate, here.rate * law.lever(sin, cos));
+            let mut series = SlideSeries::new(law, here, here.rate * law.lever(sin, cos));
             series.slip[1] += law.friction;
             let width = series.reach(f64::INFINITY);
             if !(width > 0.0 && width.is_finite())
@@ -118,61 +109,37 @@ impl Probe {
                 return None;
             }
             probe.widen(&series.slip, width);
-            if let Some(at) = done(&series, width, here) {
-                probe.time += at;
+            let next = series.point(width);
+            let last = if start.rate == 0.0 {
+                (here.rate * next.rate < 0.0)
+                    .then(|| root(&series.theta_rate, 0.0, here.rate.signum(), width))
+            } else {
+                (travel * (next.theta - end) >= 0.0).then(|| root(&series.theta, end, -travel, width))
+            };
+            probe.time += last.unwrap_or(width);
+            if last.is_some() {
                 return Some(probe);
             }
-            probe.time += width;
-            here = PhasePoint { theta: value(&series.theta, width), rate: value(&series.theta_rate, width) };
-            if here.rate * start.rate < 0.0 {
-                return None;
-            }
+            here = next;
         }
         None
     }
 
-    fn turn(law: &SlidingLaw, start: PhasePoint) -> Option<Self> {
-        let travel = start.rate.signum();
-        Self::new(law, start, |series, width, _| {
-            let level = start.theta + TAU.copysign(travel);
-            let beyond = travel * (value(&series.theta, width) - level);
-            (beyond >= 0.0).then(|| root(&series.theta, level, -travel, width))
-        })
-    }
-
-    /// Half a period, from a turning point to the next.
-    fn swing(law: &SlidingLaw, theta: f64) -> Option<Self> {
-        Self::new(law, PhasePoint { theta, rate: 0.0 }, |series, width, here| {
-            let then = value(&series.theta_rate, width);
-            (here.rate * then < 0.0).then(|| root(&series.theta_rate, 0.0, here.rate.signum(), width))
-        })
-    }
-
     /// Extends the range by the values of a series on [0, width].
     fn widen(&mut self, series: &Series, width: f64) {
-        let mut swing = 0.0;
-        let mut slope = [0.0; DEGREE];
-        let mut order = DEGREE as f64;
-        for (slope, c) in slope.iter_mut().zip(&series[1..]).rev() {
-            swing = (swing + c.abs()) * width;
-            *slope = order * c;
-            order -= 1.0;
-        }
-        let mut take = |value: f64| self.range = (self.range.0.min(value), self.range.1.max(value));
-        take(series[0]);
-        take(value(series, width));
-        if series[0] - swing < self.range.0 || series[0] + swing > self.range.1 {
-            for at in Bernstein::from_taylor(&slope, width).sign_changes() {
-                self.range.0 = self.range.0.min(value(series, at * width));
-                self.range.1 = self.range.1.max(value(series, at * width));
-            }
+        let slope: [f64; DEGREE] = core::array::from_fn(|n| (n + 1) as f64 * series[n + 1]);
+        let extrema = Bernstein::from_taylor(&slope, width).sign_changes();
+        for at in extrema.into_iter().map(|at| at * width).chain([0.0, width]) {
+            let value = value(series, at);
+            self.range = (self.range.0.min(value), self.range.1.max(value));
         }
     }
 }
 
 #[derive(Clone, Debug)]
 enum Times {
-    Each(Vec<f64>),
+    /// Each takes the same time, after a time before.
+    Equal { before: f64, each: f64 },
     /// Coefficients of D(x) − D(−1) in powers of x.
     Smooth([f64; NODES + 1]),
 }
@@ -192,20 +159,13 @@ impl Stretch {
     fn time(&self, n: f64) -> f64 {
         let within = n - self.first;
         let passed = match &self.times {
-            Times::Each(ends) => match within as usize {
-                0 => 0.0,
-                many => ends.get(many - 1).copied().unwrap_or(f64::NAN),
-            },
+            Times::Equal { before, each } => before + within * each,
             Times::Smooth(powers) => {
                 let x = 2.0 * within / self.turns - 1.0;
                 powers.iter().rev().fold(0.0, |sum, c| sum * x + c)
             }
         };
         self.begin + passed
-    }
-
-    fn end(&self) -> f64 {
-        self.time(self.first + self.turns)
     }
 }
 
@@ -260,23 +220,6 @@ fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
     sum
 }
 
-/// The turns of a leap.
-#[derive(Clone, Debug)]
-struct Turns {
-    /// +1 or −1, the sign of θ′.
-    travel: f64,
-    /// Angle of the section, in the direction of travel.
-    section: f64,
-    turn: Turn,
-    /// ε at the beginning.
-    energy: f64,
-    /// Upper bound of the number of turns whose times can be summed.
-    most: f64,
-    stretches: Vec<Stretch>,
-    /// Number of turns that the leap skips.
-    count: f64,
-}
-
 /// The law in the direction of travel.
 fn in_travel_direction(law: &SlidingLaw, travel: f64) -> SlidingLaw {
     SlidingLaw { friction: travel * law.friction, ..*law }
@@ -287,9 +230,26 @@ pub(super) fn section_of(law: &SlidingLaw, travel: f64) -> f64 {
     travel * section(&in_travel_direction(law, travel))
 }
 
+/// The turns, or periods, that a leap passes.
+#[derive(Clone, Debug)]
+pub(super) struct Turns {
+    /// The sign of θ′; zero for the periods of a libration.
+    travel: f64,
+    /// Angle at the beginning of a turn, without whole turns.
+    theta: f64,
+    turn: Turn,
+    /// ε at the beginning.
+    energy: f64,
+    /// Upper bound of the number of turns whose times can be summed.
+    most: f64,
+    stretches: Vec<Stretch>,
+    /// Number of turns that are proved free of events.
+    pub(super) count: f64,
+}
+
 impl Turns {
-    /// [`Skipped::turns`].
-    fn new(law: &SlidingLaw, rate: f64, bounds: LeapLimits) -> Option<Self> {
+    /// The turns from the section with the rate θ′ that are proved free of events; none if fewer than [`MIN_LEAP_TURNS`].
+    pub(super) fn new(law: &SlidingLaw, rate: f64, bounds: LeapLimits) -> Option<Self> {
         let travel = rate.signum();
         let ahead = in_travel_direction(law, travel);
         let coarse = Turn::new(&ahead, None)?;
@@ -297,18 +257,32 @@ impl Turns {
         let most = most_turns(&ahead, &coarse, energy, bounds)?;
         let last = coarse.after(energy, most - 1.0);
         let turn = Turn::new(&ahead, Some((energy.min(last), energy.max(last))))?;
-        let mut turns =
-            Self { travel, section: section(&ahead), turn, energy, most, stretches: Vec::new(), count: 0.0 };
+        let theta = section_of(law, travel);
+        let mut turns = Self { travel, theta, turn, energy, most, stretches: Vec::new(), count: 0.0 };
         turns.count = turns.proved(law, bounds)?;
-        turns.stretches.retain(|stretch| stretch.first < turns.count);
         Some(turns)
+    }
+
+    /// The periods from a turning point that are proved free of events. The preceding swing had no event.
+    pub(super) fn periods(law: &SlidingLaw, theta: f64, bounds: LeapLimits) -> Option<Self> {
+        let swing = Probe::new(law, PhasePoint { theta, rate: 0.0 })?;
+        let period = 2.0 * swing.time;
+        // θ′ changes sign on the way back.
+        let lowest = swing.range.0.min(-swing.range.1);
+        let most = ((bounds.longest(lowest) / period).min(MAX_LEAP_TURNS) - 1.0).floor();
+        let is_proved =
+            |count: &f64| *count >= MIN_LEAP_TURNS && bounds.holds((count + 1.0) * period, lowest);
+        let count = [most, most - 1.0].into_iter().find(is_proved)?;
+        let times = Times::Equal { before: 0.0, each: period };
+        let stretches = vec![Stretch { first: 0.0, turns: count, begin: 0.0, times }];
+        Some(Self { travel: 0.0, theta, turn: Turn::still(1.0), energy: 0.0, most, stretches, count })
     }
 
     /// Number of turns that are proved free of events.
     fn proved(&mut self, law: &SlidingLaw, bounds: LeapLimits) -> Option<f64> {
         let side = law.friction.signum();
         let probe = |turns: &Self, n: f64| {
-            let probe = Probe::turn(law, turns.place(n))?;
+            let probe = Probe::new(law, turns.point(n))?;
             let quadrature = turns.turn.time(turns.energy_at(n));
             let same = (probe.time - quadrature).abs() <= MAX_TIME_MISMATCH * quadrature;
             same.then_some(if side > 0.0 { probe.range.0 } else { -probe.range.1 })
@@ -318,13 +292,12 @@ impl Turns {
         let first = if law.body.h * (1.0 + f * f).sqrt() < 1.0 { f64::INFINITY } else { probe(self, 0.0)? };
         // The minimum over the nodes exceeds the true minimum, by nearly the same amount in neighbouring turns.
         let mut excess = 0.0;
-        for _ in 0..8 {
-            let n = self.last(bounds, first, excess)?;
+        for _ in 0..MAX_PROOFS {
+            let n = self.last(bounds, first, excess);
             if n < MIN_LEAP_TURNS {
                 return None;
             }
-            let lowest = probe(self, n).map(|lowest| lowest.min(first));
-            let Some(lowest) = lowest else {
+            let Some(lowest) = probe(self, n).map(|lowest| lowest.min(first)) else {
                 // A lift-off in this turn.
                 self.most = n;
                 continue;
@@ -338,64 +311,47 @@ impl Turns {
         None
     }
 
-    /// The last turn that ends with σ η′ > 0, from the minimum over the nodes less `excess`; none if the first does not.
-    fn last(&mut self, bounds: LeapLimits, first: f64, excess: f64) -> Option<f64> {
-        let left = |turns: &Self, stretch: &Stretch, n: f64| {
+    /// The last turn that ends with σ η′ > 0, from the minimum over the nodes less `excess`; −1 if the first does not.
+    fn last(&mut self, bounds: LeapLimits, first: f64, excess: f64) -> f64 {
+        let holds = |turns: &Self, n: f64| {
             let lowest = turns.turn.lowest_slip(turns.energy_at(n)) - excess;
-            bounds.holds(stretch.time(n + 1.0), lowest.min(first))
+            bounds.holds(turns.time(n + 1.0), lowest.min(first))
         };
-        let mut index = 0;
         loop {
-            if index == self.stretches.len() && !self.extend() {
-                break;
+            let summed = self.stretches.last().map_or(0.0, |last| last.first + last.turns);
+            let is_over = summed > 0.0 && !holds(self, summed.min(self.most) - 1.0);
+            if is_over || summed >= self.most {
+                return last_of(-1.0, summed.min(self.most), |n| holds(self, n));
             }
-            let stretch = &self.stretches[index];
-            let end = (stretch.first + stretch.turns).min(self.most) - 1.0;
-            if end < stretch.first {
-                break;
-            }
-            if !left(self, stretch, end) {
-                let last = last_of(stretch.first - 1.0, end, |n| left(self, stretch, n));
-                return (last >= 0.0).then_some(last);
-            }
-            index += 1;
+            self.extend(summed);
         }
-        (self.most >= 1.0).then_some(self.most - 1.0)
     }
 
-    /// Adds a stretch; false if no turns are left.
-    fn extend(&mut self) -> bool {
-        let (first, begin) =
-            self.stretches.last().map_or((0.0, 0.0), |last| (last.first + last.turns, last.end()));
-        let left = self.most - first;
-        if left < 1.0 {
-            return false;
-        }
+    /// Adds a stretch, or some turns one by one, from turn `first`.
+    fn extend(&mut self, first: f64) {
+        let begin = self.time(first);
         // The minimum of u lies at the end of a turn if u decreases, and at its beginning if u increases.
         let falls = self.turn.beta() < 0.0;
         let least = self.energy_at(if falls { first + 1.0 } else { first });
         let then = if falls { least / MAX_ENERGY_RATIO } else { least * MAX_ENERGY_RATIO };
         let smooth = self.turn.turns(least, then).min(MAX_GROWTH / self.turn.kappa().abs());
-        let turns = smooth.min(left).floor();
-        let stretch = if turns > MAX_SINGLY_SUMMED as f64 {
+        let turns = smooth.min(self.most - first).floor();
+        if turns > MAX_SINGLY_SUMMED as f64 {
             let values = core::array::from_fn(|k| {
                 let x = libm::cos(PI * (2 * k + 1) as f64 / (2 * NODES) as f64);
                 self.turn.time(self.energy_at(first + 0.5 * ((x + 1.0) * turns - 1.0)))
             });
-            Stretch { first, turns, begin, times: Times::Smooth(sum_of_turns(&values, turns)) }
-        } else {
-            let mut ends = Vec::with_capacity(MAX_SINGLY_SUMMED);
-            let mut sum = 0.0;
-            let mut n = first;
-            while ends.len() < MAX_SINGLY_SUMMED && n < self.most {
-                sum += self.turn.time(self.energy_at(n));
-                ends.push(sum);
-                n += 1.0;
-            }
-            Stretch { first, turns: n - first, begin, times: Times::Each(ends) }
-        };
-        self.stretches.push(stretch);
-        true
+            let times = Times::Smooth(sum_of_turns(&values, turns));
+            self.stretches.push(Stretch { first, turns, begin, times });
+            return;
+        }
+        let mut before = 0.0;
+        for n in (0..MAX_SINGLY_SUMMED).map(|k| first + k as f64).take_while(|n| *n < self.most) {
+            let each = self.turn.time(self.energy_at(n));
+            let times = Times::Equal { before, each };
+            self.stretches.push(Stretch { first: n, turns: 1.0, begin, times });
+            before += each;
+        }
     }
 
     fn energy_at(&self, n: f64) -> f64 {
@@ -404,24 +360,34 @@ impl Turns {
 
     /// Time at the beginning of turn `n`.
     fn time(&self, n: f64) -> f64 {
-        let index = self.stretches.partition_point(|stretch| stretch.first < n).saturating_sub(1);
+        let index = self.stretches.partition_point(|stretch| stretch.first <= n).saturating_sub(1);
         self.stretches.get(index).map_or(0.0, |stretch| stretch.time(n))
     }
 
     /// Angle and rate at the beginning of turn `n`, without whole turns.
-    fn place(&self, n: f64) -> PhasePoint {
-        PhasePoint {
-            theta: self.travel * self.section,
-            rate: self.travel * self.turn.rate(self.energy_at(n)),
-        }
+    fn point(&self, n: f64) -> PhasePoint {
+        PhasePoint { theta: self.theta, rate: self.travel * self.turn.rate(self.energy_at(n)) }
     }
 
-    /// The last turn that begins at or before a time.
-    fn turn_at(&self, time: f64) -> f64 {
-        let index = self.stretches.partition_point(|stretch| stretch.begin <= time).saturating_sub(1);
-        let Some(stretch) = self.stretches.get(index) else { return 0.0 };
-        let end = (stretch.first + stretch.turns).min(self.count);
-        last_of(stretch.first, end, |n| stretch.time(n) <= time)
+    /// Time, angle and rate at the beginning of turn `n`, and the change of θ over the whole turns before.
+    pub(super) fn begin(&self, n: f64) -> (f64, PhasePoint, f64) {
+        (self.time(n), self.point(n), self.travel * n * TAU)
+    }
+
+    /// Angle and rate after a time within the leap, and the change of θ over the whole turns before.
+    pub(super) fn at(&self, law: &SlidingLaw, time: f64) -> (PhasePoint, f64) {
+        let (begin, mut here, gained) = self.begin(last_of(0.0, self.count, |n| self.time(n) <= time));
+        let mut left = time - begin;
+        for _ in 0..MAX_STEPS_PER_TURN {
+            let series = SlideSeries::new(law, here, 0.0);
+            let width = series.reach(f64::INFINITY).min(left);
+            here = series.point(width);
+            left -= width;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        (here, gained)
     }
 }
 
@@ -457,85 +423,4 @@ fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: LeapLimits) ->
     };
     let most = ends.min(MAX_LEAP_TURNS).floor();
     (most >= MIN_LEAP_TURNS).then_some(most)
-}
-
-/// The turns or periods that a leap skips.
-#[derive(Clone, Debug)]
-pub(super) struct Skipped {
-    pub(super) count: f64,
-    pub(super) duration: f64,
-    /// Change of θ.
-    pub(super) advance: f64,
-    /// Angle and rate at the end, without the change of θ.
-    pub(super) end: PhasePoint,
-    kind: SkippedKind,
-}
-
-#[derive(Clone, Debug)]
-enum SkippedKind {
-    Turns(Box<Turns>),
-    /// Periods of a libration from a turning point, each of this duration.
-    Periods(f64),
-}
-
-impl Skipped {
-    /// The turns from the section with the rate θ′ that are proved free of events; none if fewer than [`MIN_LEAP_TURNS`].
-    pub(super) fn turns(law: &SlidingLaw, rate: f64, bounds: LeapLimits) -> Option<Self> {
-        let turns = Turns::new(law, rate, bounds)?;
-        let count = turns.count;
-        Some(Self {
-            count,
-            duration: turns.time(count),
-            advance: turns.travel * count * TAU,
-            end: turns.place(count),
-            kind: SkippedKind::Turns(Box::new(turns)),
-        })
-    }
-
-    /// The periods from a turning point that are proved free of events. The preceding swing had no event.
-    pub(super) fn periods(law: &SlidingLaw, theta: f64, bounds: LeapLimits) -> Option<Self> {
-        let swing = Probe::swing(law, theta)?;
-        let period = 2.0 * swing.time;
-        // θ′ changes sign on the way back.
-        let lowest = swing.range.0.min(-swing.range.1);
-        let free = ((bounds.slip + lowest) / bounds.friction).min(bounds.allowed) / period;
-        let mut count = (free.min(MAX_LEAP_TURNS) - 1.0).floor();
-        if count >= MIN_LEAP_TURNS && !bounds.holds((count + 1.0) * period, lowest) {
-            count -= 1.0;
-        }
-        let proved = count >= MIN_LEAP_TURNS && bounds.holds((count + 1.0) * period, lowest);
-        let end = PhasePoint { theta, rate: 0.0 };
-        proved.then_some(Self {
-            count,
-            duration: period * count,
-            advance: 0.0,
-            end,
-            kind: SkippedKind::Periods(period),
-        })
-    }
-
-    /// Angle and rate after a time, and the change of θ over the whole turns before.
-    pub(super) fn place(&self, law: &SlidingLaw, time: f64) -> (PhasePoint, f64) {
-        let (begin, mut here, gained) = match &self.kind {
-            SkippedKind::Turns(turns) => {
-                let n = turns.turn_at(time);
-                (turns.time(n), turns.place(n), turns.travel * n * TAU)
-            }
-            SkippedKind::Periods(period) => {
-                let n = (time / period).floor().min(self.count - 1.0).max(0.0);
-                (n * period, self.end, 0.0)
-            }
-        };
-        let mut left = time - begin;
-        for _ in 0..MAX_STEPS_PER_TURN {
-            let series = SlideSeries::new(law, here.theta, here.rate, 0.0);
-            let width = series.reach(f64::INFINITY).min(left);
-            here = PhasePoint { theta: value(&series.theta, width), rate: value(&series.theta_rate, width) };
-            left -= width;
-            if left <= 0.0 {
-                break;
-            }
-        }
-        (here, gained)
-    }
 }

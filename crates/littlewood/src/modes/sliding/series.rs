@@ -22,6 +22,13 @@ const TRUNCATION_TOLERANCE: f64 = f64::EPSILON / 4.0;
 /// Maximum of the first steps: the series of a body at rest has no time scale.
 pub(super) const INITIAL_MAX_STEP: f64 = 16.0;
 
+/// A point of the (θ, θ′) plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PhasePoint {
+    pub(super) theta: f64,
+    pub(super) rate: f64,
+}
+
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlideSeries {
     pub(super) theta: Series,
@@ -53,7 +60,7 @@ fn convolve<const N: usize>(products: [(&Series, &Series); N], n: usize) -> [f64
 
 impl SlideSeries {
     /// Series about (θ, θ′, η′).
-    pub(super) fn new(law: &SlidingLaw, theta: f64, theta_rate: f64, slip: f64) -> Self {
+    pub(super) fn new(law: &SlidingLaw, PhasePoint { theta, rate }: PhasePoint, slip: f64) -> Self {
         let Heavy { mass: m, h, inertia, .. } = law.body;
         let friction = law.friction;
         let zero = [0.0; DEGREE + 1];
@@ -64,7 +71,7 @@ impl SlideSeries {
         let mut increment = zero;
 
         s.theta[0] = theta;
-        s.theta_rate[0] = theta_rate;
+        s.theta_rate[0] = rate;
         (sin[0], cos[0]) = libm::sincos(theta);
         let mut order = 0.0;
         for n in 0..=DEGREE {
@@ -99,6 +106,12 @@ impl SlideSeries {
         s.slip[0] = slip;
         s.slip[1] -= friction;
         s
+    }
+
+    /// Angle and rate after a time.
+    #[inline]
+    pub(super) fn point(&self, at: f64) -> PhasePoint {
+        PhasePoint { theta: value(&self.theta, at), rate: value(&self.theta_rate, at) }
     }
 
     /// Step of a balanced hoop, ℓ = 0. Its accelerations are constant and the series finite, so one step covers the slide up to
@@ -179,7 +192,7 @@ mod tests {
             let hoop = Hoop::new(HoopParameters::thin(m1).with_offset(offset).with_inertia(inertia).with_friction(mu, mu)).unwrap();
             let direction = if positive { Direction::Positive } else { Direction::Negative };
             let law = SlidingLaw::new(&hoop, direction).unwrap();
-            let series = SlideSeries::new(&law, theta, rate, 0.25);
+            let series = SlideSeries::new(&law, PhasePoint { theta, rate }, 0.25);
             let expected = law.accelerations(theta, rate);
             let size = 1.0 + rate * rate;
             prop_assert!((series.contact[0] - law.contact(theta, rate)).abs() < 1e-15 * size);

@@ -13,6 +13,8 @@
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
 
+use super::series::PhasePoint;
+
 /// Relative rounding error of a sum of products and of sines: sixteen roundings of ε/2.
 const SUM_ERROR: f64 = 8.0 * f64::EPSILON;
 
@@ -33,8 +35,7 @@ pub(super) enum Fate {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Approach<'a> {
     pub(super) law: &'a SlidingLaw,
-    pub(super) theta: f64,
-    pub(super) theta_rate: f64,
+    pub(super) place: PhasePoint,
     /// η′ − θ′ L.
     pub(super) rest: f64,
     /// Error bound of `rest`.
@@ -84,18 +85,18 @@ impl Zero {
 impl Approach<'_> {
     /// The outcome and the limit of θ′, from an earlier angle and rate at which the leading-order terms hold. None if
     /// rounding decides, or if P = 0 is not the cause.
-    pub(super) fn fate(&self, earlier: (f64, f64)) -> Option<(Fate, f64)> {
-        let Self { law, theta, theta_rate, rest, error } = *self;
+    pub(super) fn fate(&self, earlier: PhasePoint) -> Option<(Fate, f64)> {
+        let Self { law, place: PhasePoint { theta, rate }, rest, error } = *self;
         let (h, sigma) = (law.body.h, law.friction.signum());
-        let zero = Zero::near(law, theta).filter(|zero| zero.slope * theta_rate < 0.0)?;
+        let zero = Zero::near(law, theta).filter(|zero| zero.slope * rate < 0.0)?;
         let Zero { sin, cos, .. } = zero;
         let lever = law.lever(sin, cos);
         let sticks = Some((Fate::Sticks, -rest / lever));
-        let is_from_above = sigma * theta_rate < 0.0;
+        let is_from_above = sigma * rate < 0.0;
         if is_from_above && cos <= 0.0 {
             return sticks;
         }
-        let last = if is_from_above { -sigma / (h * cos).sqrt() } else { -theta_rate };
+        let last = if is_from_above { -sigma / (h * cos).sqrt() } else { -rate };
         let slip = sigma * (last * lever + rest);
         let tilt = if is_from_above { 0.5 * sin / cos } else { 0.0 };
         let by_angle = (last * (lever * tilt + h * (law.friction * cos - sin))).abs();
@@ -110,16 +111,15 @@ impl Approach<'_> {
     }
 
     /// Jam or lift-off, from λ and C.
-    fn without_force(&self, zero: &Zero, earlier: (f64, f64)) -> Option<Fate> {
+    fn without_force(&self, zero: &Zero, earlier: PhasePoint) -> Option<Fate> {
         let law = self.law;
         let Zero { sin, cos, slope, bend, .. } = *zero;
         let exponent = 2.0 * law.body.inertia * cos / (sin * slope);
-        let (theta, rate) = earlier;
-        let distance = (theta - self.theta - zero.ahead).abs();
+        let distance = (earlier.theta - self.place.theta - zero.ahead).abs();
         // The regular part of w, to first order.
         let tangent = sin.abs() / cos;
         let smooth = tangent / (1.0 - exponent);
-        let force = law.contact(theta, rate);
+        let force = law.contact(earlier.theta, earlier.rate);
         let next = distance * ((bend / slope).abs() + tangent + 1.0 / tangent);
         let doubt = SUM_ERROR * (1.0 + (1.0 - force).abs()) + smooth * (zero.error + distance * next);
         if exponent >= 1.0 || force - smooth * distance < -doubt {

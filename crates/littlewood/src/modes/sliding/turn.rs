@@ -23,7 +23,7 @@ use crate::model::Heavy;
 use super::panel::{NODES, Rule, largest};
 
 /// Largest number of panel halvings in a turn; only very light hoops would need more.
-const MAX_PANELS: usize = 160;
+const MAX_HALVINGS: usize = 160;
 
 /// Number of panels before any is halved.
 const INITIAL_PANELS: usize = 6;
@@ -74,92 +74,88 @@ impl Node {
     }
 }
 
-struct Sampled {
-    sin_cos: [(f64, f64); NODES],
-    lower: [f64; NODES],
-    inertia: [f64; NODES],
-    growth: [f64; NODES],
-    work: [f64; NODES],
+/// The coefficients of the linear map at an angle.
+#[derive(Clone, Copy, Default)]
+struct Sample {
+    /// ± lever.
+    lever: f64,
+    /// cos θs − cos θ.
+    lower: f64,
+    /// G.
+    inertia: f64,
+    /// d log A/dθ over f.
+    growth: f64,
+    /// −(de/dθ)/f of e₀.
+    work: f64,
 }
 
 impl Turn {
+    /// A turn that changes nothing.
+    pub(super) const fn still(section_inertia: f64) -> Self {
+        Self { kappa: 0.0, beta: 0.0, section_inertia, nodes: Vec::new(), top: (f64::NAN, f64::NAN) }
+    }
+
     /// The turn of a law in the direction of travel, accurate for times between two `energies`. None if P vanishes in the turn,
     /// or if it needs too many panels.
     pub(super) fn new(law: &SlidingLaw, energies: Option<(f64, f64)>) -> Option<Self> {
         let rule = Rule::get();
         let Heavy { mass, h, inertia, .. } = law.body;
+        let f = law.friction;
         let start = section(law);
         let sin_start = libm::sin(start);
-        let sign = if law.friction < 0.0 { -1.0 } else { 1.0 };
-        let mut turn = Self {
-            kappa: 0.0,
-            beta: 0.0,
-            section_inertia: inertia + mass * h * h * (sin_start * sin_start),
-            nodes: Vec::new(),
-            top: (f64::NAN, f64::NAN),
-        };
-        // A panel ends at the top.
+        let mut turn = Self::still(inertia + mass * h * h * (sin_start * sin_start));
+        // A panel ends at the top. Panels are taken from the end of the list.
         let to_top = if start > 0.0 { TAU - start } else { -start };
         let mut ends: Vec<f64> =
-            (0..=INITIAL_PANELS).map(|k| k as f64 / INITIAL_PANELS as f64 * TAU).collect();
-        if to_top > 0.0 {
-            ends.push(to_top);
-            ends.sort_by(f64::total_cmp);
-        }
+            (0..=INITIAL_PANELS).map(|k| k as f64 / INITIAL_PANELS as f64 * TAU).chain([to_top]).collect();
+        ends.sort_by(|a, b| b.total_cmp(a));
         let mut pending: Vec<(f64, f64)> =
-            ends.windows(2).rev().map(|pair| (pair[0], pair[1])).filter(|(a, b)| a < b).collect();
+            ends.windows(2).map(|pair| (pair[1], pair[0])).filter(|(a, b)| a < b).collect();
         // log A/f and the work −(e₀ − e₀(θs))/(f A) so far.
         let (mut growth, mut work) = (0.0, 0.0);
         // The largest values so far: near the bottom of a rim hoop both are small differences.
         let mut scale = (0.0_f64, 0.0_f64);
-        let f = law.friction;
         let value = |lower: f64, inertia: f64, growth: f64, work: f64| {
             let gain = libm::exp(f * growth);
             ((2.0 * mass * h * lower - f * gain * work) / inertia, gain / inertia)
         };
-        if to_top == 0.0 {
-            turn.top = value(0.0, inertia, 0.0, 0.0);
-        }
-        let mut panels = 0;
+        let mut halvings = 0;
         while let Some((left, right)) = pending.pop() {
             let (centre, half) = (0.5 * (left + right), 0.5 * (right - left));
-            let sampled = Sampled::new(law, start, rule.nodes.map(|x| centre + half * x))?;
-            scale = (scale.0.max(largest(&sampled.growth)), scale.1.max(largest(&sampled.work)));
-            let mut fine = rule.tail(&sampled.growth) <= MAP_TOLERANCE * scale.0
-                && rule.tail(&sampled.work) <= MAP_TOLERANCE * scale.1;
-            let mut nodes = [(0.0, 0.0); NODES];
-            let mut works = [0.0; NODES];
-            if fine {
-                let growths = rule.up_to(&sampled.growth).map(|sum| growth + half * sum);
-                for i in 0..NODES {
-                    works[i] = sampled.work[i] * libm::exp(-f * growths[i]);
-                }
-                fine = rule.tail(&works) <= MAP_TOLERANCE * scale.1.max(largest(&works));
-                let sums = rule.up_to(&works);
-                for i in 0..NODES {
-                    let (lower, inertia) = (sampled.lower[i], sampled.inertia[i]);
-                    nodes[i] = value(lower, inertia, growths[i], work + half * sums[i]);
-                }
-                for energy in energies.into_iter().flat_map(|(low, high)| [low, high]) {
-                    let slowness = nodes.map(|(base, gain)| 1.0 / (base + energy * gain).sqrt());
-                    fine &= rule.tail(&slowness) < TIME_TOLERANCE * largest(&slowness);
-                }
+            let mut samples = [Sample::default(); NODES];
+            for (sample, x) in samples.iter_mut().zip(rule.nodes) {
+                *sample = Sample::new(law, start, centre + half * x)?;
             }
-            if !fine {
-                panels += 1;
-                if panels > MAX_PANELS {
+            let growths = samples.map(|sample| sample.growth);
+            let growth_to = rule.up_to(&growths).map(|sum| growth + half * sum);
+            let works: [f64; NODES] =
+                core::array::from_fn(|i| samples[i].work * libm::exp(-f * growth_to[i]));
+            let work_to = rule.up_to(&works).map(|sum| work + half * sum);
+            let values: [(f64, f64); NODES] = core::array::from_fn(|i| {
+                value(samples[i].lower, samples[i].inertia, growth_to[i], work_to[i])
+            });
+            let plain_works = samples.map(|sample| sample.work);
+            scale = (scale.0.max(largest(&growths)), scale.1.max(largest(&plain_works)));
+            let is_resolved = |energy: f64| {
+                let slowness = values.map(|(base, gain)| 1.0 / (base + energy * gain).sqrt());
+                rule.tail(&slowness) < TIME_TOLERANCE * largest(&slowness)
+            };
+            let is_fine = rule.tail(&growths) <= MAP_TOLERANCE * scale.0
+                && rule.tail(&plain_works) <= MAP_TOLERANCE * scale.1
+                && rule.tail(&works) <= MAP_TOLERANCE * scale.1.max(largest(&works))
+                && energies.is_none_or(|(low, high)| is_resolved(low) && is_resolved(high));
+            if !is_fine {
+                halvings += 1;
+                if halvings > MAX_HALVINGS {
                     return None;
                 }
-                pending.push((centre, right));
-                pending.push((left, centre));
+                pending.extend([(centre, right), (left, centre)]);
                 continue;
             }
-            for (i, (base, gain)) in nodes.into_iter().enumerate() {
-                let (sin, cos) = sampled.sin_cos[i];
-                let (weight, lever) = (half * rule.weights[i], sign * law.lever(sin, cos));
-                turn.nodes.push(Node { weight, base, gain, lever });
+            for (i, (base, gain)) in values.into_iter().enumerate() {
+                turn.nodes.push(Node { weight: half * rule.weights[i], base, gain, lever: samples[i].lever });
             }
-            growth += half * rule.integral(&sampled.growth);
+            growth += half * rule.integral(&growths);
             work += half * rule.integral(&works);
             if right == to_top {
                 turn.top = value(lower_by(start, to_top), inertia, growth, work);
@@ -244,34 +240,19 @@ fn lower_by(start: f64, angle: f64) -> f64 {
     2.0 * libm::sin(start + 0.5 * angle) * libm::sin(0.5 * angle)
 }
 
-impl Sampled {
-    /// At angles relative to the section; none if P ≤ 0 at one of them.
-    fn new(law: &SlidingLaw, start: f64, angles: [f64; NODES]) -> Option<Self> {
+impl Sample {
+    /// At an angle relative to the section; none if P ≤ 0 there.
+    fn new(law: &SlidingLaw, start: f64, angle: f64) -> Option<Self> {
         let Heavy { mass, h, inertia: own, .. } = law.body;
-        let mut sampled = Self {
-            sin_cos: [(0.0, 0.0); NODES],
-            lower: [0.0; NODES],
-            inertia: [0.0; NODES],
-            growth: [0.0; NODES],
-            work: [0.0; NODES],
-        };
-        for (i, angle) in angles.into_iter().enumerate() {
-            let (sin, cos) = libm::sincos(start + angle);
-            let p = law.p(sin, law.q(1.0, sin, cos));
-            if p <= 0.0 {
-                return None;
-            }
-            let inertia = own + mass * h * h * (sin * sin);
-            let push = 2.0 * mass * own * (1.0 + h * cos) / p;
-            let load = h * cos / inertia;
-            let lower = lower_by(start, angle);
-            sampled.sin_cos[i] = (sin, cos);
-            sampled.lower[i] = lower;
-            sampled.inertia[i] = inertia;
-            sampled.growth[i] = push * load;
-            sampled.work[i] = push * (1.0 - 2.0 * mass * h * load * lower);
-        }
-        Some(sampled)
+        let (sin, cos) = libm::sincos(start + angle);
+        let p = law.p(sin, law.q(1.0, sin, cos));
+        let inertia = own + mass * h * h * (sin * sin);
+        let push = 2.0 * mass * own * (1.0 + h * cos) / p;
+        let load = h * cos / inertia;
+        let lower = lower_by(start, angle);
+        let lever = if law.friction < 0.0 { -law.lever(sin, cos) } else { law.lever(sin, cos) };
+        let work = push * (1.0 - 2.0 * mass * h * load * lower);
+        (p > 0.0).then_some(Self { lever, lower, inertia, growth: push * load, work })
     }
 }
 
