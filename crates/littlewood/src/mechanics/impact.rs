@@ -18,7 +18,7 @@
 
 use thiserror::Error;
 
-use crate::model::{Body, Direction, Heavy, Hoop, Restitution, RestitutionLaw, State, named};
+use crate::model::{Body, Direction, Heavy, Hoop, Restitution, RestitutionLaw, State, getters, named};
 
 /// The impulse of the plane on the body, in m2 √(gR).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,22 +105,18 @@ pub struct Impact {
     pub friction_work: f64,
 }
 
+getters! {
+    Impact, [self]:
+    /// Energy lost, in m2 g R. Newton's law can make it negative.
+    pub energy_lost: f64 = -(self.normal_work + self.friction_work);
+    /// Whether the impact increases the energy, which only Newton's law allows.
+    pub gains_energy: bool = self.energy_lost() < 0.0;
+}
+
 impl Impact {
     /// The state after the impact, from the state before it.
     pub(crate) fn state_after(&self, before: &State) -> State {
         State { theta_rate: self.after.theta_rate, slip: self.after.slip, ..*before }
-    }
-
-    /// Energy lost, in m2 g R. Newton's law can make it negative.
-    #[must_use]
-    pub fn energy_lost(&self) -> f64 {
-        -(self.normal_work + self.friction_work)
-    }
-
-    /// Whether the impact increases the energy, which only Newton's law allows.
-    #[must_use]
-    pub fn gains_energy(&self) -> bool {
-        self.energy_lost() < 0.0
     }
 }
 

@@ -1,5 +1,7 @@
 //! Dimensions, with the units of (2.9) and of the SI.
 
+use crate::model::getters;
+
 /// System of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum System {
@@ -40,6 +42,22 @@ pub enum Dimension {
     Inertia,
 }
 
+getters! {
+    Dimension, self:
+    /// Unit of (2.9) in plain letters; `1` for a ratio and an angle.
+    pub scale: &'static str = self.row().1[0];
+    /// Typeset unit of (2.9); empty for a ratio and an angle.
+    pub scale_sign: &'static str = self.row().1[1];
+    /// SI unit in plain letters; `1` for a ratio.
+    pub si_unit: &'static str = self.row().2[0];
+    /// Typeset SI unit; empty for a ratio.
+    pub si_sign: &'static str = self.row().2[1];
+    /// Suffix of the name of a quantity in SI units; empty for a ratio.
+    pub si_suffix: &'static str = self.row().2[2];
+    /// Twice the exponents of m2, R and g.
+    pub halves: [i8; 3] = self.row().0;
+}
+
 impl Dimension {
     /// Twice the exponents of m2, R and g; the unit of (2.9), plain and typeset; the SI unit, plain, typeset and as the
     /// suffix of a name.
@@ -61,47 +79,11 @@ impl Dimension {
         }
     }
 
-    /// Unit of (2.9) in plain letters; `1` for a ratio and an angle.
-    #[must_use]
-    pub const fn scale(self) -> &'static str {
-        self.row().1[0]
-    }
-
-    /// Typeset unit of (2.9); empty for a ratio and an angle.
-    #[must_use]
-    pub const fn scale_sign(self) -> &'static str {
-        self.row().1[1]
-    }
-
-    /// SI unit in plain letters; `1` for a ratio.
-    #[must_use]
-    pub const fn si_unit(self) -> &'static str {
-        self.row().2[0]
-    }
-
-    /// Typeset SI unit; empty for a ratio.
-    #[must_use]
-    pub const fn si_sign(self) -> &'static str {
-        self.row().2[1]
-    }
-
-    /// Suffix of the name of a quantity in SI units; empty for a ratio.
-    #[must_use]
-    pub const fn si_suffix(self) -> &'static str {
-        self.row().2[2]
-    }
-
     /// UDUNITS unit of a value in the system of (2.9): `rad` for an angle, else `1`. [`Dimension::scale`] is a separate
     /// attribute.
     #[must_use]
     pub const fn cf_unit(self) -> &'static str {
         if matches!(self, Self::Angle) { "rad" } else { "1" }
-    }
-
-    /// Twice the exponents of m2, R and g.
-    #[must_use]
-    pub const fn halves(self) -> [i8; 3] {
-        self.row().0
     }
 }
 

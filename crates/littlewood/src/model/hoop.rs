@@ -1,6 +1,8 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
-use crate::model::{Bound, MIN_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, within};
+use crate::model::{
+    Bound, MIN_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, getters, setters, within,
+};
 
 /// The unchecked parameters of a hoop. [`Hoop::new`] checks them.
 ///
@@ -48,29 +50,21 @@ impl HoopParameters {
         }
     }
 
-    /// The same hoop with the particle at this distance ℓ̂ from the centre.
-    #[must_use]
-    pub const fn with_offset(self, offset: f64) -> Self {
-        Self { offset, ..self }
-    }
-
-    /// The same hoop with this moment of inertia Î_zz of the disc about its centre.
-    #[must_use]
-    pub const fn with_inertia(self, inertia: f64) -> Self {
-        Self { inertia, ..self }
-    }
-
-    /// The same hoop with these coefficients of static and kinetic friction.
-    #[must_use]
-    pub const fn with_friction(self, mu_s: f64, mu_k: f64) -> Self {
-        Self { mu_s, mu_k, ..self }
-    }
-
     /// The same hoop with this coefficient and law of restitution: its motion continues after a landing.
     #[must_use]
     pub const fn with_restitution(self, coefficient: f64, law: RestitutionLaw) -> Self {
         Self { restitution: Some(coefficient), restitution_law: Some(law), ..self }
     }
+}
+
+setters! {
+    HoopParameters:
+    /// The same hoop with the particle at this distance ℓ̂ from the centre.
+    with_offset(offset: f64);
+    /// The same hoop with this moment of inertia Î_zz of the disc about its centre.
+    with_inertia(inertia: f64);
+    /// The same hoop with these coefficients of static and kinetic friction.
+    with_friction(mu_s: f64, mu_k: f64);
 }
 
 /// A hoop with checked parameters.
@@ -120,6 +114,30 @@ impl Restitution {
     pub fn new(coefficient: f64, law: RestitutionLaw) -> Result<Self, ParameterError> {
         Ok(Self { coefficient: Quantity::Restitution.check(coefficient)?, law })
     }
+}
+
+getters! {
+    Hoop, [self]:
+    /// The parameters.
+    pub parameters: HoopParameters = self.parameters;
+    /// Mass ratio m̂1 = m1/m2.
+    pub mass_ratio: f64 = self.parameters.mass_ratio;
+    /// Offset ℓ̂ = ℓ/R.
+    pub offset: f64 = self.parameters.offset;
+    /// Moment of inertia Î_zz of the disc about its centre.
+    pub inertia: f64 = self.parameters.inertia;
+    /// Coefficient of static friction μs.
+    pub mu_s: f64 = self.parameters.mu_s;
+    /// Coefficient of kinetic friction μk.
+    pub mu_k: f64 = self.parameters.mu_k;
+    /// The restitution of an impact; `None` if a motion ends at a landing.
+    pub restitution: Option<Restitution> = self.restitution;
+    /// The body with or without inertia.
+    pub body: Body = self.body;
+    /// Total mass m = 1 + m̂1.
+    pub mass: f64 = 1.0 + self.parameters.mass_ratio;
+    /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).
+    pub h: f64 = self.parameters.offset / self.mass();
 }
 
 impl Hoop {
@@ -184,72 +202,12 @@ impl Hoop {
         Self::new(HoopParameters::thin(1.0).with_friction(mu_s, mu_k))
     }
 
-    /// The parameters.
-    #[must_use]
-    pub const fn parameters(&self) -> HoopParameters {
-        self.parameters
-    }
-
-    /// Mass ratio m̂1 = m1/m2.
-    #[must_use]
-    pub const fn mass_ratio(&self) -> f64 {
-        self.parameters.mass_ratio
-    }
-
-    /// Offset ℓ̂ = ℓ/R.
-    #[must_use]
-    pub const fn offset(&self) -> f64 {
-        self.parameters.offset
-    }
-
-    /// Moment of inertia Î_zz of the disc about its centre.
-    #[must_use]
-    pub const fn inertia(&self) -> f64 {
-        self.parameters.inertia
-    }
-
-    /// Coefficient of static friction μs.
-    #[must_use]
-    pub const fn mu_s(&self) -> f64 {
-        self.parameters.mu_s
-    }
-
-    /// Coefficient of kinetic friction μk.
-    #[must_use]
-    pub const fn mu_k(&self) -> f64 {
-        self.parameters.mu_k
-    }
-
-    /// The restitution of an impact; `None` if a motion ends at a landing.
-    #[must_use]
-    pub const fn restitution(&self) -> Option<Restitution> {
-        self.restitution
-    }
-
     /// The same hoop with a restitution.
     ///
     /// # Errors
     /// A massless hoop.
     pub fn with_restitution(&self, restitution: Restitution) -> Result<Self, ParameterError> {
         Self::new(self.parameters.with_restitution(restitution.coefficient(), restitution.law()))
-    }
-
-    /// The body with or without inertia.
-    #[must_use]
-    pub const fn body(&self) -> Body {
-        self.body
-    }
-
-    /// Total mass m = 1 + m̂1.
-    #[must_use]
-    pub fn mass(&self) -> f64 {
-        1.0 + self.parameters.mass_ratio
-    }
-
-    /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).
-    #[must_use]
-    pub fn h(&self) -> f64 {
-        self.parameters.offset / self.mass()
     }
 }
 

@@ -1,6 +1,8 @@
 //! Limits of a simulation and the proofs that end it.
 
-use crate::model::{Body, Bound, Heavy, Hoop, ParameterError, Quantity, Start, State, named, within};
+use crate::model::{
+    Body, Bound, Heavy, Hoop, ParameterError, Quantity, Start, State, named, setters, within,
+};
 
 /// Largest length that one slide adds to the total: the solver skips whole turns of a longer one.
 const MAX_COUNTED_LENGTH: f64 = 32.0;
@@ -85,28 +87,16 @@ impl Limits {
     pub fn until(time: f64) -> Self {
         Self::default().with_until(Some(time))
     }
+}
 
+setters! {
+    Limits:
     /// The same limits with a time limit, or without one.
-    #[must_use]
-    pub const fn with_until(self, until: Option<f64>) -> Self {
-        Self { until, ..self }
-    }
-
+    with_until(until: Option<f64>);
     /// The same limits with a maximum number of transitions.
-    #[must_use]
-    pub const fn with_transitions(self, transitions: usize) -> Self {
-        Self { transitions, ..self }
-    }
-
+    with_transitions(transitions: usize);
     /// The same limits with a maximum total length of the slides.
-    #[must_use]
-    pub const fn with_slides(self, slides: usize) -> Self {
-        Self { slides, ..self }
-    }
-
+    with_slides(slides: usize);
     /// The same limits with these proofs.
-    #[must_use]
-    pub const fn with_proof(self, proof: Proof) -> Self {
-        Self { proof, ..self }
-    }
+    with_proof(proof: Proof);
 }

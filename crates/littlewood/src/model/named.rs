@@ -122,4 +122,49 @@ macro_rules! named {
     };
 }
 
-pub(crate) use named;
+/// Methods without arguments that return a part of an item: `name: Type = value`.
+macro_rules! getters {
+    (
+        $Type:ty, $receiver:tt:
+        $( $(#[$meta:meta])* $vis:vis $name:ident: $T:ty = $value:expr; )+
+    ) => {
+        impl $Type {
+            $( $crate::model::named::getter! { $receiver $(#[$meta])* $vis $name: $T = $value } )+
+        }
+    };
+}
+
+/// One of [`getters`], of `self` or, in brackets, of `&self`.
+macro_rules! getter {
+    ([$self:ident] $(#[$meta:meta])* $vis:vis $name:ident: $T:ty = $value:expr) => {
+        $(#[$meta])*
+        #[must_use]
+        $vis const fn $name(&$self) -> $T {
+            $value
+        }
+    };
+    ($self:ident $(#[$meta:meta])* $vis:vis $name:ident: $T:ty = $value:expr) => {
+        $(#[$meta])*
+        #[must_use]
+        $vis const fn $name($self) -> $T {
+            $value
+        }
+    };
+}
+
+/// Methods that return the same value with other fields.
+macro_rules! setters {
+    ($Type:ty: $( $(#[$meta:meta])* $name:ident($($field:ident: $T:ty),+); )+) => {
+        impl $Type {
+            $(
+                $(#[$meta])*
+                #[must_use]
+                pub const fn $name(self, $($field: $T),+) -> Self {
+                    Self { $($field,)+ ..self }
+                }
+            )+
+        }
+    };
+}
+
+pub(crate) use {getter, getters, named, setters};

@@ -6,7 +6,7 @@
 
 use core::fmt;
 
-use crate::model::{Dimension, Dimension as D, System, named};
+use crate::model::{Dimension, Dimension as D, System, getters, named};
 
 named! {
     /// A quantity that a user can set.
@@ -297,6 +297,25 @@ const fn row(
     QuantityRow { group, dimension, system, twin, symbol, sign, long_name, help, bounds, presence, usual }
 }
 
+getters! {
+    Quantity, self:
+    /// Bounds in addition to finiteness, in the order of the checks.
+    #[inline(always)]
+    pub bounds: &'static [Bound] = self.row().bounds;
+    /// Group.
+    pub group: Group = self.row().group;
+    /// Dimension.
+    pub dimension: Dimension = self.row().dimension;
+    /// Symbol of the paper, in plain letters.
+    pub symbol: &'static str = self.row().symbol;
+    /// Symbol of the paper, typeset.
+    pub sign: &'static str = self.row().sign;
+    /// Description.
+    pub long_name: &'static str = self.row().long_name;
+    /// Whether the quantity is in SI units. False for θ, μs and μk, which have the same values in both systems.
+    pub is_si: bool = matches!(self.row().system, System::Si);
+}
+
 impl Quantity {
     /// The dimensionless parameters of a hoop.
     pub const HOOP: [Self; 6] =
@@ -336,49 +355,6 @@ impl Quantity {
     /// The quantities of a start in SI units.
     pub const SI_START: [Self; 6] =
         [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::GapRateMPerS, Self::XM, Self::TimeS];
-
-    /// Bounds in addition to finiteness, in the order of the checks.
-    #[inline(always)]
-    #[must_use]
-    pub const fn bounds(self) -> &'static [Bound] {
-        self.row().bounds
-    }
-
-    /// Group.
-    #[must_use]
-    pub const fn group(self) -> Group {
-        self.row().group
-    }
-
-    /// Dimension.
-    #[must_use]
-    pub const fn dimension(self) -> Dimension {
-        self.row().dimension
-    }
-
-    /// Symbol of the paper, in plain letters.
-    #[must_use]
-    pub const fn symbol(self) -> &'static str {
-        self.row().symbol
-    }
-
-    /// Symbol of the paper, typeset.
-    #[must_use]
-    pub const fn sign(self) -> &'static str {
-        self.row().sign
-    }
-
-    /// Description.
-    #[must_use]
-    pub const fn long_name(self) -> &'static str {
-        self.row().long_name
-    }
-
-    /// Whether the quantity is in SI units. False for θ, μs and μk, which have the same values in both systems.
-    #[must_use]
-    pub const fn is_si(self) -> bool {
-        matches!(self.row().system, System::Si)
-    }
 
     /// Whether the quantity is a ratio, as the parameters of (2.9) are.
     const fn is_ratio(self) -> bool {

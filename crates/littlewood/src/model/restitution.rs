@@ -1,6 +1,6 @@
 //! Coefficient and law of restitution.
 
-use crate::model::named;
+use crate::model::{getters, named};
 
 named! {
     /// Definition of the coefficient of restitution. The default, the energetic law, never increases the energy.
@@ -26,16 +26,10 @@ pub struct Restitution {
     pub(super) law: RestitutionLaw,
 }
 
-impl Restitution {
+getters! {
+    Restitution, [self]:
     /// The coefficient e.
-    #[must_use]
-    pub const fn coefficient(&self) -> f64 {
-        self.coefficient
-    }
-
+    pub coefficient: f64 = self.coefficient;
     /// The law.
-    #[must_use]
-    pub const fn law(&self) -> RestitutionLaw {
-        self.law
-    }
+    pub law: RestitutionLaw = self.law;
 }

@@ -1,6 +1,6 @@
 //! The start of a motion and the state at an instant.
 
-use crate::model::{ParameterError, Quantity};
+use crate::model::{ParameterError, Quantity, setters};
 
 /// The initial condition of a motion, with the rim at the plane; dimensionless.
 ///
@@ -34,30 +34,6 @@ impl Start {
         Self { time: 0.0, theta, theta_rate, slip: 0.0, gap_rate: 0.0, x: 0.0 }
     }
 
-    /// The same start with a slip velocity η′.
-    #[must_use]
-    pub const fn with_slip(self, slip: f64) -> Self {
-        Self { slip, ..self }
-    }
-
-    /// The same start with this gap rate.
-    #[must_use]
-    pub const fn with_gap_rate(self, gap_rate: f64) -> Self {
-        Self { gap_rate, ..self }
-    }
-
-    /// The same start at another time τ.
-    #[must_use]
-    pub const fn with_time(self, time: f64) -> Self {
-        Self { time, ..self }
-    }
-
-    /// The same start at another position x.
-    #[must_use]
-    pub const fn with_x(self, x: f64) -> Self {
-        Self { x, ..self }
-    }
-
     /// The state, without the gap rate.
     pub(crate) const fn state(&self) -> State {
         let Self { time, theta, theta_rate, slip, gap_rate: _, x } = *self;
@@ -78,6 +54,18 @@ impl Start {
             x: Quantity::X.check(self.x)?,
         })
     }
+}
+
+setters! {
+    Start:
+    /// The same start with a slip velocity η′.
+    with_slip(slip: f64);
+    /// The same start with this gap rate.
+    with_gap_rate(gap_rate: f64);
+    /// The same start at another time τ.
+    with_time(time: f64);
+    /// The same start at another position x.
+    with_x(x: f64);
 }
 
 impl From<State> for Start {

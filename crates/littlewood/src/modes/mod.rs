@@ -15,7 +15,7 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 
-use crate::model::Mode;
+use crate::model::{Direction, Hoop, Mode, State};
 
 pub(crate) mod flight;
 pub(crate) mod gliding;
@@ -58,6 +58,35 @@ impl PhaseSolution {
             Self::Sliding(_) => Mode::Sliding,
             Self::Gliding(_) => Mode::Gliding,
             Self::Flight(_) => Mode::Flight,
+        }
+    }
+
+    /// Direction of slip; none for rolling and flight.
+    pub(crate) fn direction(&self) -> Option<Direction> {
+        match self {
+            Self::Sliding(slide) => Some(slide.direction()),
+            Self::Gliding(glide) => glide.direction(),
+            Self::Rolling(_) | Self::Flight(_) => None,
+        }
+    }
+
+    /// State after the time `elapsed`.
+    pub(crate) fn state(&self, elapsed: f64) -> State {
+        match self {
+            Self::Rolling(rolling) => rolling.state(elapsed),
+            Self::Sliding(slide) => slide.state(elapsed),
+            Self::Gliding(glide) => glide.state(elapsed),
+            Self::Flight(flight) => flight.state(elapsed),
+        }
+    }
+
+    /// Sample of a state after the time `elapsed`.
+    pub(crate) fn sample(&self, hoop: &Hoop, state: State, elapsed: f64) -> Sample {
+        match self {
+            Self::Rolling(rolling) => rolling.sample(hoop, state),
+            Self::Sliding(slide) => slide.sample(hoop, state),
+            Self::Gliding(glide) => glide.sample(hoop, state),
+            Self::Flight(flight) => flight.sample(hoop, state, flight.gap(elapsed)),
         }
     }
 }

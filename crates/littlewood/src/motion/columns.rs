@@ -1,6 +1,6 @@
 //! The columns of samples and summaries: name, dimension, description and value.
 
-use crate::model::{Dimension, Direction, Mode, State, named};
+use crate::model::{Dimension, Direction, Mode, State, getters, named};
 use crate::modes::Sample;
 use crate::motion::summary::Summary;
 use crate::walk::{OutcomeKind, PhaseSequence};
@@ -92,6 +92,16 @@ impl SampleValue {
     }
 }
 
+getters! {
+    SampleColumn, self:
+    /// Dimension; none for a code.
+    pub dimension: Option<Dimension> = self.row().0;
+    /// Printed symbol.
+    pub sign: &'static str = self.row().1;
+    /// Description.
+    pub long_name: &'static str = self.row().2;
+}
+
 impl SampleColumn {
     /// The value in a sample.
     #[must_use]
@@ -117,24 +127,6 @@ impl SampleColumn {
             Self::ParticleX => sample.particle.x,
             Self::ParticleY => sample.particle.y,
         })
-    }
-
-    /// Dimension; none for a code.
-    #[must_use]
-    pub const fn dimension(self) -> Option<Dimension> {
-        self.row().0
-    }
-
-    /// Printed symbol.
-    #[must_use]
-    pub const fn sign(self) -> &'static str {
-        self.row().1
-    }
-
-    /// Description.
-    #[must_use]
-    pub const fn long_name(self) -> &'static str {
-        self.row().2
     }
 
     /// Column name with the SI unit; none for a code.
@@ -223,6 +215,16 @@ enum Field<'a> {
     Real(&'a mut f64),
 }
 
+getters! {
+    SummaryColumn, self:
+    /// Type.
+    pub column_type: ColumnType = self.row().0;
+    /// Dimension; [`Dimension::Ratio`] for counts and codes.
+    pub dimension: Dimension = self.row().1;
+    /// Description.
+    pub long_name: &'static str = self.row().2;
+}
+
 impl SummaryColumn {
     const fn field(self, summary: &mut Summary) -> Field<'_> {
         Field::Real(match self {
@@ -244,24 +246,6 @@ impl SummaryColumn {
             Self::ImpactEnergyLost => &mut summary.impact_energy_lost,
             Self::SettleTime => &mut summary.settle_time,
         })
-    }
-
-    /// Type.
-    #[must_use]
-    pub const fn column_type(self) -> ColumnType {
-        self.row().0
-    }
-
-    /// Dimension; [`Dimension::Ratio`] for counts and codes.
-    #[must_use]
-    pub const fn dimension(self) -> Dimension {
-        self.row().1
-    }
-
-    /// Description.
-    #[must_use]
-    pub const fn long_name(self) -> &'static str {
-        self.row().2
     }
 
     /// The columns of real numbers and counts.

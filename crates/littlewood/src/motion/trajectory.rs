@@ -1,6 +1,6 @@
 //! A motion: its phases, the transitions between them, its outcome, and the state at any time.
 
-use crate::model::{Direction, Hoop, Mode, State};
+use crate::model::{Direction, Hoop, Mode, State, getters};
 use crate::modes::{Instant, PhaseSolution, Sample};
 use crate::walk::{Origin, Outcome, Transition};
 
@@ -17,33 +17,21 @@ pub struct Phase {
     pub(crate) ended_by: Option<usize>,
 }
 
-impl Phase {
+getters! {
+    Phase, [self]:
     /// Mode of motion.
-    #[must_use]
-    pub const fn mode(&self) -> Mode {
-        self.solution.mode()
-    }
+    pub mode: Mode = self.solution.mode();
+    /// The solution.
+    pub solution: &PhaseSolution = &self.solution;
+    /// State at the start.
+    pub start: State = self.origin.state(self.start);
+}
 
+impl Phase {
     /// Direction of slip; none for rolling and flight.
     #[must_use]
     pub fn direction(&self) -> Option<Direction> {
-        match &self.solution {
-            PhaseSolution::Sliding(slide) => Some(slide.direction()),
-            PhaseSolution::Gliding(glide) => glide.direction(),
-            PhaseSolution::Rolling(_) | PhaseSolution::Flight(_) => None,
-        }
-    }
-
-    /// The solution.
-    #[must_use]
-    pub const fn solution(&self) -> &PhaseSolution {
-        &self.solution
-    }
-
-    /// State at the start.
-    #[must_use]
-    pub const fn start(&self) -> State {
-        self.origin.state(self.start)
+        self.solution.direction()
     }
 
     /// State at the end; none for an endless phase. The rate is infinite if a gliding particle reaches
@@ -88,46 +76,28 @@ impl Phase {
     /// Energy lost to friction during the phase.
     #[must_use]
     pub fn energy_lost(&self) -> f64 {
-        match &self.solution {
-            PhaseSolution::Sliding(_) if self.hoop.mu_k() > 0.0 => {
-                self.last().map_or(0.0, |last| self.first().energy - last.energy)
-            }
-            PhaseSolution::Rolling(_)
-            | PhaseSolution::Sliding(_)
-            | PhaseSolution::Gliding(_)
-            | PhaseSolution::Flight(_) => 0.0,
+        if self.mode() != Mode::Sliding || self.hoop.mu_k() == 0.0 {
+            return 0.0;
         }
+        self.last().map_or(0.0, |last| self.first().energy - last.energy)
     }
 
     /// Whether the phase is gliding that is not the limit of sliding as the inertia of a heavy hoop vanishes.
     #[must_use]
     pub const fn is_outside_small_inertia_limit(&self) -> bool {
-        match &self.solution {
-            PhaseSolution::Gliding(glide) => !glide.is_small_inertia_limit(),
-            PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Flight(_) => false,
-        }
+        matches!(&self.solution, PhaseSolution::Gliding(glide) if !glide.is_small_inertia_limit())
     }
 
     /// The sample at the time `elapsed` after the start of the phase, clamped to the phase.
     #[must_use]
     pub fn sample(&self, elapsed: f64) -> Sample {
         let duration = self.duration();
-        let state = match (self.end, &self.solution) {
+        let state = match self.end {
             _ if elapsed <= 0.0 => self.start,
-            (Some(end), _) if elapsed >= duration => end,
-            (_, PhaseSolution::Rolling(rolling)) => rolling.state(elapsed),
-            (_, PhaseSolution::Sliding(slide)) => slide.state(elapsed),
-            (_, PhaseSolution::Gliding(glide)) => glide.state(elapsed),
-            (_, PhaseSolution::Flight(flight)) => flight.state(elapsed),
+            Some(end) if elapsed >= duration => end,
+            Some(_) | None => self.solution.state(elapsed),
         };
-        self.origin.sample(match &self.solution {
-            PhaseSolution::Rolling(rolling) => rolling.sample(&self.hoop, state),
-            PhaseSolution::Sliding(slide) => slide.sample(&self.hoop, state),
-            PhaseSolution::Gliding(glide) => glide.sample(&self.hoop, state),
-            PhaseSolution::Flight(flight) => {
-                flight.sample(&self.hoop, state, flight.gap(elapsed.clamp(0.0, duration)))
-            }
-        })
+        self.origin.sample(self.solution.sample(&self.hoop, state, elapsed.min(duration).max(0.0)))
     }
 
     /// The first sample.
@@ -155,19 +125,17 @@ pub struct Trajectory {
     pub(crate) outcome: Outcome,
 }
 
-impl Trajectory {
+getters! {
+    Trajectory, [self]:
     /// The hoop.
-    #[must_use]
-    pub const fn hoop(&self) -> &Hoop {
-        &self.hoop
-    }
-
+    pub hoop: &Hoop = &self.hoop;
     /// The start.
-    #[must_use]
-    pub const fn start(&self) -> State {
-        self.start
-    }
+    pub start: State = self.start;
+    /// The outcome.
+    pub outcome: Outcome = self.origin.outcome(self.outcome);
+}
 
+impl Trajectory {
     /// The phases in order; empty if no motion, or more than one, is consistent at the start.
     #[must_use]
     pub fn phases(&self) -> &[Phase] {
@@ -185,12 +153,6 @@ impl Trajectory {
     #[must_use]
     pub fn end_of(&self, phase: &Phase) -> Option<&Transition> {
         self.transitions.get(phase.ended_by?)
-    }
-
-    /// The outcome.
-    #[must_use]
-    pub const fn outcome(&self) -> Outcome {
-        self.origin.outcome(self.outcome)
     }
 
     /// Time at the end of the motion; infinite if the motion is endless and has no time limit.

@@ -4,7 +4,7 @@
 //! that motions take every edge.
 
 use crate::mechanics::Impact;
-use crate::model::{Direction, Mode, State, named};
+use crate::model::{Direction, Mode, State, getters, named};
 use crate::modes::RollingLimit;
 
 named! {
@@ -41,17 +41,12 @@ named! {
     }
 }
 
-impl Cause {
+getters! {
+    Cause, self:
     /// Label for tables and figures.
-    #[must_use]
-    pub const fn label(self) -> &'static str {
-        self.row().0
-    }
-
+    pub label: &'static str = self.row().0;
     /// Whether the motion stays in contact without an impact, so that its first integrals continue to hold.
-    pub(crate) const fn keeps_contact(self) -> bool {
-        self.row().1
-    }
+    pub(crate) keeps_contact: bool = self.row().1;
 }
 
 named! {

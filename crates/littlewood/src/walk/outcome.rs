@@ -1,6 +1,6 @@
 //! The outcome of a motion: as a number for arrays ([`OutcomeKind`]), and with its data ([`Outcome`]).
 
-use crate::model::{Detail, Dimension, State, named};
+use crate::model::{Detail, Dimension, State, getters, named};
 use crate::modes::{GrazingOrbit, Recurrence, SlideLimit};
 use crate::walk::{Candidates, Cause};
 
@@ -48,37 +48,21 @@ named! {
     }
 }
 
-impl OutcomeKind {
+getters! {
+    OutcomeKind, self:
     /// Label for tables and figures.
-    #[must_use]
-    pub const fn label(self) -> &'static str {
-        self.row().0
-    }
-
+    pub label: &'static str = self.row().0;
     /// Whether the outcome is final, and not a limit.
-    #[must_use]
-    pub const fn is_final(self) -> bool {
-        self.row().1
-    }
-
-    /// Whether the last phase has no end.
-    #[must_use]
-    pub const fn is_forever(self) -> bool {
-        matches!(self, Self::RollsForever | Self::SlidesForever)
-    }
-
-    /// Whether the motion ended at P ≤ 0 (Painlevé): no consistent motion, several, or a slide that reaches P = 0.
-    #[must_use]
-    pub const fn is_painleve(self) -> bool {
-        matches!(self, Self::Inconsistent | Self::Ambiguous | Self::Singular)
-    }
-
+    pub is_final: bool = self.row().1;
     /// The event with which the motion ends, its last transition; none if it ends without an event.
-    #[must_use]
-    pub const fn last_event(self) -> Option<Cause> {
-        self.row().2
-    }
+    pub last_event: Option<Cause> = self.row().2;
+    /// Whether the last phase has no end.
+    pub is_forever: bool = matches!(self, Self::RollsForever | Self::SlidesForever);
+    /// Whether the motion ended at P ≤ 0 (Painlevé): no consistent motion, several, or a slide that reaches P = 0.
+    pub is_painleve: bool = matches!(self, Self::Inconsistent | Self::Ambiguous | Self::Singular);
 }
+
+impl OutcomeKind {}
 
 /// The outcome of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::model::{Direction, Mode, named};
+use crate::model::{Direction, Mode, getters, named};
 
 named! {
     /// The code of a phase in a sequence: mode and direction of slip.
@@ -26,6 +26,14 @@ named! {
     }
 }
 
+getters! {
+    PhaseCode, self:
+    /// The mode and the direction of slip.
+    pub mode: (Mode, Option<Direction>) = self.row().0;
+    /// Meaning of the letter, for legends.
+    pub meaning: &'static str = self.row().1;
+}
+
 impl PhaseCode {
     /// The code of a mode and a direction of slip.
     #[must_use]
@@ -39,18 +47,6 @@ impl PhaseCode {
             (Mode::Gliding, None) => Self::GlidingWithoutSlip,
             (Mode::Flight, _) => Self::Flight,
         }
-    }
-
-    /// The mode and the direction of slip.
-    #[must_use]
-    pub const fn mode(self) -> (Mode, Option<Direction>) {
-        self.row().0
-    }
-
-    /// Meaning of the letter, for legends.
-    #[must_use]
-    pub const fn meaning(self) -> &'static str {
-        self.row().1
     }
 }
 
@@ -70,6 +66,16 @@ impl PhaseCode {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PhaseSequence(u64);
+
+getters! {
+    PhaseSequence, self:
+    /// The number stored in arrays, encoded as [`PhaseSequence::ENCODING`] describes.
+    pub bits: u64 = self.0;
+    /// Whether the sequence is empty: no motion was consistent at the start.
+    pub is_empty: bool = self.0 == 0;
+    /// Whether there were more phases than fit.
+    pub is_truncated: bool = self.0 & Self::OVERFLOW != 0;
+}
 
 impl PhaseSequence {
     /// Number of phases that fit.
@@ -97,12 +103,6 @@ impl PhaseSequence {
     #[must_use]
     pub const fn from_bits(bits: u64) -> Self {
         Self(bits)
-    }
-
-    /// The number stored in arrays, encoded as [`PhaseSequence::ENCODING`] describes.
-    #[must_use]
-    pub const fn bits(self) -> u64 {
-        self.0
     }
 
     /// Adds a phase.
@@ -138,18 +138,6 @@ impl PhaseSequence {
     pub const fn len(self) -> u32 {
         let used = u64::BITS - (self.0 & !Self::OVERFLOW).leading_zeros();
         used.div_ceil(Self::BITS)
-    }
-
-    /// Whether the sequence is empty: no motion was consistent at the start.
-    #[must_use]
-    pub const fn is_empty(self) -> bool {
-        self.0 == 0
-    }
-
-    /// Whether there were more phases than fit.
-    #[must_use]
-    pub const fn is_truncated(self) -> bool {
-        self.0 & Self::OVERFLOW != 0
     }
 
     /// The first phase, if any.

@@ -26,7 +26,7 @@ mod gap;
 
 use crate::math::trig::sincos;
 use crate::mechanics::energy;
-use crate::model::{Heavy, Hoop, Mode, State};
+use crate::model::{Heavy, Hoop, Mode, State, getters};
 use crate::modes::{Instant, Sample};
 
 use gap::{Bound, Gap};
@@ -60,6 +60,16 @@ pub struct Flight {
     apex: Option<Bound>,
     /// Whether the flight stands for infinitely many bounces, with a gap below 1e-14.
     settles: bool,
+}
+
+getters! {
+    Flight, [self]:
+    /// Whether the flight stands for infinitely many bounces after which the hoop settles.
+    pub settles: bool = self.settles;
+    /// Rate of the gap at the start.
+    pub take_off_rate: f64 = self.gap.rise * self.clock;
+    /// Time from the start of the flight to the landing.
+    pub duration: f64 = self.landing.at / self.clock;
 }
 
 impl Flight {
@@ -158,12 +168,6 @@ impl Flight {
         self.gap.rise > 0.0 && self.h * (self.start.theta_rate * self.start.theta_rate) <= 1.0
     }
 
-    /// Whether the flight stands for infinitely many bounces after which the hoop settles.
-    #[must_use]
-    pub const fn settles(&self) -> bool {
-        self.settles
-    }
-
     fn highest(&self) -> Bound {
         self.apex.unwrap_or_else(|| self.gap.only_apex(self.landing.at))
     }
@@ -171,18 +175,6 @@ impl Flight {
     /// Arguments of the landing and of the maximum of the gap.
     pub(crate) fn angles(&self) -> [f64; 2] {
         [self.landing.at, self.highest().at]
-    }
-
-    /// Rate of the gap at the start.
-    #[must_use]
-    pub fn take_off_rate(&self) -> f64 {
-        self.gap.rise * self.clock
-    }
-
-    /// Time from the start of the flight to the landing.
-    #[must_use]
-    pub fn duration(&self) -> f64 {
-        self.landing.at / self.clock
     }
 
     /// Rate of the gap at the landing.
