@@ -52,7 +52,7 @@ pub struct SiParameters {
 }
 
 /// A start, or a state, in SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SiState {
     /// Time t, s.
     pub time_s: f64,
@@ -168,52 +168,44 @@ impl SiSetup {
         value: impl Fn(Quantity) -> Option<f64>,
         restitution_law: Option<RestitutionLaw>,
     ) -> Self {
-        let number = |quantity| value(quantity).unwrap_or(f64::NAN);
-        Self {
-            hoop: SiParameters {
-                disc_mass_kg: number(Quantity::DiscMassKg),
-                particle_mass_kg: number(Quantity::ParticleMassKg),
-                radius_m: number(Quantity::RadiusM),
-                offset_m: number(Quantity::OffsetM),
-                inertia_kg_m2: number(Quantity::InertiaKgM2),
-                gravity_m_per_s2: number(Quantity::GravityMPerS2),
-                mu_s: number(Quantity::MuS),
-                mu_k: number(Quantity::MuK),
-                restitution: value(Quantity::Restitution),
-                restitution_law,
-            },
-            start: SiState {
-                time_s: number(Quantity::TimeS),
-                theta_rad: number(Quantity::Theta),
-                theta_rate_rad_per_s: number(Quantity::ThetaRateRadPerS),
-                slip_m_per_s: number(Quantity::SlipMPerS),
-                gap_rate_m_per_s: number(Quantity::GapRateMPerS),
-                x_m: number(Quantity::XM),
-            },
+        let hoop =
+            SiParameters { restitution: value(Quantity::Restitution), restitution_law, ..Default::default() };
+        let mut setup = Self { hoop, start: SiState::default() };
+        for quantity in Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START) {
+            if let Some(field) = setup.field(quantity) {
+                *field = value(quantity).unwrap_or(f64::NAN);
+            }
         }
+        setup
     }
 
     /// The value of a quantity; `None` for a limit and for dimensionless quantities with an SI twin.
     #[must_use]
-    pub const fn get(&self, quantity: Quantity) -> Option<f64> {
+    pub fn get(&self, quantity: Quantity) -> Option<f64> {
+        let mut copy = *self;
+        if quantity == Quantity::Restitution { self.hoop.restitution } else { copy.field(quantity).copied() }
+    }
+
+    /// The field of a quantity; `None` for the coefficient of restitution, too, which may be absent.
+    const fn field(&mut self, quantity: Quantity) -> Option<&mut f64> {
         let Self { hoop, start } = self;
         Some(match quantity {
-            Quantity::DiscMassKg => hoop.disc_mass_kg,
-            Quantity::ParticleMassKg => hoop.particle_mass_kg,
-            Quantity::RadiusM => hoop.radius_m,
-            Quantity::OffsetM => hoop.offset_m,
-            Quantity::InertiaKgM2 => hoop.inertia_kg_m2,
-            Quantity::GravityMPerS2 => hoop.gravity_m_per_s2,
-            Quantity::MuS => hoop.mu_s,
-            Quantity::MuK => hoop.mu_k,
-            Quantity::Restitution => return hoop.restitution,
-            Quantity::Theta => start.theta_rad,
-            Quantity::ThetaRateRadPerS => start.theta_rate_rad_per_s,
-            Quantity::SlipMPerS => start.slip_m_per_s,
-            Quantity::GapRateMPerS => start.gap_rate_m_per_s,
-            Quantity::XM => start.x_m,
-            Quantity::TimeS => start.time_s,
-            Quantity::MassRatio
+            Quantity::DiscMassKg => &mut hoop.disc_mass_kg,
+            Quantity::ParticleMassKg => &mut hoop.particle_mass_kg,
+            Quantity::RadiusM => &mut hoop.radius_m,
+            Quantity::OffsetM => &mut hoop.offset_m,
+            Quantity::InertiaKgM2 => &mut hoop.inertia_kg_m2,
+            Quantity::GravityMPerS2 => &mut hoop.gravity_m_per_s2,
+            Quantity::MuS => &mut hoop.mu_s,
+            Quantity::MuK => &mut hoop.mu_k,
+            Quantity::Theta => &mut start.theta_rad,
+            Quantity::ThetaRateRadPerS => &mut start.theta_rate_rad_per_s,
+            Quantity::SlipMPerS => &mut start.slip_m_per_s,
+            Quantity::GapRateMPerS => &mut start.gap_rate_m_per_s,
+            Quantity::XM => &mut start.x_m,
+            Quantity::TimeS => &mut start.time_s,
+            Quantity::Restitution
+            | Quantity::MassRatio
             | Quantity::Offset
             | Quantity::Inertia
             | Quantity::ThetaRate

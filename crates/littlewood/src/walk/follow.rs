@@ -327,22 +327,6 @@ fn follow<T: Solver, R: Recorder<T::Solution>>(
     (recorder, pending): (&mut R, &mut Option<Event>),
     range: Option<&mut Option<(f64, f64)>>,
 ) -> Result<EventWithImpact, T::Verdict> {
-    follow_phase(solver, now, (recorder, pending), range).map_err(|(last, verdict)| {
-        if let Some(event) = last {
-            recorder.transition(&event, None, None);
-        }
-        verdict
-    })
-}
-
-/// [`follow`] without recording the event that ends the motion; returns this event, if any, with the outcome.
-#[inline(always)]
-fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
-    solver: &T,
-    now: &mut Current<T::Place>,
-    (recorder, pending): (&mut R, &mut Option<Event>),
-    range: Option<&mut Option<(f64, f64)>>,
-) -> Result<EventWithImpact, (Option<Event>, T::Verdict)> {
     now.slips = None;
     let place = &now.place;
     let state = T::state(place);
@@ -357,11 +341,11 @@ fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
         Begin::Motion(Next::None(candidates)) => {
             flush(recorder, pending, None);
             let inconsistent = Outcome::Inconsistent { state, candidates: **candidates };
-            return leads_on(jam(solver, now, None, state), (None, inconsistent));
+            return leads_on(recorder, jam(solver, now, None, state), (None, inconsistent));
         }
         Begin::Motion(Next::Several(candidates)) => {
             flush(recorder, pending, None);
-            return Err((None, Outcome::Ambiguous { state, candidates: **candidates }.into()));
+            return Err(Outcome::Ambiguous { state, candidates: **candidates }.into());
         }
     };
     let Solved { solution, direction, mut ending } = solved;
@@ -378,35 +362,41 @@ fn follow_phase<T: Solver, R: Recorder<T::Solution>>(
             Ok((continues(solver, now, (mode, direction), reached, (cause, arrival)), None))
         }
         Ending::Motion { event, end: _, verdict } => {
-            Err((event.map(|(cause, before)| Event::new(before, mode, cause)), verdict))
+            if let Some((cause, before)) = event {
+                recorder.transition(&Event::new(before, mode, cause), None, None);
+            }
+            Err(verdict)
         }
         Ending::Settled { state: end, settling } => Ok(settles(solver, now, end, &settling)),
         Ending::Landing { state, gap_rate } => {
-            let last = Event::new(state, mode, Cause::Landing);
-            leads_on(lands(solver, now, state, gap_rate), (Some(last), Outcome::Landing { state, gap_rate }))
+            let last = (Some(Event::new(state, mode, Cause::Landing)), Outcome::Landing { state, gap_rate });
+            leads_on(recorder, lands(solver, now, state, gap_rate), last)
         }
         Ending::Singular { state, solvability } => {
-            let last = Event::new(state, mode, Cause::Singularity);
-            leads_on(
-                jam(solver, now, Some(mode), state),
-                (Some(last), Outcome::Singular { state, solvability }),
-            )
+            let event = Event::new(state, mode, Cause::Singularity);
+            let last = (Some(event), Outcome::Singular { state, solvability });
+            leads_on(recorder, jam(solver, now, Some(mode), state), last)
         }
     }
 }
 
 /// The event of an impact. The motion ends before the impact if the state after it is not representable, and ends with `outcome` if
-/// there is no impact.
+/// there is no impact; records the event that ends it.
 #[inline(always)]
-fn leads_on<V: From<Outcome>>(
+fn leads_on<S, V: From<Outcome>>(
+    recorder: &mut impl Recorder<S>,
     rebound: Option<Rebound>,
     (last, outcome): (Option<Event>, Outcome),
-) -> Result<EventWithImpact, (Option<Event>, V)> {
-    match rebound {
-        Some(Ok(happening)) => Ok(happening),
-        Some(Err(event)) => Err((Some(event), Outcome::Unresolved { state: event.state }.into())),
-        None => Err((last, outcome.into())),
+) -> Result<EventWithImpact, V> {
+    let (last, outcome) = match rebound {
+        Some(Ok(happening)) => return Ok(happening),
+        Some(Err(event)) => (Some(event), Outcome::Unresolved { state: event.state }),
+        None => (last, outcome),
+    };
+    if let Some(event) = last {
+        recorder.transition(&event, None, None);
     }
+    Err(outcome.into())
 }
 
 /// Corrects the place at which a slide comes to rest, and its arrival, by the conserved quantities.
@@ -441,22 +431,13 @@ fn continues<T: Solver>(
     let state = T::state(&now.place);
     now.begin = Begin::Motion(solver.decide(&now.place, arrival));
     let begin = &now.begin;
-    now.limit = match (arrival, begin.mode()) {
-        (Arrival::RollingLimit(RollingLimit::Friction(direction)), Some(Mode::Sliding)) => {
-            LastSlip::out_of_rolling(solver.hoop(), state, direction)
+    // Only a slide begins with a known direction.
+    (now.limit, now.slips) = match (arrival, begin.direction()) {
+        (Arrival::RollingLimit(RollingLimit::Friction(out)), Some(direction)) => {
+            (LastSlip::out_of_rolling(solver.hoop(), state, out), Some(direction))
         }
-        (_, Some(Mode::Sliding)) => now.limit,
-        (_, Some(Mode::Rolling | Mode::Gliding | Mode::Flight) | None) => None,
-    };
-    now.slips = match arrival {
-        Arrival::RollingLimit(RollingLimit::Friction(_)) if begin.mode() == Some(Mode::Sliding) => {
-            begin.direction()
-        }
-        Arrival::RollingLimit(_)
-        | Arrival::Open
-        | Arrival::GlideAtRest { .. }
-        | Arrival::BackOnLimit(_)
-        | Arrival::LiftOff => None,
+        (_, Some(_)) => (now.limit, None),
+        (_, None) => (None, None),
     };
     // The next motion distinguishes stick, graze, reversal and lift-off.
     let cause = match (cause, begin.mode()) {

@@ -261,13 +261,29 @@ impl Slips<'_> {
     /// Adds an event; returns the outcome if the motion slips for ever.
     fn add(&mut self, hoop: &Hoop, event: &Event) -> Option<Outcome> {
         let Event { state, cause, to, .. } = *event;
-        if (cause, to) == (Cause::Slip, Some(Mode::Sliding)) {
-            self.begins(&state);
-            return None;
-        }
-        let slip = self.slip.take();
+        let slip = match cause {
+            Cause::Slip if to == Some(Mode::Sliding) => {
+                self.begins(&state);
+                return None;
+            }
+            Cause::Stick if to == Some(Mode::Rolling) => self.slip,
+            Cause::Slip
+            | Cause::NormalForceZero
+            | Cause::Stick
+            | Cause::Reversal
+            | Cause::Graze
+            | Cause::LiftOff
+            | Cause::Landing
+            | Cause::ParticleAtPlane
+            | Cause::ParticleAtBottom
+            | Cause::ParticleAtTop
+            | Cause::Singularity
+            | Cause::Settle
+            | Cause::Jam => None,
+        };
+        self.slip = None;
         let before = self.confirmed.take();
-        let slip = slip.filter(|_| (cause, to) == (Cause::Stick, Some(Mode::Rolling)))?;
+        let slip = slip?;
         let energy = self.law.energy(state.theta, state.theta_rate);
         let orbit = self.levels(hoop)?.attracting(hoop, slip.energy, energy)?;
         self.confirmed = Some(slip);
