@@ -49,9 +49,10 @@ fn is_clearly_positive(body: &Heavy, mu: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::{Hoop, HoopParameters, Start, State};
     use core::f64::consts::PI;
 
-    /// Inertias close to the lower bound of P, on both sides, are included.
+    /// Inertias close to the lower bound of P, on both sides, are included. No lift-off is proved as far up as P is positive.
     #[test]
     fn the_lowest_zero_is_the_first_on_the_way_up() {
         let (mut with, mut without) = (0, 0);
@@ -74,6 +75,13 @@ mod tests {
                         without += 1;
                         continue;
                     };
+                    let parameters = HoopParameters::thin(0.0).with_offset(h).with_inertia(body.inertia);
+                    let hoop = Hoop::new(parameters.with_friction(mu, mu)).unwrap();
+                    // At rest E = ℓ̂ cos θ.
+                    let is_proved =
+                        |cos: f64| hoop.never_lifts_off(&State::from(Start::at(libm::acos(cos), 0.0)));
+                    assert!(is_proved((lowest - 1e-3).max(-1.0)), "{body:?} {mu}");
+                    assert!(!is_proved((lowest + 1e-3).min(1.0)), "{body:?} {mu}");
                     if let Some(theta) = seen {
                         with += 1;
                         assert!(

@@ -91,31 +91,3 @@ fn turns_too_slowly(body: &Heavy, energy: f64, needed: f64) -> bool {
     excess[0] += ENERGY_ROUNDING * size;
     Bernstein::from_taylor(&excess, 2.0).negated().first_crossing().is_none()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mechanics::solvability::solvability;
-    use crate::model::{HoopParameters, Start};
-
-    #[test]
-    fn no_lift_off_is_proved_as_far_up_as_p_is_positive() {
-        for (mass_ratio, offset, inertia, mu) in
-            [(0.2, 0.5, 0.02, 3.0), (0.1, 0.7, 0.03, 1.5), (0.2, 1.0, 0.1, 1.4)]
-        {
-            let parameters = HoopParameters::thin(mass_ratio)
-                .with_offset(offset)
-                .with_inertia(inertia)
-                .with_friction(mu, mu);
-            let hoop = Hoop::new(parameters).unwrap();
-            let Body::Heavy(body) = hoop.body() else { unreachable!("has inertia") };
-            let zeros = solvability(&body, mu).0.sign_changes();
-            let lowest = zeros.into_iter().map(libm::cos).fold(f64::INFINITY, f64::min);
-            assert!(lowest > -0.998 && lowest < 0.998, "{lowest}");
-            // At rest E = ℓ̂ cos θ.
-            let at_rest = |cos: f64| State::from(Start::at(libm::acos(cos), 0.0));
-            assert!(hoop.never_lifts_off(&at_rest(lowest - 1e-3)), "{lowest}");
-            assert!(!hoop.never_lifts_off(&at_rest(lowest + 1e-3)), "{lowest}");
-        }
-    }
-}
