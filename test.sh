@@ -1,37 +1,49 @@
 #!/usr/bin/env bash
-# Passes all tests on a fresh machine that has Rust, Python 3.11 and node 20: format, lints, documentation, tests of the
-# crates, of the Python package, of the solvers that are scored, of the studies, of the web page and of the documentation. On Debian, as
-# root, it installs Chromium. At its end it counts, and says what took how long.
-set -euo pipefail
-cd "$(dirname "$0")"
-export RUSTDOCFLAGS="-D warnings"
+# Tests on a fresh machine that has Rust, Python 3.11 and node 20; on Debian, as root, it installs Chromium.
+#
+#   ./test.sh                   the product: format, lints, documentation, tests of the crates (the certified motions among them), of the Python
+#                               package, of the page and of the site; at most ten minutes on two idle cores
+#   ./test.sh --all             everything, the evidence too, and the fuzzers for longer
+#   ./test.sh STAGE ARGUMENT…   one stage; `./test.sh --list` has all of them
+#
+# At its end it counts, and says what took how long.
+source "$(dirname "$0")/scripts/common.sh"
+source scripts/stages.sh
+
+stage_names() { sed -n 's/^stage_\([a-z-]*\)() {.*/\1/p' scripts/stages.sh; }
+
+case "${1:-}" in
+  "" | --all) ;;
+  --list)
+    sed -n 's/^stage_\([a-z-]*\)() { # \(.*\)/\1\t\2/p' scripts/stages.sh | expand -t 16
+    exit
+    ;;
+  *)
+    stage_names | grep -qx -- "$1" || { echo "error: no stage '$1': there are $(stage_names | paste -sd' ')" >&2 && exit 2; }
+    "stage_$1" "${@:2}"
+    exit
+    ;;
+esac
+
 # Backtraces with lines would take half a minute of compiling; the place of a panic is named without.
 export CARGO_PROFILE_DEV_DEBUG="${CARGO_PROFILE_DEV_DEBUG:-0}"
 # Nothing here is built a second time, so that what a second build would need need not be kept.
 export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}"
-# The same random cases every time; another seed, or none, explores others.
-export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-2019}"
-# The fuzzers, for a minute together instead of a moment: a sixth of it for the page's links, which are read in microseconds.
-export LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-60}"
-# One set of features throughout, so that clippy, rustdoc and the tests share what they build; and the program that the tests
-# of Python and of the page compare with is that of the tests of Rust.
-everything=(--workspace --all-features --locked)
-built="${CARGO_TARGET_DIR:-$PWD/target}/debug"
+# Seconds of the fuzzers together; a sixth of them for the page's links, which are read in microseconds.
+fuzz="${LITTLEWOOD_FUZZ_SECONDS:-$([ "${1:-}" = --all ] && echo 60 || echo 18)}"
 logs="$(mktemp -d)"
 beside=()
 trap 'rm -rf "$logs"; [ "${#beside[@]}" = 0 ] || kill "${beside[@]}" 2>/dev/null' EXIT
 
-# stage NAME COMMAND…: runs it, keeps what it prints, and notes the seconds.
+# stage NAME: runs it, keeps what it prints, and notes its seconds, and those of processors.
 stage() {
-  local name="$1" begin="$SECONDS"
-  shift
-  "$@" 2>&1 | tee "$logs/$name.log"
-  echo "  $name: $((SECONDS - begin)) s" >> "$logs/seconds"
+  local TIMEFORMAT="  $1: %0R s, %0U + %0S s of processors"
+  { time "stage_$1" 2>&1 | tee "$logs/$1.log"; } 2>>"$logs/seconds"
 }
 
-# begin_beside COMMAND: runs it beside what follows, and keeps what it prints until end_beside.
+# begin_beside STAGE…: runs them, one after the other, beside what follows, and keeps what they print until end_beside.
 begin_beside() {
-  "$@" > "$logs/beside-${#beside[@]}" 2>&1 &
+  (for name in "$@"; do stage "$name"; done) >"$logs/beside-${#beside[@]}" 2>&1 &
   beside+=("$!")
 }
 end_beside() {
@@ -44,47 +56,19 @@ end_beside() {
   return "$code"
 }
 
-# The program of the README's first command has none of the features: it builds, and says what it lacks.
-without_features() {
-  LITTLEWOOD_WITHOUT_FEATURES="$built/littlewood-without-features" \
-    cargo test "${everything[@]}" --test all -- --ignored --exact features::a_program_without_features_names_them
-}
-
-# Chromium, and packages of Python and npm.
-environments() {
-  python/environment.sh
-  docs/environment.sh
-  web/environment.sh
-}
-
-# The wheel, and its tests; it is packed long before the tests of Rust are through.
-with_wheel() {
-  stage wheel python/build.sh
-  LITTLEWOOD_WHEEL="$(wheel)" stage python python/test.sh
-  stage engines evidence/engines/test.sh
-}
-
-wheel() {
-  echo "$built"/../python/dist/littlewood-*.whl
-}
-
-begin_beside stage environments environments
-stage format cargo fmt --all --check
-stage first-command cargo build --package littlewood-cli --locked
-cp "$built/littlewood" "$built/littlewood-without-features"
-stage clippy cargo clippy "${everything[@]}" --all-targets -- -D warnings
-stage rustdoc cargo doc "${everything[@]}" --no-deps
-stage build cargo test "${everything[@]}" --no-run
+begin_beside environments
+for name in format first-command clippy rustdoc; do stage "$name"; done
 end_beside
+stage build
+export LITTLEWOOD_BUILT=1
 
-export LITTLEWOOD_BIN="$built/littlewood" LITTLEWOOD_BITS="$built/examples/bits"
-links=$((LITTLEWOOD_FUZZ_SECONDS / 6))
-begin_beside with_wheel
-LITTLEWOOD_FUZZ_SECONDS=$((LITTLEWOOD_FUZZ_SECONDS - links)) stage rust cargo test "${everything[@]}" --no-fail-fast
-stage without-features without_features
-begin_beside stage studies evidence/studies/test.sh
-LITTLEWOOD_FUZZ_SECONDS="$links" stage page web/test.sh
-LITTLEWOOD_WHEEL="$(wheel)" stage documentation docs/test.sh
+python_side=(python)
+[ "${1:-}" != --all ] || python_side+=(evidence)
+begin_beside "${python_side[@]}"
+LITTLEWOOD_FUZZ_SECONDS=$((fuzz * 5 / 6)) stage rust
+stage without-features
+LITTLEWOOD_FUZZ_SECONDS=$((fuzz / 6)) stage page
+stage documentation
 end_beside
 
 echo

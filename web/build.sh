@@ -1,9 +1,37 @@
 #!/usr/bin/env bash
 # Builds the laboratory into web/dist: a folder for any static host, and what `littlewood lab` has in it when the program
-# is built after this; and, as one file, into the Python package, for notebooks. Needs Rust with WebAssembly (see build-wasm.sh), node 20 and npm.
-set -euo pipefail
-cd "$(dirname "$0")"
+# is built after this; and, as one file, into the Python package, for notebooks. `web/build.sh wasm` builds the core alone, into web/src/wasm.
+#
+# Needs node 20 and npm, and Rust for WebAssembly: rustup's target wasm32-unknown-unknown, where it is installed. Where it cannot be installed,
+# Debian's compiler (packages rustc-web and rust-web-src) builds its own standard library instead; rustup's rust-lld links.
+source "$(dirname "$0")/../scripts/common.sh"
 
-./build-wasm.sh
-./packages.sh
-npm run build
+wasm=wasm32-unknown-unknown
+flags=(build --locked --profile web --target "$wasm" -p littlewood-web)
+debian=/usr/bin/rustc
+debian_source=/usr/lib/rustlib/src/rust/library/std
+[ -d "$debian_source" ] || debian_source="$("$debian" --print sysroot 2>/dev/null || true)/lib/rustlib/src/rust/library/std"
+
+if [ -d "$(rustc --print sysroot)/lib/rustlib/$wasm" ]; then
+  cargo "${flags[@]}"
+elif [ -x "$debian" ] && [ -d "$debian_source" ]; then
+  linker="$(rustc --print sysroot)/lib/rustlib/$(rustc -vV | sed -n 's/^host: //p')/bin/rust-lld"
+  CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER="$linker" RUSTC="$debian" RUSTC_BOOTSTRAP=1 \
+    cargo -Zbuild-std=std,panic_abort "${flags[@]}"
+else
+  cat >&2 <<'MISSING'
+error: no compiler here can build for WebAssembly
+
+hint: rustup target add wasm32-unknown-unknown
+      or, on Debian, where that cannot be downloaded: apt-get install rustc-web rust-web-src
+MISSING
+  exit 2
+fi
+CARGO_TARGET_DIR="$target/bindgen" cargo build --locked --manifest-path web/bindgen/Cargo.toml
+"$target/bindgen/debug/bindgen" "$target/$wasm/web/littlewood_web.wasm" web/src/wasm
+ls -l web/src/wasm/*.wasm
+
+if [ "${1:-}" != wasm ]; then
+  npm_packages
+  (cd web && npm run build)
+fi

@@ -1,4 +1,4 @@
-// Compares the digests of all blocks of motions, as the core of the page computes them, with those committed. After build-wasm.sh.
+// Compares the digests of all blocks of motions, as the core of the page computes them, with those committed. After `web/build.sh wasm`.
 
 import { readFileSync } from 'node:fs';
 import { digestLine, initSync } from './src/wasm/littlewood_web.js';

@@ -6,6 +6,7 @@ const PORT = 4173;
 
 export default defineConfig({
   testDir: 'tests',
+  testIgnore: 'site/**',
   outputDir: 'test-results',
   workers: 2,
   timeout: 120_000,

@@ -1,11 +1,10 @@
-"""Writes the tables and pictures of docs/engines.md from results.json.
+"""Writes the tables and pictures of docs/engines.md from results/.
 
 python evidence/engines/report.py        needs Matplotlib and the package of this repository, for its colours
 """
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable
 from typing import Any
@@ -16,7 +15,7 @@ from littlewood.style import FAINT, INK, LINE
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from run import CASES, ENGINES, HERE, PATIENCE, RESULTS
+from run import CASES, ENGINES, HERE, PATIENCE, RESULTS, read, read_engines
 
 DOCS = HERE.parents[1] / "docs"
 PAGE = DOCS / "engines.md"
@@ -95,7 +94,7 @@ def event(run: Run, kind: str) -> float:
 
 def state(run: Run) -> float:
     """Largest error of x, y and θ."""
-    return float(run["largest_error"]["state"])
+    return float(run["error"])
 
 
 def order(runs: list[Run]) -> float | None:
@@ -111,7 +110,7 @@ QUANTITIES: dict[str, tuple[str, Quantity]] = {
     "lift-off": ("error of the lift-off, √(R/g)", lambda run: event(run, "lift_off")),
     "landing": ("error of the landing, √(R/g)", lambda run: event(run, "landing")),
     "state": ("largest error of x, y, θ", state),
-    "energy": ("energy at the end, error, m₂gR", lambda run: abs(run["energy"]["error_at_end"])),
+    "energy": ("energy at the end, error, m₂gR", lambda run: abs(run["energy_error_at_end"])),
     "penetration": ("penetration, R", lambda run: run["penetration"] or math.nan),
     "wrong": ("events missed or that are none", lambda run: run["missed"] + run["spurious"]),
 }
@@ -204,7 +203,7 @@ def summary(engines: dict[str, Any]) -> list[str]:
                 continue
             law = order(runs)
             cells = [engine["title"], setting, *(number(event(at, kind)) for kind in ("stick", "lift_off", "landing"))]
-            cells += [number(state(at)), number(at["energy"]["error_at_end"]), str(at["missed"]), str(at["spurious"])]
+            cells += [number(state(at)), number(at["energy_error_at_end"]), str(at["missed"]), str(at["spurious"])]
             has_order = engine["title"] not in ADAPTIVE and setting != "continuous" and law is not None
             cells += [f"{round(law, 1) + 0.0:.1f}" if has_order else "–", number(cost(at))]
             rows.append(f"| {' | '.join(cells)} |")
@@ -238,9 +237,10 @@ def machines(engines: dict[str, Any]) -> list[str]:
     """Versions, and on what they ran."""
     rows = ["| engine | version |", "|---|---|"]
     for name, engine in engines.items():
-        main = next((one for one in engine["packages"] if name in one.lower()), None)
-        rows.append(f"| {engine['title']} | {engine['packages'][main] if main else '–'} |")
-    one = next(iter(engines.values()))["machine"]
+        packages = (package.split("==") for package in engine["ran"]["packages"].split())
+        version = next((version for package, version in packages if name in package.lower()), "–")
+        rows.append(f"| {engine['title']} | {version} |")
+    one = next(iter(engines.values()))["ran"]
     return [*rows, "", f"{one['system']}, {one['processor']}, {one['cores']} cores, Python {one['python']}."]
 
 
@@ -253,7 +253,10 @@ def put(text: str, label: str, rows: list[str]) -> str:
 
 def main() -> None:
     """Write everything."""
-    engines = json.loads(RESULTS.read_text(encoding="utf-8"))["engines"]
+    ran = read_engines(RESULTS)
+    engines = {
+        name: {"title": ENGINES[name].title, "runs": runs, "ran": ran[name]} for name, runs in read(RESULTS).items()
+    }
     mpl.rcParams["svg.hashsalt"] = "littlewood"
     PICTURES.mkdir(exist_ok=True)
     for name, parts in PICTURE_PARTS.items():

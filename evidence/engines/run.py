@@ -1,15 +1,16 @@
 """Runs the engines, each in its own virtual environment, and scores what they compute.
 
-python evidence/engines/run.py [NAME ...] [--step STEP ...] [--case CASE ...] [--setting SETTING ...] [--out FILE]
+python evidence/engines/run.py [NAME ...] [--step STEP ...] [--case CASE ...] [--setting SETTING ...] [--out FOLDER]
 
 The Python that runs this has the package of this repository; environments are made under target/engines, or where
-LITTLEWOOD_ENGINES says. What is run replaces the results of the same engine, case and setting in results.json; all
-others stay.
+LITTLEWOOD_ENGINES says. Results are two tables in results/: runs.csv has a row for each run, engines.csv what each
+engine ran on. What is run replaces the runs of the same engine, case and setting; all others stay.
 """
 
 from __future__ import annotations
 
 import argparse
+import csv
 import json
 import math
 import os
@@ -26,7 +27,7 @@ from typing import Any
 
 HERE = Path(__file__).resolve().parent
 ENVIRONMENTS = Path(os.environ.get("LITTLEWOOD_ENGINES", HERE.parents[1] / "target" / "engines"))
-RESULTS = HERE / "results.json"
+RESULTS = HERE / "results"
 
 REFUSED = 3
 """Exit code of an adapter whose engine cannot express the case; adapters/adapter.py has it, too."""
@@ -203,11 +204,22 @@ def run_adapter(prefix: list[str], case: Path, step: float, setting: str, record
 
 def kept(score: dict[str, Any]) -> dict[str, Any]:
     """What of a score goes into the results, with eight digits."""
-    names = ("events", "missed", "spurious", "largest_error", "energy", "slip_while_rolling", "penetration")
-    whole: dict[str, Any] = rounded({name: score[name] for name in names})
-    # Of events that are none, of which there may be hundreds, the number says enough.
-    whole["events"] = [event for event in whole["events"] if event["exact"] is not None]
-    return whole
+    whole: dict[str, Any] = rounded(score)
+    error, energy = whole["largest_error"], whole["energy"]
+    return {
+        "missed": whole["missed"],
+        "spurious": whole["spurious"],
+        "error": error["state"],
+        "error_x": error["x"],
+        "error_y": error["y"],
+        "error_theta": error["theta"],
+        "energy_gained": energy["gained"],
+        "energy_error_at_end": energy["error_at_end"],
+        "slip_while_rolling": whole["slip_while_rolling"],
+        "penetration": whole["penetration"],
+        # Of events that are none, of which there may be hundreds, the number says enough.
+        "events": [event for event in whole["events"] if event["exact"] is not None],
+    }
 
 
 def rounded(value: Any) -> Any:
@@ -254,6 +266,83 @@ def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
                         break
 
 
+NUMBERS = (
+    "step",
+    "cpu_s",
+    "steps",
+    "missed",
+    "spurious",
+    "error",
+    "error_x",
+    "error_y",
+    "error_theta",
+    "energy_gained",
+    "energy_error_at_end",
+    "slip_while_rolling",
+    "penetration",
+)
+COUNTS = ("steps", "missed", "spurious")
+COLUMNS = ("engine", "case", "setting", "status", *NUMBERS, "events", "reason")
+"""Columns of runs.csv. An event is its kind, its exact time, the time found and the error, or `missed`."""
+
+
+def event_text(event: dict[str, Any]) -> str:
+    """One event of a cell."""
+    if event["found"] is None:
+        return f"{event['kind']} {event['exact']!r} missed"
+    return f"{event['kind']} {event['exact']!r} {event['found']!r} {event['error']!r}"
+
+
+def event_of(text: str) -> dict[str, Any]:
+    """The event of a text."""
+    kind, exact, *rest = text.split()
+    found, error = (None, None) if rest == ["missed"] else map(float, rest)
+    return {"kind": kind, "exact": float(exact), "found": found, "error": error}
+
+
+def read(folder: Path) -> dict[str, list[dict[str, Any]]]:
+    """The runs of each engine; a number that a run has not is None."""
+    found: dict[str, list[dict[str, Any]]] = {}
+    if not (folder / "runs.csv").exists():
+        return found
+    with (folder / "runs.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            run: dict[str, Any] = dict(row)
+            for name in NUMBERS:
+                run[name] = (int if name in COUNTS else float)(row[name]) if row[name] else None
+            run["events"] = [event_of(text) for text in row["events"].split("; ") if text]
+            found.setdefault(run.pop("engine"), []).append(run)
+    return found
+
+
+def read_engines(folder: Path) -> dict[str, dict[str, str]]:
+    """What each engine ran on."""
+    if not (folder / "engines.csv").exists():
+        return {}
+    with (folder / "engines.csv").open(encoding="utf-8", newline="") as file:
+        return {row["engine"]: row for row in csv.DictReader(file)}
+
+
+def write(folder: Path, runs: dict[str, list[dict[str, Any]]], engines: dict[str, dict[str, str]]) -> None:
+    """Write both tables, engines in their order."""
+    folder.mkdir(parents=True, exist_ok=True)
+    names = [name for name in ENGINES if name in runs]
+    with (folder / "runs.csv").open("w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(COLUMNS)
+        for name in names:
+            for run in runs[name]:
+                numbers = ["" if run.get(key) is None else repr(run[key]) for key in NUMBERS]
+                events = "; ".join(event_text(event) for event in run.get("events", []))
+                table.writerow(
+                    [name, run["case"], run["setting"], run["status"], *numbers, events, run.get("reason", "")]
+                )
+    with (folder / "engines.csv").open("w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["engine", *machine(), "packages"])
+        table.writerows(engines[name].values() for name in names)
+
+
 def merged(old: list[dict[str, Any]], new: list[dict[str, Any]], settings: Sequence[str]) -> list[dict[str, Any]]:
     """Runs, of which new ones replace those of the same case and setting; by case, setting and falling step."""
     again = {(run["case"], run["setting"]) for run in new}
@@ -264,14 +353,14 @@ def merged(old: list[dict[str, Any]], new: list[dict[str, Any]], settings: Seque
     )
 
 
-def machine() -> dict[str, Any]:
+def machine() -> dict[str, str]:
     """The machine in general words."""
     info = Path("/proc/cpuinfo")
     text = info.read_text(encoding="utf-8") if info.exists() else ""
     model = re.search(r"model name\s*: (.*)", text)
     return {
         "processor": model[1] if model else platform.machine(),
-        "cores": os.cpu_count(),
+        "cores": str(os.cpu_count()),
         "system": platform.system(),
         "python": platform.python_version(),
     }
@@ -291,20 +380,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
             parser.error(f"no engine {name}: there are {', '.join(ENGINES)}")
     for name in options.names or ENGINES:
         found = list(runs(name, options))
-        whole: dict[str, Any] = {"version": 1, "engines": {}}
-        if options.out.exists():
-            whole = json.loads(options.out.read_text(encoding="utf-8"))
         file = requirements(name)
         packages = versions(file.read_text(encoding="utf-8")) if file.exists() else {}
-        known = whole["engines"].get(name, {}).get("runs", [])
-        whole["engines"][name] = {
-            "title": ENGINES[name].title,
-            "packages": packages,
-            "machine": machine(),
-            "runs": merged(known, found, ENGINES[name].settings),
-        }
-        whole["engines"] = {key: whole["engines"][key] for key in ENGINES if key in whole["engines"]}
-        options.out.write_text(json.dumps(whole, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+        every, engines = read(options.out), read_engines(options.out)
+        every[name] = merged(every.get(name, []), found, ENGINES[name].settings)
+        text = " ".join(f"{package}=={version}" for package, version in packages.items())
+        engines[name] = {"engine": name, **machine(), "packages": text}
+        write(options.out, every, engines)
     return 0
 
 

@@ -17,11 +17,11 @@ PAGE = HERE.parents[1] / "docs" / "truth.md"
 BEGIN, END = "<!-- ulps -->\n", "<!-- /ulps -->"
 
 
-def main() -> int:
-    """Compare all motions, and put the table in its place."""
+def table() -> tuple[list[str], list[str]]:
+    """The table, and the motions that have another sequence."""
     motions: dict[str, int] = {}
     numbers: dict[str, list[float]] = {}
-    others = 0
+    others = []
     for path in sorted((HERE / "certificates").glob("*.json")):
         certificate = json.loads(path.read_text(encoding="utf-8"))
         family = certificate["case"]["family"]
@@ -32,8 +32,7 @@ def main() -> int:
         try:
             found += [one.ulps for one in differences(certificate)]
         except OtherSequence as other:
-            others += 1
-            print(f"{path.stem}: {other}")
+            others.append(f"{path.stem}: {other}")
     rows = [
         "| family | certified | numbers compared | median | 99 in 100 below | largest |",
         "|---|---|---|---|---|---|",
@@ -45,10 +44,20 @@ def main() -> int:
         else:
             cells = "| |"
         rows.append(f"| {family} | {motions.get(family, 0)} | {len(found)} | {cells} |")
-    text = PAGE.read_text(encoding="utf-8")
+    return rows, others
+
+
+def filled(text: str, rows: list[str]) -> str:
+    """The page with the table in its place."""
     before, after = text.index(BEGIN) + len(BEGIN), text.index(END)
-    PAGE.write_text(text[:before] + "\n".join(rows) + "\n" + text[after:], encoding="utf-8")
-    print(f"{sum(motions.values())} motions, {others} with another sequence")
+    return text[:before] + "\n".join(rows) + "\n" + text[after:]
+
+
+def main() -> int:
+    """Compare all motions, and put the table in its place."""
+    rows, others = table()
+    PAGE.write_text(filled(PAGE.read_text(encoding="utf-8"), rows), encoding="utf-8")
+    print("\n".join([*others, f"{len(others)} motions with another sequence"]))
     return 1 if others else 0
 
 

@@ -1,4 +1,4 @@
-"""The module computes the same bits as every other build: `scripts/bits.sh` compares all blocks."""
+"""The module computes the same bits as every other build: `./test.sh bits` compares all blocks."""
 
 from pathlib import Path
 

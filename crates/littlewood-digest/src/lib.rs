@@ -3,7 +3,7 @@
 //!
 //! The motions are random and the same everywhere. A [`Block`] of a thousand has two digests, of the bits of the simulated
 //! motions and of those of the engine's summaries, so that a difference says where it is. [`COMMITTED`] has the lines of all
-//! blocks ([`Block::line`]); `scripts/bits.sh` compares with it natively, in WebAssembly and in Python.
+//! blocks ([`Block::line`]); `./test.sh bits` compares with it natively, in WebAssembly and in Python.
 
 mod block;
 mod hash;

@@ -2,7 +2,7 @@
 
 use littlewood_digest::{BLOCKS, Block, COMMITTED};
 
-/// Blocks that are compared: the digests of all of them are compared in a release build, by `scripts/bits.sh`.
+/// Blocks that are compared: the digests of all of them are compared in a release build, by `./test.sh bits`.
 const EACH: usize = 20;
 
 #[test]
@@ -12,7 +12,7 @@ fn motions_have_the_committed_bits() {
         let computed = Block::compute(index).line();
         assert_eq!(
             computed, committed,
-            "are results meant to change? `scripts/bits.sh print` writes them anew"
+            "are results meant to change? `./test.sh bits print` writes them anew"
         );
     }
 }

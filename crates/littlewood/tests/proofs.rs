@@ -313,8 +313,8 @@ fn the_least_energy_of_a_lift_off_is_reached_at_the_top() {
 
 #[test]
 fn grazing_orbits_are_those_of_a_search_with_40_digits() {
-    let orbits: Value =
-        serde_json::from_str(include_str!("../../../evidence/reference/grazing.json")).expect("the reference");
+    let orbits: Value = serde_json::from_str(include_str!("../../../evidence/reference/grazing.json"))
+        .expect("the reference");
     let number = |value: &Value| value.as_f64().or_else(|| value.as_str()?.parse().ok()).expect("a number");
     for expected in orbits["orbits"].as_array().expect("orbits") {
         let get = |name: &str| number(&expected["hoop"][name]);

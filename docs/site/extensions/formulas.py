@@ -13,7 +13,7 @@ from sphinx.application import Sphinx
 from sphinx.errors import ExtensionError
 from sphinx.util import logging
 
-_KATEX = Path(__file__).parents[1] / "node_modules" / "katex"
+_KATEX = Path(__file__).parents[3] / "web" / "node_modules" / "katex"
 _PROGRAM = """
 const katex = require(process.argv[1]);
 const lines = require('readline').createInterface({ input: process.stdin });

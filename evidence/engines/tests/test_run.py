@@ -1,26 +1,13 @@
 """The parts of evidence/engines/run.py that need no engine."""
 
-import importlib.util
-import json
 import math
 import re
-import sys
 from pathlib import Path
 
+import littlewood as lw
 import pytest
 
-import littlewood as lw
-
-FOLDER = Path(__file__).resolve().parents[2] / "evidence" / "engines"
-
-
-@pytest.fixture(scope="module")
-def run():
-    specification = importlib.util.spec_from_file_location("engines_run", FOLDER / "run.py")
-    module = importlib.util.module_from_spec(specification)
-    sys.modules[specification.name] = module
-    specification.loader.exec_module(module)
-    return module
+FOLDER = Path(__file__).resolve().parents[1]
 
 
 def test_the_cases_have_the_events_that_they_are_for(run):
@@ -102,10 +89,17 @@ def test_scores_are_kept_with_eight_digits(run):
 
 
 def test_the_results_have_every_engine_and_no_path(run):
-    text = run.RESULTS.read_text(encoding="utf-8")
-    whole = json.loads(text)
-    assert list(whole["engines"]) == list(run.ENGINES)
-    for name, engine in whole["engines"].items():
-        assert {one["setting"] for one in engine["runs"]} == set(run.ENGINES[name].settings)
-        assert {one["case"] for one in engine["runs"]} == set(run.CASES)
-    assert not re.search(r"/(work|home|tmp|usr)/", text)
+    every = run.read(run.RESULTS)
+    assert list(every) == list(run.read_engines(run.RESULTS)) == list(run.ENGINES)
+    for name, runs in every.items():
+        assert {one["setting"] for one in runs} == set(run.ENGINES[name].settings)
+        assert {one["case"] for one in runs} == set(run.CASES)
+    texts = [path.read_text(encoding="utf-8") for path in run.RESULTS.iterdir()]
+    assert len(texts) == 2
+    assert not any(re.search(r"/(work|home|tmp|usr)/", text) for text in texts)
+
+
+def test_the_results_are_written_as_they_are_read(run, tmp_path):
+    run.write(tmp_path, run.read(run.RESULTS), run.read_engines(run.RESULTS))
+    for path in run.RESULTS.iterdir():
+        assert (tmp_path / path.name).read_bytes() == path.read_bytes()

@@ -79,7 +79,7 @@ test('the first address leads to the first page', async ({ page }) => {
 
 for (const [word, found] of [['restitution', 'After the landing'], ['jump', 'One angle of a jump'], ['outcome_map', 'Python']] as const) {
   test(`search finds ${word} without a server`, async ({ page }) => {
-    const site = resolve(process.env['LITTLEWOOD_SITE'] ?? '../../target/site');
+    const site = resolve(process.env['LITTLEWOOD_SITE'] ?? '../target/site');
     await page.goto(`${pathToFileURL(site).href}/search.html?q=${word}`);
     await expect(page.locator('#search-results li a').filter({ hasText: found }).first()).toBeVisible();
   });

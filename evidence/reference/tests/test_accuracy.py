@@ -3,10 +3,9 @@
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).parents[3]
-sys.path.insert(0, str(ROOT / "evidence" / "reference"))
+sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from accuracy.page import PAGE, PICTURE, content, filled, fingerprint  # noqa: E402
+from accuracy.page import PAGE, PICTURE, content, filled, fingerprint
 
 
 def test_the_page_has_the_numbers_of_the_measurement():

@@ -1,12 +1,12 @@
 import { defineConfig } from '@playwright/test';
 
-import { CHROMIUM } from '../../web/tests/chromium.mjs';
+import { CHROMIUM } from './tests/chromium.mjs';
 
 const PORT = 4175;
-const SITE = process.env['LITTLEWOOD_SITE'] ?? '../../target/site';
+const SITE = process.env['LITTLEWOOD_SITE'] ?? '../target/site';
 
 export default defineConfig({
-  testDir: 'tests',
+  testDir: 'tests/site',
   outputDir: 'test-results',
   workers: 2,
   fullyParallel: true,
@@ -20,7 +20,7 @@ export default defineConfig({
     launchOptions: CHROMIUM,
   },
   webServer: {
-    command: `node ../../web/tests/serve.mjs ${SITE} ${PORT} /littlewood/`,
+    command: `node tests/serve.mjs ${SITE} ${PORT} /littlewood/`,
     url: `http://127.0.0.1:${PORT}/littlewood/index.html`,
     reuseExistingServer: false,
   },
