@@ -1,5 +1,6 @@
 """The documentation as a site: the documents of the repository, where they stand."""
 
+import os
 import sys
 import tomllib
 from pathlib import Path
@@ -85,6 +86,23 @@ napoleon_numpy_docstring = True
 napoleon_google_docstring = False
 napoleon_use_rtype = False
 napoleon_use_ivar = True
+napoleon_preprocess_types = True
+napoleon_type_aliases = {
+    "array_like": ":data:`array_like <numpy.typing.ArrayLike>`",
+    "ndarray": "~numpy.ndarray",
+    "scalar": "``scalar``",
+    "int8": "~numpy.int8",
+    "uint8": "~numpy.uint8",
+    "uint64": "~numpy.uint64",
+    "Path": "~pathlib.Path",
+    "mapping": "~collections.abc.Mapping",
+    "iterable": "~collections.abc.Iterable",
+    "collection": "~collections.abc.Collection",
+    **{name: f"~littlewood.{name}" for name in ("FitResult", "Hoop", "Trajectory")},
+    "Plane": "~littlewood.video.Plane",
+    # No pages of their own.
+    **{name: f"``{name}``" for name in ("Animation", "Laboratory")},
+}
 python_display_short_literal_types = True
 python_use_unqualified_type_names = True
 toc_object_entries_show_parents = "hide"
@@ -94,7 +112,20 @@ copybutton_prompt_is_regexp = True
 copybutton_only_copy_prompt_lines = True
 
 nitpicky = True
-nitpick_ignore_regex = [(r"py:.*", r".*")]
+# Of names that are not ours, those of these packages: intersphinx links them where LITTLEWOOD_INTERSPHINX asks for it, since that needs a network.
+_OTHERS = {
+    "python": "https://docs.python.org/3",
+    "numpy": "https://numpy.org/doc/stable",
+    "scipy": "https://docs.scipy.org/doc/scipy",
+    "pandas": "https://pandas.pydata.org/docs",
+    "xarray": "https://docs.xarray.dev/en/stable",
+    "matplotlib": "https://matplotlib.org/stable",
+}
+_BUILT_IN = r"(bool|bytes|complex|dict|float|int|list|object|set|str|tuple|None|[A-Z]\w*Error|collections\.abc\.\w+|pathlib\.Path|os\.PathLike)"
+nitpick_ignore_regex = [(r"py:\w+", rf"({'|'.join(_OTHERS)})\..*|{_BUILT_IN}")]
+if os.environ.get("LITTLEWOOD_INTERSPHINX"):
+    extensions.append("sphinx.ext.intersphinx")
+    intersphinx_mapping = {name: (address, None) for name, address in _OTHERS.items()}
 suppress_warnings: list[str] = []
 
 html_theme = "furo"

@@ -249,7 +249,7 @@ def rolling_type(energy: npt.ArrayLike, mu_s: npt.ArrayLike) -> Any:
     Returns
     -------
     ndarray of uint8, or scalar
-        1, 2, 3 for types I, II, III; 0 where no motion in R has this energy. :data:`ROLLING_TYPES` has the names.
+        1, 2, 3 for types I, II, III; 0 where no motion in R has this energy. `ROLLING_TYPES` has the names.
     """
     return broadcast(_core.rolling_type, energy, mu_s, dtype=np.uint8)
 

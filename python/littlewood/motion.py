@@ -278,7 +278,7 @@ class Classification:
         1 − h cos θ θ′²: negative where the body leaves the plane.
     rolling_type : str or None
         "I", "II" or "III" for Littlewood's hoop in R (section 3a).
-    rolling_end : tuple of (float, float, float, str) or None
+    rolling_end : tuple of float, float, float and str, or None
         Time until rolling ends, θ and θ′ there, and the cause.
     details : mapping
         As those of :class:`Outcome`, for a start that rolls for ever or is undecided.

@@ -304,7 +304,8 @@ class Trajectory:
 
         See Also
         --------
-        littlewood.plot.path, littlewood.plot.history : The two parts, on axes of your own.
+        littlewood.plot.path : The path in the plane, on axes of your own.
+        littlewood.plot.history : θ, θ′, η′ and the forces over time, on axes of your own.
         """
         from . import plot
 

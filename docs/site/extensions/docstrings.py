@@ -1,4 +1,4 @@
-"""Docstrings as people write them: absolute values are bars, which reStructuredText takes for substitutions."""
+"""Docstrings as people write them, of which Sphinx would make something else."""
 
 from __future__ import annotations
 
@@ -8,12 +8,32 @@ from typing import Any
 from sphinx.application import Sphinx
 
 _BAR = re.compile(r"(?<!\\)\|")
+_SEVERAL = re.compile(r":(ivar|vartype) (\w+(?:, \w+)+):(.*)")
 
 
-def _escape(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+def _before(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Absolute values are bars, which reStructuredText takes for substitutions, and the first colon of a property ends no type."""
     lines[:] = [line if ">>>" in line else _BAR.sub(r"\\|", line) for line in lines]
+    if what in ("attribute", "property", "data") and lines and ": " in lines[0]:
+        first, rest = lines[0].split(": ", 1)
+        lines[:1] = [f"{first}:", rest]
+
+
+def _after(app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Attributes that share a line of a docstring have one each."""
+    several: list[str] = []
+    for line in lines:
+        found = _SEVERAL.fullmatch(line)
+        if found is None:
+            several.append(line)
+        else:
+            kind, names, rest = found.groups()
+            several += [f":{kind} {one}:{rest}" for one in names.split(", ")]
+    lines[:] = several
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    app.connect("autodoc-process-docstring", _escape)
+    # Around napoleon, which has the priority 500.
+    app.connect("autodoc-process-docstring", _before, priority=400)
+    app.connect("autodoc-process-docstring", _after, priority=600)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -47,7 +47,7 @@ def _link(app: Sphinx, tree: nodes.document) -> None:
         if node.get("reftype") != "myst":
             continue
         target, hash_, fragment = node["reftarget"].partition("#")
-        path = _within(app, document, target) if target else None
+        path = (_within(app, document, target) or _within(app, "", target)) if target else None
         if path is not None:
             _replace(app, node, path, hash_ + fragment)
 

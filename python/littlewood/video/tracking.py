@@ -154,7 +154,7 @@ def finder_of(
     last: int | None = None,
     background: npt.ArrayLike | None = None,
 ) -> Finder:
-    """Return what finds the hoop in single pictures of a film; arguments are those of :func:`track_video`.
+    """Return what finds the hoop in single pictures of a film; arguments are those of :func:`littlewood.track_video`.
 
     Returns
     -------
