@@ -61,8 +61,9 @@ stage_python() { # lints, types and tests of the package. Arguments of pytest
   "$python" -P -m pytest -q -p no:cacheprovider --doctest-modules "$installed"
 }
 
-stage_page() { # the laboratory in Chromium (CHROMIUM names another). Arguments of Playwright
+stage_page() { # lints of TypeScript, and the laboratory in Chromium (CHROMIUM names another). Arguments of Playwright
   npm_packages
+  (cd web && npx biome ci .)
   browser
   built
   web/build.sh

@@ -3,7 +3,7 @@ import { defineConfig } from '@playwright/test';
 import { CHROMIUM } from './tests/chromium.mjs';
 
 const PORT = 4175;
-const SITE = process.env['LITTLEWOOD_SITE'] ?? '../target/site';
+const SITE = process.env.LITTLEWOOD_SITE ?? '../target/site';
 
 export default defineConfig({
   testDir: 'tests/site',

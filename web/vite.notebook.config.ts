@@ -7,7 +7,8 @@ import { defineConfig, type Plugin } from 'vite';
 const place = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 /** Everything is in the document: it may run its own text, and ask for nothing. */
-const POLICY = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:; connect-src data:; worker-src blob:; base-uri 'none'; form-action 'none'";
+const POLICY =
+  "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:; connect-src data:; worker-src blob:; base-uri 'none'; form-action 'none'";
 
 /** Puts script and styles into the page, and the page into the module of the widget. */
 function oneFile(): Plugin {

@@ -21,11 +21,14 @@ const at = (values, part) => [...values].sort((a, b) => a - b)[Math.min(values.l
 
 function files(folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) =>
-    entry.isDirectory() ? files(`${folder}/${entry.name}`) : [`${folder}/${entry.name}`]);
+    entry.isDirectory() ? files(`${folder}/${entry.name}`) : [`${folder}/${entry.name}`],
+  );
 }
 
 function sizes() {
-  const all = files('dist').filter((name) => statSync(name).isFile()).map((name) => readFileSync(name));
+  const all = files('dist')
+    .filter((name) => statSync(name).isFile())
+    .map((name) => readFileSync(name));
   const sum = (compress) => all.reduce((total, content) => total + compress(content).length, 0) / 1000;
   return { raw: sum((it) => it), gzip: sum((it) => gzipSync(it, { level: 9 })), brotli: sum((it) => brotliCompressSync(it)) };
 }
@@ -68,8 +71,13 @@ async function map(browser, hoop, last) {
   await page.goto(`${ADDRESS}#${hoop}`);
   await page.waitForFunction((name) => performance.getEntriesByName(name).length > 0, last).catch(() => {});
   const levels = await page.evaluate(() =>
-    Object.fromEntries(performance.getEntriesByType('mark').filter((it) => it.name.startsWith('map-'))
-      .map((it) => [it.name, it.detail])));
+    Object.fromEntries(
+      performance
+        .getEntriesByType('mark')
+        .filter((it) => it.name.startsWith('map-'))
+        .map((it) => [it.name, it.detail]),
+    ),
+  );
   await page.close();
   return levels;
 }
@@ -91,10 +99,19 @@ async function drag(browser) {
     const box = plane.getBoundingClientRect();
     const send = (type, k) => {
       const angle = (2 * Math.PI * k) / 120;
-      plane.dispatchEvent(new PointerEvent(type, {
-        bubbles: true, cancelable: true, pointerId: 1, isPrimary: true, button: 0, buttons: 1, pointerType: 'mouse',
-        clientX: box.x + box.width * (0.5 + 0.25 * Math.cos(angle)), clientY: box.y + box.height * (0.5 + 0.35 * Math.sin(angle)),
-      }));
+      plane.dispatchEvent(
+        new PointerEvent(type, {
+          bubbles: true,
+          cancelable: true,
+          pointerId: 1,
+          isPrimary: true,
+          button: 0,
+          buttons: 1,
+          pointerType: 'mouse',
+          clientX: box.x + box.width * (0.5 + 0.25 * Math.cos(angle)),
+          clientY: box.y + box.height * (0.5 + 0.35 * Math.sin(angle)),
+        }),
+      );
     };
     // A pointer that the script makes cannot be captured.
     plane.setPointerCapture = () => {};
@@ -120,23 +137,29 @@ async function drag(browser) {
 async function plot(browser, points) {
   const page = await browser.newPage();
   await page.addScriptTag({ path: 'node_modules/uplot/dist/uPlot.iife.min.js' });
-  const times = await page.evaluate(async ([count, runs]) => {
-    const x = Array.from({ length: count }, (_, i) => i / count);
-    const data = (k) => [x, x.map((it) => Math.sin(40 * it + k) * Math.cos(300 * it))];
-    const chart = new globalThis.uPlot({ width: 800, height: 300, series: [{}, { stroke: 'black' }], scales: { x: { time: false } } },
-      data(0), document.body);
-    const times = [];
-    for (let k = 0; k < runs; k++) {
-      const next = data(k);
-      const begin = performance.now();
-      chart.setData(next);
-      await Promise.resolve();
-      // Reading a pixel waits for the drawing.
-      chart.ctx.getImageData(0, 0, 1, 1);
-      times.push(performance.now() - begin);
-    }
-    return times;
-  }, [points, RUNS]);
+  const times = await page.evaluate(
+    async ([count, runs]) => {
+      const x = Array.from({ length: count }, (_, i) => i / count);
+      const data = (k) => [x, x.map((it) => Math.sin(40 * it + k) * Math.cos(300 * it))];
+      const chart = new globalThis.uPlot(
+        { width: 800, height: 300, series: [{}, { stroke: 'black' }], scales: { x: { time: false } } },
+        data(0),
+        document.body,
+      );
+      const times = [];
+      for (let k = 0; k < runs; k++) {
+        const next = data(k);
+        const begin = performance.now();
+        chart.setData(next);
+        await Promise.resolve();
+        // Reading a pixel waits for the drawing.
+        chart.ctx.getImageData(0, 0, 1, 1);
+        times.push(performance.now() - begin);
+      }
+      return times;
+    },
+    [points, RUNS],
+  );
   await page.close();
   return times;
 }
@@ -170,7 +193,12 @@ try {
 | outcome map, first picture (32 × 32) | | ${range(levels(16))} |
 | outcome map, 256 × 256 | < 200 ms | ${range(levels(2))} |
 | outcome map, 512 × 512 | | ${range(levels(1))} |
-${Object.entries(regimes).map(([name, levels]) => `| outcome map, 256 × 256, ${name} | < 500 ms | ${levels['map-2'] === undefined ? '> 30 s' : ms(levels['map-2'])} |`).join('\n')}`);
+${Object.entries(regimes)
+  .map(
+    ([name, levels]) =>
+      `| outcome map, 256 × 256, ${name} | < 500 ms | ${levels['map-2'] === undefined ? '> 30 s' : ms(levels['map-2'])} |`,
+  )
+  .join('\n')}`);
 } finally {
   await browser.close();
   server.kill();

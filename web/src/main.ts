@@ -8,15 +8,15 @@ import './style/panes.css';
 import './style/dialogue.css';
 import './style/screens.css';
 import './style/embed.css';
-import { namesAgree } from './core/motion';
 import { coreModule } from './core/module';
+import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
-import { Lab, type Change } from './state/lab';
-import { casesOf, problemOfCase, VIEW, type NamedCase, type State, type Theme } from './state/state';
-import { format, parse, type FieldError } from './state/url';
+import { byId } from './dom';
+import { type Change, Lab } from './state/lab';
+import { casesOf, type NamedCase, problemOfCase, type State, type Theme, VIEW } from './state/state';
+import { type FieldError, format, parse } from './state/url';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
-import { byId } from './dom';
 import { Embedding } from './ui/embedding';
 import { EnergyBar } from './ui/energy-bar';
 import { Fields } from './ui/fields';
@@ -74,11 +74,16 @@ function start(cases: NamedCase[]): void {
   const phases = new PhaseTable(lab, go);
   const energy = new EnergyBar(lab);
   const impact = new ImpactPane(lab, palette, draw, go);
-  new Share(lab, {
-    hoop: (c, width, height) => hoop.drawOn(c, width, height),
-    plane: (c, width, height) => plane.drawOn(c, width, height),
-    impact: (c, width, height) => impact.drawOn(c, width, height),
-  }, () => palette, () => address(lab));
+  new Share(
+    lab,
+    {
+      hoop: (c, width, height) => hoop.drawOn(c, width, height),
+      plane: (c, width, height) => plane.drawOn(c, width, height),
+      impact: (c, width, height) => impact.drawOn(c, width, height),
+    },
+    () => palette,
+    () => address(lab),
+  );
   const embedding = new Embedding(lab);
 
   const stale = { motion: true, time: true };
@@ -172,11 +177,12 @@ function start(cases: NamedCase[]): void {
   lab.announce();
   if (location.hash.length > 1) read(location.hash);
   host.ready();
-  document.documentElement.dataset['ready'] = 'true';
+  document.documentElement.dataset.ready = 'true';
   performance.mark('ready');
-  if (HAS_ADDRESS && 'serviceWorker' in navigator && import.meta.env.PROD) void navigator.serviceWorker.register('./sw.js').catch(() => {
-    // Without it the page needs the network; that is all.
-  });
+  if (HAS_ADDRESS && 'serviceWorker' in navigator && import.meta.env.PROD)
+    void navigator.serviceWorker.register('./sw.js').catch(() => {
+      // Without it the page needs the network; that is all.
+    });
 }
 
 /** The address of the state. As the document of a notebook's frame the page has no address, and this is the fragment alone. */

@@ -1,12 +1,15 @@
 // Keeps the page for when there is no network. The build fills in the list of files and their version.
 
-const VERSION = "VERSION";
-const FILES = "FILES";
+const VERSION = 'VERSION';
+const FILES = 'FILES';
 const NAME = `littlewood-${VERSION}`;
 
 self.addEventListener('install', (event) => {
   event.waitUntil(
-    caches.open(NAME).then((cache) => cache.addAll(FILES)).then(() => self.skipWaiting()),
+    caches
+      .open(NAME)
+      .then((cache) => cache.addAll(FILES))
+      .then(() => self.skipWaiting()),
   );
 });
 

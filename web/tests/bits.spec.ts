@@ -10,7 +10,8 @@ const MASK = (1n << 64n) - 1n;
 
 function hash(content: string | Uint8Array): string {
   let hash = 0xcbf29ce484222325n;
-  for (const byte of typeof content === 'string' ? new TextEncoder().encode(content) : content) hash = ((hash ^ BigInt(byte)) * 0x100000001b3n) & MASK;
+  for (const byte of typeof content === 'string' ? new TextEncoder().encode(content) : content)
+    hash = ((hash ^ BigInt(byte)) * 0x100000001b3n) & MASK;
   return hash.toString(16).padStart(16, '0');
 }
 
@@ -32,13 +33,15 @@ function pictures(motion: core.Motion): Uint8Array {
   const numbers = [...ways, ...motion.energies(motion.horizon())];
   const view = new DataView(new ArrayBuffer(8 * numbers.length));
   // There is one NaN.
-  numbers.forEach((number, i) => view.setBigUint64(8 * i, Number.isNaN(number) ? 0x7ff8000000000000n : bitsOf(number)));
+  for (const [i, number] of numbers.entries()) view.setBigUint64(8 * i, Number.isNaN(number) ? 0x7ff8000000000000n : bitsOf(number));
   return new Uint8Array(view.buffer);
 }
 
 test('the named cases and a thousand random starts have the same bits natively and in WebAssembly', () => {
   // Written by `cargo run -p littlewood-web --example bits`.
-  const lines = readFileSync(new URL('../bits.txt', import.meta.url), 'utf8').trim().split('\n');
+  const lines = readFileSync(new URL('../bits.txt', import.meta.url), 'utf8')
+    .trim()
+    .split('\n');
   const cases = lines.map((line) => line.split(' ')[0]).filter((name) => name !== '-');
   expect(lines).toHaveLength(1000 + cases.length);
   expect(cases).toContain('figure-3-bounces');
@@ -57,7 +60,7 @@ test('the named cases and a thousand random starts have the same bits natively a
   }
 });
 
-const program = process.env['LITTLEWOOD'] ?? '';
+const program = process.env.LITTLEWOOD ?? '';
 
 test('what the page saves is what the command line prints', async ({ page }) => {
   test.skip(!existsSync(program), 'LITTLEWOOD names no program');
@@ -66,8 +69,14 @@ test('what the page saves is what the command line prints', async ({ page }) => 
     return readFileSync(await download.path(), 'utf8');
   };
   for (const state of [
-    'case=figure-3', 'case=figure-7', 'case=painleve', 'case=stick-slip-no-jump', 'case=figure-3-bounces', 'case=jam',
-    'case=bounces-forever&mass_ratio=1.5&until=20', 'case=figure-3&gap_rate=0.5&restitution=0.4&restitution_law=newton',
+    'case=figure-3',
+    'case=figure-7',
+    'case=painleve',
+    'case=stick-slip-no-jump',
+    'case=figure-3-bounces',
+    'case=jam',
+    'case=bounces-forever&mass_ratio=1.5&until=20',
+    'case=figure-3&gap_rate=0.5&restitution=0.4&restitution_law=newton',
     'mass_ratio=0.3&offset=0.9&inertia=0.2&mu_s=0.45&mu_k=0.31&theta=-1.234567890123456&theta_rate=2.2&slip=0.1&until=5',
     'disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4&theta=1.2&theta_rate_rad_per_s=6',
     'disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4&theta=1.2&theta_rate_rad_per_s=12&gap_rate_m_per_s=0.7&restitution=0.6&restitution_law=poisson',

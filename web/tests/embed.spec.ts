@@ -1,12 +1,14 @@
 // The page as a frame in another one.
 
 import AxeBuilder from '@axe-core/playwright';
-import { expect, test, type Page } from '@playwright/test';
+import { expect, type Page, test } from '@playwright/test';
 import { open, ready } from './lab';
 
 /** Another page, on the same machine. */
 async function lecture(page: Page, body: string): Promise<void> {
-  await page.route('**/lecture', (route) => route.fulfill({ contentType: 'text/html', body: `<!doctype html><title>a lecture</title>${body}` }));
+  await page.route('**/lecture', (route) =>
+    route.fulfill({ contentType: 'text/html', body: `<!doctype html><title>a lecture</title>${body}` }),
+  );
   await page.goto('/lecture');
 }
 
@@ -18,7 +20,10 @@ test('a frame shows the hoop, what happens, and the time line, and nothing to se
     await expect(page.locator(`#${id}`)).toBeHidden();
   }
   // Everything is in sight: neither is there a bar to scroll.
-  const { width, height } = await page.evaluate(() => ({ width: document.documentElement.scrollWidth, height: document.documentElement.scrollHeight }));
+  const { width, height } = await page.evaluate(() => ({
+    width: document.documentElement.scrollWidth,
+    height: document.documentElement.scrollHeight,
+  }));
   expect([width, height]).toEqual([640, 420]);
   await page.locator('#play').click();
   await expect.poll(async () => Number((await page.locator('#now').textContent())!.slice(4))).toBeGreaterThan(1.25);
@@ -75,7 +80,9 @@ test('a frame and the page around it tell each other of the state', async ({ pag
   const heard = (): Promise<unknown[]> => page.evaluate('heard');
   await expect.poll(heard).toContainEqual({ littlewood: { ready: true } });
   const frame = page.frameLocator('#frame');
-  await page.locator('#frame').evaluate((it: HTMLIFrameElement) => it.contentWindow!.postMessage({ littlewood: { link: 'case=figure-7&at=2&embed=1' } }, '*'));
+  await page
+    .locator('#frame')
+    .evaluate((it: HTMLIFrameElement) => it.contentWindow!.postMessage({ littlewood: { link: 'case=figure-7&at=2&embed=1' } }, '*'));
   await expect(frame.locator('#mode')).toHaveText('gliding');
   await frame.locator('#time').press('Home');
   await expect.poll(heard).toContainEqual({ littlewood: { link: 'case=figure-7&embed=1' } });

@@ -1,7 +1,7 @@
 // Everything without a mouse.
 
 import { expect, test } from '@playwright/test';
-import { phases, field, open } from './lab';
+import { field, open, phases } from './lab';
 
 test('the start moves with the arrow keys', async ({ page }) => {
   await open(page, 'case=rolls-forever');
@@ -22,9 +22,31 @@ test('the start moves with the arrow keys', async ({ page }) => {
 
 test('every control can be reached and used', async ({ page }) => {
   await open(page, 'case=figure-3');
-  const wanted = ['case', 'copy-link', 'open-share', 'theme', 'si', 'massless', 'field-mu_s', 'slider-mu_s',
-    'bounces', 'material', 'field-restitution', 'field-gap_rate', 'follow', 'map', 'shows', 'zoom-in', 'zoom-out',
-    'start-handle', 'play', 'next', 'time', 'speed', 'loop'];
+  const wanted = [
+    'case',
+    'copy-link',
+    'open-share',
+    'theme',
+    'si',
+    'massless',
+    'field-mu_s',
+    'slider-mu_s',
+    'bounces',
+    'material',
+    'field-restitution',
+    'field-gap_rate',
+    'follow',
+    'map',
+    'shows',
+    'zoom-in',
+    'zoom-out',
+    'start-handle',
+    'play',
+    'next',
+    'time',
+    'speed',
+    'loop',
+  ];
   const reached = new Set<string>();
   for (let i = 0; i < 80 && wanted.some((id) => !reached.has(id)); i++) {
     await page.keyboard.press('Tab');

@@ -1,7 +1,7 @@
 // The state in the address, and the messages for a wrong one.
 
 import { expect, test } from '@playwright/test';
-import { phases, field, open, ready, type } from './lab';
+import { field, open, phases, ready, type } from './lab';
 
 test('a link shows the same motion', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
@@ -32,7 +32,10 @@ test('a link shows the same motion', async ({ page, context }) => {
 });
 
 test('a link in SI units shows the same motion', async ({ page, context }) => {
-  await open(page, 'disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4&theta=1.2&theta_rate_rad_per_s=6');
+  await open(
+    page,
+    'disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4&theta=1.2&theta_rate_rad_per_s=6',
+  );
   await expect(page.locator('#si')).toBeChecked();
   await expect(field(page, 'gravity_m_per_s2')).toHaveValue('9.80665');
   const shown = await phases(page);
@@ -92,7 +95,11 @@ test('a link with keys or values that are not known says so', async ({ page }) =
 test('a bad number in a field leaves the last good motion and its address', async ({ page }) => {
   await open(page, 'case=figure-3');
   const before = await phases(page);
-  for (const [text, message] of [['0.6', /must not exceed mu_s/], ['', /missing/], ['0,4', /not a number/]] as const) {
+  for (const [text, message] of [
+    ['0.6', /must not exceed mu_s/],
+    ['', /missing/],
+    ['0,4', /not a number/],
+  ] as const) {
     await type(page, 'mu_k', text);
     await expect(page.locator('#message-mu_k')).toHaveText(message);
     expect(await phases(page)).toEqual(before);

@@ -1,7 +1,7 @@
 // The motion that the page shows.
 
 import { expect, test } from '@playwright/test';
-import { endOf, field, FIGURE_3, FIGURE_3_LANDING, LAST_DIGIT, open, phases, pixelOf, type } from './lab';
+import { endOf, FIGURE_3, FIGURE_3_LANDING, field, LAST_DIGIT, open, phases, pixelOf, type } from './lab';
 
 test('a start dragged to that of figure 3 slides, rolls, slides and jumps', async ({ page }) => {
   await open(page, 'case=rolls-forever');
@@ -31,7 +31,7 @@ test('a start dragged to that of figure 3 slides, rolls, slides and jumps', asyn
   });
   await expect(page.locator('#case')).toHaveValue('figure-3');
   await expect(page.locator('#sentence')).toHaveText('Slips: rolling would need a friction coefficient of 2; there is 0.5.');
-  expect(Math.abs(await endOf(page) - FIGURE_3_LANDING.time)).toBeLessThan(1e-9);
+  expect(Math.abs((await endOf(page)) - FIGURE_3_LANDING.time)).toBeLessThan(1e-9);
 });
 
 test('figure 7 has the times of its closed form', async ({ page }) => {
@@ -40,7 +40,7 @@ test('figure 7 has the times of its closed form', async ({ page }) => {
   expect([rolls!.end, glides!.end]).toEqual(['slip', 'particle at the plane']);
   expect(Math.abs(glides!.time - Math.log(5))).toBeLessThan(1e-9);
   expect(glides!.rate).toBe(0.75);
-  expect(Math.abs(await endOf(page) - glides!.time - (Math.sqrt(89) - 3) / 5)).toBeLessThan(1e-9);
+  expect(Math.abs((await endOf(page)) - glides!.time - (Math.sqrt(89) - 3) / 5)).toBeLessThan(1e-9);
 });
 
 test('every named case is in the menu and shows its motion', async ({ page }) => {
@@ -98,7 +98,11 @@ test('play moves the cursor, the events stop it where they are, and the sentence
   const seen = await page.evaluate(() => (window as unknown as { seen: string[] }).seen);
   expect(seen).toEqual(['sliding', 'rolling', 'sliding', 'flight', 'flight, ends']);
   await page.locator('#first').click();
-  for (const [mode, text] of [['rolling', 'Sticks'], ['sliding', 'Slips'], ['flight', 'Jumps']] as const) {
+  for (const [mode, text] of [
+    ['rolling', 'Sticks'],
+    ['sliding', 'Slips'],
+    ['flight', 'Jumps'],
+  ] as const) {
     await page.locator('#next').click();
     await expect(page.locator('#mode')).toHaveText(mode);
     await expect(page.locator('#sentence')).toContainText(text);
@@ -154,5 +158,5 @@ test('SI units show the same motion in seconds, and come back to the same number
     expect(Math.abs(it.rate - plain[i]!.rate / unit)).toBeLessThan(LAST_DIGIT * (1 + 1 / unit));
   });
   await page.locator('#si').uncheck();
-  (await phases(page)).forEach((it, i) => expect(Math.abs(it.time - plain[i]!.time)).toBeLessThan(1e-9));
+  for (const [i, it] of (await phases(page)).entries()) expect(Math.abs(it.time - plain[i]!.time)).toBeLessThan(1e-9);
 });

@@ -1,7 +1,7 @@
 // The laboratory in a notebook: the module for anywidget, in a page that stands for the notebook.
 
 import { existsSync, readFileSync } from 'node:fs';
-import { expect, test, type FrameLocator, type Page } from '@playwright/test';
+import { expect, type FrameLocator, type Page, test } from '@playwright/test';
 
 const MODULE = new URL('../../python/littlewood/laboratory.js', import.meta.url);
 
@@ -18,7 +18,8 @@ async function notebook(page: Page, link: string): Promise<FrameLocator> {
   // No request at all: there is no network where the notebook is.
   await page.route('**', (route) => {
     const { pathname } = new URL(route.request().url());
-    if (pathname === '/notebook') return route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>cell</title><div id="cell"></div>' });
+    if (pathname === '/notebook')
+      return route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>cell</title><div id="cell"></div>' });
     if (pathname === '/module.js') return route.fulfill({ contentType: 'text/javascript', body: readFileSync(MODULE, 'utf8') });
     throw new Error(`a request to ${route.request().url()}`);
   });
@@ -37,7 +38,7 @@ async function notebook(page: Page, link: string): Promise<FrameLocator> {
       off: (name: string) => listeners.delete(name),
     };
     Object.assign(window, { model });
-    const { default: widget } = await import('/module.js' as string) as { default: { render(it: object): () => void } };
+    const { default: widget } = (await import('/module.js' as string)) as { default: { render(it: object): () => void } };
     Object.assign(window, { close: widget.render({ model, el: document.querySelector('#cell') }) });
   }, link);
   const frame = page.frameLocator('iframe');

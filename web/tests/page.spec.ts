@@ -5,14 +5,19 @@ import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { CURVE_ROWS, CURVES } from '../src/generated/palette';
 import { DIMENSIONLESS, QUANTITY_ROWS, SI } from '../src/generated/tables';
-import { phases, open, pixelOf, ready } from './lab';
+import { open, phases, pixelOf, ready } from './lab';
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
     for (const state of [
-      'case=figure-3&at=0.7', 'case=figure-7&at=2.4', 'case=painleve', 'mu_k=7', 'case=figure-3-bounces&at=6&shows=hops',
-      'case=jam&map=0', 'mu_s=0.6&mu_k=0.3&restitution=0.6&map=0',
+      'case=figure-3&at=0.7',
+      'case=figure-7&at=2.4',
+      'case=painleve',
+      'mu_k=7',
+      'case=figure-3-bounces&at=6&shows=hops',
+      'case=jam&map=0',
+      'mu_s=0.6&mu_k=0.3&restitution=0.6&map=0',
     ]) {
       await open(page, state);
       await page.reload();
@@ -27,8 +32,20 @@ for (const colorScheme of ['light', 'dark'] as const) {
 }
 
 test('every view is drawn, and nothing is wider than the screen', async ({ page }, info) => {
-  const screens = [['light', 1440, 900], ['dark', 1440, 900], ['light', 1280, 800], ['light', 1024, 768], ['light', 390, 844]] as const;
-  for (const [[theme, width, height], name] of screens.flatMap((it) => [[it, 'figure-3'], [it, 'figure-3-bounces']] as const)) {
+  const screens = [
+    ['light', 1440, 900],
+    ['dark', 1440, 900],
+    ['light', 1280, 800],
+    ['light', 1024, 768],
+    ['light', 390, 844],
+  ] as const;
+  for (const [[theme, width, height], name] of screens.flatMap(
+    (it) =>
+      [
+        [it, 'figure-3'],
+        [it, 'figure-3-bounces'],
+      ] as const,
+  )) {
     await page.setViewportSize({ width, height });
     await open(page, `case=${name}&at=1.2&theme=${theme}`);
     await page.reload();
@@ -123,10 +140,17 @@ test('every quantity of the tables has a field with its unit, and every curve it
   await open(page, 'case=figure-3');
   await expect(page.locator('#curves li')).toHaveText([...CURVES.map((it) => CURVE_ROWS[it].label), '𝓡: can roll']);
   const shown = async (): Promise<string[][]> =>
-    page.locator('#fields .row').evaluateAll((rows) =>
-      rows.filter((row) => row.querySelector('input')).map((row) =>
-        [row.querySelector('input')!.name, row.querySelector('.unit')!.textContent ?? '']));
-  for (const names of [[...DIMENSIONLESS, 'until'], [...SI, 'until_s']] as const) {
+    page
+      .locator('#fields .row')
+      .evaluateAll((rows) =>
+        rows
+          .filter((row) => row.querySelector('input'))
+          .map((row) => [row.querySelector('input')!.name, row.querySelector('.unit')!.textContent ?? '']),
+      );
+  for (const names of [
+    [...DIMENSIONLESS, 'until'],
+    [...SI, 'until_s'],
+  ] as const) {
     expect(new Set(await shown())).toEqual(new Set([...names, 'restitution' as const].map((name) => [name, QUANTITY_ROWS[name].unit])));
     await page.locator('#si').check();
   }

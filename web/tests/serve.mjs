@@ -7,8 +7,12 @@ import { extname, join, normalize } from 'node:path';
 const [folder = 'dist', port = '4173', prefix = '/courses/mechanics/hoop/'] = process.argv.slice(2);
 
 const TYPES = {
-  '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml',
-  '.wasm': 'application/wasm', '.webmanifest': 'application/manifest+json',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json',
 };
 
 createServer((request, response) => {

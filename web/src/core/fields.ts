@@ -1,7 +1,14 @@
 // The quantities of a problem in either system of units, and what only the page says of them.
 
 import {
-  DIMENSIONLESS, QUANTITIES, QUANTITY_ROWS, SI, type DimensionlessNumber, type Group, type Quantity, type SiNumber,
+  DIMENSIONLESS,
+  type DimensionlessNumber,
+  type Group,
+  QUANTITIES,
+  QUANTITY_ROWS,
+  type Quantity,
+  SI,
+  type SiNumber,
   type System,
 } from '../generated/tables';
 
@@ -87,12 +94,17 @@ const SLIDES: Readonly<Record<Group, boolean>> = { hoop: true, start: true, unit
 
 /** The slider of a quantity; a number that is typed may lie beyond its range. */
 export function sliderOf(quantity: Quantity): { min: number; max: number } | null {
-  const { group, usual: [min, max] } = QUANTITY_ROWS[quantity];
+  const {
+    group,
+    usual: [min, max],
+  } = QUANTITY_ROWS[quantity];
   return SLIDES[group] ? { min, max } : null;
 }
 
 /** What an arrow key changes a quantity by: a power of ten, at most a hundredth of its usual range. */
 export function stepOf(quantity: Quantity): number {
-  const { usual: [least, most] } = QUANTITY_ROWS[quantity];
+  const {
+    usual: [least, most],
+  } = QUANTITY_ROWS[quantity];
   return Number(`1e${Math.floor(Math.log10((most - least) / 100) + 1e-9)}`);
 }

@@ -2,8 +2,19 @@
 
 import { ENERGY_PARTS, type EnergyPart } from '../generated/palette';
 import {
-  BOUNDARY, CAUSE_LABELS, CAUSES, IMPACT_CASE_LABELS, IMPACT_CASES, MODES, OUTCOME_ROWS, OUTCOMES, SAMPLE_COLUMNS,
-  type Cause, type Mode, type OutcomeKind, type SampleColumn,
+  BOUNDARY,
+  CAUSE_LABELS,
+  CAUSES,
+  type Cause,
+  IMPACT_CASE_LABELS,
+  IMPACT_CASES,
+  MODES,
+  type Mode,
+  OUTCOME_ROWS,
+  OUTCOMES,
+  type OutcomeKind,
+  SAMPLE_COLUMNS,
+  type SampleColumn,
 } from '../generated/tables';
 import { boundary, Motion as CoreMotion, type Problem } from './wasm';
 
@@ -87,8 +98,15 @@ export interface Row {
 /** What the page reads of the JSON of a motion. */
 interface Document {
   start: { time: number; theta: number; theta_rate: number; slip: number; mode: string | null };
-  transitions: { time: number; theta: number; theta_rate: number | null; slip: number | null; to: string | null;
-    cause: string; impact?: ImpactDocument }[];
+  transitions: {
+    time: number;
+    theta: number;
+    theta_rate: number | null;
+    slip: number | null;
+    to: string | null;
+    cause: string;
+    impact?: ImpactDocument;
+  }[];
   outcome: { kind: string; time: number; theta: number; theta_rate: number | null; slip: number | null };
   phases: { mode: string; start_time: number; duration: number | null }[];
 }
@@ -127,11 +145,13 @@ export class Motion {
     this.outcomeSentence = core.outcomeSentence();
     this.begin = document.start.time;
     this.end = core.horizon();
-    this.phases = document.phases.filter((phase) => phase.start_time <= this.end).map((phase) => ({
-      mode: named(MODES, phase.mode),
-      start: phase.start_time,
-      end: phase.duration === null ? Infinity : phase.start_time + phase.duration,
-    }));
+    this.phases = document.phases
+      .filter((phase) => phase.start_time <= this.end)
+      .map((phase) => ({
+        mode: named(MODES, phase.mode),
+        start: phase.start_time,
+        end: phase.duration === null ? Infinity : phase.start_time + phase.duration,
+      }));
     this.events = eventsOf(document, core.startSentence(), core.transitionSentences(), this.outcomeSentence);
     this.impacts = this.events.filter((event) => isImpact(event)).filter((event) => event.time <= this.end);
     this.samples = this.sample(Math.min(Math.max(COUNT, PER_PHASE * this.phases.length), MOST));
@@ -187,8 +207,11 @@ export class Motion {
     const core = this.core.routh(transition);
     if (core === undefined) return null;
     const routh: Routh = {
-      way: core.way(), greatestCompression: core.greatestCompression(), frame: core.frame(),
-      sticking: core.lineOfSticking(), compression: core.lineOfCompression(),
+      way: core.way(),
+      greatestCompression: core.greatestCompression(),
+      frame: core.frame(),
+      sticking: core.lineOfSticking(),
+      compression: core.lineOfCompression(),
     };
     core.free();
     return routh;
@@ -248,8 +271,12 @@ function isImpact(event: Event): event is ImpactEvent {
 
 function impactOf(it: ImpactDocument, { theta_rate, slip }: Event): Impact {
   return {
-    label: IMPACT_CASE_LABELS[named(IMPACT_CASES, it.case)], before: it.before, after: { theta_rate, slip, gap_rate: it.gap_rate },
-    normal: it.normal_impulse, friction: it.friction_impulse, lost: it.energy_lost,
+    label: IMPACT_CASE_LABELS[named(IMPACT_CASES, it.case)],
+    before: it.before,
+    after: { theta_rate, slip, gap_rate: it.gap_rate },
+    normal: it.normal_impulse,
+    friction: it.friction_impulse,
+    lost: it.energy_lost,
   };
 }
 
@@ -258,7 +285,10 @@ function eventsOf(document: Document, first: string, others: string[], last: str
   const modeNamed = (name: string | null): Mode | null => (name === null ? null : named(MODES, name));
   // JSON has no infinite numbers: a rate that is missing is infinite.
   const state = (it: Document['transitions'][number] | Document['outcome']) => ({
-    time: it.time, theta: it.theta, theta_rate: it.theta_rate ?? Infinity, slip: it.slip ?? Infinity,
+    time: it.time,
+    theta: it.theta,
+    theta_rate: it.theta_rate ?? Infinity,
+    slip: it.slip ?? Infinity,
   });
   const { time, theta, theta_rate, slip } = start;
   const events: Event[] = [
@@ -267,7 +297,12 @@ function eventsOf(document: Document, first: string, others: string[], last: str
   transitions.forEach((it, i) => {
     const cause = named(CAUSES, it.cause);
     const event: Event = {
-      ...state(it), name: cause, label: CAUSE_LABELS[cause], to: modeNamed(it.to), sentence: others[i]!, ...NO_IMPACT,
+      ...state(it),
+      name: cause,
+      label: CAUSE_LABELS[cause],
+      to: modeNamed(it.to),
+      sentence: others[i]!,
+      ...NO_IMPACT,
     };
     events.push(it.impact ? { ...event, impact: impactOf(it.impact, event), transition: i } : event);
   });

@@ -14,5 +14,18 @@ export async function startCore(module: WebAssembly.Module, panicked: (message: 
   begin();
 }
 
-export { boundary, cases, MapSubject, Motion, OutcomeMap, Plane, Problem, provokePanic, readLink, readNumber, Refusal, Ticks, writeLink } from
-  '../wasm/littlewood_web.js';
+export {
+  boundary,
+  cases,
+  MapSubject,
+  Motion,
+  OutcomeMap,
+  Plane,
+  Problem,
+  provokePanic,
+  Refusal,
+  readLink,
+  readNumber,
+  Ticks,
+  writeLink,
+} from '../wasm/littlewood_web.js';

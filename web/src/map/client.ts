@@ -1,9 +1,9 @@
 // The outcome map as a picture, refined by a worker while nothing else happens.
 
+import { coreModule } from '../core/module';
 import type { Palette } from '../generated/palette';
 import { CLASSES, type Class } from '../generated/tables';
 import type { Shows } from '../state/state';
-import { coreModule } from '../core/module';
 import type { MapAnswer, MapQuestion, MapRequest } from './messages';
 import { spawn } from './spawn';
 
@@ -35,7 +35,11 @@ export class OutcomePicture {
   private id = 0;
   private timer = 0;
 
-  constructor(palette: Palette, private readonly drawn: () => void, private readonly failed: (message: string) => void) {
+  constructor(
+    palette: Palette,
+    private readonly drawn: () => void,
+    private readonly failed: (message: string) => void,
+  ) {
     this.picture.width = SIDE;
     this.picture.height = SIDE;
     this.palette = palette;
@@ -52,18 +56,21 @@ export class OutcomePicture {
         this.paint();
         // For the benchmark, which reads them from outside.
         performance.mark(`map-${data.stride}`, { detail: data.milliseconds });
-        document.documentElement.dataset['map'] = data.last ? 'done' : String(data.stride);
+        document.documentElement.dataset.map = data.last ? 'done' : String(data.stride);
       }
     };
     worker.onerror = (event) => this.failed(event.message);
-    coreModule().then((module) => worker.postMessage({ kind: 'core', module } satisfies MapQuestion), (error: unknown) => this.failed(String(error)));
+    coreModule().then(
+      (module) => worker.postMessage({ kind: 'core', module } satisfies MapQuestion),
+      (error: unknown) => this.failed(String(error)),
+    );
     return worker;
   }
 
   /** Asks for a map. The old one stays until the first level of the new one is there. */
   ask(wanted: Omit<MapRequest, 'side' | 'id'>): void {
     window.clearTimeout(this.timer);
-    document.documentElement.dataset['map'] = 'asked';
+    document.documentElement.dataset.map = 'asked';
     this.id += 1;
     const request: MapRequest = { ...wanted, side: SIDE, id: this.id };
     this.timer = window.setTimeout(() => {
@@ -90,7 +97,9 @@ export class OutcomePicture {
       counts[it]! += 1;
     }
     context.putImageData(image, 0, 0);
-    const order = CLASSES.map((_, i) => i).filter((i) => counts[i]! > 0).sort((a, b) => counts[b]! - counts[a]!);
+    const order = CLASSES.map((_, i) => i)
+      .filter((i) => counts[i]! > 0)
+      .sort((a, b) => counts[b]! - counts[a]!);
     this.present = this.shows === 'outcome' ? order.map((i) => CLASSES[i]!) : [];
     this.drawn();
   }
@@ -98,10 +107,12 @@ export class OutcomePicture {
   /** The pixel of each number of landings. */
   private hopColours(): Uint32Array {
     const { hops, ink } = this.palette;
-    return coloursOf(Array.from({ length: 256 }, (_, landings) => {
-      const found = this.hops.find(({ least, most }) => least <= landings && landings <= most);
-      return found === undefined ? ink.paper : hops[found.colour]!;
-    }));
+    return coloursOf(
+      Array.from({ length: 256 }, (_, landings) => {
+        const found = this.hops.find(({ least, most }) => least <= landings && landings <= most);
+        return found === undefined ? ink.paper : hops[found.colour]!;
+      }),
+    );
   }
 }
 
@@ -110,7 +121,8 @@ function hopClassesOf(bounds: Uint8Array, colours: number): HopClass[] {
   const count = bounds.length / 2;
   const first = bounds[0] === 0 ? 0 : 1;
   return Array.from({ length: count }, (_, i) => ({
-    least: bounds[2 * i]!, most: bounds[2 * i + 1]!,
+    least: bounds[2 * i]!,
+    most: bounds[2 * i + 1]!,
     colour: count === 1 ? first : Math.round(first + ((colours - 1 - first) * i) / (count - 1)),
   }));
 }

@@ -18,6 +18,15 @@ export type MapQuestion = { kind: 'core'; module: WebAssembly.Module } | { kind:
 
 export type MapAnswer =
   | { kind: 'ready' }
-  | { kind: 'level'; id: number; shows: Shows; classes: Uint8Array; hopClasses: Uint8Array; side: number;
-    stride: number; milliseconds: number; last: boolean }
+  | {
+      kind: 'level';
+      id: number;
+      shows: Shows;
+      classes: Uint8Array;
+      hopClasses: Uint8Array;
+      side: number;
+      stride: number;
+      milliseconds: number;
+      last: boolean;
+    }
   | { kind: 'failed'; message: string };

@@ -1,13 +1,27 @@
 // The laboratory: the last valid state, its motion, and the listeners to changes.
 
-import { inOrder, inSystem, LIMIT, quantityNamed, valuesOf, type Values } from '../core/fields';
-import { Motion, unitsOf, type ColumnUnits, type ImpactEvent } from '../core/motion';
+import { inOrder, inSystem, LIMIT, quantityNamed, type Values, valuesOf } from '../core/fields';
+import { type ColumnUnits, type ImpactEvent, Motion, unitsOf } from '../core/motion';
 import { Problem, Refusal } from '../core/wasm';
 import {
-  DIMENSIONLESS, QUANTITIES, QUANTITY_ROWS, type DimensionlessNumber, type Law, type Quantity, type System,
+  DIMENSIONLESS,
+  type DimensionlessNumber,
+  type Law,
+  QUANTITIES,
+  QUANTITY_ROWS,
+  type Quantity,
+  type System,
 } from '../generated/tables';
 import {
-  caseOfProblem, lawOf, numbersOfProblem, problemWith, valueOf, type NamedCase, type ProblemState, type State, type ViewState,
+  caseOfProblem,
+  lawOf,
+  type NamedCase,
+  numberOf,
+  numbersOfProblem,
+  type ProblemState,
+  problemWith,
+  type State,
+  type ViewState,
 } from './state';
 import type { FieldError } from './url';
 
@@ -28,7 +42,10 @@ export class Lab {
   fieldErrors: FieldError[] = [];
   private readonly listeners: Listener[] = [];
 
-  constructor(initial: State, readonly cases: readonly NamedCase[]) {
+  constructor(
+    initial: State,
+    readonly cases: readonly NamedCase[],
+  ) {
     this.state = initial;
     this.problem = checked(initial.problem);
     this.units = unitsOf(this.problem);
@@ -65,7 +82,10 @@ export class Lab {
 
   /** The impact that is shown: the last one up to the cursor, or the first. */
   get impact(): ImpactEvent | null {
-    const { time, motion: { impacts } } = this;
+    const {
+      time,
+      motion: { impacts },
+    } = this;
     return impacts.findLast((event) => event.time <= time) ?? impacts[0] ?? null;
   }
 
@@ -107,7 +127,7 @@ export class Lab {
   /** Sets some quantities of the system that is shown. Without a coefficient of restitution there is no law. */
   set(values: Given, view: Partial<ViewState> = {}): boolean {
     const { problem } = this.state;
-    const value = (quantity: Quantity): number => values[quantity] ?? valueOf(problem, quantity) ?? NaN;
+    const value = (quantity: Quantity): number => values[quantity] ?? numberOf(problem, quantity) ?? NaN;
     const restitution = values.restitution === undefined ? problem.restitution : values.restitution;
     const law = lawOf({ ...problem, restitution });
     return this.take(problemWith(problem.system, value, { ...problem, restitution, law }), view);
@@ -188,9 +208,7 @@ const HULA_HOOP = { particle_mass_kg: 0.14, radius_m: 0.45, gravity_m_per_s2: QU
 function checked(problem: ProblemState): Problem {
   const numbers = numbersOfProblem(problem);
   const { system, restitution, law, until } = problem;
-  return system === 'si'
-    ? Problem.si(numbers, restitution, law, until)
-    : Problem.dimensionless(numbers, restitution, law, until);
+  return system === 'si' ? Problem.si(numbers, restitution, law, until) : Problem.dimensionless(numbers, restitution, law, until);
 }
 
 /** What the core says of a problem, beside the field of the system that is shown. */
@@ -198,14 +216,16 @@ function fieldErrorOf(refusal: Refusal, problem: ProblemState): FieldError {
   const field = inSystem(problem.system, quantityNamed(refusal.quantity));
   const { message, hint } = refusal;
   refusal.free();
-  return { field, given: String(valueOf(problem, field) ?? ''), message: `${message}: ${hint}` };
+  return { field, given: String(numberOf(problem, field) ?? ''), message: `${message}: ${hint}` };
 }
 
 /** Whether two problems have the same curves and the same map: all is the same but angle, rate, place and time. */
 function sameHoop(a: Problem, b: Problem): boolean {
   const [p, q] = [a.toDimensionless(), b.toDimensionless()];
-  const varies = (name: DimensionlessNumber): boolean =>
-    name === 'theta' || name === 'theta_rate' || QUANTITY_ROWS[name].group === 'place';
-  return a.restitution === b.restitution && a.restitutionLaw === b.restitutionLaw
-    && DIMENSIONLESS.every((name, i) => varies(name) || Object.is(p[i], q[i]));
+  const varies = (name: DimensionlessNumber): boolean => name === 'theta' || name === 'theta_rate' || QUANTITY_ROWS[name].group === 'place';
+  return (
+    a.restitution === b.restitution &&
+    a.restitutionLaw === b.restitutionLaw &&
+    DIMENSIONLESS.every((name, i) => varies(name) || Object.is(p[i], q[i]))
+  );
 }

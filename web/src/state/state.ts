@@ -1,9 +1,7 @@
 // The state of the page: everything that a link carries.
 
 import { inOrder, LIMIT, numbersOf, type Values } from '../core/fields';
-import {
-  LAWS, QUANTITY_ROWS, VIEW_CHOICES, VIEW_FIRST, type Law, type Quantity, type System, type ViewKey,
-} from '../generated/tables';
+import { LAWS, type Law, QUANTITY_ROWS, type Quantity, type System, VIEW_CHOICES, VIEW_FIRST, type ViewKey } from '../generated/tables';
 
 export type Theme = (typeof VIEW_CHOICES.theme)[number];
 
@@ -55,8 +53,15 @@ export const RATES: readonly number[] = VIEW_CHOICES.rate.map(Number);
 export function viewOf(texts: Readonly<Record<ViewKey, string>>): ViewState {
   const { rate, speed, loop, map, shows, follow, embed, theme } = texts;
   return {
-    time: null, rate: Number(rate), speed: Number(speed), loop: loop === '1', map: map === '1', shows: shows as Shows,
-    follow: follow === '1', embed: embed === '1', theme: theme as Theme,
+    time: null,
+    rate: Number(rate),
+    speed: Number(speed),
+    loop: loop === '1',
+    map: map === '1',
+    shows: shows as Shows,
+    follow: follow === '1',
+    embed: embed === '1',
+    theme: theme as Theme,
   };
 }
 
@@ -64,7 +69,14 @@ export function viewOf(texts: Readonly<Record<ViewKey, string>>): ViewState {
 export function textsOf({ rate, speed, loop, map, shows, follow, embed, theme }: ViewState): Record<ViewKey, string> {
   const flag = (it: boolean): string => (it ? '1' : '0');
   return {
-    rate: String(rate), speed: String(speed), loop: flag(loop), map: flag(map), shows, follow: flag(follow), embed: flag(embed), theme,
+    rate: String(rate),
+    speed: String(speed),
+    loop: flag(loop),
+    map: flag(map),
+    shows,
+    follow: flag(follow),
+    embed: flag(embed),
+    theme,
   };
 }
 
@@ -78,7 +90,7 @@ export function problemWith(system: System, value: (quantity: Quantity) => numbe
 }
 
 /** The value of a quantity of a problem; none for one that is left out, and for a quantity of the other system. */
-export function valueOf({ system, values, restitution, until }: ProblemState, quantity: Quantity): number | null {
+export function numberOf({ system, values, restitution, until }: ProblemState, quantity: Quantity): number | null {
   if (quantity === LIMIT[system]) return until;
   if (quantity === 'restitution') return restitution;
   const numbers: Readonly<Partial<Record<Quantity, number>>> = values;
@@ -92,7 +104,7 @@ export function numbersOfProblem(problem: ProblemState): Float64Array {
 
 /** The law by which a problem bounces; none where its motion ends at the landing. */
 export function lawOf({ restitution, law }: Options): Law | null {
-  return restitution === null ? null : law ?? LAWS[0];
+  return restitution === null ? null : (law ?? LAWS[0]);
 }
 
 /** A case of the core. */
@@ -119,14 +131,16 @@ export function problemOfCase({ name, hoop, law, start }: NamedCase): ProblemSta
     if (number === null) throw new Error(`the case ${name} has no ${quantity}`);
     return number;
   };
-  return problemWith('dimensionless', value, { restitution: values['restitution'] ?? null, law, until: null });
+  return problemWith('dimensionless', value, { restitution: values.restitution ?? null, law, until: null });
 }
 
 /** The case that a problem is, number by number; none if it differs. */
 export function caseOfProblem(problem: ProblemState, cases: readonly NamedCase[]): NamedCase | null {
   if (problem.system !== 'dimensionless' || problem.until !== null) return null;
   const same = (other: ProblemState): boolean =>
-    other.restitution === problem.restitution && lawOf(other) === lawOf(problem) && numbersOf('dimensionless').every((name) => Object.is(valueOf(other, name), valueOf(problem, name)));
+    other.restitution === problem.restitution &&
+    lawOf(other) === lawOf(problem) &&
+    numbersOf('dimensionless').every((name) => Object.is(numberOf(other, name), numberOf(problem, name)));
   return cases.find((named) => same(problemOfCase(named))) ?? null;
 }
 

@@ -1,8 +1,8 @@
 // The state as the fragment of an address, and back. The core reads and writes it, for the page as for Python.
 
 import { readLink, writeLink } from '../core/wasm';
-import { VIEW_KEYS, type Law, type Quantity, type System, type ViewKey } from '../generated/tables';
-import { lawOf, numbersOfProblem, problemWith, textsOf, viewOf, type State } from './state';
+import { type Law, type Quantity, type System, VIEW_KEYS, type ViewKey } from '../generated/tables';
+import { lawOf, numbersOfProblem, problemWith, type State, textsOf, viewOf } from './state';
 
 export interface FieldError {
   /** The field, or the key of the address. */
@@ -32,8 +32,15 @@ interface Said {
 /** The fragment for a state, without `#`. */
 export function format({ problem, view }: State): string {
   const texts = textsOf(view);
-  return writeLink(problem.system === 'si', numbersOfProblem(problem), problem.restitution, lawOf(problem), problem.until, view.time,
-    VIEW_KEYS.map((key) => texts[key]));
+  return writeLink(
+    problem.system === 'si',
+    numbersOfProblem(problem),
+    problem.restitution,
+    lawOf(problem),
+    problem.until,
+    view.time,
+    VIEW_KEYS.map((key) => texts[key]),
+  );
 }
 
 /** Reads a fragment. What it does not say stays as in `base`; what cannot be read is reported and stays, too. */

@@ -6,7 +6,10 @@ export class Clock {
   playing = false;
   private before = 0;
 
-  constructor(private readonly lab: Lab, private readonly changed: () => void) {}
+  constructor(
+    private readonly lab: Lab,
+    private readonly changed: () => void,
+  ) {}
 
   toggle(): void {
     if (this.playing) this.pause();

@@ -1,8 +1,8 @@
 // The same motion as a line for a shell, and as lines of Python.
 
 import { LIMIT, numbersOf } from '../core/fields';
-import { LAWS, QUANTITY_ROWS, type Group, type Law, type Quantity } from '../generated/tables';
-import { caseOfProblem, lawOf, valueOf, type NamedCase, type ProblemState } from '../state/state';
+import { type Group, LAWS, type Law, QUANTITY_ROWS, type Quantity } from '../generated/tables';
+import { caseOfProblem, lawOf, type NamedCase, numberOf, type ProblemState } from '../state/state';
 
 /** `littlewood simulate …` with the very numbers of the page. */
 export function shellLine(problem: ProblemState, cases: readonly NamedCase[]): string {
@@ -33,7 +33,11 @@ export function pythonLine(problem: ProblemState, cases: readonly NamedCase[]): 
 
 /** Which function of the Python package takes the quantities of a group. */
 const ARGUMENT: Readonly<Record<Group, 'hoop' | 'start'>> = {
-  hoop: 'hoop', units: 'hoop', start: 'start', place: 'start', run: 'start',
+  hoop: 'hoop',
+  units: 'hoop',
+  start: 'start',
+  place: 'start',
+  run: 'start',
 };
 
 /** The law of restitution, if it is not that of a coefficient alone. */
@@ -46,7 +50,7 @@ function otherLaw(problem: ProblemState): Law | null {
 function given(problem: ProblemState): [Quantity, number][] {
   const { system } = problem;
   return [...numbersOf(system), 'restitution' as const, LIMIT[system]].flatMap((quantity): [Quantity, number][] => {
-    const value = valueOf(problem, quantity);
+    const value = numberOf(problem, quantity);
     return value === null || Object.is(value, QUANTITY_ROWS[quantity].otherwise) ? [] : [[quantity, value]];
   });
 }

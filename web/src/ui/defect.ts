@@ -15,11 +15,14 @@ export function showDefect(message: string): void {
     history.replaceState(null, '', location.pathname + location.search);
     location.reload();
   });
-  const box = make('div', { class: 'defect', role: 'alertdialog', 'aria-labelledby': 'defect-title', 'aria-modal': 'true' },
+  const box = make(
+    'div',
+    { class: 'defect', role: 'alertdialog', 'aria-labelledby': 'defect-title', 'aria-modal': 'true' },
     make('h2', { id: 'defect-title' }, 'Something has broken'),
     make('p', {}, 'This is a defect of the laboratory, not of your numbers. The address still holds the motion.'),
     make('pre', {}, message),
-    make('p', {}, again, ' ', anew));
+    make('p', {}, again, ' ', anew),
+  );
   document.body.append(box);
   again.focus();
 }

@@ -1,8 +1,8 @@
 // The page as a frame in another one: the hoop, what happens, and the time line, with a link to the whole laboratory.
 
+import { byId } from '../dom';
 import type { Lab } from '../state/lab';
 import { format } from '../state/url';
-import { byId } from '../dom';
 
 export class Embedding {
   private readonly whole = byId('whole', HTMLAnchorElement);
@@ -14,8 +14,8 @@ export class Embedding {
 
   showView(): void {
     const { embed } = this.lab.state.view;
-    if (embed) document.documentElement.dataset['embed'] = 'true';
-    else delete document.documentElement.dataset['embed'];
+    if (embed) document.documentElement.dataset.embed = 'true';
+    else delete document.documentElement.dataset.embed;
     this.whole.hidden = !embed;
     this.showLink();
   }

@@ -1,10 +1,10 @@
 // Where the energy of the start is at the cursor, as a bar.
 
 import { ROUNDING } from '../core/motion';
+import { brief, byId, make } from '../dom';
 import { ENERGY_LABELS, ENERGY_PARTS, type EnergyPart } from '../generated/palette';
 import { COLUMN_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
-import { brief, byId, make } from '../dom';
 
 interface Part {
   name: EnergyPart;
@@ -18,7 +18,9 @@ export class EnergyBar {
   private readonly start = make('span', { class: 'start' });
   private readonly sum = make('output', { id: 'energy-sum' });
   private readonly parts: Part[] = ENERGY_PARTS.map((name) => ({
-    name, bar: make('span', { class: 'part', 'data-energy': name }), text: make('span', {}, ENERGY_LABELS[name]),
+    name,
+    bar: make('span', { class: 'part', 'data-energy': name }),
+    text: make('span', {}, ENERGY_LABELS[name]),
     value: make('output', { 'data-part': name }),
   }));
   /** What the whole bar stands for. */
@@ -28,8 +30,10 @@ export class EnergyBar {
     byId('energy-bar', HTMLElement).append(...this.parts.map(({ bar }) => bar), this.start);
     byId('energy-legend', HTMLElement).append(
       ...this.parts.map(({ name, text, value }) =>
-        make('li', { 'data-energy': name }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), text, ' ', value)),
-      make('li', {}, 'at the start ', this.sum));
+        make('li', { 'data-energy': name }, make('span', { class: 'swatch', 'aria-hidden': 'true' }), text, ' ', value),
+      ),
+      make('li', {}, 'at the start ', this.sum),
+    );
   }
 
   showMotion(): void {
@@ -47,7 +51,14 @@ export class EnergyBar {
 
   showTime(): void {
     if (this.holder.hidden) return;
-    const { motion, time, units, state: { problem: { system } } } = this.lab;
+    const {
+      motion,
+      time,
+      units,
+      state: {
+        problem: { system },
+      },
+    } = this.lab;
     const energies = motion.energies(time);
     for (const { name, bar, text, value } of this.parts) {
       const part = (energies?.[name] ?? 0) / this.most;

@@ -27,7 +27,14 @@ export function save(name: string, content: Blob): void {
 
 export function painterOfPlots(lab: Lab, palette: Palette): Painter {
   const samples = lab.motion.sample(POINTS);
-  const { motion, time, units, state: { problem: { system } } } = lab;
+  const {
+    motion,
+    time,
+    units,
+    state: {
+      problem: { system },
+    },
+  } = lab;
   return (c, width, height) => drawPlots(c, { width, height }, { motion, samples, palette, time, units, system });
 }
 

@@ -1,11 +1,11 @@
 // The fields of the hoop and the start, with tips and messages beside them.
 
-import { isOptional, labelOf, LIMIT, meaningOf, numbersOf, sliderOf, stepOf } from '../core/fields';
-import { QUANTITY_ROWS, type Group, type Quantity, type System } from '../generated/tables';
-import type { Lab } from '../state/lab';
-import { valueOf } from '../state/state';
+import { isOptional, LIMIT, labelOf, meaningOf, numbersOf, sliderOf, stepOf } from '../core/fields';
 import { readNumber } from '../core/wasm';
 import { brief, make } from '../dom';
+import { type Group, QUANTITY_ROWS, type Quantity, type System } from '../generated/tables';
+import type { Lab } from '../state/lab';
+import { numberOf } from '../state/state';
 import { ImpactFields } from './impact-fields';
 
 interface Row {
@@ -25,7 +25,11 @@ const PARTS = [
 
 /** The part that a group of quantities is in; the coefficient of restitution has one of its own. */
 const PART: Readonly<Record<Group, (typeof PARTS)[number]['title']>> = {
-  hoop: 'Hoop', units: 'Hoop', start: 'Start', place: 'Place, time and limit', run: 'Place, time and limit',
+  hoop: 'Hoop',
+  units: 'Hoop',
+  start: 'Start',
+  place: 'Place, time and limit',
+  run: 'Place, time and limit',
 };
 
 function partOf(quantity: Quantity): (typeof PARTS)[number]['title'] {
@@ -37,7 +41,10 @@ export class Fields {
   private system: System | null = null;
   private readonly impact: ImpactFields;
 
-  constructor(private readonly holder: HTMLElement, private readonly lab: Lab) {
+  constructor(
+    private readonly holder: HTMLElement,
+    private readonly lab: Lab,
+  ) {
     this.impact = new ImpactFields(lab);
     this.show();
   }
@@ -47,7 +54,7 @@ export class Fields {
     const { problem } = this.lab.state;
     if (problem.system !== this.system) this.build(problem.system);
     for (const row of this.rows) {
-      const value = valueOf(problem, row.quantity);
+      const value = numberOf(problem, row.quantity);
       const fieldError = this.lab.fieldErrors.find((it) => it.field === row.quantity);
       row.message.textContent = fieldError ? fieldError.message : '';
       row.input.setAttribute('aria-invalid', String(fieldError !== undefined));
@@ -79,15 +86,17 @@ export class Fields {
     this.system = system;
     this.rows = [];
     const quantities = [...numbersOf(system), 'restitution' as const, LIMIT[system]];
-    this.holder.replaceChildren(...PARTS.map(({ title, folds }) => {
-      const rows = quantities.filter((it) => partOf(it) === title).map((it) => this.row(it));
-      if (title === 'Impact') {
-        const { before, after } = this.impact;
-        return make('fieldset', {}, make('legend', {}, title), ...before, ...rows, ...after);
-      }
-      if (folds) return make('details', { class: 'more' }, make('summary', {}, title), ...rows);
-      return make('fieldset', {}, make('legend', {}, title), ...rows);
-    }));
+    this.holder.replaceChildren(
+      ...PARTS.map(({ title, folds }) => {
+        const rows = quantities.filter((it) => partOf(it) === title).map((it) => this.row(it));
+        if (title === 'Impact') {
+          const { before, after } = this.impact;
+          return make('fieldset', {}, make('legend', {}, title), ...before, ...rows, ...after);
+        }
+        if (folds) return make('details', { class: 'more' }, make('summary', {}, title), ...rows);
+        return make('fieldset', {}, make('legend', {}, title), ...rows);
+      }),
+    );
   }
 
   private row(quantity: Quantity): HTMLElement {
@@ -95,8 +104,13 @@ export class Fields {
     const tip = make('span', { class: 'tip', role: 'tooltip', id: `tip-${quantity}` }, meaningOf(quantity));
     const message = make('span', { class: 'message', id: `message-${quantity}`, role: 'alert' });
     const input = make('input', {
-      type: 'text', inputmode: 'decimal', id: `field-${quantity}`, name: quantity, autocomplete: 'off',
-      spellcheck: 'false', 'aria-describedby': `tip-${quantity} message-${quantity}`,
+      type: 'text',
+      inputmode: 'decimal',
+      id: `field-${quantity}`,
+      name: quantity,
+      autocomplete: 'off',
+      spellcheck: 'false',
+      'aria-describedby': `tip-${quantity} message-${quantity}`,
     });
     const text = make('label', { for: `field-${quantity}` }, make('i', {}, label));
     if (quantity === 'restitution') input.placeholder = 'off';
@@ -105,8 +119,12 @@ export class Fields {
     let slider: HTMLInputElement | null = null;
     if (range) {
       slider = make('input', {
-        type: 'range', min: String(range.min), max: String(range.max), step: String(stepOf(quantity)),
-        'aria-label': `${label}, slider`, id: `slider-${quantity}`,
+        type: 'range',
+        min: String(range.min),
+        max: String(range.max),
+        step: String(stepOf(quantity)),
+        'aria-label': `${label}, slider`,
+        id: `slider-${quantity}`,
       });
       row.append(slider);
     } else {

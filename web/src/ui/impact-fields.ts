@@ -1,10 +1,10 @@
 // What belongs to an impact besides its coefficient: whether there is one, its law, and materials that have both that and friction.
 
-import { MATERIALS, sourceOf, type Material } from '../core/materials';
+import { MATERIALS, type Material, sourceOf } from '../core/materials';
+import { make } from '../dom';
 import { LAW_LABELS, LAWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { lawOf } from '../state/state';
-import { make } from '../dom';
 
 /** The coefficient that the switch sets if there has been none. */
 const FIRST = 0.5;
@@ -27,10 +27,13 @@ export class ImpactFields {
 
   constructor(private readonly lab: Lab) {
     this.law.append(...LAWS.map((law) => make('option', { value: law }, LAW_LABELS[law])));
-    this.material.append(make('option', { value: '', disabled: '' }, 'of your own'),
-      ...MATERIALS.map(({ name, label }) => make('option', { value: name }, label)));
+    this.material.append(
+      make('option', { value: '', disabled: '' }, 'of your own'),
+      ...MATERIALS.map(({ name, label }) => make('option', { value: name }, label)),
+    );
     this.before = [
-      make('label', { class: 'switch' }, this.bounces, ' goes on after a landing'), this.reason,
+      make('label', { class: 'switch' }, this.bounces, ' goes on after a landing'),
+      this.reason,
       make('div', { class: 'row choice' }, make('label', { for: 'material' }, 'Material'), this.material),
       this.source,
     ];
@@ -71,8 +74,7 @@ export class ImpactFields {
   /** The material that has the numbers of the problem. */
   private get shown(): Material | null {
     const { restitution, values } = this.lab.state.problem;
-    const same = (it: Material): boolean =>
-      it.restitution === restitution && it.mu_s === values.mu_s && it.mu_k === values.mu_k;
+    const same = (it: Material): boolean => it.restitution === restitution && it.mu_s === values.mu_s && it.mu_k === values.mu_k;
     return MATERIALS.find(same) ?? null;
   }
 }

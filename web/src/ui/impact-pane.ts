@@ -1,12 +1,12 @@
 // The impact that is shown: what happens in it, Routh's diagram, and its numbers.
 
-import { VELOCITIES, type ImpactEvent, type Routh } from '../core/motion';
+import { type ImpactEvent, type Routh, VELOCITIES } from '../core/motion';
+import { brief, byId, line, make } from '../dom';
 import { IMPULSE_LINE_ROWS, type ImpulseLine, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, IMPULSE_UNITS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { Sheet } from '../views/canvas';
 import { drawRouth } from '../views/routh';
-import { brief, byId, line, make } from '../dom';
 
 /** The lines of the legend. */
 const LINES = ['sticking', 'greatest_compression'] as const satisfies readonly ImpulseLine[];
@@ -22,8 +22,12 @@ export class ImpactPane {
   private routh: Routh | null = null;
   private stale = true;
 
-  constructor(private readonly lab: Lab, private palette: Palette, draw: () => void,
-    private readonly go: (time: number) => void) {
+  constructor(
+    private readonly lab: Lab,
+    private palette: Palette,
+    draw: () => void,
+    private readonly go: (time: number) => void,
+  ) {
     this.sheet = new Sheet(byId('routh', HTMLCanvasElement), () => {
       this.stale = true;
       draw();
@@ -33,7 +37,8 @@ export class ImpactPane {
       ...LINES.map((name) => {
         const { label, dash, width } = IMPULSE_LINE_ROWS[name];
         return make('li', { 'data-impulse': name }, line(width, dash), label);
-      }));
+      }),
+    );
     this.previous.addEventListener('click', () => this.step(-1));
     this.next.addEventListener('click', () => this.step(1));
   }
@@ -44,7 +49,10 @@ export class ImpactPane {
   }
 
   private step(way: 1 | -1): void {
-    const { time, motion: { impacts } } = this.lab;
+    const {
+      time,
+      motion: { impacts },
+    } = this.lab;
     const found = way > 0 ? impacts.find((it) => it.time > time) : impacts.findLast((it) => it.time < time);
     if (found) this.go(found.time);
   }
@@ -56,7 +64,11 @@ export class ImpactPane {
   }
 
   showTime(): void {
-    const { time, impact, motion: { impacts } } = this.lab;
+    const {
+      time,
+      impact,
+      motion: { impacts },
+    } = this.lab;
     this.previous.disabled = !impacts.some((it) => it.time < time);
     this.next.disabled = !impacts.some((it) => it.time > time);
     if (impact === this.shown && impact !== null) return;
@@ -70,17 +82,44 @@ export class ImpactPane {
   }
 
   private showWords(): void {
-    const { shown, lab: { motion: { impacts }, units, state: { problem: { system } } } } = this;
-    const { signs, units: { si } } = COLUMN_ROWS.time;
-    const place = shown === null ? '' : `${impacts.indexOf(shown) + 1} of ${impacts.length}, ${signs[system]} = ${
-      brief(shown.time * units.time, 6)}${system === 'si' ? ` ${si}` : ''}`;
+    const {
+      shown,
+      lab: {
+        motion: { impacts },
+        units,
+        state: {
+          problem: { system },
+        },
+      },
+    } = this;
+    const {
+      signs,
+      units: { si },
+    } = COLUMN_ROWS.time;
+    const place =
+      shown === null
+        ? ''
+        : `${impacts.indexOf(shown) + 1} of ${impacts.length}, ${signs[system]} = ${brief(
+            shown.time * units.time,
+            6,
+          )}${system === 'si' ? ` ${si}` : ''}`;
     byId('impact-place', HTMLElement).textContent = place;
     byId('impact-sentence', HTMLElement).textContent =
       shown === null ? 'The rim does not come down on the plane in this motion.' : shown.sentence;
   }
 
   private showNumbers(): void {
-    const { shown, lab: { motion, units, problem, state: { problem: { system } } } } = this;
+    const {
+      shown,
+      lab: {
+        motion,
+        units,
+        problem,
+        state: {
+          problem: { system },
+        },
+      },
+    } = this;
     if (shown === null) {
       this.rows.replaceChildren();
       return;
@@ -88,19 +127,24 @@ export class ImpactPane {
     const { before, after, normal, friction, label } = shown.impact;
     const lost = motion.lostIn(shown.impact);
     const row = (name: string, sign: string, unit: string, ...values: number[]): HTMLElement =>
-      make('tr', { 'data-quantity': name },
+      make(
+        'tr',
+        { 'data-quantity': name },
         make('th', { scope: 'row' }, make('i', {}, sign), unit === '' ? '' : make('span', { class: 'unit' }, ` ${unit}`)),
         ...values.map((value) =>
-          make('td', { ...(values.length === 1 ? { colspan: '2' } : {}), 'data-value': String(value) }, brief(value, 6))));
+          make('td', { ...(values.length === 1 ? { colspan: '2' } : {}), 'data-value': String(value) }, brief(value, 6)),
+        ),
+      );
     const unit = IMPULSE_UNITS[system];
     this.rows.replaceChildren(
       make('tr', {}, make('th', { scope: 'row' }, 'course'), make('td', { colspan: '2' }, label)),
-      ...VELOCITIES.map((name) => row(name, COLUMN_ROWS[name].signs[system], COLUMN_ROWS[name].units[system],
-        before[name] * units[name], after[name] * units[name])),
+      ...VELOCITIES.map((name) =>
+        row(name, COLUMN_ROWS[name].signs[system], COLUMN_ROWS[name].units[system], before[name] * units[name], after[name] * units[name]),
+      ),
       row('normal_impulse', 'P', unit, normal * problem.impulseUnit),
       row('friction_impulse', 'J', unit, friction * problem.impulseUnit),
-      row('energy_lost', lost < 0 ? 'energy gained' : 'energy lost', COLUMN_ROWS.energy.units[system],
-        Math.abs(lost) * units.energy));
+      row('energy_lost', lost < 0 ? 'energy gained' : 'energy lost', COLUMN_ROWS.energy.units[system], Math.abs(lost) * units.energy),
+    );
   }
 
   /** Draws the diagram if it is stale. */
@@ -108,17 +152,32 @@ export class ImpactPane {
     if (!this.stale || this.pane.hidden || this.routh === null || this.sheet.size.width === 0) return;
     this.stale = false;
     this.drawOn(this.sheet.clear(), this.sheet.size.width, this.sheet.size.height);
-    const { shown, lab: { problem } } = this;
+    const {
+      shown,
+      lab: { problem },
+    } = this;
     const [p = 0, j = 0] = this.routh.way.subarray(-2);
     Object.assign(this.sheet.canvas.dataset, { normal: String(p), friction: String(j) });
-    this.sheet.canvas.setAttribute('aria-label',
-      `Routh's diagram: from the origin the impulse goes to P = ${brief(p * problem.impulseUnit)}, J = ${
-        brief(j * problem.impulseUnit)}. The contact ${shown?.impact.label ?? ''}.`);
+    this.sheet.canvas.setAttribute(
+      'aria-label',
+      `Routh's diagram: from the origin the impulse goes to P = ${brief(p * problem.impulseUnit)}, J = ${brief(
+        j * problem.impulseUnit,
+      )}. The contact ${shown?.impact.label ?? ''}.`,
+    );
   }
 
   /** Routh's diagram on another context, for export. */
   drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
-    const { routh, palette, lab: { problem, state: { problem: { system } } } } = this;
+    const {
+      routh,
+      palette,
+      lab: {
+        problem,
+        state: {
+          problem: { system },
+        },
+      },
+    } = this;
     if (routh) drawRouth(c, { width, height }, { routh, scale: problem.impulseUnit, unit: IMPULSE_UNITS[system], palette });
   }
 }

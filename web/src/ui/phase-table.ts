@@ -1,8 +1,8 @@
 // The table of the phases, as the command line prints it: each row goes to its time.
 
 import type { Row } from '../core/motion';
-import type { Lab } from '../state/lab';
 import { byId, make } from '../dom';
+import type { Lab } from '../state/lab';
 
 /** Rows of the table at most. */
 const MOST_ROWS = 200;
@@ -16,7 +16,10 @@ export class PhaseTable {
   private rows: [number, HTMLTableRowElement][] = [];
   private now: HTMLTableRowElement | null = null;
 
-  constructor(private readonly lab: Lab, private readonly go: (time: number) => void) {}
+  constructor(
+    private readonly lab: Lab,
+    private readonly go: (time: number) => void,
+  ) {}
 
   showMotion(): void {
     this.fill(false);
@@ -37,7 +40,8 @@ export class PhaseTable {
     this.now = null;
     this.rows = [];
     byId('phase-heads', HTMLTableRowElement).replaceChildren(
-      ...head.map((text, i) => make('th', { scope: 'col', ...(numbers.includes(i) ? { class: 'number' } : {}) }, text)));
+      ...head.map((text, i) => make('th', { scope: 'col', ...(numbers.includes(i) ? { class: 'number' } : {}) }, text)),
+    );
     this.body.replaceChildren(...rows.slice(0, MOST_ROWS).map((row) => this.row(row, numbers)));
     const hidden = rows.length - MOST_ROWS;
     byId('more-phases', HTMLParagraphElement).textContent = hidden > 0 ? `and ${hidden} more: the exports have them all` : '';
@@ -54,7 +58,7 @@ export class PhaseTable {
       } else {
         cell.append(text);
       }
-      if (i === MOTION && mode !== null) cell.dataset['mode'] = mode;
+      if (i === MOTION && mode !== null) cell.dataset.mode = mode;
       return cell;
     });
     const row = make('tr', folds === null ? {} : { class: 'fold' }, ...parts);

@@ -1,13 +1,13 @@
 // The pane of the phase plane: drawing in layers, and the start that can be dragged.
 
+import { brief, byId, line, make } from '../dom';
 import { CURVE_ROWS, CURVES, type Palette } from '../generated/palette';
 import { CLASS_LABELS, COLUMN_ROWS } from '../generated/tables';
-import { OutcomePicture, type HopClass } from '../map/client';
+import { type HopClass, OutcomePicture } from '../map/client';
 import type { Lab } from '../state/lab';
 import { RATES, SHOWS, type Shows } from '../state/state';
 import { Sheet } from '../views/canvas';
-import { curvesOf, drawMotion, drawPlane, drawStart, Frame, FROM, TO, wrapped, type Curves } from '../views/plane';
-import { brief, byId, line, make } from '../dom';
+import { type Curves, curvesOf, drawMotion, drawPlane, drawStart, FROM, Frame, TO, wrapped } from '../views/plane';
 
 const SIGNS = { theta: COLUMN_ROWS.theta.signs.dimensionless, rate: COLUMN_ROWS.theta_rate.signs.dimensionless };
 
@@ -28,19 +28,27 @@ export class PlanePane {
   private asked: Shows | null = null;
   private stale = { base: true, top: true };
 
-  constructor(private readonly lab: Lab, private palette: Palette, draw: () => void,
-    failed: (message: string) => void) {
+  constructor(
+    private readonly lab: Lab,
+    private palette: Palette,
+    draw: () => void,
+    failed: (message: string) => void,
+  ) {
     const resized = (): void => {
       this.stale = { base: true, top: true };
       draw();
     };
     this.base = new Sheet(byId('plane-base', HTMLCanvasElement), resized);
     this.top = new Sheet(byId('plane-top', HTMLCanvasElement), resized);
-    this.map = new OutcomePicture(palette, () => {
-      this.stale.base = true;
-      this.showLegend();
-      draw();
-    }, failed);
+    this.map = new OutcomePicture(
+      palette,
+      () => {
+        this.stale.base = true;
+        this.showLegend();
+        draw();
+      },
+      failed,
+    );
     this.listen();
     this.showCurves();
     this.hoopChanged();
@@ -68,7 +76,10 @@ export class PlanePane {
     });
     this.handle.addEventListener('keydown', (event) => {
       const [right, up] = {
-        ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
+        ArrowLeft: [-1, 0],
+        ArrowRight: [1, 0],
+        ArrowUp: [0, 1],
+        ArrowDown: [0, -1],
       }[event.key] ?? [0, 0];
       if (!right && !up) return;
       event.preventDefault();
@@ -106,7 +117,12 @@ export class PlanePane {
   }
 
   hoopChanged(): void {
-    const { problem, state: { view: { rate } } } = this.lab;
+    const {
+      problem,
+      state: {
+        view: { rate },
+      },
+    } = this.lab;
     this.curves = curvesOf(problem, rate);
     this.asked = null;
     this.askMap();
@@ -114,7 +130,12 @@ export class PlanePane {
   }
 
   private askMap(): void {
-    const { problem, state: { view: { embed, map, rate, shows } } } = this.lab;
+    const {
+      problem,
+      state: {
+        view: { embed, map, rate, shows },
+      },
+    } = this.lab;
     if (embed || !map || this.asked === shows) return;
     this.asked = shows;
     const { restitution, restitutionLaw: law } = problem;
@@ -160,11 +181,11 @@ export class PlanePane {
     const swatch = (): HTMLElement => make('span', { class: 'swatch', 'aria-hidden': 'true' });
     const computed = this.map.present.filter((name) => name !== 'not_computed');
     const hops = this.map.hops.map((it) => make('li', { 'data-hops': String(it.colour) }, swatch(), labelOfHops(it)));
-    this.legend.replaceChildren(
-      ...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])), ...hops);
-    this.legend.setAttribute('aria-label', hops.length > 0
-      ? 'Colours of the map: how often the motion from there lands'
-      : 'Colours of the outcome map: a start there …');
+    this.legend.replaceChildren(...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])), ...hops);
+    this.legend.setAttribute(
+      'aria-label',
+      hops.length > 0 ? 'Colours of the map: how often the motion from there lands' : 'Colours of the outcome map: a start there …',
+    );
   }
 
   /** Draws what is stale. */
@@ -186,8 +207,10 @@ export class PlanePane {
     const [theta, rate] = this.start;
     const shown = Math.min(Math.max(rate, -frame.rate), frame.rate);
     this.handle.style.transform = `translate(${frame.x(wrapped(theta))}px, ${frame.y(shown)}px)`;
-    this.handle.setAttribute('aria-label',
-      `Start: ${SIGNS.theta} = ${brief(theta)}, ${SIGNS.rate} = ${brief(rate)}. The arrow keys move it, with Shift in finer steps.`);
+    this.handle.setAttribute(
+      'aria-label',
+      `Start: ${SIGNS.theta} = ${brief(theta)}, ${SIGNS.rate} = ${brief(rate)}. The arrow keys move it, with Shift in finer steps.`,
+    );
   }
 
   /** The whole pane on another context, for export. */

@@ -1,10 +1,10 @@
 // Case, units and the massless hoop: what changes several numbers at once.
 
 import { inSystem } from '../core/fields';
+import { byId, make } from '../dom';
 import type { Quantity } from '../generated/tables';
 import type { Given, Lab } from '../state/lab';
-import { problemOfCase, rateFor, valueOf } from '../state/state';
-import { byId, make } from '../dom';
+import { numberOf, problemOfCase, rateFor } from '../state/state';
 
 export class ProblemBar {
   private readonly cases = byId('case', HTMLSelectElement);
@@ -13,7 +13,10 @@ export class ProblemBar {
   /** What a massless hoop has not, as it was before the hoop was made massless, in the units of that time. */
   private heavy: Given = {};
 
-  constructor(private readonly lab: Lab, before: () => void) {
+  constructor(
+    private readonly lab: Lab,
+    before: () => void,
+  ) {
     this.cases.append(make('option', { value: '', disabled: '' }, 'a hoop of your own'));
     for (const named of lab.cases) {
       this.cases.append(make('option', { value: named.name }, `${named.name}: ${named.title}`));
@@ -23,8 +26,8 @@ export class ProblemBar {
       if (!named) return;
       before();
       const problem = problemOfCase(named);
-      const massless = valueOf(problem, 'inertia') === 0 && valueOf(problem, 'mass_ratio') === 0;
-      lab.take(problem, { rate: rateFor(massless, valueOf(problem, 'theta_rate') ?? 0) });
+      const massless = numberOf(problem, 'inertia') === 0 && numberOf(problem, 'mass_ratio') === 0;
+      lab.take(problem, { rate: rateFor(massless, numberOf(problem, 'theta_rate') ?? 0) });
     });
     this.si.addEventListener('change', () => lab.setSystem(this.si.checked ? 'si' : 'dimensionless'));
     this.massless.addEventListener('change', () => this.switchMass());
@@ -37,7 +40,7 @@ export class ProblemBar {
     const withValues = (value: (name: Quantity) => number): Partial<Record<Quantity, number>> =>
       Object.fromEntries(names.map((name) => [name, value(name)]));
     if (this.massless.checked) {
-      this.heavy = { ...withValues((name) => valueOf(problem, name) ?? NaN), restitution: problem.restitution };
+      this.heavy = { ...withValues((name) => numberOf(problem, name) ?? NaN), restitution: problem.restitution };
       this.lab.set({ ...withValues(() => 0), restitution: null }, { rate: rateFor(true, 0) });
     } else if (names.every((name) => name in this.heavy)) {
       this.lab.set(this.heavy, { rate: rateFor(false, 0) });

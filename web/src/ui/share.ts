@@ -1,10 +1,10 @@
 // The dialogue for links, commands, data and pictures.
 
+import { byId } from '../dom';
 import type { Palette } from '../generated/palette';
 import type { Lab } from '../state/lab';
 import { pythonLine, shellLine } from './commands';
-import { byId } from '../dom';
-import { painterOfPlots, pngOf, save, svgOf, type Painter, type View } from './export';
+import { type Painter, painterOfPlots, pngOf, save, svgOf, type View } from './export';
 
 /** The motion at an address as a frame for another page. */
 function frameOf(address: string): string {
@@ -20,8 +20,12 @@ export class Share {
   private readonly note = byId('toast', HTMLParagraphElement);
   private timer = 0;
 
-  constructor(private readonly lab: Lab, private readonly painters: Record<Exclude<View, 'plots'>, Painter>,
-    private readonly palette: () => Palette, private readonly address: () => string) {
+  constructor(
+    private readonly lab: Lab,
+    private readonly painters: Record<Exclude<View, 'plots'>, Painter>,
+    private readonly palette: () => Palette,
+    private readonly address: () => string,
+  ) {
     byId('open-share', HTMLButtonElement).addEventListener('click', () => this.open());
     byId('copy-link', HTMLButtonElement).addEventListener('click', () => void this.shareLink());
     byId('close-share', HTMLButtonElement).addEventListener('click', () => this.dialog.close());
@@ -119,9 +123,7 @@ export class Share {
     const painter = view === 'plots' ? painterOfPlots(this.lab, palette) : this.painters[view];
     try {
       const content =
-        format === 'svg'
-          ? new Blob([svgOf(view, painter, palette)], { type: 'image/svg+xml' })
-          : await pngOf(view, painter, palette);
+        format === 'svg' ? new Blob([svgOf(view, painter, palette)], { type: 'image/svg+xml' }) : await pngOf(view, painter, palette);
       save(`${this.name}-${view}.${format}`, content);
     } catch (error) {
       this.notify(`The picture could not be made: ${String(error)}`);

@@ -1,8 +1,8 @@
 // What happens, in words: the mode and the sentence.
 
-import { modeOf, type Event } from '../core/motion';
-import type { Lab } from '../state/lab';
+import { type Event, modeOf } from '../core/motion';
 import { byId } from '../dom';
+import type { Lab } from '../state/lab';
 
 export class Story {
   private readonly mode = byId('mode', HTMLSpanElement);
@@ -25,8 +25,8 @@ export class Story {
     const sample = motion.at(time);
     const mode = event.to ?? (sample === null ? null : modeOf(sample.mode));
     this.mode.textContent = mode === null ? 'no motion' : event.to === null ? `${mode}, ends` : mode;
-    if (mode === null) delete this.mode.dataset['mode'];
-    else this.mode.dataset['mode'] = mode;
+    if (mode === null) delete this.mode.dataset.mode;
+    else this.mode.dataset.mode = mode;
     this.sentence.textContent = event.sentence;
   }
 }

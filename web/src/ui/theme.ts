@@ -16,8 +16,8 @@ export function paletteOf(theme: Theme): Palette {
 
 /** Gives the document the theme. */
 export function setTheme(theme: Theme): void {
-  if (theme === 'auto') delete document.documentElement.dataset['theme'];
-  else document.documentElement.dataset['theme'] = theme;
+  if (theme === 'auto') delete document.documentElement.dataset.theme;
+  else document.documentElement.dataset.theme = theme;
 }
 
 export function onSystemTheme(changed: () => void): void {

@@ -1,11 +1,11 @@
 // The time line with its transitions, and the buttons that move along it.
 
 import { modeOf } from '../core/motion';
+import { brief, byId, make } from '../dom';
 import { COLUMN_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { SPEEDS } from '../state/state';
 import type { Clock } from './clock';
-import { brief, byId, make } from '../dom';
 
 /** Energy over m2 g R that no mark tells from none. */
 const LEAST_LOSS = 1e-6;
@@ -19,7 +19,10 @@ export class Transport {
   private readonly speed = byId('speed', HTMLSelectElement);
   private readonly loop = byId('loop', HTMLInputElement);
 
-  constructor(private readonly lab: Lab, private readonly clock: Clock) {
+  constructor(
+    private readonly lab: Lab,
+    private readonly clock: Clock,
+  ) {
     for (const speed of SPEEDS) this.speed.append(make('option', { value: String(speed) }, `${speed}×`));
     this.play.addEventListener('click', () => clock.toggle());
     byId('first', HTMLButtonElement).addEventListener('click', () => this.go(lab.motion.begin));
@@ -80,16 +83,25 @@ export class Transport {
     const { impacts } = this.lab.motion;
     // Where nothing is lost there is only rounding, which has no height.
     const most = impacts.reduce((most, { impact }) => Math.max(most, Math.abs(impact.lost)), LEAST_LOSS);
-    this.marks.replaceChildren(...impacts.map(({ time, impact, sentence, name }) => {
-      const mark = make('span', { class: 'mark', title: sentence, 'data-arrow': 'impulse', 'data-cause': name });
-      mark.style.left = `${part(time)}%`;
-      mark.style.height = `${35 + 65 * Math.sqrt(Math.abs(impact.lost) / most)}%`;
-      return mark;
-    }));
+    this.marks.replaceChildren(
+      ...impacts.map(({ time, impact, sentence, name }) => {
+        const mark = make('span', { class: 'mark', title: sentence, 'data-arrow': 'impulse', 'data-cause': name });
+        mark.style.left = `${part(time)}%`;
+        mark.style.height = `${35 + 65 * Math.sqrt(Math.abs(impact.lost) / most)}%`;
+        return mark;
+      }),
+    );
   }
 
   showTime(): void {
-    const { motion, time, units, state: { problem: { system } } } = this.lab;
+    const {
+      motion,
+      time,
+      units,
+      state: {
+        problem: { system },
+      },
+    } = this.lab;
     const span = motion.end - motion.begin || 1;
     this.range.value = String((time - motion.begin) / span);
     // The unit of a dimensionless time goes without saying.
@@ -106,7 +118,7 @@ export class Transport {
     this.speed.value = String(view.speed);
     this.loop.checked = view.loop;
     const { playing } = this.clock;
-    this.play.dataset['state'] = playing ? 'playing' : 'paused';
+    this.play.dataset.state = playing ? 'playing' : 'paused';
     this.play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
   }
 }

@@ -9,7 +9,10 @@ export class Sheet {
   size: Size = { width: 0, height: 0 };
   readonly context: CanvasRenderingContext2D;
 
-  constructor(readonly canvas: HTMLCanvasElement, resized: () => void) {
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    resized: () => void,
+  ) {
     const context = canvas.getContext('2d');
     if (!context) throw new Error('this browser has no canvas');
     this.context = context;

@@ -1,10 +1,10 @@
 // The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and trails.
 
-import { modeOf, type Motion, type Sample, type Samples } from '../core/motion';
+import { type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { roundTicks } from '../core/ticks';
 import { MODE_DASHES, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, QUANTITY_ROWS } from '../generated/tables';
-import { arrow, label, setDash, type Size } from './canvas';
+import { arrow, label, type Size, setDash } from './canvas';
 import { FONT } from './font';
 
 export interface HoopScene {

@@ -1,11 +1,11 @@
 // The phase plane (θ, θ′): outcome map, 𝓡, curves, levels, the motion and its start.
 
-import { modeOf, type Motion, type Sample, type Samples } from '../core/motion';
+import { type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { angularTicks, roundTicks } from '../core/ticks';
 import { Plane, type Problem } from '../core/wasm';
-import { CURVE_ROWS, MODE_DASHES, type Curve, type Palette } from '../generated/palette';
+import { CURVE_ROWS, type Curve, MODE_DASHES, type Palette } from '../generated/palette';
 import { COLUMN_ROWS } from '../generated/tables';
-import { label, setDash, type Size } from './canvas';
+import { label, type Size, setDash } from './canvas';
 import { FONT } from './font';
 
 /** Angles that are shown: one turn and a half, so that neither the top nor the bottom is cut. */
@@ -22,7 +22,10 @@ const MARGIN = { left: 46, right: 14, top: 12, bottom: 40 };
 
 /** From θ, θ′ to pixels and back. */
 export class Frame {
-  constructor(readonly size: Size, readonly rate: number) {}
+  constructor(
+    readonly size: Size,
+    readonly rate: number,
+  ) {}
 
   get width(): number {
     return this.size.width - MARGIN.left - MARGIN.right;
@@ -338,7 +341,10 @@ const MANY = 12;
 /** The start as a ring. */
 export function drawStart(c: CanvasRenderingContext2D, frame: Frame, theta: number, rate: number, palette: Palette): void {
   if (Math.abs(rate) > frame.rate) return;
-  for (const [colour, width] of [[palette.ink.paper, 6], [palette.ink.ink, 3]] as const) {
+  for (const [colour, width] of [
+    [palette.ink.paper, 6],
+    [palette.ink.ink, 3],
+  ] as const) {
     c.beginPath();
     c.arc(frame.x(wrapped(theta)), frame.y(rate), 10, 0, 2 * Math.PI);
     c.strokeStyle = colour;

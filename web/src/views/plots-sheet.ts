@@ -7,7 +7,7 @@ import type { Palette } from '../generated/palette';
 import { COLUMN_ROWS } from '../generated/tables';
 import { label, type Size } from './canvas';
 import { FONT } from './font';
-import { rangeOf, SUBJECTS, type Shown } from './plots';
+import { rangeOf, type Shown, SUBJECTS } from './plots';
 
 const LEFT = 70;
 const RIGHT = 20;
@@ -25,14 +25,16 @@ export interface PlotsScene extends Shown {
 export function drawPlots(c: CanvasRenderingContext2D, { width, height }: Size, scene: PlotsScene): void {
   const { motion, samples, palette, time: now, units, system } = scene;
   const each = (height - TOP - BOTTOM - GAP * (SUBJECTS.length - 1)) / SUBJECTS.length;
-  const x = (time: number): number =>
-    LEFT + ((time - motion.begin) / (motion.end - motion.begin || 1)) * (width - LEFT - RIGHT);
+  const x = (time: number): number => LEFT + ((time - motion.begin) / (motion.end - motion.begin || 1)) * (width - LEFT - RIGHT);
   c.font = `13px ${FONT}`;
   SUBJECTS.forEach((subject, i) => {
     const top = TOP + i * (each + GAP);
     const values = subject.values(samples, units);
     const known = values.filter((it) => it !== null);
-    const [least, most] = rangeOf(known.reduce((a, b) => Math.min(a, b), Infinity), known.reduce((a, b) => Math.max(a, b), -Infinity));
+    const [least, most] = rangeOf(
+      known.reduce((a, b) => Math.min(a, b), Infinity),
+      known.reduce((a, b) => Math.max(a, b), -Infinity),
+    );
     const y = (value: number): number => top + ((most - value) / (most - least)) * each;
     c.globalAlpha = 0.16;
     for (const phase of motion.phases) {
@@ -81,12 +83,21 @@ export function drawPlots(c: CanvasRenderingContext2D, { width, height }: Size, 
   for (const { value, label } of end > begin ? roundTicks(begin, end, 8) : []) {
     c.fillText(label, x(value / units.time), height - BOTTOM + 6);
   }
-  const { signs, units: { si } } = COLUMN_ROWS.time;
+  const {
+    signs,
+    units: { si },
+  } = COLUMN_ROWS.time;
   c.fillText(system === 'si' ? `${signs.si} [${si}]` : signs.dimensionless, width / 2, height - 20);
 }
 
-function ticks(c: CanvasRenderingContext2D, palette: Palette, least: number, most: number, y: (value: number) => number,
-  width: number): void {
+function ticks(
+  c: CanvasRenderingContext2D,
+  palette: Palette,
+  least: number,
+  most: number,
+  y: (value: number) => number,
+  width: number,
+): void {
   c.textAlign = 'right';
   c.textBaseline = 'middle';
   for (const { value, label } of roundTicks(least, most, 5)) {

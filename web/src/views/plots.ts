@@ -3,9 +3,9 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import type { ColumnUnits, Motion, Samples } from '../core/motion';
+import { make as element } from '../dom';
 import type { Palette } from '../generated/palette';
 import { COLUMN_ROWS, type SampleColumn, type System } from '../generated/tables';
-import { make as element } from '../dom';
 import { FONT } from './font';
 
 /** A curve against time: a column, or what is computed from some. */
@@ -33,17 +33,18 @@ function column(name: SampleColumn): Subject {
 
 /** The coefficient of friction that the forces need. */
 const demand: Subject = {
-  id: 'demand', signs: { dimensionless: '|F|/N', si: '|F|/N' }, meaning: 'friction force over normal force',
+  id: 'demand',
+  signs: { dimensionless: '|F|/N', si: '|F|/N' },
+  meaning: 'friction force over normal force',
   units: { dimensionless: '', si: '' },
-  values: ({ normal, friction }) => Array.from(normal, (force, i) => {
-    const ratio = Math.abs(friction[i]!) / force;
-    return force > 0 && Number.isFinite(ratio) ? ratio : null;
-  }),
+  values: ({ normal, friction }) =>
+    Array.from(normal, (force, i) => {
+      const ratio = Math.abs(friction[i]!) / force;
+      return force > 0 && Number.isFinite(ratio) ? ratio : null;
+    }),
 };
 
-export const SUBJECTS: readonly Subject[] = [
-  column('theta_rate'), column('slip'), column('normal'), demand, column('energy'),
-];
+export const SUBJECTS: readonly Subject[] = [column('theta_rate'), column('slip'), column('normal'), demand, column('energy')];
 
 interface Plot {
   subject: Subject;
@@ -61,7 +62,11 @@ export class Plots {
   private columns: uPlot.AlignedData[] = [];
   private shown: Shown | null = null;
 
-  constructor(holder: HTMLElement, palette: Palette, private readonly scrub: (time: number) => void) {
+  constructor(
+    holder: HTMLElement,
+    palette: Palette,
+    private readonly scrub: (time: number) => void,
+  ) {
     this.palette = palette;
     this.plots = SUBJECTS.map((subject) => this.make(holder, subject));
     // Not within the observer: the charts change the size of what is observed.
@@ -84,32 +89,58 @@ export class Plots {
 
   private chart(box: HTMLElement, subject: Subject): uPlot {
     const axis = {
-      stroke: () => this.palette.ink.ink, font: `12px ${FONT}`, grid: { stroke: () => this.palette.ink.line, width: 1 },
+      stroke: () => this.palette.ink.ink,
+      font: `12px ${FONT}`,
+      grid: { stroke: () => this.palette.ink.line, width: 1 },
       ticks: { stroke: () => this.palette.ink.line, width: 1, size: 4 },
     };
-    return new uPlot({
-      width: Math.max(box.clientWidth, 50),
-      height: Math.max(box.clientHeight, 50),
-      padding: [8, 10, 0, 0],
-      legend: { show: false },
-      cursor: { show: false },
-      scales: { x: { time: false }, y: { range: (_, least, most) => rangeOf(least, most) } },
-      axes: [
-        { ...axis, size: 26, gap: 2, space: 50 },
-        { ...axis, size: 44, gap: 3, space: 28, values: (_, ticks) => ticks.map((it) => String(Number(it.toPrecision(4))).replace('-', '−')) },
+    return new uPlot(
+      {
+        width: Math.max(box.clientWidth, 50),
+        height: Math.max(box.clientHeight, 50),
+        padding: [8, 10, 0, 0],
+        legend: { show: false },
+        cursor: { show: false },
+        scales: { x: { time: false }, y: { range: (_, least, most) => rangeOf(least, most) } },
+        axes: [
+          { ...axis, size: 26, gap: 2, space: 50 },
+          {
+            ...axis,
+            size: 44,
+            gap: 3,
+            space: 28,
+            values: (_, ticks) => ticks.map((it) => String(Number(it.toPrecision(4))).replace('-', '−')),
+          },
+        ],
+        series: [
+          {},
+          {
+            label: subject.id,
+            width: 2,
+            stroke: () => this.palette.ink.ink,
+            points: { show: false },
+            spanGaps: false,
+            pxAlign: 0,
+          },
+        ],
+        hooks: { drawClear: [(chart) => this.bands(chart)] },
+      },
+      [
+        [0, 1],
+        [0, 0],
       ],
-      series: [{}, {
-        label: subject.id, width: 2, stroke: () => this.palette.ink.ink, points: { show: false }, spanGaps: false, pxAlign: 0,
-      }],
-      hooks: { drawClear: [(chart) => this.bands(chart)] },
-    }, [[0, 1], [0, 0]], box);
+      box,
+    );
   }
 
   /** The modes as bands behind the curve. */
   private bands(chart: uPlot): void {
     if (!this.shown) return;
     const { ctx, bbox } = chart;
-    const { motion, units: { time: unit } } = this.shown;
+    const {
+      motion,
+      units: { time: unit },
+    } = this.shown;
     ctx.save();
     ctx.globalAlpha = 0.16;
     for (const phase of motion.phases) {
@@ -149,7 +180,11 @@ export class Plots {
 
   setMotion(shown: Shown): void {
     this.shown = shown;
-    const { motion: { samples }, units, system } = shown;
+    const {
+      motion: { samples },
+      units,
+      system,
+    } = shown;
     const time = Array.from(samples.time, (it) => it * units.time);
     this.columns = this.plots.map(({ subject }) => [time, subject.values(samples, units)]);
     this.plots.forEach(({ chart, sign, unit, subject }, i) => {
@@ -162,13 +197,16 @@ export class Plots {
   /** Puts the cursor of every plot to a time. */
   setTime(time: number): void {
     if (!this.shown) return;
-    const { motion: { begin, end }, units } = this.shown;
+    const {
+      motion: { begin, end },
+      units,
+    } = this.shown;
     const shown = time * units.time;
     this.plots.forEach(({ chart, cursor, value }, i) => {
       // Not valToPos: the library takes new scales only after this.
       const width = chart.bbox.width / uPlot.pxRatio;
       cursor.style.transform = `translateX(${((time - begin) / (end - begin || 1)) * width}px)`;
-      const [times, values] = this.columns[i] as [number[], (number | null)[]] | undefined ?? [[], []];
+      const [times, values] = (this.columns[i] as [number[], (number | null)[]] | undefined) ?? [[], []];
       const at = interpolate(times, values, shown);
       value.textContent = at === null ? '–' : at.toFixed(3).replace('-', '−');
     });

@@ -3,7 +3,7 @@
 import type { Routh } from '../core/motion';
 import { roundTicks } from '../core/ticks';
 import { IMPULSE_LINE_ROWS, type ImpulseLine, type Palette } from '../generated/palette';
-import { label, setDash, type Size } from './canvas';
+import { label, type Size, setDash } from './canvas';
 import { FONT } from './font';
 
 export interface RouthScene {
@@ -41,7 +41,14 @@ export function drawRouth(c: CanvasRenderingContext2D, size: Size, scene: RouthS
 }
 
 function axes(c: CanvasRenderingContext2D, { width, height }: Size, frame: Frame, scene: RouthScene): void {
-  const { routh: { frame: [left = 0, right = 1, low = 0, high = 1] }, scale, unit, palette } = scene;
+  const {
+    routh: {
+      frame: [left = 0, right = 1, low = 0, high = 1],
+    },
+    scale,
+    unit,
+    palette,
+  } = scene;
   const [bottom, rim] = [height - MARGIN.bottom, width - MARGIN.right];
   c.font = `12.5px ${FONT}`;
   c.fillStyle = palette.ink.ink;
@@ -96,7 +103,10 @@ function lineOf(c: CanvasRenderingContext2D, frame: Frame, ends: Float64Array, n
 function drawWay(c: CanvasRenderingContext2D, frame: Frame, routh: Routh, palette: Palette): void {
   const { way, greatestCompression } = routh;
   c.lineJoin = 'round';
-  for (const [colour, width] of [[palette.ink.paper, WAY + 3], [palette.arrow.impulse, WAY]] as const) {
+  for (const [colour, width] of [
+    [palette.ink.paper, WAY + 3],
+    [palette.arrow.impulse, WAY],
+  ] as const) {
     c.strokeStyle = colour;
     c.lineWidth = width;
     c.beginPath();

@@ -40,7 +40,10 @@ export class VectorContext implements Pen {
   private path: string[] = [];
   private paths = 0;
 
-  constructor(private readonly width: number, private readonly height: number) {}
+  constructor(
+    private readonly width: number,
+    private readonly height: number,
+  ) {}
 
   toString(): string {
     const { width, height } = this;
@@ -126,20 +129,37 @@ ${this.parts.join('\n')}
   }
 
   /** The part of a canvas that is drawn, as an image of its own. */
-  drawImage(source: HTMLCanvasElement, sx: number, sy: number, sw: number, sh: number, x: number, y: number, width: number,
-    height: number): void {
+  drawImage(
+    source: HTMLCanvasElement,
+    sx: number,
+    sy: number,
+    sw: number,
+    sh: number,
+    x: number,
+    y: number,
+    width: number,
+    height: number,
+  ): void {
     const part = document.createElement('canvas');
     part.width = sw;
     part.height = sh;
     part.getContext('2d')?.drawImage(source, sx, sy, sw, sh, 0, 0, sw, sh);
     this.put('image', {
-      x: at(x), y: at(y), width: at(width), height: at(height), preserveAspectRatio: 'none', href: part.toDataURL('image/png'),
+      x: at(x),
+      y: at(y),
+      width: at(width),
+      height: at(height),
+      preserveAspectRatio: 'none',
+      href: part.toDataURL('image/png'),
     });
   }
 
   private get lines(): Attributes {
     return {
-      fill: 'none', ...colour('stroke', this.strokeStyle), 'stroke-width': this.lineWidth, 'stroke-linejoin': this.lineJoin,
+      fill: 'none',
+      ...colour('stroke', this.strokeStyle),
+      'stroke-width': this.lineWidth,
+      'stroke-linejoin': this.lineJoin,
       ...(this.dash.length > 0 ? { 'stroke-dasharray': this.dash.join(' ') } : {}),
     };
   }
@@ -149,19 +169,29 @@ ${this.parts.join('\n')}
   }
 
   private write(text: string, x: number, y: number, paint: Attributes): void {
-    const [, style = '', weight = '', size = '10', family = ''] =
-      /^(italic )?(bold )?([\d.]+)px (.*)$/.exec(this.font) ?? [];
+    const [, style = '', weight = '', size = '10', family = ''] = /^(italic )?(bold )?([\d.]+)px (.*)$/.exec(this.font) ?? [];
     const drop = (DROPS[this.textBaseline] ?? 0) * Number(size);
-    this.put('text', {
-      x: at(x), y: at(y + drop), 'font-family': family.replaceAll('"', "'"), 'font-size': size,
-      ...(style ? { 'font-style': 'italic' } : {}), ...(weight ? { 'font-weight': 'bold' } : {}),
-      'text-anchor': ANCHORS[this.textAlign] ?? 'start', ...paint,
-    }, text);
+    this.put(
+      'text',
+      {
+        x: at(x),
+        y: at(y + drop),
+        'font-family': family.replaceAll('"', "'"),
+        'font-size': size,
+        ...(style ? { 'font-style': 'italic' } : {}),
+        ...(weight ? { 'font-weight': 'bold' } : {}),
+        'text-anchor': ANCHORS[this.textAlign] ?? 'start',
+        ...paint,
+      },
+      text,
+    );
   }
 
   private put(name: string, attributes: Attributes, text?: string): void {
     const all = this.globalAlpha === 1 ? attributes : { ...attributes, opacity: this.globalAlpha };
-    const list = Object.entries(all).map(([key, value]) => ` ${key}="${value}"`).join('');
+    const list = Object.entries(all)
+      .map(([key, value]) => ` ${key}="${value}"`)
+      .join('');
     this.parts.push(text === undefined ? `<${name}${list}/>` : `<${name}${list}>${escaped(text)}</${name}>`);
   }
 }

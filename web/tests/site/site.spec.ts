@@ -3,12 +3,20 @@
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import AxeBuilder from '@axe-core/playwright';
-import { expect, test, type Page } from '@playwright/test';
+import { expect, type Page, test } from '@playwright/test';
 
 /** Pages of each kind: text with a frame, formulas, long tables, flags, docstrings, pictures. */
 const PAGES = [
-  'docs/index', 'docs/start', 'docs/theory/jumps', 'docs/theory/contact', 'docs/sweep', 'docs/reference/command-line',
-  'docs/reference/python', 'docs/reference/files', 'docs/gallery', 'docs/howto/embed',
+  'docs/index',
+  'docs/start',
+  'docs/theory/jumps',
+  'docs/theory/contact',
+  'docs/sweep',
+  'docs/reference/command-line',
+  'docs/reference/python',
+  'docs/reference/files',
+  'docs/gallery',
+  'docs/howto/embed',
 ];
 
 /** Opens a page. Any error in it, and any request to another host, fails the test. */
@@ -37,7 +45,10 @@ test('nothing is wider than a phone', async ({ page }, info) => {
 });
 
 for (const [name, scheme] of [
-  ['docs/index', 'light'], ['docs/index', 'dark'], ['docs/theory/jumps', 'light'], ['docs/howto/embed', 'dark'],
+  ['docs/index', 'light'],
+  ['docs/index', 'dark'],
+  ['docs/theory/jumps', 'light'],
+  ['docs/howto/embed', 'dark'],
   ['docs/sweep', 'light'],
 ] as const) {
   test(`${name}, ${scheme}: axe finds nothing`, async ({ page }) => {
@@ -46,7 +57,15 @@ for (const [name, scheme] of [
     await open(page, name);
     // What is in a frame is tested with the laboratory.
     const { violations } = await new AxeBuilder({ page }).exclude('iframe').analyze();
-    expect(violations.map((it) => `${it.id}: ${it.nodes.slice(0, 3).map((node) => node.html).join(' ')}`)).toEqual([]);
+    expect(
+      violations.map(
+        (it) =>
+          `${it.id}: ${it.nodes
+            .slice(0, 3)
+            .map((node) => node.html)
+            .join(' ')}`,
+      ),
+    ).toEqual([]);
   });
 }
 
@@ -66,9 +85,9 @@ test('a frame plays, and follows the theme of the page', async ({ page }) => {
   const frame = page.frameLocator('iframe');
   await frame.locator('#play').click();
   await expect.poll(async () => Number((await frame.locator('#now').textContent())!.slice(4))).toBeGreaterThan(0.1);
-  await page.evaluate(() => (document.body.dataset['theme'] = 'dark'));
+  await page.evaluate(() => (document.body.dataset.theme = 'dark'));
   await expect(frame.locator('html')).toHaveAttribute('data-theme', 'dark');
-  await page.evaluate(() => (document.body.dataset['theme'] = 'light'));
+  await page.evaluate(() => (document.body.dataset.theme = 'light'));
   await expect(frame.locator('html')).toHaveAttribute('data-theme', 'light');
 });
 
@@ -77,9 +96,13 @@ test('the first address leads to the first page', async ({ page }) => {
   await expect(page).toHaveURL(/docs\/index\.html$/);
 });
 
-for (const [word, found] of [['restitution', 'After the landing'], ['jump', 'One angle of a jump'], ['outcome_map', 'Python']] as const) {
+for (const [word, found] of [
+  ['restitution', 'After the landing'],
+  ['jump', 'One angle of a jump'],
+  ['outcome_map', 'Python'],
+] as const) {
   test(`search finds ${word} without a server`, async ({ page }) => {
-    const site = resolve(process.env['LITTLEWOOD_SITE'] ?? '../target/site');
+    const site = resolve(process.env.LITTLEWOOD_SITE ?? '../target/site');
     await page.goto(`${pathToFileURL(site).href}/search.html?q=${word}`);
     await expect(page.locator('#search-results li a').filter({ hasText: found }).first()).toBeVisible();
   });
