@@ -63,7 +63,7 @@ stage build
 export LITTLEWOOD_BUILT=1
 
 python_side=(python)
-[ "${1:-}" != --all ] || python_side+=(evidence)
+[ "${1:-}" != --all ] || python_side+=(evidence core)
 begin_beside "${python_side[@]}"
 LITTLEWOOD_FUZZ_SECONDS=$((fuzz * 5 / 6)) stage rust
 stage without-features

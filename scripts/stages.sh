@@ -83,6 +83,10 @@ stage_documentation() { # the site: its equations, commands, code, links, and it
   npx playwright test --config site.config.ts
 }
 
+stage_core() { # the core as it is without the features of other crates
+  cargo check --package littlewood --all-targets --locked
+}
+
 stage_evidence() { # claims and pages of the studies, three engines against what they must reach, pages of measured numbers. Arguments of pytest
   built
   local folders=(evidence/engines evidence/reference/tests evidence/studies evidence/truth)

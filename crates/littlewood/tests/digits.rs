@@ -1,6 +1,7 @@
 //! The digits that are said to be trusted, against the motions of `evidence/reference/digits-usual.json` and `digits-heavy.json`, followed with 60 digits.
 #![allow(clippy::panic)] // a failed expectation
 
+use littlewood::tables::{Quantity, Setup};
 use littlewood::{Hoop, HoopParameters, Limits, Start, State};
 use serde_json::Value;
 
@@ -41,13 +42,26 @@ impl Claims {
     }
 }
 
+/// The hoop and the start of a motion.
+fn problem(motion: &Value) -> (Hoop, Start) {
+    let mut setup = Setup::new(HoopParameters::thin(1.0), Start::at(0.0, 0.0));
+    for (group, quantities) in [("hoop", Quantity::HOOP), ("start", Quantity::START)] {
+        for quantity in quantities {
+            if let Some(value) = motion[group][quantity.name()].as_f64() {
+                setup.set(quantity, value);
+            }
+        }
+    }
+    setup.hoop.restitution_law =
+        motion["hoop"]["restitution_law"].as_str().map(|law| law.parse().expect("a law"));
+    (Hoop::new(setup.hoop).expect("a valid hoop"), setup.start)
+}
+
 fn claims(text: &str) -> Claims {
     let motions: Value = serde_json::from_str(text).expect("motions");
     let mut claims = Claims::default();
     for (place, motion) in motions.as_array().expect("a list").iter().enumerate() {
-        let hoop: HoopParameters = serde_json::from_value(motion["hoop"].clone()).expect("a hoop");
-        let start: Start = serde_json::from_value(motion["start"].clone()).expect("a start");
-        let hoop = Hoop::new(hoop).expect("a valid hoop");
+        let (hoop, start) = problem(motion);
         let limits = Limits::default().with_transitions(100);
         let ours = hoop.simulate(start, limits).expect("a valid start");
         let digits = hoop.digits(start, limits).expect("a valid start");
