@@ -29,7 +29,7 @@ esac
 export CARGO_PROFILE_DEV_DEBUG="${CARGO_PROFILE_DEV_DEBUG:-0}"
 # Nothing here is built a second time, so that what a second build would need need not be kept.
 export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}"
-# Seconds of the fuzzers together; a sixth of them for the page's links, which are read in microseconds.
+# Seconds of the fuzzers together.
 fuzz="${LITTLEWOOD_FUZZ_SECONDS:-$([ "${1:-}" = --all ] && echo 60 || echo 18)}"
 logs="$(mktemp -d)"
 beside=()
@@ -65,9 +65,9 @@ export LITTLEWOOD_BUILT=1
 python_side=(python)
 [ "${1:-}" != --all ] || python_side+=(evidence core)
 begin_beside "${python_side[@]}"
-LITTLEWOOD_FUZZ_SECONDS=$((fuzz * 5 / 6)) stage rust
+LITTLEWOOD_FUZZ_SECONDS="$fuzz" stage rust
 stage without-features
-LITTLEWOOD_FUZZ_SECONDS=$((fuzz / 6)) stage page
+stage page
 stage documentation
 end_beside
 

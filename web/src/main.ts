@@ -13,7 +13,7 @@ import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
 import { byId } from './dom';
 import { type Change, Lab } from './state/lab';
-import { casesOf, type NamedCase, problemOfCase, type State, type Theme, VIEW } from './state/state';
+import type { NamedCase, State, Theme } from './state/state';
 import { type FieldError, format, parse } from './state/url';
 import { Clock } from './ui/clock';
 import { showDefect, watch } from './ui/defect';
@@ -40,11 +40,11 @@ const HAS_ADDRESS = location.protocol !== 'about:';
 watch();
 await startCore(await coreModule(), showDefect);
 if (!namesAgree()) throw new Error('the page and its core are of different versions');
-start(casesOf(casesOfCore()));
+start(JSON.parse(casesOfCore()) as NamedCase[]);
 
 function start(cases: NamedCase[]): void {
   if (location.hash === '#panic') provokePanic();
-  const plain: State = { problem: problemOfCase(cases[0]!), view: { ...VIEW } };
+  const plain = parse('').state;
   // A frame does not compute, even for a moment, what it does not show.
   const { embed } = parse(location.hash, plain).state.view;
   const first: State = { ...plain, view: { ...plain.view, embed } };

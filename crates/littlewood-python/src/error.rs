@@ -22,7 +22,7 @@ pub(crate) fn refuse(py: Python<'_>, error: &Refusal, index: Option<usize>) -> P
 /// The exception of a law of restitution that there is not.
 pub(crate) fn unknown_law(py: Python<'_>, error: &UnknownName) -> PyErr {
     let hint = format!("leave it out for the {} law", RestitutionLaw::default());
-    exception(py, error.to_string(), "law", &hint, None)
+    exception(py, error.to_string(), "restitution_law", &hint, None)
 }
 
 /// The exception of a proof that there is not.

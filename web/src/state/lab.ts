@@ -12,18 +12,9 @@ import {
   type Quantity,
   type System,
 } from '../generated/tables';
-import {
-  caseOfProblem,
-  lawOf,
-  type NamedCase,
-  numberOf,
-  numbersOfProblem,
-  type ProblemState,
-  problemWith,
-  type State,
-  type ViewState,
-} from './state';
-import type { FieldError } from './url';
+
+import { lawOf, type NamedCase, numberOf, numbersOfProblem, type ProblemState, problemWith, type State, type ViewState } from './state';
+import { caseOf, type FieldError } from './url';
 
 /** What has changed: the hoop, the slip or the rate of the gap (new curves, new map), the motion, the time of the cursor, the view. */
 export type Change = 'hoop' | 'motion' | 'time' | 'view' | 'errors';
@@ -49,7 +40,7 @@ export class Lab {
     this.state = initial;
     this.problem = checked(initial.problem);
     this.units = unitsOf(this.problem);
-    this.motion = Motion.of(this.problem, this.caseName(initial.problem));
+    this.motion = Motion.of(this.problem, caseOf(initial.problem));
   }
 
   onChange(listener: Listener): void {
@@ -66,13 +57,9 @@ export class Lab {
     for (const listener of this.listeners) listener(set);
   }
 
-  private caseName(problem: ProblemState): string | null {
-    return caseOfProblem(problem, this.cases)?.name ?? null;
-  }
-
   /** Name of the case that is shown, if it is one. */
   get named(): string | null {
-    return this.caseName(this.state.problem);
+    return caseOf(this.state.problem);
   }
 
   /** The problem without dimension, in whichever units it is shown. */
@@ -102,7 +89,7 @@ export class Lab {
     const before = this.problem;
     try {
       const problem = checked(next);
-      const motion = Motion.of(problem, this.caseName(next));
+      const motion = Motion.of(problem, caseOf(next));
       this.motion.free();
       this.motion = motion;
       this.problem = problem;

@@ -1,7 +1,7 @@
 // The state of the page: everything that a link carries.
 
 import { inOrder, LIMIT, numbersOf, type Values } from '../core/fields';
-import { LAWS, type Law, QUANTITY_ROWS, type Quantity, type System, VIEW_CHOICES, VIEW_FIRST, type ViewKey } from '../generated/tables';
+import { LAWS, type Law, type Quantity, type System, VIEW_CHOICES, VIEW_FIRST, type ViewKey } from '../generated/tables';
 
 export type Theme = (typeof VIEW_CHOICES.theme)[number];
 
@@ -112,36 +112,6 @@ export interface NamedCase {
   name: string;
   title: string;
   source: string;
-  hoop: Readonly<Record<string, number>>;
-  law: Law | null;
-  start: Record<string, number>;
-}
-
-/** The cases, of the text of the core. */
-export function casesOf(text: string): NamedCase[] {
-  const cases = JSON.parse(text) as (Omit<NamedCase, 'law'> & { hoop: { restitution_law?: Law } })[];
-  return cases.map(({ hoop: { restitution_law: law = null, ...hoop }, ...it }) => ({ ...it, hoop, law }));
-}
-
-/** The problem of a case. */
-export function problemOfCase({ name, hoop, law, start }: NamedCase): ProblemState {
-  const values: Partial<Record<string, number>> = { ...hoop, ...start };
-  const value = (quantity: Quantity): number => {
-    const number = values[quantity] ?? QUANTITY_ROWS[quantity].otherwise;
-    if (number === null) throw new Error(`the case ${name} has no ${quantity}`);
-    return number;
-  };
-  return problemWith('dimensionless', value, { restitution: values.restitution ?? null, law, until: null });
-}
-
-/** The case that a problem is, number by number; none if it differs. */
-export function caseOfProblem(problem: ProblemState, cases: readonly NamedCase[]): NamedCase | null {
-  if (problem.system !== 'dimensionless' || problem.until !== null) return null;
-  const same = (other: ProblemState): boolean =>
-    other.restitution === problem.restitution &&
-    lawOf(other) === lawOf(problem) &&
-    numbersOf('dimensionless').every((name) => Object.is(numberOf(other, name), numberOf(problem, name)));
-  return cases.find((named) => same(problemOfCase(named))) ?? null;
 }
 
 /** The rate that shows a problem well: massless hoops live below θ′ = 1. */

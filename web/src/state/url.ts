@@ -2,7 +2,7 @@
 
 import { readLink, writeLink } from '../core/wasm';
 import { type Law, type Quantity, type System, VIEW_KEYS, type ViewKey } from '../generated/tables';
-import { lawOf, numbersOfProblem, problemWith, type State, textsOf, viewOf } from './state';
+import { lawOf, numbersOfProblem, type ProblemState, problemWith, type State, textsOf, VIEW, viewOf } from './state';
 
 export interface FieldError {
   /** The field, or the key of the address. */
@@ -43,9 +43,18 @@ export function format({ problem, view }: State): string {
   );
 }
 
-/** Reads a fragment. What it does not say stays as in `base`; what cannot be read is reported and stays, too. */
-export function parse(fragment: string, base: State): Parsed {
-  const { system, values, errors, at, view, ...options } = JSON.parse(readLink(fragment, format(base))) as Said;
+/**
+ * Reads a fragment. What it does not say stays as in `base`, or is that of the first case; what cannot be read is reported
+ * and stays, too.
+ */
+export function parse(fragment: string, base: State | null = null): Parsed {
+  const shown = base === null ? '' : format(base);
+  const { system, values, errors, at, view, ...options } = JSON.parse(readLink(fragment, shown)) as Said;
   const problem = problemWith(system, (quantity) => values[quantity] ?? NaN, options);
   return { state: { problem, view: { ...viewOf(view), time: at } }, fieldErrors: errors };
+}
+
+/** The name of the case that a problem is, to the last bit; none if it is none. */
+export function caseOf(problem: ProblemState): string | null {
+  return /^case=(.*)$/.exec(format({ problem, view: VIEW }))?.[1] ?? null;
 }

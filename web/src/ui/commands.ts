@@ -2,12 +2,14 @@
 
 import { LIMIT, numbersOf } from '../core/fields';
 import { type Group, LAWS, type Law, QUANTITY_ROWS, type Quantity } from '../generated/tables';
-import { caseOfProblem, lawOf, type NamedCase, numberOf, type ProblemState } from '../state/state';
+
+import { lawOf, numberOf, type ProblemState } from '../state/state';
+import { caseOf } from '../state/url';
 
 /** `littlewood simulate …` with the very numbers of the page. */
-export function shellLine(problem: ProblemState, cases: readonly NamedCase[]): string {
-  const named = caseOfProblem(problem, cases);
-  if (named) return `littlewood simulate ${named.name}`;
+export function shellLine(problem: ProblemState): string {
+  const named = caseOf(problem);
+  if (named) return `littlewood simulate ${named}`;
   const flags = given(problem).map(([quantity, value]) => `--${quantity.replaceAll('_', '-')} ${value}`);
   const law = otherLaw(problem);
   if (law !== null) flags.push(`--restitution-law ${law}`);
@@ -15,9 +17,9 @@ export function shellLine(problem: ProblemState, cases: readonly NamedCase[]): s
 }
 
 /** The same with the Python package. */
-export function pythonLine(problem: ProblemState, cases: readonly NamedCase[]): string {
-  const named = caseOfProblem(problem, cases);
-  if (named) return `import littlewood as lw; motion = lw.case("${named.name}").simulate()`;
+export function pythonLine(problem: ProblemState): string {
+  const named = caseOf(problem);
+  if (named) return `import littlewood as lw; motion = lw.case("${named}").simulate()`;
   const si = problem.system === 'si';
   // In Python every number of a start in SI units has its unit in its name, the angle too.
   const nameOf = (quantity: Quantity): string => (si && quantity === 'theta' ? 'theta_rad' : quantity);
@@ -27,7 +29,7 @@ export function pythonLine(problem: ProblemState, cases: readonly NamedCase[]): 
       .map(([quantity, value]) => `${nameOf(quantity)}=${value}`)
       .join(', ');
   const law = otherLaw(problem);
-  const hoop = `lw.Hoop${si ? '.from_si' : ''}(${list('hoop')}${law === null ? '' : `, law="${law}"`})`;
+  const hoop = `lw.Hoop${si ? '.from_si' : ''}(${list('hoop')}${law === null ? '' : `, restitution_law="${law}"`})`;
   return `import littlewood as lw; motion = ${hoop}.${si ? 'simulate_si' : 'simulate'}(${list('start')})`;
 }
 

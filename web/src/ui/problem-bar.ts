@@ -4,7 +4,9 @@ import { inSystem } from '../core/fields';
 import { byId, make } from '../dom';
 import type { Quantity } from '../generated/tables';
 import type { Given, Lab } from '../state/lab';
-import { numberOf, problemOfCase, rateFor } from '../state/state';
+
+import { numberOf, rateFor } from '../state/state';
+import { parse } from '../state/url';
 
 export class ProblemBar {
   private readonly cases = byId('case', HTMLSelectElement);
@@ -25,7 +27,7 @@ export class ProblemBar {
       const named = lab.cases.find((it) => it.name === this.cases.value);
       if (!named) return;
       before();
-      const problem = problemOfCase(named);
+      const { problem } = parse(`case=${named.name}`).state;
       const massless = numberOf(problem, 'inertia') === 0 && numberOf(problem, 'mass_ratio') === 0;
       lab.take(problem, { rate: rateFor(massless, numberOf(problem, 'theta_rate') ?? 0) });
     });

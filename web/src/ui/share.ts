@@ -45,8 +45,8 @@ export class Share {
   private open(): void {
     byId('link-text', HTMLTextAreaElement).value = this.address();
     byId('frame-text', HTMLTextAreaElement).value = frameOf(this.address());
-    byId('shell-text', HTMLTextAreaElement).value = shellLine(this.lab.state.problem, this.lab.cases);
-    byId('python-text', HTMLTextAreaElement).value = pythonLine(this.lab.state.problem, this.lab.cases);
+    byId('shell-text', HTMLTextAreaElement).value = shellLine(this.lab.state.problem);
+    byId('python-text', HTMLTextAreaElement).value = pythonLine(this.lab.state.problem);
     const { impact, motion } = this.lab;
     byId('picture-impact', HTMLSpanElement).hidden = impact === null || motion.routh(impact) === null;
     this.dialog.showModal();
