@@ -55,7 +55,7 @@ class Case:
         import littlewood as lw
 
         parameters = {"mu_s": self.mu_s, "mu_k": self.mu_k, "restitution": self.restitution}
-        hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, law=law, **parameters)
+        hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, restitution_law=law, **parameters)
         start = {"theta": self.theta, "theta_rate": self.theta_rate, "slip": self.slip, "gap_rate": self.gap_rate}
         return hoop.simulate(**start, until=self.until)
 
@@ -249,7 +249,7 @@ def runs(name: str, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
                     run |= run_adapter(prefix, file, step, setting, record)
                     if run["status"] == "scored":
                         try:
-                            run |= kept(lw.score(motion, lw.Record.from_csv(record)).as_dict())
+                            run |= kept(lw.scoring.score(motion, lw.scoring.Record.from_csv(record)).as_dict())
                         except ValueError as error:
                             run |= {"status": "failed", "reason": str(error).replace(str(record), "the record")}
                     print(

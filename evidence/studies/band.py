@@ -94,7 +94,7 @@ def shares(h: float, mu_k: float) -> dict[str, float]:
     theta, rate = starts(h)
     result = lw.simulate_many(hoop, theta=theta, theta_rate=rate, max_transitions=20_000, threads=1)
     names = lw.sequence_names(result.sequence.values)
-    outcome = np.array([lw.OUTCOMES[int(code)] for code in result.outcome.values])
+    outcome = np.array([lw.tables.OUTCOMES[int(code)] for code in result.outcome.values])
     lifts = outcome == "landing"
     return {
         "at once": float(np.mean([name.startswith("F") for name in names])),

@@ -120,7 +120,7 @@ def thrown(body: Body, angle: float, along: float, mu: float) -> lw.Trajectory:
     return hoop.simulate(theta=-angle, theta_rate=rate, slip=slip, max_transitions=2)
 
 
-def flight(motion: lw.Trajectory) -> lw.Phase:
+def flight(motion: lw.Trajectory) -> lw.motion.Phase:
     """Return the first flight of a motion."""
     return next(phase for phase in motion.phases if phase.mode == "flight")
 
@@ -225,7 +225,7 @@ def build(weight: float, mu: float, restitution: float) -> lw.Hoop:
 def window(mu: float, restitution: float, seen: float, step: float = 0.02) -> tuple[float, ...]:
     """Return the speeds of the hoop at the bottom, m/s, at which 51 g hops once and 66 g twice."""
     light, heavy = build(0.051, mu, restitution), build(0.066, mu, restitution)
-    unit = math.sqrt(lw.STANDARD_GRAVITY * RADIUS)
+    unit = math.sqrt(lw.hoop.STANDARD_GRAVITY * RADIUS)
 
     def count(hoop: lw.Hoop, place: int, most: int) -> int:
         return hops(hoop, place * step / unit, seen / RADIUS, most)
@@ -256,7 +256,9 @@ def nudges() -> str:
 
 def next_to_zero() -> lw.Trajectory:
     """Return the motion of a hoop that is so light and rough that it slides towards P = 0 from a nudge."""
-    hoop = lw.Hoop(mass_ratio=0.003, offset=0.6, inertia=1.7e-5, mu_s=0.59, mu_k=0.59, restitution=0.5, law="poisson")
+    hoop = lw.Hoop(
+        mass_ratio=0.003, offset=0.6, inertia=1.7e-5, mu_s=0.59, mu_k=0.59, restitution=0.5, restitution_law="poisson"
+    )
     return hoop.simulate(theta=1e-4, theta_rate=1e-4, max_transitions=6)
 
 
@@ -383,7 +385,7 @@ def hula(cells: float, mu: float = 0.5) -> lw.Hoop:
     return lw.Hoop.from_si(particle_mass_kg=CELL * cells, mu_s=mu, mu_k=mu, **HULA)
 
 
-def hula_jump(hoop: lw.Hoop, rate: float) -> lw.Phase | None:
+def hula_jump(hoop: lw.Hoop, rate: float) -> lw.motion.Phase | None:
     """Return the jump of a hoop that rolls over the top with a rate, if it jumps."""
     motion = hoop.simulate(theta=0.0, theta_rate=-rate, proof="contact", max_transitions=500)
     return next((phase for phase in motion.phases if phase.mode == "flight" and phase.start.time > 0.0), None)
@@ -457,7 +459,7 @@ SEEN = (0.002, 0.005, 0.01)
 
 def weights() -> list[str]:
     """How often the published hoop hops with several weights, at one speed."""
-    unit = math.sqrt(lw.STANDARD_GRAVITY * RADIUS)
+    unit = math.sqrt(lw.hoop.STANDARD_GRAVITY * RADIUS)
     rows = []
     for grams in (45, 51, 56, 61, 66, 75, 90):
         counts = [
@@ -471,7 +473,7 @@ def least_of_build() -> str:
     """The least speed at the top with which the published hoop can jump, by the bound."""
     hoop = build(0.066, 0.5, 0.0)
     rate = math.sqrt(0.5 * (1.0 - hoop.h) / hoop.h)
-    return f"{rate * math.sqrt(lw.STANDARD_GRAVITY * RADIUS):.2f} m/s"
+    return f"{rate * math.sqrt(lw.hoop.STANDARD_GRAVITY * RADIUS):.2f} m/s"
 
 
 def speeds() -> str:
@@ -537,7 +539,7 @@ def push_picture() -> Figure:
 def hops_picture() -> Figure:
     """How often the published build hops, by the speed at the bottom."""
     figure, axes = panels(2, width=4.8)
-    unit = math.sqrt(lw.STANDARD_GRAVITY * RADIUS)
+    unit = math.sqrt(lw.hoop.STANDARD_GRAVITY * RADIUS)
     speeds = np.arange(2.7, 3.6, 0.02)
     for ax, (mu, restitution) in zip(axes, ((0.4, 0.3), (0.4, 0.6)), strict=True):
         for weight, colour, dash in styled((0.051, 0.066)):

@@ -269,7 +269,7 @@ def random_orbits(seed: int, count: int) -> Iterator[tuple[lw.Hoop, Orbit, float
         if found is None or abs(found.friction) > 5.0:
             continue
         mu = found.friction + 0.2
-        yield replace(drawn, mu_s=mu, mu_k=mu, restitution=1.0, law="energetic"), found, angle
+        yield replace(drawn, mu_s=mu, mu_k=mu, restitution=1.0, restitution_law="energetic"), found, angle
 
 
 def after_turn(hoop: lw.Hoop, theta: float, rate: float, gap_rate: float, slip: float = 0.0) -> list[float]:

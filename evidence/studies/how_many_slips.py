@@ -18,7 +18,7 @@ from .hoops import thin_hoop
 from .page import table
 from .study import Study
 
-ROLLS = next(code for code, name in lw.OUTCOMES.items() if name == "rolls_forever")
+ROLLS = next(code for code, name in lw.tables.OUTCOMES.items() if name == "rolls_forever")
 
 
 EXAMPLES = (("Figure 2", 0.5, 0.5), ("heavy hoop", 0.25, 0.2), ("light hoop", 0.75, 0.7), ("small offset", 0.1, 0.2))

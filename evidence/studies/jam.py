@@ -206,7 +206,7 @@ def approach(hoop: lw.Hoop) -> dict[str, Array]:
     end = motion.phases[0].end
     assert end is not None
     assert motion.outcome.kind == "singular"
-    sample = motion.at(end.time - end.time * np.logspace(-0.05, -9.0, 60))
+    sample = motion(end.time - end.time * np.logspace(-0.05, -9.0, 60))
     return {
         "xi": -np.asarray(end.theta_rate) * (end.time - sample.time),
         "w": 1.0 - hoop.h * np.cos(sample.theta) * sample.theta_rate**2,
@@ -457,7 +457,7 @@ def rolling(seed: int, count: int) -> tuple[int, int, int, int]:
             max_transitions=50,
             threads=1,
         )
-        names = np.array([lw.OUTCOMES[int(code)] for code in found.outcome.values])
+        names = np.array([lw.tables.OUTCOMES[int(code)] for code in found.outcome.values])
         numbers += [int((names == "singular").sum()), count]
     return numbers[0], numbers[1], numbers[2], numbers[3]
 

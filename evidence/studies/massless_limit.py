@@ -62,7 +62,7 @@ def regular() -> list[str]:
             motion, limit = figure_7(hoop), massless()
             angle = motion.transitions[0].state.theta - limit.transitions[0].state.theta
             times = [motion.transitions[i].time - limit.transitions[i].time for i in (0, 1)]
-            here, there = motion.at(2.5), limit.at(2.5)
+            here, there = motion(2.5), limit(2.5)
             pairs = ((here.theta, there.theta), (here.theta_rate, there.theta_rate), (here.slip, there.slip))
             numbers = [angle, *times, *(float(a - b) for a, b in pairs)]
             rows.append([family, f"{inertia:.3g}", *(f"{number / inertia:.4f}" for number in numbers)])
@@ -81,8 +81,8 @@ def bottom(hoop: lw.Hoop) -> tuple[float, float]:
     low, high = 2.4, 3.15
     for _ in range(60):
         middle = 0.5 * (low + high)
-        low, high = (middle, high) if motion.at(middle).theta < math.pi else (low, middle)
-    return low, float(motion.at(low).theta_rate)
+        low, high = (middle, high) if motion(middle).theta < math.pi else (low, middle)
+    return low, float(motion(low).theta_rate)
 
 
 def passages() -> list[str]:
@@ -119,7 +119,7 @@ def equal() -> list[str]:
     off = []
     for size in SIZES:
         motion, limit = figure_7(light(size, "no mass, only inertia", 0.5)), massless(0.5)
-        off.append(float(motion.at(2.2).theta - limit.at(2.2).theta) / size)
+        off.append(float(motion(2.2).theta - limit(2.2).theta) / size)
     rows = [
         [f"{size:.0e}", f"{here:.4f}", f"{(here - before) / math.log(10.0):.4f}"]
         for size, before, here in zip(SIZES[1:], off, off[1:], strict=False)
@@ -199,8 +199,8 @@ def orders_picture() -> Figure:
         time, rate = bottom(passing)
         rows.append(
             (
-                abs(motion.at(2.5).theta - limit.at(2.5).theta),
-                abs(equal_motion.at(2.2).theta - massless(0.5).at(2.2).theta),
+                abs(motion(2.5).theta - limit(2.5).theta),
+                abs(equal_motion(2.2).theta - massless(0.5)(2.2).theta),
                 time - ARRIVAL,
                 abs(rate * math.sqrt(size) - SPEED),
             )
@@ -221,7 +221,7 @@ def orders_picture() -> Figure:
     middle.legend(frameon=True, framealpha=0.9, edgecolor="none", fontsize=8, loc="lower right")
     for size, colour, dash in styled((1e-2, 1e-3, 1e-4)):
         times = np.linspace(2.75, 3.05, 1500)
-        seen = figure_7(light(size, "no mass, only inertia")).at(times)
+        seen = figure_7(light(size, "no mass, only inertia"))(times)
         right.plot(
             times,
             1.0 + np.cos(seen.theta),
@@ -231,7 +231,7 @@ def orders_picture() -> Figure:
             linewidth=1.3,
         )
     times = np.linspace(2.75, ARRIVAL, 200)
-    right.plot(times, 1.0 + np.cos(massless().at(times).theta), color=FAINT, linewidth=2.5, zorder=1, label="massless")
+    right.plot(times, 1.0 + np.cos(massless()(times).theta), color=FAINT, linewidth=2.5, zorder=1, label="massless")
     right.set(xlabel="time τ, √(R/g)", ylabel="height of the particle, R", ylim=(0, None))
     right.legend(frameon=False, fontsize=8)
     return figure

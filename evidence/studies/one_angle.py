@@ -202,7 +202,7 @@ def second_sample() -> list[tuple[str, float, float]]:
 def second_agreement() -> list[str]:
     """By the case of the impact: how far three numbers tell the angle of the second hop."""
     rows = []
-    for case in lw.IMPACT_CASES:
+    for case in lw.tables.IMPACT_CASES:
         both = [(turned, expected) for kind, turned, expected in second_sample() if kind == case]
         if both:
             off = np.sort([abs(turned / expected - 1.0) for turned, expected in both])

@@ -114,7 +114,7 @@ def shown() -> tuple[Film, np.ndarray, video.Circle, video.Marker, lw.Track, lw.
         path = Path(folder) / "film.avi"
         film.write(path)
         track, clicked = film.track(path, film.plane), film.track(path, film.clicked)
-        picture = list(video.pictures(path))[60]
+        picture = list(video.frames(path))[60]
         finder = video.finder_of(path, film.thrown.hoop, plane=film.plane)
     circle = finder.circle(picture)
     assert circle is not None

@@ -29,7 +29,7 @@ In a slide u depends on θ alone, so that this takes a whole period, 4.7 at leas
 are far from small, and with more friction slides are over sooner.
 """
 
-TRANSITION_LIMIT = next(code for code, name in lw.OUTCOMES.items() if name == "transition_limit")
+TRANSITION_LIMIT = next(code for code, name in lw.tables.OUTCOMES.items() if name == "transition_limit")
 
 TURN = 2.0 * math.pi
 
@@ -78,13 +78,13 @@ def _rolling_stop(energy: float, gamma: float) -> str:
     return "revolution" if energy > gamma / 0.75 else "turns back"
 
 
-def _stop_of(motion: lw.Trajectory, phase: lw.Phase) -> tuple[str, float] | None:
+def _stop_of(motion: lw.Trajectory, phase: lw.motion.Phase) -> tuple[str, float] | None:
     """Return the stop in a phase, and when since its beginning."""
     low, high = 0.0, phase.duration
     stop = ""
     for _ in range(7):
         times = low + (high - low) * INSTANTS
-        samples = motion.at(phase.start.time + times, side="before")
+        samples = motion(phase.start.time + times, side="before")
         back, around = (np.asarray(samples["theta_rate"]) <= 0.0, np.asarray(samples["theta"]) >= TURN)
         over = np.flatnonzero(back | around)
         if not len(over):

@@ -17,32 +17,16 @@ Examples
 ['stick', 'slip', 'lift_off', 'landing']
 """
 
-from . import closed_form, plot, video
+from . import bouncing, closed_form, motion, phase_plane, plot, scoring, tables, video
 from ._core import ParameterError, __version__
-from .bouncing import BouncingOrbit
-from .cases import CASES, Case, case
-from .fit_result import Estimate, FitResult, IdentifiabilityWarning
+from .cases import CASES, case
+from .fit_result import FitResult
 from .fitting import fit
-from .hoop import STANDARD_GRAVITY, Hoop
+from .hoop import Hoop
 from .many import outcome_map, sequence_names, simulate_many
-from .motion import (
-    EDGES,
-    Classification,
-    ContactVelocities,
-    Edge,
-    Impact,
-    Impulse,
-    Outcome,
-    Phase,
-    Start,
-    State,
-    Transition,
-)
+from .motion import Start
 from .noise import Noise
-from .phase_plane import Equilibrium, PhasePlane
 from .samples import Samples
-from .scoring import Convergence, EventScore, Record, RecordError, Score, Tolerances, convergence, score
-from .tables import CAUSES, CLASSES, IMPACT_CASES, MODES, OUTCOMES, PROOFS, REGIONS, RESTITUTION_LAWS
 from .track import Track
 from .trajectory import Trajectory
 from .units import Units
@@ -50,56 +34,28 @@ from .video.tracking import track_video
 
 __all__ = [
     "CASES",
-    "CAUSES",
-    "CLASSES",
-    "EDGES",
-    "IMPACT_CASES",
-    "MODES",
-    "OUTCOMES",
-    "PROOFS",
-    "REGIONS",
-    "RESTITUTION_LAWS",
-    "STANDARD_GRAVITY",
-    "BouncingOrbit",
-    "Case",
-    "Classification",
-    "ContactVelocities",
-    "Convergence",
-    "Edge",
-    "Equilibrium",
-    "Estimate",
-    "EventScore",
     "FitResult",
     "Hoop",
-    "IdentifiabilityWarning",
-    "Impact",
-    "Impulse",
     "Noise",
-    "Outcome",
     "ParameterError",
-    "Phase",
-    "PhasePlane",
-    "Record",
-    "RecordError",
     "Samples",
-    "Score",
     "Start",
-    "State",
-    "Tolerances",
     "Track",
     "Trajectory",
-    "Transition",
     "Units",
     "__version__",
+    "bouncing",
     "case",
     "closed_form",
-    "convergence",
     "fit",
+    "motion",
     "outcome_map",
+    "phase_plane",
     "plot",
-    "score",
+    "scoring",
     "sequence_names",
     "simulate_many",
+    "tables",
     "track_video",
     "video",
 ]

@@ -20,21 +20,21 @@ if TYPE_CHECKING:
 
 __all__ = ["Animation"]
 
-# An hour and a half of a film: each is a picture of its own.
+# An hour and a half of a video.
 _MOST_FRAMES = 300_000
 # Seconds that √(R/g) takes by default: that of a hoop of about a metre.
 _SECONDS = math.sqrt(0.1)
 
 
 class Animation:
-    """A motion as a film: the hoop on the plane, its particle drawing its path in the colour of the mode.
+    """A motion as a video: the hoop on the plane, its particle drawing its path in the colour of the mode.
 
     Parameters
     ----------
     motion : Trajectory
         The motion.
     frames : int, optional
-        Number of pictures, evenly spaced in time, 2 to 300,000.
+        Number of frames, evenly spaced in time, 2 to 300,000.
     seconds : float, optional
         How long it plays.
     """
@@ -49,14 +49,14 @@ class Animation:
         if not (self.seconds > 0.0 and math.isfinite(self.seconds)):
             raise ValueError(f"seconds = {self.seconds} s must be a finite number greater than 0")
         self._times = np.linspace(begin, end, frames)
-        self._samples = motion.at(self._times)
+        self._samples = motion(self._times)
 
     def __repr__(self) -> str:
         return f"<Animation of {self.motion.sequence}, {len(self._times)} frames, {self.seconds:.3g} s>"
 
     @property
     def _rate(self) -> int:
-        # Pictures a second, of which Matplotlib takes whole numbers.
+        # Frames a second, of which Matplotlib takes whole numbers.
         return max(1, round(len(self._times) / self.seconds))
 
     def to_matplotlib(self) -> FuncAnimation:
@@ -109,7 +109,7 @@ class Animation:
             label.set_color(MODE_COLOURS[str(names[i])])
             return [*moving, label]
 
-        film: FuncAnimation = animation.FuncAnimation(
+        video: FuncAnimation = animation.FuncAnimation(
             figure,
             show,
             frames=len(self._times),
@@ -117,10 +117,10 @@ class Animation:
             interval=1000.0 * self.seconds / len(self._times),
             blit=False,
         )
-        return film
+        return video
 
     def save(self, path: str | Path) -> None:
-        """Write a film.
+        """Write a video.
 
         Parameters
         ----------
@@ -132,7 +132,7 @@ class Animation:
 
     def _repr_html_(self) -> str:
         matplotlib = require("matplotlib")
-        # Small enough pictures that all frames go into the page.
+        # Frames small enough that all of them go into the page.
         with matplotlib.rc_context({"animation.embed_limit": 60.0, "savefig.dpi": 72.0}):
             html: str = self.to_matplotlib().to_jshtml(fps=self._rate, default_mode="once")
         return html

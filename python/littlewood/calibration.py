@@ -1,4 +1,4 @@
-"""What a camera shows wrong in every picture alike, and what it shows of a motion while a picture is exposed."""
+"""What a camera shows wrong in every frame alike, and what it shows of a motion while a frame is exposed."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ _OF_ANGLE: dict[str, Callable[[_Reals], Any]] = {
 }
 
 CALIBRATION = (*_SHIFTS, *_OF_ANGLE, "exposure")
-"""Names of what a camera may show wrong in every picture alike."""
+"""Names of what a camera may show wrong in every frame alike."""
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(2)
 
@@ -107,9 +107,9 @@ def means(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals
         return _at(motion, time)
     # From transition to transition a motion is smooth: an exposure is taken in such pieces.
     jumps = np.array([one.time for one in motion.transitions], dtype=np.float64)
-    pictures = np.searchsorted(time, jumps, side="right") - 1
-    inside = (pictures >= 0) & (jumps < time[pictures] + exposure)
-    begins, owners = np.concatenate([time, jumps[inside]]), np.concatenate([np.arange(time.size), pictures[inside]])
+    frames = np.searchsorted(time, jumps, side="right") - 1
+    inside = (frames >= 0) & (jumps < time[frames] + exposure)
+    begins, owners = np.concatenate([time, jumps[inside]]), np.concatenate([np.arange(time.size), frames[inside]])
     order = np.lexsort((begins, owners))
     begins, owners = begins[order], owners[order]
     ends = time[owners] + exposure
@@ -127,7 +127,7 @@ def means(motion: Trajectory, time: _Reals, exposure: float) -> dict[str, _Reals
 def _at(motion: Trajectory, time: _Reals) -> dict[str, _Reals]:
     """Return θ, x and y at instants; beyond its end a motion goes on evenly, because a fit needs a number there."""
     flat = time.ravel()
-    samples = motion.at(flat)
+    samples = motion(flat)
     found = {"theta": samples.theta, "x": samples.x, "y": samples.centre_y}
     late = samples.is_outside
     if np.any(late):

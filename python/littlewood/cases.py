@@ -60,7 +60,7 @@ def _case(
     name: str, title: str, source: str, hoop: Sequence[float | None], law: str | None, start: Sequence[float]
 ) -> Case:
     parameters: dict[str, Any] = dict(zip(HOOP, hoop, strict=True))
-    body = Hoop(**parameters, law=law, units=None)
+    body = Hoop(**parameters, restitution_law=law, units=None)
     return Case(name, title, source, body, Start(**dict(zip(START, start, strict=True))))
 
 

@@ -29,8 +29,8 @@ _LARGEST_INERTIA = 1e6
 _TRY_RESTITUTION = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9)
 # By which part the sum of squares still changes in the last step: on the way, and at the end.
 ROUGH, FINE = 1e-6, 1e-12
-# What the constants of a camera are before the film is seen: 0 ± 0.1, R or rad. A film tells them far better as a rule;
-# where it does not, they stay reasonable. An exposure is anything between none and the time between two pictures.
+# What the constants of a camera are before the video is seen: 0 ± 0.1, R or rad. A video tells them far better as a
+# rule; where it does not, they stay reasonable. An exposure is anything from none to the time between two frames.
 _CAMERA = "camera_"
 _EXPOSURE = "camera_exposure"
 _PRIOR = 0.1
@@ -142,7 +142,7 @@ class Problem:
         return found
 
     def motion(self, unknowns: _Reals) -> Trajectory:
-        """Simulate the motion while the film was taken."""
+        """Simulate the motion while the video was taken."""
         values = self.values(unknowns)
         hoop = replace(self.hoop, units=self.hoop.units, **{name: values[name] for name in OF_HOOP})
         return hoop.simulate(

@@ -80,8 +80,8 @@ def fit(
         First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not tell them.
     sigma : mapping, optional
         Standard deviations of the measurements of `theta` (rad), `x` and `y` (R), which are then taken for independent.
-        By default the errors of each channel are estimated from the residuals, as a part that differs from picture to
-        picture and one that changes slowly. Where the track has errors of single pictures, they are those of a picture
+        By default the errors of each channel are estimated from the residuals, as a part that differs from frame to
+        frame and one that changes slowly. Where the track has errors of single frames, they are those of a frame
         whose error is the median.
     until : float, optional
         Last time τ, √(R/g), that is used. Without a coefficient of restitution leave out what comes after the landing,
@@ -92,10 +92,10 @@ def fit(
         Whether to begin at many places. Without it the fit begins at the values of `hoop` and `start` alone, which is
         many times as fast, and finds the sequence of phases only if they have it.
     calibration : iterable of str, optional
-        What the camera may show wrong in every picture alike, which is then estimated along (as `camera_floor`, …):
+        What the camera may show wrong in every frame alike, which is then estimated along (as `camera_floor`, …):
         "floor" (the height of the centre), "turn", "scale", "stretch", "shear", "perspective_x" and "perspective_y" of
-        the picture, "marker" (the angle), "middle_x" and "middle_y" (the centre against the marker), and "exposure"
-        (how long a picture is exposed). By default that of the
+        the frame, "marker" (the angle), "middle_x" and "middle_y" (the centre against the marker), and "exposure"
+        (how long a frame is exposed). By default that of the
         track: all of them for one of :func:`track_video`, none for others. What no channel tells of is left out.
 
     Returns
@@ -127,7 +127,7 @@ def fit(
     for independent. Of a constant of the camera 0 ± 0.1 is known beforehand; they are displacements of what is seen,
     to first order: floor (0, 1), turn (−y, x), scale (x, y), stretch (x, −y), shear (y, x), perspective_x (x², x y),
     perspective_y (x y, y²), all that is between two homographies but a shift along x; middle_x and middle_y add cos θ
-    and sin θ to the angle. A picture shows the mean over its exposure, which begins at its time.
+    and sin θ to the angle. A frame shows the mean over its exposure, which begins at its time.
 
     A parameter counts as not identifiable where the residuals do not depend on it apart from the others, where its
     standard error would exceed its value (or half of its range, for the coefficient of restitution), or where the fit
@@ -140,7 +140,7 @@ def fit(
     >>> import numpy as np, littlewood as lw
     >>> hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
     >>> time = np.linspace(0, 2.0, 200)
-    >>> seen = hoop.simulate(theta=2.5, theta_rate=3).at(time)
+    >>> seen = hoop.simulate(theta=2.5, theta_rate=3)(time)
     >>> result = lw.fit(lw.Track(time, theta=seen.theta, x=seen.x), hoop)
     >>> abs(result.hoop.mu_s - 0.5) < 1e-6
     True

@@ -41,7 +41,7 @@ class Hoop:
         Coefficient of restitution of the impact of the rim on the plane, 0 ≤ e ≤ 1. Without one (None) a motion ends
         where the rim lands; with one it goes on: bounces, settles, rolls or slides, jumps again. A massless hoop has
         none: its rim has no inertia that an impulse could act on.
-    law : {"energetic", "poisson", "newton"}, optional
+    restitution_law : {"energetic", "poisson", "newton"}, optional
         What e is a ratio of: of works (Stronge), which is the default where e is given, of impulses, or of velocities.
         Only the last can gain energy.
     units : Units, optional
@@ -75,7 +75,7 @@ class Hoop:
     mu_s: float
     mu_k: float
     restitution: float | None = None
-    law: str | None = None
+    restitution_law: str | None = None
     units: Units | None = None
 
     def __post_init__(self) -> None:
@@ -84,7 +84,7 @@ class Hoop:
             if value is not None or not QUANTITIES[name].is_optional:
                 object.__setattr__(self, name, float(value))
         *_, law = _core.check_hoop(self._given)
-        object.__setattr__(self, "law", law)
+        object.__setattr__(self, "restitution_law", law)
 
     @classmethod
     def from_si(
@@ -98,7 +98,7 @@ class Hoop:
         mu_s: float,
         mu_k: float,
         restitution: float | None = None,
-        law: str | None = None,
+        restitution_law: str | None = None,
         gravity_m_per_s2: float = STANDARD_GRAVITY,
     ) -> Hoop:
         """Make a hoop from SI units.
@@ -117,7 +117,7 @@ class Hoop:
             Moment of inertia I_zz of the disc about its centre, kg m²: m1 R² for a thin hoop.
         mu_s, mu_k : float
             Coefficients of static and kinetic friction, 0 ≤ μk ≤ μs.
-        restitution, law : optional
+        restitution, restitution_law : optional
             Coefficient of restitution and its law, as those of :class:`Hoop`.
         gravity_m_per_s2 : float, optional
             Gravitational acceleration g, m/s².
@@ -143,19 +143,19 @@ class Hoop:
             "mu_k": mu_k,
             "restitution": restitution,
         }
-        numbers, units = _core.hoop_from_si([given[name] for name in SI_HOOP], law)
+        numbers, units = _core.hoop_from_si([given[name] for name in SI_HOOP], restitution_law)
         parameters: dict[str, Any] = dict(zip(HOOP, numbers, strict=True))
-        return cls(**parameters, law=law, units=Units(*units))
+        return cls(**parameters, restitution_law=restitution_law, units=Units(*units))
 
     @property
     def _given(self) -> tuple[list[float | None], str | None]:
         """The hoop as the core takes it."""
-        return [getattr(self, name) for name in HOOP], self.law
+        return [getattr(self, name) for name in HOOP], self.restitution_law
 
     @property
     def attributes(self) -> dict[str, float | str]:
         """What data sets say of the hoop: its parameters and the law of restitution, as far as it has them."""
-        named = {**{name: getattr(self, name) for name in HOOP}, "restitution_law": self.law}
+        named = {**{name: getattr(self, name) for name in HOOP}, "restitution_law": self.restitution_law}
         return {name: value for name, value in named.items() if value is not None}
 
     @property

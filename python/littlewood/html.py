@@ -21,7 +21,8 @@ def _hoop_rows(hoop: Hoop) -> list[tuple[str, str, str]]:
     """Return sign, value and meaning of each parameter that a hoop has."""
     values = [(QUANTITIES[name], getattr(hoop, name)) for name in HOOP]
     rows = [(one.sign, f"{value:.6g}", one.long_name) for one, value in values if value is not None]
-    return rows if hoop.law is None else [*rows, ("", LAW_LABELS[hoop.law], "law of restitution")]
+    law = hoop.restitution_law
+    return rows if law is None else [*rows, ("", LAW_LABELS[law], "law of restitution")]
 
 
 def _table(head: tuple[str, ...], rows: list[tuple[str, ...]], left: tuple[int, ...]) -> str:
@@ -48,7 +49,9 @@ def page_html(blocks: Iterable[tuple[str, list[str], list[tuple[str | None, list
             parts.append(_table(tuple(map(escape, head)), [_coloured(*row) for row in rows], left))
         elif kind == "fact":
             lines = "<br>".join(escape(line) for _, (line,) in rows)
-            parts.append(f'<div style="display:flex"><b style="min-width:6em">{escape(head[0])}</b><div>{lines}</div></div>')
+            parts.append(
+                f'<div style="display:flex"><b style="min-width:6em">{escape(head[0])}</b><div>{lines}</div></div>'
+            )
         else:
             parts.append(f"<div><small>{escape(head[0])}</small></div>")
     return f"<div>{''.join(parts)}</div>"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from . import _core
 from .hoop import Hoop
 from .tables import HOOP, START
@@ -82,9 +84,10 @@ def motion_of(link: str) -> Trajectory:
     if not _read(link)[0]:
         raise ValueError(f"no motion in the link '{link}'")
     hoop, law, units, start, until = _core.problem_of_link(link)
-    parameters = dict(zip(HOOP, hoop, strict=True))
-    body = Hoop(**parameters, law=law, units=None if units is None else Units(*units))  # type: ignore[arg-type]
-    return body.simulate(**dict(zip(START, start, strict=True)), until=until)
+    parameters: dict[str, Any] = dict(zip(HOOP, hoop, strict=True))
+    body = Hoop(**parameters, restitution_law=law, units=None if units is None else Units(*units))
+    begin: dict[str, Any] = dict(zip(START, start, strict=True))
+    return body.simulate(**begin, until=until)
 
 
 def time_of(link: str, motion: Trajectory) -> float:

@@ -45,7 +45,7 @@ class Quantities(TypedDict, total=False):
 def simulate_many(
     hoop: Hoop | None = None,
     *,
-    law: str | None = None,
+    restitution_law: str | None = None,
     until: float | None = None,
     max_transitions: int = MAX_TRANSITIONS,
     max_slides: int = MAX_SLIDES,
@@ -64,7 +64,7 @@ def simulate_many(
     ----------
     hoop : Hoop, optional
         Where the parameters of the hoop come from that are not given by name.
-    law : {"energetic", "poisson", "newton"}, optional
+    restitution_law : {"energetic", "poisson", "newton"}, optional
         Law of restitution, for all; that of the hoop by default.
     theta, theta_rate : array_like
         Angle θ, rad, and rate θ′, √(g/R).
@@ -123,14 +123,14 @@ def simulate_many(
     ['R', 'F']
     """
     values = fill(hoop, quantities)
-    law = _law(hoop, law, values)
+    law = _law(hoop, restitution_law, values)
     return _simulate(broadcast(values, law), until, max_transitions, max_slides, proof, chunks, threads, progress)
 
 
 def outcome_map(
     hoop: Hoop | None = None,
     *,
-    law: str | None = None,
+    restitution_law: str | None = None,
     until: float | None = None,
     max_transitions: int = MAX_TRANSITIONS,
     max_slides: int = MAX_SLIDES,
@@ -144,7 +144,7 @@ def outcome_map(
 
     Parameters
     ----------
-    hoop, law, until, max_transitions, max_slides, proof, chunks, threads, progress
+    hoop, restitution_law, until, max_transitions, max_slides, proof, chunks, threads, progress
         As those of :func:`simulate_many`.
     theta, theta_rate, slip, gap_rate, mass_ratio, offset, inertia, mu_s, mu_k, restitution : array_like, optional
         Axes of shape (n,), in the order in which they are given, or numbers. `theta` and `theta_rate` are required.
@@ -169,7 +169,7 @@ def outcome_map(
     {'theta': 7, 'theta_rate': 9}
     """
     values = fill(hoop, quantities)
-    law = _law(hoop, law, values)
+    law = _law(hoop, restitution_law, values)
     points = grid(values, law, [*quantities])
     return _simulate(points, until, max_transitions, max_slides, proof, chunks, threads, progress)
 
@@ -193,7 +193,7 @@ def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
 
 def _law(hoop: Hoop | None, law: str | None, values: Mapping[str, Any]) -> str | None:
     """Return the law of restitution of a sweep; refuse hoops without physical meaning."""
-    return check_hoop(values, hoop.law if law is None and hoop is not None else law)
+    return check_hoop(values, hoop.restitution_law if law is None and hoop is not None else law)
 
 
 def _simulate(

@@ -78,7 +78,7 @@ class Phase:
     Attributes
     ----------
     mode : str
-        Mode of motion, one of :data:`littlewood.MODES`.
+        Mode of motion, one of :data:`littlewood.tables.MODES`.
     direction : {-1, 0, 1}
         Sign of the slip velocity; 0 for rolling and flight.
     start : State
@@ -142,7 +142,7 @@ class Impact:
     Attributes
     ----------
     case : str
-        What the contact point does, one of :data:`littlewood.IMPACT_CASES`.
+        What the contact point does, one of :data:`littlewood.tables.IMPACT_CASES`.
     before, after : ContactVelocities
         Velocities on either side.
     impulse : Impulse
@@ -191,7 +191,7 @@ class Transition:
     direction : {-1, 0, 1}
         Sign of the slip velocity of the motion that begins.
     cause : str
-        Event, one of :data:`littlewood.CAUSES`.
+        Event, one of :data:`littlewood.tables.CAUSES`.
     """
 
     state: State
@@ -219,7 +219,7 @@ class Outcome:
     Attributes
     ----------
     kind : str
-        Name, one of those of :data:`littlewood.OUTCOMES`.
+        Name, one of those of :data:`littlewood.tables.OUTCOMES`.
     state : State
         State at the end, or where the phase begins that lasts for ever.
     details : mapping
@@ -265,7 +265,7 @@ class Classification:
     Attributes
     ----------
     region : str
-        One of :data:`littlewood.REGIONS`.
+        One of :data:`littlewood.tables.REGIONS`.
     mode : str or None
         Mode that begins, if exactly one is consistent.
     direction : {-1, 0, 1}

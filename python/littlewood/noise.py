@@ -1,4 +1,4 @@
-"""Errors of a track: some differ from picture to picture, others change slowly."""
+"""Errors of a track: some differ from frame to frame, others change slowly."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["Noise", "Whitening", "estimate_noise"]
 
 _Reals = npt.NDArray[np.float64]
 
-# Variances of the slow part over those of the other, and its times over the median time between two pictures.
+# Variances of the slow part over those of the other, and its times over the median time between two frames.
 _RATIOS = (0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0)
 _TIMES = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0)
 _LEAST = 1e-12
@@ -26,7 +26,7 @@ class Noise:
     Attributes
     ----------
     white : float
-        Standard deviation of what differs from picture to picture; where the track has errors, in a picture whose error
+        Standard deviation of what differs from frame to frame; where the track has errors, in a frame whose error
         is the median.
     slow : float
         Standard deviation of what changes slowly.

@@ -93,7 +93,7 @@ class PhasePlane:
         Returns
         -------
         ndarray of uint8, or scalar
-            Codes, the places of the names in :data:`littlewood.REGIONS`.
+            Codes, the places of the names in :data:`littlewood.tables.REGIONS`.
 
         Raises
         ------

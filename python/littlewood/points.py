@@ -146,7 +146,7 @@ def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
         numbers = {name: float(value) for name, value in known.items()}
         thrown = numbers.pop("gap_rate", 0.0)
         Hoop(**{**harmless, **numbers}, units=None).classify(theta=0.0, theta_rate=0.0, gap_rate=thrown)
-    return Hoop(**harmless, restitution=1.0 if "restitution" in values else None, law=law).law
+    return Hoop(**harmless, restitution=1.0 if "restitution" in values else None, restitution_law=law).restitution_law
 
 
 def _worst(name: str, known: Mapping[str, Any]) -> Any:

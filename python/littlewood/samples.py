@@ -26,8 +26,8 @@ class Samples(Mapping[str, Any]):
     Attributes
     ----------
     mode : ndarray of int8
-        Codes of the modes, places in :data:`littlewood.MODES`; -1 outside the motion, and just before a jam, where no
-        motion is consistent.
+        Codes of the modes, places in :data:`littlewood.tables.MODES`; -1 outside the motion, and just before a jam,
+        where no motion is consistent.
     direction : ndarray of int8
         Sign of the slip velocity; 0 for rolling and flight.
     time, theta, theta_rate, slip, x : ndarray

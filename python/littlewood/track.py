@@ -46,12 +46,12 @@ class Track:
         Height of the geometric centre over the plane, R, shape (n,): 1 in contact.
 
     errors : mapping, optional
-        Standard errors of `theta`, `x`, `y`, picture by picture, where the tracker knows them. A fit takes what they
-        say of one picture against another, and finds by the residuals how large they are.
+        Standard errors of `theta`, `x`, `y`, frame by frame, where the tracker knows them. A fit takes what they
+        say of one frame against another, and finds by the residuals how large they are.
     exposure : float, optional
-        How long a picture is exposed from its time on, √(R/g): what was tracked is the mean over it. 0 for instants.
+        How long a frame is exposed from its time on, √(R/g): what was tracked is the mean over it. 0 for instants.
     calibration : iterable of str, optional
-        What the camera may show wrong in every picture alike, which a fit estimates along: names of :func:`fit`.
+        What the camera may show wrong in every frame alike, which a fit estimates along: names of :func:`fit`.
 
     Raises
     ------

@@ -43,7 +43,7 @@ class Trajectory:
     >>> motion = lw.case("figure-3").simulate()
     >>> motion.sequence, motion.outcome.kind
     ('-R+F', 'landing')
-    >>> motion.at([0.0, 0.7]).mode_names.tolist()
+    >>> motion([0.0, 0.7]).mode_names.tolist()
     ['sliding', 'rolling']
 
     With a coefficient of restitution it goes on after the landing:
@@ -114,9 +114,8 @@ class Trajectory:
         """Return the transition that ends a phase; None for the last of a motion that stops or lasts for ever."""
         return None if phase.ended_by is None else self.transitions[phase.ended_by]
 
-    @property
     def impacts(self) -> pandas.DataFrame:
-        """The impacts as a table, one row each.
+        """Return the impacts as a table, one row each.
 
         The index is the place among the :attr:`transitions`. Columns: `time`, √(R/g); `cause` (`landing`, `settle` or
         `jam`), `case` and `to`, the mode that begins, as categories; `theta`, rad; `theta_rate`, √(g/R), `slip` and
@@ -177,13 +176,13 @@ class Trajectory:
         """Energy lost in impacts, m2 g R."""
         return self._core.impact_energy_lost()
 
-    def at(self, times: npt.ArrayLike, *, side: Literal["after", "before"] = "after") -> Samples:
-        """Return instants of the motion.
+    def __call__(self, times: npt.ArrayLike, *, side: Literal["after", "before"] = "after") -> Samples:
+        """Return the motion at some times, as the dense output of a SciPy solver does: ``motion(t)``.
 
         Parameters
         ----------
         times : array_like
-            Times τ, √(R/g), of any shape.
+            Times τ, √(R/g): one, or an array of any shape.
         side : {"after", "before"}, optional
             Which side of a transition it is where a time is that of one, to the last bit: the first instant of the
             motion that begins, or the last of the motion that ends. Forces may jump there, and velocities in an impact.
@@ -191,16 +190,16 @@ class Trajectory:
         Returns
         -------
         Samples
-            Of the same shape. Before the start and after the end `mode` is -1 and the rest NaN. The start and the end
-            have one side only; but for a start that jams, before which no motion is consistent: `mode` is -1 and forces
-            are NaN.
+            Of the same shape, with everything by name: ``motion(t).theta``. Before the start and after the end `mode`
+            is -1 and the rest NaN. The start and the end have one side only; but for a start that jams, before which
+            no motion is consistent: `mode` is -1 and forces are NaN.
 
         Examples
         --------
         >>> import littlewood as lw
         >>> motion = lw.case("lands-and-rolls").simulate()
-        >>> landing = motion.impacts.time.iloc[0]
-        >>> [str(motion.at(landing, side=side).mode_names) for side in ("before", "after")]
+        >>> landing = motion.impacts().time.iloc[0]
+        >>> [str(motion(landing, side=side).mode_names) for side in ("before", "after")]
         ['flight', 'rolling']
         """
         if side not in ("after", "before"):
@@ -237,7 +236,7 @@ class Trajectory:
         return self._core.shown_until()
 
     def _instants(self, times: npt.ArrayLike | None, count: int) -> Samples:
-        return self.sample(count) if times is None else self.at(np.atleast_1d(np.asarray(times)))
+        return self.sample(count) if times is None else self(np.atleast_1d(np.asarray(times)))
 
     def to_xarray(self, times: npt.ArrayLike | None = None, *, count: int = 1001, si: bool = False) -> xarray.Dataset:
         """Return instants of the motion as a data set with units and long names.
@@ -317,14 +316,14 @@ class Trajectory:
         Parameters
         ----------
         frames : int, optional
-            Number of pictures.
+            Number of frames.
         seconds : float, optional
             How long it plays; by default as long as the motion would take with R/g = 0.1 s², as for a metre.
 
         Returns
         -------
         Animation
-            Its `save` writes a GIF or a film.
+            Its `save` writes a GIF or a video.
         """
         from .animation import Animation
 

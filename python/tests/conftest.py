@@ -52,7 +52,6 @@ def hoop() -> lw.Hoop:
 
 
 def flags(**values: float | str) -> list[str]:
-    """Values as flags, to the last digit. The law of restitution has a longer name there."""
-    names = {name: "restitution-law" if name == "law" else name.replace("_", "-") for name in values}
+    """Values as flags, to the last digit."""
     texts = {name: value if isinstance(value, str) else repr(value) for name, value in values.items()}
-    return [f"--{names[name]}={texts[name]}" for name in values]
+    return [f"--{name.replace('_', '-')}={text}" for name, text in texts.items()]

@@ -33,7 +33,7 @@ def motion():
 
 
 def averaged(motion, time, exposure, count=4000):
-    samples = motion.at((time[:, None] + exposure * (np.arange(count) + 0.5) / count).ravel())
+    samples = motion((time[:, None] + exposure * (np.arange(count) + 0.5) / count).ravel())
     found = {"theta": samples.theta, "x": samples.x, "y": samples.centre_y}
     return {name: values.reshape(-1, count).mean(axis=1) for name, values in found.items()}
 

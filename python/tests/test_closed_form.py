@@ -84,14 +84,14 @@ def test_the_phase_plane(hoop):
 def test_regions_have_names(hoop):
     theta, rate = np.array([0.0, 0.0, -1.2, 1.5707963]), np.array([0.5, 4.0, 2.0, 2.0])
     codes = hoop.phase_plane.region(theta, rate)
-    assert [lw.REGIONS[code] for code in codes] == [
+    assert [lw.tables.REGIONS[code] for code in codes] == [
         "rolling_region",
         "loss_of_contact",
         "sliding_band",
         "beyond_friction",
     ]
     # One by one they are those of the classification.
-    assert [lw.REGIONS[c] for c in codes] == [
+    assert [lw.tables.REGIONS[c] for c in codes] == [
         hoop.classify(theta=a, theta_rate=b).region for a, b in zip(theta, rate, strict=True)
     ]
     assert hoop.phase_plane.region(theta, rate[:, None]).shape == (4, 4)

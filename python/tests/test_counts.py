@@ -52,7 +52,7 @@ def test_slides_are_limited_together(hoop):
     start = dict(theta=1.5707963267948966, theta_rate=2.0)
     assert hoop.simulate(**start, max_slides=2, proof="none").outcome.kind == "step_limit"
     outcome = lw.simulate_many(hoop, **start, max_slides=2, proof="none").outcome
-    assert lw.OUTCOMES[int(outcome.values)] == "step_limit"
+    assert lw.tables.OUTCOMES[int(outcome.values)] == "step_limit"
     assert hoop.simulate(**start).outcome.kind == "landing"
 
 
@@ -98,7 +98,7 @@ used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + (400 << 20),) * 2)
 for work in (
     lambda: motion.sample(10_000_000),
-    lambda: motion.at(np.broadcast_to(1.0, 10_000_000)),
+    lambda: motion(np.broadcast_to(1.0, 10_000_000)),
     lambda: lw.outcome_map(hoop, theta=np.linspace(0, 1, 10_000), theta_rate=np.linspace(0, 1, 10_000)),
 ):
     try:

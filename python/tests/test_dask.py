@@ -89,12 +89,12 @@ def test_bounces_have_the_bits_of_one_machine(hoop, client):
         "theta": np.linspace(-3, 3, 40),
         "theta_rate": np.array([1.5, 2.5]),
     }
-    eager = lw.outcome_map(hoop, **axes, law="poisson", until=20.0)
-    lazy = lw.outcome_map(hoop, **axes, law="poisson", until=20.0, chunks={"restitution": 3, "theta": 17})
+    eager = lw.outcome_map(hoop, **axes, restitution_law="poisson", until=20.0)
+    lazy = lw.outcome_map(hoop, **axes, restitution_law="poisson", until=20.0, chunks={"restitution": 3, "theta": 17})
     assert bits(lazy.compute()) == bits(eager)
     assert lazy.attrs["restitution_law"] == "poisson"
     # Another law is another result.
-    assert bits(lw.outcome_map(hoop, **axes, law="newton", until=20.0)) != bits(eager)
+    assert bits(lw.outcome_map(hoop, **axes, restitution_law="newton", until=20.0)) != bits(eager)
     thrown = {"theta": axes["theta"], "theta_rate": 1.0, "gap_rate": np.linspace(0.0, 1.0, 5)}
     bouncy = dataclasses.replace(hoop, restitution=0.5)
     eager = lw.outcome_map(bouncy, **thrown, until=20.0)

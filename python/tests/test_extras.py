@@ -7,7 +7,7 @@ import pytest
 CALLS = [
     ("xarray", "xarray", "lw.simulate_many(hoop, theta=[0.0], theta_rate=1.0)"),
     ("pandas", "xarray", "motion.to_pandas()"),
-    ("pandas", "xarray", "motion.impacts"),
+    ("pandas", "xarray", "motion.impacts()"),
     ("dask", "dask", "lw.outcome_map(hoop, theta=[0.0, 1.0], theta_rate=1.0, chunks=1)"),
     ("matplotlib", "plot", "motion.plot()"),
     ("matplotlib", "plot", "motion.animate().to_matplotlib()"),
@@ -23,7 +23,7 @@ import numpy as np
 import littlewood as lw
 motion = lw.case("figure-3").simulate()
 hoop = motion.hoop
-motion.at(np.zeros(3)), str(motion), motion._repr_html_(), lw.closed_form.alpha(0.0, [1.0])
+motion(np.zeros(3)), str(motion), motion._repr_html_(), lw.closed_form.alpha(0.0, [1.0])
 try:
     {call}
 except ImportError as error:

@@ -21,7 +21,7 @@ def tracked(motion, seed, *, count=300, end=None, channels=("theta", "x")):
     """A motion as a video shows it: angles up to a turn, and noise."""
     random = np.random.default_rng(seed)
     time = np.linspace(0.0, 0.98 * motion.end_time if end is None else end, count)
-    seen = motion.at(time)
+    seen = motion(time)
     values = {"theta": seen.theta, "x": seen.x, "y": seen.centre_y}
     noisy = {name: values[name] + random.normal(0.0, NOISE, count) for name in channels}
     if "theta" in noisy:
@@ -62,7 +62,7 @@ def test_it_recovers_the_restitution_from_bounces(hoop, guess):
         # Nothing is known of the coefficient at first, not even that there is one.
         result = lw.fit(track, guess, free=RESTITUTION)
         assert result.motion.sequence == motion.sequence
-        assert result.hoop.law == "energetic"
+        assert result.hoop.restitution_law == "energetic"
         assert result.reduced_chi_square == pytest.approx(1.0, abs=0.1)
         for name in ("mu_k", "inertia", "restitution"):
             estimate = result.estimates[name]
@@ -76,11 +76,11 @@ def test_it_recovers_the_restitution_from_bounces(hoop, guess):
 
 
 def test_a_known_restitution_follows_the_landing(hoop, guess):
-    bouncy = dataclasses.replace(hoop, restitution=0.3, law="newton")
+    bouncy = dataclasses.replace(hoop, restitution=0.3, restitution_law="newton")
     motion = bouncy.simulate(**BOUNCES)
     wrong = dataclasses.replace(bouncy, mu_k=0.3)
     result = lw.fit(tracked(motion, 5, end=6.0, channels=("theta", "x", "y")), wrong, free=("mu_k",))
-    assert (result.hoop.restitution, result.hoop.law) == (0.3, "newton")
+    assert (result.hoop.restitution, result.hoop.restitution_law) == (0.3, "newton")
     estimate = result.estimates["mu_k"]
     assert abs(estimate.value - hoop.mu_k) < 4.5 * estimate.std_error
     assert result.reduced_chi_square == pytest.approx(1.0, abs=0.1)
@@ -88,7 +88,7 @@ def test_a_known_restitution_follows_the_landing(hoop, guess):
 
 def test_without_an_impact_there_is_no_restitution_to_see(hoop):
     rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
-    with pytest.warns(lw.IdentifiabilityWarning, match="restitution .no impact was seen") as caught:
+    with pytest.warns(lw.fit_result.IdentifiabilityWarning, match="restitution .no impact was seen") as caught:
         result = lw.fit(tracked(rolling, 1, end=15.0, count=60), hoop, free=("inertia", "restitution"))
     assert caught[0].message.parameters == ("restitution",)
     assert result.estimates["restitution"].std_error == math.inf
@@ -103,7 +103,7 @@ def test_given_sigmas_are_taken(hoop, guess):
 
 def test_without_a_slip_there_is_no_friction_to_see(hoop, guess):
     rolling = hoop.simulate(theta=2.5, theta_rate=0.0)
-    with pytest.warns(lw.IdentifiabilityWarning, match="mu_s .*only mu_s >= .*mu_k .no slide") as caught:
+    with pytest.warns(lw.fit_result.IdentifiabilityWarning, match="mu_s .*only mu_s >= .*mu_k .no slide") as caught:
         result = lw.fit(tracked(rolling, 1, end=15.0), guess)
     assert caught[0].message.parameters == ("mu_s", "mu_k")
     assert not result.estimates["mu_s"].identifiable
@@ -160,7 +160,7 @@ def test_a_csv_in_si_units(tmp_path):
             file.write(f"{i},{row.time_s},{angle if i % 50 else ''},{row.x_m + random.normal(0, 0.002)}\n")
     guess = dataclasses.replace(hoop, mu_s=0.6, mu_k=0.2, inertia=2.0)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
+        warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
         result = lw.fit(path, guess, slips_at_start=True)
     estimate = result.estimates["mu_k"]
     assert estimate.identifiable

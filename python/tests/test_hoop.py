@@ -135,4 +135,4 @@ def test_cases_and_edges_are_those_of_the_command_line(command_json):
         assert lw.case(case["name"]).title == case["title"]
     with pytest.raises(KeyError, match="figure-3"):
         lw.case("figure3")
-    assert {edge.cause for edge in lw.EDGES} >= {"slip", "stick", "lift_off", "landing"}
+    assert {edge.cause for edge in lw.motion.EDGES} >= {"slip", "stick", "lift_off", "landing"}

@@ -10,7 +10,6 @@ from littlewood import laboratory
 from littlewood.link import LinkError, link_of, motion_of, time_of
 from littlewood.tables import HOOP
 
-
 HULA = "disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4"
 
 
@@ -96,16 +95,16 @@ def test_a_build_without_the_page_says_so(tmp_path, monkeypatch):
         ("slip=-0", {"slip": -0.0}),
         (
             "restitution=0.5&restitution_law=newton&gap_rate=0.25",
-            {"restitution": 0.5, "law": "newton", "gap_rate": 0.25},
+            {"restitution": 0.5, "restitution_law": "newton", "gap_rate": 0.25},
         ),
-        ("restitution=0.5", {"restitution": 0.5, "law": "energetic"}),
+        ("restitution=0.5", {"restitution": 0.5, "restitution_law": "energetic"}),
     ],
 )
 def test_a_link_of_the_page_is_that_of_a_case_with_what_it_says(link, changed):
     base = lw.case("figure-3")
     motion = motion_of(link)
-    wanted = {**{name: getattr(base.hoop, name) for name in (*HOOP, "law")}, **vars(base.start), **changed}
-    found = {**{name: getattr(motion.hoop, name) for name in (*HOOP, "law")}, **vars(motion.start)}
+    wanted = {**{name: getattr(base.hoop, name) for name in (*HOOP, "restitution_law")}, **vars(base.start), **changed}
+    found = {**{name: getattr(motion.hoop, name) for name in (*HOOP, "restitution_law")}, **vars(motion.start)}
     assert {name: repr(value) for name, value in found.items()} == {name: repr(value) for name, value in wanted.items()}
 
 
@@ -148,7 +147,7 @@ def test_every_number_after_a_case_is_taken(name):
         assert vars(motion.start) == vars(case.start) | ({} if of_hoop else {key: value})
         assert motion.until == 30.0
     if case.hoop.restitution is not None:
-        assert motion_of(f"case={name}&restitution_law=poisson").hoop.law == "poisson"
+        assert motion_of(f"case={name}&restitution_law=poisson").hoop.restitution_law == "poisson"
 
 
 def test_the_short_name_of_a_case_is_taken():

@@ -67,7 +67,7 @@ def test_classes_tell_jumps_apart(motion):
     dataset = lw.simulate_many(motion.hoop, theta=[0.0, math.pi / 2, 2.5], theta_rate=[4.0, 2.0, 0.0])
     found = plot.classes(dataset)
     names = found.attrs["flag_meanings"].split()
-    assert tuple(names) == lw.CLASSES
+    assert tuple(names) == lw.tables.CLASSES
     assert found.attrs["flag_values"] == list(range(len(names)))
     assert [names[code] for code in found.values] == ["leaves_at_once", "lifts_off_later", "rolls_forever"]
 
@@ -86,7 +86,7 @@ def summaries(outcome, *, letter="R", lift_off_time=math.nan):
 
 def test_every_outcome_has_a_class():
     found = plot.classes(summaries(list(OUTCOMES)))
-    of_outcome = dict(zip(OUTCOMES.values(), (lw.CLASSES[code] for code in found.values), strict=True))
+    of_outcome = dict(zip(OUTCOMES.values(), (lw.tables.CLASSES[code] for code in found.values), strict=True))
     # What has not been computed is not what cannot be computed.
     assert of_outcome["not_computed"] == "not_computed"
     assert of_outcome["invalid"] == "invalid"
@@ -95,15 +95,15 @@ def test_every_outcome_has_a_class():
     assert of_outcome["particle_at_top"] == "particle_at_top"
     # Every class is met, those of flights by flights.
     at_once = plot.classes(summaries([0], letter="F", lift_off_time=0.0))
-    assert [lw.CLASSES[code] for code in at_once.values] == ["leaves_at_once"]
-    assert {*of_outcome.values(), "leaves_at_once"} == set(lw.CLASSES)
+    assert [lw.tables.CLASSES[code] for code in at_once.values] == ["leaves_at_once"]
+    assert {*of_outcome.values(), "leaves_at_once"} == set(lw.tables.CLASSES)
 
 
 def test_a_motion_in_flight_at_the_time_limit_has_lifted_off(motion):
     # Figure 3 lifts off at 1.52 and lands at 3.85.
     dataset = lw.simulate_many(motion.hoop, theta=[math.pi / 2], theta_rate=2.0, until=2.0)
     assert OUTCOMES[int(dataset.outcome[0])] == "time_limit"
-    assert lw.CLASSES[int(plot.classes(dataset)[0])] == "lifts_off_later"
+    assert lw.tables.CLASSES[int(plot.classes(dataset)[0])] == "lifts_off_later"
 
 
 def test_classes_of_blocks_are_those_of_the_whole(motion):
@@ -122,14 +122,14 @@ def test_a_map_has_the_colours_and_words_of_the_classes(motion):
     axes = plot.outcomes(dataset, x="theta")
     (mesh,) = axes.collections
     drawn = {to_hex(colour) for colour in mesh.to_rgba(mesh.get_array()).reshape(-1, 4)}
-    shown = {lw.CLASSES[code] for code in np.unique(plot.classes(dataset))}
+    shown = {lw.tables.CLASSES[code] for code in np.unique(plot.classes(dataset))}
     assert len(shown) >= 3
     assert drawn == {CLASS_COLOURS[name] for name in shown}
     patches = axes.get_legend().get_patches()
     words = [text.get_text().split("\n")[0] for text in axes.get_legend().get_texts()]
-    assert words == [CLASS_LABELS[name] for name in lw.CLASSES if name in shown]
+    assert words == [CLASS_LABELS[name] for name in lw.tables.CLASSES if name in shown]
     assert [to_hex(patch.get_facecolor()) for patch in patches] == [
-        CLASS_COLOURS[name] for name in lw.CLASSES if name in shown
+        CLASS_COLOURS[name] for name in lw.tables.CLASSES if name in shown
     ]
 
 
@@ -176,7 +176,7 @@ def modes_drawn(axes, width):
     """Modes of the lines of this width, by their colours, in the order of the modes."""
     colours = {to_hex(line.get_color()) for line in axes.get_lines() if line.get_linewidth() == width}
     assert colours <= set(MODE_COLOURS.values())
-    return [mode for mode in lw.MODES if MODE_COLOURS[mode] in colours]
+    return [mode for mode in lw.tables.MODES if MODE_COLOURS[mode] in colours]
 
 
 def motion_of(name):
@@ -204,7 +204,7 @@ def test_a_picture_of_every_case_shows_its_phases(name):
         x, y = (np.asarray(values, dtype=float) for values in line.get_data())
         assert np.isfinite(x).all() and np.isfinite(y).all()
         assert to_hex(line.get_color()) == MODE_COLOURS[phase.mode]
-        first = motion.at(phase.start_time)
+        first = motion(phase.start_time)
         assert (x[0], y[0]) == pytest.approx((first.mass_centre_x, first.mass_centre_y), abs=1e-12)
     labels = [text.get_text() for text in path.get_legend().get_texts()]
     assert sorted(labels, key=MODE_CODES.__getitem__) == modes

@@ -30,12 +30,12 @@ def instants(motion):
 
 @pytest.fixture(scope="module")
 def columns(motion, instants):
-    samples = motion.at(instants)
+    samples = motion(instants)
     return {"x": samples.x, "y": samples.centre_y, "theta": samples.theta}
 
 
 def scored(motion, instants, columns, **changed):
-    return lw.score(motion, lw.Record(instants, **{**columns, **changed}))
+    return lw.scoring.score(motion, lw.scoring.Record(instants, **{**columns, **changed}))
 
 
 def times(motion):
@@ -64,7 +64,7 @@ def test_the_events_are_those_of_the_motion(motion, instants, columns):
 def test_events_that_come_late_are_found_and_sized(motion, instants, columns, late):
     stick = times(motion)["stick"]
     warped = np.where(instants < stick + 0.05, instants, np.maximum(stick + 0.05, instants - late))
-    samples = motion.at(warped)
+    samples = motion(warped)
     score = scored(motion, instants, {"x": samples.x, "y": samples.centre_y, "theta": samples.theta})
     errors = {event.kind: event.error for event in score.events[2:] if event.error is not None}
     assert errors["slip"] == pytest.approx(late, abs=1e-4)
@@ -97,7 +97,7 @@ def test_energy_that_is_gained_is_sized(motion, instants, columns):
     push = 0.1
     score = scored(motion, instants, columns, x=columns["x"] + push * np.maximum(instants - lift_off, 0.0))
     # In flight the mass centre keeps its horizontal velocity v: m ((v + push)² − v²)/2.
-    centre = motion.at(np.array([lift_off + 0.5, lift_off + 1.5])).mass_centre_x
+    centre = motion(np.array([lift_off + 0.5, lift_off + 1.5])).mass_centre_x
     velocity = float(np.diff(centre)[0])
     expected = motion.hoop.mass * (velocity * push + 0.5 * push**2)
     assert score.energy_error[-1] == pytest.approx(expected, rel=1e-6)
@@ -116,16 +116,16 @@ def test_errors_are_told_from_event_to_event(motion, instants, columns):
 def test_bounces_are_impacts(columns):
     motion = lw.case("figure-3-bounces").simulate()
     instants = np.arange(0.0, 5.0, STEP)
-    samples = motion.at(instants)
-    record = lw.Record(instants, samples.x, samples.centre_y, samples.theta)
-    (impact,) = [event for event in lw.score(motion, record).events if event.kind == "impact"]
+    samples = motion(instants)
+    record = lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta)
+    (impact,) = [event for event in lw.scoring.score(motion, record).events if event.kind == "impact"]
     landing = next(one.time for one in motion.transitions if one.impact is not None)
     # The hoop is lower than the limit for two thousandths after it.
     assert abs(impact.exact - landing) < 2e-3 and abs(impact.error) < 1e-5
     # Steps so long that no instant is near the plane: the lines before and behind meet there.
     coarse = slice(None, None, 37)
-    record = lw.Record(instants[coarse], samples.x[coarse], samples.centre_y[coarse], samples.theta[coarse])
-    (impact,) = [event for event in lw.score(motion, record).events if event.kind == "impact"]
+    record = lw.scoring.Record(instants[coarse], samples.x[coarse], samples.centre_y[coarse], samples.theta[coarse])
+    (impact,) = [event for event in lw.scoring.score(motion, record).events if event.kind == "impact"]
     assert abs(impact.found - landing) < 37 * STEP
 
 
@@ -134,15 +134,15 @@ def test_a_landing_that_sticks_is_one_event():
     motion = hoop.simulate(theta=math.pi / 2, theta_rate=2.0, until=5.0)
     for step in (1e-2, 1e-3, 1e-4):
         instants = np.arange(0.0, 5.0, step)
-        samples = motion.at(instants)
-        score = lw.score(motion, lw.Record(instants, samples.x, samples.centre_y, samples.theta))
+        samples = motion(instants)
+        score = lw.scoring.score(motion, lw.scoring.Record(instants, samples.x, samples.centre_y, samples.theta))
         assert score.events[-1].kind == "landing" and not score.missed and not score.spurious
 
 
 def test_flags_of_contact_are_believed(motion, instants, columns):
-    samples = motion.at(instants)
-    record = lw.Record(instants, **columns, contact=~samples.is_in("flight"))
-    score = lw.score(motion, record)
+    samples = motion(instants)
+    record = lw.scoring.Record(instants, **columns, contact=~samples.is_in("flight"))
+    score = lw.scoring.score(motion, record)
     found = {event.kind: event.found for event in score.events if event.found is not None}
     assert found["lift_off"] == pytest.approx(times(motion)["lift_off"], abs=STEP)
 
@@ -152,20 +152,20 @@ def test_the_order_of_convergence(motion, order):
     scores = []
     for step in (0.04, 0.02, 0.01, 0.005):
         instants = np.arange(0.0, 3.8, step)
-        samples = motion.at(instants)
+        samples = motion(instants)
         theta = samples.theta + step**order * np.sin(instants / instants[-1] * math.pi / 2)
-        scores.append(lw.score(motion, lw.Record(instants, samples.x, samples.centre_y, theta)))
-    assert lw.convergence(scores).order == pytest.approx(order, abs=1e-5)
+        scores.append(lw.scoring.score(motion, lw.scoring.Record(instants, samples.x, samples.centre_y, theta)))
+    assert lw.scoring.convergence(scores).order == pytest.approx(order, abs=1e-5)
     with pytest.raises(ValueError, match="1 different steps"):
-        lw.convergence(scores[:1])
+        lw.scoring.convergence(scores[:1])
 
 
 def test_what_ends_later_than_the_motion_is_left_out(motion, columns, instants):
     longer = np.append(instants, [10.0, 11.0])
-    record = lw.Record(longer, *(np.append(columns[name], [0.0, 0.0]) for name in ("x", "y", "theta")))
-    assert lw.score(motion, record).largest_error == 0.0
+    record = lw.scoring.Record(longer, *(np.append(columns[name], [0.0, 0.0]) for name in ("x", "y", "theta")))
+    assert lw.scoring.score(motion, record).largest_error == 0.0
     with pytest.raises(ValueError, match="fewer than three instants"):
-        lw.score(motion, lw.Record([20.0, 21.0, 22.0], *np.ones((3, 3))))
+        lw.scoring.score(motion, lw.scoring.Record([20.0, 21.0, 22.0], *np.ones((3, 3))))
 
 
 def test_pairs_are_in_order_and_the_nearest():
@@ -211,23 +211,23 @@ def write(path, header, rows):
 )
 def test_a_bad_file_is_refused_with_line_and_column(tmp_path, header, rows, line, column, reason):
     path = write(tmp_path / "bad.csv", header, rows)
-    with pytest.raises(lw.RecordError) as caught:
-        lw.Record.from_csv(path)
+    with pytest.raises(lw.scoring.RecordError) as caught:
+        lw.scoring.Record.from_csv(path)
     assert (caught.value.line, caught.value.column) == (line, column)
     assert reason in str(caught.value) and str(path) in str(caught.value)
 
 
 def test_bad_records_are_refused():
     with pytest.raises(ValueError, match="at least 3 instants"):
-        lw.Record([0.0, 1.0], [0.0, 0.0], [1.0, 1.0], [0.0, 0.0])
+        lw.scoring.Record([0.0, 1.0], [0.0, 0.0], [1.0, 1.0], [0.0, 0.0])
     with pytest.raises(ValueError, match=r"x has shape \(2,\)"):
-        lw.Record([0.0, 1.0, 2.0], [0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 0.0, 0.0])
+        lw.scoring.Record([0.0, 1.0, 2.0], [0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 0.0, 0.0])
     with pytest.raises(ValueError, match=r"y\[1\] = inf must be finite"):
-        lw.Record([0.0, 1.0, 2.0], np.zeros(3), [1.0, math.inf, 1.0], np.zeros(3))
+        lw.scoring.Record([0.0, 1.0, 2.0], np.zeros(3), [1.0, math.inf, 1.0], np.zeros(3))
     with pytest.raises(ValueError, match=r"time\[2\] = 1.0 must be greater"):
-        lw.Record([0.0, 1.0, 1.0], np.zeros(3), np.ones(3), np.zeros(3))
+        lw.scoring.Record([0.0, 1.0, 1.0], np.zeros(3), np.ones(3), np.zeros(3))
     with pytest.raises(ValueError, match=r"gap = -1.0 R must be positive"):
-        lw.Tolerances(gap=-1.0)
+        lw.scoring.Tolerances(gap=-1.0)
 
 
 def test_a_file_in_si_units_is_the_same(tmp_path):
@@ -236,7 +236,7 @@ def test_a_file_in_si_units_is_the_same(tmp_path):
     )
     motion = hoop.simulate(theta=1.0, theta_rate=1.5, until=2.0)
     instants = np.linspace(0.0, 2.0, 801)
-    samples = motion.at(instants)
+    samples = motion(instants)
     rows = np.column_stack(
         [
             instants * hoop.units.time_s,
@@ -247,7 +247,7 @@ def test_a_file_in_si_units_is_the_same(tmp_path):
     )
     path = tmp_path / "si.csv"
     np.savetxt(path, rows, fmt="%.17g", delimiter=",", header="time_s,x_m,y_m,theta_rad", comments="")
-    score = lw.score(motion, lw.Record.from_csv(path, hoop.units))
+    score = lw.scoring.score(motion, lw.scoring.Record.from_csv(path, hoop.units))
     assert score.largest_error < 1e-14
 
 
@@ -275,7 +275,7 @@ def test_a_certificate_names_a_case(tmp_path, capsys):
     motion = simulated(json.loads(certificate.read_text(encoding="utf-8"))["case"])
     units = motion.hoop.require_units()
     instants = np.linspace(0.0, min(3.0, motion.end_time), 400)
-    samples = motion.at(instants)
+    samples = motion(instants)
     lengths = units.length_m
     rows = [instants * units.time_s, samples.x * lengths, samples.centre_y * lengths, samples.theta]
     path = tmp_path / "si.csv"

@@ -25,11 +25,11 @@ def arguments(function):
 @pytest.mark.parametrize(
     ("function", "names"),
     [
-        (lw.Hoop, [*tables.HOOP, "law", "units"]),
-        (lw.Hoop.from_si, [*tables.SI_HOOP, "law"]),
+        (lw.Hoop, [*tables.HOOP, "restitution_law", "units"]),
+        (lw.Hoop.from_si, [*tables.SI_HOOP, "restitution_law"]),
         (lw.Hoop.simulate, [*tables.START, *LIMITS]),
         (lw.Hoop.simulate_si, [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions", "max_slides", "proof"]),
-        (lw.State, _core.STATE),
+        (lw.motion.State, _core.STATE),
     ],
 )
 def test_arguments_are_those_of_the_table(function, names):
@@ -47,7 +47,7 @@ def test_a_sweep_takes_the_axes_of_the_table():
 @pytest.mark.parametrize("function", [lw.Hoop, lw.Hoop.from_si, lw.Hoop.simulate, lw.Hoop.simulate_si])
 def test_defaults_are_those_of_the_table(function):
     # What a start in SI units calls `theta_rad` has the name `theta` in the table.
-    other = ["law", "units", "until", "until_s", "max_transitions", "max_slides", "proof"]
+    other = ["restitution_law", "units", "until", "until_s", "max_transitions", "max_slides", "proof"]
     ours = {"theta_rad": "theta", **dict.fromkeys(other)}
     for name, one in arguments(function).items():
         row = ours.get(name, name)
@@ -68,12 +68,12 @@ def test_a_start_is_a_state_and_the_rate_of_the_gap():
 @pytest.mark.parametrize(
     ("names", "rows"),
     [
-        (lw.MODES, _core.MODES),
-        (lw.CAUSES, _core.CAUSES),
-        (lw.CLASSES, _core.CLASSES),
-        (lw.REGIONS, _core.REGIONS),
-        (lw.IMPACT_CASES, _core.IMPACT_CASES),
-        (lw.RESTITUTION_LAWS, _core.RESTITUTION_LAWS),
+        (lw.tables.MODES, _core.MODES),
+        (lw.tables.CAUSES, _core.CAUSES),
+        (lw.tables.CLASSES, _core.CLASSES),
+        (lw.tables.REGIONS, _core.REGIONS),
+        (lw.tables.IMPACT_CASES, _core.IMPACT_CASES),
+        (lw.tables.RESTITUTION_LAWS, _core.RESTITUTION_LAWS),
     ],
 )
 def test_codes_are_places(names, rows):
@@ -87,13 +87,13 @@ def test_codes_of_types_of_rolling_are_places():
 
 def test_outcomes_have_their_codes_in_attributes():
     attributes = variables.result_attributes("outcome")
-    assert attributes["flag_values"] == list(lw.OUTCOMES)
-    assert attributes["flag_meanings"].split() == list(lw.OUTCOMES.values())
-    assert set(lw.OUTCOMES.values()) == set(tables.OUTCOME_LABELS)
+    assert attributes["flag_values"] == list(lw.tables.OUTCOMES)
+    assert attributes["flag_meanings"].split() == list(lw.tables.OUTCOMES.values())
+    assert set(lw.tables.OUTCOMES.values()) == set(tables.OUTCOME_LABELS)
 
 
 def test_the_documentation_lists_the_columns(hoop):
-    samples = hoop.simulate(theta=1.0, theta_rate=0.0).at([0.0])
+    samples = hoop.simulate(theta=1.0, theta_rate=0.0)([0.0])
     assert list(samples) == list(tables.SAMPLE_COLUMNS)
     listed = re.findall(r"^    ([a-z_, ]+) : ndarray", lw.Samples.__doc__, re.MULTILINE)
     assert sorted(", ".join(listed).split(", ")) == sorted(samples)
@@ -109,7 +109,7 @@ def test_the_documentation_knows_the_numbers():
 
 
 def test_details_that_are_documented(hoop):
-    documented = lw.Outcome.__doc__
+    documented = lw.motion.Outcome.__doc__
     seen = set()
     for case in lw.CASES.values():
         seen |= set(case.simulate(until=50.0).outcome.details)
@@ -144,8 +144,8 @@ def test_units_are_those_of_the_conventions(hoop):
 
 
 def test_every_mode_class_and_curve_has_a_look():
-    assert list(style.MODE_COLOURS) == list(style.MODE_DASHES) == list(lw.MODES)
-    assert list(style.CLASS_COLOURS) == list(lw.CLASSES)
+    assert list(style.MODE_COLOURS) == list(style.MODE_DASHES) == list(lw.tables.MODES)
+    assert list(style.CLASS_COLOURS) == list(lw.tables.CLASSES)
     assert list(style.CURVE_COLOURS) == list(style.CURVE_DASHES) == list(style.CURVE_WIDTHS)
     light, dark = ({(group, name) for group, name, _ in _core.swatches(paper)} for paper in (False, True))
     assert light == dark

@@ -37,7 +37,7 @@ def test_columns_have_types_and_attributes(table):
     assert schema.field("lift_off_time").metadata[b"scale"] == b"sqrt(R/g)"
     codes = schema.field("outcome_code").metadata
     assert dict(zip(json.loads(codes[b"flag_values"]), codes[b"flag_meanings"].decode().split(), strict=True)) == {
-        code: name for code, name in lw.OUTCOMES.items()
+        code: name for code, name in lw.tables.OUTCOMES.items()
     }
 
 
@@ -50,7 +50,7 @@ def test_rows_are_the_motions(table, hoop):
         assert read[name].to_numpy().tobytes() == np.asarray(ours[name]).tobytes(), name
     assert read["transitions"].to_numpy().tobytes() == np.asarray(ours["transitions"]).tobytes()
     words = read["outcome"].to_pylist()
-    assert words == [lw.OUTCOMES[int(code)] for code in np.asarray(ours["outcome"])]
+    assert words == [lw.tables.OUTCOMES[int(code)] for code in np.asarray(ours["outcome"])]
     frame = read.to_pandas()
     assert frame["outcome"].dtype.name == "category"
     assert json.loads(table.metadata.metadata[b"littlewood_run"])["fixed"]["mu_k"] == 0.4

@@ -36,20 +36,20 @@ def motion(hoop):
 @pytest.fixture(scope="module")
 def film(motion, tmp_path_factory):
     path = tmp_path_factory.mktemp("films") / "film.avi"
-    plane = video.synthetic_film(path, motion, CAMERA, pictures_per_second=RATE, exposure_s=EXPOSURE, seconds=0.8)
+    plane = video.synthetic_video(path, motion, CAMERA, fps=RATE, exposure_s=EXPOSURE, seconds=0.8)
     return path, plane
 
 
 @pytest.fixture(scope="module")
 def track(film, hoop):
     path, plane = film
-    return lw.track_video(path, hoop, plane=plane, pictures_per_second=RATE)
+    return lw.track_video(path, hoop, plane=plane, fps=RATE)
 
 
 def exact(motion, track, exposure=EXPOSURE):
     """The mean of θ, x and y over the exposures, of 200 instants each."""
     instants = exposure / motion.hoop.units.time_s * (np.arange(200) + 0.5) / 200
-    samples = motion.at((track.time[:, None] + instants).ravel())
+    samples = motion((track.time[:, None] + instants).ravel())
     return [values.reshape(-1, 200).mean(axis=1) for values in (samples.theta, samples.x, samples.centre_y)]
 
 
@@ -104,7 +104,7 @@ def test_a_film_tells_that_its_plane_is_wrong(film, hoop, motion):
     pixels = np.column_stack(plane.to_pixels(*corners.T))
     # The board is measured two per cent too long, and stands higher than it was thought to.
     wrong = video.Plane.from_points(pixels, [1.02, 1.02] * corners + [0.0, 0.003])
-    track = lw.track_video(path, hoop, plane=wrong, pictures_per_second=RATE, exposure_s=EXPOSURE)
+    track = lw.track_video(path, hoop, plane=wrong, fps=RATE, exposure_s=EXPOSURE)
     assert "exposure" not in track.calibration
     result = fitted(track, hoop, motion)
     scale, floor = result.estimates["camera_scale"], result.estimates["camera_floor"]
@@ -124,8 +124,8 @@ def test_a_film_tells_that_its_plane_is_wrong(film, hoop, motion):
 
 def test_a_disc_has_no_inner_edge(hoop, motion, tmp_path):
     path = tmp_path / "disc.avi"
-    plane = video.synthetic_film(path, motion, CAMERA, exposure_s=EXPOSURE, seconds=0.4, look=video.Look(rim=1.0))
-    track = lw.track_video(path, hoop, plane=plane, pictures_per_second=RATE)
+    plane = video.synthetic_video(path, motion, CAMERA, exposure_s=EXPOSURE, seconds=0.4, look=video.Look(rim=1.0))
+    track = lw.track_video(path, hoop, plane=plane, fps=RATE)
     _, x, y = errors(motion, track)
     # In a few pictures the disc covers what the background, the median, has of it.
     for values in (x, y):
@@ -135,7 +135,7 @@ def test_a_disc_has_no_inner_edge(hoop, motion, tmp_path):
 
 def test_the_same_seed_makes_the_same_film(motion):
     def first(seed):
-        return next(iter(video.synthetic_pictures(motion, CAMERA, seed=seed)))
+        return next(iter(video.synthetic_frames(motion, CAMERA, seed=seed)))
 
     np.testing.assert_array_equal(first(3), first(3))
     assert np.any(first(3) != first(4))
@@ -143,8 +143,8 @@ def test_the_same_seed_makes_the_same_film(motion):
 
 def test_a_long_exposure_blurs_and_does_not_shift(hoop, motion, tmp_path):
     path = tmp_path / "blurred.avi"
-    plane = video.synthetic_film(path, motion, CAMERA, exposure_s=1 / RATE, seconds=0.4)
-    track = lw.track_video(path, hoop, plane=plane, pictures_per_second=RATE)
+    plane = video.synthetic_video(path, motion, CAMERA, exposure_s=1 / RATE, seconds=0.4)
+    track = lw.track_video(path, hoop, plane=plane, fps=RATE)
     _, x, y = errors(motion, track, 1 / RATE)
     # The hoop moves by a tenth of its radius meanwhile.
     assert np.max(np.abs(np.diff(track.x))) > 0.1
@@ -156,12 +156,12 @@ def without_noise(motion, part):
     """Errors of the centre in pictures without noise, and by how much middle and mean of an exposure differ."""
     exposure = part / RATE
     look = video.Look(noise=0.0, texture=0.0)
-    seen = list(video.synthetic_pictures(motion, CAMERA, exposure_s=exposure, look=look, seconds=0.8))
+    seen = list(video.synthetic_frames(motion, CAMERA, exposure_s=exposure, look=look, seconds=0.8))
     finder = video.Finder(video.Plane.from_camera(CAMERA), np.median(seen, axis=0), 0.5, 0.3, 0.27, (255, 0, 0))
     circles = [finder.circle(picture) for picture in seen]
     time = np.arange(len(seen)) / RATE / motion.hoop.units.time_s
     _, x, y = exact(motion, lw.Track(time, x=time), exposure)
-    middle = motion.at(time + 0.5 * exposure / motion.hoop.units.time_s)
+    middle = motion(time + 0.5 * exposure / motion.hoop.units.time_s)
     found = np.array([(circle.x_m, circle.y_m) for circle in circles]) / 0.3
     return found - np.column_stack([x, y]), np.column_stack([x - middle.x, y - middle.centre_y])
 
@@ -182,7 +182,7 @@ def test_an_exposure_is_averaged_over_its_impacts(motion):
     for before in (0.005, 0.02, 0.04):
         begin, end = jumps[0] - before, jumps[0] - before + 0.045
         instants, weights, _ = _instants(motion, begin, end, 40.0)
-        samples, dense = motion.at(instants), motion.at(begin + (end - begin) * (np.arange(20000) + 0.5) / 20000)
+        samples, dense = motion(instants), motion(begin + (end - begin) * (np.arange(20000) + 0.5) / 20000)
         assert weights.sum() == pytest.approx(1.0, abs=1e-12)
         for name in ("theta", "x", "centre_y"):
             assert weights @ getattr(samples, name) == pytest.approx(getattr(dense, name).mean(), abs=1e-7)
@@ -214,10 +214,10 @@ def test_a_ground_line_gives_scale_and_tilt():
 def test_the_overlay_has_film_and_simulation(film, motion, tmp_path):
     path, plane = film
     for name in ("both.avi", "both.mp4"):
-        count = video.overlay_video(path, motion, tmp_path / name, plane=plane, pictures_per_second=RATE)
-        drawn = list(video.pictures(tmp_path / name))
+        count = video.overlay_video(path, motion, tmp_path / name, plane=plane, fps=RATE)
+        drawn = list(video.frames(tmp_path / name))
         assert count == len(drawn) == 97
-    picture = next(iter(video.pictures(path)))
+    picture = next(iter(video.frames(path)))
     drawn = video.draw_motion(picture, motion, plane, 0.0)
     assert drawn.shape == picture.shape
     u, v = plane.to_pixels(0.0, 0.6)
@@ -230,14 +230,14 @@ def test_the_overlay_has_film_and_simulation(film, motion, tmp_path):
 
 def test_a_marker_may_be_anywhere_on_the_rim(film, hoop, track):
     path, plane = film
-    shifted = lw.track_video(path, hoop, plane=plane, pictures_per_second=RATE, marker=(220, 40, 30), marker_angle=0.5)
+    shifted = lw.track_video(path, hoop, plane=plane, fps=RATE, marker=(220, 40, 30), marker_angle=0.5)
     turned = np.mod(track.theta - shifted.theta - 0.5 + math.pi, math.tau) - math.pi
     assert np.max(np.abs(turned)) < 0.01
 
 
 def test_bad_films_are_refused(film, hoop, motion, tmp_path):
     path, plane = film
-    given = {"plane": plane, "pictures_per_second": RATE}
+    given = {"plane": plane, "fps": RATE}
     with pytest.raises(video.UnreadableVideoError, match="no such file") as missing:
         lw.track_video(tmp_path / "none.avi", hoop, **given)
     assert isinstance(missing.value, video.VideoFileError)
@@ -246,14 +246,14 @@ def test_bad_films_are_refused(film, hoop, motion, tmp_path):
     broken.write_bytes(b"no film" * 100)
     with pytest.raises(video.UnreadableVideoError, match="cannot decode"):
         lw.track_video(broken, hoop, **given)
-    with pytest.raises(video.TooFewPicturesError, match="5 pictures are too few: at least 10") as short:
+    with pytest.raises(video.TooFewFramesError, match="5 frames are too few: at least 10") as short:
         lw.track_video(path, hoop, last=5, **given)
-    assert (short.value.pictures, short.value.least) == (5, 10)
+    assert (short.value.frames, short.value.least) == (5, 10)
     empty = tmp_path / "empty.avi"
-    with video.files.PictureWriter(empty, (480, 270), 30.0) as writer:
+    with video.files.FrameWriter(empty, (480, 270), 30.0) as writer:
         for _ in range(12):
             writer.write(np.full((270, 480, 3), 128, dtype=np.uint8))
-    with pytest.raises(video.NoHoopError, match="found in 0 of 12 pictures") as nothing:
+    with pytest.raises(video.NoHoopError, match="found in 0 of 12 frames") as nothing:
         lw.track_video(empty, hoop, **given)
     assert nothing.value.found == 0
     with pytest.raises(ValueError, match=r"exposure_s = 0\.1 must be from 0 to 0\.0083"):
@@ -265,11 +265,11 @@ def test_bad_films_are_refused(film, hoop, motion, tmp_path):
     with pytest.raises(ValueError, match="from_si"):
         lw.track_video(path, lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4), **given)
     with pytest.raises(video.UnwritableVideoError, match=r"ending must be one of \.mp4"):
-        video.synthetic_film(tmp_path / "film.gif", motion, CAMERA)
+        video.synthetic_video(tmp_path / "film.gif", motion, CAMERA)
     with pytest.raises(video.UnwritableVideoError, match="no such folder"):
-        video.synthetic_film(tmp_path / "nowhere" / "film.avi", motion, CAMERA)
+        video.synthetic_video(tmp_path / "nowhere" / "film.avi", motion, CAMERA)
     with pytest.raises(ValueError, match=r"exposure_s = 0\.01"):
-        next(iter(video.synthetic_pictures(motion, CAMERA, exposure_s=0.01)))
+        next(iter(video.synthetic_frames(motion, CAMERA, exposure_s=0.01)))
     assert issubclass(video.VideoError, ValueError)
 
 

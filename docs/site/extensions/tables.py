@@ -30,7 +30,7 @@ def _edges() -> Rows:
     head = ("body", "from", "event", "condition", "sets", "to", "source")
     return head, (
         (it.body, it.from_mode or "–", CAUSE_LABELS[it.cause], it.guard, it.reset, it.to_mode or "ends", it.source)
-        for it in lw.EDGES
+        for it in lw.motion.EDGES
     )
 
 

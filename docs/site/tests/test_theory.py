@@ -168,7 +168,7 @@ def test_massless_rolling():
         t = np.linspace(0, end.time, 5)[1:-1]
         z, slope = math.sin(theta / 2), math.cos(theta / 2) * rate / 2
         expected = z * np.cosh(t / 2) + 2 * slope * np.sinh(t / 2)  # (T3.7)
-        assert np.sin(motion.at(t)["theta"] / 2) == pytest.approx(expected, abs=1e-13)
+        assert np.sin(motion(t)["theta"] / 2) == pytest.approx(expected, abs=1e-13)
     slow, fast = (hoop.simulate(theta=0, theta_rate=rate).transitions[0] for rate in (0.3, 0.9))
     assert slow.time == pytest.approx(2 * math.asinh(math.sin(math.atan(0.5)) / 0.3), rel=1e-13)
     assert fast.time == pytest.approx(math.acosh(1 / 0.9**2), rel=1e-13)  # (T3.8)
@@ -195,7 +195,7 @@ def test_slides_are_one_family():
 
     def square(motion):
         times = np.linspace(0, 0.6, 20_001)
-        samples = motion.at(times)
+        samples = motion(times)
         return np.interp(thetas, samples["theta"], samples["theta_rate"] ** 2)
 
     one, two, three = map(square, motions)
@@ -207,7 +207,7 @@ def test_first_integrals_of_a_slide():
     hoop = lw.Hoop(mass_ratio=0.7, offset=0.8, inertia=0.5, mu_s=0.5, mu_k=0.4)
     motion = hoop.simulate(theta=0.3, theta_rate=-1.2, slip=5.0)
     t = np.linspace(0, 0.9 * motion.transitions[0].time, 7)
-    it, h, f = motion.at(t), hoop.h, 0.4
+    it, h, f = motion(t), hoop.h, 0.4
     s, c = np.sin(it["theta"]), np.cos(it["theta"])
     first = it["slip"] - it["theta_rate"] * (1 + h * c + f * h * s) + f * t  # (T4.4)
     assert first == pytest.approx(first[0], abs=1e-13)
@@ -238,7 +238,7 @@ def test_jumps():
         big, small = math.cos(phi) - 1 + phi**2 / 2, phi - math.sin(phi)
         assert big / small == pytest.approx(math.tan(abs(start)), rel=1e-10)  # (T5.5)
         assert land.time - off.time == pytest.approx(phi * math.sqrt(h * math.cos(start)), rel=1e-12)  # (T5.6)
-        top = motion.at(off.time + 0.5 * (land.time - off.time))
+        top = motion(off.time + 0.5 * (land.time - off.time))
         turned = 0.5 * phi
         gap = -h * (
             math.cos(start) * (math.cos(turned) - 1 + turned**2 / 2)
@@ -274,7 +274,7 @@ def test_gliding():
     phase = motion.phases[0]
     assert phase.mode == "gliding" and phase.end is not None
     t = np.linspace(0, 0.9 * phase.end.time, 6)
-    it, h = motion.at(t), 0.8
+    it, h = motion(t), 0.8
     s, c, rate = np.sin(it["theta"]), np.cos(it["theta"]), it["theta_rate"]
     vertical = 0.5 * (h * s * rate) ** 2 + h * c
     along = it["slip"] - (1 + h * c) * rate

@@ -23,7 +23,7 @@ def track_of(thrown: Throw, rate: float, random: np.random.Generator) -> lw.Trac
     """Return the track of a film with so many pictures a second: the exact motion with the noise of the tracker."""
     units = thrown.hoop.require_units()
     time = np.arange(round(SECONDS * rate)) / rate / units.time_s
-    seen = thrown.motion.at(time)
+    seen = thrown.motion(time)
     noise = random.normal(0.0, 1.0, (3, time.size))
     length = NOISE_M / units.length_m
     return lw.Track(
@@ -40,7 +40,7 @@ def line_of(film: int, search: bool = False) -> list[str]:
     thrown, rate = throw(random), (120.0, 240.0)[film % 2]
     track = track_of(thrown, rate, random)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
+        warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
         result = lw.fit(
             track,
             thrown.guess if search else thrown.hoop,

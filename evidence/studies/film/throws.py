@@ -42,7 +42,7 @@ class Throw:
     def guess(self) -> lw.Hoop:
         """The hoop as its builder knows it: weighed and measured, with the inertia of a thin rim."""
         inertia = 0.95 * self.hoop.mass_ratio
-        return replace(self.hoop, mu_s=0.5, mu_k=0.3, inertia=inertia, restitution=None, law=None)
+        return replace(self.hoop, mu_s=0.5, mu_k=0.3, inertia=inertia, restitution=None, restitution_law=None)
 
 
 def throw(random: np.random.Generator) -> Throw:
@@ -65,5 +65,5 @@ def throw(random: np.random.Generator) -> Throw:
         motion = hoop.simulate(theta=random.uniform(-math.pi, math.pi), theta_rate=rate, slip=slip, until=end)
         slid = any(transition.cause == "slip" for transition in motion.transitions)
         landed = sum(transition.impact is not None for transition in motion.transitions)
-        if slid and landed >= 2 and motion.end_time >= end and abs(motion.at(end).x) < 12.0:
+        if slid and landed >= 2 and motion.end_time >= end and abs(motion(end).x) < 12.0:
             return Throw(motion, slip != 0.0)

@@ -66,11 +66,11 @@ class Film:
 
     def write(self, path: Path) -> None:
         """Write the film."""
-        video.synthetic_film(
+        video.synthetic_video(
             path,
             self.thrown.motion,
             self.camera,
-            pictures_per_second=self.rate,
+            fps=self.rate,
             exposure_s=self.exposure_s,
             seconds=SECONDS,
             seed=self.seed,
@@ -78,13 +78,13 @@ class Film:
 
     def track(self, path: Path, plane: video.Plane) -> lw.Track:
         """Track the film by somebody who takes the plane to be there, and does not know the exposure."""
-        return lw.track_video(path, self.thrown.hoop, plane=plane, pictures_per_second=self.rate)
+        return lw.track_video(path, self.thrown.hoop, plane=plane, fps=self.rate)
 
     def errors(self, track: lw.Track) -> dict[str, np.ndarray]:
         """Return what a track has too much, against the mean of the exact motion over the exposures."""
         time_s = self.thrown.hoop.require_units().time_s
         instants = self.exposure_s / time_s * (np.arange(64) + 0.5) / 64
-        exact = self.thrown.motion.at((track.time[:, None] + instants).ravel())
+        exact = self.thrown.motion((track.time[:, None] + instants).ravel())
         means = {"theta": exact.theta, "x": exact.x, "y": exact.centre_y}
         found = {name: track.channels[name] - values.reshape(-1, 64).mean(axis=1) for name, values in means.items()}
         found["theta"] = np.mod(found["theta"] + np.pi, 2.0 * np.pi) - np.pi
@@ -97,7 +97,7 @@ def film_of(number: int, size: tuple[int, int] = SIZE) -> Film:
     thrown, rate = throw(random), (120.0, 240.0)[number % 2]
     exposure_s = random.uniform(0.1, 1.0) / rate
     length = thrown.hoop.require_units().length_m
-    path = thrown.motion.at(np.linspace(0.0, SECONDS, 200) / thrown.hoop.require_units().time_s)
+    path = thrown.motion(np.linspace(0.0, SECONDS, 200) / thrown.hoop.require_units().time_s)
     left, right = float(path.x.min() - 1.6) * length, float(path.x.max() + 1.6) * length
     top = float(path.centre_y.max() + 1.3) * length
     middle = 0.5 * (left + right)
@@ -122,7 +122,7 @@ def fitted(film: Film, track: lw.Track, **more: Any) -> lw.FitResult:
     """Fit the track of a film from the truth."""
     thrown = film.thrown
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
+        warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
         return lw.fit(
             track, thrown.hoop, free=FREE, slips_at_start=thrown.slips, start=thrown.start, search=False, **more
         )

@@ -53,7 +53,7 @@ def test_a_slip_is_no_cheaper_than_the_bound_and_each_step_of_its_proof_holds():
         # η′ over a short time by the acceleration, to the accuracy that the bound of η‴ promises.
         duration = 0.1 * min(bound.acceleration / bound.rates[1], slide.duration)
         if math.isfinite(duration) and slide.start.time + duration > slide.start.time * (1.0 + 1e-7):
-            slip = float(motion.at(slide.start.time + duration)["slip"])
+            slip = float(motion(slide.start.time + duration)["slip"])
             rest = 0.5 * bound.rates[1] * duration**2
             assert abs(abs(slip) - acceleration * duration) <= rest + 1e-6 * acceleration * duration + 1e-14
         if slide.end is not None:

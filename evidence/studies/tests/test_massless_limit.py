@@ -35,7 +35,7 @@ def test_rolling_and_gliding_are_off_by_the_first_order(family):
     off = []
     for size in (1e-4, 1e-5, 1e-6):
         hoop = light(size, family)
-        here, there = figure_7(hoop).at(2.5), massless().at(2.5)
+        here, there = figure_7(hoop)(2.5), massless()(2.5)
         off.append([float(here[name] - there[name]) / size for name in ("theta", "theta_rate", "slip", "x")])
     assert np.allclose(off[1], off[2], rtol=1e-2)
     assert np.allclose(off[0], off[1], rtol=1e-1)
@@ -58,7 +58,7 @@ def test_the_particle_rebounds_with_its_speed():
     hoop = lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=1e-6, mu_s=0.5, mu_k=0.001)
     times = np.linspace(0.02, 0.1, 20)
     arrival, _ = bottom(hoop)
-    height = 1.0 + np.cos(figure_7(hoop).at(arrival + times).theta)
+    height = 1.0 + np.cos(figure_7(hoop)(arrival + times).theta)
     assert height == pytest.approx(SPEED * times - 0.5 * times**2, abs=2e-3)
 
 
@@ -89,7 +89,13 @@ def test_a_jam_rebounds_with_a_limit(law, family):
     for mu, theta, rate, slip in starts(9, 50):
         base = light(1e-7, family, mu, mu, 0.6)
         hoop = lw.Hoop(
-            mass_ratio=base.mass_ratio, offset=1.0, inertia=base.inertia, mu_s=mu, mu_k=mu, restitution=0.6, law=law
+            mass_ratio=base.mass_ratio,
+            offset=1.0,
+            inertia=base.inertia,
+            mu_s=mu,
+            mu_k=mu,
+            restitution=0.6,
+            restitution_law=law,
         )
         impact = hoop.simulate(theta=theta, theta_rate=rate, slip=slip, max_transitions=1).transitions[0].impact
         tangent = math.tan(0.5 * theta)

@@ -72,7 +72,7 @@ def test_a_search_of_the_table_comes_out_again():
 def test_the_path_of_a_random_throw_is_in_the_picture(number):
     film = film_of(number)
     radius = film.thrown.hoop.units.length_m
-    seen = film.thrown.motion.at(np.linspace(0.0, 1.0, 200) / film.thrown.hoop.units.time_s)
+    seen = film.thrown.motion(np.linspace(0.0, 1.0, 200) / film.thrown.hoop.units.time_s)
     for a in np.linspace(0.0, math.tau, 16):
         u, v = film.plane.to_pixels((seen.x + math.cos(a)) * radius, (seen.centre_y + math.sin(a)) * radius)
         assert u.min() > 0.0 and u.max() < film.camera.width - 1

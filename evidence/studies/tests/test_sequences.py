@@ -288,7 +288,7 @@ def test_the_moment_about_the_contact_changes_as_if_there_were_no_forces():
             if length < 1e-3:
                 continue
             times_ = phase.start.time + length * np.linspace(1e-9, 1.0 - 1e-9, 401)
-            samples = motion.at(times_)
+            samples = motion(times_)
             theta, rate, slip = (np.asarray(samples[name]) for name in ("theta", "theta_rate", "slip"))
             denominator = np.array([contact.denominator(one) for one in theta])
             moment = denominator * rate - contact.m * (1.0 + contact.h * np.cos(theta)) * slip

@@ -42,7 +42,6 @@ def simulated(case: Mapping[str, Any]) -> Trajectory:
         Dimensionless; a hoop that is given in SI units has them.
     """
     given, start = dict(case["hoop"]), case["start"]
-    given["law"] = given.pop("restitution_law", None)
     hoop = Hoop.from_si(**given) if case["units"] == "si" else Hoop(**given)
     clock, speed, _ = _scales(hoop)
     return hoop.simulate(

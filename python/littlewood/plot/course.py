@@ -207,7 +207,7 @@ def trajectory(motion: Trajectory) -> Figure:
         axes.set_xlim(motion.start.x - 2.0, motion.start.x + 2.0)
         axes.set_ylim(-0.3, 2.3)
         axes.set_aspect("equal")
-        axes.set_title(f"no phase: {motion.outcome}")
+        axes.set_title(f"no phase: {motion.outcome.label}")
         return figure
     grid = figure.add_gridspec(2, 3, height_ratios=(1.25, 1.0))
     path(motion, figure.add_subplot(grid[0, :]))

@@ -29,8 +29,8 @@ def classes(dataset: xarray.Dataset) -> xarray.DataArray:
     Returns
     -------
     xarray.DataArray of uint8
-        Codes, the places of the names in :data:`littlewood.CLASSES`: motions that leave the plane at once, that lift
-        off later, and those that do not, by their outcome.
+        Codes, the places of the names in :data:`littlewood.tables.CLASSES`: motions that leave the plane at once, that
+        lift off later, and those that do not, by their outcome.
 
     Raises
     ------

@@ -94,7 +94,7 @@ def exact_episodes(motion: Trajectory, until: float, within: Tolerances) -> list
     )
 
     def codes(times: _Reals) -> npt.NDArray[np.int8]:
-        samples = motion.at(times)
+        samples = motion(times)
         return _state(np.asarray(samples.gap), np.asarray(samples.slip), within)
 
     found = codes(grid)

@@ -194,7 +194,7 @@ def score(motion: Trajectory, record: Record, tolerances: Tolerances | None = No
     Parameters
     ----------
     motion : Trajectory
-        The exact motion, of :meth:`littlewood.Hoop.simulate` or :meth:`littlewood.Case.simulate`.
+        The exact motion, of :meth:`littlewood.Hoop.simulate` or :meth:`littlewood.cases.Case.simulate`.
     record : Record
         What the solver has computed.
     tolerances : Tolerances, optional
@@ -218,7 +218,7 @@ def score(motion: Trajectory, record: Record, tolerances: Tolerances | None = No
     """
     within = tolerances or Tolerances()
     part = _within(motion, record)
-    samples = motion.at(part.time)
+    samples = motion(part.time)
     exact = {"x": samples.x, "y": samples.centre_y, "theta": samples.theta}
     pairs = match(
         events(exact_episodes(motion, float(part.time[-1]), within), part.step, within),
@@ -243,7 +243,7 @@ def _within(motion: Trajectory, record: Record) -> Record:
     if motion.outcome.is_final and math.isfinite(last) and motion.transitions and motion.transitions[-1].to_mode:
         # It goes on for ever in its last phase.
         last = math.inf
-    kept = (record.time >= first) & (record.time <= last) & np.isfinite(motion.at(record.time).theta)
+    kept = (record.time >= first) & (record.time <= last) & np.isfinite(motion(record.time).theta)
     if np.count_nonzero(kept) < 3:
         raise ValueError(
             f"the record, from time = {record.time[0]} to {record.time[-1]} sqrt(R/g), has fewer than three instants "
@@ -273,7 +273,7 @@ def _energy_error(motion: Trajectory, record: Record) -> _Reals:
         result: _Reals = 0.5 * square / step**2 + hoop.mass * height
         return result
 
-    samples = motion.at(record.time)
+    samples = motion(record.time)
     # The same differences of the exact motion: what they leave out is in both.
     exact = energy(samples.x, samples.centre_y, samples.theta)
     found = energy(record.x, record.y, record.theta)

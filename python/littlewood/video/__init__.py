@@ -1,24 +1,24 @@
-"""Films: a hoop and its marker found in the pictures of a film, films of simulated motions, both in one film.
+"""Videos: a hoop and its marker found in the frames of a video, videos of simulated motions, both in one video.
 
-:func:`littlewood.track_video` makes a track of a film, :func:`littlewood.fit` finds friction, inertia and restitution
-by it, and :func:`overlay_video` draws the fitted motion over the film. :func:`synthetic_film` makes a film of a motion
-whose coefficients are known. All of it needs OpenCV, the extra ``video``.
+:func:`littlewood.track_video` makes a track of a video, :func:`littlewood.fit` finds friction, inertia and restitution
+by it, and :func:`overlay_video` draws the fitted motion over the video. :func:`synthetic_video` makes a video of a
+motion whose coefficients are known. All of it needs OpenCV, the extra ``video``.
 """
 
 from .camera import Camera
 from .errors import (
     NoHoopError,
-    TooFewPicturesError,
+    TooFewFramesError,
     UnreadableVideoError,
     UnwritableVideoError,
     VideoError,
     VideoFileError,
 )
-from .files import codecs, pictures, rate_of
+from .files import codecs, frames, rate_of
 from .finder import Circle, Finder, Marker
 from .overlay import draw_motion, overlay_video
 from .plane import Plane
-from .synthetic import Look, synthetic_film, synthetic_pictures
+from .synthetic import Look, synthetic_frames, synthetic_video
 from .tracking import finder_of, track_video
 
 __all__ = [
@@ -29,7 +29,7 @@ __all__ = [
     "Marker",
     "NoHoopError",
     "Plane",
-    "TooFewPicturesError",
+    "TooFewFramesError",
     "UnreadableVideoError",
     "UnwritableVideoError",
     "VideoError",
@@ -37,10 +37,10 @@ __all__ = [
     "codecs",
     "draw_motion",
     "finder_of",
+    "frames",
     "overlay_video",
-    "pictures",
     "rate_of",
-    "synthetic_film",
-    "synthetic_pictures",
+    "synthetic_frames",
+    "synthetic_video",
     "track_video",
 ]

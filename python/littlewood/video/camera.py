@@ -20,11 +20,11 @@ class Camera:
     position_m : tuple of float
         Where it stands: x to the right, y up, z toward the camera, m.
     target_m : tuple of float
-        The point in the middle of its picture, m.
+        The point in the middle of its frame, m.
     focal_px : float
-        Focal length, pixels: half of the width of the picture over the tangent of half of the angle of view.
+        Focal length, pixels: half of the width of the frame over the tangent of half of the angle of view.
     width, height : int, optional
-        Size of the picture, pixels.
+        Size of the frame, pixels.
     roll_rad : float, optional
         Angle by which it is turned about its axis, clockwise as it looks, rad.
 
@@ -45,7 +45,7 @@ class Camera:
         if not (self.focal_px > 0.0 and math.isfinite(self.focal_px)):
             raise ValueError(f"focal_px = {self.focal_px} must be positive, pixels")
         if self.width < 16 or self.height < 16:
-            raise ValueError(f"a picture of {self.width} × {self.height} pixels is smaller than 16 × 16")
+            raise ValueError(f"a frame of {self.width} × {self.height} pixels is smaller than 16 × 16")
         if not (self.position_m[2] > 0.0 and self.target_m[2] < self.position_m[2]):
             raise ValueError(f"position_m = {self.position_m} must be in front of the plane, z > 0, and of its target")
 

@@ -1,10 +1,10 @@
-"""What can be wrong with a film."""
+"""What can be wrong with a video."""
 
 from __future__ import annotations
 
 __all__ = [
     "NoHoopError",
-    "TooFewPicturesError",
+    "TooFewFramesError",
     "UnreadableVideoError",
     "UnwritableVideoError",
     "VideoError",
@@ -13,7 +13,7 @@ __all__ = [
 
 
 class VideoError(ValueError):
-    """A film that cannot be used."""
+    """A video that cannot be used."""
 
 
 class VideoFileError(VideoError):
@@ -38,35 +38,35 @@ class UnwritableVideoError(VideoFileError):
     """A file that cannot be written: an unknown ending, a codec that this OpenCV does not have, or a missing folder."""
 
 
-class TooFewPicturesError(VideoError):
-    """A film, or a part of it, that is too short to see what moves.
+class TooFewFramesError(VideoError):
+    """A video, or a part of it, that is too short to see what moves.
 
     Attributes
     ----------
-    pictures : int
+    frames : int
         How many there are.
     least : int
         How many are needed.
     """
 
-    def __init__(self, pictures: int, least: int) -> None:
-        super().__init__(f"{pictures} pictures are too few: at least {least} are needed")
-        self.pictures = pictures
+    def __init__(self, frames: int, least: int) -> None:
+        super().__init__(f"{frames} frames are too few: at least {least} are needed")
+        self.frames = frames
         self.least = least
 
 
 class NoHoopError(VideoError):
-    """A film in which the hoop is not to be seen in enough pictures.
+    """A video in which the hoop is not to be seen in enough frames.
 
     Attributes
     ----------
-    pictures : int
-        How many pictures were searched.
+    frames : int
+        How many frames were searched.
     found : int
         In how many of them the hoop was found.
     """
 
-    def __init__(self, pictures: int, found: int, least: int, reason: str) -> None:
-        super().__init__(f"the hoop was found in {found} of {pictures} pictures, {least} are needed: {reason}")
-        self.pictures = pictures
+    def __init__(self, frames: int, found: int, least: int, reason: str) -> None:
+        super().__init__(f"the hoop was found in {found} of {frames} frames, {least} are needed: {reason}")
+        self.frames = frames
         self.found = found

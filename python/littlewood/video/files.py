@@ -1,4 +1,4 @@
-"""Films as files: reading and writing by OpenCV."""
+"""Videos as files: reading and writing by OpenCV."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ import numpy.typing as npt
 from ..extras import require
 from .errors import UnreadableVideoError, UnwritableVideoError
 
-__all__ = ["Picture", "PictureWriter", "codecs", "count_of", "pictures", "rate_of"]
+__all__ = ["Frame", "FrameWriter", "codecs", "count_of", "frames", "rate_of"]
 
-Picture = npt.NDArray[np.uint8]
-"""A picture: rows, columns, and blue, green, red, as OpenCV has them."""
+Frame = npt.NDArray[np.uint8]
+"""A frame: rows, columns, and blue, green, red, as OpenCV has them."""
 
 _CODECS = {".mp4": "mp4v", ".mov": "mp4v", ".avi": "MJPG"}
 """Codecs by the ending of a file: both are in every build of OpenCV, and play almost everywhere."""
 
 
 def codecs() -> dict[str, str]:
-    """Return the endings of films that are written, and their codecs."""
+    """Return the endings of videos that are written, and their codecs."""
     return dict(_CODECS)
 
 
@@ -33,12 +33,12 @@ def _open(path: str | Path) -> Any:
         raise UnreadableVideoError(str(path), "there is no such file")
     capture = cv2.VideoCapture(str(path))
     if not capture.isOpened():
-        raise UnreadableVideoError(str(path), "OpenCV cannot decode it: is it a film?")
+        raise UnreadableVideoError(str(path), "OpenCV cannot decode it: is it a video?")
     return capture
 
 
 def rate_of(path: str | Path) -> float:
-    """Return the pictures per second that a file says it is to be played with.
+    """Return the frames per second that a file says it is to be played with.
 
     Slow motion is played slower than it was taken: the rate at which it was taken is not in the file.
     """
@@ -49,7 +49,7 @@ def rate_of(path: str | Path) -> float:
 
 
 def count_of(path: str | Path) -> int:
-    """Return how many pictures a film has: counted, because what a file says of it is often wrong."""
+    """Return how many frames a video has: counted, because what a file says of it is often wrong."""
     capture = _open(path)
     count = 0
     while capture.grab():
@@ -58,15 +58,15 @@ def count_of(path: str | Path) -> int:
     return count
 
 
-def pictures(path: str | Path, wanted: Collection[int] | None = None) -> Iterator[Picture]:
-    """Yield the pictures of a film.
+def frames(path: str | Path, wanted: Collection[int] | None = None) -> Iterator[Frame]:
+    """Yield the frames of a video.
 
     Parameters
     ----------
     path : str or Path
-        The film.
+        The video.
     wanted : collection of int, optional
-        Numbers of the pictures, from 0; all by default.
+        Numbers of the frames, from 0; all by default.
 
     Raises
     ------
@@ -78,17 +78,17 @@ def pictures(path: str | Path, wanted: Collection[int] | None = None) -> Iterato
     try:
         while capture.grab():
             if wanted is None or number in wanted:
-                found, picture = capture.retrieve()
+                found, frame = capture.retrieve()
                 if not found:
                     return
-                yield picture
+                yield frame
             number += 1
     finally:
         capture.release()
 
 
-class PictureWriter:
-    """Writes pictures into a film.
+class FrameWriter:
+    """Writes frames into a video.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ class PictureWriter:
         The file: `.mp4` or `.mov` (MPEG-4), or `.avi` (Motion JPEG).
     size : tuple of int
         Width and height, pixels.
-    pictures_per_second : float
+    fps : float
         Rate at which it is played.
 
     Raises
@@ -105,7 +105,7 @@ class PictureWriter:
         If OpenCV cannot write it.
     """
 
-    def __init__(self, path: str | Path, size: tuple[int, int], pictures_per_second: float) -> None:
+    def __init__(self, path: str | Path, size: tuple[int, int], fps: float) -> None:
         cv2 = require("cv2")
         ending = Path(path).suffix.lower()
         if ending not in _CODECS:
@@ -115,21 +115,21 @@ class PictureWriter:
         code = cv2.VideoWriter.fourcc(*_CODECS[ending])
         # OpenCV's own writer of Motion JPEG has a quality, that of FFmpeg has not.
         backend = cv2.CAP_OPENCV_MJPEG if ending == ".avi" else cv2.CAP_ANY
-        self._writer = cv2.VideoWriter(str(path), backend, code, pictures_per_second, size)
+        self._writer = cv2.VideoWriter(str(path), backend, code, fps, size)
         if not self._writer.isOpened():
             raise UnwritableVideoError(str(path), f"this OpenCV cannot write {_CODECS[ending]}")
         if ending == ".avi":
             self._writer.set(cv2.VIDEOWRITER_PROP_QUALITY, 95.0)
 
-    def write(self, picture: Picture) -> None:
-        """Append a picture."""
-        self._writer.write(picture)
+    def write(self, frame: Frame) -> None:
+        """Append a frame."""
+        self._writer.write(frame)
 
     def close(self) -> None:
         """Finish the file."""
         self._writer.release()
 
-    def __enter__(self) -> PictureWriter:
+    def __enter__(self) -> FrameWriter:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:

@@ -1,4 +1,4 @@
-"""The hoop and its marker in one picture."""
+"""The hoop and its marker in one frame."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..extras import require
-from .files import Picture
+from .files import Frame
 from .plane import Plane
 
 __all__ = ["MARKERS", "Circle", "Finder", "Marker"]
@@ -40,11 +40,11 @@ _REACH, _FOOT_PX = 0.2, 0.8
 _SHADOW = math.radians(55.0)
 _BESIDE_MARKER = 4
 _LEAST_RAYS = 0.3
-# How far from a circle a rim may seem to be, radii; how much more a radius away; how well a picture tells it.
+# How far from a circle a rim may seem to be, radii; how much more a radius away; how well a frame tells it.
 _OVAL, _OVAL_SLOPE, _OVAL_ERROR = 0.02, 0.005, 0.001
 # A share of the rim that is none.
 _NOTHING = 1e-6
-# What stands for "outside of the picture" among shares of light, which are about 0 to 1.
+# What stands for "outside of the frame" among shares of light, which are about 0 to 1.
 _OUTSIDE = -1e3
 # A radius that differs by more from the measured one is that of something else.
 _RADIUS_TOLERANCE = 0.08
@@ -105,14 +105,14 @@ class Finder:
     """Finds a rim of known radius before a background that stands still, and a marker by its colour.
 
     The edge of the rim is sought along rays of the plane of the motion, so that a circle is fitted to a circle and not
-    to the ellipse of the picture.
+    to the ellipse of the frame.
 
     Parameters
     ----------
     plane : Plane
         The plane of the motion.
     background : ndarray
-        The picture without the hoop.
+        The frame without the hoop.
     noise : float
         Standard deviation of the noise of a pixel, grey levels.
     radius_m : float
@@ -145,24 +145,24 @@ class Finder:
             raise ValueError(f"marker = {colour} is grey: a marker needs a colour")
         self._hue = (hue / np.linalg.norm(hue)).astype(np.float32)
 
-    def difference(self, picture: Picture) -> npt.NDArray[np.uint8]:
-        """Return by how much a picture differs from the background, grey levels, smoothed over a pixel."""
+    def difference(self, frame: Frame) -> npt.NDArray[np.uint8]:
+        """Return by how much a frame differs from the background, grey levels, smoothed over a pixel."""
         cv2 = require("cv2")
-        apart = cv2.transform(cv2.absdiff(picture, self._levels), np.full((1, 3), 1.0 / 3.0))
+        apart = cv2.transform(cv2.absdiff(frame, self._levels), np.full((1, 3), 1.0 / 3.0))
         return np.asarray(cv2.GaussianBlur(apart, (0, 0), 0.8), dtype=np.uint8)
 
-    def circle(self, picture: Picture) -> Circle | None:
+    def circle(self, frame: Frame) -> Circle | None:
         """Find the rim; None where there is none, or less than a half of it.
 
         The outline of what differs from the background tells where the rim is. Its centre is then that of the mean line
         of the rim, in light: the mean over the exposure, however the hoop moves meanwhile, and however bright the
         background is. Of a disc, which has no inner edge, it is that of the outer edge.
         """
-        found = self._outline(picture)
+        found = self._outline(frame)
         if found is None:
             return None
         difference, outline, seen = found
-        line = self._line(picture, difference, outline)
+        line = self._line(frame, difference, outline)
         if line is None:
             return None
         circle, scatter, kept = _fit_circle(*line, outline, self._radius)
@@ -171,9 +171,9 @@ class Finder:
         error = scatter * math.sqrt(2.0 / min(float(kept.sum()), pixels))
         return Circle(circle[0], circle[1], outline[2], error, seen)
 
-    def _outline(self, picture: Picture) -> tuple[npt.NDArray[np.uint8], tuple[float, float, float], float] | None:
+    def _outline(self, frame: Frame) -> tuple[npt.NDArray[np.uint8], tuple[float, float, float], float] | None:
         """Return what differs from the background, the circle about it, and which part of the rim is seen."""
-        difference = self.difference(picture)
+        difference = self.difference(frame)
         guess = self._guess(difference)
         if guess is None:
             return None
@@ -187,13 +187,13 @@ class Finder:
             return None
         return difference, outline, float(kept.sum()) / _RAYS
 
-    def _line_of(self, picture: Picture) -> tuple[tuple[float, float], _Reals, _Reals] | None:
-        """Return a centre, and points of the mean line of the rim as a picture shows it."""
-        found = self._outline(picture)
-        line = None if found is None else self._line(picture, found[0], found[1])
+    def _line_of(self, frame: Frame) -> tuple[tuple[float, float], _Reals, _Reals] | None:
+        """Return a centre, and points of the mean line of the rim as a frame shows it."""
+        found = self._outline(frame)
+        line = None if found is None else self._line(frame, found[0], found[1])
         return None if found is None or line is None else (found[1][:2], *line)
 
-    def rounded(self, pictures: Iterable[Picture]) -> Finder:
+    def rounded(self, frames: Iterable[Frame]) -> Finder:
         """Return a finder that knows how far from a circle the plane shows the rim, which tells errors of the plane.
 
         A plane with a wrong perspective makes an oval of a circle, and a part of the rim that is hidden then moves its
@@ -201,12 +201,12 @@ class Finder:
 
         Parameters
         ----------
-        pictures : iterable of ndarray
-            Pictures all over the film.
+        frames : iterable of ndarray
+            Frames all over the video.
         """
         rows, ovals = [], []
-        for picture in pictures:
-            line = self._line_of(picture)
+        for frame in frames:
+            line = self._line_of(frame)
             if line is not None:
                 place, oval = _oval(*line)
                 rows.append(place)
@@ -233,14 +233,14 @@ class Finder:
         return profiles.points(rays, profiles.crossing(rays, last[usable], last[usable] + 1))
 
     def _line(
-        self, picture: Picture, difference: npt.NDArray[np.uint8], circle: tuple[float, float, float]
+        self, frame: Frame, difference: npt.NDArray[np.uint8], circle: tuple[float, float, float]
     ) -> tuple[_Reals, _Reals] | None:
         """Return points of the mean line of the rim; None where there are too few."""
         x, y, radius = circle
         cut = self._cut(x, y, (1.0 + 1.5 * _WINDOW) * radius)
         if cut is None:
             return None
-        light = _light(picture[cut])
+        light = _light(frame[cut])
         colour = self._colour_of_rim(light, difference, circle, cut)
         # Which part of the light of a pixel is that of the rim: 0 for the background, 1 for the rim.
         contrast = colour - self._background[cut]
@@ -304,7 +304,7 @@ class Finder:
         return found
 
     def _cut(self, x: float, y: float, reach: float) -> tuple[slice, slice] | None:
-        """Return the part of a picture in which a square of the plane is."""
+        """Return the part of a frame in which a square of the plane is."""
         u, v = self._plane.to_pixels(
             x + reach * np.array([-1.0, 1.0, -1.0, 1.0]), y + reach * np.array([-1.0, -1.0, 1.0, 1.0])
         )
@@ -356,7 +356,7 @@ class Finder:
         x, y = self._plane.to_metres(pixels[:, 0], pixels[:, 1])
         if x.size < 20:
             return None
-        # Two points and the radius make two circles. The draws are the same for every picture.
+        # Two points and the radius make two circles. The draws are the same for every frame.
         random = np.random.default_rng(0)
         some = random.integers(0, x.size, 200)
         i, j = random.integers(0, x.size, (2, 200))
@@ -376,7 +376,7 @@ class Finder:
             return None
         return float(centre_x[best]), float(centre_y[best])
 
-    def marker(self, picture: Picture, circle: Circle) -> Marker | None:
+    def marker(self, frame: Frame, circle: Circle) -> Marker | None:
         """Find the marker on a hoop that was found; None where its colour is not to be seen."""
         cut = self._cut(circle.x_m, circle.y_m, 1.3 * self._radius)
         if cut is None:
@@ -385,7 +385,7 @@ class Finder:
         x, y = self._plane.to_metres(columns, rows)
         on_ring = np.abs(np.hypot(x - circle.x_m, y - circle.y_m) - self._marker) < 0.22 * self._radius
         # As light and not as levels, in which the parts of a blurred marker do not add up.
-        score = 255.0 * _light(picture[cut]) @ self._hue
+        score = 255.0 * _light(frame[cut]) @ self._hue
         score -= np.median(score[on_ring]) if np.any(on_ring) else 0.0
         cv2 = require("cv2")
         smooth = np.where(on_ring, cv2.GaussianBlur(score, (0, 0), 1.0), 0.0)
@@ -404,9 +404,9 @@ class Finder:
         return Marker(mean_x, mean_y, self._noise * math.sqrt(spread) / total)
 
 
-def _light(picture: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
+def _light(frame: npt.NDArray[np.uint8]) -> npt.NDArray[np.float32]:
     """Return levels as light, 0 to 1."""
-    return np.asarray(_LIGHT[picture])
+    return np.asarray(_LIGHT[frame])
 
 
 def _oval(centre: tuple[float, float], x: _Reals, y: _Reals) -> tuple[tuple[float, float], _Reals]:
@@ -423,7 +423,7 @@ def _oval(centre: tuple[float, float], x: _Reals, y: _Reals) -> tuple[tuple[floa
 
 
 class _Profiles:
-    """Values of a picture along rays of the plane, on both sides of a circle.
+    """Values of a frame along rays of the plane, on both sides of a circle.
 
     Parameters
     ----------
@@ -436,7 +436,7 @@ class _Profiles:
     window : float
         How far to both sides the rays go, radii.
     cut : tuple of slice, optional
-        Which part of the picture the image is.
+        Which part of the frame the image is.
     """
 
     def __init__(

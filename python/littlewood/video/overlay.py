@@ -1,4 +1,4 @@
-"""Film and simulation together."""
+"""Video and simulation together."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..extras import require
 from ..fit_result import FitResult
 from ..style import MODE_COLOURS
 from ..trajectory import Trajectory
-from .files import Picture, PictureWriter, pictures
+from .files import Frame, FrameWriter, frames
 from .plane import Plane
 
 __all__ = ["draw_motion", "overlay_video"]
@@ -24,17 +24,17 @@ def _colour(mode: str) -> tuple[int, int, int]:
     return int(text[4:6], 16), int(text[2:4], 16), int(text[0:2], 16)
 
 
-def draw_motion(picture: Picture, motion: Trajectory, plane: Plane, time: float) -> Picture:
-    """Return a picture with the simulated hoop drawn over it, in the colour of its mode of motion.
+def draw_motion(frame: Frame, motion: Trajectory, plane: Plane, time: float) -> Frame:
+    """Return a frame with the simulated hoop drawn over it, in the colour of its mode of motion.
 
     Parameters
     ----------
-    picture : ndarray
-        The picture.
+    frame : ndarray
+        The frame.
     motion : Trajectory
         The motion, of a hoop with units.
     plane : Plane
-        Where the picture shows the plane of the motion.
+        Where the frame shows the plane of the motion.
     time : float
         Time τ, √(R/g).
 
@@ -45,8 +45,8 @@ def draw_motion(picture: Picture, motion: Trajectory, plane: Plane, time: float)
     """
     cv2 = require("cv2")
     units = motion.hoop.require_units()
-    drawn = picture.copy()
-    sample: Any = motion.at(np.array([time]))
+    drawn = frame.copy()
+    sample: Any = motion(np.array([time]))
     if bool(sample.is_outside[0]) or time < motion.start.time:
         return drawn
     x, y, theta = (float(values[0]) for values in (sample.x, sample.centre_y, sample.theta))
@@ -68,7 +68,7 @@ def draw_motion(picture: Picture, motion: Trajectory, plane: Plane, time: float)
     small = 0.06 * np.array([np.cos(angles), np.sin(angles)])
     cv2.polylines(drawn, [points(particle[0] + small[0], particle[1] + small[1])], False, colour, 2, **style)
     seconds = (time - motion.start.time) * units.time_s
-    size = picture.shape[0] / 540.0
+    size = frame.shape[0] / 540.0
     at = (round(16 * size), round(32 * size))
     for ink, width in (((255, 255, 255), 4), ((20, 20, 20), 1)):
         words = f"{seconds:.3f} s  {mode}"
@@ -79,40 +79,40 @@ def draw_motion(picture: Picture, motion: Trajectory, plane: Plane, time: float)
 
 
 def overlay_video(
-    film: str | Path,
+    video: str | Path,
     fitted: FitResult | Trajectory,
     out: str | Path,
     *,
     plane: Plane,
-    pictures_per_second: float,
-    played_per_second: float = 30.0,
+    fps: float,
+    played_fps: float = 30.0,
 ) -> int:
-    """Write a film with the simulated hoop drawn over the filmed one.
+    """Write a video with the simulated hoop drawn over the filmed one.
 
     Parameters
     ----------
-    film : str or Path
-        The film.
+    video : str or Path
+        The video.
     fitted : FitResult or Trajectory
-        The motion; its time counts from the first picture of the film, as that of a track does.
+        The motion; its time counts from the first frame of the video, as that of a track does.
     out : str or Path
         The file that is written: `.mp4` (MPEG-4) or `.avi` (Motion JPEG).
     plane : Plane
-        Where the picture shows the plane of the motion.
-    pictures_per_second : float
-        Rate at which the pictures were taken.
-    played_per_second : float, optional
+        Where the frame shows the plane of the motion.
+    fps : float
+        Rate at which the frames were taken.
+    played_fps : float, optional
         Rate at which the file is to be played.
 
     Returns
     -------
     int
-        How many pictures were written.
+        How many frames were written.
 
     Raises
     ------
     UnreadableVideoError
-        If the film is missing or cannot be decoded.
+        If the video is missing or cannot be decoded.
     UnwritableVideoError
         If `out` cannot be written.
     """
@@ -120,10 +120,10 @@ def overlay_video(
     time_s = motion.hoop.require_units().time_s
     count, writer = 0, None
     try:
-        for picture in pictures(film):
+        for frame in frames(video):
             if writer is None:
-                writer = PictureWriter(out, (picture.shape[1], picture.shape[0]), played_per_second)
-            writer.write(draw_motion(picture, motion, plane, count / pictures_per_second / time_s))
+                writer = FrameWriter(out, (frame.shape[1], frame.shape[0]), played_fps)
+            writer.write(draw_motion(frame, motion, plane, count / fps / time_s))
             count += 1
     finally:
         if writer is not None:

@@ -1,4 +1,4 @@
-"""The vertical plane in which the hoop moves, and where a picture shows it."""
+"""The vertical plane in which the hoop moves, and where a frame shows it."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _mapped(matrix: _Reals, a: npt.ArrayLike, b: npt.ArrayLike) -> tuple[_Reals,
 
 @dataclass(frozen=True, eq=False)
 class Plane:
-    """The plane of the motion in a picture: metres to pixels, with the perspective.
+    """The plane of the motion in a frame: metres to pixels, with the perspective.
 
     x is to the right and y the height over the floor, m; u is to the right and v downward, pixels from the centre of
     the first pixel, as OpenCV has them. One of :meth:`from_points`, :meth:`from_ground_line` and :meth:`from_camera`
@@ -69,12 +69,12 @@ class Plane:
 
     @classmethod
     def from_points(cls, pixels: npt.ArrayLike, metres: npt.ArrayLike) -> Plane:
-        """Take the plane from points that were measured and are seen in the picture: four corners of a board, say.
+        """Take the plane from points that were measured and are seen in the frame: four corners of a board, say.
 
         Parameters
         ----------
         pixels : array_like
-            Where the picture shows them, of shape (n, 2) with n ≥ 4.
+            Where the frame shows them, of shape (n, 2) with n ≥ 4.
         metres : array_like
             Where they are, x and y, of the same shape; no three on a line. More than four are taken by least squares.
 
@@ -141,7 +141,7 @@ class Plane:
         return cls(camera.matrix[:, [0, 1, 3]])
 
     def to_pixels(self, x: npt.ArrayLike, y: npt.ArrayLike) -> tuple[_Reals, _Reals]:
-        """Return where the picture shows points of the plane, u and v in pixels.
+        """Return where the frame shows points of the plane, u and v in pixels.
 
         Parameters
         ----------
@@ -161,7 +161,7 @@ class Plane:
         return _mapped(np.asarray(np.linalg.inv(self.matrix), dtype=np.float64), u, v)
 
     def pixels_per_metre(self, x: float, y: float) -> float:
-        """Return the scale of the picture about a point of the plane: the root of the ratio of areas.
+        """Return the scale of the frame about a point of the plane: the root of the ratio of areas.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Films of simulated motions, as a camera would have taken them."""
+"""Videos of simulated motions, as a camera would have taken them."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ import numpy.typing as npt
 from ..extras import require
 from ..trajectory import Trajectory
 from .camera import Camera
-from .files import Picture, PictureWriter
+from .files import Frame, FrameWriter
 from .plane import Plane
 
-__all__ = ["Look", "synthetic_film", "synthetic_pictures"]
+__all__ = ["Look", "synthetic_frames", "synthetic_video"]
 
 RATE = 120.0
-"""Pictures per second of a film, unless another rate is asked for."""
+"""Frames per second of a video, unless another rate is asked for."""
 
 EXPOSURE_S = 1 / 500
-"""How long its pictures are exposed, s."""
+"""How long its frames are exposed, s."""
 
 _Pixels = npt.NDArray[np.float32]
 _Reals = npt.NDArray[np.float64]
@@ -75,7 +75,7 @@ def _light(colour: tuple[int, int, int]) -> _Pixels:
 
 
 class _Scene:
-    """The picture without the hoop, and where its pixels are on the plane and on the floor."""
+    """The frame without the hoop, and where its pixels are on the plane and on the floor."""
 
     def __init__(self, camera: Camera, look: Look, random: np.random.Generator) -> None:
         self.plane = Plane.from_camera(camera)
@@ -91,7 +91,7 @@ class _Scene:
         self.is_floor = self.floor_z > -_WALL_M
         self.background = self._background(camera, look, random)
         self.levels = _levels(self.background)
-        # A pool that is larger than a picture: noise is a part of it, at a place by chance.
+        # A pool that is larger than a frame: noise is a part of it, at a place by chance.
         self.noise = random.normal(0.0, look.noise, (camera.height + 64, camera.width + 64, 3)).astype(np.float32)
 
     def _background(self, camera: Camera, look: Look, random: np.random.Generator) -> _Pixels:
@@ -110,20 +110,20 @@ class _Scene:
         return np.asarray((levels / 255.0) ** _GAMMA, dtype=np.float32)
 
 
-def synthetic_pictures(
+def synthetic_frames(
     motion: Trajectory,
     camera: Camera,
     *,
-    pictures_per_second: float = RATE,
+    fps: float = RATE,
     exposure_s: float = EXPOSURE_S,
     seconds: float | None = None,
     look: Look | None = None,
     seed: int = 0,
-) -> Iterator[Picture]:
-    """Yield the pictures that a camera takes of a motion, with perspective, motion blur and noise.
+) -> Iterator[Frame]:
+    """Yield the frames that a camera takes of a motion, with perspective, motion blur and noise.
 
     The light of the hoop is averaged over the exposure, at instants less than a pixel apart, and turned into levels by
-    a gamma of 2.2. Picture number k is exposed from k/`pictures_per_second` on, for `exposure_s`.
+    a gamma of 2.2. Frame number k is exposed from k/`fps` on, for `exposure_s`.
 
     Parameters
     ----------
@@ -131,8 +131,8 @@ def synthetic_pictures(
         The motion, of a hoop with units; x = 0 is that of the plane.
     camera : Camera
         The camera.
-    pictures_per_second : float, optional
-        Rate at which pictures are taken.
+    fps : float, optional
+        Rate at which frames are taken.
     exposure_s : float, optional
         How long each is exposed, s; not longer than the time between two of them.
     seconds : float, optional
@@ -140,7 +140,7 @@ def synthetic_pictures(
     look : Look, optional
         Colours, noise.
     seed : int, optional
-        The same seed makes the same film.
+        The same seed makes the same video.
 
     Yields
     ------
@@ -150,32 +150,32 @@ def synthetic_pictures(
     Raises
     ------
     ValueError
-        If the hoop has no units, or the exposure is no part of the time between two pictures.
+        If the hoop has no units, or the exposure is no part of the time between two frames.
     """
     units = motion.hoop.require_units()
-    if not (pictures_per_second > 0.0 and math.isfinite(pictures_per_second)):
-        raise ValueError(f"pictures_per_second = {pictures_per_second} must be positive")
-    if not 0.0 < exposure_s * pictures_per_second <= 1.0 + 1e-9:
-        raise ValueError(f"exposure_s = {exposure_s} must be positive and at most {1.0 / pictures_per_second:.6g} s")
+    if not (fps > 0.0 and math.isfinite(fps)):
+        raise ValueError(f"fps = {fps} must be positive")
+    if not 0.0 < exposure_s * fps <= 1.0 + 1e-9:
+        raise ValueError(f"exposure_s = {exposure_s} must be positive and at most {1.0 / fps:.6g} s")
     look = Look() if look is None else look
     random = np.random.default_rng(seed)
     scene = _Scene(camera, look, random)
     last = motion.end_time * units.time_s - exposure_s
     end = min(last, 2.0 if not math.isfinite(last) else last) if seconds is None else min(seconds, last)
-    for k in range(max(0, math.floor(end * pictures_per_second + 1e-9)) + 1):
-        yield _picture(scene, motion, look, k / pictures_per_second, exposure_s, random)
+    for k in range(max(0, math.floor(end * fps + 1e-9)) + 1):
+        yield _frame(scene, motion, look, k / fps, exposure_s, random)
 
 
-def _picture(
+def _frame(
     scene: _Scene, motion: Trajectory, look: Look, begin: float, exposure: float, random: np.random.Generator
-) -> Picture:
+) -> Frame:
     units = motion.hoop.require_units()
     radius = units.length_m
-    ends = motion.at(np.array([begin, begin + exposure]) / units.time_s)
+    ends = motion(np.array([begin, begin + exposure]) / units.time_s)
     middle_x, middle_y = float(ends.x.mean()) * radius, float(ends.centre_y.mean()) * radius
     scale = scene.plane.pixels_per_metre(middle_x, middle_y)
     instants, weights, way = _instants(motion, float(ends.time[0]), float(ends.time[1]), radius * scale)
-    samples = motion.at(instants)
+    samples = motion(instants)
     rim, marker, here = _coverage(scene, samples, weights, motion.hoop.offset, radius, look, scale, way / scale)
     light = scene.background.copy()
     near = _shade(scene, light, middle_x, middle_y - radius, radius, look.shadow)
@@ -200,7 +200,7 @@ def _instants(motion: Trajectory, begin: float, end: float, scale: float) -> tup
     """
     jumps = [one.time for one in motion.transitions if begin < one.time < end]
     cuts = np.array([begin, *jumps[:_MOST_TRANSITIONS], end])
-    at_cuts = motion.at(cuts)
+    at_cuts = motion(cuts)
     ways = scale * sum(np.abs(np.diff(values)) for values in (at_cuts.x, at_cuts.centre_y, at_cuts.theta))
     instants, weights = [], []
     for first, last, way in zip(cuts, cuts[1:], ways, strict=False):
@@ -259,51 +259,51 @@ def _shade(
     return near
 
 
-def synthetic_film(
+def synthetic_video(
     path: str | Path,
     motion: Trajectory,
     camera: Camera,
     *,
-    pictures_per_second: float = RATE,
+    fps: float = RATE,
     exposure_s: float = EXPOSURE_S,
     seconds: float | None = None,
     look: Look | None = None,
     seed: int = 0,
-    played_per_second: float = 30.0,
+    played_fps: float = 30.0,
 ) -> Plane:
-    """Write a film of a motion as a camera would take it; arguments are those of :func:`synthetic_pictures`.
+    """Write a video of a motion as a camera would take it; arguments are those of :func:`synthetic_frames`.
 
     Parameters
     ----------
     path : str or Path
         The file, `.avi` (Motion JPEG) or `.mp4` (MPEG-4, which loses more).
-    motion, camera, pictures_per_second, exposure_s, seconds, look, seed : optional
-        As those of :func:`synthetic_pictures`.
-    played_per_second : float, optional
+    motion, camera, fps, exposure_s, seconds, look, seed : optional
+        As those of :func:`synthetic_frames`.
+    played_fps : float, optional
         Rate at which the file is to be played: slow motion, as a phone does it.
 
     Returns
     -------
     Plane
-        The plane of the motion in the film.
+        The plane of the motion in the video.
 
     Raises
     ------
     ValueError
-        As :func:`synthetic_pictures`.
+        As :func:`synthetic_frames`.
     UnwritableVideoError
         If OpenCV cannot write the file.
     """
     require("cv2")
-    with PictureWriter(path, (camera.width, camera.height), played_per_second) as writer:
-        for picture in synthetic_pictures(
+    with FrameWriter(path, (camera.width, camera.height), played_fps) as writer:
+        for frame in synthetic_frames(
             motion,
             camera,
-            pictures_per_second=pictures_per_second,
+            fps=fps,
             exposure_s=exposure_s,
             seconds=seconds,
             look=look,
             seed=seed,
         ):
-            writer.write(picture)
+            writer.write(frame)
     return Plane.from_camera(camera)

@@ -1,4 +1,4 @@
-"""The track of a hoop in a film."""
+"""The track of a hoop in a video."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ import numpy.typing as npt
 from ..calibration import CALIBRATION
 from ..hoop import Hoop
 from ..track import Track
-from .errors import NoHoopError, TooFewPicturesError, UnreadableVideoError
-from .files import Picture, count_of, pictures
+from .errors import NoHoopError, TooFewFramesError, UnreadableVideoError
+from .files import Frame, count_of, frames
 from .finder import MARKERS, Finder
 from .plane import Plane
 
 __all__ = ["background_of", "finder_of", "track_video"]
 
 _LEAST_PICTURES = 10
-# Pictures of which the background is the median, and in which the shape of the rim is measured.
+# Frames of which the background is the median, and in which the shape of the rim is measured.
 _SPREAD = 41
 
 
@@ -29,7 +29,7 @@ def track_video(
     hoop: Hoop,
     *,
     plane: Plane,
-    pictures_per_second: float,
+    fps: float,
     marker: str | tuple[int, int, int] = "red",
     marker_offset: float | None = None,
     marker_angle: float = 0.0,
@@ -38,22 +38,22 @@ def track_video(
     background: npt.ArrayLike | None = None,
     exposure_s: float | None = None,
 ) -> Track:
-    """Find the hoop and its marker in every picture of a film.
+    """Find the hoop and its marker in every frame of a video.
 
     The camera must stand still. The rim is the outermost edge of what differs from the background; a circle is fitted
     to it in the plane of the motion, so that the perspective is corrected. The marker is what has its colour near the
-    rim. Each picture is searched for itself, and nothing is smoothed.
+    rim. Each frame is searched for itself, and nothing is smoothed.
 
     Parameters
     ----------
     path : str or Path
-        The film, in any format that OpenCV decodes.
+        The video, in any format that OpenCV decodes.
     hoop : Hoop
         The hoop, made by :meth:`Hoop.from_si`: its radius is taken, and its offset for the place of the marker.
     plane : Plane
-        Where the picture shows the plane of the motion.
-    pictures_per_second : float
-        Rate at which the pictures were taken. In slow motion it is not the rate at which the file is played.
+        Where the frame shows the plane of the motion.
+    fps : float
+        Rate at which the frames were taken. In slow motion it is not the rate at which the file is played.
     marker : str or tuple of int, optional
         Colour of the marker: red, orange, yellow, green, blue, magenta, or red, green, blue from 0 to 255.
     marker_offset : float, optional
@@ -61,42 +61,42 @@ def track_video(
     marker_angle : float, optional
         Angle from the particle to the marker, counterclockwise, rad; π for a marker opposite to the particle.
     first, last : int, optional
-        First picture that is used, and the one after the last. The time counts from the first picture of the film.
+        First frame that is used, and the one after the last. The time counts from the first frame of the video.
     background : array_like, optional
-        A picture without the hoop. By default the median of up to 41 pictures, for which the hoop has to move by more
+        A frame without the hoop. By default the median of up to 41 frames, for which the hoop has to move by more
         than its width.
     exposure_s : float, optional
-        How long a picture was exposed, s. By default it is not known, and the fit estimates it.
+        How long a frame was exposed, s. By default it is not known, and the fit estimates it.
 
     Returns
     -------
     Track
-        Dimensionless, with the standard errors of every picture, NaN where hoop or marker were not found, and with
-        what a camera may show wrong in every picture alike, so that a fit estimates it along.
+        Dimensionless, with the standard errors of every frame, NaN where hoop or marker were not found, and with
+        what a camera may show wrong in every frame alike, so that a fit estimates it along.
 
     Raises
     ------
     ValueError
-        If the hoop has no units, or a rate, a colour or a range of pictures makes no sense.
+        If the hoop has no units, or a rate, a colour or a range of frames makes no sense.
     UnreadableVideoError
         If the file is missing or cannot be decoded.
-    TooFewPicturesError
-        If there are fewer than ten pictures.
+    TooFewFramesError
+        If there are fewer than ten frames.
     NoHoopError
         If the hoop is found in fewer than ten.
 
     Notes
     -----
-    The time of a picture is its number over the rate: that of the beginning of its exposure. What was found is the mean
+    The time of a frame is its number over the rate: that of the beginning of its exposure. What was found is the mean
     over it.
     """
     units = hoop.require_units()
-    if not (pictures_per_second > 0.0 and math.isfinite(pictures_per_second)):
-        raise ValueError(f"pictures_per_second = {pictures_per_second} must be positive")
+    if not (fps > 0.0 and math.isfinite(fps)):
+        raise ValueError(f"fps = {fps} must be positive")
     if first < 0 or (last is not None and last <= first):
-        raise ValueError(f"pictures from {first} to {last} are none")
-    if exposure_s is not None and not 0.0 <= exposure_s * pictures_per_second <= 1.0 + 1e-9:
-        raise ValueError(f"exposure_s = {exposure_s} must be from 0 to {1.0 / pictures_per_second:.6g} s")
+        raise ValueError(f"empty frame range: {first} to {last}")
+    if exposure_s is not None and not 0.0 <= exposure_s * fps <= 1.0 + 1e-9:
+        raise ValueError(f"exposure_s = {exposure_s} must be from 0 to {1.0 / fps:.6g} s")
     finder = finder_of(
         path,
         hoop,
@@ -108,10 +108,10 @@ def track_video(
         background=background,
     )
     rows = []
-    for number, picture in enumerate(pictures(path)):
+    for number, frame in enumerate(frames(path)):
         if number < first or (last is not None and number >= last):
             continue
-        rows.append((number, *_in_picture(finder, picture)))
+        rows.append((number, *_in_frame(finder, frame)))
     found = np.array(rows)
     theta = np.mod(found[:, 3] - marker_angle + math.pi, math.tau) - math.pi
     count = int(np.isfinite(found[:, 1]).sum())
@@ -120,7 +120,7 @@ def track_video(
         raise NoHoopError(len(rows), count, _LEAST_PICTURES, reason)
     length = units.length_m
     return Track(
-        found[:, 0] / pictures_per_second / units.time_s,
+        found[:, 0] / fps / units.time_s,
         theta=theta,
         x=found[:, 1] / length,
         y=found[:, 2] / length,
@@ -130,12 +130,12 @@ def track_video(
     )
 
 
-def _in_picture(finder: Finder, picture: Picture) -> tuple[float, float, float, float, float]:
+def _in_frame(finder: Finder, frame: Frame) -> tuple[float, float, float, float, float]:
     """Return x, y, θ of the marker, and the errors of a coordinate and of θ; NaN for what is not found."""
-    circle = finder.circle(picture)
+    circle = finder.circle(frame)
     if circle is None:
         return (math.nan,) * 5
-    marker = finder.marker(picture, circle)
+    marker = finder.marker(frame, circle)
     if marker is None:
         return circle.x_m, circle.y_m, math.nan, circle.error_m, math.nan
     x, y = marker.x_m - circle.x_m, marker.y_m - circle.y_m
@@ -154,7 +154,7 @@ def finder_of(
     last: int | None = None,
     background: npt.ArrayLike | None = None,
 ) -> Finder:
-    """Return what finds the hoop in single pictures of a film; arguments are those of :func:`littlewood.track_video`.
+    """Return what finds the hoop in single frames; arguments are those of :func:`littlewood.track_video`.
 
     Returns
     -------
@@ -169,7 +169,7 @@ def finder_of(
     if background is not None:
         given = np.asarray(background)
         if given.shape != still.shape:
-            raise ValueError(f"the background has shape {given.shape}, a picture {still.shape}")
+            raise ValueError(f"the background has shape {given.shape}, a frame {still.shape}")
         still = given
     radius = hoop.require_units().length_m
     offset = hoop.offset if marker_offset is None else marker_offset
@@ -177,39 +177,39 @@ def finder_of(
     return finder.rounded(some)
 
 
-def _spread(path: str | Path, first: int, last: int | None) -> list[Picture]:
-    """Return pictures all over a film."""
+def _spread(path: str | Path, first: int, last: int | None) -> list[Frame]:
+    """Return frames all over a video."""
     count = count_of(path)
     if count == 0:
-        raise UnreadableVideoError(str(path), "it has no pictures")
+        raise UnreadableVideoError(str(path), "it has no frames")
     end = count if last is None else min(count, last)
     if end - first < _LEAST_PICTURES:
-        raise TooFewPicturesError(max(0, end - first), _LEAST_PICTURES)
-    return list(pictures(path, set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist())))
+        raise TooFewFramesError(max(0, end - first), _LEAST_PICTURES)
+    return list(frames(path, set(np.linspace(first, end - 1, _SPREAD).round().astype(int).tolist())))
 
 
 def background_of(path: str | Path, first: int = 0, last: int | None = None) -> tuple[npt.NDArray[Any], float]:
-    """Return the median of pictures of a film, and the standard deviation of the noise of a pixel.
+    """Return the median of frames of a video, and the standard deviation of the noise of a pixel.
 
     Parameters
     ----------
     path : str or Path
-        The film.
+        The video.
     first, last : int, optional
-        First picture that is used, and the one after the last.
+        First frame that is used, and the one after the last.
 
     Raises
     ------
     UnreadableVideoError
         If the file is missing or cannot be decoded.
-    TooFewPicturesError
-        If there are fewer than ten pictures.
+    TooFewFramesError
+        If there are fewer than ten frames.
     """
     return _still(_spread(path, first, last))
 
 
-def _still(some: list[Picture]) -> tuple[npt.NDArray[Any], float]:
-    """Return the median of pictures, and the standard deviation of the noise of a pixel."""
+def _still(some: list[Frame]) -> tuple[npt.NDArray[Any], float]:
+    """Return the median of frames, and the standard deviation of the noise of a pixel."""
     kept = np.stack(some)
     still = np.median(kept, axis=0)
     distance = np.abs(kept[:: max(1, len(kept) // 5)] - still)
