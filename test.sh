@@ -7,6 +7,8 @@
 #   ./test.sh STAGE ARGUMENT…   one stage; `./test.sh --list` has all of them
 #
 # At its end it counts, and says what took how long.
+set -euo pipefail
+# shellcheck source=scripts/common.sh
 source "$(dirname "$0")/scripts/common.sh"
 source scripts/stages.sh
 

@@ -2,6 +2,8 @@
 # Builds the documentation as a site, target/site: a folder for any static host. Warnings are errors.
 #
 # Needs Rust (with WebAssembly, for the laboratory), Python 3.11 or later (PYTHON names it) and node 20.
+set -euo pipefail
+# shellcheck source=scripts/common.sh
 source "$(dirname "$0")/../scripts/common.sh"
 export RUSTDOCFLAGS="${RUSTDOCFLAGS:--D warnings}"
 

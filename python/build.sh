@@ -5,6 +5,8 @@
 #   python/build.sh release        the wheel of this machine into python/dist, with the laboratory in it where web/build.sh has made it; on
 #                                  Linux, zig links it for old systems (manylinux 2.17). Needs maturin, on Linux "maturin[zig]"
 #   python/build.sh release sdist  and the source distribution
+set -euo pipefail
+# shellcheck source=scripts/common.sh
 source "$(dirname "$0")/../scripts/common.sh"
 
 if [ "${1:-}" = release ]; then

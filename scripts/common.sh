@@ -1,13 +1,13 @@
 # What the scripts share, for them to source: folders, environments, and what is built once. It goes to the root of the repository.
-# shellcheck shell=bash disable=SC2034 # its variables are for the others
-set -euo pipefail
+# shellcheck shell=bash disable=SC2034,SC2164 # its variables are for the others, which have `set -e`
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root="$PWD"
 case "${CARGO_TARGET_DIR:-}" in
   "") target="$root/target" ;;
   /* | ?:*) target="$CARGO_TARGET_DIR" ;;
-  *) export CARGO_TARGET_DIR="$root/$CARGO_TARGET_DIR" target="$root/$CARGO_TARGET_DIR" ;;
+  *) target="$root/$CARGO_TARGET_DIR" ;;
 esac
+[ -z "${CARGO_TARGET_DIR:-}" ] || export CARGO_TARGET_DIR="$target"
 # One set of features throughout, so that clippy, rustdoc and the tests share what they build; and the program that the tests of Python
 # and of the page compare with is that of the tests of Rust.
 everything=(--workspace --all-features --locked)

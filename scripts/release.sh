@@ -8,6 +8,8 @@
 #                                              `--no-verify` only packages, `publish` publishes the crates
 #
 # The wheel is made by `python/build.sh release`.
+set -euo pipefail
+# shellcheck source=scripts/common.sh
 source "$(dirname "$0")/common.sh"
 
 # The page of the laboratory is in packages where web/build.sh has made it.

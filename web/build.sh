@@ -4,6 +4,8 @@
 #
 # Needs node 20 and npm, and Rust for WebAssembly: rustup's target wasm32-unknown-unknown, where it is installed. Where it cannot be installed,
 # Debian's compiler (packages rustc-web and rust-web-src) builds its own standard library instead; rustup's rust-lld links.
+set -euo pipefail
+# shellcheck source=scripts/common.sh
 source "$(dirname "$0")/../scripts/common.sh"
 
 wasm=wasm32-unknown-unknown
