@@ -32,8 +32,8 @@ case "${1:-}" in
     ;;
 esac
 
-# Seconds of the fuzzers together; a sixth of them for the page's links, which are read in microseconds.
-fuzz="${LITTLEWOOD_FUZZ_SECONDS:-$([ "${1:-}" = --all ] && echo 60 || echo 18)}"
+# The fuzzers, for longer than the moment that they take in `cargo test`.
+export LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-$([ "${1:-}" = --all ] && echo 60 || echo 15)}"
 logs="$(mktemp -d)"
 beside=()
 trap 'rm -rf "$logs"; [ "${#beside[@]}" = 0 ] || kill "${beside[@]}" 2>/dev/null' EXIT
@@ -68,9 +68,9 @@ export LITTLEWOOD_BUILT=1
 python_side=(python)
 [ "${1:-}" != --all ] || python_side+=(evidence core)
 begin_beside "${python_side[@]}"
-LITTLEWOOD_FUZZ_SECONDS=$((fuzz * 5 / 6)) stage rust
+stage rust
 stage without-features
-LITTLEWOOD_FUZZ_SECONDS=$((fuzz / 6)) stage page
+stage page
 stage documentation
 end_beside
 
