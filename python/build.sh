@@ -25,6 +25,7 @@ if [ "${1:-}" = release ]; then
   exit
 fi
 
+python_environment
 # With examples, that is with what tests depend on: else some libraries would be built again.
 cargo build "${everything[@]}" --lib --bins --examples
 work="$target/python"

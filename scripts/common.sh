@@ -56,7 +56,6 @@ browser() {
 # says that they are there.
 built() {
   [ -z "${LITTLEWOOD_BUILT:-}" ] || return 0
-  python_environment
   python/build.sh
   export LITTLEWOOD_BUILT=1
 }
