@@ -21,7 +21,6 @@ __all__ = [
     "AXES",
     "CAUSES",
     "CLASSES",
-    "DIRECTIONS",
     "HOOP",
     "IMPACT_CASES",
     "MAX_SLIDES",
@@ -99,7 +98,6 @@ __version__: str
 AXES: list[str]
 CAUSES: list[tuple[int, str, str]]
 CLASSES: list[tuple[int, str, str]]
-DIRECTIONS: list[tuple[int, str]]
 HOOP: list[str]
 IMPACT_CASES: list[tuple[int, str, str]]
 MAX_SLIDES: int

@@ -113,9 +113,6 @@ MODES: tuple[str, ...] = tuple(name for _, name in _core.MODES)
 MODE_CODES: Mapping[str, int] = _frozen((name, code) for code, name in _core.MODES)
 """Codes of the modes by their names."""
 
-ARROWS: Mapping[int, str] = _frozen([(0, ""), *_core.DIRECTIONS])
-"""Arrows of the directions of slip by their codes."""
-
 CAUSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CAUSES)
 """Names of the causes of transitions."""
 

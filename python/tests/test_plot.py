@@ -191,7 +191,7 @@ def test_a_picture_of_every_case_shows_its_phases(name):
     figure.canvas.draw()
     if not motion.phases:
         (axes,) = figure.axes
-        assert axes.get_title() == f"no phase: {motion.outcome}"
+        assert axes.get_title() == f"no phase: {motion.outcome.label}"
         assert axes.patches
         return
     path, angle, rates, last = figure.axes

@@ -81,7 +81,7 @@ def test_a_track_is_the_motion_that_was_filmed(track, motion):
 def fitted(track, hoop, motion, **more):
     start = {"theta": motion.start.theta, "theta_rate": motion.start.theta_rate}
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", lw.IdentifiabilityWarning)
+        warnings.simplefilter("ignore", lw.fit_result.IdentifiabilityWarning)
         free = ("mu_s", "mu_k", "inertia", "restitution")
         return lw.fit(track, hoop, free=free, start=start, search=False, **more)
 

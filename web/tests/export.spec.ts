@@ -84,6 +84,6 @@ test('the lines to copy have every digit', async ({ page }) => {
     'littlewood simulate --mass-ratio 1 --offset 1 --inertia 1 --mu-s 0.5 --mu-k 0.4 --theta -0.1234567890123456 --theta-rate 2 --gap-rate 0.25 --restitution 0.5 --restitution-law poisson',
   );
   await expect(page.locator('#python-text')).toHaveValue(
-    'import littlewood as lw; motion = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, restitution=0.5, law="poisson").simulate(theta=-0.1234567890123456, theta_rate=2, gap_rate=0.25)',
+    'import littlewood as lw; motion = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, restitution=0.5, restitution_law="poisson").simulate(theta=-0.1234567890123456, theta_rate=2, gap_rate=0.25)',
   );
 });

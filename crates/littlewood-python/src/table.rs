@@ -8,7 +8,7 @@ use littlewood::tables::{
     Class, ColumnType, Dimension, PhaseCode, PhaseSequence, Presence, Quantity, SampleColumn, SummaryColumn,
 };
 use littlewood::theory::{EDGES, RollingType, StartRegion};
-use littlewood::{Cause, Direction, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, State};
+use littlewood::{Cause, Limits, Mode, OutcomeKind, Proof, RestitutionLaw, State};
 use littlewood_report::Sampling;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
@@ -161,8 +161,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("PROOFS", Proof::NAMES.to_vec())?;
     module.add("OUTSIDE", OUTSIDE)?;
     module.add("MODES", Mode::ALL.map(|mode| (mode.code(), mode.name())).to_vec())?;
-    let arrows = Direction::ALL.map(|direction| (Direction::code(Some(direction)), direction.arrow()));
-    module.add("DIRECTIONS", arrows.to_vec())?;
     let causes = Cause::ALL.map(|cause| (cause.code(), cause.name(), cause.label()));
     module.add("CAUSES", causes.to_vec())?;
     let impacts = ImpactCase::ALL.map(|case| (case.code(), case.name(), case.label()));

@@ -1,4 +1,4 @@
-//! The result formats of `littlewood`: a motion as JSON and as CSV.
+//! The result formats of `littlewood`: a motion as a page, as JSON, as CSV and as a link.
 //!
 //! The command line, the laboratory in the browser and whatever else shows a motion write it through this crate, so
 //! that the same motion is the same bytes everywhere. Nothing here opens a file: the functions take a
