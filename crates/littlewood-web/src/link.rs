@@ -26,7 +26,7 @@ pub fn read_link(fragment: &str, shown: &str) -> String {
     json!({
         "system": if problem.is_si { "si" } else { "dimensionless" },
         "values": values,
-        "restitution": problem.get(Quantity::Restitution),
+        (Quantity::Restitution.name()): problem.get(Quantity::Restitution),
         "law": problem.law.map(RestitutionLaw::name),
         "until": problem.get(limit),
         "at": at,
@@ -36,7 +36,7 @@ pub fn read_link(fragment: &str, shown: &str) -> String {
     .to_string()
 }
 
-/// The link of a problem that has been checked: its numbers in the order of [`crate::problem`], what may be left out, the
+/// The link of a problem that has been checked: its numbers in the order of `problem`, what may be left out, the
 /// instant, and what each key of the view says.
 #[wasm_bindgen(js_name = writeLink)]
 #[must_use]
