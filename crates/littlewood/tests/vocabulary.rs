@@ -269,6 +269,16 @@ fn every_quantity_has_its_unit_and_its_twin() {
         if let Some(twin) = quantity.si_twin() {
             assert!(twin.is_si() && twin.dimensionless() == quantity, "{quantity}");
         }
+        if let Some(twin) = quantity.row().twin {
+            assert_eq!((twin.row().twin, twin.dimension()), (Some(quantity), quantity.dimension()));
+            assert_ne!(twin.is_si(), quantity.is_si());
+        }
+        // Names of quantities in SI units end in the unit.
+        let suffix = quantity.dimension().si_suffix();
+        let ends_in_unit = !suffix.is_empty() && quantity.name().ends_with(suffix);
+        assert_eq!(quantity.is_si(), ends_in_unit, "{quantity}");
+        let [least, most] = quantity.row().usual;
+        assert!(least < most && quantity.check(least).is_ok() && quantity.check(most).is_ok());
     }
     assert_eq!(
         (Quantity::MassRatio.unit(), Quantity::Theta.unit(), Quantity::RadiusM.unit()),
