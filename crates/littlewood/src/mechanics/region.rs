@@ -19,10 +19,7 @@ use crate::model::{Body, Direction, Hoop};
 #[derive(Clone, Copy, Debug)]
 pub struct PhasePlane {
     law: RollingLaw,
-    offset: f64,
-    h: f64,
-    mu_s: f64,
-    body: Body,
+    hoop: Hoop,
 }
 
 /// Stability of an equilibrium in rolling.
@@ -55,13 +52,7 @@ impl PhasePlane {
     /// The phase plane of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        Self {
-            law: RollingLaw::new(hoop),
-            offset: hoop.offset(),
-            h: hoop.h(),
-            mu_s: hoop.mu_s(),
-            body: hoop.body(),
-        }
+        Self { law: RollingLaw::new(hoop), hoop: *hoop }
     }
 
     /// Normal and friction force of rolling (2.12).
@@ -80,7 +71,7 @@ impl PhasePlane {
     #[must_use]
     pub fn in_rolling_region(&self, theta: f64, theta_rate: f64) -> bool {
         let forces = self.forces(theta, theta_rate);
-        forces.normal > 0.0 && forces.friction.abs() <= self.mu_s * forces.normal
+        forces.normal > 0.0 && forces.friction.abs() <= self.hoop.mu_s() * forces.normal
     }
 
     /// N and F as linear functions of u = θ′² at an angle: the constants and the slopes.
@@ -101,11 +92,11 @@ impl PhasePlane {
     /// [`crate::mechanics::closed_form::slip_angle`].
     #[must_use]
     pub fn slip_rate(&self, theta: f64, direction: Direction) -> Option<f64> {
-        if matches!(self.body, Body::Massless(_)) {
+        if matches!(self.hoop.body(), Body::Massless(_)) {
             return None;
         }
         let [constant, slope] = self.line(theta);
-        let cone = direction.sign() * self.mu_s;
+        let cone = direction.sign() * self.hoop.mu_s();
         let u = -(constant.friction + cone * constant.normal) / (slope.friction + cone * slope.normal);
         let rate = rate_of(u)?;
         (constant.normal + slope.normal * u >= 0.0).then_some(rate)
@@ -115,7 +106,7 @@ impl PhasePlane {
     /// once, although rolling would require N < 0.
     #[must_use]
     pub fn lift_off_rate(&self, theta: f64) -> Option<f64> {
-        rate_of(1.0 / (self.h * libm::cos(theta)))
+        rate_of(1.0 / (self.hoop.h() * libm::cos(theta)))
     }
 
     /// |θ′| on the separatrix through the unstable equilibrium, θ′² = 4ℓ̂ sin²(θ/2)/D(θ).
@@ -129,7 +120,7 @@ impl PhasePlane {
     pub fn level_rate(&self, theta: f64, energy: f64) -> Option<f64> {
         let sin_half = libm::sin(0.5 * theta);
         // E − ℓ̂ cos θ, without cancellation near the top.
-        let kinetic = (energy - self.offset) + 2.0 * self.offset * sin_half * sin_half;
+        let kinetic = (energy - self.hoop.offset()) + 2.0 * self.hoop.offset() * sin_half * sin_half;
         rate_of(2.0 * kinetic / self.law.denominator(theta))
     }
 
@@ -137,19 +128,19 @@ impl PhasePlane {
     #[must_use]
     pub fn equilibria(&self) -> Vec<Equilibrium> {
         let (top, bottom) = (self.law.denominator(0.0), self.law.denominator(core::f64::consts::PI));
-        if self.offset == 0.0 {
+        if self.hoop.offset() == 0.0 {
             return [0.0, core::f64::consts::PI]
                 .map(|theta| Equilibrium { theta, stability: Stability::Neutral })
                 .to_vec();
         }
         let mut equilibria = vec![Equilibrium {
             theta: 0.0,
-            stability: Stability::Unstable { exponent: (self.offset / top).sqrt() },
+            stability: Stability::Unstable { exponent: (self.hoop.offset() / top).sqrt() },
         }];
-        if !(matches!(self.body, Body::Massless(_)) && self.offset == 1.0) {
+        if !(matches!(self.hoop.body(), Body::Massless(_)) && self.hoop.offset() == 1.0) {
             equilibria.push(Equilibrium {
                 theta: core::f64::consts::PI,
-                stability: Stability::Stable { frequency: (self.offset / bottom).sqrt() },
+                stability: Stability::Stable { frequency: (self.hoop.offset() / bottom).sqrt() },
             });
         }
         equilibria

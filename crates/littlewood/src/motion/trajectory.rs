@@ -222,17 +222,14 @@ impl Trajectory {
         let grid = move |i: usize| {
             if i == intervals { end } else { end * (i as f64 / intervals as f64) }
         };
-        // Number of grid points before a time. Rounding may put the estimate off by one.
+        // Number of grid points before a time.
         let before = move |time: f64| {
-            let estimate = time / end * intervals as f64;
-            let mut i = if estimate > 0.0 { (estimate as usize).min(count) } else { 0 };
-            while i > 0 && grid(i - 1) >= time {
-                i -= 1;
+            let (mut low, mut high) = (0, count);
+            while low < high {
+                let middle = usize::midpoint(low, high);
+                if grid(middle) < time { low = middle + 1 } else { high = middle }
             }
-            while i < count && grid(i) < time {
-                i += 1;
-            }
-            i
+            low
         };
         let last = self.phases.len().saturating_sub(1);
         self.phases

@@ -44,6 +44,20 @@ pub struct Candidates {
 }
 
 impl Candidates {
+    /// No consistent motion.
+    const fn none(rolling_forces: ContactForces, contact: f64, solvability: [f64; 2]) -> Self {
+        Self {
+            rolling: false,
+            sliding_negative: false,
+            sliding_positive: false,
+            flight: false,
+            gliding: false,
+            rolling_forces,
+            contact,
+            solvability,
+        }
+    }
+
     /// Number of consistent motions.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -324,17 +338,14 @@ fn weigh_all(
             Next::Fly { body: *body, take_off }
         }
         (_, [negative, positive], _) => {
-            let candidates = Candidates {
+            let forces = RollingLaw::new(hoop).forces(state.theta, state.theta_rate);
+            let candidates = Box::new(Candidates {
                 rolling,
                 sliding_negative: negative.is_some(),
                 sliding_positive: positive.is_some(),
                 flight: leaves,
-                gliding: false,
-                rolling_forces: RollingLaw::new(hoop).forces(state.theta, state.theta_rate),
-                contact,
-                solvability,
-            };
-            let candidates = Box::new(candidates);
+                ..Candidates::none(forces, contact, solvability)
+            });
             if candidates.count() == 0 { Next::None(candidates) } else { Next::Several(candidates) }
         }
     }
@@ -373,14 +384,5 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
         };
         return Next::Glide { body: *body, entry };
     }
-    Next::None(Box::new(Candidates {
-        rolling: false,
-        sliding_negative: false,
-        sliding_positive: false,
-        flight: false,
-        gliding: false,
-        rolling_forces: forces,
-        contact,
-        solvability: [0.0; 2],
-    }))
+    Next::None(Box::new(Candidates::none(forces, contact, [0.0; 2])))
 }

@@ -125,17 +125,15 @@ impl Flight {
             spin: 1.0,
             theta: travel * start.theta,
         };
-        let (gap, clock) = match take_off {
-            TakeOff::Grazing => (in_angle.at_lift_off(), rate.abs()),
-            TakeOff::Unloaded => (in_angle, rate.abs()),
+        let (gap, clock, gap_rate) = match take_off {
+            TakeOff::Grazing => (in_angle.at_lift_off(), rate.abs(), 0.0),
+            TakeOff::Unloaded => (in_angle, rate.abs(), 0.0),
             TakeOff::Rising { gap_rate } if h * square <= 1.0 => {
-                (Gap { rise: gap_rate, opening, weight: 1.0, spin: rate.abs(), ..in_angle }, 1.0)
+                (Gap { rise: gap_rate, opening, weight: 1.0, spin: rate.abs(), ..in_angle }, 1.0, gap_rate)
             }
-            TakeOff::Rising { gap_rate } => (Gap { rise: gap_rate / rate.abs(), ..in_angle }, rate.abs()),
-        };
-        let gap_rate = match take_off {
-            TakeOff::Rising { gap_rate } => gap_rate,
-            TakeOff::Grazing | TakeOff::Unloaded => 0.0,
+            TakeOff::Rising { gap_rate } => {
+                (Gap { rise: gap_rate / rate.abs(), ..in_angle }, rate.abs(), gap_rate)
+            }
         };
         Self {
             h,

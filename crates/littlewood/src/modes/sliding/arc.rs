@@ -7,7 +7,7 @@ use crate::mechanics::{SlidePath, SlidingLaw};
 use crate::model::{Direction, Hoop, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
-use super::leap::{LeapLimits, MAX_LEAP_TURNS, MIN_LEAP_TURNS, Turns, section_of};
+use super::leap::{LeapLimits, MIN_LEAP_TURNS, Turns, section_of};
 use super::series::{DEGREE, INITIAL_MAX_STEP, PhasePoint, Series, SlideSeries, crossing, root, value};
 use super::singular::{Approach, Fate};
 
@@ -134,8 +134,6 @@ struct LeapSearch {
     range: Option<(f64, f64)>,
     /// Number of steps before the next attempt.
     next_attempt: usize,
-    /// Whether a leap reached [`MAX_LEAP_TURNS`].
-    has_reached_max: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -198,7 +196,7 @@ impl Sliding {
             } else {
                 series.reach(max_step(self.steps.len()))
             };
-            if self.work() >= most || search.has_reached_max {
+            if self.work() >= most || self.leaps.last().is_some_and(|leap| leap.passed.is_longest()) {
                 let state = self.state_from(here);
                 return SlidingEnd::StepLimit { state, time_left: self.time_left(&here) };
             }
@@ -346,8 +344,7 @@ impl Sliding {
             search.next_attempt = 2 * self.steps.len();
             return None;
         };
-        let has_reached_max = passed.count >= MAX_LEAP_TURNS - 1.0;
-        *search = LeapSearch { has_reached_max, ..LeapSearch::default() };
+        *search = LeapSearch::default();
         let (duration, place, advance) = passed.begin(passed.count);
         self.leaps.push(Leap { begin, turned, passed });
         Some(self.here(begin + duration, turned + advance, place))

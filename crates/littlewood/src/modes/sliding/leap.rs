@@ -31,7 +31,7 @@ use super::turn::{Turn, section};
 pub(super) const MIN_LEAP_TURNS: f64 = 16.0;
 
 /// Largest number of turns, or periods, of a leap: the angle after so many has an error of 1e-6 of a turn.
-pub(super) const MAX_LEAP_TURNS: f64 = 1e9;
+const MAX_LEAP_TURNS: f64 = 1e9;
 
 /// Largest number of turns whose times are summed one by one: half the nodes of a polynomial.
 const MAX_SINGLY_SUMMED: usize = 8;
@@ -372,6 +372,11 @@ impl Turns {
     /// Time, angle and rate at the beginning of turn `n`, and the change of θ over the whole turns before.
     pub(super) fn begin(&self, n: f64) -> (f64, PhasePoint, f64) {
         (self.time(n), self.point(n), self.travel * n * TAU)
+    }
+
+    /// Whether the leap reaches [`MAX_LEAP_TURNS`].
+    pub(super) fn is_longest(&self) -> bool {
+        self.count >= MAX_LEAP_TURNS - 1.0
     }
 
     /// Angle and rate after a time within the leap, and the change of θ over the whole turns before.

@@ -181,17 +181,16 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::model::{Direction, Hoop, HoopParameters, State};
+    use crate::model::State;
 
     proptest! {
         #[test]
         fn the_series_begin_with_the_equations_of_sliding(
-            m1 in 0.1..3.0_f64, offset in 0.1..1.0_f64, inertia in 0.5..3.0_f64, mu in 0.0..0.5_f64,
+            mass in 1.1..4.0_f64, offset in 0.1..1.0_f64, inertia in 0.5..5.0_f64, mu in 0.0..0.5_f64,
             theta in -7.0..7.0_f64, rate in -3.0..3.0_f64, positive in any::<bool>(),
         ) {
-            let hoop = Hoop::new(HoopParameters::thin(m1).with_offset(offset).with_inertia(inertia).with_friction(mu, mu)).unwrap();
-            let direction = if positive { Direction::Positive } else { Direction::Negative };
-            let law = SlidingLaw::new(&hoop, direction).unwrap();
+            let body = Heavy { mass, h: offset / mass, offset, inertia };
+            let law = SlidingLaw { body, friction: if positive { mu } else { -mu } };
             let series = SlideSeries::new(&law, PhasePoint { theta, rate }, 0.25);
             let expected = law.accelerations(theta, rate);
             let size = 1.0 + rate * rate;
