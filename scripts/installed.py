@@ -15,7 +15,7 @@ motion = hoop.simulate(theta=math.pi / 2, theta_rate=2)
 assert [transition.cause for transition in motion.transitions] == ["stick", "slip", "lift_off", "landing"]
 
 files = [str(path) for path in distribution("littlewood").files or []]
-for needed in ["py.typed", "_core.pyi", "LICENSE-MIT", "LICENSE-APACHE", "LICENSE-STIX", "LICENSE-DEJAVU"]:
+for needed in ["py.typed", "_core.pyi", "LICENSE-MIT", "LICENSE-APACHE", "LICENSE-STIX"]:
     assert any(file.endswith(needed) for file in files), f"{needed} is missing: {files}"
 
 script = next(Path(sysconfig.get_path("scripts")).glob("littlewood*"))

@@ -8,7 +8,7 @@ use core::fmt;
 pub(crate) enum Feature {
     /// `sweep`, `atlas`, Zarr stores and Parquet tables.
     Sweep,
-    /// `figures` and `poster`.
+    /// `figures` and `poster`, maps as PDF.
     Figures,
     /// `animate`.
     Film,

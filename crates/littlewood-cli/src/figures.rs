@@ -4,11 +4,9 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use littlewood_figures::{
-    FIGURES, Figure, FigureEntry, FigureError, FigureInput, LEAST_SCALE, Letters, MOST_SCALE, find_figure,
-};
+use littlewood_figures::{FIGURES, Figure, FigureEntry, FigureError, FigureInput, check_scale, find_figure};
 
-use crate::args::{FigureFormat, FigureLetters, FiguresArgs};
+use crate::args::{FigureFormat, FiguresArgs};
 use crate::error::Error;
 use crate::nearest;
 use crate::output::{Output, check_folder};
@@ -26,7 +24,7 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
         return list();
     }
     let entries = chosen(&args.names)?;
-    check_scale(args.scale)?;
+    check_scale(args.scale).map_err(Error::Drawing)?;
     let Some(folder) = &args.out else { return Ok(()) };
     prepare(folder)?;
 
@@ -132,14 +130,6 @@ fn chosen(names: &[String]) -> Result<Vec<&'static FigureEntry>, Error> {
     Ok(FIGURES.iter().filter(is_chosen).collect())
 }
 
-fn check_scale(scale: f64) -> Result<(), Error> {
-    if (LEAST_SCALE..=MOST_SCALE).contains(&scale) {
-        Ok(())
-    } else {
-        Err(Error::of_figure(FigureError::Scale { scale, least: LEAST_SCALE, most: MOST_SCALE }))
-    }
-}
-
 /// Makes the folder in one that is there, unless it is there itself.
 fn prepare(folder: &Path) -> Result<(), Error> {
     let unwritable = |source: io::Error| Error::Unwritable { path: folder.to_owned(), source };
@@ -192,7 +182,6 @@ fn file_name(entry: &FigureEntry, format: FigureFormat) -> String {
         FigureFormat::Csv => "csv",
         FigureFormat::Txt => "txt",
         FigureFormat::Pdf => "pdf",
-        FigureFormat::Eps => "eps",
         FigureFormat::Md => "md",
         FigureFormat::Tex => "tex",
     };
@@ -200,19 +189,13 @@ fn file_name(entry: &FigureEntry, format: FigureFormat) -> String {
 }
 
 fn content(figure: &Figure, format: FigureFormat, args: &FiguresArgs) -> Result<Vec<u8>, Error> {
-    let letters = match args.letters {
-        FigureLetters::Paths => Letters::Paths,
-        FigureLetters::Text => Letters::Text,
-    };
-    let drawn = match format {
-        FigureFormat::Svg => figure.svg_with(letters).map(String::into_bytes),
-        FigureFormat::Png => figure.png(args.scale),
+    Ok(match format {
+        FigureFormat::Svg => figure.svg().into_bytes(),
+        FigureFormat::Png => figure.png(args.scale).map_err(Error::Drawing)?,
         FigureFormat::Pdf => figure.pdf(),
-        FigureFormat::Eps => figure.eps().map(String::into_bytes),
-        FigureFormat::Csv => Ok(figure.csv().into_bytes()),
-        FigureFormat::Txt => Ok(figure.caption_txt().into_bytes()),
-        FigureFormat::Md => Ok(figure.caption_md().into_bytes()),
-        FigureFormat::Tex => Ok(figure.caption_tex().into_bytes()),
-    };
-    drawn.map_err(Error::of_figure)
+        FigureFormat::Csv => figure.csv().into_bytes(),
+        FigureFormat::Txt => figure.caption_txt().into_bytes(),
+        FigureFormat::Md => figure.caption_md().into_bytes(),
+        FigureFormat::Tex => figure.caption_tex().into_bytes(),
+    })
 }

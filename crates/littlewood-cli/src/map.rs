@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use littlewood_sweep::{Chunk, Columns, Drawing, Picture, PictureSize, Progress, Shade, sweep_grid};
+use littlewood_sweep::{Chunk, Columns, Picture, PictureSize, Progress, Shade, sweep_grid};
 
 use crate::args::MapArgs;
 use crate::error::Error;
@@ -46,6 +46,9 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     if args.contours {
         picture = picture.with_contours()?;
     }
+    if at_the_end.iter().any(|(kind, _)| kind.is_drawing()) {
+        picture = picture.in_vectors();
+    }
     let mut plane = match at_the_end.iter().find(|(kind, _)| !kind.is_picture()) {
         Some((_, path)) => Some(Plane::new(&grid, path)?),
         None => None,
@@ -69,33 +72,28 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         };
         sweep_grid(&grid, limits, &targets, Some(&mut add), &workers, &options)?
     };
-    let has = |wanted: fn(Kind) -> bool| at_the_end.iter().any(|(kind, _)| wanted(*kind));
-    // Areas are found by the drawing itself.
-    if report.complete
-        && (has(|kind| kind == Kind::Picture) || has(Kind::is_drawing) && shade.is_on_a_scale())
-    {
-        report.complete = picture.refine(limits, &workers, &options)?;
+    let has_picture = at_the_end.iter().any(|(kind, _)| kind.is_picture());
+    if report.complete && has_picture {
+        report.complete = picture.follow(limits, &workers, &options)?;
     }
-    let drawing = if has(Kind::is_drawing) { picture.drawing(limits, &workers, &options)? } else { None };
-    report.complete = report.complete && (drawing.is_some() || !has(Kind::is_drawing));
     let time = began.elapsed();
     drop(bar);
 
-    let write = |kind: Kind, file: Output| match (kind, &plane, &drawing) {
-        (Kind::Csv, Some(plane), _) => file.write(|writer| plane.csv(writer)),
-        (Kind::Json, Some(plane), _) => file.write(|writer| plane.json(writer)),
-        (Kind::Svg | Kind::Pdf, _, Some(drawing)) => {
-            let bytes = drawn(kind, drawing, args.width_mm)?;
-            file.write(|writer| writer.write_all(&bytes))
-        }
-        (Kind::Picture, _, _) => {
-            let png = picture.png()?;
-            file.write(|writer| writer.write_all(&png))
-        }
-        // There is a plane where a text is wanted, and a drawing where it is complete; the others are written chunk by chunk.
-        (Kind::Csv | Kind::Json, None, _)
-        | (Kind::Svg | Kind::Pdf, _, None)
-        | (Kind::Zarr | Kind::Parquet, _, _) => Ok(()),
+    let write = |kind: Kind, file: Output| {
+        let bytes = match (kind, &plane) {
+            (Kind::Csv, Some(plane)) => return file.write(|writer| plane.csv(writer)),
+            (Kind::Json, Some(plane)) => return file.write(|writer| plane.json(writer)),
+            (Kind::Svg, _) => picture.figure(args.width_mm).map_err(Error::Drawing)?.svg().into_bytes(),
+            #[cfg(feature = "figures")]
+            (Kind::Pdf, _) => picture.figure(args.width_mm).map_err(Error::Drawing)?.pdf(),
+            // Such a file is refused before.
+            #[cfg(not(feature = "figures"))]
+            (Kind::Pdf, _) => return Ok(()),
+            (Kind::Picture, _) => picture.png().map_err(Error::Drawing)?,
+            // There is a plane where a text is wanted; the others are written chunk by chunk.
+            (Kind::Csv | Kind::Json, None) | (Kind::Zarr | Kind::Parquet, _) => return Ok(()),
+        };
+        file.write(|writer| writer.write_all(&bytes))
     };
     let mut written = Vec::new();
     if report.complete {
@@ -107,7 +105,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     } else if report.computed + report.reused > 0 {
         // What is not complete does not take the place of what may be.
         drop(files);
-        for (kind, path) in at_the_end.iter().filter(|(kind, _)| !kind.is_drawing() || drawing.is_some()) {
+        for (kind, path) in &at_the_end {
             let path = partial(path);
             write(*kind, Output::open(Some(&path))?)?;
             written.push(path);
@@ -127,33 +125,7 @@ fn check_width(width_mm: Option<f64>, kinds: &[(Kind, &Path)]) -> Result<(), Err
             hint: "leave out --width-mm, or give --out NAME.svg or --out NAME.pdf".to_owned(),
         });
     }
-    check_bounds(mm)
-}
-
-#[cfg(feature = "figures")]
-fn check_bounds(mm: f64) -> Result<(), Error> {
-    littlewood_figures::check_width(mm).map_err(Error::of_figure)
-}
-
-/// Files that have a width are refused before.
-#[cfg(not(feature = "figures"))]
-fn check_bounds(_: f64) -> Result<(), Error> {
-    Ok(())
-}
-
-/// A map in vectors as a file.
-#[cfg(feature = "figures")]
-fn drawn(kind: Kind, drawing: &Drawing, width_mm: Option<f64>) -> Result<Vec<u8>, Error> {
-    let figure = littlewood_figures::map(drawing, width_mm).map_err(Error::of_figure)?;
-    let bytes = if kind == Kind::Pdf { figure.pdf() } else { figure.svg().map(String::into_bytes) };
-    bytes.map_err(Error::of_figure)
-}
-
-/// Such files are refused before.
-#[cfg(not(feature = "figures"))]
-fn drawn(_: Kind, _: &Drawing, _: Option<f64>) -> Result<Vec<u8>, Error> {
-    let what = "what SVG and PDF need".to_owned();
-    Err(Error::NotBuilt { what, feature: crate::feature::Feature::Figures })
+    littlewood_draw::check_width(mm).map_err(Error::Drawing)
 }
 
 /// Where a picture goes that is not complete: `map.partial.png`.

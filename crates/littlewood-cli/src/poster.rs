@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use littlewood_figures::{FigureError, FigureInput, LEAST_SCALE, MOST_SCALE, poster};
+use littlewood_figures::{FigureInput, check_scale, poster};
 
 use crate::args::PosterArgs;
 use crate::error::Error;
@@ -26,10 +26,7 @@ enum Kind {
 /// Bad input, or a failure to write.
 pub(crate) fn run(args: &PosterArgs) -> Result<(), Error> {
     let kind = kind_of(&args.out)?;
-    let scale = args.scale;
-    if !(LEAST_SCALE..=MOST_SCALE).contains(&scale) {
-        return Err(Error::of_figure(FigureError::Scale { scale, least: LEAST_SCALE, most: MOST_SCALE }));
-    }
+    check_scale(args.scale).map_err(Error::Drawing)?;
     let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
     let input = FigureInput::new(problem.hoop, problem.start, problem.limits);
     let output = Output::open(Some(&args.out))?;
@@ -37,9 +34,9 @@ pub(crate) fn run(args: &PosterArgs) -> Result<(), Error> {
     let mut watch = |done, total| bar.show(STARTS, Count { done, total });
     let page = poster(&input, &mut watch).map_err(Error::of_figure)?;
     let bytes = match kind {
-        Kind::Svg => page.svg().map_err(Error::of_figure)?.into_bytes(),
-        Kind::Pdf => page.pdf().map_err(Error::of_figure)?,
-        Kind::Png => page.png(scale).map_err(Error::of_figure)?,
+        Kind::Svg => page.svg().into_bytes(),
+        Kind::Pdf => page.pdf(),
+        Kind::Png => page.png(args.scale).map_err(Error::Drawing)?,
     };
     drop(bar);
     output.write(|writer| writer.write_all(&bytes))

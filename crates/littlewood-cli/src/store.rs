@@ -44,9 +44,7 @@ pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
         let what = format!("what --out {} needs", path.display());
         return Err(Error::NotBuilt { what, feature: Feature::Sweep });
     }
-    if let Some(Kind::Svg | Kind::Pdf) = kind
-        && !cfg!(feature = "figures")
-    {
+    if kind == Some(Kind::Pdf) && !cfg!(feature = "figures") {
         let what = format!("what --out {} needs", path.display());
         return Err(Error::NotBuilt { what, feature: Feature::Figures });
     }

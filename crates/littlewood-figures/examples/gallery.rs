@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for entry in FIGURES {
         let figure = entry.of_the_paper()?;
         let stem = images.join(entry.name);
-        fs::write(stem.with_extension("svg"), figure.svg()?)?;
+        fs::write(stem.with_extension("svg"), figure.svg())?;
         fs::write(stem.with_extension("png"), figure.png(GALLERY_SCALE)?)?;
     }
     fs::write(Path::new(&folder).join("gallery.md"), gallery_page()?)?;

@@ -6,13 +6,12 @@ use std::borrow::Cow;
 use littlewood::Hoop;
 use littlewood::tables::Quantity;
 use littlewood::theory::PhasePlane;
+use littlewood_draw::{PlotAxis, Scale, marked};
 use littlewood_style::ticks::Tick;
 
 use crate::columns::dimension;
-use crate::figure::{PlotAxis, Scale};
-use crate::trace::Window;
 use crate::wording::Wording;
-use crate::words::marked;
+use littlewood::theory::Window;
 
 impl Wording {
     /// θ.

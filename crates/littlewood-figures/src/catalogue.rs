@@ -1,10 +1,11 @@
 //! All figures by name.
 
-use crate::draw::{markdown, plain};
+use littlewood_draw::{Figure, markdown, plain};
+
 use crate::error::FigureError;
-use crate::figure::Figure;
 use crate::input::FigureInput;
 use crate::paper;
+use crate::si::converted;
 
 /// A figure that can be made.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +49,10 @@ impl FigureEntry {
             Make::OfStarts(make) => make(input, watch),
         }?;
         figure.caption += input.wording().note();
-        Ok(figure.finished(input.units.as_ref()))
+        if let Some(units) = &input.units {
+            figure = converted(figure, units);
+        }
+        Ok(figure.fitted())
     }
 
     /// The figure as the paper has it.
@@ -177,8 +181,8 @@ pub fn find_figure(name: &str) -> Option<&'static FigureEntry> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::draw::missing;
-    use crate::figure::View;
+    use littlewood_draw::View;
+    use littlewood_draw::missing;
 
     #[test]
     fn names_are_told_apart_and_found() {

@@ -1,6 +1,7 @@
 //! What can go wrong with a figure.
 
 use littlewood::{OutcomeKind, ParameterError};
+use littlewood_draw::DrawError;
 use littlewood_sweep::{AxisError, ThreadsError, Varies};
 
 /// A figure that cannot be made.
@@ -139,35 +140,13 @@ pub enum FigureError {
         /// How many impacts there are, without those by which the hoop settles.
         impacts: usize,
     },
-    /// A scale out of bounds.
-    #[error(
-        "scale is {scale}, but must be from {least} to {most} pixels of the picture to one of the drawing"
-    )]
-    Scale {
-        /// The scale.
-        scale: f64,
-        /// Least.
-        least: f64,
-        /// Most.
-        most: f64,
-    },
-    /// A width out of bounds.
-    #[error("width in print is {mm} mm, but must be from {least} to {most} mm")]
-    Width {
-        /// The width in millimetres.
-        mm: f64,
-        /// Least.
-        least: f64,
-        /// Most.
-        most: f64,
-    },
+    /// A width or a scale out of bounds.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
     /// The system has no threads to give.
     #[error(transparent)]
     Threads(#[from] ThreadsError),
     /// Axes of a plane that cannot be.
     #[error(transparent)]
     Axis(#[from] AxisError),
-    /// The plotting library has failed.
-    #[error("drawing failed: {0}")]
-    Drawing(String),
 }

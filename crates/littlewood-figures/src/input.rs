@@ -3,10 +3,10 @@
 use littlewood::si::Units;
 use littlewood::theory::Body;
 use littlewood::{Hoop, Limits, Start, Trajectory};
+use littlewood_draw::Sheet;
 use littlewood_sweep::Axis;
 
 use crate::error::FigureError;
-use crate::sheet::Sheet;
 use crate::wording::Wording;
 
 /// A hoop and a motion of it.
@@ -54,7 +54,7 @@ impl FigureInput {
 
     /// The sheet, so wide on a screen.
     pub(crate) fn sheet(&self, width: f64) -> Result<Sheet, FigureError> {
-        Sheet::new(self.width_mm, width)
+        Ok(Sheet::new(self.width_mm, width)?)
     }
 
     /// The motion.

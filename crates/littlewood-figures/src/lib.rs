@@ -1,15 +1,15 @@
-//! The figures of the loaded hoop: as SVG, PDF, EPS and PNG, and as the data that they show.
+//! The figures of the loaded hoop: as SVG, PDF and PNG, and as the data that they show.
 //!
 //! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. It is made by name from
 //! [`FIGURES`], of a hoop and a start ([`FigureInput`]), by functions that take all numbers from the library `littlewood`;
-//! nothing is drawn by hand or from stored data. [`Figure::svg`], [`Figure::pdf`], [`Figure::eps`] and [`Figure::png`] draw it,
+//! nothing is drawn by hand or from stored data. [`Figure::svg`], [`Figure::pdf`] and [`Figure::png`] draw it,
 //! [`Figure::csv`] writes the rows that are drawn. No file is touched here.
 //!
 //! ```
 //! use littlewood_figures::{find_figure, plain};
 //!
 //! let figure = find_figure("figure-3b").expect("a name of the catalogue").of_the_paper()?;
-//! assert!(figure.svg()?.starts_with("<svg"));
+//! assert!(figure.svg().starts_with("<svg"));
 //! assert!(figure.csv().starts_with("panel,series,piece,"));
 //! assert!(plain(&figure.caption).contains("the hoop at the start and at each transition"));
 //! # Ok::<(), littlewood_figures::FigureError>(())
@@ -33,40 +33,25 @@
 //! everywhere. With [`FigureInput::width_mm`] a figure is laid out for print, with [`FigureInput::units`] it is in SI units.
 
 mod axes;
-mod caption;
 mod catalogue;
 mod columns;
-mod csv;
-mod draw;
 mod effort;
 mod error;
 mod fate;
-mod figure;
-mod finish;
 mod impacts;
 mod input;
-mod map;
 mod motion;
 mod paper;
 mod plane;
 mod poster;
-mod sheet;
+mod si;
 mod spikes;
-mod style;
 mod timeline;
-mod trace;
 mod wording;
-mod words;
 
-pub use caption::latex;
 pub use catalogue::{FIGURES, FigureEntry, GALLERY_SCALE, Watch, find_figure, gallery_page};
-pub use draw::{LEAST_SCALE, Letters, MOST_SCALE, markdown, plain};
 pub use error::FigureError;
-pub use figure::{Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
 pub use input::FigureInput;
-pub use littlewood_style::{Dash, Rgb, ticks::Tick};
+pub use littlewood_draw::*;
 pub use littlewood_sweep::{Axis, Varies};
-pub use map::map;
 pub use poster::{POSTER_MM, poster};
-pub use sheet::{LEAST_WIDTH_MM, MOST_WIDTH_MM, check_width};
-pub use style::Stroke;

@@ -4,8 +4,8 @@ use core::f64::consts::TAU;
 
 use littlewood::tables::Dimension;
 use littlewood::{Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
+use littlewood_draw::Series;
 
-use crate::figure::Series;
 use crate::wording::Wording;
 
 /// Instants of a phase.

@@ -3,14 +3,12 @@
 use core::f64::consts::{PI, TAU};
 
 use littlewood::theory::closed_form::slip_angle;
-use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability};
-use littlewood::{Direction, Hoop, ParameterError};
+use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, Window};
+use littlewood::{Hoop, ParameterError};
+use littlewood_draw::{INK, Label, Layer, Mark, Series};
 use littlewood_style::Curve;
 
 use crate::columns::{ENERGY, MU_S, PLANE, THETA, THETA_RATE};
-use crate::figure::{Label, Layer, Mark, Series};
-use crate::style::INK;
-use crate::trace::Window;
 
 /// Intervals in which a curve is looked for.
 const CELLS: u32 = 480;
@@ -43,46 +41,29 @@ impl Portrait {
         Self { hoop: *hoop, plane: PhasePlane::new(hoop), law: RollingLaw::new(hoop), window }
     }
 
-    /// The graphs ±rate(θ).
-    fn graph(&self, rate: &dyn Fn(f64) -> Option<f64>) -> Vec<Vec<[f64; 2]>> {
-        // Where D = 0, at θ = ±π without inertia, nothing is defined.
-        let inside = |theta: f64| self.law.denominator(theta) > 1e-12;
-        [1.0, -1.0]
-            .into_iter()
-            .flat_map(|sign| {
-                self.window.pieces(self.window.x, CELLS, &|theta| {
-                    Some([theta, sign * rate(theta).filter(|_| inside(theta))?])
-                })
-            })
-            .collect()
-    }
-
     /// The locus |F| = μs N of (2.13) for a coefficient of friction.
     pub(crate) fn slip_locus(&self, mu_s: f64) -> Result<Series, ParameterError> {
         let parameters = self.hoop.parameters();
         let other = Hoop::new(parameters.with_friction(mu_s, parameters.mu_k.min(mu_s)))?;
-        let plane = PhasePlane::new(&other);
-        let pieces = [Direction::Positive, Direction::Negative]
-            .into_iter()
-            .flat_map(|direction| self.graph(&|theta| plane.slip_rate(theta, direction)))
-            .collect();
+        let pieces = PhasePlane::new(&other).slip_curve(&self.window);
         Ok(Series::new(format!("f {MU_S}={mu_s}"), &[THETA, THETA_RATE, MU_S], rows_with(pieces, mu_s)))
+    }
+
+    /// The same of a massless hoop, with the angle at which static friction gives way; none where it always holds.
+    pub(crate) fn massless_limit(&self) -> Option<(f64, Series)> {
+        let Body::Massless(body) = self.hoop.body() else { return None };
+        let theta = slip_angle(&body, self.hoop.mu_s())?;
+        Some((theta, Series::new("f", &PLANE, rows(self.plane.slip_curve(&self.window)))))
     }
 
     /// The locus N = 0.
     pub(crate) fn unloading_locus(&self) -> Series {
-        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) {
-            // N = cos²(θ/2) (1 − θ′²) (3.8).
-            let [from, to] = self.window.x;
-            let lines = [1.0, -1.0].map(|rate| vec![vec![from, rate], vec![to, rate]]);
-            return Series::new("n", &PLANE, lines.to_vec());
-        }
-        Series::new("n", &PLANE, rows(self.graph(&|theta| self.plane.normal_force_rate(theta))))
+        Series::new("n", &PLANE, rows(self.plane.normal_force_curve(&self.window)))
     }
 
     /// The locus 1 = h cos θ θ′² beyond which the body leaves the plane.
     pub(crate) fn lift_off_locus(&self) -> Series {
-        Series::new("lift-off", &PLANE, rows(self.graph(&|theta| self.plane.lift_off_rate(theta))))
+        Series::new("lift-off", &PLANE, rows(self.plane.lift_off_curve(&self.window)))
     }
 
     /// The region N < 0, above and below n.
@@ -105,110 +86,18 @@ impl Portrait {
         Series::new("N<0", &PLANE, rows(pieces))
     }
 
-    /// The rates |θ′| between which static friction holds at an angle, at most `most`.
-    fn holding(&self, theta: f64, most: f64) -> Option<[f64; 2]> {
-        if let Body::Massless(body) = self.hoop.body()
-            && body.offset < 1.0
-        {
-            let holds = self.plane.forces(theta, 0.0).demand() <= self.hoop.mu_s();
-            // Towards the bottom N grows with the rate.
-            return holds
-                .then(|| [0.0, self.plane.normal_force_rate(theta).map_or(most, |rate| rate.min(most))]);
-        }
-        if let Body::Massless(body) = self.hoop.body() {
-            // N and F vanish together, at one rate: the angle alone decides.
-            let holds = slip_angle(&body, self.hoop.mu_s()).is_none_or(|limit| theta.abs() <= limit);
-            return self.plane.normal_force_rate(theta).filter(|_| holds).map(|rate| [0.0, rate.min(most)]);
-        }
-        let mu = self.hoop.mu_s();
-        let (at_rest, at_one) = (self.plane.forces(theta, 0.0), self.plane.forces(theta, 1.0));
-        let (mut low, mut high) = (0.0, most * most);
-        // μs N ± F ≥ 0 and N ≥ 0, each linear in θ′².
-        for (share, normal) in [(1.0, mu), (-1.0, mu), (0.0, 1.0)] {
-            let constant = normal * at_rest.normal + share * at_rest.friction;
-            let slope = normal * at_one.normal + share * at_one.friction - constant;
-            let root = -constant / slope;
-            if slope < 0.0 {
-                high = f64::min(high, root);
-            } else if slope > 0.0 {
-                low = f64::max(low, root);
-            } else if constant < 0.0 {
-                return None;
-            }
-        }
-        (low <= high).then(|| [low.sqrt(), high.sqrt()])
-    }
-
     /// The region 𝓡 of (2.14).
     pub(crate) fn rolling_region(&self) -> Series {
-        let most = self.window.y[1];
-        let top = |theta: f64| self.holding(theta, most).map(|[_, high]| [theta, high]);
-        let mut pieces = Vec::new();
-        for upper in self.window.pieces(self.window.x, CELLS, &top) {
-            // The lower edge bends where the upper one may be straight.
-            let ends = [upper.first(), upper.last()].map(|end| end.map_or(0.0, |[theta, _]| *theta));
-            let bottom = |theta: f64| Some([theta, self.holding(theta, most)?[0]]);
-            let mut lower = self.window.pieces(ends, CELLS, &bottom).concat();
-            lower.reverse();
-            let mirrored = |points: &[[f64; 2]]| points.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
-            if lower.iter().all(|[_, low]| *low == 0.0) {
-                let mut below = mirrored(&upper);
-                below.reverse();
-                pieces.push([upper, below].concat());
-            } else {
-                let above = [upper, lower].concat();
-                pieces.push(mirrored(&above));
-                pieces.push(above);
-            }
-        }
-        Series::new("R", &PLANE, rows(pieces))
+        Series::new("R", &PLANE, rows(self.plane.rolling_region(&self.window)))
     }
 
     /// The orbit of an energy E: ½ D(θ) θ′² + ℓ̂ cos θ = E.
     pub(crate) fn orbit(&self, energy: f64) -> Series {
-        let offset = self.hoop.offset();
-        let pieces = if energy >= offset {
-            self.graph(&|theta| self.plane.level_rate(theta, energy))
-        } else if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) {
-            self.massless_orbit(energy)
-        } else {
-            // Libration: θ = π + a sin s, so that θ′, which vanishes with cos s, is smooth.
-            let swing = libm::acos(-energy / offset);
-            let first = libm::floor((self.window.x[0] - swing) / TAU);
-            let count = libm::ceil((self.window.x[1] - self.window.x[0]) / TAU) as u32 + 2;
-            (0..count)
-                .flat_map(|turn| {
-                    let centre = PI + TAU * (first + f64::from(turn));
-                    self.window.pieces([-0.5 * PI, 1.5 * PI], CELLS, &|s| {
-                        let (sin, cos) = libm::sincos(s);
-                        let theta = centre + swing * sin;
-                        let rate = self.plane.level_rate(theta, energy).unwrap_or(0.0);
-                        Some([theta, if cos < 0.0 { -rate } else { rate }])
-                    })
-                })
-                .collect()
-        };
         Series::new(
             format!("orbit E={}", rounded(energy)),
             &[THETA, THETA_RATE, ENERGY],
-            rows_with(pieces, energy),
+            rows_with(self.plane.level_curve(energy, &self.window), energy),
         )
-    }
-
-    /// An orbit of Littlewood's hoop below the energy of the separatrix. It turns once and runs out to θ = ±π; with
-    /// ½ D(θ) r² + ℓ̂ cos θ = E it is a function of the rate r.
-    fn massless_orbit(&self, energy: f64) -> Vec<Vec<[f64; 2]>> {
-        let offset = self.hoop.offset();
-        [1.0, -1.0]
-            .into_iter()
-            .flat_map(|side| {
-                self.window.pieces(self.window.y, CELLS, &|rate| {
-                    let square = rate * rate;
-                    let cos = (energy - 0.5 * (1.0 + offset * offset) * square) / (offset * (1.0 + square));
-                    (cos.abs() <= 1.0).then(|| [side * libm::acos(cos), rate])
-                })
-            })
-            .collect()
     }
 
     /// The separatrix through the unstable equilibrium.

@@ -2,14 +2,14 @@
 
 use littlewood::Trajectory;
 use littlewood::tables::{Dimension, Quantity, Setup};
+use littlewood_draw::{
+    Figure, GRID, Label, Mark, Panel, PlotAxis, SOFT, Scale, Series, Stroke, View, angle, marked, plain,
+    short,
+};
 
 use crate::catalogue::{FigureEntry, Watch, find_figure};
-use crate::draw::plain;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
 use crate::input::FigureInput;
-use crate::style::{GRID, SOFT, Stroke};
-use crate::words::{angle, marked, short};
 
 /// Sides of a poster in millimetres: A3.
 pub const POSTER_MM: [f64; 2] = [297.0, 420.0];
@@ -62,8 +62,11 @@ pub fn poster(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, Figu
     let height = content.on_page(NARROWEST).1;
     let width = NARROWEST.max(height * POSTER_MM[0] / POSTER_MM[1]);
     let (page, height) = content.on_page(width);
-    page.finish([width, width * POSTER_MM[1] / POSTER_MM[0]], height)
+    Ok(page.finish([width, width * POSTER_MM[1] / POSTER_MM[0]], height))
 }
+
+/// Columns of the places on a page.
+const COLUMNS: [&str; 2] = ["right", "up"];
 
 /// What stands on a page.
 struct Content<'a> {
@@ -76,8 +79,7 @@ struct Content<'a> {
 impl Content<'_> {
     /// The page of a width, and how high it is.
     fn on_page(&self, width: f64) -> (Page, f64) {
-        let mut page =
-            Page { width, panels: Vec::new(), labels: Vec::new(), lines: Vec::new(), template: None };
+        let mut page = Page { width, panels: Vec::new(), labels: Vec::new(), lines: Vec::new() };
         let top = page.head(self.input, &self.motion);
         // Each part goes where there is more room, so that no place stays blank for a figure that this hoop has not.
         let mut ends = [top; 2];
@@ -133,8 +135,6 @@ struct Page {
     panels: Vec<Panel>,
     labels: Vec<Label>,
     lines: Vec<Vec<Vec<f64>>>,
-    /// The axes of some figure, as which those of the page are made.
-    template: Option<View>,
 }
 
 impl Page {
@@ -202,9 +202,6 @@ impl Page {
             for key in &mut panel.keys {
                 key.at = [key.at[0] + from[0], key.at[1] + from[1]];
             }
-            if self.template.is_none() && matches!(panel.view, View::Plane { .. }) {
-                self.template = Some(panel.view.clone());
-            }
             self.panels.push(panel);
         }
         let mut y = from[1] + figure.height + 16.0;
@@ -240,9 +237,8 @@ impl Page {
     }
 
     /// The figure of a page of these sides of which so much is used.
-    fn finish(self, [width, height]: [f64; 2], used: f64) -> Result<Figure, FigureError> {
-        let Self { mut panels, labels, lines, template, .. } = self;
-        let view = template.ok_or_else(|| FigureError::Drawing("a page without pictures".to_owned()))?;
+    fn finish(self, [width, height]: [f64; 2], used: f64) -> Figure {
+        let Self { mut panels, labels, lines, .. } = self;
         let down = (0.1 * (height - used)).max(0.0);
         for panel in &mut panels {
             panel.frame[1] += down;
@@ -250,35 +246,19 @@ impl Page {
                 key.at[1] += down;
             }
         }
-        let View::Plane { x, y, .. } = view else {
-            return Err(FigureError::Drawing("the axes of a page".to_owned()));
-        };
-        let bare = |axis: PlotAxis, range: [f64; 2]| PlotAxis {
-            title: String::new(),
-            range,
-            ticks: Vec::new(),
-            scale: Scale::Nothing,
-            ..axis
-        };
-        let view = View::Plane { x: bare(x, [0.0, width]), y: bare(y, [down - height, down]), axes: false };
-        let rules: Vec<Layer> = match &view {
-            View::Plane { x, y, .. } => {
-                let mut rule = Series::new("rule", &[], lines);
-                rule.columns = vec![x.column.clone(), y.column.clone()];
-                vec![rule.drawn(Mark::Line(Stroke::solid(GRID, 1.6)))]
-            }
-            View::Space { .. } => Vec::new(),
-        };
+        let axis = |column, range| PlotAxis { scale: Scale::Nothing, ..PlotAxis::new(column, "", range) };
+        let [x, y] = [axis(COLUMNS[0], [0.0, width]), axis(COLUMNS[1], [down - height, down])];
+        let rules = Series::new("rule", &COLUMNS, lines).drawn(Mark::Line(Stroke::solid(GRID, 1.6)));
         panels.push(Panel {
             image: None,
             name: "page",
             frame: [0.0, 0.0, width, height],
-            view,
-            layers: rules,
+            view: View::Plane { x, y, axes: false },
+            layers: vec![rules],
             labels,
             keys: Vec::new(),
         });
-        Ok(Figure {
+        Figure {
             name: "poster",
             title: "Littlewood's hoop".to_owned(),
             caption: "A hoop with a particle on it, on a rough plane: the body, its path, phase portrait, outcomes, forces, \
@@ -288,7 +268,7 @@ impl Page {
             print_mm: Some(POSTER_MM[0]),
             height,
             panels,
-        })
+        }
     }
 }
 

@@ -3,14 +3,13 @@
 use littlewood::Trajectory;
 use littlewood::impact::Impulse;
 use littlewood::tables::Dimension;
+use littlewood_draw::{IMPULSE, Label, Layer, Mark, SMALL, Series, Stroke};
 use littlewood_style::Dash;
 use littlewood_style::width::CURVE;
 
 use crate::columns::{DEMAND, TIME};
-use crate::figure::{Label, Layer, Mark, Series};
 use crate::impacts;
 use crate::motion::horizon;
-use crate::style::{IMPULSE, SMALL, Stroke};
 use crate::wording::Wording;
 
 /// An impulse beside curves of forces.

@@ -1,13 +1,12 @@
 //! Motions against time: histories of a quantity, verticals at the transitions, names of phases and transitions.
 
 use littlewood::{Cause, Phase, Sample, Trajectory, Transition};
+use littlewood_draw::{FAINT, Label, Layer, Mark, PlotAxis, SMALL, SOFT, Scale, Series, Stroke};
 use littlewood_style::Dash;
 use littlewood_style::width::FINE;
 
 use crate::columns::TIME;
-use crate::figure::{Label, Layer, Mark, PlotAxis, Scale, Series};
 use crate::motion::{bounds, horizon, instants};
-use crate::style::{FAINT, SMALL, SOFT, Stroke};
 use crate::wording::Wording;
 
 /// Room for the name of a transition.

@@ -3,11 +3,9 @@
 use littlewood::si::{SiSetup, Units};
 use littlewood::tables::{Dimension, Group, Quantity, Setup};
 use littlewood::{Hoop, Start};
+use littlewood_draw::{PlotAxis, Scale, angle, marked, short};
 use littlewood_style::ticks;
 use littlewood_sweep::Varies;
-
-use crate::figure::{PlotAxis, Scale};
-use crate::words::{angle, marked, short};
 
 /// Parameters on which rolling depends.
 const ROLLING: [Quantity; 4] = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::MuS];

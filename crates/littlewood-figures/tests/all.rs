@@ -2,6 +2,7 @@
 
 mod beyond;
 mod bifurcation;
+mod captions;
 mod fates;
 mod files;
 mod gallery;

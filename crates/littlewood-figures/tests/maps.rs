@@ -5,24 +5,25 @@ use core::f64::consts::PI;
 use crate::support::{outlines, winding};
 use littlewood::tables::{Class, Quantity, Setup, SummaryColumn};
 use littlewood::{HoopParameters, Limits, Start};
-use littlewood_figures::{Figure, map};
+use littlewood_figures::Figure;
 use littlewood_sweep::{Axis, Grid, Options, Picture, PictureSize, Shade, Workers};
 
-fn picture(theta: [f64; 2], shade: Shade) -> (Picture, Workers) {
+fn picture(theta: [f64; 2], shade: Shade) -> Picture {
     let hoop = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
     let theta = Axis::new(Quantity::Theta, theta[0], theta[1], 41).expect("an axis");
     let rate = Axis::new(Quantity::ThetaRate, -4.0, 4.0, 41).expect("an axis");
     let grid = Grid::new(Setup::new(hoop, Start::at(0.0, 0.0)), vec![theta, rate]).expect("a grid");
     let workers = Workers::new(None).expect("threads");
     let (size, options) = (PictureSize { width: 600, height: 400 }, Options::default());
-    let picture = Picture::of_grid(&grid, Limits::default(), shade, size, &workers, &options);
-    (picture.expect("a picture"), workers)
+    let mut picture = Picture::of_grid(&grid, Limits::default(), shade, size, &workers, &options)
+        .expect("a picture")
+        .in_vectors();
+    assert!(picture.follow(Limits::default(), &workers, &options).expect("good points"));
+    picture
 }
 
 fn figure(theta: [f64; 2], shade: Shade) -> Figure {
-    let (picture, workers) = picture(theta, shade);
-    let drawing = picture.drawing(Limits::default(), &workers, &Options::default()).expect("a drawing");
-    map(&drawing.expect("nobody stops it"), None).expect("a figure")
+    picture(theta, shade).figure(None).expect("a figure")
 }
 
 #[test]
@@ -61,16 +62,15 @@ fn an_axis_that_falls_makes_the_same_map() {
 fn files_are_small_and_well_formed() {
     for shade in [Shade::Class, Shade::Sequence, Shade::Column(SummaryColumn::LiftOffTime)] {
         let figure = figure([-PI, PI], shade);
-        let svg = figure.svg().expect("a drawing");
+        let svg = figure.svg();
         let document = roxmltree::Document::parse(&svg).expect("well-formed XML");
         let images = document.descendants().filter(|node| node.has_tag_name("image")).count();
         // The map, and the bar of its scale.
         assert_eq!(images, if shade.is_on_a_scale() { 2 } else { 0 }, "{shade:?}");
         assert!(svg.len() < 1_000_000, "{shade:?}: {}", svg.len());
-        let pdf = figure.pdf().expect("a drawing");
+        let pdf = figure.pdf();
         assert!(pdf.starts_with(b"%PDF") && pdf.len() < 1_000_000, "{shade:?}");
         let has_images = pdf.windows(14).any(|part| part == b"/Subtype /Imag");
         assert_eq!(has_images, shade.is_on_a_scale(), "{shade:?}");
-        assert!(figure.eps().expect("a drawing").contains("colorimage") == shade.is_on_a_scale());
     }
 }

@@ -5,6 +5,7 @@ use core::f64::consts::PI;
 use littlewood::Hoop;
 use littlewood::modes::Position;
 use littlewood::tables::SampleColumn;
+use littlewood_draw::marked;
 
 use crate::camera::View;
 use crate::canvas::{Canvas, Place};
@@ -105,7 +106,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
             Shape::Thin.draw(canvas, tail, head, SLIP, unit)
         };
         canvas.label(
-            SampleColumn::Slip.sign(),
+            &marked(SampleColumn::Slip.sign()),
             (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit),
             style,
             SLIP,
@@ -123,7 +124,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         };
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
         canvas.label(
-            SampleColumn::Friction.sign(),
+            &marked(SampleColumn::Friction.sign()),
             (head.0 + 7.0 * unit * side.0, head.1 + 16.0 * unit),
             style,
             FRICTION_FORCE,
@@ -135,7 +136,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         // On the side where the particle is not.
         let side = if scene.particle.x > scene.centre.x { -11.0 } else { 11.0 };
         canvas.label(
-            SampleColumn::Normal.sign(),
+            &marked(SampleColumn::Normal.sign()),
             (head.0 + side * unit, head.1 + 6.0 * unit),
             style,
             NORMAL_FORCE,
@@ -144,7 +145,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
 }
 
 /// The letter of the weight.
-pub(crate) const WEIGHT: &str = "W";
+pub(crate) const WEIGHT: &str = "*W*";
 
 /// The form of an arrow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

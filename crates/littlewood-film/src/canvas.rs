@@ -8,7 +8,7 @@ use tiny_skia::{
 
 use crate::colour::PAPER;
 use crate::error::FilmError;
-use crate::letters::{Letters, Style};
+use crate::letters::Style;
 use crate::size::{FrameSize, SizeError};
 use littlewood_style::Rgb;
 
@@ -16,7 +16,6 @@ use littlewood_style::Rgb;
 #[derive(Debug)]
 pub(crate) struct Canvas {
     pixels: Pixmap,
-    letters: Letters,
 }
 
 /// A place in the picture, in pixels from its upper left corner.
@@ -32,7 +31,7 @@ impl Canvas {
         if let Some(white) = white {
             pixels.pixels_mut().fill(white);
         }
-        Ok(Self { pixels, letters: Letters::new()? })
+        Ok(Self { pixels })
     }
 
     /// Takes over another picture of the same size.
@@ -71,10 +70,6 @@ impl Canvas {
     /// Red, green, blue and 255 for each pixel, row by row.
     pub(crate) fn data(&self) -> &[u8] {
         self.pixels.data()
-    }
-
-    pub(crate) fn width_of(&self, words: &str, style: Style) -> f64 {
-        self.letters.width(words, style)
     }
 
     pub(crate) fn fill(&mut self, path: Option<Path>, colour: Rgb) {
@@ -139,15 +134,17 @@ impl Canvas {
     }
 
     pub(crate) fn words(&mut self, words: &str, place: Place, style: Style, colour: Rgb) {
-        let outline = self.letters.outline(words, place, style);
+        let outline = style.outline(words, place);
+        if style.is_bold {
+            self.stroke(outline.clone(), colour, style.bold(), &[]);
+        }
         self.fill(outline, colour);
     }
 
     /// Words with a border that sets them off against what is behind them.
     pub(crate) fn label(&mut self, words: &str, place: Place, style: Style, colour: Rgb) {
-        let outline = self.letters.outline(words, place, style);
-        self.stroke(outline.clone(), PAPER, 0.3 * style.size, &[]);
-        self.fill(outline, colour);
+        self.stroke(style.outline(words, place), PAPER, 0.3 * style.size, &[]);
+        self.words(words, place, style, colour);
     }
 }
 

@@ -359,7 +359,7 @@ const INSET_TOP: f64 = 35.0;
 /// How much slower than the motion the film is.
 fn note(pace: &Pace) -> String {
     match pace.units {
-        None => format!("{} s of film for √(R/g)", short(pace.slow)),
+        None => format!("{} s of film for √(*R*/*g*)", short(pace.slow)),
         Some(_) if pace.slow == 1.0 => "real time".to_owned(),
         Some(_) if pace.slow > 1.0 => format!("{} × slower than real", short(pace.slow)),
         Some(_) => format!("{} × faster than real", short(1.0 / pace.slow)),

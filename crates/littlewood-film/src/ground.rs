@@ -3,11 +3,13 @@
 use littlewood::modes::Position;
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, SampleColumn};
+use littlewood_draw::marked;
 
 use crate::camera::{GROUND, View};
 use crate::canvas::Canvas;
 use crate::colour::{self, INK, PAPER, SOFT};
 use crate::letters::Style;
+use crate::pane::{unit_sign, with_unit};
 use crate::scene::Scene;
 
 /// Radius of the point of contact, in units of lettering.
@@ -46,8 +48,8 @@ pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64
     let end = Style { anchor: 1.0, ..style };
     let place = (width - 4.0 * unit, y + (GROUND - 3.5) * unit);
     let length = Dimension::Length;
-    let unit_sign = if units.is_some() { length.si_sign() } else { length.scale_sign() };
-    canvas.words(&format!("{} / {unit_sign}", SampleColumn::X.sign()), place, end, SOFT);
+    let sign = marked(SampleColumn::X.sign());
+    canvas.words(&with_unit(&sign, &unit_sign(units, length)), place, end, SOFT);
 }
 
 /// Every how many units there is room for a number, and for a mark, and with how many decimals the numbers are written,

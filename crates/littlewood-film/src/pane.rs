@@ -4,12 +4,13 @@ use core::f64::consts::{PI, TAU};
 
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity, SampleColumn};
-use littlewood::theory::{Body, PhasePlane, closed_form};
-use littlewood::{Direction, Mode, Sample, Trajectory};
+use littlewood::theory::{PhasePlane, Window};
+use littlewood::{Mode, Sample, Trajectory};
+use littlewood_draw::marked;
 use littlewood_style::ticks::{self, Tick};
 use littlewood_style::{Curve, Dash, EnergyPart};
 
-use crate::canvas::Canvas;
+use crate::canvas::{Canvas, Place};
 use crate::colour::{self, FRICTION_FORCE, INK, LINE, PAPER, SOFT, of_mode, of_region};
 use crate::ledger::{EnergyParts, Ledger};
 use crate::letters::Style;
@@ -134,23 +135,22 @@ impl Pane {
                     plot.line(canvas, &points, 1.2 * u, LINE, Dash::Solid);
                 }
                 let x: Vec<Tick> = ticks::angular(-PI, PI, 5);
-                let name = with_unit(Quantity::Theta.sign(), Dimension::Angle.si_sign());
-                self.frame(canvas, &x, &name, Dimension::AngularRate, Quantity::ThetaRate.sign());
+                let name = with_unit(&marked(Quantity::Theta.sign()), Dimension::Angle.si_sign());
+                self.frame(canvas, &x, &name, Dimension::AngularRate, &marked(Quantity::ThetaRate.sign()));
             }
             With::Friction => {
                 let hoop = trajectory.hoop();
-                for (limit, dash, sign) in [
-                    (hoop.mu_s(), Dash::Solid, Quantity::MuS.sign()),
-                    (hoop.mu_k(), Dash::Dashed, Quantity::MuK.sign()),
-                ] {
+                for (limit, dash, sign) in
+                    [(hoop.mu_s(), Dash::Solid, Quantity::MuS), (hoop.mu_k(), Dash::Dashed, Quantity::MuK)]
+                {
                     let line = [[plot.x[0], limit], [plot.x[1], limit]];
                     plot.line(canvas, &line, 1.4 * u, FRICTION_FORCE, dash);
                     let (_, y) = plot.place([plot.x[1], limit]);
                     // One over, the other under its line, so that they never meet.
-                    let below = if sign == Quantity::MuS.sign() { -3.0 } else { 10.0 };
+                    let below = if sign == Quantity::MuS { -3.0 } else { 10.0 };
                     let style = Style { size: 10.0 * u, is_bold: false, anchor: 1.0 };
                     canvas.words(
-                        sign,
+                        &marked(sign.sign()),
                         (plot.left + plot.width - 4.0 * u, y + below * u),
                         style,
                         FRICTION_FORCE,
@@ -160,7 +160,7 @@ impl Pane {
                     let points: Vec<[f64; 2]> = piece.points.iter().map(|(_, point)| *point).collect();
                     plot.line(canvas, &points, 1.2 * u, LINE, Dash::Solid);
                 }
-                self.frame_of_time(canvas, "|F|/N", None);
+                self.frame_of_time(canvas, "|*F*|/*N*", None);
             }
             With::Energy => {
                 self.draw_energy(canvas, f64::INFINITY, 0.3);
@@ -170,11 +170,11 @@ impl Pane {
                     let y = plot.top - (15.5 - 11.0 * line as f64) * u;
                     for part in parts.iter().rev().filter(|part| self.has(**part)) {
                         canvas.words(part.label(), (right, y), style, colour::of_energy(*part));
-                        right -= canvas.width_of(part.label(), style) + 7.0 * u;
+                        right -= style.width(part.label()) + 7.0 * u;
                     }
                 }
                 let unit = unit_sign(self.units.as_ref(), Dimension::Energy);
-                let name = with_unit(SampleColumn::Energy.sign(), unit);
+                let name = with_unit(&marked(SampleColumn::Energy.sign()), &unit);
                 let style = Style { size: 10.0 * u, is_bold: false, anchor: 0.0 };
                 canvas.words(&name, (plot.left, plot.top - 15.5 * u), style, INK);
                 self.frame_of_time(canvas, "", Some(Dimension::Energy));
@@ -208,7 +208,7 @@ impl Pane {
             canvas.disc((x, y), 4.6 * u, PAPER);
             canvas.disc((x, y), 3.4 * u, INK);
         } else if self.with == With::Friction {
-            let words = if sample.mode.touches_plane() { "N = F = 0" } else { "no contact" };
+            let words = if sample.mode.touches_plane() { "*N* = *F* = 0" } else { "no contact" };
             let style = Style { size: 10.0 * u, is_bold: false, anchor: 0.5 };
             let place = (plot.left + 0.5 * plot.width, plot.top + 14.0 * u);
             canvas.label(words, place, style, SOFT);
@@ -220,58 +220,29 @@ impl Pane {
         let (plot, hoop) = (&self.plot, trajectory.hoop());
         let plane = PhasePlane::new(hoop);
         let u = plot.unit;
-        let angles: Vec<f64> = (0..=480).map(|i| PI * (f64::from(i) / 240.0 - 1.0)).collect();
-        // The region of rolling in columns of the plane, from the least rate at which it ends.
-        let massless_limit = match hoop.body() {
-            Body::Massless(massless) => closed_form::slip_angle(&massless, hoop.mu_s()),
-            Body::Heavy(_) => None,
-        };
-        for pair in angles.windows(2) {
-            let angle = 0.5 * (pair[0] + pair[1]);
-            if !plane.in_rolling_region(angle, 0.0) {
-                continue;
-            }
-            let ends = [Direction::Positive, Direction::Negative]
-                .into_iter()
-                .filter_map(|direction| plane.slip_rate(angle, direction))
-                .chain(plane.normal_force_rate(angle));
-            let top = ends.fold(plot.y[1], f64::min);
-            let strip = [[pair[0], -top], [pair[1], -top]];
-            plot.band(canvas, &strip, &[[pair[0], top], [pair[1], top]], of_region());
+        let window = Window { x: plot.x, y: plot.y };
+        for outline in plane.rolling_region(&window) {
+            let corners: Vec<Place> = outline.into_iter().map(|corner| plot.place(corner)).collect();
+            canvas.polygon(&corners, of_region());
         }
-        let mut trace = |curve: Curve, speed: &dyn Fn(f64) -> Option<f64>| {
-            for sign in [1.0, -1.0] {
-                let points: Vec<[f64; 2]> =
-                    angles.iter().map(|&angle| [angle, sign * speed(angle).unwrap_or(f64::NAN)]).collect();
-                plot.line(
-                    canvas,
-                    &points,
-                    0.8 * curve.width() * u,
-                    curve.colour(colour::THEME),
-                    curve.dash(),
-                );
+        for (curve, lines) in [
+            (Curve::LiftOff, plane.lift_off_curve(&window)),
+            (Curve::NormalForceZero, plane.normal_force_curve(&window)),
+            (Curve::SlipLimit, plane.slip_curve(&window)),
+        ] {
+            for line in lines {
+                plot.line(canvas, &line, 0.8 * curve.width() * u, curve.colour(colour::THEME), curve.dash());
             }
-        };
-        trace(Curve::LiftOff, &|angle| plane.lift_off_rate(angle));
-        trace(Curve::NormalForceZero, &|angle| plane.normal_force_rate(angle));
-        for direction in [Direction::Positive, Direction::Negative] {
-            trace(Curve::SlipLimit, &|angle| plane.slip_rate(angle, direction));
-        }
-        for angle in massless_limit.into_iter().flat_map(|limit| [-limit, limit]) {
-            let rate = plane.normal_force_rate(angle).unwrap_or(1.0);
-            let curve = Curve::SlipLimit;
-            let line = [[angle, -rate], [angle, rate]];
-            plot.line(canvas, &line, 0.8 * curve.width() * u, curve.colour(colour::THEME), curve.dash());
         }
         let style = Style { size: 9.0 * u, is_bold: false, anchor: 1.0 };
         let mut right = plot.left + plot.width;
         for (words, curve) in [
             ("lift-off", Curve::LiftOff),
-            ("n: N = 0", Curve::NormalForceZero),
-            ("f: |F| = μₛN", Curve::SlipLimit),
+            ("*n*: *N* = 0", Curve::NormalForceZero),
+            ("*f*: |*F*| = *μ*ₛ*N*", Curve::SlipLimit),
         ] {
             canvas.words(words, (right, plot.top - 4.5 * u), style, curve.colour(colour::THEME));
-            right -= canvas.width_of(words, style) + 7.0 * u;
+            right -= style.width(words) + 7.0 * u;
         }
     }
 
@@ -307,7 +278,7 @@ impl Pane {
         let [low, high] = self.plot.x.map(|time| unit * time);
         let mut x = ticks::round(low, high, 5);
         x.iter_mut().for_each(|tick| tick.value /= unit);
-        let title = with_unit(sign, unit_sign(self.units.as_ref(), Dimension::Time));
+        let title = with_unit(&marked(sign), &unit_sign(self.units.as_ref(), Dimension::Time));
         self.frame(canvas, &x, &title, dimension.unwrap_or(Dimension::Ratio), name);
     }
 
@@ -319,17 +290,18 @@ impl Pane {
         let title = if name.is_empty() {
             String::new()
         } else {
-            with_unit(name, unit_sign(self.units.as_ref(), dimension))
+            with_unit(name, &unit_sign(self.units.as_ref(), dimension))
         };
         self.plot.draw_frame(canvas, [x, &y], [x_name, &title]);
     }
 }
 
-fn unit_sign(units: Option<&Units>, dimension: Dimension) -> &'static str {
-    if units.is_some() { dimension.si_sign() } else { dimension.scale_sign() }
+/// The sign of a unit, with marks.
+pub(crate) fn unit_sign(units: Option<&Units>, dimension: Dimension) -> String {
+    if units.is_some() { dimension.si_sign().to_owned() } else { marked(dimension.scale_sign()) }
 }
 
-fn with_unit(name: &str, unit: &str) -> String {
+pub(crate) fn with_unit(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") }
 }
 

@@ -3,6 +3,7 @@
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity, SampleColumn, Setup};
 use littlewood::{Direction, Hoop, Mode, Outcome, Start, Trajectory};
+use littlewood_draw::marked;
 
 use crate::body::{Shape, WEIGHT, draw_mass_centre};
 use crate::canvas::Canvas;
@@ -64,7 +65,7 @@ impl Panel {
         for band in self.bands(trajectory, schedule) {
             canvas.rectangle((band.from, top), band.to - band.from, tall, of_mode(band.mode));
             let style = self.style(10.5, true, 0.5);
-            if canvas.width_of(&band.words, style) + 6.0 * u < band.to - band.from {
+            if style.width(&band.words) + 6.0 * u < band.to - band.from {
                 let place = (0.5 * (band.from + band.to), top + 11.2 * u);
                 canvas.words(&band.words, place, style, on_mode(band.mode));
             }
@@ -156,7 +157,7 @@ impl Panel {
                 canvas.words(words, (place + 4.0 * u, base), style, SOFT);
             }
             let from = x;
-            x = place + 4.0 * u + canvas.width_of(words, style) + 11.0 * u;
+            x = place + 4.0 * u + style.width(words) + 11.0 * u;
             from
         };
         let has_disc = hoop.mass_ratio() > 0.0;
@@ -170,12 +171,12 @@ impl Panel {
                 draw_mass_centre(canvas, (at + 4.5 * u, middle), 4.2 * u);
             }
         }
-        let at = word(canvas, 6.0 * u, "centre C");
+        let at = word(canvas, 6.0 * u, "centre *C*");
         if draws {
             canvas.disc((at + 3.0 * u, middle), 3.0 * u, SOFT);
             canvas.disc((at + 3.0 * u, middle), 1.6 * u, PAPER);
         }
-        let arrow = |words: &str, column: SampleColumn| format!("{words} {}", column.sign());
+        let arrow = |words: &str, column: SampleColumn| format!("{words} {}", marked(column.sign()));
         let mut arrows = vec![
             (arrow(SampleColumn::Normal.long_name(), SampleColumn::Normal), Shape::Solid, NORMAL_FORCE),
             (arrow("friction", SampleColumn::Friction), Shape::Hollow, FRICTION_FORCE),
@@ -183,7 +184,7 @@ impl Panel {
             (arrow("slip velocity", SampleColumn::Slip), Shape::Thin, SLIP),
         ];
         if hoop.restitution().is_some() {
-            arrows.push(("impulse (J, P)".to_owned(), Shape::Solid, IMPULSE));
+            arrows.push(("impulse (*J*, *P*)".to_owned(), Shape::Solid, IMPULSE));
         }
         for (words, shape, colour) in arrows {
             let at = word(canvas, 20.0 * u, &words);
@@ -209,7 +210,7 @@ impl Panel {
         // Wide enough for the longest, so that it does not change its size.
         let widest = Mode::ALL
             .into_iter()
-            .map(|mode| canvas.width_of(&mode.with_arrow(Some(Direction::Positive)), style))
+            .map(|mode| style.width(&mode.with_arrow(Some(Direction::Positive))))
             .fold(0.0, f64::max);
         let wide = widest + 22.0 * u;
         canvas.pill((left, 9.0 * u), wide, 22.0 * u, of_mode(scene.mode()));
@@ -223,8 +224,8 @@ impl Panel {
         // The inset begins to the right of them.
         for (at, (name, value, colour)) in [0.0, 98.0, 202.0, 324.0].into_iter().zip(self.values(scene)) {
             let x = left + at * u;
-            canvas.words(name, (x, 49.0 * u), self.style(12.0, true, 0.0), colour);
-            let indent = canvas.width_of(name, self.style(12.0, true, 0.0));
+            canvas.words(&name, (x, 49.0 * u), self.style(12.0, true, 0.0), colour);
+            let indent = self.style(12.0, true, 0.0).width(&name);
             canvas.words(&value, (x + indent, 49.0 * u), self.style(12.0, false, 0.0), INK);
         }
         let x = self.place_of(scene.time(), schedule);
@@ -242,7 +243,7 @@ impl Panel {
 
     /// The normal and the friction impulse that the scene shows.
     pub(crate) fn impulse(&self, scene: &Scene) -> Vec<String> {
-        let of = |sign: &str, value: f64| format!("{sign} = {}", self.value(value, Dimension::Impulse));
+        let of = |sign: &str, value: f64| format!("*{sign}* = {}", self.value(value, Dimension::Impulse));
         scene.impulse.map_or_else(Vec::new, |drawn| {
             vec![of("P", drawn.impulse.normal), of("J", drawn.impulse.friction)]
         })
@@ -251,12 +252,12 @@ impl Panel {
     fn clock(&self, time: f64) -> String {
         let decimals = self.time_decimals;
         match self.units {
-            Some(units) => format!("t = {} s", number(time * units.time_s, decimals)),
-            None => format!("τ = {}", number(time, decimals)),
+            Some(units) => format!("*t* = {} s", number(time * units.time_s, decimals)),
+            None => format!("*τ* = {}", number(time, decimals)),
         }
     }
 
-    fn values(&self, scene: &Scene) -> [(&'static str, String, Rgb); 4] {
+    fn values(&self, scene: &Scene) -> [(String, String, Rgb); 4] {
         let sample = &scene.sample;
         let force = |value| format!(" = {}", self.value(value, Dimension::Force));
         let slip = if scene.contact.is_some() {
@@ -265,10 +266,10 @@ impl Panel {
             " –".to_owned()
         };
         [
-            (SampleColumn::Normal.sign(), force(sample.normal), NORMAL_FORCE),
-            (SampleColumn::Friction.sign(), force(sample.friction), FRICTION_FORCE),
-            (SampleColumn::Slip.sign(), slip, SLIP),
-            (SampleColumn::Gap.sign(), format!(" = {}", self.gap(scene)), INK),
+            (marked(SampleColumn::Normal.sign()), force(sample.normal), NORMAL_FORCE),
+            (marked(SampleColumn::Friction.sign()), force(sample.friction), FRICTION_FORCE),
+            (marked(SampleColumn::Slip.sign()), slip, SLIP),
+            (SampleColumn::Gap.sign().to_owned(), format!(" = {}", self.gap(scene)), INK),
         ]
     }
 
@@ -277,14 +278,14 @@ impl Panel {
         let gap = scene.sample.gap;
         match self.units {
             Some(_) => self.in_si(gap, Dimension::Length, 3),
-            None => format!("{} {}", number(gap, 3), Dimension::Length.scale_sign()),
+            None => format!("{} {}", number(gap, 3), marked(Dimension::Length.scale_sign())),
         }
     }
 
     fn value(&self, value: f64, dimension: Dimension) -> String {
         match self.units {
             Some(_) => self.in_si(value, dimension, 2),
-            None => format!("{} {}", number(value, 2), dimension.scale_sign()),
+            None => format!("{} {}", number(value, 2), marked(dimension.scale_sign())),
         }
     }
 
@@ -298,8 +299,11 @@ impl Panel {
 /// How the motion ended, where the film ends with it.
 fn note_of(outcome: &Outcome) -> Option<String> {
     let rate = outcome.state().theta_rate;
-    let infinite =
-        if rate.is_infinite() { format!(", {} → ∞", Quantity::ThetaRate.sign()) } else { String::new() };
+    let infinite = if rate.is_infinite() {
+        format!(", {} → ∞", marked(Quantity::ThetaRate.sign()))
+    } else {
+        String::new()
+    };
     outcome.is_final().then(|| format!("{}{infinite}", outcome.kind().label()))
 }
 
@@ -308,7 +312,7 @@ fn parameters(hoop: &Hoop) -> String {
     let setup = Setup::new(hoop.parameters(), Start::default());
     let words: Vec<String> = Quantity::HOOP
         .into_iter()
-        .filter_map(|quantity| Some(format!("{} = {}", quantity.sign(), short(setup.get(quantity)?))))
+        .filter_map(|quantity| Some(format!("{} = {}", marked(quantity.sign()), short(setup.get(quantity)?))))
         .chain(hoop.restitution().map(|restitution| format!("({})", restitution.law())))
         .collect();
     words.join("   ")

@@ -75,7 +75,7 @@ pub use error::SweepError;
 pub use first_turn::{FirstTurn, Stop};
 pub use grid::Grid;
 pub use options::{CHUNK_POINTS, MOST_CHUNK_POINTS, MOST_CHUNKS, Options, Progress};
-pub use picture::{Area, Drawing, Entry, Image, Picture, PictureError, PictureSize, Shade};
+pub use picture::{Picture, PictureError, PictureSize, Shade};
 pub use regions::{Ask, Band, Boundary, Detail, Lattice, Place, Region, Regions};
 pub use run::Report;
 pub use starts::{ListError, StartList};

@@ -14,7 +14,7 @@ use crate::sweep::sweep_grid;
 use crate::zarr::ZarrStore;
 
 impl Picture {
-    /// Computes a grid and draws it, boundaries to the pixel; nothing is kept but the picture. A cancelled picture is white
+    /// Computes a grid and draws it, boundaries as curves; nothing is kept but the picture. A cancelled picture is white
     /// where it is not computed.
     ///
     /// # Errors
@@ -30,7 +30,7 @@ impl Picture {
         let mut picture = Self::new(grid, limits, shade, size)?;
         let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
         sweep_grid(grid, limits, &[], Some(&mut add), workers, options)?;
-        picture.refine(limits, workers, options)?;
+        picture.follow(limits, workers, options)?;
         Ok(picture)
     }
 

@@ -5,10 +5,12 @@
 use std::f64::consts::PI;
 
 use crate::support::{figure_2, map, workers};
-use littlewood::Limits;
 use littlewood::tables::{Class, Quantity, SummaryColumn};
+use littlewood::{Limits, Start};
 use littlewood_style::{Theme, of_class};
-use littlewood_sweep::{Axis, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError};
+use littlewood_sweep::{
+    Axis, Chunk, Columns, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError, sweep_grid,
+};
 
 fn draw(grid: &Grid, shade: Shade, size: PictureSize) -> (Picture, Vec<u8>) {
     let picture =
@@ -34,7 +36,7 @@ fn the_map_of_figure_2_has_its_regions_where_they_are() {
     assert_eq!((width, height), (600, 400));
     // Colours along the line θ = 0, downwards in the picture: from θ′ = 4 (leaves at once) through θ′ = 0 (rolls for
     // ever) to θ′ = −4, which mirrors the upper half.
-    let x = 243;
+    let x = 318;
     let column: Vec<[u8; 3]> =
         (0..400).map(|y| core::array::from_fn(|k| pixels[(y * 600 + x) * 3 + k])).collect();
     let [dark, pale] =
@@ -46,6 +48,52 @@ fn the_map_of_figure_2_has_its_regions_where_they_are() {
     // On it the body rolls for ever while θ′² < 1.2², roughly, of the 4: a bit less than a third.
     let rolling = column[first..last].iter().filter(|colour| **colour == pale).count() as f64;
     assert!((0.25..0.33).contains(&(rolling / (last - first) as f64)), "{rolling}");
+}
+
+/// The share of pixels of the map that have the colour of another class than the motion that begins there, among those that
+/// have the colour of a class.
+fn wrong(picture: &Picture, grid: &Grid) -> f64 {
+    let figure = picture.figure(None).unwrap();
+    let [[left, top], [right, bottom]] = figure.panels.last().unwrap().axes_frame();
+    let (width, height, pixels) = decode(&picture.png().unwrap());
+    let scale = f64::from(width) / figure.width;
+    let mut seen = Vec::new();
+    // Steps that share no factor with the sides go everywhere.
+    for i in 0..4000_u32 {
+        let (x, y) = (i * 761 % width, i * 577 % height);
+        let share = |pixel: u32, from: f64, to: f64| ((f64::from(pixel) + 0.5) / scale - from) / (to - from);
+        let place = [share(x, left, right), 1.0 - share(y, top, bottom)];
+        let at = 3 * (y * width + x) as usize;
+        let colour =
+            Class::ALL.into_iter().find(|class| of_class(*class, Theme::Light).0 == pixels[at..at + 3]);
+        if place.iter().all(|share| (0.0..1.0).contains(share))
+            && let Some(class) = colour
+        {
+            let mut point = *grid.base();
+            let [theta, rate] = [0, 1].map(|k| grid.axes()[k].between(place[k]));
+            point.start = Start::at(theta, rate);
+            seen.push((point, class));
+        }
+    }
+    assert!(seen.len() > 2000, "{}", seen.len());
+    let points = seen.iter().map(|(point, _)| *point);
+    let columns = workers(2).compute(points, Limits::until(50.0)).unwrap();
+    let wrong = seen.iter().zip(columns.classes()).filter(|((_, shown), class)| shown != *class);
+    wrong.count() as f64 / seen.len() as f64
+}
+
+#[test]
+fn boundaries_are_followed_to_the_pixel() {
+    let (grid, size) = (map(31), PictureSize { width: 600, height: 400 });
+    let (workers, options) = (workers(2), Options::default());
+    let mut picture = Picture::new(&grid, Limits::until(50.0), Shade::Class, size).unwrap();
+    let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
+    sweep_grid(&grid, Limits::until(50.0), &[], Some(&mut add), &workers, &options).unwrap();
+    let before = wrong(&picture, &grid);
+    assert!(picture.follow(Limits::until(50.0), &workers, &options).unwrap());
+    let after = wrong(&picture, &grid);
+    // A corner of a region that reaches less than a cell far is not seen.
+    assert!(before > 0.02 && after < 0.002, "{before} {after}");
 }
 
 #[test]

@@ -122,6 +122,7 @@ pub mod theory {
     //! ```
 
     pub use crate::mechanics::closed_form::{self, RollingType};
+    pub use crate::mechanics::curves::Window;
     pub use crate::mechanics::equations::{Accelerations, ContactForces, RollingLaw, SlidingLaw};
     pub use crate::mechanics::region::{Equilibrium, PhasePlane, Stability};
     pub use crate::model::hoop::{Body, Heavy, Massless};

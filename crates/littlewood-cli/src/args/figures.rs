@@ -71,9 +71,6 @@ pub(crate) struct FiguresArgs {
     /// as wide as a screen wants]
     #[arg(long, value_name = "MM", value_parser = number, help_heading = "Output")]
     pub(crate) width_mm: Option<f64>,
-    /// What letters of an SVG are: outlines that every program shows alike, or text that can be selected and searched
-    #[arg(long, value_enum, default_value_t = FigureLetters::Paths, help_heading = "Output")]
-    pub(crate) letters: FigureLetters,
     /// Pixels of a PNG to 1/96 inch of the drawing: 3.125 makes 300 dpi, 6.25 makes 600
     #[arg(long, value_name = "FACTOR", value_parser = number, default_value_t = 2.0, help_heading = "Output")]
     pub(crate) scale: f64,
@@ -112,19 +109,8 @@ pub(crate) enum FigureFormat {
     Txt,
     /// Drawing as PDF
     Pdf,
-    /// Drawing as Encapsulated PostScript
-    Eps,
     /// Picture and caption in Markdown
     Md,
     /// Figure and caption in LaTeX, with the PDF
     Tex,
-}
-
-/// What letters of an SVG are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum FigureLetters {
-    /// Outlines
-    Paths,
-    /// Text, in two faces that the file carries
-    Text,
 }

@@ -18,7 +18,7 @@ mod sweep;
 pub(crate) use animate::{AnimateArgs, Bar, Beside, Camera};
 pub(crate) use elsewhere::ElsewhereArgs;
 #[cfg(feature = "figures")]
-pub(crate) use figures::{FigureFormat, FigureLetters, FiguresArgs};
+pub(crate) use figures::{FigureFormat, FiguresArgs};
 #[cfg(feature = "lab")]
 pub(crate) use lab::LabArgs;
 pub(crate) use negative::join_negative_numbers;

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "sweep")]
 use littlewood::tables::Quantity;
+use littlewood_draw::DrawError;
 #[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
 use littlewood_sweep::{AxisError, ListError, MOST_CHUNK_POINTS, PictureError, StoreError, SweepError};
@@ -43,6 +44,7 @@ pub(super) fn of(error: &Error) -> Option<String> {
         ),
         #[cfg(feature = "figures")]
         Error::Figure(error) => of_figure(error),
+        Error::Drawing(error) => of_drawing(error).to_owned(),
         Error::Stopped => {
             "files that were not finished are removed; what had been finished before is kept".to_owned()
         }
@@ -87,15 +89,22 @@ fn of_figure(error: &FigureError) -> String {
             "give a shorter line: --along NAME=FROM:TO, such as theta_rate=0:4"
         }
         FigureError::ImpactNumber { .. } => "give another --impact; `littlewood simulate` lists the landings",
-        FigureError::Scale { .. } => "give another --scale, such as 2",
-        FigureError::Width { .. } => "give another --width-mm, such as 84 or 178",
+        FigureError::Draw(error) => of_drawing(error),
         FigureError::Parameter(error) => error.hint(),
         FigureError::UnknownCase { .. } => "`littlewood cases` lists the names",
         FigureError::Axis(error) => return of_axis(error),
         FigureError::Threads(_) => "try again when the machine is less busy",
-        FigureError::Drawing(_) => "this is a defect of the program: please report it",
     }
     .to_owned()
+}
+
+/// What to do about a drawing that cannot be made.
+const fn of_drawing(error: &DrawError) -> &'static str {
+    match error {
+        DrawError::Scale { .. } => "give another --scale, such as 2",
+        DrawError::Width { .. } => "give another --width-mm, such as 84 or 178",
+        DrawError::NoRoom { .. } => "give a smaller picture",
+    }
 }
 
 /// What to do about an error of a sweep.
@@ -169,7 +178,6 @@ const fn of_picture(error: &PictureError) -> &'static str {
         PictureError::NoCurves { .. } => {
             "leave out --curves, or give --x theta=-pi:pi:400 --y theta_rate=-4:4:400 with --slip 0"
         }
-        PictureError::Drawing(_) => "this is a defect of the program: please report it",
     }
 }
 

@@ -10,13 +10,14 @@ use anstyle::{AnsiColor, Style};
 use littlewood::ParameterError;
 #[cfg(feature = "sweep")]
 use littlewood::tables::Quantity;
+use littlewood_draw::DrawError;
 #[cfg(feature = "figures")]
 use littlewood_figures::FigureError;
 #[cfg(feature = "film")]
 use littlewood_film::FilmError;
 #[cfg(feature = "sweep")]
 use littlewood_sweep::AxisError;
-use littlewood_sweep::{PictureError, StoreError, SweepError, ThreadsError};
+use littlewood_sweep::{StoreError, SweepError, ThreadsError};
 use thiserror::Error;
 
 use crate::feature::Feature;
@@ -176,6 +177,9 @@ pub(crate) enum Error {
     #[cfg(feature = "figures")]
     #[error("{0}")]
     Figure(FigureError),
+    /// A drawing that cannot be made.
+    #[error("{0}")]
+    Drawing(DrawError),
     /// Ctrl-C.
     #[error("stopped after {done} of {total} starts")]
     Interrupted {
@@ -241,8 +245,8 @@ impl Error {
             }
             #[cfg(feature = "lab")]
             Self::NoPage { .. } | Self::Port { .. } => FAILURE,
-            #[cfg(feature = "figures")]
-            Self::Figure(FigureError::Drawing(_)) => FAILURE,
+            Self::Drawing(DrawError::NoRoom { .. }) => FAILURE,
+            Self::Drawing(DrawError::Scale { .. } | DrawError::Width { .. }) => BAD_INPUT,
             #[cfg(feature = "film")]
             Self::Film(FilmError::Write(source)) => of_writing(source),
             #[cfg(feature = "film")]
@@ -318,6 +322,7 @@ impl Error {
             FigureError::Parameter(error) => Self::Value { error },
             FigureError::Axis(error) => error.into(),
             FigureError::Threads(error) => error.into(),
+            FigureError::Draw(error) => Self::Drawing(error),
             other => Self::Figure(other),
         }
     }
@@ -350,7 +355,6 @@ fn of_sweep(error: &SweepError) -> u8 {
     match error {
         SweepError::Store(StoreError::Unwritable { source, .. }) => of_writing(source),
         SweepError::Store(StoreError::Encoding { .. })
-        | SweepError::Picture(PictureError::Drawing(_))
         | SweepError::Threads(ThreadsError::NotStarted { .. }) => FAILURE,
         SweepError::Axis(_)
         | SweepError::Parameter(_)

@@ -224,17 +224,8 @@ fn figures(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     );
     words.extend(limit_words(limits));
     words.extend(["--out".to_owned(), "figures".to_owned()]);
-    let formats = draw.one_of(&[
-        "svg",
-        "csv",
-        "txt",
-        "svg,csv,txt",
-        "svg,csv",
-        "png",
-        "png,txt",
-        "pdf,eps,md,tex",
-        "dvi",
-    ]);
+    let formats =
+        draw.one_of(&["svg", "csv", "txt", "svg,csv,txt", "svg,csv", "png", "png,txt", "pdf,md,tex", "dvi"]);
     words.extend(["--format".to_owned(), formats.to_owned()]);
     words.extend([
         "--scale".to_owned(),

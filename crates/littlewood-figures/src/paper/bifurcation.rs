@@ -4,6 +4,10 @@ use core::f64::consts::PI;
 
 use littlewood::tables::{Class, PhaseCode, Quantity, Setup};
 use littlewood::{Engine, Hoop, Limits, Mode, Summary};
+use littlewood_draw::{
+    BOUNDARY, Content, Figure, HATCH, Label, Layer, Mark, PAPER, Panel, PlotAxis, ROOM, SMALL, Scale, Series,
+    Sheet, Stroke, THEME, width,
+};
 use littlewood_style::ticks::minus;
 use littlewood_style::{of_class, of_mode};
 use littlewood_sweep::{Axis, Band, Grid, Workers};
@@ -11,14 +15,10 @@ use littlewood_sweep::{Axis, Band, Grid, Workers};
 use crate::axes::outcome_window;
 use crate::catalogue::Watch;
 use crate::columns::TIME;
-use crate::draw::{ROOM, width};
 use crate::effort::Effort;
 use crate::error::FigureError;
 use crate::fate::{Fate, Fates};
-use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
-use crate::sheet::{Content, Sheet};
-use crate::style::{BOUNDARY, HATCH, PAPER, SMALL, Stroke, THEME};
 use crate::timeline::CLOSE;
 use crate::wording::Wording;
 use littlewood_style::width::CURVE;

@@ -4,19 +4,19 @@ use littlewood::impact::Impact;
 use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Cause, Mode, Phase, Trajectory, Transition};
+use littlewood_draw::{
+    Content, FAINT, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, PlotAxis, SMALL, SOFT, Scale, Series,
+    Sheet, Stroke, short,
+};
 use littlewood_style::Dash;
 use littlewood_style::width::{CURVE, FINE};
 
 use crate::columns::{LOG_GAP_RATE, TIME};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::impacts;
 use crate::input::FigureInput;
 use crate::motion::{bounds, horizon, instants};
-use crate::sheet::{Content, Sheet};
-use crate::style::{FAINT, IMPULSE, INK, SMALL, SOFT, Stroke};
 use crate::wording::Wording;
-use crate::words::short;
 
 const NAME: &str = "bounces";
 const GAP: &str = SampleColumn::Gap.name();

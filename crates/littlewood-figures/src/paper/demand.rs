@@ -4,16 +4,15 @@ use core::f64::consts::{PI, TAU};
 
 use littlewood::tables::Dimension;
 use littlewood::theory::{PhasePlane, RollingLaw};
+use littlewood_draw::{
+    Content, FIRST, FRICTION_FORCE, Figure, INK, Label, Mark, SOFT, Series, Stroke, short,
+};
 
 use crate::columns::{DEMAND, ENERGY, MU_S, THETA};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::rows;
-use crate::sheet::Content;
-use crate::style::{FIRST, FRICTION_FORCE, INK, SOFT, Stroke};
-use crate::trace::Window;
-use crate::words::short;
+use littlewood::theory::Window;
 use littlewood_style::width::{BOLD, CURVE};
 use littlewood_style::{Curve, Dash};
 

@@ -4,17 +4,13 @@ use core::f64::consts::PI;
 
 use littlewood::theory::{Body, GlidingIntegrals, Massless};
 use littlewood::{Limits, Mode, Start};
+use littlewood_draw::{Content, FAINT, Figure, INK, Label, Layer, Mark, REGION, SOFT, Series, Stroke, short};
 
-use super::portrait::massless_limit;
 use crate::columns::{PLANE, THETA, THETA_RATE, W};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::Portrait;
-use crate::sheet::Content;
-use crate::style::{FAINT, INK, REGION, SOFT, Stroke};
-use crate::trace::Window;
-use crate::words::short;
+use littlewood::theory::Window;
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
@@ -217,7 +213,7 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     let manifolds =
         Portrait { window: Window { x: [-theta_s, theta_s], y: [-1.0, 1.0] }, ..portrait }.separatrix();
     layers.push(manifolds.drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix))));
-    if let Some((_, limit)) = massless_limit(&portrait) {
+    if let Some((_, limit)) = portrait.massless_limit() {
         layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
     }
     let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();

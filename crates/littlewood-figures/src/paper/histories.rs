@@ -3,20 +3,19 @@
 use littlewood::impact::Impulse;
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Sample, Trajectory};
+use littlewood_draw::{
+    Content, FIRST, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM,
+    SECOND, SMALL, SOFT, Series, Sheet, Stroke, marked, short,
+};
 
 use crate::columns::{DEMAND, ENERGY, FRICTION, FRICTION_IMPULSE, MU_K, MU_S, NORMAL, NORMAL_IMPULSE, TIME};
-use crate::draw::ROOM;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, Series};
 use crate::impacts;
 use crate::input::FigureInput;
 use crate::motion::{horizon, remark};
-use crate::sheet::{Content, Sheet};
 use crate::spikes::Spikes;
-use crate::style::{FIRST, FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, SECOND, SMALL, SOFT, Stroke};
 use crate::timeline::{CLOSE, bare, history, level, names, range_of, transitions, zero};
 use crate::wording::Wording;
-use crate::words::{marked, short};
 use littlewood_style::width::{BOLD, CURVE};
 use littlewood_style::{Curve, Dash, EnergyPart};
 

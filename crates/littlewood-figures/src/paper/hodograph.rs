@@ -2,18 +2,17 @@
 
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Mode, Sample, Trajectory};
+use littlewood_draw::{
+    Content, Figure, IMPULSE, INK, Label, Layer, Mark, REGION, SMALL, SOFT, Series, Stroke, marked,
+};
 
 use crate::columns::{FRICTION, MU_K, MU_S, NORMAL, TIME};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::input::FigureInput;
 use crate::motion::{bounds, by_mode, heads, horizon, remark};
-use crate::sheet::Content;
 use crate::spikes::Spikes;
-use crate::style::{IMPULSE, INK, REGION, SMALL, SOFT, Stroke};
-use crate::trace::Window;
 use crate::wording::Wording;
-use crate::words::marked;
+use littlewood::theory::Window;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 

@@ -3,19 +3,16 @@
 use littlewood::impact::{Impact, ImpactCase};
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, Transition};
+use littlewood_draw::{Content, Figure, INK, Label, Layer, Mark, PAPER, Series, Stroke, short};
 use littlewood_style::ImpulseLine;
 use littlewood_style::width::BOLD;
 
 use crate::columns::{FRICTION_IMPULSE, NORMAL_IMPULSE};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::impacts;
 use crate::input::FigureInput;
-use crate::sheet::Content;
-use crate::style::{INK, PAPER, Stroke};
-use crate::trace::Window;
 use crate::wording::Wording;
-use crate::words::short;
+use littlewood::theory::Window;
 
 const NAME: &str = "impact";
 const COLUMNS: [&str; 2] = [FRICTION_IMPULSE, NORMAL_IMPULSE];

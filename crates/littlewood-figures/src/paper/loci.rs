@@ -5,13 +5,10 @@ use core::f64::consts::PI;
 use crate::axes::plane_window;
 use crate::columns::PLANE;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::{BEYOND, Portrait};
-use crate::sheet::Content;
-use crate::style::{HATCH, INK, Stroke};
-use crate::words::{marked, short};
 use littlewood::tables::Quantity;
+use littlewood_draw::{Content, Figure, HATCH, INK, Label, Mark, Series, Stroke, marked, short};
 use littlewood_style::width::CURVE;
 use littlewood_style::{Curve, Dash};
 

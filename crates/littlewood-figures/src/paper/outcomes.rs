@@ -4,6 +4,7 @@ use core::f64::consts::PI;
 
 use littlewood::tables::{Class, Dimension, Quantity, Setup};
 use littlewood::{Engine, Limits, Start, Summary};
+use littlewood_draw::{BOUNDARY, Content, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, short};
 use littlewood_style::{Curve, of_class};
 use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
 
@@ -13,13 +14,9 @@ use crate::columns::PLANE;
 use crate::effort::Effort;
 use crate::error::FigureError;
 use crate::fate::Fates;
-use crate::figure::{Figure, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::Portrait;
-use crate::sheet::Content;
-use crate::style::{BOUNDARY, PAPER, SOFT, Stroke, THEME};
-use crate::trace::Window;
-use crate::words::short;
+use littlewood::theory::Window;
 
 const NAME: &str = "outcomes";
 /// How closely boundaries are located where motions take long.

@@ -3,19 +3,18 @@
 use littlewood::impact::Impulse;
 use littlewood::tables::SampleColumn;
 use littlewood::{Mode, Sample, Trajectory};
+use littlewood_draw::{
+    Content, Figure, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT, Scale, Series, Sheet, Stroke,
+    marked,
+};
 
 use crate::columns::{FRICTION, FRICTION_IMPULSE, NORMAL, NORMAL_IMPULSE, TIME, X, Y};
-use crate::draw::ROOM;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
 use crate::motion::{all_instants, horizon, remark};
-use crate::sheet::{Content, Sheet};
 use crate::spikes::{SPIKE, Spikes};
-use crate::style::{SMALL, SOFT, Stroke};
 use crate::timeline::{CLOSE, bare, level, names, transitions, zero};
 use crate::wording::Wording;
-use crate::words::marked;
 use littlewood_style::Dash;
 use littlewood_style::width::FINE;
 

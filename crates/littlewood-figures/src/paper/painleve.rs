@@ -5,17 +5,17 @@ use core::f64::consts::PI;
 use littlewood::tables::Quantity;
 use littlewood::theory::{Body, PhasePlane, SlidingLaw};
 use littlewood::{Direction, Hoop, HoopParameters, ParameterError};
+use littlewood_draw::{
+    Content, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series, Stroke, marked,
+    short,
+};
 
 use crate::columns::{MU_K, THETA};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::rows;
-use crate::sheet::Content;
-use crate::style::{FRICTION_FORCE, HATCH, INK, SMALL, SOFT, Stroke};
-use crate::trace::Window;
 use crate::wording::Wording;
-use crate::words::{marked, short};
+use littlewood::theory::Window;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 

@@ -2,17 +2,16 @@
 
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, Trajectory};
+use littlewood_draw::{
+    Content, Figure, HATCH, INK, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT, Scale, Series,
+    Sheet, Stroke, short,
+};
 
 use crate::columns::{THETA, TIME, X, Y};
-use crate::draw::ROOM;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series};
 use crate::input::FigureInput;
 use crate::motion::{bounds, by_mode, heads, horizon, remark};
-use crate::sheet::{Content, Sheet};
-use crate::style::{HATCH, INK, SMALL, SOFT, Stroke};
 use crate::wording::Wording;
-use crate::words::short;
 use littlewood_style::width::{BOLD, FINE};
 
 /// Arrows of time stand where the motion goes this part of the picture.

@@ -3,18 +3,17 @@
 use core::f64::consts::{PI, TAU};
 
 use littlewood::{Mode, Sample, Trajectory};
+use littlewood_draw::{
+    Content, Figure, HATCH, IMPULSE, INK, Label, Layer, Mark, REGION, SMALL, Series, Stroke,
+};
 
-use super::portrait::massless_limit;
 use crate::axes::plane_window;
 use crate::columns::{THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Series};
 use crate::input::FigureInput;
 use crate::motion::{bounds, by_mode, heads, horizon, remark};
 use crate::plane::Portrait;
-use crate::sheet::Content;
-use crate::style::{HATCH, IMPULSE, INK, REGION, SMALL, Stroke};
-use crate::trace::Window;
+use littlewood::theory::Window;
 use littlewood_style::Curve;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 
@@ -90,7 +89,7 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Keys)
     }
     layers.push(portrait.separatrix().drawn(Mark::Line(Stroke::of_curve(Curve::Separatrix).wide(FINE))));
     let slip = if input.is_massless() {
-        massless_limit(portrait).map(|(_, series)| series)
+        portrait.massless_limit().map(|(_, series)| series)
     } else {
         Some(portrait.slip_locus(input.hoop.mu_s())?)
     };

@@ -1,20 +1,17 @@
 //! Figures 2(b) and 4: phase portraits of rolling, with inertia and without.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::f64::consts::{FRAC_PI_2, PI};
 
-use littlewood::theory::Body;
-use littlewood::theory::closed_form::slip_angle;
+use littlewood_draw::{
+    Content, FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Mark, NORMAL_FORCE, REGION, SMALL, Stroke,
+    short,
+};
 
 use crate::axes::plane_window;
-use crate::columns::PLANE;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::{BEYOND, Portrait, nearest};
-use crate::sheet::Content;
-use crate::style::{FAINT, FRICTION_FORCE, HATCH, INK, NORMAL_FORCE, REGION, SMALL, Stroke};
-use crate::trace::Window;
-use crate::words::short;
+use littlewood::theory::Window;
 use littlewood_style::Curve;
 
 /// Figure 2(b).
@@ -83,31 +80,6 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     ))
 }
 
-/// The locus |F| = μs N of a massless hoop: verticals between the lines N = 0, for the angle alone decides.
-pub(crate) fn massless_limit(portrait: &Portrait) -> Option<(f64, Series)> {
-    let Body::Massless(body) = portrait.hoop.body() else { return None };
-    let theta = slip_angle(&body, portrait.hoop.mu_s())?;
-    let mut angles = vec![-theta, theta];
-    if body.offset < 1.0 {
-        // The demand falls again towards the bottom, where it is zero; and all is repeated with each turn.
-        let again = PI + 2.0 * libm::atan(portrait.hoop.mu_s()) - theta;
-        let Window { x: [from, to], .. } = portrait.window;
-        let turns = (libm::floor(from / TAU) as i32 - 1)..=(libm::ceil(to / TAU) as i32 + 1);
-        angles = turns
-            .flat_map(|turn| [-theta, theta, -again, again].map(|angle| angle + TAU * f64::from(turn)))
-            .filter(|angle| (from..=to).contains(angle))
-            .collect();
-        angles.sort_by(f64::total_cmp);
-        angles.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
-    }
-    let highest = portrait.window.y[1];
-    let pieces = angles.into_iter().map(|at| {
-        let most = portrait.plane.normal_force_rate(at).map_or(highest, |rate| rate.min(highest));
-        vec![vec![at, -most], vec![at, most]]
-    });
-    Some((theta, Series::new("f", &PLANE, pieces.collect())))
-}
-
 /// Energies of orbits of Littlewood's hoop that fill the plane: those that pass over the top by their rate there, those
 /// that turn by the angle at which they turn.
 pub(crate) fn massless_energies(rates: &[f64], angles: &[f64]) -> Vec<f64> {
@@ -137,7 +109,7 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
         nearest(&unloading, [0.3 * PI, 0.7 * window.y[1]], window)
             .map(|at| Label::new("*n*", &at).shifted(10.0, -4.0).coloured(NORMAL_FORCE)),
     );
-    let limit = massless_limit(&portrait);
+    let limit = portrait.massless_limit();
     if let Some((_, series)) = &limit {
         // Beside each vertical of half a turn, outside of 𝓡.
         let verticals = series.pieces.iter().filter_map(|piece| piece.first());
@@ -199,7 +171,7 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new("*n*", &[0.8 * PI, -1.0]).shifted(0.0, 11.0).coloured(NORMAL_FORCE),
     ];
     layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
-    if let Some((theta, limit)) = massless_limit(&portrait) {
+    if let Some((theta, limit)) = portrait.massless_limit() {
         layers.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit))));
         labels.push(Label::new("*f*", &[theta, -0.72]).shifted(10.0, 0.0).coloured(FRICTION_FORCE));
         labels.push(Label::new("*f*", &[-theta, -0.72]).shifted(-10.0, 0.0).coloured(FRICTION_FORCE));
@@ -210,7 +182,7 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
         layers.push(portrait.flow(&separatrix, theta).drawn(Mark::Head(INK)));
     }
     // In 𝓡, halfway to its boundary.
-    if let Some((limit, _)) = massless_limit(&portrait) {
+    if let Some((limit, _)) = portrait.massless_limit() {
         let inside = 0.5 * f64::min(limit, FRAC_PI_2);
         for theta in [-inside, inside] {
             layers.push(portrait.flow(&separatrix, theta).drawn(Mark::Head(INK)));

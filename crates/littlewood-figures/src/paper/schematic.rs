@@ -4,9 +4,8 @@ use core::f64::consts::PI;
 
 use crate::columns::{X as X_COLUMN, Y};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Mark, Panel, PlotAxis, Scale, Series, View};
 use crate::input::FigureInput;
-use crate::style::{HATCH, INK, SOFT, Stroke};
+use littlewood_draw::{Figure, HATCH, INK, Label, Mark, Panel, PlotAxis, SOFT, Scale, Series, Stroke, View};
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 

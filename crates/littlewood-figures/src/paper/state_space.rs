@@ -4,19 +4,18 @@ use core::f64::consts::PI;
 
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, State, Transition};
+use littlewood_draw::{
+    Content, FAINT, Figure, IMPULSE, INK, Label, Mark, PAPER, Panel, REGION, SMALL, SOFT, Series, Sheet,
+    Stroke, View, short,
+};
 
-use super::portrait::massless_limit;
 use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Mark, Panel, Series, View};
 use crate::input::FigureInput;
 use crate::motion::{all_instants, bounds, by_mode, heads, horizon, remark};
 use crate::plane::Portrait;
-use crate::sheet::{Content, Sheet};
-use crate::style::{FAINT, IMPULSE, INK, PAPER, REGION, SMALL, SOFT, Stroke};
-use crate::trace::Window;
 use crate::wording::Wording;
-use crate::words::short;
+use littlewood::theory::Window;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
@@ -201,7 +200,7 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
     plane.push(
         Series::new("n", &PLANE, edges).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero).wide(1.2))),
     );
-    if let Some((_, limit)) = massless_limit(&portrait) {
+    if let Some((_, limit)) = portrait.massless_limit() {
         plane.push(limit.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(1.2))));
     }
     let mut trace = vec![

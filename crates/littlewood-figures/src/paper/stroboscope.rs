@@ -2,16 +2,16 @@
 
 use littlewood::tables::Dimension;
 use littlewood::{Mode, Sample, Trajectory};
+use littlewood_draw::{
+    Content, FAINT, FRICTION_FORCE, Figure, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM, SMALL, Series,
+    Sheet, Stroke,
+};
 
 use super::paths::{ground, upright};
 use crate::columns::{FRICTION, NORMAL, THETA, TIME, X, Y};
-use crate::draw::ROOM;
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, Series};
 use crate::input::FigureInput;
 use crate::motion::{bounds, horizon};
-use crate::sheet::{Content, Sheet};
-use crate::style::{FAINT, FRICTION_FORCE, NORMAL_FORCE, SMALL, Stroke};
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, FINE};
 

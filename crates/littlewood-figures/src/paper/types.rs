@@ -1,17 +1,16 @@
 //! Figure 5: the region 𝓡 of the massless hoop and the three types of motion in it.
 
 use littlewood::theory::closed_form::{rolling_energy, stable_manifold_rate, unstable_manifold_rate};
+use littlewood_draw::{
+    Content, FIRST, FRICTION_FORCE, Figure, INK, Label, Mark, NORMAL_FORCE, PAPER, REGION, SECOND, Series,
+    Stroke, short,
+};
 
-use super::portrait::massless_limit;
 use crate::columns::{ENERGY, PLANE, THETA, THETA_RATE};
 use crate::error::FigureError;
-use crate::figure::{Figure, Label, Mark, Series};
 use crate::input::FigureInput;
 use crate::plane::{Portrait, rows};
-use crate::sheet::Content;
-use crate::style::{FIRST, FRICTION_FORCE, INK, NORMAL_FORCE, PAPER, REGION, SECOND, Stroke};
-use crate::trace::Window;
-use crate::words::short;
+use littlewood::theory::Window;
 use littlewood_style::ticks::Tick;
 use littlewood_style::width::{CURVE, FINE};
 use littlewood_style::{Curve, Dash, Rgb};
@@ -39,8 +38,8 @@ fn in_region(portrait: &Portrait, theta_s: f64, energy: f64) -> Vec<Vec<[f64; 2]
         .collect()
 }
 
-fn frame(portrait: &Portrait, theta_s: f64) -> Vec<crate::figure::Layer> {
-    let limit = massless_limit(portrait).map(|(_, series)| series);
+fn frame(portrait: &Portrait, theta_s: f64) -> Vec<littlewood_draw::Layer> {
+    let limit = portrait.massless_limit().map(|(_, series)| series);
     let unloading = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
     let mut layers = Vec::new();
     layers.extend(limit.map(|series| series.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit)))));
@@ -56,7 +55,7 @@ fn figure(
     input: &FigureInput,
     [name, title]: [&'static str; 2],
     caption: String,
-    layers: Vec<crate::figure::Layer>,
+    layers: Vec<littlewood_draw::Layer>,
     labels: Vec<Label>,
     keys: Vec<(Mark, String)>,
 ) -> Result<Figure, FigureError> {

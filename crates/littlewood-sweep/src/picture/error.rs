@@ -49,14 +49,4 @@ pub enum PictureError {
         /// Largest side.
         most: u32,
     },
-    /// The drawing library refuses. No input is known that does this.
-    #[error("cannot draw: {0}")]
-    Drawing(String),
-}
-
-impl PictureError {
-    /// Of the drawing library.
-    pub(super) fn drawing<E: core::fmt::Display>(error: E) -> Self {
-        Self::Drawing(error.to_string())
-    }
 }

@@ -6,16 +6,50 @@ use littlewood::si::Units;
 use littlewood::tables::{Class, Quantity, Setup, SummaryColumn, SummaryValue};
 use littlewood::{Limits, Summary};
 
-use super::cells::{Cell, cell, class_of, of_class};
+use super::cells::{Cell, cell, class_of, of_class, place};
 use super::error::PictureError;
-use super::frame::{PictureSize, SIDES};
-use super::refine::Refined;
 use super::shade::Shade;
 use crate::axis::{Axis, Varies};
 use crate::chunk::Chunk;
 use crate::columns::Columns;
+use crate::compute::{Halt, Workers};
+use crate::error::SweepError;
 use crate::grid::Grid;
+use crate::options::Options;
+use crate::regions::{Detail, Lattice, Place, Regions};
 use crate::tally::Tally;
+use crate::watch::Ledger;
+
+/// Size of a picture in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PictureSize {
+    /// Width.
+    pub width: u32,
+    /// Height.
+    pub height: u32,
+}
+
+impl Default for PictureSize {
+    fn default() -> Self {
+        Self { width: 1500, height: 1000 }
+    }
+}
+
+/// Smallest and largest side of a picture.
+const SIDES: [u32; 2] = [300, 10_000];
+
+/// Cells of the lattice in which boundaries are followed, at least: for pixels, and for vectors; parts of a cell of the grid
+/// at most.
+const CELLS: [usize; 2] = [240, 480];
+const PARTS: usize = 64;
+
+/// How closely a boundary is located for pixels, in parts of the map: a quarter of one. Where boundaries meet, cells are not
+/// halved much beyond pixels either.
+const NEAR: f64 = 2e-4;
+const HALVINGS: u32 = 2;
+
+/// Above all sequences that fit, and below the classes.
+pub(super) const OTHERS: u64 = u64::MAX - 0x1ff;
 
 /// A map of a grid with two axes: the first runs to the right, the second upwards.
 ///
@@ -31,10 +65,12 @@ pub struct Picture {
     pub(super) units: Option<Units>,
     pub(super) has_curves: bool,
     pub(super) has_contours: bool,
+    is_in_vectors: bool,
     /// Cells to the right and upwards.
     pub(super) counts: [usize; 2],
     pub(super) cells: Vec<Cell>,
-    pub(super) refined: Refined,
+    /// The regions of one colour, once their boundaries have been followed.
+    pub(super) regions: Regions,
     /// Points that have been added.
     tally: Tally,
     /// Points of each sequence, for a map of sequences.
@@ -71,9 +107,10 @@ impl Picture {
             units: None,
             has_curves: false,
             has_contours: false,
+            is_in_vectors: false,
             counts,
             cells: vec![Cell::NOT_COMPUTED; counts[0] * counts[1]],
-            refined: Refined::default(),
+            regions: Regions { regions: Vec::new(), boundaries: Vec::new() },
             tally: Tally::default(),
             sequences: HashMap::new(),
             ranking: Vec::new(),
@@ -109,6 +146,13 @@ impl Picture {
         }
         self.has_contours = true;
         Ok(self)
+    }
+
+    /// For a drawing in vectors, in which boundaries are located as closely as they can be.
+    #[must_use]
+    pub const fn in_vectors(mut self) -> Self {
+        self.is_in_vectors = true;
+        self
     }
 
     /// Adds the results of a chunk of the grid.
@@ -154,13 +198,59 @@ impl Picture {
         self.ranks.get(&key).copied().unwrap_or(usize::MAX)
     }
 
-    /// Whether there is no boundary between two cells.
-    pub(super) fn colours_alike(&self, a: Cell, b: Cell) -> bool {
-        a.key == b.key
-            || (matches!(self.shade, Shade::Sequence)
-                && [a, b]
-                    .iter()
-                    .all(|cell| cell.class().is_none() && self.rank(cell.key) >= littlewood_style::RANKS))
+    /// What cells of one colour have in common.
+    pub(super) fn key_of(&self, cell: Cell) -> u64 {
+        let is_other = self.shade == Shade::Sequence
+            && cell.class().is_none()
+            && self.rank(cell.key) >= littlewood_style::RANKS;
+        if is_other { OTHERS } else { cell.key }
+    }
+
+    /// Follows the boundaries between colours as curves: between neighbours of the grid that differ, motions are computed. The
+    /// result does not depend on the number of threads. Cancelled, it returns false and leaves the picture as it is, and so it
+    /// does where not every point has been added.
+    ///
+    /// # Errors
+    /// As [`Workers::compute`].
+    pub fn follow(
+        &mut self,
+        limits: Limits,
+        workers: &Workers,
+        options: &Options<'_>,
+    ) -> Result<bool, SweepError> {
+        if self.counts.iter().any(|count| *count < 2) || !self.is_complete() {
+            return Ok(true);
+        }
+        let places = [0, 1].map(|k| {
+            let count = self.grid.axes()[k].count();
+            let places = (0..self.counts[k]).map(|j| place(j, count, self.counts[k]));
+            places.map(|i| i as f64 / (count - 1) as f64).collect()
+        });
+        let keys = self.cells.iter().map(|cell| self.key_of(*cell)).collect();
+        let cells = CELLS[usize::from(self.is_in_vectors)];
+        let wanted = self.counts.iter().map(|count| cells.div_ceil(count - 1)).max().unwrap_or(1);
+        let exact = Detail { parts: wanted.next_power_of_two().min(PARTS), ..Detail::default() };
+        let pixels = Detail { width: NEAR, halvings: HALVINGS, ..exact };
+        let detail = if self.is_in_vectors { exact } else { pixels };
+        let quiet = Options { cancel: options.cancel, ..Options::default() };
+        let ledger = Ledger::new(&quiet, 0, 0);
+        let mut ask = |places: &[Place]| -> Result<Vec<u64>, Halt> {
+            let points: Vec<_> = places.iter().map(|&place| self.grid.point_between(place)).collect();
+            let starts = Some(self.grid.starts_of_a_hoop());
+            let found = workers.compute_points(&points, starts, limits, &ledger.watch())?;
+            let rows = points.iter().zip(found.summaries().zip(found.classes()));
+            Ok(rows
+                .map(|(point, (summary, class))| self.key_of(self.cell_of(point, &summary, *class)))
+                .collect())
+        };
+        match Regions::find(&Lattice { places, keys }, &detail, &mut ask) {
+            Ok(found) => {
+                self.regions = found;
+                Ok(true)
+            }
+            Err(Halt::Cancelled) => Ok(false),
+            Err(Halt::Refused(refused)) => Err(refused.error.into()),
+        }
     }
 
     /// Number of points of a class.

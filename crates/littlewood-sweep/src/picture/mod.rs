@@ -1,22 +1,17 @@
 //! A map as a picture: two axes, a colour for every point, a legend.
 
 mod cells;
+mod contours;
 mod curves;
-mod drawing;
 mod error;
-mod frame;
-mod layout;
-mod letters;
+mod figure;
+mod image;
+mod legend;
 mod map;
 mod names;
-mod pen;
-mod refine;
-mod render;
 mod scale;
 mod shade;
 
-pub use drawing::{Area, Drawing, Entry, Image};
 pub use error::PictureError;
-pub use frame::PictureSize;
-pub use map::Picture;
+pub use map::{Picture, PictureSize};
 pub use shade::Shade;

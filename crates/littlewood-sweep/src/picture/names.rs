@@ -1,9 +1,10 @@
-//! The ticks and the names of axes, titles, and what is fixed.
+//! The ticks and the names of axes, titles, and what is fixed; texts with marks.
 
 use core::f64::consts::PI;
 
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, PhaseCode, PhaseSequence, Quantity, SummaryColumn};
+use littlewood_draw::marked;
 use littlewood_style::ticks::{self, Tick, minus};
 
 use super::map::Picture;
@@ -16,11 +17,16 @@ fn unit(units: Option<&Units>, dimension: Dimension) -> f64 {
 }
 
 /// The sign of a unit: that of (2.9), or in SI; of an angle its unit.
-fn unit_sign(units: Option<&Units>, dimension: Dimension) -> &'static str {
+fn unit_sign(units: Option<&Units>, dimension: Dimension) -> String {
     match (units, dimension) {
-        (None, Dimension::Angle) | (Some(_), _) => dimension.si_sign(),
-        (None, _) => dimension.scale_sign(),
+        (None, Dimension::Angle) | (Some(_), _) => upright(dimension.si_sign()),
+        (None, _) => marked(dimension.scale_sign()),
     }
+}
+
+/// A unit of SI.
+fn upright(unit: &str) -> String {
+    unit.replace('²', "^{2}")
 }
 
 fn with_unit(name: &str, unit: &str) -> String {
@@ -28,22 +34,24 @@ fn with_unit(name: &str, unit: &str) -> String {
 }
 
 /// A sign as print has it: in SI units the quantity with a dimension.
-fn sign(units: Option<&Units>, varies: Varies) -> &'static str {
-    match varies {
+fn sign(units: Option<&Units>, varies: Varies) -> String {
+    marked(match varies {
         Varies::One(quantity) if units.is_some() => quantity.si_twin().unwrap_or(quantity).sign(),
         Varies::One(_) | Varies::Friction => varies.sign(),
-    }
+    })
 }
 
 /// The dimension in which an axis is printed: its own in SI units, else none that (2.9) has taken off.
 pub(super) fn axis_name(axis: &Axis, units: Option<&Units>) -> String {
     let varies = axis.varies();
     let unit = match (varies, units) {
-        (Varies::One(quantity), None) => quantity.unit_sign(),
-        (Varies::One(_), Some(_)) => varies.dimension().si_sign(),
-        (Varies::Friction, _) => "",
+        (Varies::One(Quantity::Theta), _) | (Varies::One(_), Some(_)) => {
+            upright(varies.dimension().si_sign())
+        }
+        (Varies::One(quantity), None) => marked(quantity.unit_sign()),
+        (Varies::Friction, _) => String::new(),
     };
-    with_unit(sign(units, varies), unit)
+    with_unit(&sign(units, varies), &unit)
 }
 
 /// Where a value lies, from 0 at the left or at the bottom to 1.
@@ -88,9 +96,9 @@ pub(super) fn title(shade: Shade, goes_on: bool, units: Option<&Units>) -> Strin
         Shade::Class if goes_on => "First lift-off, else the outcome".to_owned(),
         Shade::Class => "What becomes of the motion".to_owned(),
         Shade::Sequence => "The phases of the motion".to_owned(),
-        Shade::EnergyLost => with_unit("Energy lost", unit_sign(units, Dimension::Energy)),
+        Shade::EnergyLost => with_unit("Energy lost", &unit_sign(units, Dimension::Energy)),
         Shade::Column(column) => {
-            with_unit(&capitalised(column.long_name()), unit_sign(units, column.dimension()))
+            with_unit(&capitalised(column.long_name()), &unit_sign(units, column.dimension()))
         }
     }
 }
@@ -184,13 +192,14 @@ impl Picture {
                 };
                 let space = if unit.is_empty() { "" } else { " " };
                 let equals = if exact || units.is_some() { '=' } else { '≈' };
-                format!("{} {equals} {text}{space}{unit}", sign(units, Varies::One(quantity)))
+                format!("{} {equals} {text}{space}{}", sign(units, Varies::One(quantity)), upright(unit))
             })
             .collect();
         if let Some(units) = units {
             let of = |quantity: Quantity, value: f64| {
                 let dimension = quantity.dimension();
-                format!("{} = {} {}", quantity.sign(), number(dimension, value), dimension.si_sign())
+                let unit = upright(dimension.si_sign());
+                format!("{} = {} {unit}", marked(quantity.sign()), number(dimension, value))
             };
             parts.push(of(Quantity::ParticleMassKg, units.mass_kg));
             parts.push(of(Quantity::RadiusM, units.length_m));
@@ -206,13 +215,16 @@ impl Picture {
                 None => (Quantity::Until.sign(), String::new()),
                 Some(_) => ("t", format!(" {}", Dimension::Time.si_sign())),
             };
-            parts.push(format!("followed to {sign} = {text}{unit}"));
+            parts.push(format!("followed to {} = {text}{unit}", marked(sign)));
         }
         parts
     }
 
     /// What the letters of the sequences mean that are named in the legend.
     pub(super) fn meanings(&self) -> Vec<String> {
+        if self.shade != Shade::Sequence {
+            return Vec::new();
+        }
         let shown = self.ranking.iter().take(littlewood_style::RANKS);
         let texts: Vec<String> = shown.map(|bits| PhaseSequence::from_bits(*bits).to_string()).collect();
         PhaseCode::ALL
@@ -233,14 +245,14 @@ mod tests {
     fn axes_and_titles_have_signs_and_units() {
         let axis = |quantity| Axis::new(quantity, 0.0, 1.0, 3).expect("good");
         let name = |quantity| axis_name(&axis(quantity), None);
-        assert_eq!(name(Quantity::Theta), "θ  (rad)");
-        assert_eq!(name(Quantity::ThetaRate), "θ′  (√(g/R))");
-        assert_eq!(name(Quantity::Inertia), "Izz/(m₂R²)");
-        assert_eq!(axis_name(&Axis::new(Varies::Friction, 0.0, 1.0, 3).expect("good"), None), "μ");
+        assert_eq!(name(Quantity::Theta), "*θ*  (rad)");
+        assert_eq!(name(Quantity::ThetaRate), "*θ*′  (√(*g*/*R*))");
+        assert_eq!(name(Quantity::Inertia), "*I*_{zz}/(*m*_{2}*R*^{2})");
+        assert_eq!(axis_name(&Axis::new(Varies::Friction, 0.0, 1.0, 3).expect("good"), None), "*μ*");
         let title = |shade| title(shade, false, None);
-        assert_eq!(title(Shade::Column(SummaryColumn::JumpHeight)), "Height of the first jump  (R)");
+        assert_eq!(title(Shade::Column(SummaryColumn::JumpHeight)), "Height of the first jump  (*R*)");
         assert_eq!(title(Shade::Column(SummaryColumn::EndTheta)), "Angle at the end  (rad)");
-        assert_eq!(title(Shade::EnergyLost), "Energy lost  (m₂gR)");
+        assert_eq!(title(Shade::EnergyLost), "Energy lost  (*m*_{2}*gR*)");
     }
 
     #[test]
@@ -255,7 +267,7 @@ mod tests {
         .units()
         .expect("good");
         let axis = Axis::new(Quantity::ThetaRate, 0.0, 2.0, 3).expect("good");
-        assert_eq!(axis_name(&axis, Some(&units)), "dθ/dt  (rad/s)");
+        assert_eq!(axis_name(&axis, Some(&units)), "*dθ*/*dt*  (rad/s)");
         let last = ticks_of(&axis, Some(&units), 5).pop().expect("good");
         assert_eq!((last.value, last.label.as_str()), (2.0, "8"));
         let shade = Shade::Column(SummaryColumn::LiftOffTime);

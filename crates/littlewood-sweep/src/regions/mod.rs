@@ -38,13 +38,15 @@ pub struct Detail {
     /// Cells with a boundary at most: with more the parts are fewer. Where places next to each other differ everywhere there
     /// would be no end.
     pub most: usize,
+    /// How often a cell is halved in which boundaries meet.
+    pub halvings: u32,
     /// How far a curve may be from its chords.
     pub flat: f64,
 }
 
 impl Default for Detail {
     fn default() -> Self {
-        Self { parts: 4, width: 1e-6, most: 24_000, flat: 1.5e-4 }
+        Self { parts: 4, width: 1e-6, most: 24_000, halvings: 6, flat: 1.5e-4 }
     }
 }
 
@@ -78,9 +80,6 @@ pub struct Regions {
     pub boundaries: Vec<Boundary>,
 }
 
-/// How often a cell is halved in which boundaries meet.
-const HALVINGS: u32 = 6;
-
 impl Regions {
     /// Finds the regions; `ask` is asked for the keys of places, many at once.
     ///
@@ -108,7 +107,7 @@ impl Regions {
             }
         };
         let Followed { mut nodes, cells, frame } = followed;
-        let segments = cell::segments(cells, HALVINGS, &mut nodes, detail.width, ask)?;
+        let segments = cell::segments(cells, detail.halvings, &mut nodes, detail.width, ask)?;
         let (regions, boundaries) = chain::regions(nodes, &segments, &frame, detail.flat);
         Ok(Self { regions, boundaries })
     }

@@ -2,6 +2,7 @@
 
 pub(crate) mod bouncing;
 pub mod closed_form;
+pub(crate) mod curves;
 pub(crate) mod equations;
 pub(crate) mod frictionless;
 pub(crate) mod impact;

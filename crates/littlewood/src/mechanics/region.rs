@@ -18,8 +18,8 @@ use crate::model::{Body, Direction, Hoop};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PhasePlane {
-    law: RollingLaw,
-    hoop: Hoop,
+    pub(super) law: RollingLaw,
+    pub(super) hoop: Hoop,
 }
 
 /// Stability of an equilibrium in rolling.

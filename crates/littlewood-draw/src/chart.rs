@@ -1,0 +1,201 @@
+//! A figure on a sheet: frames, ticks, marks, labels, keys.
+
+use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View};
+use crate::item::{Item, Paint, STEPS, Step, Words, steps};
+use crate::marks::{Canvas, MIDDLE, edge};
+use crate::markup::plain;
+use crate::raster::POINTS;
+use crate::sheet::{POINTS_TO_A_MM, PRINT_POINTS};
+use crate::space::Space;
+use crate::stroke::{INK, LETTER, SMALL, Stroke};
+use crate::svg;
+use littlewood_style::width::FINE;
+
+impl Figure {
+    /// The figure as SVG, its letters as outlines.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        svg::document(self, &self.items())
+    }
+
+    /// The figure as PDF of one page, its letters as outlines.
+    #[cfg(feature = "pdf")]
+    #[must_use]
+    pub fn pdf(&self) -> Vec<u8> {
+        crate::pdf::document(self, &self.items())
+    }
+
+    /// All texts, with the boxes of their letters: left, top, right and bottom in pixels.
+    #[must_use]
+    pub fn texts(&self) -> Vec<(String, [f64; 4])> {
+        let texts = self.items().into_iter().filter_map(|item| match item {
+            Item::Words(words) => Some((plain(&words.text), words.frame())),
+            Item::Path { .. } | Item::Image { .. } | Item::Circle { .. } => None,
+        });
+        texts.collect()
+    }
+
+    /// Points of print to a pixel.
+    pub(crate) fn points(&self) -> f64 {
+        let Some(mm) = self.print_mm else { return POINTS };
+        // A poster is drawn larger than it is printed.
+        let own = mm * POINTS_TO_A_MM / self.width;
+        if (own - PRINT_POINTS).abs() < 1e-9 { PRINT_POINTS } else { own }
+    }
+
+    pub(crate) fn items(&self) -> Vec<Item> {
+        let mut canvas = Canvas::default();
+        self.panels.iter().for_each(|panel| canvas.panel(panel));
+        canvas.0
+    }
+}
+
+/// Room for the labels of the two axes, in pixels.
+pub const ROOM: [f64; 2] = [62.0, 46.0];
+
+/// Length of a tick.
+pub(crate) const TICK: f64 = 4.0;
+
+/// How far off the sheet places are told apart, in lengths of the axis.
+const FAR: f64 = 1e3;
+
+impl PlotAxis {
+    /// Which part of the axis lies before a value. What lies far off the sheet need not be told from what lies farther off.
+    pub(crate) fn share(&self, value: f64) -> f64 {
+        let [low, high] = self.range;
+        ((value - low) / (high - low)).clamp(-FAR, FAR)
+    }
+}
+
+impl Canvas {
+    fn panel(&mut self, panel: &Panel) {
+        match &panel.view {
+            View::Plane { x, y, axes } => self.plane(panel, [x, y], *axes),
+            View::Space { x, y, z, yaw, pitch } => {
+                let space = Space::new(panel.frame, [x, y, z], [*yaw, *pitch]);
+                space.axes(self);
+                self.layers(panel, &[x, y, z], |at| space.place(at), 1.0);
+                self.labels(panel, |at| space.place(at));
+            }
+        }
+        for key in &panel.keys {
+            let (x, y) = (steps(key.at[0]), steps(key.at[1]));
+            match key.mark {
+                Mark::Fill(colour)
+                | Mark::Region(colour)
+                | Mark::Hatch(colour)
+                | Mark::HatchedRegion(colour) => {
+                    let corners = [(x, y - steps(6.0)), (x + steps(20.0), y + steps(6.0))];
+                    let is_hatch = matches!(key.mark, Mark::Hatch(_) | Mark::HatchedRegion(_));
+                    self.rectangle(
+                        corners,
+                        if is_hatch { Paint::Hatch(colour) } else { Paint::Fill(colour) },
+                    );
+                    self.rectangle(corners, edge(Stroke::solid(INK, 0.6)));
+                }
+                Mark::Line(_) => self.mark(key.mark, &[vec![(x, y), (x + steps(26.0), y)]], 1.0),
+                Mark::Arrow(_)
+                | Mark::Head(_)
+                | Mark::Dot(..)
+                | Mark::Ring(..)
+                | Mark::Diamond(..)
+                | Mark::Cross(..)
+                | Mark::Hoop { .. } => self.mark(key.mark, &[vec![(x + steps(13.0), y)]], 1.0),
+            }
+            self.text(&key.text, (x + steps(32.0), y), Anchor::Left, SMALL, INK);
+        }
+    }
+
+    fn plane(&mut self, panel: &Panel, [x, y]: [&PlotAxis; 2], axes: bool) {
+        let corners = panel.axes_frame().map(|[right, down]| (steps(right), steps(down)));
+        let [(left, top), (right, bottom)] = corners;
+        let (wide, tall) = (f64::from(right - left), f64::from(bottom - top));
+        let place = |at: &[f64]| {
+            (
+                left + libm::round(wide * x.share(at[0])) as i32,
+                bottom - libm::round(tall * y.share(at[1])) as i32,
+            )
+        };
+        if let Some(image) = &panel.image {
+            self.0.push(Item::Image { corners, image: image.clone() });
+        }
+        // Hoops are drawn only where both axes have one scale.
+        self.layers(panel, &[x, y], place, wide / (x.range[1] - x.range[0]));
+        self.labels(panel, place);
+        if !axes {
+            return;
+        }
+        let line = Stroke::solid(INK, FINE);
+        self.rectangle(corners, edge(line));
+        let (mark, apart) = (steps(TICK), 2.0 * TICK);
+        for tick in &x.ticks {
+            let (at, _) = place(&[tick.value, y.range[0]]);
+            self.line(&[(at, bottom), (at, bottom + mark)], line);
+            self.text(
+                &tick.label,
+                (at, bottom + steps(apart + (TOP - MIDDLE) * SMALL)),
+                Anchor::Middle,
+                SMALL,
+                INK,
+            );
+        }
+        for tick in &y.ticks {
+            let (_, at) = place(&[x.range[0], tick.value]);
+            self.line(&[(left - mark, at), (left, at)], line);
+            self.text(&tick.label, (left - steps(apart), at), Anchor::Right, SMALL, INK);
+        }
+        let pixels = |step: i32| f64::from(step) / STEPS;
+        let [outer, above, _, tall] = panel.frame;
+        let name = |text: &str, at, upwards| Words {
+            text: text.to_owned(),
+            at,
+            anchor: Anchor::Middle,
+            size: LETTER,
+            colour: INK,
+            upwards,
+            halo: false,
+        };
+        self.words(name(&x.title, [0.5 * pixels(left + right), above + tall - BELOW * LETTER], false));
+        self.words(name(&y.title, [outer + TOP * LETTER, 0.5 * pixels(top + bottom)], true));
+    }
+
+    fn layers(&mut self, panel: &Panel, axes: &[&PlotAxis], place: impl Fn(&[f64]) -> Step, unit: f64) {
+        for layer in &panel.layers {
+            let columns: Option<Vec<usize>> =
+                axes.iter().map(|axis| layer.series.column(&axis.column)).collect();
+            let Some(columns) = columns else { continue };
+            let at = |row: &Vec<f64>| place(&columns.iter().map(|column| row[*column]).collect::<Vec<_>>());
+            if let Mark::Hoop { offset, h, radius, rim } = layer.mark {
+                for row in layer.series.pieces.iter().flatten() {
+                    self.hoop(at(row), row[row.len() - 1], radius * unit, [offset, h], rim);
+                }
+                continue;
+            }
+            let pieces: Vec<Vec<Step>> =
+                layer.series.pieces.iter().map(|piece| piece.iter().map(at).collect()).collect();
+            self.mark(layer.mark, &pieces, unit);
+        }
+    }
+
+    fn labels(&mut self, panel: &Panel, place: impl Fn(&[f64]) -> Step) {
+        for label in &panel.labels {
+            let (x, y) = place(&label.at);
+            let [right, down] = label.shift.map(steps);
+            let at = [f64::from(x + right) / STEPS, f64::from(y + down) / STEPS + MIDDLE * label.size];
+            let (text, anchor) = (label.text.clone(), label.anchor);
+            self.words(Words {
+                text,
+                at,
+                anchor,
+                size: label.size,
+                colour: label.colour,
+                upwards: false,
+                halo: true,
+            });
+        }
+    }
+}
+
+/// Where the base line of a text stands below its top, and above its bottom, in parts of its size.
+const TOP: f64 = 0.76;
+const BELOW: f64 = 0.24;

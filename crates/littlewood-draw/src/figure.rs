@@ -1,0 +1,332 @@
+//! What a figure is: panels with series of data, and how each is drawn.
+
+use std::borrow::Cow;
+
+use littlewood_style::Rgb;
+use littlewood_style::ticks::Tick;
+
+use crate::chart::ROOM;
+use crate::stroke::{INK, LETTER, Stroke};
+
+/// A figure, complete: [`Figure::svg`], [`Figure::png`] and [`Figure::csv`] only write it down.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// Name, as the command line and files have it.
+    pub name: &'static str,
+    /// What it shows, in a few words; with marks, see [`crate::plain`].
+    pub title: String,
+    /// Caption; with marks.
+    pub caption: String,
+    /// Width in pixels, on a screen 1/96 inch each.
+    pub width: f64,
+    /// Height in pixels.
+    pub height: f64,
+    /// Width in print, in millimetres, if it is made for print: lines and letters then have the same size at any width.
+    pub print_mm: Option<f64>,
+    /// The panels.
+    pub panels: Vec<Panel>,
+}
+
+/// A part of a figure with axes of its own.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    /// Name in the file of data.
+    pub name: &'static str,
+    /// Left, top, width and height in pixels, axis labels included.
+    pub frame: [f64; 4],
+    /// Axes.
+    pub view: View,
+    /// Pixels over the whole of the axes, below all that is drawn.
+    pub image: Option<Image>,
+    /// What is drawn, the lowest first.
+    pub layers: Vec<Layer>,
+    /// Texts.
+    pub labels: Vec<Label>,
+    /// Keys to colours.
+    pub keys: Vec<Key>,
+}
+
+/// Pixels row by row from the top, three bytes each: red, green and blue.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    /// Width and height.
+    pub size: [usize; 2],
+    /// The pixels.
+    pub pixels: Vec<u8>,
+}
+
+/// The axes of a panel.
+#[derive(Clone, Debug)]
+pub enum View {
+    /// Two axes.
+    Plane {
+        /// To the right.
+        x: PlotAxis,
+        /// Upwards.
+        y: PlotAxis,
+        /// Whether axes are drawn.
+        axes: bool,
+    },
+    /// Three axes, seen from a direction.
+    Space {
+        /// To the right.
+        x: PlotAxis,
+        /// Upwards.
+        y: PlotAxis,
+        /// To the back.
+        z: PlotAxis,
+        /// Rotation about the upward axis.
+        yaw: f64,
+        /// Elevation of the eye.
+        pitch: f64,
+    },
+}
+
+/// An axis: the column that runs along it, from where to where.
+#[derive(Clone, Debug)]
+pub struct PlotAxis {
+    /// Name of the column.
+    pub column: Cow<'static, str>,
+    /// Symbol and unit, with marks.
+    pub title: String,
+    /// Lowest and highest value.
+    pub range: [f64; 2],
+    /// Which ticks it has.
+    pub scale: Scale,
+    /// Ticks.
+    pub ticks: Vec<Tick>,
+}
+
+/// Which ticks an axis has, as many as there is room for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Scale {
+    /// Round numbers.
+    Round,
+    /// Round numbers from zero on.
+    NotNegative,
+    /// Whole numbers.
+    Whole,
+    /// Multiples of a fraction of π, and others that stand in any case.
+    Angle(Vec<Tick>),
+    /// Powers of ten; the values of the axis are their logarithms.
+    Decades,
+    /// These, as many as there is room for.
+    Given(Vec<Tick>),
+    /// Round numbers, without labels: another panel below has them.
+    Bare,
+    /// None.
+    Nothing,
+}
+
+/// Data and how they are drawn.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    /// The data.
+    pub series: Series,
+    /// How.
+    pub mark: Mark,
+}
+
+/// Rows of named columns, in pieces that are drawn one by one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// Name.
+    pub name: String,
+    /// Names of the columns.
+    pub columns: Vec<Cow<'static, str>>,
+    /// Pieces of rows.
+    pub pieces: Vec<Vec<Vec<f64>>>,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mark {
+    /// A line for each piece.
+    Line(Stroke),
+    /// A line with a head at its end.
+    Arrow(Stroke),
+    /// A head at the first row of each piece, pointing to the second.
+    Head(Rgb),
+    /// A polygon for each piece.
+    Fill(Rgb),
+    /// The area that all pieces bound together: those around it, and those around its holes in the other direction.
+    Region(Rgb),
+    /// A hatched polygon for each piece.
+    Hatch(Rgb),
+    /// A hatched area that all pieces bound together.
+    HatchedRegion(Rgb),
+    /// A dot on each row.
+    Dot(Rgb, f64),
+    /// A circle on each row, white inside.
+    Ring(Rgb, f64),
+    /// A square on its corner on each row, edged with paper.
+    Diamond(Rgb, f64),
+    /// A cross on each row.
+    Cross(Rgb, f64),
+    /// A hoop on each row, whose last column is the angle of its particle: offset of the particle and of
+    /// the mass centre in radii.
+    Hoop {
+        /// ℓ̂.
+        offset: f64,
+        /// h.
+        h: f64,
+        /// Radius in units of the axes.
+        radius: f64,
+        /// Colour of the rim.
+        rim: Stroke,
+    },
+}
+
+/// A text in a panel.
+#[derive(Clone, Debug)]
+pub struct Label {
+    /// Text, with marks.
+    pub text: String,
+    /// Where, in the coordinates of the axes.
+    pub at: Vec<f64>,
+    /// How far from there, in pixels to the right and downwards.
+    pub shift: [f64; 2],
+    /// Which end of the text is there.
+    pub anchor: Anchor,
+    /// Size of the letters in pixels.
+    pub size: f64,
+    /// Colour.
+    pub colour: Rgb,
+}
+
+/// Which part of a text stands at its place; its middle in the vertical.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its left end.
+    Left,
+    /// Its middle.
+    Middle,
+    /// Its right end.
+    Right,
+}
+
+/// A line of the key.
+#[derive(Clone, Debug)]
+pub struct Key {
+    /// What it shows.
+    pub mark: Mark,
+    /// What it means, with marks.
+    pub text: String,
+    /// Where its left end stands in the figure, in pixels.
+    pub at: [f64; 2],
+}
+
+impl PlotAxis {
+    /// An axis with round ticks.
+    #[must_use]
+    pub fn new(column: impl Into<Cow<'static, str>>, title: impl Into<String>, range: [f64; 2]) -> Self {
+        Self { column: column.into(), title: title.into(), range, scale: Scale::Round, ticks: Vec::new() }
+    }
+}
+
+impl Panel {
+    /// Where the axes of a plane stand: left upper and right lower corner in pixels.
+    #[must_use]
+    pub fn axes_frame(&self) -> [[f64; 2]; 2] {
+        let has_axes = matches!(self.view, View::Plane { axes: true, .. });
+        let [left, below] = if has_axes { ROOM } else { [0.0; 2] };
+        let [x, y, width, height] = self.frame;
+        [[x + left, y], [x + width, y + height - below]]
+    }
+}
+
+impl Anchor {
+    /// Which part of the width lies to the left of the place.
+    #[must_use]
+    pub const fn share(self) -> f64 {
+        match self {
+            Self::Left => 0.0,
+            Self::Middle => 0.5,
+            Self::Right => 1.0,
+        }
+    }
+}
+
+impl Series {
+    /// A series of one piece.
+    #[must_use]
+    pub fn of_rows(name: impl Into<String>, columns: &[&'static str], rows: Vec<Vec<f64>>) -> Self {
+        Self::new(name, columns, vec![rows])
+    }
+
+    /// A series.
+    #[must_use]
+    pub fn new(name: impl Into<String>, columns: &[&'static str], pieces: Vec<Vec<Vec<f64>>>) -> Self {
+        Self { name: name.into(), columns: columns.iter().copied().map(Cow::Borrowed).collect(), pieces }
+    }
+
+    /// Place of a column.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| *column == name)
+    }
+
+    /// All rows.
+    pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.pieces.iter().flatten().map(Vec::as_slice)
+    }
+
+    /// Drawn so.
+    #[must_use]
+    pub const fn drawn(self, mark: Mark) -> Layer {
+        Layer { series: self, mark }
+    }
+}
+
+impl Label {
+    /// A text of the usual size, its middle at a place.
+    #[must_use]
+    pub fn new(text: impl Into<String>, at: &[f64]) -> Self {
+        Self {
+            text: text.into(),
+            at: at.to_vec(),
+            shift: [0.0, 0.0],
+            anchor: Anchor::Middle,
+            size: LETTER,
+            colour: INK,
+        }
+    }
+
+    /// So far from the place, in pixels.
+    #[must_use]
+    pub fn shifted(self, right: f64, down: f64) -> Self {
+        Self { shift: [right, down], ..self }
+    }
+
+    /// Its left end at the place.
+    #[must_use]
+    pub fn left(self) -> Self {
+        Self { anchor: Anchor::Left, ..self }
+    }
+
+    /// Its right end at the place.
+    #[must_use]
+    pub fn right(self) -> Self {
+        Self { anchor: Anchor::Right, ..self }
+    }
+
+    /// In this colour.
+    #[must_use]
+    pub fn coloured(self, colour: Rgb) -> Self {
+        Self { colour, ..self }
+    }
+
+    /// In letters of this size.
+    #[must_use]
+    pub fn sized(self, size: f64) -> Self {
+        Self { size, ..self }
+    }
+}
+
+impl Figure {
+    /// The series of this name in any panel.
+    #[must_use]
+    pub fn series(&self, name: &str) -> Option<&Series> {
+        self.panels.iter().flat_map(|panel| &panel.layers).map(|layer| &layer.series).find(|s| s.name == name)
+    }
+}

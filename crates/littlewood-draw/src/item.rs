@@ -1,0 +1,115 @@
+//! What is on a sheet: shapes and words, without the language of any file.
+
+use littlewood_style::{Dash, Rgb};
+
+use crate::figure::{Anchor, Image};
+use crate::letters::width;
+
+/// A place in steps.
+pub(crate) type Step = (i32, i32);
+
+/// Steps to a pixel.
+pub(crate) const STEPS: f64 = 20.0;
+
+/// A length in steps.
+pub(crate) fn steps(pixels: f64) -> i32 {
+    libm::round(pixels * STEPS) as i32
+}
+
+/// A shape or a text.
+#[derive(Clone, Debug)]
+pub(crate) enum Item {
+    /// Lines from point to point; or the area that they bound together, around holes in the other direction.
+    Path { lines: Vec<Vec<Step>>, paint: Paint },
+    /// Pixels in a rectangle by its left upper and its right lower corner.
+    Image { corners: [Step; 2], image: Image },
+    /// A circle.
+    Circle { centre: Step, radius: i32, paint: Paint },
+    /// A text.
+    Words(Words),
+}
+
+impl Item {
+    /// Lines without points that are equal and follow each other.
+    pub(crate) fn path(lines: &[Vec<Step>], paint: Paint) -> Self {
+        let mut lines = lines.to_vec();
+        lines.iter_mut().for_each(Vec::dedup);
+        Self::Path { lines, paint }
+    }
+
+    /// A rectangle by its left upper and its right lower corner.
+    pub(crate) fn rectangle([(left, top), (right, bottom)]: [Step; 2], paint: Paint) -> Self {
+        let corners = vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+        Self::path(&[corners], paint)
+    }
+}
+
+/// How a shape is painted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Paint {
+    /// Its inside.
+    Fill(Rgb),
+    /// Hatching on its inside.
+    Hatch(Rgb),
+    /// Its edge, of a width in pixels.
+    Edge { colour: Rgb, width: f64, dash: Dash },
+}
+
+/// A text, with marks.
+#[derive(Clone, Debug)]
+pub(crate) struct Words {
+    pub(crate) text: String,
+    /// Where its base line begins, ends or has its middle, in pixels.
+    pub(crate) at: [f64; 2],
+    pub(crate) anchor: Anchor,
+    pub(crate) size: f64,
+    pub(crate) colour: Rgb,
+    /// Whether it runs upwards.
+    pub(crate) upwards: bool,
+    /// Whether the paper is laid around its letters.
+    pub(crate) halo: bool,
+}
+
+/// Width of the paper around letters on either side, in pixels.
+pub(crate) const HALO: f64 = 1.75;
+
+/// Distance and width of the lines of a hatch, which rise to the right, in pixels.
+pub(crate) const HATCH: [f64; 2] = [6.0, 0.8];
+
+impl Words {
+    /// How far the text is moved back from its place.
+    pub(crate) fn back(&self) -> f64 {
+        self.anchor.share() * width(&self.text, self.size)
+    }
+
+    /// The box of its letters: left, top, right and bottom in pixels.
+    pub(crate) fn frame(&self) -> [f64; 4] {
+        let (from, to) = (-self.back(), width(&self.text, self.size) - self.back());
+        let (above, below) = (ASCENT * self.size, DESCENT * self.size);
+        let [x, y] = self.at;
+        if self.upwards {
+            [x - above, y - to, x + below, y - from]
+        } else {
+            [x + from, y - above, x + to, y + below]
+        }
+    }
+}
+
+/// Height of letters above and below the base line in parts of their size.
+const ASCENT: f64 = 0.7;
+const DESCENT: f64 = 0.2;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_has_no_point_twice_in_a_row() {
+        let Item::Path { lines, .. } =
+            Item::path(&[vec![(0, 0), (20, 1), (20, 1), (0, 0)]], Paint::Fill(Rgb([0; 3])))
+        else {
+            panic!("a path")
+        };
+        assert_eq!(lines, [[(0, 0), (20, 1), (0, 0)]]);
+    }
+}

@@ -1,0 +1,59 @@
+//! How all pictures are drawn.
+//!
+//! A [`Figure`] is a value: panels with series of data, how each is drawn, labels and a caption. [`Figure::svg`],
+//! [`Figure::png`] and, with the feature `pdf`, `Figure::pdf` write the same drawing, [`Figure::csv`] the rows that are
+//! drawn. Letters are outlines, so that a figure looks the same everywhere. No file is touched here, and nothing is known
+//! of mechanics.
+//!
+//! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the line: [`plain`] takes
+//! them off, [`markdown`] and [`latex`] translate them.
+//!
+//! ```
+//! use littlewood_draw::{Content, INK, Mark, PlotAxis, Series, Sheet, Stroke};
+//!
+//! let line = Series::of_rows("line", &["x", "y"], vec![vec![0.0, 0.0], vec![1.0, 2.0]]);
+//! let content = Content {
+//!     name: "plane",
+//!     x: PlotAxis::new("x", "*x*", [0.0, 1.0]),
+//!     y: PlotAxis::new("y", "*y*", [0.0, 2.0]),
+//!     layers: vec![line.drawn(Mark::Line(Stroke::solid(INK, 1.5)))],
+//!     labels: Vec::new(),
+//! };
+//! let sheet = Sheet::new(Some(84.0), 620.0)?;
+//! let figure = sheet.plot("line", "A line", String::new(), 430.0, content, Vec::new()).fitted();
+//! assert!(figure.svg().starts_with("<svg"));
+//! # Ok::<(), littlewood_draw::DrawError>(())
+//! ```
+
+mod caption;
+mod chart;
+mod csv;
+mod error;
+mod figure;
+mod finish;
+mod item;
+mod letters;
+mod marks;
+mod markup;
+#[cfg(feature = "pdf")]
+mod pdf;
+mod pencil;
+mod raster;
+mod sheet;
+mod space;
+mod stroke;
+mod svg;
+mod words;
+
+pub use caption::latex;
+pub use chart::ROOM;
+pub use error::DrawError;
+pub use figure::{Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
+pub use letters::{missing, outlines, width};
+pub use littlewood_style::{Dash, Rgb, ticks::Tick};
+pub use markup::{Run, Script, markdown, plain, runs};
+pub use pencil::Segment;
+pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale};
+pub use sheet::{Content, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet, check_width};
+pub use stroke::*;
+pub use words::{angle, marked, short};

@@ -1,0 +1,161 @@
+//! The marks: lines, heads of arrows, areas, dots, hoops, in steps of the sheet.
+
+use littlewood_style::Rgb;
+
+use crate::figure::{Anchor, Mark};
+use crate::item::{Item, Paint, STEPS, Step, Words, steps};
+use crate::stroke::{INK, PAPER, Stroke};
+
+/// Length and half width of a head of an arrow in pixels.
+const HEAD: [f64; 2] = [9.0, 3.4];
+
+/// How far the edge of a diamond reaches.
+const EDGE: f64 = 1.4;
+
+/// What is on a sheet, the lowest first.
+#[derive(Debug, Default)]
+pub(crate) struct Canvas(pub(crate) Vec<Item>);
+
+/// Where the middle of a text stands, on the vertical, from its base line, in parts of its size.
+pub(crate) const MIDDLE: f64 = 0.33;
+
+impl Canvas {
+    /// Draws pieces of points; `unit` is the number of steps to a unit of the axes.
+    pub(crate) fn mark(&mut self, mark: Mark, pieces: &[Vec<Step>], unit: f64) {
+        let points = || pieces.iter().flatten().copied();
+        match mark {
+            Mark::Line(stroke) => pieces.iter().for_each(|piece| self.line(piece, stroke)),
+            Mark::Arrow(stroke) => {
+                for piece in pieces {
+                    self.line(piece, stroke);
+                    if let [.., from, to] = piece[..] {
+                        self.head(from, to, stroke.colour, false);
+                    }
+                }
+            }
+            Mark::Head(colour) => {
+                for piece in pieces {
+                    if let [from, to, ..] = piece[..] {
+                        self.head(to, from, colour, true);
+                    }
+                }
+            }
+            Mark::Fill(colour) => pieces.iter().for_each(|piece| self.polygon(piece, Paint::Fill(colour))),
+            Mark::Hatch(colour) => pieces.iter().for_each(|piece| self.polygon(piece, Paint::Hatch(colour))),
+            Mark::Region(colour) => self.0.push(Item::path(pieces, Paint::Fill(colour))),
+            Mark::HatchedRegion(colour) => self.0.push(Item::path(pieces, Paint::Hatch(colour))),
+            Mark::Dot(colour, radius) => points().for_each(|point| self.dot(point, colour, radius)),
+            Mark::Ring(colour, radius) => {
+                for point in points() {
+                    self.dot(point, PAPER, radius);
+                    self.circle(point, steps(radius), edge(Stroke::solid(colour, 1.4)));
+                }
+            }
+            Mark::Diamond(colour, radius) => {
+                for (x, y) in points() {
+                    for (r, colour) in [(radius + EDGE, PAPER), (radius, colour)] {
+                        let r = steps(r);
+                        self.polygon(&[(x - r, y), (x, y + r), (x + r, y), (x, y - r)], Paint::Fill(colour));
+                    }
+                }
+            }
+            Mark::Cross(colour, radius) => {
+                let (r, stroke) = (steps(radius), Stroke::solid(colour, 1.6));
+                for (x, y) in points() {
+                    self.line(&[(x - r, y - r), (x + r, y + r)], stroke);
+                    self.line(&[(x - r, y + r), (x + r, y - r)], stroke);
+                }
+            }
+            Mark::Hoop { offset, h, radius, rim } => {
+                points().for_each(|point| self.hoop(point, 0.0, radius * unit, [offset, h], rim));
+            }
+        }
+    }
+
+    /// A hoop of so many steps about its centre, its particle at an angle.
+    pub(crate) fn hoop(&mut self, centre: Step, theta: f64, unit: f64, [offset, h]: [f64; 2], rim: Stroke) {
+        let (sin, cos) = libm::sincos(theta);
+        let along = |distance: f64| {
+            (
+                centre.0 - libm::round(distance * sin * unit) as i32,
+                centre.1 - libm::round(distance * cos * unit) as i32,
+            )
+        };
+        self.circle(centre, libm::round(unit) as i32, edge(rim));
+        self.line(&[centre, along(offset)], Stroke { width: 1.0, ..rim });
+        self.dot(along(offset), INK, 5.0);
+        if h < offset {
+            self.mark(Mark::Ring(INK, 3.0), &[vec![along(h)]], unit);
+        }
+        self.dot(centre, INK, 1.8);
+    }
+
+    /// A line from point to point.
+    pub(crate) fn line(&mut self, points: &[Step], stroke: Stroke) {
+        if points.len() > 1 {
+            self.polygon(points, edge(stroke));
+        }
+    }
+
+    /// A rectangle.
+    pub(crate) fn rectangle(&mut self, corners: [Step; 2], paint: Paint) {
+        self.0.push(Item::rectangle(corners, paint));
+    }
+
+    pub(crate) fn polygon(&mut self, points: &[Step], paint: Paint) {
+        self.0.push(Item::path(&[points.to_vec()], paint));
+    }
+
+    fn circle(&mut self, centre: Step, radius: i32, paint: Paint) {
+        self.0.push(Item::Circle { centre, radius, paint });
+    }
+
+    fn dot(&mut self, point: Step, colour: Rgb, radius: f64) {
+        self.circle(point, steps(radius), Paint::Fill(colour));
+    }
+
+    /// A text without a halo, by its middle on the vertical.
+    pub(crate) fn text(&mut self, text: &str, (x, y): Step, anchor: Anchor, size: f64, colour: Rgb) {
+        let at = [f64::from(x) / STEPS, f64::from(y) / STEPS + MIDDLE * size];
+        self.words(Words { text: text.to_owned(), at, anchor, size, colour, upwards: false, halo: false });
+    }
+
+    pub(crate) fn words(&mut self, words: Words) {
+        if !words.text.is_empty() {
+            self.0.push(Item::Words(words));
+        }
+    }
+
+    /// A head that points from one point to another: its tip there, or its middle at the second.
+    fn head(&mut self, from: Step, to: Step, colour: Rgb, centred: bool) {
+        let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
+        let length = libm::sqrt(dx * dx + dy * dy);
+        if length == 0.0 {
+            return;
+        }
+        let (ux, uy) = if centred { (-dx / length, -dy / length) } else { (dx / length, dy / length) };
+        let [long, wide] = HEAD.map(|size| f64::from(steps(size)));
+        let forward = if centred { 0.5 * long } else { 0.0 };
+        let corner = |along: f64, across: f64| {
+            (
+                to.0 + libm::round(along * ux - across * uy) as i32,
+                to.1 + libm::round(along * uy + across * ux) as i32,
+            )
+        };
+        let corners = [
+            corner(forward, 0.0),
+            corner(forward - long, wide),
+            corner(forward - 0.75 * long, 0.0),
+            corner(forward - long, -wide),
+        ];
+        self.polygon(&corners, Paint::Fill(colour));
+    }
+}
+
+/// Narrowest line in pixels.
+pub(crate) const HAIR: f64 = 0.6;
+
+/// A line as a shape has it.
+pub(crate) fn edge(stroke: Stroke) -> Paint {
+    Paint::Edge { colour: stroke.colour, width: stroke.width.max(HAIR), dash: stroke.dash }
+}

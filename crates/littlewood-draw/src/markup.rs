@@ -1,0 +1,127 @@
+//! Text with symbols: `*θ*` is italic, `` `E` `` bold, `_{s}` below the line, `^{2}` above it.
+
+/// Where a run stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Script {
+    /// On the line.
+    Line,
+    /// Below it.
+    Sub,
+    /// Above it.
+    Super,
+}
+
+/// Letters of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Run<'a> {
+    /// The letters.
+    pub text: &'a str,
+    /// Whether they are italic.
+    pub italic: bool,
+    /// Whether they are bold.
+    pub bold: bool,
+    /// Where they stand.
+    pub script: Script,
+}
+
+/// The runs of a text.
+#[must_use]
+pub fn runs(text: &str) -> Vec<Run<'_>> {
+    let mut runs = Vec::new();
+    let (mut italic, mut bold, mut script, mut begin, mut at) = (false, false, Script::Line, 0, 0);
+    while at < text.len() {
+        let rest = &text[at..];
+        let (marks, next_script) = if rest.starts_with(['*', '`']) {
+            (1, script)
+        } else if rest.starts_with("_{") {
+            (2, Script::Sub)
+        } else if rest.starts_with("^{") {
+            (2, Script::Super)
+        } else if rest.starts_with('}') && script != Script::Line {
+            (1, Script::Line)
+        } else {
+            at += rest.chars().next().map_or(1, char::len_utf8);
+            continue;
+        };
+        if begin < at {
+            runs.push(Run { text: &text[begin..at], italic, bold, script });
+        }
+        italic ^= rest.starts_with('*');
+        bold ^= rest.starts_with('`');
+        script = next_script;
+        at += marks;
+        begin = at;
+    }
+    if begin < text.len() {
+        runs.push(Run { text: &text[begin..], italic, bold, script });
+    }
+    runs
+}
+
+/// A letter or digit that stands below or above the line by itself, as it is on the line, and where it stands.
+pub(crate) const fn small(letter: char) -> Option<(char, Script)> {
+    match letter {
+        '₁' => Some(('1', Script::Sub)),
+        '₂' => Some(('2', Script::Sub)),
+        'ₛ' => Some(('s', Script::Sub)),
+        'ₖ' => Some(('k', Script::Sub)),
+        '²' => Some(('2', Script::Super)),
+        _ => None,
+    }
+}
+
+/// The letters alone.
+#[must_use]
+pub fn plain(text: &str) -> String {
+    runs(text).into_iter().map(|run| run.text).collect()
+}
+
+/// As Markdown.
+#[must_use]
+pub fn markdown(text: &str) -> String {
+    let mut out = String::new();
+    for Run { text, italic, bold, script } in runs(text) {
+        let (open, close) = match script {
+            Script::Line => ("", ""),
+            Script::Sub => ("<sub>", "</sub>"),
+            Script::Super => ("<sup>", "</sup>"),
+        };
+        let star = match (italic, bold) {
+            (false, false) => "",
+            (true, false) => "*",
+            (false, true) => "**",
+            (true, true) => "***",
+        };
+        out.extend([open, star, text, star, close]);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_are_taken_off() {
+        assert_eq!(plain("|*F*| = *μ*_{s}*N*, *θ*′^{2}"), "|F| = μsN, θ′2");
+        assert_eq!(markdown("*μ*_{s} = ½"), "*μ*<sub>s</sub> = ½");
+        assert_eq!(plain("{x}"), "{x}");
+        assert_eq!(
+            (plain("`E`_{1}"), markdown("`E`_{1}")),
+            ("E1".to_owned(), "**E**<sub>1</sub>".to_owned())
+        );
+    }
+
+    #[test]
+    fn a_run_knows_how_it_is_set() {
+        let found = runs("*m*_{1}*R*");
+        assert_eq!(
+            found,
+            [
+                Run { text: "m", italic: true, bold: false, script: Script::Line },
+                Run { text: "1", italic: false, bold: false, script: Script::Sub },
+                Run { text: "R", italic: true, bold: false, script: Script::Line },
+            ]
+        );
+    }
+}

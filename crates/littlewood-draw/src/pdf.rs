@@ -1,0 +1,169 @@
+//! A sheet as PDF of one page, its letters as outlines: no face has to be embedded.
+
+use littlewood_style::{Dash, Rgb};
+use miniz_oxide::deflate::compress_to_vec_zlib;
+use pdf_writer::types::{LineCapStyle, LineJoinStyle};
+use pdf_writer::{Content, Filter, Finish as _, Name, Pdf, Rect, Ref, TextStr};
+
+use crate::figure::{Figure, Image};
+use crate::item::Item;
+use crate::markup::plain;
+use crate::pencil::{Edge, Path, Pencil, Segment, draw};
+
+/// Level of compression.
+const LEVEL: u8 = 8;
+
+struct Page(Content, Vec<Image>);
+
+/// To a thousandth of a pixel, which keeps the file small.
+fn fine(point: [f64; 2]) -> [f32; 2] {
+    point.map(|value| (libm::round(1e3 * value) / 1e3) as f32)
+}
+
+/// A colour as PDF takes it.
+fn shares(Rgb(colour): Rgb) -> [f32; 3] {
+    colour.map(|value| (libm::round(f64::from(value) / 255.0 * 1e4) / 1e4) as f32)
+}
+
+/// Where a segment ends.
+const fn end(segment: Segment) -> Option<[f64; 2]> {
+    match segment {
+        Segment::Move(to) | Segment::Line(to) | Segment::Quad(_, to) | Segment::Curve(_, _, to) => Some(to),
+        Segment::Close => None,
+    }
+}
+
+/// The handles of a curve as a cubic one, from where it begins.
+fn handles(from: [f64; 2], segment: Segment) -> [[f64; 2]; 2] {
+    // Two thirds of the way: where a cubic curve has its handle for that of a quadratic one.
+    let towards = |from: [f64; 2], to: [f64; 2]| [0, 1].map(|i| from[i] + 2.0 / 3.0 * (to[i] - from[i]));
+    match segment {
+        Segment::Quad(handle, to) => [from, to].map(|end| towards(end, handle)),
+        Segment::Curve(a, b, _) => [a, b],
+        Segment::Move(to) | Segment::Line(to) => [from, to],
+        Segment::Close => [from; 2],
+    }
+}
+
+impl Page {
+    fn path(&mut self, path: &Path) {
+        let mut here = [0.0; 2];
+        for segment in path {
+            match *segment {
+                Segment::Move(to) => {
+                    let [x, y] = fine(to);
+                    self.0.move_to(x, y);
+                }
+                Segment::Line(to) => {
+                    let [x, y] = fine(to);
+                    self.0.line_to(x, y);
+                }
+                Segment::Quad(_, to) | Segment::Curve(_, _, to) => {
+                    let [a, b] = handles(here, *segment);
+                    let [[a, b], [c, d], [x, y]] = [a, b, to].map(fine);
+                    self.0.cubic_to(a, b, c, d, x, y);
+                }
+                Segment::Close => {
+                    self.0.close_path();
+                }
+            }
+            here = end(*segment).unwrap_or(here);
+        }
+    }
+}
+
+impl Pencil for Page {
+    fn fill(&mut self, path: &Path, colour: Rgb) {
+        let [r, g, b] = shares(colour);
+        self.0.set_fill_rgb(r, g, b);
+        self.path(path);
+        self.0.fill_nonzero();
+    }
+
+    fn stroke(&mut self, path: &Path, edge: Edge) {
+        let [r, g, b] = shares(edge.colour);
+        let cap = if edge.dash == Dash::Solid { LineCapStyle::RoundCap } else { LineCapStyle::ButtCap };
+        self.0.set_stroke_rgb(r, g, b).set_line_width(edge.width as f32).set_line_cap(cap);
+        self.0.set_dash_pattern(edge.pattern().map(|part| part as f32), 0.0);
+        self.path(path);
+        self.0.stroke();
+    }
+
+    fn image(&mut self, [[left, top], [right, bottom]]: [[f64; 2]; 2], image: &Image) {
+        let [[left, top], [right, bottom]] = [[left, top], [right, bottom]].map(fine);
+        self.0.save_state();
+        // The unit square of an image has its first row at the top.
+        self.0.transform([right - left, 0.0, 0.0, top - bottom, left, bottom]);
+        self.0.x_object(Name(name_of(self.1.len()).as_bytes()));
+        self.0.restore_state();
+        self.1.push(image.clone());
+    }
+
+    fn clip(&mut self, path: &Path) {
+        self.0.save_state();
+        self.path(path);
+        self.0.clip_nonzero().end_path();
+    }
+
+    fn unclip(&mut self) {
+        self.0.restore_state();
+    }
+}
+
+/// The name of an image.
+fn name_of(number: usize) -> String {
+    format!("Im{number}")
+}
+
+/// A document of one page.
+pub(crate) fn document(figure: &Figure, items: &[Item]) -> Vec<u8> {
+    let scale = figure.points();
+    let [width, height] = [figure.width, figure.height].map(|side| (side * scale) as f32);
+    let mut page = Page(Content::new(), Vec::new());
+    page.0.transform([scale as f32, 0.0, 0.0, -scale as f32, 0.0, height]);
+    page.0.set_line_join(LineJoinStyle::RoundJoin);
+    draw(items, [figure.width, figure.height], &mut page);
+
+    let [catalog, pages, sheet, content, about] = [1, 2, 3, 4, 5].map(Ref::new);
+    let mut pdf = Pdf::new();
+    pdf.catalog(catalog).pages(pages);
+    pdf.pages(pages).kids([sheet]).count(1);
+    let mut described = pdf.page(sheet);
+    described.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(content);
+    let images: Vec<(Ref, Image)> =
+        page.1.into_iter().zip(6..).map(|(image, at)| (Ref::new(at), image)).collect();
+    let mut resources = described.resources();
+    if !images.is_empty() {
+        let mut objects = resources.x_objects();
+        for (number, (at, _)) in images.iter().enumerate() {
+            objects.pair(Name(name_of(number).as_bytes()), *at);
+        }
+    }
+    resources.finish();
+    described.finish();
+    for (at, image) in &images {
+        let bytes = compress_to_vec_zlib(&image.pixels, LEVEL);
+        let [width, height] = image.size.map(|side| i32::try_from(side).unwrap_or(i32::MAX));
+        let mut object = pdf.image_xobject(*at, &bytes);
+        object.filter(Filter::FlateDecode);
+        object.width(width).height(height).bits_per_component(8);
+        object.color_space().device_rgb();
+    }
+    pdf.stream(content, &compress_to_vec_zlib(&page.0.finish(), LEVEL)).filter(Filter::FlateDecode);
+    pdf.document_info(about)
+        .title(TextStr(&plain(&figure.title)))
+        .subject(TextStr(&plain(&figure.caption)))
+        .creator(TextStr("littlewood"));
+    pdf.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quadratic_curve_has_its_handles_at_two_thirds() {
+        let curve = Segment::Quad([3.0, 6.0], [6.0, 0.0]);
+        assert_eq!(handles([0.0, 0.0], curve), [[2.0, 4.0], [4.0, 4.0]]);
+    }
+}

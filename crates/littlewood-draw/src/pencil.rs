@@ -1,0 +1,205 @@
+//! A sheet as paths: what PDF and pictures have in common.
+
+use littlewood_style::{Dash, Rgb};
+
+use crate::figure::Image;
+use crate::item::{HALO, HATCH, Item, Paint, STEPS, Step, Words};
+use crate::letters::outlines;
+use crate::stroke::PAPER;
+
+/// A piece of a path, in pixels, downwards positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Segment {
+    /// Begins a line.
+    Move([f64; 2]),
+    /// Goes on straight.
+    Line([f64; 2]),
+    /// A quadratic curve: its handle and its end.
+    Quad([f64; 2], [f64; 2]),
+    /// A cubic curve: its handles and its end.
+    Curve([f64; 2], [f64; 2], [f64; 2]),
+    /// Closes the line.
+    Close,
+}
+
+impl Segment {
+    /// The same at other places.
+    #[must_use]
+    pub fn placed(self, place: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
+        match self {
+            Self::Move(to) => Self::Move(place(to)),
+            Self::Line(to) => Self::Line(place(to)),
+            Self::Quad(a, to) => Self::Quad(place(a), place(to)),
+            Self::Curve(a, b, to) => Self::Curve(place(a), place(b), place(to)),
+            Self::Close => Self::Close,
+        }
+    }
+}
+
+/// A path.
+pub(crate) type Path = [Segment];
+
+/// Something that draws paths.
+pub(crate) trait Pencil {
+    /// Fills a path.
+    fn fill(&mut self, path: &Path, colour: Rgb);
+    /// Draws along a path.
+    fn stroke(&mut self, path: &Path, edge: Edge);
+    /// Draws pixels in a rectangle by its left upper and its right lower corner.
+    fn image(&mut self, corners: [[f64; 2]; 2], image: &Image);
+    /// Draws inside a path only, until [`Pencil::unclip`].
+    fn clip(&mut self, path: &Path);
+    /// Draws everywhere again.
+    fn unclip(&mut self);
+}
+
+/// A line.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Edge {
+    pub(crate) colour: Rgb,
+    pub(crate) width: f64,
+    pub(crate) dash: Dash,
+}
+
+impl Edge {
+    /// Lengths of dashes and gaps in pixels; empty for a solid line.
+    pub(crate) fn pattern(&self) -> impl Iterator<Item = f64> {
+        self.dash.pattern().iter().map(|part| part * self.width)
+    }
+}
+
+/// Draws all that is on a sheet.
+pub(crate) fn draw(items: &[Item], [width, height]: [f64; 2], pencil: &mut impl Pencil) {
+    pencil.fill(&rectangle([0.0, 0.0], [width, height]), PAPER);
+    for item in items {
+        match item {
+            Item::Path { lines, paint } => {
+                let path: Vec<Segment> = lines.iter().flat_map(|line| polygon(line, *paint)).collect();
+                painted(&path, *paint, pencil);
+            }
+            Item::Image { corners, image } => pencil.image(corners.map(pixels), image),
+            Item::Circle { centre, radius, paint } => {
+                painted(&circle(pixels(*centre), f64::from(*radius) / STEPS), *paint, pencil);
+            }
+            Item::Words(words) => written(words, pencil),
+        }
+    }
+}
+
+fn painted(path: &Path, paint: Paint, pencil: &mut impl Pencil) {
+    match paint {
+        Paint::Fill(colour) => pencil.fill(path, colour),
+        Paint::Edge { colour, width, dash } => pencil.stroke(path, Edge { colour, width, dash }),
+        Paint::Hatch(colour) => {
+            pencil.clip(path);
+            pencil.stroke(&hatch(path), Edge { colour, width: HATCH[1], dash: Dash::Solid });
+            pencil.unclip();
+        }
+    }
+}
+
+fn pixels((x, y): Step) -> [f64; 2] {
+    [f64::from(x) / STEPS, f64::from(y) / STEPS]
+}
+
+fn polygon(points: &[Step], paint: Paint) -> Vec<Segment> {
+    let mut path: Vec<Segment> = points
+        .iter()
+        .enumerate()
+        .map(|(i, point)| if i == 0 { Segment::Move(pixels(*point)) } else { Segment::Line(pixels(*point)) })
+        .collect();
+    if !matches!(paint, Paint::Edge { .. }) {
+        path.push(Segment::Close);
+    }
+    path
+}
+
+fn rectangle([left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> Vec<Segment> {
+    vec![
+        Segment::Move([left, top]),
+        Segment::Line([right, top]),
+        Segment::Line([right, bottom]),
+        Segment::Line([left, bottom]),
+        Segment::Close,
+    ]
+}
+
+/// A circle as four cubic curves.
+fn circle([x, y]: [f64; 2], radius: f64) -> Vec<Segment> {
+    // Puts the middle of each curve on the circle.
+    const HANDLE: f64 = 0.552_284_749_830_793_4;
+    let at = |a: f64, b: f64| [x + radius * a, y + radius * b];
+    let mut path = vec![Segment::Move(at(1.0, 0.0))];
+    for [a, b] in [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]] {
+        // The direction in which the circle goes on, a quarter of a turn further.
+        let [c, d] = [-b, a];
+        path.push(Segment::Curve(
+            at(a + HANDLE * c, b + HANDLE * d),
+            at(c + HANDLE * a, d + HANDLE * b),
+            at(c, d),
+        ));
+    }
+    path.push(Segment::Close);
+    path
+}
+
+/// The lines of a hatch over the box of a polygon: those of the pattern of an SVG.
+fn hatch(path: &Path) -> Vec<Segment> {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for stroke in path {
+        if let Segment::Move(point) | Segment::Line(point) = stroke {
+            for i in 0..2 {
+                low[i] = low[i].min(point[i]);
+                high[i] = high[i].max(point[i]);
+            }
+        }
+    }
+    let apart = HATCH[0] * core::f64::consts::SQRT_2;
+    let [first, last] = [low, high].map(|corner| (corner[0] + corner[1]) / apart - 0.5);
+    let (first, last) = (libm::ceil(first), libm::floor(last));
+    let count = if last >= first { (last - first) as u32 + 1 } else { 0 };
+    (0..count)
+        .flat_map(|i| {
+            let sum = (first + f64::from(i) + 0.5) * apart;
+            let right = high[0].min(sum - low[1]);
+            let left = low[0].max(sum - high[1]);
+            [Segment::Move([left, sum - left]), Segment::Line([right, sum - right])]
+        })
+        .collect()
+}
+
+/// A text by the outlines of its letters.
+fn written(words: &Words, pencil: &mut impl Pencil) {
+    let (back, [x, y]) = (words.back(), words.at);
+    let place = |[right, down]: [f64; 2]| {
+        let right = right - back;
+        if words.upwards { [x + down, y - right] } else { [x + right, y + down] }
+    };
+    let letters: Vec<(Vec<Segment>, f64)> = outlines(&words.text, words.size)
+        .map(|(path, bold)| (path.into_iter().map(|segment| segment.placed(place)).collect(), bold))
+        .collect();
+    let path: Vec<Segment> = letters.iter().flat_map(|(path, _)| path).copied().collect();
+    if words.halo {
+        pencil.stroke(&path, Edge { colour: PAPER, width: 2.0 * HALO, dash: Dash::Solid });
+    }
+    pencil.fill(&path, words.colour);
+    for (path, width) in letters.iter().filter(|(_, bold)| *bold > 0.0) {
+        pencil.stroke(path, Edge { colour: words.colour, width: *width, dash: Dash::Solid });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hatch_covers_the_box_and_stays_in_it() {
+        let lines = hatch(&rectangle([0.0, 0.0], [30.0, 20.0]));
+        // The sums of the coordinates go from 0 to 50, and the lines are 6√2 apart.
+        assert_eq!(lines.len(), 2 * 6);
+        for segment in lines {
+            let (Segment::Move([x, y]) | Segment::Line([x, y])) = segment else { panic!("{segment:?}") };
+            assert!((-1e-9..=30.0 + 1e-9).contains(&x) && (-1e-9..=20.0 + 1e-9).contains(&y));
+        }
+    }
+}

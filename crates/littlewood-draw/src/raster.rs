@@ -1,0 +1,184 @@
+//! A sheet as PNG.
+
+use littlewood_style::{Dash, Rgb};
+use tiny_skia::{
+    Color, FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, PixmapPaint, Shader, Stroke,
+    StrokeDash, Transform,
+};
+
+use crate::error::DrawError;
+use crate::figure::{Figure, Image};
+use crate::pencil::{Edge, Path, Pencil, Segment, draw};
+use crate::stroke::PAPER;
+
+/// Least number of pixels of a picture to one of the drawing.
+pub const LEAST_SCALE: f64 = 0.25;
+/// Most.
+pub const MOST_SCALE: f64 = 16.0;
+
+/// Refuses a number of pixels to one of the drawing beyond [`LEAST_SCALE`] and [`MOST_SCALE`].
+///
+/// # Errors
+/// [`DrawError::Scale`].
+pub fn check_scale(scale: f64) -> Result<(), DrawError> {
+    if (LEAST_SCALE..=MOST_SCALE).contains(&scale) {
+        Ok(())
+    } else {
+        Err(DrawError::Scale { scale, least: LEAST_SCALE, most: MOST_SCALE })
+    }
+}
+
+struct Picture {
+    pixels: Pixmap,
+    transform: Transform,
+    mask: Option<Mask>,
+}
+
+fn skia(path: &Path) -> Option<tiny_skia::Path> {
+    let mut builder = PathBuilder::new();
+    for segment in path {
+        match *segment {
+            Segment::Move(to) => {
+                let [x, y] = single(to);
+                builder.move_to(x, y);
+            }
+            Segment::Line(to) => {
+                let [x, y] = single(to);
+                builder.line_to(x, y);
+            }
+            Segment::Quad(a, to) => {
+                let [[a, b], [x, y]] = [a, to].map(single);
+                builder.quad_to(a, b, x, y);
+            }
+            Segment::Curve(a, b, to) => {
+                let [[a, b], [c, d], [x, y]] = [a, b, to].map(single);
+                builder.cubic_to(a, b, c, d, x, y);
+            }
+            Segment::Close => builder.close(),
+        }
+    }
+    builder.finish()
+}
+
+fn single(point: [f64; 2]) -> [f32; 2] {
+    point.map(|value| value as f32)
+}
+
+fn paint(Rgb([r, g, b]): Rgb) -> Paint<'static> {
+    Paint {
+        shader: Shader::SolidColor(Color::from_rgba8(r, g, b, 255)),
+        anti_alias: true,
+        ..Paint::default()
+    }
+}
+
+impl Pencil for Picture {
+    fn fill(&mut self, path: &Path, colour: Rgb) {
+        if let Some(path) = skia(path) {
+            let paint = paint(colour);
+            let mask = self.mask.as_ref();
+            self.pixels.fill_path(&path, &paint, FillRule::Winding, self.transform, mask);
+        }
+    }
+
+    fn stroke(&mut self, path: &Path, edge: Edge) {
+        let line_cap = if edge.dash == Dash::Solid { LineCap::Round } else { LineCap::Butt };
+        let dash = StrokeDash::new(edge.pattern().map(|part| part as f32).collect(), 0.0);
+        let stroke = Stroke {
+            width: edge.width as f32,
+            line_cap,
+            line_join: LineJoin::Round,
+            dash,
+            ..Stroke::default()
+        };
+        if let Some(path) = skia(path) {
+            let mask = self.mask.as_ref();
+            self.pixels.stroke_path(&path, &paint(edge.colour), &stroke, self.transform, mask);
+        }
+    }
+
+    fn image(&mut self, [[left, top], [right, bottom]]: [[f64; 2]; 2], image: &Image) {
+        let [width, height] = image.size.map(|side| side as u32);
+        let Some(mut own) = Pixmap::new(width, height) else { return };
+        let bytes = image.pixels.chunks_exact(3).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]);
+        for (to, byte) in own.data_mut().iter_mut().zip(bytes) {
+            *to = byte;
+        }
+        let [x, y] = single([(right - left) / f64::from(width), (bottom - top) / f64::from(height)]);
+        let [left, top] = single([left, top]);
+        let transform = self.transform.pre_translate(left, top).pre_scale(x, y);
+        self.pixels.draw_pixmap(0, 0, own.as_ref(), &PixmapPaint::default(), transform, self.mask.as_ref());
+    }
+
+    fn clip(&mut self, path: &Path) {
+        let mut mask = Mask::new(self.pixels.width(), self.pixels.height());
+        if let (Some(mask), Some(path)) = (&mut mask, skia(path)) {
+            mask.fill_path(&path, FillRule::Winding, true, self.transform);
+        }
+        self.mask = mask;
+    }
+
+    fn unclip(&mut self) {
+        self.mask = None;
+    }
+}
+
+impl Figure {
+    /// The figure as PNG, with `scale` pixels to 1/96 inch: 2 for a screen, 3.125 for 300 dpi in print.
+    ///
+    /// # Errors
+    /// A scale out of bounds.
+    pub fn png(&self, scale: f64) -> Result<Vec<u8>, DrawError> {
+        check_scale(scale)?;
+        let scale = scale * self.points() / POINTS;
+        let size = [self.width, self.height].map(|side| libm::ceil(side * scale) as u32);
+        Ok(self.pixels(size, scale)?.png())
+    }
+
+    /// The figure in so many pixels to the right and downwards, so many to one of the drawing.
+    ///
+    /// # Errors
+    /// [`DrawError::NoRoom`].
+    pub fn pixels(&self, [width, height]: [u32; 2], scale: f64) -> Result<Image, DrawError> {
+        let mut pixels = Pixmap::new(width, height).ok_or(DrawError::NoRoom { width, height })?;
+        let Rgb([r, g, b]) = PAPER;
+        pixels.fill(Color::from_rgba8(r, g, b, 255));
+        let transform = Transform::from_scale(scale as f32, scale as f32);
+        let mut picture = Picture { pixels, transform, mask: None };
+        // To the last pixel, which is not always covered whole.
+        let sides = [width, height].map(|side| f64::from(side) / scale);
+        draw(&self.items(), sides, &mut picture);
+        Ok(opaque(&picture.pixels))
+    }
+}
+
+impl Image {
+    /// As a PNG file.
+    #[must_use]
+    pub fn png(&self) -> Vec<u8> {
+        // Nothing that a file in memory could fail of: an image without pixels is an empty file.
+        encoded(self).unwrap_or_default()
+    }
+}
+
+fn encoded(image: &Image) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let [width, height] = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Balanced);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&image.pixels)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// The colours of pixels; paper covers all, so that there is nothing to see through.
+fn opaque(pixels: &Pixmap) -> Image {
+    let colours = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
+    Image { size: [pixels.width() as usize, pixels.height() as usize], pixels: colours.collect() }
+}
+
+/// Points to a pixel: 72 and 96 to the inch.
+pub(crate) const POINTS: f64 = 0.75;

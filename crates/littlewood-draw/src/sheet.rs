@@ -1,0 +1,180 @@
+//! The paper: how wide a figure is, and where its parts stand on it.
+
+use crate::error::DrawError;
+use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PlotAxis, View};
+use crate::letters::width;
+use crate::stroke::SMALL;
+
+/// Narrowest print, in millimetres.
+pub const LEAST_WIDTH_MM: f64 = 60.0;
+/// Widest.
+pub const MOST_WIDTH_MM: f64 = 420.0;
+
+/// Points to a pixel of a drawing: in print letters are smaller than on a screen, those of ticks 7 points.
+pub const PRINT_POINTS: f64 = 7.0 / SMALL;
+/// Points to a millimetre.
+pub const POINTS_TO_A_MM: f64 = 72.0 / 25.4;
+
+/// Room on the left and on the right of the panels.
+const LEFT: f64 = 6.0;
+const RIGHT: f64 = 22.0;
+/// Room above the panels, and below.
+const ABOVE: f64 = 12.0;
+const BELOW: f64 = 6.0;
+
+/// Where the key begins.
+const KEYS_LEFT: f64 = 68.0;
+/// Length of the sample of a key, and the room after its text.
+const SAMPLE: f64 = 32.0;
+const GAP: f64 = 20.0;
+/// Height of a row of keys.
+const ROW: f64 = 20.0;
+
+/// Panels are flatter on a narrow sheet, and not much higher on a wide one.
+const FLATTEST: f64 = 0.7;
+const HIGHEST: f64 = 1.15;
+
+/// A sheet.
+#[derive(Clone, Copy, Debug)]
+pub struct Sheet {
+    /// Width in pixels.
+    pub width: f64,
+    /// The width for which heights are given.
+    own: f64,
+    print_mm: Option<f64>,
+}
+
+/// What is in a panel.
+#[derive(Clone, Debug)]
+pub struct Content {
+    /// Name in the file of data.
+    pub name: &'static str,
+    /// To the right.
+    pub x: PlotAxis,
+    /// Upwards.
+    pub y: PlotAxis,
+    /// What is drawn, the lowest first.
+    pub layers: Vec<Layer>,
+    /// Texts.
+    pub labels: Vec<Label>,
+}
+
+/// Refuses a width in print, in millimetres, beyond [`LEAST_WIDTH_MM`] and [`MOST_WIDTH_MM`].
+///
+/// # Errors
+/// [`DrawError::Width`].
+pub fn check_width(mm: f64) -> Result<(), DrawError> {
+    if (LEAST_WIDTH_MM..=MOST_WIDTH_MM).contains(&mm) {
+        Ok(())
+    } else {
+        Err(DrawError::Width { mm, least: LEAST_WIDTH_MM, most: MOST_WIDTH_MM })
+    }
+}
+
+impl Sheet {
+    /// A sheet of a width in print; as wide as the figure wants on a screen.
+    ///
+    /// # Errors
+    /// [`DrawError::Width`].
+    pub fn new(print_mm: Option<f64>, own: f64) -> Result<Self, DrawError> {
+        let Some(mm) = print_mm else { return Ok(Self { width: own, own, print_mm }) };
+        check_width(mm)?;
+        Ok(Self { width: mm * POINTS_TO_A_MM / PRINT_POINTS, own, print_mm })
+    }
+
+    /// Height of a panel that has this height on a screen.
+    #[must_use]
+    pub fn height(&self, own: f64) -> f64 {
+        libm::round(own * (self.width / self.own).clamp(FLATTEST, HIGHEST))
+    }
+
+    /// Left end and width of a panel from side to side.
+    #[must_use]
+    pub fn span(&self) -> [f64; 2] {
+        [LEFT, self.width - LEFT - RIGHT]
+    }
+
+    /// Left ends and width of panels beside each other; of one that takes all where they would be narrower than this.
+    #[must_use]
+    pub fn columns<const N: usize>(&self, least: f64) -> Option<([f64; N], f64)> {
+        let gap = 14.0;
+        let each = (self.width - LEFT - RIGHT - gap * (N - 1) as f64) / N as f64;
+        (each >= least).then(|| (core::array::from_fn(|i| LEFT + (each + gap) * i as f64), each))
+    }
+
+    /// Keys in rows from a height downwards, in columns where it takes more than one row, and the height of all.
+    #[must_use]
+    pub fn keys(&self, entries: Vec<(Mark, String)>, top: f64) -> (Vec<Key>, f64) {
+        let widths: Vec<f64> = entries.iter().map(|(_, text)| SAMPLE + width(text, SMALL) + GAP).collect();
+        let room = self.width - 10.0 + GAP;
+        let all: f64 = widths.iter().sum();
+        let widest = widths.iter().copied().fold(0.0, f64::max);
+        let left = if KEYS_LEFT + all.min(widest) > room { 10.0 } else { KEYS_LEFT };
+        let fits = libm::floor((room - left) / widest) as usize;
+        // As few columns as make the same number of rows.
+        let rows = entries.len().div_ceil(fits.clamp(1, entries.len().max(1)));
+        let columns = entries.len().div_ceil(rows.max(1));
+        let is_row = left + all <= room;
+        let mut at = left;
+        let mut keys = Vec::new();
+        for (i, ((mark, text), wide)) in entries.into_iter().zip(widths).enumerate() {
+            let place = if is_row {
+                at += wide;
+                [at - wide, top + 0.5 * ROW]
+            } else {
+                [left + widest * (i % columns) as f64, top + ROW * ((i / columns) as f64 + 0.5)]
+            };
+            keys.push(Key { mark, text, at: place });
+        }
+        let rows = if is_row { usize::from(!keys.is_empty()) } else { rows };
+        (keys, ROW * rows as f64)
+    }
+
+    /// A panel in a frame.
+    #[must_use]
+    pub fn panel(frame: [f64; 4], content: Content) -> Panel {
+        let Content { name, x, y, layers, labels } = content;
+        Panel {
+            name,
+            frame,
+            view: View::Plane { x, y, axes: true },
+            layers,
+            labels,
+            image: None,
+            keys: Vec::new(),
+        }
+    }
+
+    /// A figure of one panel, so high on a screen, with its keys above it.
+    #[must_use]
+    pub fn plot(
+        &self,
+        name: &'static str,
+        title: &str,
+        caption: String,
+        own_height: f64,
+        content: Content,
+        entries: Vec<(Mark, String)>,
+    ) -> Figure {
+        let (keys, room) = self.keys(entries, 6.0);
+        let [left, inner] = self.span();
+        let height = self.height(own_height);
+        let mut panel = Self::panel([left, ABOVE + room, inner, height], content);
+        panel.keys = keys;
+        self.figure(name, title, caption, ABOVE + room + height + BELOW, vec![panel])
+    }
+
+    /// A figure of panels.
+    #[must_use]
+    pub fn figure(
+        &self,
+        name: &'static str,
+        title: &str,
+        caption: String,
+        height: f64,
+        panels: Vec<Panel>,
+    ) -> Figure {
+        let title = title.to_owned();
+        Figure { name, title, caption, width: self.width, height, print_mm: self.print_mm, panels }
+    }
+}

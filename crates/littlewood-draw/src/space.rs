@@ -1,0 +1,137 @@
+//! Three axes, seen from a direction: the three sides at the back with their grids, and ticks along the edges in front.
+
+use crate::chart::TICK;
+use crate::figure::{Anchor, PlotAxis};
+use crate::item::{Paint, Step, steps};
+use crate::marks::{Canvas, HAIR};
+use crate::stroke::{GRID, INK, PAPER, SMALL, Stroke};
+
+/// Room around the axes in pixels, and the length of an axis in parts of the shorter side.
+const MARGIN: f64 = 16.0;
+const LENGTH: f64 = 0.624;
+
+/// A corner of the box: which end of each axis.
+type Corner = [f64; 3];
+
+/// The projection.
+pub(crate) struct Space<'a> {
+    axes: [&'a PlotAxis; 3],
+    centre: [f64; 2],
+    length: f64,
+    /// Sine and cosine of the two angles.
+    yaw: (f64, f64),
+    pitch: (f64, f64),
+}
+
+impl<'a> Space<'a> {
+    pub(crate) fn new(frame: [f64; 4], axes: [&'a PlotAxis; 3], [yaw, pitch]: [f64; 2]) -> Self {
+        let [left, top, width, height] = frame;
+        Self {
+            axes,
+            centre: [left + 0.5 * width, top + 0.5 * height],
+            length: LENGTH * (width.min(height) - 2.0 * MARGIN),
+            yaw: libm::sincos(yaw),
+            pitch: libm::sincos(pitch),
+        }
+    }
+
+    /// Where a place is seen.
+    pub(crate) fn place(&self, at: &[f64]) -> Step {
+        let [x, y, _] = self.seen(core::array::from_fn(|k| self.axes[k].share(at[k])));
+        (steps(x), steps(y))
+    }
+
+    /// To the right, downwards and to the back, by shares of the axes.
+    fn seen(&self, share: Corner) -> [f64; 3] {
+        let [x, y, z] = share.map(|share| share - 0.5);
+        let ((sin, cos), (down, level)) = (self.yaw, self.pitch);
+        let (right, depth) = (x * cos - z * sin, -x * sin - z * cos);
+        [
+            self.centre[0] + self.length * right,
+            self.centre[1] - self.length * (level * y + down * depth),
+            level * depth - down * y,
+        ]
+    }
+
+    fn step(&self, corner: Corner) -> Step {
+        let [x, y, _] = self.seen(corner);
+        (steps(x), steps(y))
+    }
+
+    /// Draws sides, grids, edges and ticks.
+    pub(crate) fn axes(&self, canvas: &mut Canvas) {
+        // The end of each axis at which the side across it lies at the back.
+        let back: Corner = core::array::from_fn(|k| {
+            let depth = |end: f64| {
+                let mut corner = [0.5; 3];
+                corner[k] = end;
+                self.seen(corner)[2]
+            };
+            if depth(0.0) >= depth(1.0) { 0.0 } else { 1.0 }
+        });
+        let grid = Stroke::solid(GRID, HAIR);
+        for across in 0..3 {
+            let [a, b] = [(across + 1) % 3, (across + 2) % 3];
+            let corner = |on_a: f64, on_b: f64| {
+                let mut corner = back;
+                (corner[a], corner[b]) = (on_a, on_b);
+                self.step(corner)
+            };
+            let side =
+                [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0), corner(0.0, 0.0)];
+            canvas.polygon(&side, Paint::Fill(PAPER));
+            canvas.line(&side, grid);
+            for tick in &self.axes[a].ticks {
+                let share = self.axes[a].share(tick.value);
+                canvas.line(&[corner(share, 0.0), corner(share, 1.0)], grid);
+            }
+            for tick in &self.axes[b].ticks {
+                let share = self.axes[b].share(tick.value);
+                canvas.line(&[corner(0.0, share), corner(1.0, share)], grid);
+            }
+        }
+        for axis in 0..3 {
+            self.edge(canvas, axis, back);
+        }
+    }
+
+    /// The edge along an axis that lies in front of the others of the sides at the back, with its ticks.
+    fn edge(&self, canvas: &mut Canvas, axis: usize, back: Corner) {
+        let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
+        let edges = [(a, back[a], 1.0 - back[b]), (b, 1.0 - back[a], back[b])].map(|(_, on_a, on_b)| {
+            let mut corner = [0.5; 3];
+            (corner[a], corner[b]) = (on_a, on_b);
+            corner
+        });
+        let depth = |corner: &Corner| self.seen(*corner)[2];
+        let [first, second] = edges;
+        let front = if depth(&first) <= depth(&second) { first } else { second };
+        let at = |share: f64| {
+            let mut corner = front;
+            corner[axis] = share;
+            self.step(corner)
+        };
+        let line = Stroke::solid(INK, HAIR);
+        let [begin, end] = [at(0.0), at(1.0)];
+        canvas.line(&[begin, end], line);
+        let size = steps(TICK);
+        let is_flat = (end.0 - begin.0).abs() > (end.1 - begin.1).abs();
+        let outwards = |value: i32, middle: f64| if value < steps(middle) { -size } else { size };
+        let (right, down) = if is_flat {
+            (0, outwards(begin.1, self.centre[1]))
+        } else {
+            (outwards(begin.0, self.centre[0]), 0)
+        };
+        let anchor = match right {
+            0 => Anchor::Middle,
+            1.. => Anchor::Left,
+            _ => Anchor::Right,
+        };
+        for tick in &self.axes[axis].ticks {
+            let (x, y) = at(self.axes[axis].share(tick.value));
+            canvas.line(&[(x, y), (x + right, y + down)], line);
+            let lower = down.signum() * steps(0.43 * SMALL);
+            canvas.text(&tick.label, (x + 2 * right, y + 2 * down + lower), anchor, SMALL, INK);
+        }
+    }
+}

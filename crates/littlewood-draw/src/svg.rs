@@ -1,0 +1,224 @@
+//! A sheet as SVG.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use littlewood_style::{Dash, Rgb};
+
+use crate::figure::Figure;
+use crate::item::{HALO, HATCH, Item, Paint, STEPS, Step, Words};
+use crate::letters::{Glyph, glyphs};
+use crate::markup::plain;
+use crate::stroke::PAPER;
+
+/// A drawing.
+pub(crate) fn document(figure: &Figure, items: &[Item]) -> String {
+    let mut sheet = Sheet { body: String::new(), hatches: BTreeMap::new(), outlines: BTreeMap::new() };
+    for item in items {
+        sheet.add(item);
+    }
+    let (w, h) = (decimal(figure.width), decimal(figure.height));
+    let size = figure.print_mm.map_or_else(
+        || format!("width=\"{w}\" height=\"{h}\""),
+        |mm| {
+            format!("width=\"{}mm\" height=\"{}mm\"", decimal(mm), decimal(mm * figure.height / figure.width))
+        },
+    );
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" {size} \
+         viewBox=\"0 0 {w} {h}\" role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n<defs>\n",
+        escape(&plain(&figure.title)),
+        escape(&plain(&figure.caption)),
+    );
+    let [apart, wide, middle] = [HATCH[0], HATCH[1], 0.5 * HATCH[0]].map(decimal);
+    for (id, colour) in sheet.hatches {
+        let _ = writeln!(
+            out,
+            "<pattern id=\"{id}\" width=\"{apart}\" height=\"{apart}\" patternUnits=\"userSpaceOnUse\" \
+             patternTransform=\"rotate(45)\"><path d=\"M{middle} 0V{apart}\" stroke=\"{}\" stroke-width=\"{wide}\"/></pattern>",
+            colour.hex()
+        );
+    }
+    for (id, outline) in sheet.outlines {
+        let _ = writeln!(out, "<path id=\"{id}\" d=\"{outline}\"/>");
+    }
+    let _ = write!(
+        out,
+        "</defs>\n<rect width=\"{w}\" height=\"{h}\" fill=\"{}\"/>\n{}</svg>\n",
+        PAPER.hex(),
+        sheet.body
+    );
+    out
+}
+
+struct Sheet {
+    body: String,
+    /// By identifiers that mean the same in every drawing, so that several can stand in one page.
+    hatches: BTreeMap<String, Rgb>,
+    outlines: BTreeMap<&'static str, &'static str>,
+}
+
+impl Sheet {
+    fn add(&mut self, item: &Item) {
+        match item {
+            Item::Path { lines, paint } => {
+                let close = if matches!(paint, Paint::Edge { .. }) { "" } else { "z" };
+                let lines: Vec<String> = lines.iter().map(|line| data(line) + close).collect();
+                let paint = self.paint(*paint);
+                let _ = writeln!(self.body, "<path d=\"{}\" {paint}/>", lines.concat());
+            }
+            Item::Image { corners: [(left, top), (right, bottom)], image } => {
+                let _ = writeln!(
+                    self.body,
+                    "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" \
+                     xlink:href=\"data:image/png;base64,{}\"/>",
+                    number(*left),
+                    number(*top),
+                    number(right - left),
+                    number(bottom - top),
+                    STANDARD.encode(image.png())
+                );
+            }
+            Item::Circle { centre: (x, y), radius, paint } => {
+                let paint = self.paint(*paint);
+                let _ = writeln!(
+                    self.body,
+                    "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {paint}/>",
+                    number(*x),
+                    number(*y),
+                    number(*radius)
+                );
+            }
+            Item::Words(words) => self.outlined(words),
+        }
+    }
+
+    fn paint(&mut self, paint: Paint) -> String {
+        match paint {
+            Paint::Fill(colour) => format!("fill=\"{}\"", colour.hex()),
+            Paint::Hatch(colour) => {
+                let id = format!("hatch-{}", &colour.hex()[1..]);
+                let paint = format!("fill=\"url(#{id})\"");
+                self.hatches.insert(id, colour);
+                paint
+            }
+            Paint::Edge { colour, width, dash } => {
+                let mut out = format!(
+                    "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
+                    colour.hex(),
+                    decimal(width)
+                );
+                if dash == Dash::Solid {
+                    out += " stroke-linecap=\"round\"";
+                } else {
+                    let pattern: Vec<String> =
+                        dash.pattern().iter().map(|part| decimal(part * width)).collect();
+                    let _ = write!(out, " stroke-dasharray=\"{}\"", pattern.join(" "));
+                }
+                out
+            }
+        }
+    }
+
+    /// A text by the outlines of its letters, each of which the file has once.
+    fn outlined(&mut self, words: &Words) {
+        let [x, y] = words.at;
+        let turn = if words.upwards { " rotate(-90)" } else { "" };
+        let _ = writeln!(
+            self.body,
+            "<g aria-label=\"{}\" transform=\"translate({} {}){turn}\" fill=\"{}\">",
+            escape(&plain(&words.text)),
+            decimal(x),
+            decimal(y),
+            words.colour.hex()
+        );
+        let back = words.back();
+        let glyphs = glyphs(&words.text, words.size);
+        if words.halo {
+            for glyph in &glyphs {
+                let around = format!(
+                    " fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
+                    PAPER.hex(),
+                    decimal(2.0 * HALO / glyph.unit)
+                );
+                self.glyph(glyph, back, &around);
+            }
+        }
+        for glyph in &glyphs {
+            let bold = format!(
+                " stroke=\"{}\" stroke-width=\"{}\"",
+                words.colour.hex(),
+                decimal(glyph.bold / glyph.unit)
+            );
+            self.glyph(glyph, back, if glyph.bold > 0.0 { &bold } else { "" });
+        }
+        self.body += "</g>\n";
+    }
+
+    fn glyph(&mut self, glyph: &Glyph, back: f64, attributes: &str) {
+        let id = &glyph.letter.name;
+        if glyph.letter.path.is_empty() {
+            return;
+        }
+        self.outlines.insert(id, glyph.letter.path);
+        let [x, y] = glyph.at;
+        let unit = format!("{:.5}", glyph.unit);
+        let unit = unit.trim_end_matches('0');
+        let _ = writeln!(
+            self.body,
+            "<use xlink:href=\"#{id}\" transform=\"matrix({unit} 0 0 -{unit} {} {})\"{attributes}/>",
+            decimal(x - back),
+            decimal(y)
+        );
+    }
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Data of a path: the first point, then the way from each to the next.
+fn data(points: &[Step]) -> String {
+    let mut out = String::new();
+    let mut last: Option<Step> = None;
+    for &(x, y) in points {
+        if let Some((a, b)) = last {
+            if !out.ends_with('l') {
+                out.push(' ');
+            }
+            let _ = write!(out, "{} {}", number(x - a), number(y - b));
+        } else {
+            let _ = write!(out, "M{} {}l", number(x), number(y));
+        }
+        last = Some((x, y));
+    }
+    if out.ends_with('l') {
+        out += "0 0";
+    }
+    out
+}
+
+/// A whole number of steps as pixels.
+fn number(value: i32) -> String {
+    decimal(f64::from(value) / STEPS)
+}
+
+/// With two decimals at most.
+fn decimal(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_are_exact_to_a_step() {
+        assert_eq!(data(&[(0, 0), (20, 1), (-20, 0)]), "M0 0l1 0.05 -2 -0.05");
+        assert_eq!(data(&[(5, 5)]), "M0.25 0.25l0 0");
+    }
+}

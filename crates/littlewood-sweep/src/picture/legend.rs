@@ -1,0 +1,118 @@
+//! What the colours and lines of a map mean.
+
+use littlewood::tables::{Class, PhaseSequence};
+use littlewood_draw::{Mark, Stroke};
+use littlewood_style::ticks::minus;
+use littlewood_style::{Curve, Ink, RANKS, Theme, of_class, of_rank};
+
+use super::cells::of_class as key_of_class;
+use super::map::Picture;
+use super::names::{at_zero, without_number};
+use super::scale::{Kind, Scale};
+use super::shade::Shade;
+
+/// An entry: how it is drawn, and what it means.
+pub(super) type Entry = (Mark, String);
+
+/// A curve in words, with marks.
+fn label_of(curve: Curve) -> String {
+    match curve {
+        Curve::SlipLimit => "*f*: |*F*| = *μ*_{s}*N* in rolling".to_owned(),
+        Curve::NormalForceZero => "*n*: *N* = 0 in rolling".to_owned(),
+        Curve::LiftOff => "*h* cos *θ* *θ*′^{2} = 1: *N* = 0 in sliding".to_owned(),
+        Curve::Separatrix | Curve::Level => curve.label().to_owned(),
+    }
+}
+
+fn with_share(label: &str, share: &str) -> String {
+    if share.is_empty() { label.to_owned() } else { format!("{label}, {share}") }
+}
+
+impl Picture {
+    fn share(&self, count: u64) -> String {
+        let share = 100.0 * count as f64 / self.grid.len() as f64;
+        if share < 0.05 { format!("{count} points") } else { format!("{share:.1} %") }
+    }
+
+    /// All entries, but for those of the curves.
+    pub(super) fn entries(&self, scale: Option<&Scale>) -> Vec<Entry> {
+        match self.shade {
+            Shade::Class => self.entries_of_classes(&Class::ALL),
+            Shade::Sequence => self.entries_of_sequences(),
+            Shade::EnergyLost | Shade::Column(_) => self.entries_of_scale(scale),
+        }
+    }
+
+    fn entries_of_classes(&self, classes: &[Class]) -> Vec<Entry> {
+        let counted = classes.iter().map(|&class| (class, self.count(class))).filter(|(_, count)| *count > 0);
+        counted
+            .map(|(class, count)| {
+                let mark = Mark::Fill(of_class(class, Theme::Light));
+                (mark, with_share(class.label(), &self.share(count)))
+            })
+            .collect()
+    }
+
+    fn entries_of_sequences(&self) -> Vec<Entry> {
+        let count = |key: &u64| self.sequences.get(key).copied().unwrap_or_default();
+        let mark = |rank| Mark::Fill(of_rank(rank, Theme::Light));
+        let ranked = self.ranking.iter().take(RANKS).enumerate().map(|(rank, key)| {
+            let text = PhaseSequence::from_bits(*key).to_string();
+            let label = if text.is_empty() { "none".to_owned() } else { minus(&text) };
+            (mark(rank), with_share(&label, &self.share(count(key))))
+        });
+        let mut entries: Vec<Entry> = ranked.collect();
+        let others: Vec<u64> = self.ranking.iter().skip(RANKS).map(count).collect();
+        if !others.is_empty() {
+            let label = format!("{} others", others.len());
+            entries.push((mark(RANKS), with_share(&label, &self.share(others.iter().sum()))));
+        }
+        entries.extend(self.entries_of_classes(&[Class::Invalid, Class::NotComputed]));
+        entries
+    }
+
+    /// What is to be said of a scale.
+    pub(super) fn note_of_scale(&self, scale: &Scale) -> Option<String> {
+        let parts = [
+            (scale.kind == Kind::Log, "logarithmic scale"),
+            (scale.beyond[0], "smaller values as at the left end"),
+            (scale.beyond[1], "larger values as at the right end"),
+            (self.has_contours, "lines at the ticks"),
+        ];
+        let text: Vec<&str> = parts.into_iter().filter_map(|(holds, text)| holds.then_some(text)).collect();
+        (!text.is_empty()).then(|| text.join("; "))
+    }
+
+    fn entries_of_scale(&self, scale: Option<&Scale>) -> Vec<Entry> {
+        let mut entries = Vec::new();
+        let cells_share = |count: usize| {
+            let share = 100.0 * count as f64 / self.cells.len() as f64;
+            if share < 0.05 { String::new() } else { format!("{share:.1} %") }
+        };
+        let ink = |ink: Ink| Mark::Fill(ink.colour(Theme::Light));
+        if let Some(scale) = scale {
+            let zeros = self.cells.iter().filter(|cell| scale.has_zero(cell.number)).count();
+            if zeros > 0 {
+                entries.push((ink(Ink::Faint), with_share(at_zero(self.shade), &cells_share(zeros))));
+            }
+        }
+        let empty = self.cells.iter().filter(|cell| cell.number.is_nan()).count();
+        let missing = key_of_class(Class::NotComputed);
+        let not_computed = self.cells.iter().filter(|cell| cell.key == missing).count();
+        if empty > not_computed {
+            let label = if scale.is_some() { without_number(self.shade) } else { "no value anywhere" };
+            let share = if scale.is_some() { cells_share(empty - not_computed) } else { String::new() };
+            entries.push((ink(Ink::NoValue), with_share(label, &share)));
+        }
+        entries.extend(self.entries_of_classes(&[Class::NotComputed]));
+        entries
+    }
+}
+
+/// The entries of curves, each once.
+pub(super) fn of_curves(curves: &[Curve]) -> impl Iterator<Item = Entry> + '_ {
+    Curve::ALL
+        .into_iter()
+        .filter(|curve| curves.contains(curve))
+        .map(|curve| (Mark::Line(Stroke::of_curve(curve)), label_of(curve)))
+}

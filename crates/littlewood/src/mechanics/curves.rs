@@ -1,0 +1,344 @@
+//! Curves as points: dense where they bend, cut where they leave the window, every point on the curve itself; and the
+//! curves of the (θ, θ′) plane of rolling.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::mechanics::closed_form::slip_angle;
+use crate::mechanics::region::PhasePlane;
+use crate::model::{Body, Direction};
+
+/// A part of a plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// From left to right.
+    pub x: [f64; 2],
+    /// From below upwards.
+    pub y: [f64; 2],
+}
+
+type Point = [f64; 2];
+type Curve<'a> = &'a dyn Fn(f64) -> Option<Point>;
+
+/// Largest distance of a chord from its curve, in parts of the window.
+const FLAT: f64 = 1.5e-4;
+/// How often an interval is halved at most.
+const DEPTH: u32 = 12;
+
+impl Window {
+    fn holds(&self, [x, y]: Point) -> bool {
+        (self.x[0]..=self.x[1]).contains(&x) && (self.y[0]..=self.y[1]).contains(&y)
+    }
+
+    /// The pieces of a curve in the window, from samples in `cells` intervals of its parameter: dense where it bends, cut
+    /// where it leaves the window. Each point is one of the curve. A piece that lies between two samples is not seen.
+    #[must_use]
+    pub fn pieces(&self, [from, to]: [f64; 2], cells: u32, curve: Curve<'_>) -> Vec<Vec<Point>> {
+        let seen = |s: f64| curve(s).filter(|point| self.holds(*point));
+        let mut pieces: Vec<Vec<Point>> = Vec::new();
+        let mut open = false;
+        let mut last = from;
+        for i in 0..=cells {
+            let s = if i == cells { to } else { from + (to - from) * f64::from(i) / f64::from(cells) };
+            let here = seen(s);
+            if i > 0 {
+                match (seen(last), here) {
+                    (Some(p), Some(q)) => {
+                        self.refine(&mut pieces, &mut open, curve, [last, s], [p, q]);
+                    }
+                    (Some(p), None) => {
+                        let (edge, q) = border(last, s, p, &seen);
+                        self.refine(&mut pieces, &mut open, curve, [last, edge], [p, q]);
+                        open = false;
+                    }
+                    (None, Some(q)) => {
+                        let (edge, p) = border(s, last, q, &seen);
+                        self.refine(&mut pieces, &mut open, curve, [edge, s], [p, q]);
+                    }
+                    (None, None) => {}
+                }
+            }
+            last = s;
+        }
+        pieces.iter().map(|piece| self.thinned(piece)).collect()
+    }
+
+    /// The same piece without the points that lie on the chords between the others.
+    fn thinned(&self, piece: &[Point]) -> Vec<Point> {
+        let mut kept: Vec<Point> = piece.first().copied().into_iter().collect();
+        let mut from = 0;
+        for to in 2..piece.len() {
+            if (from + 1..to).any(|i| self.sagitta(piece[from], piece[i], piece[to]) > FLAT) {
+                from = to - 1;
+                kept.push(piece[from]);
+            }
+        }
+        kept.extend(piece.get(1..).and_then(<[Point]>::last));
+        kept
+    }
+
+    fn refine(
+        &self,
+        pieces: &mut Vec<Vec<Point>>,
+        open: &mut bool,
+        curve: Curve<'_>,
+        ends: [f64; 2],
+        points: [Point; 2],
+    ) {
+        if !*open {
+            pieces.push(vec![points[0]]);
+            *open = true;
+        }
+        if let Some(piece) = pieces.last_mut() {
+            self.halve(piece, curve, ends, points, DEPTH);
+        }
+    }
+
+    fn halve(
+        &self,
+        piece: &mut Vec<Point>,
+        curve: Curve<'_>,
+        [a, b]: [f64; 2],
+        [p, q]: [Point; 2],
+        depth: u32,
+    ) {
+        let middle = 0.5 * (a + b);
+        match curve(middle).filter(|point| self.holds(*point)) {
+            Some(m) if depth > 0 && self.sagitta(p, m, q) > FLAT => {
+                self.halve(piece, curve, [a, middle], [p, m], depth - 1);
+                self.halve(piece, curve, [middle, b], [m, q], depth - 1);
+            }
+            _ => piece.push(q),
+        }
+    }
+
+    /// Distance of a point from a chord, in parts of the window.
+    fn sagitta(&self, p: Point, m: Point, q: Point) -> f64 {
+        let scale = |d: f64, side: [f64; 2]| d / (side[1] - side[0]);
+        let (ax, ay) = (scale(q[0] - p[0], self.x), scale(q[1] - p[1], self.y));
+        let (bx, by) = (scale(m[0] - p[0], self.x), scale(m[1] - p[1], self.y));
+        let length = (ax * ax + ay * ay).sqrt();
+        if length == 0.0 { (bx * bx + by * by).sqrt() } else { (ax * by - ay * bx).abs() / length }
+    }
+}
+
+/// The last visible place between a visible one and one that is not.
+fn border(
+    mut seen_at: f64,
+    mut unseen_at: f64,
+    mut point: Point,
+    seen: &dyn Fn(f64) -> Option<Point>,
+) -> (f64, Point) {
+    loop {
+        let middle = 0.5 * (seen_at + unseen_at);
+        if middle == seen_at || middle == unseen_at {
+            return (seen_at, point);
+        }
+        match seen(middle) {
+            Some(there) => (seen_at, point) = (middle, there),
+            None => unseen_at = middle,
+        }
+    }
+}
+
+/// Intervals in which a curve is looked for.
+const CELLS: u32 = 480;
+
+/// Curves in a window, in pieces.
+impl PhasePlane {
+    /// The graphs ±rate(θ).
+    fn graph(&self, window: &Window, rate: &dyn Fn(f64) -> Option<f64>) -> Vec<Vec<Point>> {
+        // Where D = 0, at θ = ±π without inertia, nothing is defined.
+        let inside = |theta: f64| self.law.denominator(theta) > 1e-12;
+        let curve = |theta: f64, sign: f64| Some([theta, sign * rate(theta).filter(|_| inside(theta))?]);
+        let pieces = |sign: f64| window.pieces(window.x, CELLS, &|theta| curve(theta, sign));
+        [1.0, -1.0].into_iter().flat_map(pieces).collect()
+    }
+
+    /// The angles of all turns in a window that are one of these in one turn.
+    fn turned(window: &Window, angles: &[f64]) -> Vec<f64> {
+        let [from, to] = window.x;
+        let turns = (libm::floor(from / TAU) as i32 - 1)..=(libm::ceil(to / TAU) as i32 + 1);
+        let mut found: Vec<f64> = turns
+            .flat_map(|turn| angles.iter().map(move |angle| angle + TAU * f64::from(turn)))
+            .filter(|angle| (from..=to).contains(angle))
+            .collect();
+        found.sort_by(f64::total_cmp);
+        found.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
+        found
+    }
+
+    /// The curve f, |F| = μs N in rolling. Of a massless hoop, and without friction, it has verticals: the angle alone decides.
+    #[must_use]
+    pub fn slip_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        let verticals = match self.hoop.body() {
+            Body::Heavy(_) if self.hoop.mu_s() == 0.0 => vec![0.0, PI],
+            Body::Heavy(_) => Vec::new(),
+            Body::Massless(body) => {
+                let limit = slip_angle(&body, self.hoop.mu_s());
+                let angles = limit.map(|limit| {
+                    // Inside the rim the demand falls again towards the bottom, where it is zero.
+                    let again = PI + 2.0 * libm::atan(self.hoop.mu_s()) - limit;
+                    if body.offset < 1.0 { vec![-limit, limit, -again, again] } else { vec![-limit, limit] }
+                });
+                angles.unwrap_or_default()
+            }
+        };
+        let verticals = Self::turned(window, &verticals).into_iter().filter_map(|at| {
+            let most = self.normal_force_rate(at).unwrap_or(f64::INFINITY);
+            let ends = [window.y[0].max(-most), window.y[1].min(most)];
+            (ends[0] < ends[1]).then(|| ends.map(|rate| [at, rate]).to_vec())
+        });
+        let branches = [Direction::Positive, Direction::Negative].into_iter();
+        let branches =
+            branches.flat_map(|direction| self.graph(window, &|theta| self.slip_rate(theta, direction)));
+        branches.chain(verticals).collect()
+    }
+
+    /// The curve n, N = 0 in rolling.
+    #[must_use]
+    pub fn normal_force_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) {
+            // N = cos²(θ/2) (1 − θ′²) (3.8).
+            let lines = [1.0, -1.0].into_iter().filter(|rate| (window.y[0]..=window.y[1]).contains(rate));
+            return lines.map(|rate| window.x.map(|theta| [theta, rate]).to_vec()).collect();
+        }
+        self.graph(window, &|theta| self.normal_force_rate(theta))
+    }
+
+    /// The curve h cos θ θ′² = 1 beyond which the body leaves the plane; a massless hoop never does.
+    #[must_use]
+    pub fn lift_off_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        match self.hoop.body() {
+            Body::Heavy(_) => self.graph(window, &|theta| self.lift_off_rate(theta)),
+            Body::Massless(_) => Vec::new(),
+        }
+    }
+
+    /// The separatrix through the unstable equilibrium; without inertia its stable and unstable manifold.
+    #[must_use]
+    pub fn separatrix_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        self.level_curve(self.law.separatrix_energy(), window)
+    }
+
+    /// The orbits of an energy E, ½ D(θ) θ′² + ℓ̂ cos θ = E.
+    #[must_use]
+    pub fn level_curve(&self, energy: f64, window: &Window) -> Vec<Vec<Point>> {
+        let offset = self.hoop.offset();
+        if energy >= offset {
+            return self.graph(window, &|theta| self.level_rate(theta, energy));
+        }
+        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) {
+            // It turns once and runs out to θ = ±π: a function of the rate.
+            let orbit = |side: f64| {
+                window.pieces(window.y, CELLS, &|rate| {
+                    let square = rate * rate;
+                    let cos = (energy - 0.5 * (1.0 + offset * offset) * square) / (offset * (1.0 + square));
+                    (cos.abs() <= 1.0).then(|| [side * libm::acos(cos), rate])
+                })
+            };
+            return [1.0, -1.0].into_iter().flat_map(orbit).collect();
+        }
+        // Libration: θ = π + a sin s, so that θ′, which vanishes with cos s, is smooth.
+        let swing = libm::acos(-energy / offset);
+        let first = libm::floor((window.x[0] - swing) / TAU);
+        let count = libm::ceil((window.x[1] - window.x[0]) / TAU) as u32 + 2;
+        (0..count)
+            .flat_map(|turn| {
+                let centre = PI + TAU * (first + f64::from(turn));
+                window.pieces([-0.5 * PI, 1.5 * PI], CELLS, &|s| {
+                    let (sin, cos) = libm::sincos(s);
+                    let theta = centre + swing * sin;
+                    let rate = self.level_rate(theta, energy).unwrap_or(0.0);
+                    Some([theta, if cos < 0.0 { -rate } else { rate }])
+                })
+            })
+            .collect()
+    }
+
+    /// The rates |θ′| between which static friction holds at an angle, at most `most`.
+    fn holding(&self, theta: f64, most: f64) -> Option<[f64; 2]> {
+        if let Body::Massless(body) = self.hoop.body() {
+            let holds = if body.offset < 1.0 {
+                self.forces(theta, 0.0).demand() <= self.hoop.mu_s()
+            } else {
+                // N and F vanish together, at one rate: the angle alone decides.
+                let turned = theta - TAU * libm::round(theta / TAU);
+                slip_angle(&body, self.hoop.mu_s()).is_none_or(|limit| turned.abs() <= limit)
+            };
+            let end = self.normal_force_rate(theta);
+            // Inside the rim N may grow with the rate, towards the bottom.
+            let end = if body.offset < 1.0 { Some(end.unwrap_or(most)) } else { end };
+            return end.filter(|_| holds).map(|rate| [0.0, rate.min(most)]);
+        }
+        let (at_rest, at_one) = (self.forces(theta, 0.0), self.forces(theta, 1.0));
+        let (mut low, mut high) = (0.0, most * most);
+        // μs N ± F ≥ 0 and N ≥ 0, each linear in θ′².
+        for (share, normal) in [(1.0, self.hoop.mu_s()), (-1.0, self.hoop.mu_s()), (0.0, 1.0)] {
+            let constant = normal * at_rest.normal + share * at_rest.friction;
+            let slope = normal * at_one.normal + share * at_one.friction - constant;
+            let root = -constant / slope;
+            if slope < 0.0 {
+                high = f64::min(high, root);
+            } else if slope > 0.0 {
+                low = f64::max(low, root);
+            } else if constant < 0.0 {
+                return None;
+            }
+        }
+        (low <= high).then(|| [low.sqrt(), high.sqrt()])
+    }
+
+    /// The region 𝓡 of (2.14) as polygons, in a window that reaches as far down as up.
+    #[must_use]
+    pub fn rolling_region(&self, window: &Window) -> Vec<Vec<Point>> {
+        let most = window.y[1];
+        let top = |theta: f64| self.holding(theta, most).map(|[_, high]| [theta, high]);
+        let mut pieces = Vec::new();
+        for upper in window.pieces(window.x, CELLS, &top) {
+            // The lower edge bends where the upper one may be straight.
+            let ends = [upper.first(), upper.last()].map(|end| end.map_or(0.0, |[theta, _]| *theta));
+            let bottom = |theta: f64| Some([theta, self.holding(theta, most)?[0]]);
+            let mut lower = window.pieces(ends, CELLS, &bottom).concat();
+            lower.reverse();
+            let mirrored = |points: &[Point]| points.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
+            if lower.iter().all(|[_, low]| *low == 0.0) {
+                let mut below = mirrored(&upper);
+                below.reverse();
+                pieces.push([upper, below].concat());
+            } else {
+                let above = [upper, lower].concat();
+                pieces.push(mirrored(&above));
+                pieces.push(above);
+            }
+        }
+        pieces
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WINDOW: Window = Window { x: [-2.0, 2.0], y: [-1.0, 1.0] };
+
+    #[test]
+    fn a_curve_is_cut_where_it_leaves() {
+        let pieces = WINDOW.pieces([-2.0, 2.0], 100, &|s| Some([s, s * s]));
+        let [piece] = &pieces[..] else { panic!("{pieces:?}") };
+        assert_eq!((piece[0], piece[piece.len() - 1]), ([-1.0, 1.0], [1.0, 1.0]));
+        assert!(piece.iter().all(|[x, y]| *y == x * x));
+    }
+
+    #[test]
+    fn chords_are_close() {
+        let pieces = WINDOW.pieces([0.0, core::f64::consts::TAU], 40, &|s| {
+            let (sin, cos) = libm::sincos(s);
+            Some([cos, sin])
+        });
+        let [piece] = &pieces[..] else { panic!("{pieces:?}") };
+        for pair in piece.windows(2) {
+            let (x, y) = (0.5 * (pair[0][0] + pair[1][0]), 0.5 * (pair[0][1] + pair[1][1]));
+            assert!((x * x + y * y).sqrt() > 1.0 - 2e-3);
+        }
+    }
+}
