@@ -237,7 +237,7 @@ fn jams() -> Vec<Trajectory> {
     motions.push(light.simulate(Start::at(2.4, -3.9).with_slip(0.1), limits).expect("a valid start"));
     // Without friction, from a rate at which η″ and η′ vanish together but for the last digits.
     let smooth = HoopParameters::thin(2.805_174_719_718_886_3).with_offset(0.999_999_999_618_712_1);
-    let grazes = Start::at(-1.654_040_608_046_101_6, 1.000_000_000_102_441);
+    let grazes = Start::at(-1.677_452_557_099_741, 1.000_000_000_010_5);
     motions.push(Hoop::new(smooth).expect("a valid hoop").simulate(grazes, limits).expect("a valid start"));
     let (mass, mu, start) = runs_into_it;
     motions.push(hoop(mass, mu).simulate(start, limits).expect("a valid start"));

@@ -52,9 +52,12 @@ fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
                     let motion = hoop.simulate(Start::at(theta, rate), limits).expect("a start");
                     (motion.phases()[0].mode() == Mode::Sliding).then_some((theta, motion))
                 };
-                // The exact rules may put the limit some digits further.
-                let beyond = std::iter::successors(Some(holds), |theta| Some(theta.next_up())).take(20);
-                let (theta, motion) = beyond.into_iter().find_map(begins).expect("a slip");
+                // The exact rules may put the limit elsewhere, by the rounding of the terms of |F| − μs N over its slope.
+                let slope = (excess(slips + 1e-6) - excess(holds - 1e-6)) / 2e-6;
+                let rounding = 8.0 * f64::EPSILON * hoop.mass() * (1.0 + rate * rate) / slope;
+                let beyond = std::iter::successors(Some(holds), |theta| Some(theta.next_up()));
+                let mut beyond = beyond.take_while(|theta| *theta <= slips + rounding);
+                let (theta, motion) = beyond.find_map(begins).expect("a slip");
                 for event in motion.transitions() {
                     let angle = libm::remainder(event.before.theta, 2.0 * PI);
                     let miss = (angle.abs() - theta.abs()).abs();

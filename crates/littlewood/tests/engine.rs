@@ -170,11 +170,9 @@ fn is_resolved(start: &Start) -> bool {
 }
 
 /// Whether the numbers of a hoop are compared, and not its codes and counts alone. With huge kinetic friction the engine knows η′ to ε μk θ′,
-/// the size of the terms of the first integral that it takes it from. Where a heavy hoop on a nearly smooth plane slips at F ≈ 0, the constant of
-/// the orbit, which is known to its last place, tells the angle of both to ε Î/m only.
+/// the size of the terms of the first integral that it takes it from.
 fn compares_numbers(hoop: &Hoop) -> bool {
-    let Body::Heavy(body) = hoop.body() else { return true };
-    hoop.mu_k() <= 1e3 && (hoop.mu_s() >= 1e-3 || body.inertia <= 1e3 * body.mass)
+    hoop.mu_k() <= 1e3
 }
 
 /// Errors of a long chain of phases grow with every one of them.

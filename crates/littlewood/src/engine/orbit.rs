@@ -74,9 +74,9 @@ impl<'a> Orbit<'a> {
         is_clear.then_some(Self { law, rotates, lap, z, y, kinetic, excess: over_top.abs(), swing })
     }
 
-    /// The constant K = D (1 + ϑ′²).
-    pub(super) fn k(&self) -> f64 {
-        self.law.bottom + (self.kinetic + 4.0 * self.law.offset * self.z * self.z)
+    /// The level K − D(π), twice the energy over the bottom.
+    pub(super) fn level(&self) -> f64 {
+        self.kinetic + 4.0 * self.law.offset * self.z * self.z
     }
 
     /// Sine and cosine of the phase at a point, by z, y, and D ϑ′² there.
@@ -197,10 +197,11 @@ mod tests {
             let Some(found) = orbit.after(part * period) else { return Ok(()) };
             let expected = rolling.state(part * period);
             // A change of the constant K by its last digits moves the orbit by so much, next to the separatrix most.
-            let conditioning = orbit.k() / orbit.excess.min(law.bottom);
+            let k = law.bottom + orbit.level();
+            let conditioning = k / orbit.excess.min(law.bottom);
             let allowed = 1e-14 * conditioning * (1.0 + period * (1.0 + expected.theta_rate.abs()));
             prop_assert!((found.theta - expected.theta).abs() <= allowed, "{found:?} {expected:?} {allowed:e}");
-            let allowed = allowed * (1.0 + expected.theta_rate * expected.theta_rate) * orbit.k() / law.bottom;
+            let allowed = allowed * (1.0 + expected.theta_rate * expected.theta_rate) * k / law.bottom;
             prop_assert!((found.theta_rate - expected.theta_rate).abs() <= allowed, "{found:?} {expected:?} {allowed:e}");
         }
     }

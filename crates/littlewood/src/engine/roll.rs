@@ -62,7 +62,7 @@ const EDGES: [HalfAngle; OCTANTS + 1] = {
     ]
 };
 
-/// The margins of one body as A + K B, side by side.
+/// The margins of one body as A + L B with the level L = K − D(π), side by side.
 pub(super) type Margins = [[Form<7>; 2]; 2];
 
 /// The forms X^(6−k) Y^k in the barycentric coordinates of each octant, by the power of these, then by k.
@@ -97,31 +97,31 @@ const POWERS: [[[f64; 7]; 7]; OCTANTS] = {
     table
 };
 
-/// The constants K for which all sums A + K B are positive, narrowed by what is in doubt.
-fn holds(sums: impl IntoIterator<Item = [f64; 2]>) -> (f64, f64) {
+/// The levels L for which all sums A + L B are positive, narrowed by what is in doubt, from A and B with the sizes of their terms.
+fn holds(sums: impl IntoIterator<Item = [(f64, f64); 2]>) -> (f64, f64) {
     let mut bounds = (0.0, f64::INFINITY);
-    for [a, b] in sums {
+    for [(a, a_size), (b, b_size)] in sums {
         let level = -a / b;
+        let doubt = 4.0 * MARGIN_TOLERANCE * (a_size + level.abs() * b_size) / b.abs();
         if b > 0.0 {
-            bounds.0 = f64::max(bounds.0, level + 4.0 * MARGIN_TOLERANCE * level.abs());
+            bounds.0 = f64::max(bounds.0, level + doubt);
         } else if b < 0.0 {
-            bounds.1 = f64::min(bounds.1, level - 4.0 * MARGIN_TOLERANCE * level.abs());
-        } else if a <= 0.0 {
+            bounds.1 = f64::min(bounds.1, level - doubt);
+        } else if a <= MARGIN_TOLERANCE * a_size {
             bounds.1 = 0.0;
         }
     }
     bounds
 }
 
-/// Which of two margins A + K B is negative, if one is. None where one is in doubt, or both are negative.
-fn breaks(k: f64, margins: &[[f64; 2]; 2]) -> Option<Option<usize>> {
+/// Which of two margins is negative, if one is, from them with the sizes of their terms. None where one is in doubt, or both are negative.
+fn breaks(margins: &[(f64, f64); 2]) -> Option<Option<usize>> {
     let mut broken = None;
-    for (side, [a, b]) in margins.iter().enumerate() {
-        let margin = a + k * b;
-        if margin.abs() <= MARGIN_TOLERANCE * (a.abs() + (k * b).abs()) {
+    for (side, (margin, size)) in margins.iter().enumerate() {
+        if margin.abs() <= MARGIN_TOLERANCE * size {
             return None;
         }
-        if margin < 0.0 {
+        if *margin < 0.0 {
             if broken.is_some() {
                 return None;
             }
@@ -141,25 +141,32 @@ struct Octant {
 }
 
 impl Octant {
-    fn new(margins: &Margins, octant: usize) -> Self {
+    fn new(parts: &Margins, octant: usize) -> Self {
         let powers = &POWERS[octant];
-        let margins = margins.map(|parts| {
+        let margins = parts.map(|parts| {
             parts.map(|Form(part)| {
                 Form(powers.map(|powers| powers.iter().zip(part).map(|(power, c)| power * c).sum()))
             })
         });
-        let sums = margins.iter().flat_map(|[a, b]| (0..7).map(|k| [a.0[k], b.0[k]]));
+        let sizes = parts.map(|parts| {
+            parts.map(|Form(part)| {
+                powers.map(|powers| powers.iter().zip(part).map(|(power, c)| (power * c).abs()).sum::<f64>())
+            })
+        });
+        let sums = margins.iter().zip(&sizes).flat_map(|(forms, sizes)| {
+            (0..7).map(move |k| [0, 1].map(|part: usize| (forms[part].0[k], sizes[part][k])))
+        });
         Self { levels: holds(sums), margins }
     }
 
     /// Whether an orbit holds everywhere on it.
-    fn holds(&self, k: f64) -> bool {
-        k > self.levels.0 && k < self.levels.1
+    fn holds(&self, level: f64) -> bool {
+        level > self.levels.0 && level < self.levels.1
     }
 
-    /// What is known of the margin of a side on the orbit with constant K, passed from `from` to `to` in its barycentric coordinate.
-    fn margin(&self, side: usize, k: f64, is_up: bool) -> Known {
-        let form = on_orbit(&self.margins[side], k);
+    /// What is known of the margin of a side on the orbit with a level, passed from `from` to `to` in its barycentric coordinate.
+    fn margin(&self, side: usize, level: f64, is_up: bool) -> Known {
+        let form = on_orbit(&self.margins[side], level);
         // By the signs of its coefficients, in order of passage.
         let is_positive = |i: usize| form.0[if is_up { i } else { 6 - i }] > 0.0;
         let holds = (0..7).take_while(|i| is_positive(*i)).count();
@@ -178,18 +185,18 @@ impl Octant {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Octants {
     octants: [OnceLock<Box<Octant>>; OCTANTS],
-    /// The constants K of the orbits that certainly hold everywhere.
+    /// The levels of the orbits that certainly hold everywhere.
     levels: OnceLock<(f64, f64)>,
 }
 
 impl Octants {
-    /// Whether the orbit with constant K certainly holds everywhere.
-    fn hold(&self, margins: &Margins, k: f64) -> bool {
+    /// Whether the orbit with a level certainly holds everywhere.
+    fn hold(&self, margins: &Margins, level: f64) -> bool {
         let (low, high) = *self.levels.get_or_init(|| {
             let levels = (0..OCTANTS).map(|number| self.get(margins, number).levels);
             levels.fold((0.0, f64::INFINITY), |all, one| (all.0.max(one.0), all.1.min(one.1)))
         });
-        k > low && k < high
+        level > low && level < high
     }
 
     fn get(&self, margins: &Margins, number: usize) -> &Octant {
@@ -206,9 +213,9 @@ enum Known {
     Nothing,
 }
 
-/// The margin of a side on the orbit with constant K.
-fn on_orbit([a, b]: &[Form<7>; 2], k: f64) -> Form<7> {
-    Form(core::array::from_fn(|i| a.0[i] + k * b.0[i]))
+/// The margin of a side on the orbit with a level.
+fn on_orbit([a, b]: &[Form<7>; 2], level: f64) -> Form<7> {
+    Form(core::array::from_fn(|i| a.0[i] + level * b.0[i]))
 }
 
 /// Positive where the second direction lies ahead of the first.
@@ -269,19 +276,21 @@ pub(super) fn follow(
     on_limit: bool,
     kept: Option<&Octants>,
 ) -> Result<RollEnd, Doubt> {
-    let k = orbit.k();
+    let level = orbit.level();
     if let (Some(kept), false) = (kept, on_limit)
-        && kept.hold(margins, k)
+        && kept.hold(margins, level)
     {
         return Ok(RollEnd::Never);
     }
-    let here = margins.map(|parts| parts.map(|part| part.value([-orbit.z, orbit.y])));
-    let limit = on_limit.then(|| {
-        let [negative, positive] = here.map(|[a, b]| (a + k * b).abs());
-        usize::from(positive < negative)
+    let here = margins.map(|parts| {
+        let direction = [-orbit.z, orbit.y];
+        let [a, b] = parts.map(|part| part.value(direction));
+        let [a_size, b_size] = parts.map(|part| part.size(direction));
+        (a + level * b, a_size + level * b_size)
     });
+    let limit = on_limit.then(|| usize::from(here[1].0.abs() < here[0].0.abs()));
     // So close to the limit, rounding would decide whether the hoop slips at once.
-    if breaks(k, &limit.map_or(here, |side| [here[1 - side]; 2])) != Some(None) {
+    if breaks(&limit.map_or(here, |side| [here[1 - side]; 2])) != Some(None) {
         return Err(Doubt::FrictionLimit);
     }
     let slip_on = |arc: &Arc, starts_at_zero: Option<usize>, holds: &dyn Fn(usize) -> bool| {
@@ -290,7 +299,7 @@ pub(super) fn follow(
             if holds(side) {
                 continue;
             }
-            let margin = on_orbit(parts, k).restricted(arc.from, arc.to);
+            let margin = on_orbit(parts, level).restricted(arc.from, arc.to);
             if starts_at_zero == Some(side) {
                 let margin = margin.bernstein().starting_at_zero();
                 let at = margin.first_crossing().map(|bracket| bracket.refine(|t| margin.value_and_slope(t)));
@@ -318,12 +327,12 @@ pub(super) fn follow(
     };
     for (passed, (number, arc)) in arcs(orbit).flat_map(Arc::parts).enumerate() {
         let octant = kept.get(margins, number);
-        if octant.holds(k) {
+        if octant.holds(level) {
             continue;
         }
         let is_up = cross(arc.from, arc.to) > 0.0;
         let starts_at_zero = limit.filter(|_| passed == 0);
-        let known = [0, 1].map(|side| octant.margin(side, k, is_up));
+        let known = [0, 1].map(|side| octant.margin(side, level, is_up));
         let falling = match &known {
             [Known::Falls(form), Known::Holds] => Some((form, 0)),
             [Known::Holds, Known::Falls(form)] => Some((form, 1)),
@@ -438,7 +447,7 @@ mod tests {
                 let Some(u) = curve.limit(side, theta).filter(|u| *u > 1e-2) else { continue };
                 let rate = u.sqrt();
                 let Some(orbit) = Orbit::enter(&law, theta, rate) else { continue };
-                let ahead = on_orbit(&margins[side], orbit.k()).value(half_angle(theta + 1e-4));
+                let ahead = on_orbit(&margins[side], orbit.level()).value(half_angle(theta + 1e-4));
                 if ahead < 1e-9 {
                     continue;
                 }
@@ -509,16 +518,16 @@ mod tests {
             for octant in 0..OCTANTS {
                 let known = Octant::new(&margins, octant);
                 for step in 0..40 {
-                    let k = law.top * (0.5 + 0.2 * f64::from(step));
+                    let level = law.offset * f64::from(step);
                     for side in [0, 1] {
-                        let form = on_orbit(&margins[side], k);
+                        let form = on_orbit(&margins[side], level);
                         let least = (0..=30)
                             .map(|i| {
                                 form.value(on_arc(EDGES[octant], EDGES[octant + 1], f64::from(i) / 30.0))
                             })
                             .fold(f64::INFINITY, f64::min);
-                        if known.holds(k) || matches!(known.margin(side, k, true), Known::Holds) {
-                            assert!(least > 0.0, "{octant} {k} {side}: {least}");
+                        if known.holds(level) || matches!(known.margin(side, level, true), Known::Holds) {
+                            assert!(least > 0.0, "{octant} {level} {side}: {least}");
                             held += 1;
                         } else if least < 0.0 {
                             broken += 1;
@@ -532,9 +541,9 @@ mod tests {
 
     #[test]
     fn the_margin_that_is_negative_is_told_where_it_is_clear() {
-        // 1 − K and 3 + K, with levels next to the zero of the first.
-        let margins = [[1.0, -1.0], [3.0, 1.0]];
-        for (k, broken) in [
+        // 1 − L and 3 + L, with levels next to the zero of the first.
+        let margins = |level: f64| [(1.0 - level, 1.0 + level), (3.0 + level, 3.0 + level)];
+        for (level, broken) in [
             (0.5, Some(None)),
             (1.0 - 1e-11, Some(None)),
             (1.0 - 1e-12, None),
@@ -542,22 +551,23 @@ mod tests {
             (1.0 + 1e-11, Some(Some(0))),
             (2.0, Some(Some(0))),
         ] {
-            assert_eq!(breaks(k, &margins), broken, "{k}");
-            let [first, second] = margins;
+            let [first, second] = margins(level);
+            assert_eq!(breaks(&[first, second]), broken, "{level}");
             let swapped = broken.map(|broken| broken.map(|side: usize| 1 - side));
-            assert_eq!(breaks(k, &[second, first]), swapped, "{k}");
+            assert_eq!(breaks(&[second, first]), swapped, "{level}");
         }
-        assert_eq!(breaks(2.0, &[[1.0, -1.0], [1.0, -1.0]]), None, "both");
+        assert_eq!(breaks(&[(-1.0, 3.0), (-1.0, 3.0)]), None, "both");
     }
 
     #[test]
     fn an_orbit_on_the_limit_is_not_said_to_hold() {
-        // Margins K − 2 and 6 − 2 K, both positive for 2 < K < 3.
-        let (least, most) = holds([[-2.0, 1.0], [6.0, -2.0]]);
+        let of = |margins: [[f64; 2]; 2]| holds(margins.map(|parts| parts.map(|part| (part, part.abs()))));
+        // Margins L − 2 and 6 − 2 L, both positive for 2 < L < 3.
+        let (least, most) = of([[-2.0, 1.0], [6.0, -2.0]]);
         assert!(least > 2.0 * (1.0 + MARGIN_TOLERANCE) && least < 2.0 + 1e-10, "{least:e}");
         assert!(most < 3.0 * (1.0 - MARGIN_TOLERANCE) && most > 3.0 - 1e-10, "{most:e}");
         // A margin that no orbit changes.
-        assert_eq!(holds([[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
-        assert_eq!(holds([[1.0, 0.0], [-1.0, 0.0]]).1, 0.0);
+        assert_eq!(of([[1.0, 0.0], [1.0, 0.0]]), (0.0, f64::INFINITY));
+        assert_eq!(of([[1.0, 0.0], [-1.0, 0.0]]).1, 0.0);
     }
 }

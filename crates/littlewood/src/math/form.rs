@@ -38,6 +38,11 @@ impl<const N: usize> Form<N> {
         value(&self.0, direction)
     }
 
+    /// The sum of the sizes of its terms in a direction.
+    pub(crate) fn size(&self, direction: HalfAngle) -> f64 {
+        value(&self.0.map(f64::abs), direction.map(f64::abs))
+    }
+
     /// The value in a direction, and its derivative along another.
     #[inline]
     pub(crate) fn value_and_slope(&self, [x, y]: HalfAngle, [dx, dy]: [f64; 2]) -> (f64, f64) {

@@ -122,8 +122,13 @@ impl RollingLaw {
     /// near the bottom, where D of a light hoop is small.
     #[must_use]
     pub fn denominator(&self, theta: f64) -> f64 {
+        self.bottom + self.height(theta)
+    }
+
+    /// D(θ) − D(π) = 2ℓ̂(1 + cos θ).
+    pub(crate) fn height(&self, theta: f64) -> f64 {
         let cos_half = libm::cos(0.5 * theta);
-        self.bottom + 4.0 * self.offset * cos_half * cos_half
+        4.0 * self.offset * cos_half * cos_half
     }
 
     /// D(θ) from (sin θ, cos θ).
@@ -135,6 +140,11 @@ impl RollingLaw {
     /// D(θ) as a trigonometric polynomial.
     pub(crate) fn denominator_polynomial(&self) -> Trigonometric {
         Trigonometric::linear(self.mean_denominator(), 0.0, 2.0 * self.offset)
+    }
+
+    /// D(θ) − D(π) as a trigonometric polynomial.
+    pub(crate) fn above_bottom(&self) -> Trigonometric {
+        Trigonometric::linear(2.0 * self.offset, 0.0, 2.0 * self.offset)
     }
 
     /// D(π/2), the mean of D over a turn.

@@ -257,12 +257,13 @@ impl PerturbedSolver<'_> {
         }
     }
 
-    /// A landing with its time moved by the rounding of the terms of the gap.
+    /// A landing with its time moved by its own rounding, and by that of the terms of the gap.
     fn perturbed_landing(&self, flight: &Flight, gap_rate: f64, signs: &RandomSigns) -> (State, f64) {
         let duration = flight.duration();
         let gap = self.hoop().h() + (flight.take_off_rate() + 0.5 * duration) * duration;
         // At a grazing landing the gap rate, a divisor, may be as small as rounding.
-        let late = (f64::EPSILON * gap / gap_rate.abs()).min(duration);
+        let late = f64::EPSILON * (gap / gap_rate.abs()).max(duration);
+        let late = late.min(duration);
         let duration = signs.moved(duration, late);
         (flight.state(duration), flight.gap(duration).1)
     }

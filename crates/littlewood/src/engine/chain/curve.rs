@@ -124,7 +124,7 @@ impl Curves {
         let at = match self.parts[index].coordinate {
             Coordinate::Angle => slip.angle,
             Coordinate::InverseLevel => {
-                1.0 / (self.slips.denominator(slip.angle) * (1.0 + theta_rate * theta_rate))
+                self.slips.inverse(self.slips.level(theta_rate * theta_rate, slip.angle))
             }
             Coordinate::Rate => theta_rate.abs(),
         };
@@ -158,19 +158,18 @@ impl Curves {
     pub(super) fn slip(&self, point: Point) -> Option<(SlipPoint, f64)> {
         let part = &self.parts[point.part];
         let side = part.side;
-        let (angle, k) = match part.coordinate {
-            Coordinate::Angle => (point.at, 1.0 / self.slips.inverse_level(side, point.at)),
+        let (angle, u) = match part.coordinate {
+            Coordinate::Angle => (point.at, self.slips.limit(side, point.at)?),
             Coordinate::InverseLevel => {
-                let k = 1.0 / point.at;
-                (self.slips.slip_on(part.piece, side, k)?, k)
+                let level = self.slips.level_of(point.at);
+                let angle = self.slips.slip_on(part.piece, side, level)?;
+                (angle, self.slips.rate_squared(level, angle))
             }
             Coordinate::Rate => {
                 let slip = SlipPoint { side, angle: self.angle_at(part, point.at) };
                 return (point.at > 0.0).then_some((slip, point.at));
             }
         };
-        let d = self.slips.denominator(angle);
-        let u = (k - d) / d;
         (u > 0.0 && u.is_finite()).then(|| (SlipPoint { side, angle }, u.sqrt()))
     }
 }

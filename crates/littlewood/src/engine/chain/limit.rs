@@ -1,6 +1,6 @@
 //! The curves of the phase plane on which rolling slips, |F| = μs N.
 //!
-//! The margins (μs N ∓ F) D² of an orbit are linear in its constant K: A(ϑ) + K B(ϑ). The level K*(ϑ) = −A/B at which
+//! The margins (μs N ∓ F) D² of an orbit are linear in its level L = K − D(π): A(ϑ) + L B(ϑ). The level L*(ϑ) = −A/B at which
 //! a margin vanishes belongs to the body. Between its extrema and poles it is monotone, so that on such a piece a margin
 //! changes sign at most once, whatever the orbit.
 //!
@@ -43,18 +43,32 @@ impl SlipCurves {
         Self { margins, law }
     }
 
-    /// D at an angle (3.2).
-    pub(super) fn denominator(&self, angle: f64) -> f64 {
-        self.law.denominator(angle)
+    /// θ′² at an angle of the orbit with a level.
+    pub(super) fn rate_squared(&self, level: f64, angle: f64) -> f64 {
+        (level - self.law.height(angle)) / self.law.denominator(angle)
+    }
+
+    /// The level of the orbit with this θ′² at an angle.
+    pub(super) fn level(&self, u: f64, angle: f64) -> f64 {
+        self.law.height(angle) + self.law.denominator(angle) * u
+    }
+
+    /// Of a level L, 1/K = 1/(D(π) + L).
+    pub(super) fn inverse(&self, level: f64) -> f64 {
+        1.0 / (self.law.bottom + level)
+    }
+
+    /// The level of 1/K.
+    pub(super) fn level_of(&self, inverse: f64) -> f64 {
+        1.0 / inverse - self.law.bottom
     }
 
     /// θ′² where the margin of a side vanishes on the orbit that reaches it at this angle.
     pub(in crate::engine) fn limit(&self, side: usize, angle: f64) -> Option<f64> {
         let (y, x) = libm::sincos(0.5 * angle);
         let [a, b] = &self.margins[side];
-        let k = -a.value([x, y]) / b.value([x, y]);
-        let d = self.law.denominator(angle);
-        k.is_finite().then_some((k - d) / d)
+        let level = -a.value([x, y]) / b.value([x, y]);
+        level.is_finite().then(|| self.rate_squared(level, angle))
     }
 
     /// The same with its derivative by the angle.
@@ -62,27 +76,28 @@ impl SlipCurves {
         let (y, x) = libm::sincos(0.5 * angle);
         let [(a, a_slope), (b, b_slope)] =
             [0, 1].map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
-        let d = self.law.denominator(angle);
         let d_slope = -4.0 * self.law.offset * x * y;
-        let k = -a / b;
-        let k_slope = -(a_slope + k * b_slope) / b;
-        let u = (k - d) / d;
-        (u, (k_slope - (1.0 + u) * d_slope) / d)
+        let level = -a / b;
+        let level_slope = -(a_slope + level * b_slope) / b;
+        let u = self.rate_squared(level, angle);
+        (u, (level_slope - (1.0 + u) * d_slope) / self.law.denominator(angle))
     }
 
     /// The angles at which θ′² of [`SlipCurves::limit`] vanishes, and those at which it has an extremum.
     pub(super) fn rests_and_extrema(&self, side: usize) -> (Vec<f64>, Vec<f64>) {
         let [a, b] = [0, 1].map(|i: usize| Trigonometric::from_form(&self.margins[side][i]));
-        let b = b.times(&self.law.denominator_polynomial());
+        // u = (K − D)/D with K = −(A − D(π) B)/B.
+        let rests = a.plus(&self.law.above_bottom().times(&b));
+        let (a, b) = (a.minus(&b.scaled(self.law.bottom)), self.law.denominator_polynomial().times(&b));
         let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative()));
-        (a.plus(&b).sign_changes(), extrema.sign_changes())
+        (rests.sign_changes(), extrema.sign_changes())
     }
 
     /// 1/K of the orbit whose margin of a side vanishes at this angle.
     pub(super) fn inverse_level(&self, side: usize, angle: f64) -> f64 {
         let (y, x) = libm::sincos(0.5 * angle);
-        let [a, b] = &self.margins[side];
-        -b.value([x, y]) / a.value([x, y])
+        let [a, b] = [0, 1].map(|i: usize| self.margins[side][i].value([x, y]));
+        b / (self.law.bottom * b - a)
     }
 
     /// The pieces of a turn on which orbits pass from a positive to a negative margin of a side.
@@ -101,24 +116,24 @@ impl SlipCurves {
         let falls = |(left, right): &(f64, f64)| {
             let middle = 0.5 * (left + right);
             self.limit(side, middle).is_some_and(|u| {
-                let k = self.law.denominator(middle) * (1.0 + u);
-                self.margin(side, k, *left).0 > self.margin(side, k, *right).0
+                let level = self.level(u, middle);
+                self.margin(side, level, *left).0 > self.margin(side, level, *right).0
             })
         };
         angles.windows(2).map(|pair| (pair[0], pair[1])).filter(falls).collect()
     }
 
-    /// The margin of a side on the orbit with the constant K, and its derivative by the angle.
-    fn margin(&self, side: usize, k: f64, angle: f64) -> (f64, f64) {
+    /// The margin of a side on the orbit with a level, and its derivative by the angle.
+    fn margin(&self, side: usize, level: f64, angle: f64) -> (f64, f64) {
         let (y, x) = libm::sincos(0.5 * angle);
         let [(a, a_slope), (b, b_slope)] =
             [0, 1].map(|i: usize| self.margins[side][i].value_and_slope([x, y], [-0.5 * y, 0.5 * x]));
-        (a + k * b, a_slope + k * b_slope)
+        (a + level * b, a_slope + level * b_slope)
     }
 
-    /// The angle on a piece at which the orbit with the constant K slips.
-    pub(super) fn slip_on(&self, (low, high): (f64, f64), side: usize, k: f64) -> Option<f64> {
-        k.is_finite().then(|| Bracket { low, high }.refine(|angle| self.margin(side, k, angle)))
+    /// The angle on a piece at which the orbit with a level slips.
+    pub(super) fn slip_on(&self, (low, high): (f64, f64), side: usize, level: f64) -> Option<f64> {
+        level.is_finite().then(|| Bracket { low, high }.refine(|angle| self.margin(side, level, angle)))
     }
 }
 

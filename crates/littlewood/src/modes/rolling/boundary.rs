@@ -4,9 +4,12 @@
 //! that is, forms of degree six in X = cos(θ/2), Y = sin(θ/2), with 1 = X² + Y², cos θ = X² − Y², sin θ = 2XY:
 //!
 //! ```text
-//! N D² = (m + ℓ̂c) D² − ℓ̂² K s² − ℓ̂ c K D
-//! F D² = s [ℓ̂ K (D − m − ℓ̂c) − ℓ̂ D²]
+//! N D² = (m + ℓ̂c) D² − ℓ̂ K (ℓ̂ s² + c D)
+//! F D² = s ℓ̂ [(K − D) D − K (m + ℓ̂c)]
 //! ```
+//!
+//! K − D = D θ′² is twice the energy over the top times X² and that over the bottom times Y². So F keeps its digits where D is large, in
+//! which D − K of a heavy hoop would lose them.
 //!
 //! [`crate::math::form`] restricts them to an arc and isolates the first crossing. For a massless hoop the contact force points
 //! at the particle, F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
@@ -14,7 +17,7 @@
 use crate::math::bernstein::Bernstein;
 use crate::math::form::{Form, HalfAngle};
 use crate::mechanics::RollingLaw;
-use crate::model::{Body, Direction, Heavy, Hoop};
+use crate::model::{Body, Direction, Hoop};
 
 /// The limit at which rolling ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,31 +87,21 @@ fn even_product<const P: usize, const Q: usize, const R: usize>(p: [f64; P], q: 
 /// X² + Y² = 1.
 const HALF_ANGLE_NORM: [f64; 2] = [1.0, 1.0];
 
-/// N D² and F D²/(2ℓ̂) as forms in the half angle, each with its part free of K and its factor of K. N D² has even powers, F D² odd
-/// powers.
-#[derive(Clone, Copy, Debug)]
-struct Forces {
-    normal: [[f64; 4]; 2],
-    friction: [[f64; 3]; 2],
-}
-
-impl Forces {
-    fn new(body: &Heavy, law: &RollingLaw) -> Self {
-        let l = law.offset;
-        let d = [law.top, law.bottom];
-        let carried = [law.mass + l, law.mass - l];
-        // D − m − ℓ̂ c = Î + m h² + ℓ̂ c
-        let about_centre = body.inertia + l * body.h;
-        let rest = [about_centre + l, about_centre - l];
-        let d2: [f64; 3] = even_product(d, d);
-        let c_d: [f64; 3] = even_product([l, -l], d);
-        let centripetal: [f64; 3] = [c_d[0], c_d[1] + 4.0 * l * l, c_d[2]];
-        let driven: [f64; 4] = even_product(centripetal, HALF_ANGLE_NORM);
-        Self {
-            normal: [even_product(d2, carried), driven.map(|x| -x)],
-            friction: [d2.map(|x| -x), even_product(rest, HALF_ANGLE_NORM)],
-        }
-    }
+/// N D² and F D²/(2ℓ̂) as forms in the half angle, the first in even powers and the second in odd ones, from K − D in X² and Y², and K.
+fn forces(law: &RollingLaw, one: f64, excess: [f64; 2], k: f64) -> ([f64; 4], [f64; 3]) {
+    let l = law.offset;
+    let d = [law.top, law.bottom];
+    let carried = [law.mass + l, law.mass - l];
+    let d2: [f64; 3] = even_product(d, d);
+    let inertial: [f64; 4] = even_product(d2, carried);
+    let c_d: [f64; 3] = even_product([l, -l], d);
+    let centripetal: [f64; 4] = even_product([c_d[0], c_d[1] + 4.0 * l * l, c_d[2]], HALF_ANGLE_NORM);
+    let driven: [f64; 3] = even_product(excess, d);
+    let held: [f64; 3] = even_product(carried, HALF_ANGLE_NORM);
+    (
+        core::array::from_fn(|i| one * inertial[i] - k * centripetal[i]),
+        core::array::from_fn(|i| driven[i] - k * held[i]),
+    )
 }
 
 /// The forms that are non-negative while the body rolls, in a frame where its angle increases.
@@ -136,25 +129,19 @@ fn margins(mu: f64, l: f64, (normal, friction): ([f64; 4], [f64; 3])) -> [Form<7
 }
 
 impl Boundary {
-    /// On the orbit with constant K.
-    pub(super) fn new(hoop: &Hoop, law: &RollingLaw, k: f64) -> Self {
+    /// On the orbit with K − D = `over_top` X² + `over_bottom` Y².
+    pub(super) fn new(hoop: &Hoop, law: &RollingLaw, (over_top, over_bottom): (f64, f64)) -> Self {
         let (l, mu) = (law.offset, hoop.mu_s());
+        let excess = [over_top, over_bottom];
         match hoop.body() {
-            Body::Heavy(body) => {
-                let Forces { normal: [inertial, driven], friction: [held, turned] } = Forces::new(&body, law);
-                let normal = core::array::from_fn(|i| inertial[i] + k * driven[i]);
-                let friction = core::array::from_fn(|i| k * turned[i] + held[i]);
-                Self::Heavy(margins(mu, l, (normal, friction)))
-            }
+            Body::Heavy(_) => Self::Heavy(margins(mu, l, forces(law, 1.0, excess, law.bottom + over_bottom))),
             Body::Massless(_) => {
-                let d = [law.top, law.bottom];
                 let lever = [1.0 + l, 1.0 - l];
                 let cone = |sign: f64| Form([mu * lever[0], sign * 2.0 * l, mu * lever[1]]);
                 // N D/(1 + ℓ̂c) = (1 + ℓ̂c) D − ℓ̂(ℓ̂ + c)(K − D)
-                let pull = [l * (1.0 + l), -l * (1.0 - l)];
-                let held: [f64; 3] = even_product([lever[0] + pull[0], lever[1] + pull[1]], d);
-                let pulled: [f64; 3] = even_product(pull, HALF_ANGLE_NORM);
-                let normal: [f64; 3] = core::array::from_fn(|i| held[i] - k * pulled[i]);
+                let held: [f64; 3] = even_product(lever, [law.top, law.bottom]);
+                let pulled: [f64; 3] = even_product([l * (1.0 + l), -l * (1.0 - l)], excess);
+                let normal: [f64; 3] = core::array::from_fn(|i| held[i] - pulled[i]);
                 Self::Massless([cone(1.0), cone(-1.0)], Form([normal[0], 0.0, normal[1], 0.0, normal[2]]))
             }
         }
@@ -183,14 +170,13 @@ impl Boundary {
     }
 }
 
-/// The margins (μs N − F) D² and (μs N + F) D² = A + K B on the orbit with constant K: for each, A and B as forms of degree six in
-/// (cos θ/2, sin θ/2); none for a massless hoop.
+/// The margins (μs N − F) D² and (μs N + F) D² = A + E B on the orbit with E = K − D(π), twice the energy over the bottom: for each, A and B
+/// as forms of degree six in (cos θ/2, sin θ/2); none for a massless hoop.
 pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
-    let Body::Heavy(body) = hoop.body() else { return None };
+    let Body::Heavy(_) = hoop.body() else { return None };
     let law = RollingLaw::new(hoop);
-    let Forces { normal, friction } = Forces::new(&body, &law);
-    // A and B are formed separately: B from the difference of two orbits would cancel for large D.
-    let part = |i: usize| margins(hoop.mu_s(), law.offset, (normal[i], friction[i]));
-    let ([minus, plus], [minus_driven, plus_driven]) = (part(0), part(1));
+    let part = |one, excess, k| margins(hoop.mu_s(), law.offset, forces(&law, one, excess, k));
+    let [minus, plus] = part(1.0, [-4.0 * law.offset, 0.0], law.bottom);
+    let [minus_driven, plus_driven] = part(0.0, [1.0, 1.0], 1.0);
     Some([[minus, minus_driven], [plus, plus_driven]])
 }

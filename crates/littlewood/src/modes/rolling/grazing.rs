@@ -1,15 +1,15 @@
 //! The grazing orbit: the rolling orbit that touches the limit of static friction. Motions with μs = μk can converge to it.
 //!
-//! On the orbit with constant K the margin (μs N − F) D² is A(θ) + K B(θ), and vanishes where the level −A/B equals K. Rolling
-//! holds for ever below the lowest level K* that the orbit meets. At K* the margin touches zero at an angle θ*, either a
+//! On the orbit with K = D(π) + L the margin (μs N − F) D² is A(θ) + L B(θ), and vanishes where the level −A/B equals L. Rolling
+//! holds for ever below the lowest level L* that the orbit meets. At L* the margin touches zero at an angle θ*, either a
 //! minimum of the level or, in libration, a turning point. (The margin of the other side is the mirror image.)
 //!
 //! With μs = μk a slip at the energy E = E* + ε with small ε begins with η″ = 0. Along the orbit the
-//! excess |F| − μ N is a ε′ − ω t² with ε′ = K − K* = 2ε, the time t from its maximum, and the constants
+//! excess |F| − μ N is a ε′ − ω t² with ε′ = L − L* = 2ε, the time t from its maximum, and the constants
 //!
 //! ```text
-//! a = −B/D²,               ω = ½ (A + K* B)″ θ′²/D²       at a minimum of the level,
-//! a = −(B + (A + K* B)′/D′)/D²,  ω = ½ (A + K* B)′ θ″/D²    at a turning point.
+//! a = −B/D²,               ω = ½ (A + L* B)″ θ′²/D²       at a minimum of the level,
+//! a = −(B + (A + L* B)′/D′)/D²,  ω = ½ (A + L* B)′ θ″/D²    at a turning point.
 //! ```
 //!
 //! The slip velocity is the integral of D (|F| − μN)/(m P): it grows from −t0 to t0 = √(aε′/ω), and returns to zero at 2 t0.
@@ -98,17 +98,18 @@ pub(crate) struct Levels {
     law: RollingLaw,
     body: Heavy,
     mu_k: f64,
-    /// The margin (μs N − F) D² = A + K B of one side.
+    /// The margin (μs N − F) D² = A + L B of one side.
     constant: Trigonometric,
     slope: Trigonometric,
-    /// In ascending order of K.
+    /// In ascending order of L.
     levels: Vec<Level>,
 }
 
 /// A level at which a margin may begin to vanish.
 #[derive(Clone, Debug)]
 struct Level {
-    constant: f64,
+    /// L = K − D(π), twice the energy over the bottom.
+    over_bottom: f64,
     angle: f64,
     at_turning_point: bool,
     /// The grazing orbit at this level, if any; computed on demand.
@@ -116,8 +117,8 @@ struct Level {
 }
 
 impl Level {
-    const fn new(constant: f64, angle: f64, at_turning_point: bool) -> Self {
-        Self { constant, angle, at_turning_point, orbit: OnceLock::new() }
+    const fn new(over_bottom: f64, angle: f64, at_turning_point: bool) -> Self {
+        Self { over_bottom, angle, at_turning_point, orbit: OnceLock::new() }
     }
 }
 
@@ -132,27 +133,23 @@ impl Levels {
         let law = RollingLaw::new(hoop);
         let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes();
         let inside = extrema.into_iter().filter_map(|angle| {
-            let constant = -a.value(angle) / b.value(angle);
-            (constant > law.denominator(angle)).then(|| Level::new(constant, angle, false))
+            let over_bottom = -a.value(angle) / b.value(angle);
+            (over_bottom > law.height(angle)).then(|| Level::new(over_bottom, angle, false))
         });
-        // At rest |F| = μs N where A + D B = 0.
-        let at_rest = a.plus(&law.denominator_polynomial().times(&b)).sign_changes().into_iter();
-        let at_rest = at_rest.map(|angle| Level::new(law.denominator(angle), angle, true));
+        // At rest |F| = μs N where A + (D − D(π)) B = 0.
+        let at_rest = a.plus(&law.above_bottom().times(&b)).sign_changes().into_iter();
+        let at_rest = at_rest.map(|angle| Level::new(law.height(angle), angle, true));
         let mut levels: Vec<Level> = inside.chain(at_rest).collect();
-        levels.sort_by(|a, b| a.constant.total_cmp(&b.constant));
+        levels.sort_by(|a, b| a.over_bottom.total_cmp(&b.over_bottom));
         levels.dedup_by(|a, b| {
             (a.angle - b.angle).abs() < SAME_ANGLE_TOLERANCE && a.at_turning_point == b.at_turning_point
         });
         Some(Self { law, body, mu_k: hoop.mu_k(), constant: a, slope: b, levels })
     }
 
-    /// K = 2E + D(π/2).
-    fn constant_of(&self, energy: f64) -> f64 {
-        2.0 * energy + self.law.mean_denominator()
-    }
-
-    fn energy_of(&self, constant: f64) -> f64 {
-        0.5 * (constant - self.law.mean_denominator())
+    /// L/2 − ℓ̂.
+    fn energy_of(&self, over_bottom: f64) -> f64 {
+        0.5 * over_bottom - self.law.offset
     }
 
     /// Energy of a rolling state.
@@ -167,9 +164,9 @@ impl Levels {
 
     /// The grazing orbit of the highest energy below `energy`.
     fn orbit_below(&self, hoop: &Hoop, energy: f64) -> Option<GrazingOrbit> {
-        let above = self.levels.partition_point(|level| level.constant < self.constant_of(energy));
+        let above = self.levels.partition_point(|level| self.energy_of(level.over_bottom) < energy);
         let rotates = energy > self.law.separatrix_energy();
-        let swing = |level: &Level| rotates == (level.constant > self.law.top);
+        let swing = |level: &Level| rotates == (level.over_bottom > 4.0 * self.law.offset);
         (0..above)
             .rev()
             .take_while(|at| swing(&self.levels[*at]))
@@ -178,15 +175,16 @@ impl Levels {
 
     /// The grazing orbit at a level, if orbits above exceed the limit and orbits below do not.
     fn orbit_at(&self, hoop: &Hoop, at: usize) -> Option<GrazingOrbit> {
-        let Level { constant, angle, at_turning_point, .. } = self.levels[at];
-        let lowest = if constant > self.law.top { self.law.top } else { self.law.bottom };
-        let floor = at.checked_sub(1).map_or(lowest, |lower| self.levels[lower].constant.max(lowest));
-        let ceiling = self.levels.get(at + 1).map_or(f64::INFINITY, |next| self.energy_of(next.constant));
+        let Level { over_bottom, angle, at_turning_point, .. } = self.levels[at];
+        let over_top = 4.0 * self.law.offset;
+        let lowest = if over_bottom > over_top { over_top } else { 0.0 };
+        let floor = at.checked_sub(1).map_or(lowest, |lower| self.levels[lower].over_bottom.max(lowest));
+        let ceiling = self.levels.get(at + 1).map_or(f64::INFINITY, |next| self.energy_of(next.over_bottom));
 
         let d = self.law.denominator(angle);
         let (sin, cos) = libm::sincos(angle);
-        let u = if at_turning_point { 0.0 } else { (constant - d) / d };
-        let margin = self.constant.plus(&self.slope.scaled(constant));
+        let u = if at_turning_point { 0.0 } else { (over_bottom - self.law.height(angle)) / d };
+        let margin = self.constant.plus(&self.slope.scaled(over_bottom));
         let slope = margin.derivative();
         let (rise, fall) = if at_turning_point {
             let steepness = -2.0 * self.law.offset * sin;
@@ -200,10 +198,10 @@ impl Levels {
         let solvability = sliding.p(sin, sliding.q(1.0, sin, cos));
         let normal = self.law.forces_at((sin, cos), [1.0, u], d).normal;
         let begins = solvability > 0.0 && normal > 0.0 && rise > 0.0 && fall > 0.0;
-        (begins && self.holds(hoop, 0.5 * (floor + constant))).then(|| {
+        (begins && self.holds(hoop, 0.5 * (floor + over_bottom))).then(|| {
             let theta_rate = u.sqrt();
             GrazingOrbit {
-                energy: self.energy_of(constant),
+                energy: self.energy_of(over_bottom),
                 theta: if angle > PI { 2.0 * PI - angle } else { angle },
                 theta_rate,
                 recurrence: RollingOrbit::new(hoop, angle, theta_rate).recurrence(),
@@ -213,9 +211,9 @@ impl Levels {
         })
     }
 
-    /// Whether static friction holds on the whole orbit with this constant.
-    fn holds(&self, hoop: &Hoop, constant: f64) -> bool {
-        let u = (constant - self.law.bottom) / self.law.bottom;
+    /// Whether static friction holds on the whole orbit of a level.
+    fn holds(&self, hoop: &Hoop, over_bottom: f64) -> bool {
+        let u = over_bottom / self.law.bottom;
         RollingOrbit::new(hoop, PI, u.max(0.0).sqrt()).end().is_none()
     }
 }

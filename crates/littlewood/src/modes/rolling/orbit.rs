@@ -157,7 +157,7 @@ impl Elliptic {
         };
         let mut orbit = Self {
             law,
-            boundary: Boundary::new(hoop, &law, law.bottom + over_bottom),
+            boundary: Boundary::new(hoop, &law, (over_top, over_bottom)),
             travel,
             motion,
             angle: travel * theta,
