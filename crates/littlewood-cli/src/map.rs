@@ -33,9 +33,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     if let ([], [(_, path), ..], true) = (&targets[..], &at_the_end[..], args.store.resume) {
         return Err(Error::Out {
             path: path.to_path_buf(),
-            reason:
-                "there is nothing to resume: a picture or a text alone does not keep what it is made from"
-                    .to_owned(),
+            reason: "nothing to resume: a picture or a text alone does not store its results".to_owned(),
             hint: "leave out --resume; with a second --out NAME.zarr a picture can be resumed".to_owned(),
         });
     }

@@ -39,15 +39,14 @@ fn check(program: fn() -> Command, has: impl Fn(bool) -> bool) {
         }
         for arguments in [&[command][..], &[command, "figure-3", "--out", "a.gif"], &[command, "--help"]] {
             let message = refusal(program(), arguments);
-            let said = format!(
-                "`littlewood {command}` is not in this program: it was built without the feature `{feature}`"
-            );
+            let said =
+                format!("`littlewood {command}` requires the feature `{feature}`, which is not compiled in");
             assert!(message.contains(&said), "{message}");
             let hint = format!("hint: in the sources, `cargo run --release --features {feature} ");
             assert!(message.contains(&hint), "{message}");
         }
         let help = help_of(program(), &["--help"]).split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(help.contains(&format!("(not in this program: feature `{feature}`)")), "{help}");
+        assert!(help.contains(&format!("(requires the feature `{feature}`)")), "{help}");
     }
     if !has(cfg!(feature = "sweep")) {
         for name in ["plane.zarr", "plane.parquet"] {
@@ -70,7 +69,10 @@ fn commands_of_the_python_package_are_named_and_say_where_they_are() {
     for command in ["score", "certify"] {
         for arguments in [&[command][..], &[command, "figure-3", "a.csv"], &[command, "--help"]] {
             let message = refusal(littlewood(), arguments);
-            assert!(message.contains(&format!("`littlewood {command}` is not in this program")), "{message}");
+            assert!(
+                message.contains(&format!("`littlewood {command}` is part of the Python package")),
+                "{message}"
+            );
             assert!(message.contains(&format!("python -m littlewood {command} --help")), "{message}");
         }
     }

@@ -8,7 +8,6 @@ use std::f64::consts::{PI, TAU};
 use crate::common::{engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start, whole_range};
 use littlewood::modes::SlideLimit;
 use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
-use littlewood::theory::Body;
 use littlewood::{
     Engine, Hoop, HoopParameters, Limits, Outcome, OutcomeKind, Proof, Restitution, RestitutionLaw, Start,
     Summary, Trajectory,

@@ -31,7 +31,7 @@ pub(crate) struct AnimateArgs {
     pub(crate) problem: ProblemArgs<true>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
-    /// File of the film, .gif, .png, .apng, .mp4 or .webm; it is replaced only once everything has been written
+    /// Film, .gif, .png, .apng, .mp4 or .webm; an existing file is replaced once the film is complete
     #[arg(long, value_name = "FILE", help_heading = "Film")]
     pub(crate) out: PathBuf,
     /// Seconds of film for a unit of time sqrt(R/g) [default: 3]; in SI units, how many times slower than real the
@@ -47,17 +47,17 @@ pub(crate) struct AnimateArgs {
     /// What the picture shows of the path
     #[arg(long, value_enum, default_value_t = Camera::Auto, help_heading = "Film")]
     pub(crate) camera: Camera,
-    /// How many times slower the film runs about impacts; in each of them it stands still while the impulse grows. Small
-    /// bounces are not slowed down
+    /// Slow motion around impacts, by this factor; each impact is a still while the impulse grows. Small bounces are not
+    /// slowed down
     #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
     pub(crate) slow_impacts: Option<f64>,
-    /// Show where the energy of the start has gone: kinetic, potential, lost to friction, lost in impacts
+    /// Show the energy as a bar: kinetic, potential, lost to friction, lost in impacts
     #[arg(long, value_enum, default_value_t = Bar::Auto, help_heading = "Film")]
     pub(crate) energy_bar: Bar,
-    /// Show a second picture beside the hoop, in which the motion runs along; in place of the bar of the energy
+    /// Show a second picture beside the hoop, instead of the energy bar
     #[arg(long, value_enum, help_heading = "Film", conflicts_with = "energy_bar")]
     pub(crate) with: Option<Beside>,
-    /// Seconds for which the last picture stays [default: 1.5, and 0 for an oscillation, which goes on where it began]
+    /// Seconds for which the last frame stays [default: 1.5; 0 for an oscillation, which loops]
     #[arg(long, value_name = "S", value_parser = number, help_heading = "Film")]
     pub(crate) hold: Option<f64>,
 }

@@ -21,7 +21,7 @@ pub(crate) struct LabArgs {
     /// Folder of a built page to serve instead
     #[arg(long, value_name = "FOLDER")]
     pub(crate) page: Option<PathBuf>,
-    /// Do not open a browser, only say where the laboratory is
+    /// Do not open a browser, only print the address
     #[arg(long)]
     pub(crate) no_open: bool,
 }

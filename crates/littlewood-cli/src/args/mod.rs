@@ -69,31 +69,31 @@ Examples:
   littlewood classify figure-7
   littlewood map figure-3 --x theta=-pi:pi:1000 --y theta_rate=-4:4:1000 --out map.png
 
-Outputs go into folders that are there; none is made for them.
+The folders of outputs must exist.
 
-Exit codes: 0 for every result, 1 for a disk that is full and other failures of the system, 2 for bad input, such as a place
-where nothing can be written, 130 if Ctrl-C or a signal such as SIGTERM has ended it; files that were not finished are
-removed then, and a second signal does not wait for what is finished.";
+Exit codes: 0 for every result; 1 for failures of the system, such as a full disk; 2 for bad input, such as an output that
+cannot be written; 130 after Ctrl-C or a signal such as SIGTERM, which removes unfinished files (a second signal exits at
+once).";
 
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Follow a motion to its end: phases, transitions, outcome
+    /// Simulate a motion to its end: phases, transitions, outcome
     #[command(long_about = SIMULATE, after_help = SIMULATE_EXAMPLES)]
     Simulate(Box<SimulateArgs>),
-    /// Say in which region a start lies and what begins there, without following the motion
+    /// Classify a start: its region and the motion that begins there, without simulating it
     #[command(long_about = CLASSIFY, after_help = CLASSIFY_EXAMPLES)]
     Classify(Box<ClassifyArgs>),
-    /// List the named cases: the motions that the paper shows or speaks of
+    /// List the named cases: motions that the paper shows or discusses
     Cases(CasesArgs),
-    /// Follow the starts of a plane of two quantities: a picture, or a store for xarray or a data frame
+    /// Simulate a 2-D grid of starts: a picture, or a store for xarray or data frames
     #[command(long_about = sweep::map(), after_help = MAP_EXAMPLES)]
     Map(Box<MapArgs>),
-    /// Follow the starts of a grid with any number of axes, or of a list
+    /// Simulate a grid of starts with any number of axes, or a list
     #[cfg(feature = "sweep")]
     #[command(long_about = SWEEP, after_help = SWEEP_EXAMPLES)]
     Sweep(Box<SweepArgs>),
-    /// Follow the starts of a grid with any number of axes, or of a list (not in this program: feature `sweep`)
+    /// Simulate a grid of starts with any number of axes, or a list (requires the feature `sweep`)
     #[cfg(not(feature = "sweep"))]
     #[command(disable_help_flag = true)]
     Sweep(ElsewhereArgs),
@@ -101,15 +101,15 @@ pub(crate) enum Command {
     #[cfg(feature = "sweep")]
     #[command(long_about = ATLAS, after_help = ATLAS_EXAMPLES)]
     Atlas(Box<AtlasArgs>),
-    /// Count the sequences of phases that occur on a grid of starts, with an example of each (not in this program: feature `sweep`)
+    /// Count the sequences of phases that occur on a grid of starts, with an example of each (requires the feature `sweep`)
     #[cfg(not(feature = "sweep"))]
     #[command(disable_help_flag = true)]
     Atlas(ElsewhereArgs),
-    /// Draw the figures of the paper, and more, of its hoops or of any other
+    /// Draw the figures of the paper and others, for any hoop
     #[cfg(feature = "figures")]
     #[command(long_about = FIGURES, after_help = FIGURES_EXAMPLES)]
     Figures(Box<FiguresArgs>),
-    /// Draw the figures of the paper, and more, of its hoops or of any other (not in this program: feature `figures`)
+    /// Draw the figures of the paper and others, for any hoop (requires the feature `figures`)
     #[cfg(not(feature = "figures"))]
     #[command(disable_help_flag = true)]
     Figures(ElsewhereArgs),
@@ -117,7 +117,7 @@ pub(crate) enum Command {
     #[cfg(feature = "figures")]
     #[command(long_about = POSTER, after_help = POSTER_EXAMPLES)]
     Poster(Box<PosterArgs>),
-    /// Draw a poster of a hoop, its motion and its laws (not in this program: feature `figures`)
+    /// Draw a poster of a hoop, its motion and its laws (requires the feature `figures`)
     #[cfg(not(feature = "figures"))]
     #[command(disable_help_flag = true)]
     Poster(ElsewhereArgs),
@@ -125,7 +125,7 @@ pub(crate) enum Command {
     #[cfg(feature = "film")]
     #[command(long_about = ANIMATE, after_help = ANIMATE_EXAMPLES)]
     Animate(Box<AnimateArgs>),
-    /// Make a film of a motion: GIF, APNG, MP4 or WebM (not in this program: feature `film`)
+    /// Make a film of a motion: GIF, APNG, MP4 or WebM (requires the feature `film`)
     #[cfg(not(feature = "film"))]
     #[command(disable_help_flag = true)]
     Animate(ElsewhereArgs),
@@ -133,30 +133,30 @@ pub(crate) enum Command {
     #[cfg(feature = "lab")]
     #[command(long_about = LAB)]
     Lab(LabArgs),
-    /// Open the laboratory in the browser: drag a start and watch the hoop (not in this program: feature `lab`)
+    /// Open the laboratory in the browser: drag a start and watch the hoop (requires the feature `lab`)
     #[cfg(not(feature = "lab"))]
     #[command(disable_help_flag = true)]
     Lab(ElsewhereArgs),
-    /// Score the motion that a solver has computed against the exact one (in the Python package)
+    /// Score a solver against the exact motion (in the Python package)
     #[command(disable_help_flag = true)]
     Score(ElsewhereArgs),
-    /// Enclose a motion in balls, with a proof that no event was missed (in the Python package)
+    /// Certify a motion by ball arithmetic, with a proof that no event is missed (in the Python package)
     #[command(disable_help_flag = true)]
     Certify(ElsewhereArgs),
 }
 
 const SIMULATE: &str = "\
-Follow a motion to its end: phases, transitions, outcome.
+Simulate a motion to its end: phases, transitions, outcome.
 
-The motion is a named case, or parameters, or a scenario file; flags override the values of both. Five numbers define \
+The motion is given by a named case, a scenario file or flags; flags override the others. Five numbers define \
 the hoop (2.9), and theta and theta' the start; slip, x and time are 0 unless given. Without --until the motion is \
 followed to a final outcome: a landing, rolling for ever, or a state beyond which the model has no unique motion. \
 Each of these is a result, not a failure.
 
-With --restitution the motion goes on after a landing: each impact is solved exactly, with friction, by the law of \
---restitution-law, and bounces that accumulate are followed to their end. Where no motion is consistent the hoop then jams \
-(Painleve). With --restitution 1 bounces end by friction alone, where they do not slip, or never: give --until. A massless \
-hoop has no impact, for its rim has no inertia that an impulse could act on.";
+With --restitution the motion continues after a landing: each impact is solved exactly, with friction, by the law of \
+--restitution-law, and accumulating bounces are summed to their end. Where no motion is consistent the hoop then jams \
+(Painleve). With --restitution 1 bounces end by friction alone, if they stick, or never: give --until. A massless \
+hoop has no impact: its rim has no inertia.";
 
 const SIMULATE_EXAMPLES: &str = "\
 Examples:
@@ -171,7 +171,7 @@ Examples:
   littlewood simulate --scenario hoop.toml --samples 500 --out hoop.csv";
 
 const CLASSIFY: &str = "\
-Say in which region a start lies and what begins there, without following the motion.
+Classify a start: its region and the motion that begins there, without simulating it.
 
 The regions are those of (2.14) and (3.10); for Littlewood's massless hoop the type I, II or III of its rolling motion \
 (section 3a) is given too. Takes the hoop and the start as `simulate` does.";
@@ -191,23 +191,20 @@ pub(crate) struct SimulateArgs {
     pub(crate) problem: ProblemArgs<true>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
-    /// Output format [default: by the ending of --out, .txt, .csv or .json, else table]
+    /// Output format [default: by the extension of --out, .txt, .csv or .json, else table]
     #[arg(long, value_enum, help_heading = "Output")]
     pub(crate) format: Option<Format>,
-    /// Add N instants, evenly spaced in time, and every transition between them. A motion without an end is sampled
-    /// for two periods of its last phase (10 units of time if that has no period), or to --until; one that ends where it
-    /// begins has its start alone
+    /// Sample N instants, evenly spaced in time, and every transition. An endless motion is sampled for two periods of its
+    /// last phase (10 units of time if it has no period), or to --until; one that ends at its start has one sample
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(SAMPLES), help_heading = "Output")]
     pub(crate) samples: Option<u64>,
-    /// Give every bounce and every phase a row of the table; otherwise many bounces share one, and long motions are
-    /// shortened
+    /// Print a row for every bounce and phase; by default bounces share a row and long motions are shortened
     #[arg(long, help_heading = "Output")]
     pub(crate) all_bounces: bool,
-    /// Say how many digits of each transition can be trusted, from motions that start a last digit beside it and motions that round
-    /// otherwise on the way
+    /// Estimate the trusted digits of each transition, from neighbouring starts and perturbed rounding
     #[arg(long, help_heading = "Output")]
     pub(crate) digits: bool,
-    /// Write to this file; it is replaced only once everything has been written
+    /// Output file; an existing file is replaced once the output is complete
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub(crate) out: Option<PathBuf>,
 }

@@ -26,7 +26,7 @@ pub(crate) struct PosterArgs {
     pub(crate) problem: ProblemArgs<true>,
     #[command(flatten)]
     pub(crate) run: RunArgs,
-    /// File of the poster, .pdf, .svg or .png; it is replaced only once everything has been drawn
+    /// Poster, .pdf, .svg or .png; an existing file is replaced once the drawing is complete
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub(crate) out: PathBuf,
     /// Pixels of a PNG to one of the drawing, which has 1600 across: 2 makes 270 dpi

@@ -54,8 +54,8 @@ fn max_slides() -> String {
 
 fn max_transitions() -> String {
     format!(
-        "Stop after this many transitions. Light hoops on nearly smooth planes make very many, and bounces without loss \
-         do not end [default: {}]",
+        "Stop after this many transitions. Light hoops on nearly smooth planes make very many, and lossless bounces never \
+         end [default: {}]",
         Limits::default().transitions
     )
 }
@@ -66,10 +66,10 @@ fn proofs() -> impl TypedValueParser<Value = Proof> {
 }
 
 fn proof() -> String {
-    format!("What is enough to end a motion without a time limit [default: {}]", Limits::default().proof)
+    format!("Proof required before a motion is declared endless [default: {}]", Limits::default().proof)
 }
 
 /// A number after a flag.
 pub(crate) fn number(text: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| "this is not a number".to_owned())
+    text.parse().map_err(|_| "not a number".to_owned())
 }

@@ -96,7 +96,7 @@ fn argument(quantity: Quantity) -> Arg {
 fn law_argument() -> Arg {
     let names = RestitutionLaw::ALL.map(|law| PossibleValue::new(law.name()).help(law.label()));
     let help = format!(
-        "What the coefficient of restitution is a ratio of, with SI parameters too [default: {}]",
+        "Definition of the coefficient of restitution, also with SI parameters [default: {}]",
         RestitutionLaw::default()
     );
     Arg::new(RESTITUTION_LAW)

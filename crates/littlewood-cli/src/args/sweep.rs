@@ -20,18 +20,18 @@ pub(super) fn map() -> String {
     };
     format!(
         "\
-Follow the starts of a plane of two quantities, and keep what becomes of each.
+Simulate a 2-D grid of starts and record the outcome of each.
 
 An axis is NAME=FROM:TO:COUNT, both ends included; NAME is one of {}, or mu for static and kinetic friction together, and \
-FROM and TO may be written with pi (-pi, pi/2, 2pi). NAME=FROM:TO:COUNT:log has equal factors in place of equal steps. With --particle-mass-kg and --radius-m it may be {} as well; results are dimensionless all the same. What no axis \
-varies comes from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless a scenario says \
+FROM and TO may be written with pi (-pi, pi/2, 2pi). NAME=FROM:TO:COUNT:log is spaced logarithmically. With --particle-mass-kg and --radius-m it may be {} as well; results stay dimensionless. Quantities without an axis \
+come from the case, the scenario or the flags, as in `simulate`; x and time start at 0 unless a scenario says \
 otherwise.
 
---out takes a picture (.png, or in vectors .svg and, with the feature `figures`, .pdf), a text (.csv, .json), a Zarr v3 store (.zarr) or a Parquet file (.parquet), once for each that is \
-wanted; every motion is followed once. Stores and Parquet need the feature `sweep`; a text has 1,048,576 starts at most. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
-table. Results are written chunk by chunk. Ctrl-C leaves what is finished, and --resume goes on from \
-there: a store can be read at any time, a table is in NAME.parquet.parts until it is complete, and a picture that is not \
-complete is NAME.partial.png (a text NAME.partial.csv). A picture or a text alone is not resumed.",
+--out takes a picture (.png, or in vectors .svg and, with the feature `figures`, .pdf), a text (.csv, .json), a Zarr v3 store (.zarr) or a Parquet file (.parquet), repeat it for \
+several; each motion is simulated once. Stores and Parquet need the feature `sweep`; a text has at most 1,048,576 starts. With more than 16,777,216 starts .parquet is a folder of files, which readers take as one \
+table. Results are written chunk by chunk. Ctrl-C keeps finished chunks, and --resume continues from \
+them: a store can be read at any time, a table is in NAME.parquet.parts until it is complete, and an incomplete picture \
+is NAME.partial.png (a text NAME.partial.csv). A picture or a text alone cannot be resumed.",
         names(Quantity::AXES.to_vec(), "and"),
         names(si_quantities().collect(), "or"),
     )
@@ -48,14 +48,14 @@ Examples:
 
 #[cfg(feature = "sweep")]
 pub(super) const SWEEP: &str = "\
-Follow the starts of a grid with any number of axes (see `littlewood map --help`), the last running fastest, or of a \
+Simulate a grid of starts with any number of axes (see `littlewood map --help`), the last varying fastest, or a \
 list.
 
-A list is a CSV file with a header, or a Parquet file; its columns are named as axes are, or x and time, and what has no \
-column comes from the case, the scenario or the flags. --out takes a Parquet file (.parquet), or for a grid a Zarr v3 \
+A list is a CSV file with a header, or a Parquet file; its columns are named as axes are, or x and time; other \
+quantities come from the case, the scenario or the flags. --out takes a Parquet file (.parquet), or for a grid a Zarr v3 \
 store (.zarr); the rows of a table are in the order of the list. With more than 16,777,216 starts .parquet is a folder \
-of files, which readers take as one table. Ctrl-C leaves what is finished, and --resume goes on from \
-there; until a table is complete it is in NAME.parquet.parts.";
+of files, which readers take as one table. Ctrl-C keeps finished chunks, and --resume continues from \
+them; until a table is complete it is in NAME.parquet.parts.";
 
 #[cfg(feature = "sweep")]
 pub(super) const SWEEP_EXAMPLES: &str = "\
@@ -71,7 +71,7 @@ R is rolling, + and - sliding, g, n and G gliding, F flight. Without --axis the 
 theta_rate=-4:4:200. With --hoops the grid is that of every hoop of a list, a CSV file with a header, or a Parquet file, \
 with columns such as mass_ratio and inertia.
 
-With --first-turn a motion is followed as Theron and Maritz do (2008): from the top, with mu_k = mu_s, to one \
+With --first-turn a motion is followed as by Theron and Maritz (2008): from the top, with mu_k = mu_s, to one \
 revolution, to the instant when theta' changes sign, or to lift-off; the grid is then theta_rate=0.01:2:200 and \
 mu_s=0.01:2:200.";
 
@@ -99,7 +99,7 @@ pub(crate) struct MapArgs {
     pub(crate) work: WorkArgs,
     #[command(flatten)]
     pub(crate) store: StoreArgs,
-    /// What the colours of a picture show: outcome, sequence, energy_lost, or a column such as transitions, landings (hops),
+    /// Column shown by colour: outcome, sequence, energy_lost, or a column such as transitions, landings (hops),
     /// lift_off_time or jump_length
     #[arg(long, value_name = "COLUMN", default_value = "outcome", help_heading = "Output")]
     pub(crate) shade: String,
@@ -149,7 +149,7 @@ pub(crate) struct AtlasArgs {
     /// A list of hoops, .csv or .parquet; the grid is that of each
     #[arg(long, value_name = "FILE")]
     pub(crate) hoops: Option<PathBuf>,
-    /// Follow each motion for its first turn, with mu_k = mu_s, from the top unless --theta or an axis says otherwise
+    /// Simulate the first turn of each motion, with mu_k = mu_s, from the top unless --theta or an axis says otherwise
     #[arg(long, conflicts_with_all = [Quantity::Until.name(), Quantity::UntilS.name(), "max_transitions", "max_slides"])]
     pub(crate) first_turn: bool,
     #[command(flatten)]
@@ -180,10 +180,10 @@ pub(crate) struct WorkArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Output")]
 pub(crate) struct StoreArgs {
-    /// Where to, once for each that is wanted; the ending says what it is
+    /// Output file (repeatable); the extension chooses the format
     #[arg(long, value_name = "PATH", required = true)]
     pub(crate) out: Vec<PathBuf>,
-    /// Go on with what was not finished; results of other parameters are refused
+    /// Resume an interrupted run; parameters must match
     #[arg(long)]
     pub(crate) resume: bool,
     /// Format of the summary

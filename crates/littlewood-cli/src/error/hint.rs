@@ -29,11 +29,9 @@ pub(super) fn of(error: &Error) -> Option<String> {
             flags.join(", ")
         ),
         Error::Unreadable { .. } => "--scenario takes the path of a TOML file in UTF-8".to_owned(),
-        Error::Unwritable { .. } => {
-            "an output goes into a folder that is there and can be written to".to_owned()
-        }
+        Error::Unwritable { .. } => "outputs need an existing folder that can be written to".to_owned(),
         Error::LongTable { .. } => "give --format csv, or --out NAME.csv".to_owned(),
-        Error::WriteFile { .. } => "what stood there before has not been touched".to_owned(),
+        Error::WriteFile { .. } => "the existing file is unchanged".to_owned(),
         Error::Sweep(error) => of_sweep(error),
         #[cfg(feature = "sweep")]
         Error::Hoop { source, .. } => of_axis(source),
@@ -45,12 +43,10 @@ pub(super) fn of(error: &Error) -> Option<String> {
         #[cfg(feature = "figures")]
         Error::Figure(error) => of_figure(error),
         Error::Drawing(error) => of_drawing(error).to_owned(),
-        Error::Stopped => {
-            "files that were not finished are removed; what had been finished before is kept".to_owned()
-        }
+        Error::Stopped => "unfinished files are removed; finished ones are kept".to_owned(),
         Error::NotBuilt { feature, .. } => format!(
-            "in the sources, `cargo run --release --features {feature} -- …` builds it with the feature, and \
-             `--all-features` with all of them; released programs have them all"
+            "build it with `cargo run --release --features {feature} -- …`, or with `--all-features`; released programs \
+             have all features"
         ),
         Error::InPackage { command } => {
             format!("`pip install littlewood`, and then `python -m littlewood {command} --help`")

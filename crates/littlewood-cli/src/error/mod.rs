@@ -72,7 +72,7 @@ pub(crate) enum Error {
         flags: Vec<String>,
     },
     /// SI and dimensionless values side by side.
-    #[error("{plain} has no dimension, {si} is in SI units: the two do not go together")]
+    #[error("{plain} is dimensionless and {si} is in SI units: they cannot be combined")]
     Mixed {
         /// The dimensionless quantity.
         plain: String,
@@ -157,7 +157,7 @@ pub(crate) enum Error {
         most: u64,
     },
     /// A column that a picture cannot show.
-    #[error("--shade {name}: there is no such column")]
+    #[error("--shade {name}: no such column")]
     UnknownShade {
         /// The name that was given.
         name: String,
@@ -194,7 +194,7 @@ pub(crate) enum Error {
     #[error("stopped")]
     Stopped,
     /// Something that a feature of this package brings, and this program was built without it.
-    #[error("{what} is not in this program: it was built without the feature `{feature}`")]
+    #[error("{what} requires the feature `{feature}`, which is not compiled in")]
     NotBuilt {
         /// What was asked for.
         what: String,
@@ -202,7 +202,7 @@ pub(crate) enum Error {
         feature: Feature,
     },
     /// A command that the Python package adds.
-    #[error("`littlewood {command}` is not in this program: the Python package has it")]
+    #[error("`littlewood {command}` is part of the Python package")]
     InPackage {
         /// The command.
         command: &'static str,
