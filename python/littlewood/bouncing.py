@@ -29,7 +29,7 @@ class BouncingOrbit:
         Coefficient of static friction that sticking in the impacts needs.
     period : float
         Time of a turn, √(R/g).
-    start : Start
+    start : littlewood.Start
         Start of the flight over the top.
     """
 

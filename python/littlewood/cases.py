@@ -31,7 +31,7 @@ class Case:
         Where the paper has it, if it does.
     hoop : Hoop
         The hoop.
-    start : Start
+    start : littlewood.Start
         The start.
     """
 
@@ -78,7 +78,7 @@ def case(name: str) -> Case:
 
     Returns
     -------
-    Case
+    littlewood.cases.Case
 
     Raises
     ------

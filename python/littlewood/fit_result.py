@@ -97,9 +97,9 @@ class FitResult:
     ----------
     hoop : Hoop
         The hoop with the estimated parameters.
-    start : State
+    start : littlewood.motion.State
         The estimated start.
-    estimates : mapping of str to Estimate
+    estimates : mapping of str to littlewood.fit_result.Estimate
         Estimates of everything that was free: parameters of the hoop, of the start by `start_theta`, …, and of the
         camera by `camera_floor`, …
     covariance : ndarray

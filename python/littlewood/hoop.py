@@ -305,7 +305,7 @@ class Hoop:
 
         Returns
         -------
-        Classification
+        littlewood.motion.Classification
 
         Raises
         ------
@@ -329,7 +329,7 @@ class Hoop:
 
         Returns
         -------
-        BouncingOrbit or None
+        littlewood.bouncing.BouncingOrbit or None
             None for a massless or a balanced hoop, for another angle, and where the rim would have to pass through the
             plane.
 

@@ -58,7 +58,7 @@ class Start(State):
     Attributes
     ----------
     time, theta, theta_rate, slip, x : float
-        As those of :class:`State`.
+        As those of :class:`littlewood.motion.State`.
     gap_rate : float
         Rate at which the gap under the rim opens, zero or positive, √(gR): that of a hoop thrown from the plane.
     """

@@ -147,7 +147,7 @@ CLASS_LABELS: Mapping[str, str] = _frozen((name, label) for _, name, label in _c
 """Classes in words."""
 
 REGIONS: tuple[str, ...] = tuple(name for _, name in _core.REGIONS)
-"""Names of the regions that a start lies in; their places are the codes of :meth:`PhasePlane.region`."""
+"""Names of the regions that a start lies in, by the codes of :meth:`littlewood.phase_plane.PhasePlane.region`."""
 
 ROLLING_TYPES: tuple[str, ...] = ("", *(name for _, name in _core.ROLLING_TYPES))
 """Names of the types of rolling; their places are the codes in arrays, 0 for none."""
