@@ -1,10 +1,12 @@
 //! Links of the page.
 
 use littlewood::RestitutionLaw;
-use littlewood::tables::{Presence, Quantity};
-use littlewood_report::link::{self, Link, Problem, VIEW};
+use littlewood::tables::Quantity;
+use littlewood_report::link::{self, Link, VIEW};
 use serde_json::{Map, Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::problem::given;
 
 /// What a link says, as JSON: the problem, the instant, the view, and what could not be read. `shown` is the link of what
 /// the page shows. A number that is missing is null.
@@ -49,14 +51,8 @@ pub fn write_link(
     at: Option<f64>,
     view: Vec<String>,
 ) -> String {
-    let mut numbers = numbers.iter().copied();
-    let mut value = |quantity: Quantity| match (quantity, quantity.row().presence) {
-        (Quantity::Restitution, _) => restitution,
-        (_, Presence::Optional) => until,
-        (_, Presence::Required | Presence::Default(_)) => numbers.next(),
-    };
-    let values = Problem::quantities(is_si).map(|quantity| (quantity, value(quantity))).collect();
-    let problem = Problem { is_si, values, law: law.and_then(|law| law.parse().ok()) };
+    let law = law.and_then(|law| law.parse().ok());
+    let problem = given(is_si, numbers, restitution, law, until);
     let mut link = Link { at, ..Link::of(problem) };
     for ((says, given), (_, choices, _)) in link.view.iter_mut().zip(view).zip(VIEW) {
         *says = choices.iter().find(|choice| **choice == given).copied().unwrap_or(says);

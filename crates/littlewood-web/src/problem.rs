@@ -3,7 +3,8 @@
 use littlewood::si::{SiParameters, SiSetup, Units};
 use littlewood::tables::{Dimension, Presence, Quantity, SampleColumn, Setup};
 use littlewood::theory::Body;
-use littlewood::{Hoop, HoopParameters, Limits, Restitution, RestitutionLaw, Start};
+use littlewood::{Hoop, Limits, Restitution, RestitutionLaw, Start};
+use littlewood_report::link;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::refusal::Refusal;
@@ -51,13 +52,7 @@ impl Problem {
         law: Option<String>,
         until: Option<f64>,
     ) -> Result<Self, Refusal> {
-        let mut setup = Setup::new(HoopParameters::default(), Start::default());
-        for (index, quantity) in dimensionless_quantities().enumerate() {
-            setup.set(quantity, number(numbers, index));
-        }
-        setup.hoop.restitution = restitution;
-        setup.hoop.restitution_law = law_named(law)?;
-        Self::checked(&setup, until, None)
+        Self::checked(&given(false, numbers, restitution, law_named(law)?, until))
     }
 
     /// In SI units: the numbers of [`si_quantities`], and the rest as without dimension. Converted just as the command
@@ -71,13 +66,7 @@ impl Problem {
         law: Option<String>,
         until_s: Option<f64>,
     ) -> Result<Self, Refusal> {
-        let value = |wanted: Quantity| {
-            let place = si_quantities().position(|quantity| quantity == wanted);
-            place.map(|i| number(numbers, i)).or(restitution.filter(|_| wanted == Quantity::Restitution))
-        };
-        let (setup, units) = SiSetup::from_values(value, law_named(law)?).to_setup()?;
-        let until = until_s.map(|until_s| units.until(until_s, &setup.start)).transpose()?;
-        Self::checked(&setup, until, Some(units))
+        Self::checked(&given(true, numbers, restitution, law_named(law)?, until_s))
     }
 
     /// The dimensionless numbers, in the order of [`Problem::dimensionless`].
@@ -151,7 +140,8 @@ impl Problem {
 }
 
 impl Problem {
-    fn checked(setup: &Setup, until: Option<f64>, units: Option<Units>) -> Result<Self, Refusal> {
+    fn checked(given: &link::Problem) -> Result<Self, Refusal> {
+        let (setup, units, until) = given.to_setup()?;
         let hoop = Hoop::new(setup.hoop)?;
         // A start has its own bounds, which only a use of it checks.
         setup.start.check()?;
@@ -168,9 +158,22 @@ fn law_named(name: Option<String>) -> Result<Option<RestitutionLaw>, Refusal> {
     Ok(name.as_deref().map(str::parse).transpose()?)
 }
 
-/// A number by its place; NaN, which is refused, where there is none.
-fn number(numbers: &[f64], index: usize) -> f64 {
-    numbers.get(index).copied().unwrap_or(f64::NAN)
+/// A problem of numbers as they cross the boundary. One that is missing is refused where the problem is checked.
+pub(crate) fn given(
+    is_si: bool,
+    numbers: &[f64],
+    restitution: Option<f64>,
+    law: Option<RestitutionLaw>,
+    until: Option<f64>,
+) -> link::Problem {
+    let mut numbers = numbers.iter().copied();
+    let mut value = |quantity| match quantity {
+        Quantity::Restitution => restitution,
+        Quantity::Until | Quantity::UntilS => until,
+        _ => numbers.next(),
+    };
+    let values = link::Problem::quantities(is_si).map(|quantity| (quantity, value(quantity))).collect();
+    link::Problem { is_si, values, law }
 }
 
 #[cfg(test)]
