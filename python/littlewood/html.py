@@ -49,9 +49,9 @@ def page_html(blocks: Iterable[tuple[str, list[str], list[tuple[str | None, list
             parts.append(_table(tuple(map(escape, head)), [_coloured(*row) for row in rows], left))
         elif kind == "fact":
             lines = "<br>".join(escape(line) for _, (line,) in rows)
-            parts.append(
-                f'<div style="display:flex"><b style="min-width:6em">{escape(head[0])}</b><div>{lines}</div></div>'
-            )
+            label = f'<b style="min-width:6em">{escape(head[0])}</b>'
+            # The spaces between quantities stay as they are.
+            parts.append(f'<div style="display:flex">{label}<div style="white-space:pre-wrap">{lines}</div></div>')
         else:
             parts.append(f"<div><small>{escape(head[0])}</small></div>")
     return f"<div>{''.join(parts)}</div>"
