@@ -98,8 +98,6 @@ napoleon_type_aliases = {
     "mapping": "~collections.abc.Mapping",
     "iterable": "~collections.abc.Iterable",
     "collection": "~collections.abc.Collection",
-    **{name: f"~littlewood.{name}" for name in ("FitResult", "Hoop", "Trajectory")},
-    "Plane": "~littlewood.video.Plane",
     # No pages of their own.
     **{name: f"``{name}``" for name in ("Animation", "Laboratory")},
 }

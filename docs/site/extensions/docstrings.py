@@ -5,7 +5,10 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+from sphinx.util.nodes import make_refnode
 
 _BAR = re.compile(r"(?<!\\)\|")
 _SEVERAL = re.compile(r":(ivar|vartype) (\w+(?:, \w+)+):(.*)")
@@ -32,8 +35,24 @@ def _after(app: Sphinx, what: str, name: str, obj: object, options: object, line
     lines[:] = several
 
 
+def _by_last_name(
+    app: Sphinx, env: BuildEnvironment, node: nodes.Element, content: nodes.TextElement
+) -> nodes.reference | None:
+    """The one object of the package whose name ends so: docstrings name classes as people do, without the module."""
+    if node.get("refdomain") != "py":
+        return None
+    objects = env.get_domain("py").objects
+    ending = "." + node["reftarget"]
+    found = [(name, it) for name, it in objects.items() if ("." + name).endswith(ending) and not it.aliased]
+    if len(found) != 1:
+        return None
+    name, it = found[0]
+    return make_refnode(app.builder, node["refdoc"], it.docname, it.node_id, content, name)
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     # Around napoleon, which has the priority 500.
     app.connect("autodoc-process-docstring", _before, priority=400)
     app.connect("autodoc-process-docstring", _after, priority=600)
+    app.connect("missing-reference", _by_last_name)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
