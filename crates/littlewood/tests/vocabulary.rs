@@ -236,10 +236,6 @@ fn a_setup_in_si_units_is_converted_by_the_units_of_the_paper() {
     assert!(close(setup.start.time, -0.7 / time));
     assert!(close(setup.start.slip, -1.5 * time / 0.45));
     assert!(close(setup.start.gap_rate, 0.3 * time / 0.45));
-    assert!(close(units.velocity_m_per_s(), (9.8 * 0.45_f64).sqrt()));
-    assert!(close(units.force_n(), 0.14 * 9.8));
-    assert!(close(units.energy_j(), 0.14 * 9.8 * 0.45));
-    assert!(close(units.inertia_kg_m2(), 0.14 * 0.45 * 0.45));
     let back = SiSetup::new(&setup, &units);
     for quantity in Quantity::ALL {
         if let (Some(found), Some(given)) = (back.get(quantity), si.get(quantity)) {

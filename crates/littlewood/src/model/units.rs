@@ -65,30 +65,6 @@ impl Units {
             (Some(above), below) => value / (above / below),
         }
     }
-
-    /// Velocity √(g R), m/s.
-    #[must_use]
-    pub fn velocity_m_per_s(&self) -> f64 {
-        self.unit(Dimension::Velocity)
-    }
-
-    /// Force m2 g, N.
-    #[must_use]
-    pub fn force_n(&self) -> f64 {
-        self.unit(Dimension::Force)
-    }
-
-    /// Energy m2 g R, J.
-    #[must_use]
-    pub fn energy_j(&self) -> f64 {
-        self.unit(Dimension::Energy)
-    }
-
-    /// Moment of inertia m2 R², kg m².
-    #[must_use]
-    pub fn inertia_kg_m2(&self) -> f64 {
-        self.unit(Dimension::Inertia)
-    }
 }
 
 #[cfg(test)]
