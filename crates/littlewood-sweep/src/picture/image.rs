@@ -79,9 +79,10 @@ fn keys_of_pixels(found: &Regions, [width, height]: [usize; 2]) -> Vec<Option<u6
         let edges = region.outlines.iter().flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
         for (a, b) in edges {
             let (low, high) = if a[1] < b[1] { (a, b) } else { (b, a) };
-            for row in first(low[1], height)..first(high[1], height) {
+            let (from, to) = (first(low[1], height), first(high[1], height));
+            for (row, crossings) in rows.iter_mut().enumerate().take(to).skip(from) {
                 let y = (row as f64 + 0.5) / height as f64;
-                rows[row].push(low[0] + (high[0] - low[0]) * (y - low[1]) / (high[1] - low[1]));
+                crossings.push(low[0] + (high[0] - low[0]) * (y - low[1]) / (high[1] - low[1]));
             }
         }
         for (row, crossings) in rows.iter_mut().enumerate() {
