@@ -19,8 +19,8 @@ function offline(): Plugin {
       for (const name of own) hash.update(readFileSync(new URL(`public/${name}`, import.meta.url)));
       const files = ['./', ...own, ...built.filter((name) => name !== 'index.html')];
       const source = readFileSync(new URL('src/sw.js', import.meta.url), 'utf8')
-        .replace('"VERSION"', JSON.stringify(hash.digest('hex').slice(0, 16)))
-        .replace('"FILES"', JSON.stringify(files));
+        .replace("'VERSION'", JSON.stringify(hash.digest('hex').slice(0, 16)))
+        .replace("'FILES'", JSON.stringify(files));
       this.emitFile({ type: 'asset', fileName: 'sw.js', source });
     },
   };
