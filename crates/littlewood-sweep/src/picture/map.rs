@@ -43,10 +43,10 @@ const SIDES: [u32; 2] = [300, 10_000];
 const CELLS: [usize; 2] = [240, 480];
 const PARTS: usize = 64;
 
-/// How closely a boundary is located for pixels, in parts of the map: a quarter of one. Where boundaries meet, cells are not
-/// halved much beyond pixels either.
-const NEAR: f64 = 2e-4;
-const HALVINGS: u32 = 2;
+/// How closely a boundary is located for pixels, in parts of the map: less than one, which its middle is within half of. Where
+/// boundaries meet, cells are not halved much beyond pixels either: motions there may have thousands of phases.
+const NEAR: f64 = 5e-4;
+const HALVINGS: u32 = 1;
 
 /// Above all sequences that fit, and below the classes.
 pub(super) const OTHERS: u64 = u64::MAX - 0x1ff;

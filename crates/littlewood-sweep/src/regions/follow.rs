@@ -14,7 +14,8 @@ pub(super) struct Fine<'a> {
     parts: usize,
     /// Cells to the right and upwards.
     cells: [usize; 2],
-    keys: HashMap<Corner, u64>,
+    /// The keys of corners between the places of the lattice, as far as they are known.
+    between: HashMap<Corner, u64>,
 }
 
 /// The cells with boundaries.
@@ -40,10 +41,23 @@ const fn far_end(([x, y], axis): SideName) -> Corner {
 
 impl<'a> Fine<'a> {
     pub(super) fn new(lattice: &'a Lattice, parts: usize) -> Self {
-        let columns = lattice.places[0].len();
-        let keys = lattice.keys.iter().enumerate();
-        let keys = keys.map(|(i, &key)| ([parts * (i % columns), parts * (i / columns)], key)).collect();
-        Self { lattice, parts, cells: lattice.cells().map(|count| parts * count), keys }
+        Self { lattice, parts, cells: lattice.cells().map(|count| parts * count), between: HashMap::new() }
+    }
+
+    /// Where a corner stands among the keys of the lattice, if it is one of its places.
+    fn of_lattice(&self, [x, y]: Corner) -> Option<usize> {
+        let columns = self.lattice.places[0].len();
+        let is_one = x % self.parts == 0 && y % self.parts == 0;
+        is_one.then(|| y / self.parts * columns + x / self.parts)
+    }
+
+    /// The key of a corner that is known.
+    fn key(&self, corner: Corner) -> u64 {
+        self.of_lattice(corner).map_or_else(|| self.between[&corner], |place| self.lattice.keys[place])
+    }
+
+    fn is_known(&self, corner: Corner) -> bool {
+        self.of_lattice(corner).is_some() || self.between.contains_key(&corner)
     }
 
     fn place(&self, corner: Corner) -> Place {
@@ -59,19 +73,18 @@ impl<'a> Fine<'a> {
 
     /// Asks for the keys of corners that are not known.
     fn learn<E>(&mut self, corners: impl IntoIterator<Item = Corner>, ask: &mut Ask<'_, E>) -> Result<(), E> {
-        let wanted: BTreeSet<Corner> =
-            corners.into_iter().filter(|corner| !self.keys.contains_key(corner)).collect();
+        let wanted: BTreeSet<Corner> = corners.into_iter().filter(|corner| !self.is_known(*corner)).collect();
         if wanted.is_empty() {
             return Ok(());
         }
         let places: Vec<Place> = wanted.iter().map(|&corner| self.place(corner)).collect();
         let keys = ask(&places)?;
-        self.keys.extend(wanted.into_iter().zip(keys));
+        self.between.extend(wanted.into_iter().zip(keys));
         Ok(())
     }
 
     fn differ(&self, side: SideName) -> bool {
-        self.keys[&side.0] != self.keys[&far_end(side)]
+        self.key(side.0) != self.key(far_end(side))
     }
 
     /// The cells beside a side.
@@ -93,7 +106,7 @@ impl<'a> Fine<'a> {
                 let right = (x < columns).then(|| [from[0] + parts, from[1]]);
                 let up = (y < rows).then(|| [from[0], from[1] + parts]);
                 let ends = right.into_iter().chain(up);
-                spans.extend(ends.filter(|to| self.keys[&from] != self.keys[to]).map(|to| (from, to)));
+                spans.extend(ends.filter(|to| self.key(from) != self.key(*to)).map(|to| (from, to)));
             }
         }
         let mut size = parts;
@@ -103,11 +116,8 @@ impl<'a> Fine<'a> {
             self.learn(spans.iter().map(|&span| middle(span)), ask)?;
             for span in &mut spans {
                 let middle = middle(*span);
-                *span = if self.keys[&middle] == self.keys[&span.0] {
-                    (middle, span.1)
-                } else {
-                    (span.0, middle)
-                };
+                *span =
+                    if self.key(middle) == self.key(span.0) { (middle, span.1) } else { (span.0, middle) };
             }
         }
         Ok(spans.into_iter().map(|(from, to)| (from, usize::from(from[0] == to[0]))).collect())
@@ -146,10 +156,7 @@ impl<'a> Fine<'a> {
             .iter()
             .map(|&name| {
                 let corners = [name.0, far_end(name)];
-                Span {
-                    ends: corners.map(|corner| self.place(corner)),
-                    keys: corners.map(|at| self.keys[&at]),
-                }
+                Span { ends: corners.map(|corner| self.place(corner)), keys: corners.map(|at| self.key(at)) }
             })
             .collect();
         let mut nodes = Vec::new();
@@ -179,7 +186,7 @@ impl<'a> Fine<'a> {
                 .collect();
             crossings.sort_by(|a, b| a.at.total_cmp(&b.at));
             let to = if axis == 0 { [right, from[1]] } else { [from[0], top] };
-            Side { keys: [self.keys[&from], self.keys[&to]], crossings }
+            Side { keys: [self.key(from), self.key(to)], crossings }
         };
         let sides = [side([0, 0], 0), side([right, 0], 1), side([0, top], 0), side([0, 0], 1)];
         Cell { low: [0.0; 2], high: [1.0; 2], sides }
