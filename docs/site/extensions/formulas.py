@@ -49,7 +49,7 @@ class _Renderer:
     def _ask(self, tex: str, display: bool, place: Any) -> str:
         if self._process is None:
             if not _KATEX.is_dir():
-                raise ExtensionError("KaTeX is not there: run `npm ci` in docs/site")
+                raise ExtensionError("KaTeX is not there: run `npm ci` in web")
             command = ["node", "-e", _PROGRAM, str(_KATEX)]
             self._process = subprocess.Popen(
                 command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
