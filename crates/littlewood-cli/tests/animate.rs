@@ -222,7 +222,7 @@ fn impacts_are_replayed_slowly_and_the_energy_is_shown() {
     assert!(size(&["--energy-bar", "never"]).1 != usual);
     for (flags, words) in [
         (&["--slow-impacts", "0.5"][..], "slow_impacts = 0.5 must be a finite number of at least 1"),
-        (&["--slow-impacts", "x"], "this is not a number"),
+        (&["--slow-impacts", "x"], "not a number"),
         (&["--energy-bar", "sometimes"], "always"),
     ] {
         let message = refused(flags, 2);

@@ -154,10 +154,10 @@ fn an_unknown_case_brings_the_nearest_names() {
 #[test]
 fn the_two_systems_of_units_do_not_mix() {
     let message = refused(&["--theta-rate", "2", "--radius-m", "0.5"]);
-    assert!(message.contains("--theta-rate has no dimension, --radius-m is in SI units"), "{message}");
+    assert!(message.contains("--theta-rate is dimensionless and --radius-m is in SI units"), "{message}");
     assert!(message.contains("hint: in SI units --theta-rate is --theta-rate-rad-per-s"), "{message}");
     let message = refused(&["--si", "--until", "3"]);
-    assert!(message.contains("--until has no dimension, --si is in SI units"), "{message}");
+    assert!(message.contains("--until is dimensionless and --si is in SI units"), "{message}");
 }
 
 #[test]

@@ -80,7 +80,7 @@ fn a_folder_that_is_not_there_is_not_made() {
         words.extend(["figure-3", "--out", &out]);
         let message = complaint(&words, 2);
         assert!(message.contains(&format!("cannot write to {out}")), "{command} {name}: {message}");
-        assert!(message.contains("hint: an output goes into a folder that is there"), "{message}");
+        assert!(message.contains("hint: outputs need an existing folder"), "{message}");
         assert_eq!(entries(folder.path()), 0, "{command} {name}");
     }
 }
@@ -185,7 +185,7 @@ fn a_full_disk_loses_nothing() {
         .unwrap();
     assert_eq!(output.status.code(), Some(1));
     let message = String::from_utf8(output.stderr).unwrap();
-    assert!(message.contains("failed") && message.contains("has not been touched"), "{message}");
+    assert!(message.contains("failed") && message.contains("the existing file is unchanged"), "{message}");
     assert_eq!(fs::read_to_string(&path).unwrap(), PRECIOUS);
     assert_eq!(entries(folder.path()), 1);
 }
