@@ -292,7 +292,7 @@ fn mixed_in_file(scenario: &Scenario, plain: &Given, si: &Given) -> Error {
         Origin::Case | Origin::Flag => 0..0,
     };
     let message = format!(
-        "{} has no dimension, {} is in SI units: the two do not go together",
+        "{} is dimensionless and {} is in SI units: they cannot be combined",
         plain.quantity, si.quantity
     );
     let twin = plain.quantity.si_twin().map_or("", Quantity::name);

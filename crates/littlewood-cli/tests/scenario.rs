@@ -241,7 +241,7 @@ fn other_mistakes_in_a_scenario_are_shown_too() {
     );
     assert!(message.contains("hoop.toml:3:10"), "{message}");
     let message = refused("[start]\ntheta_rate = 2\n[si.hoop]\nradius_m = 1\n");
-    assert!(message.contains("theta_rate has no dimension, radius_m is in SI units"), "{message}");
+    assert!(message.contains("theta_rate is dimensionless and radius_m is in SI units"), "{message}");
     assert!(message.contains("theta_rate_rad_per_s"), "{message}");
     let message = refused("case = \"figure-3\"\n[run]\nsamples = 1\n");
     assert!(message.contains("samples = 1 is not between 2 and 10000000"), "{message}");
