@@ -42,7 +42,7 @@ fn check(program: fn() -> Command, has: impl Fn(bool) -> bool) {
             let said =
                 format!("`littlewood {command}` requires the feature `{feature}`, which is not compiled in");
             assert!(message.contains(&said), "{message}");
-            let hint = format!("hint: in the sources, `cargo run --release --features {feature} ");
+            let hint = format!("hint: build it with `cargo run --release --features {feature} ");
             assert!(message.contains(&hint), "{message}");
         }
         let help = help_of(program(), &["--help"]).split_whitespace().collect::<Vec<_>>().join(" ");
