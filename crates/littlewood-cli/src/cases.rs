@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::output::Output;
 use crate::report;
 
-/// Width of the terminal, within reason; 100 where there is none.
+/// Width of the terminal, clamped to 60 to 100 columns; 100 without a terminal.
 fn width() -> usize {
     terminal_size::terminal_size().map_or(100, |(width, _)| usize::from(width.0).clamp(60, 100))
 }

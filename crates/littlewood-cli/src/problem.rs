@@ -8,7 +8,7 @@ use littlewood::theory::Classification;
 use littlewood::{Digits, Hoop, HoopParameters, Limits, ParameterError, Start, Trajectory};
 use littlewood_report::{RESTITUTION_LAW, Subject};
 
-use crate::error::Error;
+use crate::error::{Error, mixed};
 use crate::nearest;
 use crate::request::Request;
 use crate::scenario::Scenario;
@@ -291,10 +291,7 @@ fn mixed_in_file(scenario: &Scenario, plain: &Given, si: &Given) -> Error {
         Origin::File(span) => span.clone(),
         Origin::Case | Origin::Flag => 0..0,
     };
-    let message = format!(
-        "{} is dimensionless and {} is in SI units: they cannot be combined",
-        plain.quantity, si.quantity
-    );
+    let message = mixed(plain.quantity, si.quantity);
     let twin = plain.quantity.si_twin().map_or("", Quantity::name);
     scenario.complain(message, format!("in SI units it is {twin}; or leave out the [si] tables"), span)
 }

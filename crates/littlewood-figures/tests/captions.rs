@@ -50,7 +50,7 @@ fn captions_have_nothing_that_latex_does_not_take() {
         let limits = input.limits.with_until(Some(30.0));
         for units in [None, Some(units)] {
             let input = FigureInput { limits, units, ..input };
-            // Whose captions are those of its own case, but for the numbers of the hoop.
+            // Slow figures are set for their own case only: other cases change just the numbers in their captions.
             let slow = |name| ["outcomes", "bifurcation"].contains(&name);
             for entry in FIGURES.iter().filter(|entry| entry.case == case.name || !slow(entry.name)) {
                 if let Ok(figure) = entry.figure(&input) {

@@ -291,7 +291,7 @@ fn pairs(text: &str) -> Vec<(String, String)> {
     pairs
 }
 
-/// A part of a link without its escapes; as it stands, if they are none.
+/// Decodes the percent escapes of a part of a link; returns it unchanged if they are malformed.
 fn decoded(text: &str) -> String {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.bytes();
@@ -307,7 +307,7 @@ fn decoded(text: &str) -> String {
     String::from_utf8(bytes).unwrap_or_else(|_| text.to_owned())
 }
 
-/// A number as people and programs write it; none for anything else, and for what is not finite.
+/// A finite number as people and programs write it; `None` for anything else.
 #[must_use]
 pub fn read_number(text: &str) -> Option<f64> {
     let plain = text.trim().replacen('−', "-", 1);

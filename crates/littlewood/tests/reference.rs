@@ -40,7 +40,7 @@ fn case(name: &str) -> Trajectory {
 
 #[test]
 fn figure_3_has_the_times_of_the_40_digit_table() {
-    // τ, θ, θ′, η′, x − x0 of stick, slip, lift-off, landing; the computation is described in reference/README.md.
+    // τ, θ, θ′, η′, x − x0 of stick, slip, lift-off, landing; the computation is described in evidence/reference/README.md.
     #[rustfmt::skip]
     let table = [
         (Cause::Stick, [0.564107553101996750, 2.91722565678924913, 2.93644326144529653, 0.0, -1.42267101158774882]),

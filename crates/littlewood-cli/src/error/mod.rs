@@ -3,6 +3,7 @@
 mod excerpt;
 mod hint;
 
+use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
 use std::path::PathBuf;
 
@@ -72,7 +73,7 @@ pub(crate) enum Error {
         flags: Vec<String>,
     },
     /// SI and dimensionless values side by side.
-    #[error("{plain} is dimensionless and {si} is in SI units: they cannot be combined")]
+    #[error("{}", mixed(plain, si))]
     Mixed {
         /// The dimensionless quantity.
         plain: String,
@@ -232,6 +233,11 @@ pub(crate) enum Error {
     /// The reader of the output has closed the pipe.
     #[error("the reader has closed the pipe")]
     ClosedPipe,
+}
+
+/// What is wrong with a dimensionless quantity beside one in SI units.
+pub(crate) fn mixed(plain: impl Display, si: impl Display) -> String {
+    format!("{plain} is dimensionless and {si} is in SI units: they cannot be combined")
 }
 
 impl Error {

@@ -42,7 +42,7 @@ const COLUMNS: [SampleColumn; 9] = [
 pub struct Look<'a> {
     /// Which instants, if any.
     pub sampling: Option<Sampling>,
-    /// Whether every bounce and every phase has a row of its own.
+    /// Print a row for every bounce and phase.
     pub all: bool,
     /// What could be changed to follow a motion further that a limit has stopped.
     pub advice: Option<&'a str>,
@@ -55,7 +55,7 @@ pub fn setup(sheet: &mut Sheet, hoop: &Hoop, subject: &Subject<'_>) {
     sheet.fact("Start", state_lines(&State::from(subject.start), subject.start.gap_rate, scale));
 }
 
-/// The table of the phases of a motion, each and all impacts in a row of its own if that is wanted.
+/// The table of the phases of a motion; with `all`, a row for every bounce and phase.
 #[must_use]
 pub fn phases(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Table {
     phases::phases(trajectory, scale, all)

@@ -32,7 +32,7 @@ impl Picture {
                     numbers.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
                         (f64::min(low, value), f64::max(high, value))
                     });
-                // Where all is one value, what is left is rounding.
+                // The values of this cell are equal to rounding: a contour would follow noise.
                 if high - low < NOISE * (scale.high - scale.low) {
                     continue;
                 }

@@ -17,10 +17,10 @@ use super::series::{
 };
 use super::step::{Step, rotated};
 
-/// Of a turn the coarsest tiles are so many.
+/// The number of coarsest tiles in a turn.
 pub(super) const TILES: usize = 16;
 
-/// Halved so often, where the series of a tile do not reach over it, or u changes too much on it.
+/// How often a tile may be halved where its series do not reach over it, or u changes too much on it.
 pub(super) const HALVINGS: usize = 5;
 
 /// The finest tiles of a turn. Angles at which tiles begin are counted in these.
@@ -67,7 +67,7 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// So many there are of a turn.
+    /// The number of such tiles in a turn.
     const fn count(self) -> usize {
         TILES << self.halvings
     }
@@ -119,7 +119,7 @@ impl Cells {
         cells[tile.number].get_or_init(|| Cell::new(law, sigma, tile).map(Box::new)).as_deref()
     }
 
-    /// The first cell, from the coarsest on, in which a slide at an angle has this: the next whose centre is ahead, or the one before.
+    /// The first `found` in the cells about an angle, from tiles halved so often to the finest.
     pub(super) fn find<T>(
         &self,
         (law, sigma): (&SlidingLaw, f64),
@@ -138,7 +138,7 @@ impl Cells {
         None
     }
 
-    /// The coarsest tile from an edge, halved at least so often, that a slide with this u crosses; with u_c, and u at its end.
+    /// The coarsest tile from an edge, halved at least so often, that a slide with this u crosses; with its cell, u_c, and u at its end.
     pub(super) fn crossing(
         &self,
         (law, sigma): (&SlidingLaw, f64),
@@ -286,7 +286,7 @@ impl Cell {
         (pattern(&coefficients, band), 2.0 * band / self.least)
     }
 
-    /// σ η″ of a slide is no less on the cell, if it is negative somewhere.
+    /// A lower bound of σ η″ of a slide on the cell, at most zero.
     pub(super) fn least_slip_acceleration(&self, level: f64) -> f64 {
         let (coefficients, band) = self.coefficients(level);
         (coefficients.into_iter().fold(0.0, f64::min) - band) / self.least
