@@ -218,6 +218,13 @@ impl Draw {
         }
     }
 
+    /// A hoop that is put on a slope, up to nearly vertical.
+    pub fn on_slope(&mut self, hoop: &Hoop) -> Hoop {
+        let slope = if self.comes(0.5) { self.between([-1.5, 1.5]) } else { self.allowed(Quantity::Slope) };
+        let slope = if self.comes(0.1) { hoop.mu_s().atan().copysign(slope) } else { slope };
+        Hoop::new(hoop.parameters().with_slope(slope)).unwrap_or(*hoop)
+    }
+
     /// A hoop and a start as a person sets them: every number in its usual range.
     pub fn usual(&mut self) -> Setup {
         let mut usual = |quantity: Quantity| self.between(quantity.row().usual);
@@ -267,6 +274,7 @@ pub fn boundary_rate(plane: &PhasePlane, theta: f64, which: usize) -> Option<f64
 fn largest(quantity: Quantity) -> f64 {
     let bound = |bound: &Bound| match *bound {
         Bound::AtMostConstant(most) | Bound::MagnitudeAtMost(most) => Some(most),
+        Bound::MagnitudeBelow(bound) => Some(bound.next_down()),
         Bound::Finite | Bound::Positive | Bound::NonNegative | Bound::AtMost(..) | Bound::AtLeast(..) => None,
     };
     quantity.bounds().iter().find_map(bound).unwrap_or(1e9)
@@ -275,7 +283,7 @@ fn largest(quantity: Quantity) -> f64 {
 /// The command that follows a motion.
 #[must_use]
 pub fn command(setup: &Setup, limits: Limits) -> String {
-    let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law, .. } =
+    let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law, .. } =
         setup.hoop;
     let Start { time, theta, theta_rate, slip, gap_rate, x, .. } = setup.start;
     let mut words = format!(
@@ -285,7 +293,7 @@ pub fn command(setup: &Setup, limits: Limits) -> String {
     if let (Some(restitution), Some(law)) = (restitution, restitution_law) {
         words += &format!(" --restitution {restitution:e} --restitution-law {law}");
     }
-    for (flag, value) in [("gap-rate", gap_rate), ("x", x), ("time", time)] {
+    for (flag, value) in [("slope", slope), ("gap-rate", gap_rate), ("x", x), ("time", time)] {
         if value != 0.0 {
             words += &format!(" --{flag} {value:e}");
         }

@@ -57,6 +57,7 @@ fn motion(case: &Value) -> (Trajectory, Option<Units>) {
                 gravity_m_per_s2: hoop("gravity_m_per_s2"),
                 mu_s: hoop("mu_s"),
                 mu_k: hoop("mu_k"),
+                slope: 0.0,
                 restitution,
                 restitution_law,
             };

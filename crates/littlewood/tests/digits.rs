@@ -45,10 +45,10 @@ impl Claims {
 /// The hoop and the start of a motion.
 fn problem(motion: &Value) -> (Hoop, Start) {
     let mut setup = Setup::new(HoopParameters::thin(1.0), Start::at(0.0, 0.0));
-    for (group, quantities) in [("hoop", Quantity::HOOP), ("start", Quantity::START)] {
+    for (group, quantities) in [("hoop", &Quantity::HOOP[..]), ("start", &Quantity::START)] {
         for quantity in quantities {
             if let Some(value) = motion[group][quantity.name()].as_f64() {
-                setup.set(quantity, value);
+                setup.set(*quantity, value);
             }
         }
     }

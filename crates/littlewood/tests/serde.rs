@@ -12,9 +12,9 @@ fn a_problem_and_its_result_come_back_from_json() {
     let text = serde_json::to_string(&setup).expect("numbers");
     assert_eq!(serde_json::from_str::<Setup>(&text).expect("the same text"), setup);
     let document: serde_json::Value = serde_json::from_str(&text).expect("the same text");
-    for (group, quantities) in [("hoop", Quantity::HOOP), ("start", Quantity::START)] {
+    for (group, quantities) in [("hoop", &Quantity::HOOP[..]), ("start", &Quantity::START)] {
         for quantity in quantities {
-            assert_eq!(document[group][quantity.name()].as_f64(), setup.get(quantity), "{quantity}");
+            assert_eq!(document[group][quantity.name()].as_f64(), setup.get(*quantity), "{quantity}");
         }
     }
 

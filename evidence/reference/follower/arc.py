@@ -22,6 +22,7 @@ class Arc:
         self.terms = flint.ctx.cap
         theta, rate, slip, _ = state
         self.way = 1 if rate > 0 else -1
+        down, along = arb(hoop.down), arb(hoop.along)
         m, h, i, mu = map(arb, (hoop.m, hoop.h, hoop.i, hoop.mu_s if sigma is None else hoop.mu_k))
         angle, u0 = arb(theta), arb(rate) ** 2
         s0, c0 = angle.sin(), angle.cos()
@@ -29,12 +30,13 @@ class Arc:
         s, c = s0 * cosine + self.way * c0 * sine, c0 * cosine - self.way * s0 * sine
         lever = 1 + h * c
         if sigma is None:
-            # I a = h s N + (1 + h c) F with N and F linear in a and u, so D (1 + u) is constant.
+            # I a = h s N + (1 + h c) F with N and F linear in a and u, so (D u)' = 2 m (h s cos slope + (1 + h c) sin slope).
             d = i + m * ((h * s) ** 2 + lever * lever)
-            self.u = d[0] * (u0 + 1) / d - 1
-            a = m * h * s * (self.u + 1) / d
-            n = 1 - h * (s * a + c * self.u)  # over m, like the next
-            f = h * s * self.u - lever * a
+            pulled = m * (h * s * down + lever * along)
+            self.u = (d[0] * u0 + 2 * self.way * pulled.integral()) / d
+            a = (m * h * s * self.u + pulled) / d
+            n = down - h * (s * a + c * self.u)  # over m, like the next
+            f = along + h * s * self.u - lever * a
             if hoop.massless:
                 # F/N = -h s/(1 + h c) by the balance of moment alone; N vanishes with F.
                 self.events = [(mu * lever - h * s, "slip", 1), (mu * lever + h * s, "slip", -1), (n, "normal_force_zero", 0)]
@@ -44,11 +46,11 @@ class Arc:
             q = h * s - mu * sigma * lever
             pull = m * q / (i + m * h * (s * q))
             growth = (2 * self.way * h * pull * c).integral().exp()
-            self.u = (u0 + 2 * self.way * (pull * growth).integral()) / growth
-            contact = 1 - h * c * self.u
+            self.u = (u0 + 2 * self.way * down * (pull * growth).integral()) / growth
+            contact = down - h * c * self.u
             a = pull * contact
-            n = 1 - h * (s * a + c * self.u)
-            eta = lever * a - h * s * self.u - mu * sigma * n  # eta''
+            n = down - h * (s * a + c * self.u)
+            eta = lever * a - h * s * self.u - mu * sigma * n - along  # eta''
         per_rate = self.u.rsqrt()
         self.time = per_rate.integral()
         if sigma is not None:

@@ -19,7 +19,8 @@ def smooth(hoop, mode, sigma, state, known, until):
     """
     t, began, turned = mpfr(0), state[0], 0
     for _ in range(Work.steps):
-        if mode == "rolling" and (abs(state[0] - began) > 7 or turned > 2):
+        whole = hoop.along == 0 and abs(state[0] - began) > 7
+        if mode == "rolling" and (whole or turned > 2):
             return "rolls_forever", t, state, 0
         a, _, p = slide_acceleration(hoop, state[0], state[1], sigma) if mode == "sliding" else rolling_forces(hoop, state[0], state[1])
         if mode == "sliding" and p <= 0:

@@ -9,9 +9,11 @@ from .arithmetic import Tie
 class Hoop:
     """Mass, place of the mass centre and inertia about it, from the hoop and the particle."""
 
-    def __init__(self, mass_ratio, offset, inertia, mu_s, mu_k):
-        self.numbers = mass_ratio, offset, inertia, mu_s, mu_k
-        m1, self.l, izz, self.mu_s, self.mu_k = map(mpfr, self.numbers)
+    def __init__(self, mass_ratio, offset, inertia, mu_s, mu_k, slope=0):
+        self.numbers = mass_ratio, offset, inertia, mu_s, mu_k, slope
+        m1, self.l, izz, self.mu_s, self.mu_k, slope = map(mpfr, self.numbers)
+        # Gravity along the plane, downhill to negative x, and into it.
+        self.along, self.down = gmpy2.sin_cos(slope)
         self.m = m1 + 1
         self.h = self.l / self.m
         self.i = izz + m1 * self.h**2 + (self.l - self.h)**2
@@ -24,7 +26,7 @@ def rolling_forces(hoop, theta, rate):
     """(theta'', N, F) that rolling would need, by elimination."""
     s, c = gmpy2.sin_cos(theta)
     m, h, u, g = hoop.m, hoop.h, rate * rate, 1 + hoop.h * c
-    n0, f0 = m - m * h * c * u, m * h * s * u
+    n0, f0 = m * hoop.down - m * h * c * u, m * h * s * u + m * hoop.along
     a = (h * s * n0 + g * f0) / (hoop.i + m * (h * s)**2 + m * g * g)
     return a, n0 - m * h * s * a, f0 - m * g * a
 
@@ -36,14 +38,14 @@ def slide_acceleration(hoop, theta, rate, sigma):
     friction = -hoop.mu_k * sigma
     q = h * s + friction * g
     p = hoop.i + m * h * s * q
-    a = q * (m - m * h * c * u) / p
-    n = m - m * h * (s * a + c * u)
-    return a + h * (c * a - s * u) + friction * n / m, n, p
+    a = q * (m * hoop.down - m * h * c * u) / p
+    n = m * hoop.down - m * h * (s * a + c * u)
+    return a + h * (c * a - s * u) + friction * n / m - hoop.along, n, p
 
 
 def unloaded(hoop, theta, rate):
-    """1 - h cos theta theta'^2: negative where free fall of the mass centre would lift the rim."""
-    return 1 - hoop.h * gmpy2.cos(theta) * rate * rate
+    """cos slope - h cos theta theta'^2: negative where free fall of the mass centre would lift the rim."""
+    return hoop.down - hoop.h * gmpy2.cos(theta) * rate * rate
 
 
 def at_rest(hoop, state):

@@ -24,13 +24,13 @@ def follow(numbers, start, until, noise=None, bounce=None, most=MOST, last=None)
     What follows the transition `last` is not asked.
     """
     shaken = (lambda v: v) if noise is None else (lambda v: v * noise())
-    mass_ratio, offset, inertia, mu_s, mu_k = numbers
+    mass_ratio, offset, inertia, mu_s, mu_k, slope = (*numbers, 0)[:6]
     exact = mpfr(offset) if offset == 1 else shaken(mpfr(offset))
     body = exact, shaken(mpfr(mass_ratio)), shaken(mpfr(inertia))
     static = shaken(mpfr(mu_s))
     # Equal coefficients are equal by their nature.
     kinetic = static if mu_k == mu_s else shaken(mpfr(mu_k))
-    hoop = Hoop(body[1], body[0], body[2], static, kinetic)
+    hoop = Hoop(body[1], body[0], body[2], static, kinetic, shaken(mpfr(slope)))
     theta, rate, slip, gap_rate, x, time_now = map(mpfr, (*start, 0, 0)[:6])
     now, gap_rate = (theta, rate, slip, x), shaken(gap_rate)
     restitution = None if bounce is None else shaken(mpfr(bounce[0]))
@@ -66,8 +66,9 @@ def phases(hoop, begin, until, shaken, noisy, bounce, counts, first, transitions
             (mode, way), known, forced = forced[:2], forced[2], None
             if noisy and (mode == "flight" or hoop.massless and known == 2):
                 # Still on the curve where the normal force vanishes.
-                cos, l = gmpy2.cos(now[0]), hoop.l
-                square = 1 / (hoop.h * cos) if mode == "flight" else (1 + l * cos) / (l * (l + cos))
+                (sin, cos), l = gmpy2.sin_cos(now[0]), hoop.l
+                pressed = hoop.down * (1 + l * cos) - hoop.along * l * sin
+                square = hoop.down / (hoop.h * cos) if mode == "flight" else pressed / (l * (l + cos))
                 now = (now[0], gmpy2.copy_sign(gmpy2.sqrt(square), now[1])) + now[2:]
         elif gap_rate > 0:
             mode, way = "flight", 0

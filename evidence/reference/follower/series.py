@@ -39,7 +39,7 @@ def series(hoop, state, sigma):
     """Taylor series of theta, theta', eta', N and F from a state: rolling for sigma None, else sliding.
 
     Mass centre at (x - h sin theta, 1 + h cos theta); contact point from it at (h sin theta, -1 - h cos theta).
-    m xG'' = F, m yG'' = N - m, I theta'' = h sin theta N + (1 + h cos theta) F.
+    m xG'' = F - m sin slope, m yG'' = N - m cos slope, I theta'' = h sin theta N + (1 + h cos theta) F.
     """
     m, h, i = hoop.m, hoop.h, hoop.i
     th, w, eta = [state[0]], [state[1]], [state[2]]
@@ -56,8 +56,8 @@ def series(hoop, state, sigma):
         u.append(conv(w, w, k))
         cu, su = conv(c, u, k), conv(s, u, k)
         sa, ca = (sum(map(mul, a, s[k:0:-1])), sum(map(mul, a, c[k:0:-1]))) if k else (0, 0)
-        n0 = -m * h * (sa + cu) + (m if k == 0 else 0)
-        f0 = -m * h * (ca - su)
+        n0 = -m * h * (sa + cu) + (m * hoop.down if k == 0 else 0)
+        f0 = -m * h * (ca - su) + (m * hoop.along if k == 0 else 0)
         if sigma is None:
             low = h * sum(map(mul, s[1:], n[::-1])) + sum(map(mul, lever[1:], f[::-1])) if k else 0
             ak = (low + h * s[0] * n0 + lever[0] * f0) / weight
@@ -69,7 +69,8 @@ def series(hoop, state, sigma):
             ak = (low + q[0] * n0) / weight
             nk = n0 - m * h * s[0] * ak
             f.append(friction * nk)
-            eta.append((ak + h * (ca + c[0] * ak - su) + f[k] / m) / (k + 1))
+            pulled = hoop.along if k == 0 else 0
+            eta.append((ak + h * (ca + c[0] * ak - su) + f[k] / m - pulled) / (k + 1))
         a.append(ak)
         n.append(nk)
         th.append(w[k] / (k + 1))

@@ -53,7 +53,7 @@ impl JumpTable {
     /// Prepares the jumps.
     fn new() -> Option<Self> {
         // Any body will do: the inertia and the mass do not matter, and h is a factor.
-        let body = Heavy { mass: 1.0, h: 1.0, offset: 1.0, inertia: 1.0 };
+        let body = Heavy { mass: 1.0, h: 1.0, offset: 1.0, inertia: 1.0, tilt: -0.0 };
         let basis = Basis::new();
         let mut pieces = Vec::new();
         let mut left = 0.0;

@@ -98,7 +98,7 @@ impl Engine {
         };
         Self {
             hoop: *hoop,
-            laws: Laws::new(hoop).filter(|laws| is_computed(laws.body)),
+            laws: Laws::new(hoop).filter(|laws| is_computed(laws.body) && hoop.slope() == 0.0),
             chains: None,
             is_prepared: false,
             contact: ContactProof::default(),
@@ -139,10 +139,9 @@ impl Engine {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
-        let state = self.hoop.check(start)?;
+        self.hoop.check(start)?;
         limits.check(&start)?;
-        let (origin, state, limits) = Origin::of(state, limits);
-        let state = (state, start.gap_rate);
+        let (origin, state, limits) = Origin::of(&self.hoop, &start, limits);
         let recorder = SummaryRecorder::new(&self.hoop, origin);
         Ok(match &self.laws {
             Some(laws) => self.fast_summary(laws, (state, limits), recorder),

@@ -17,7 +17,7 @@
 
 use crate::math::form::Trigonometric;
 use crate::math::trig::above_bottom;
-use crate::model::{Body, Direction, Heavy, Hoop, Start, State};
+use crate::model::{Body, Direction, Heavy, Hoop, State};
 
 /// Contact forces, in m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,14 +71,6 @@ pub(crate) fn energy(hoop: &Hoop, state: &State, gap: f64, gap_rate: f64) -> f64
     energy_at(hoop, state, libm::sincos(state.theta), (gap, gap_rate))
 }
 
-impl Hoop {
-    /// Kinetic and potential energy of a start (2.8).
-    #[must_use]
-    pub fn energy_of(&self, start: &Start) -> f64 {
-        energy(self, &start.state(), 0.0, start.gap_rate)
-    }
-}
-
 /// [`energy`], from (sin θ, cos θ).
 #[inline]
 pub(crate) fn energy_at(
@@ -91,7 +83,8 @@ pub(crate) fn energy_at(
     let vx = state.slip - (1.0 + h * cos) * rate;
     let vy = gap_rate - h * sin * rate;
     let spin = hoop.body().inertia_about_mass_centre() * rate * rate;
-    0.5 * (m * (vx * vx + vy * vy) + spin) + hoop.offset() * cos + m * gap
+    let risen = m * hoop.tilt() * (state.x - h * sin);
+    0.5 * (m * (vx * vx + vy * vy) + spin) + hoop.offset() * cos + m * gap + risen
 }
 
 /// The equations of rolling (2.10) to (2.12) of one body, massless or not.
@@ -103,6 +96,8 @@ pub struct RollingLaw {
     pub(crate) top: f64,
     /// D(π) = Î + m(1 − h)². Zero only for a massless hoop with the particle on the rim.
     pub(crate) bottom: f64,
+    /// tan α, or −0.
+    pub(crate) tilt: f64,
 }
 
 impl RollingLaw {
@@ -115,6 +110,7 @@ impl RollingLaw {
             offset: hoop.offset(),
             top: inertia + mass * (1.0 + h) * (1.0 + h),
             bottom: inertia + mass * (1.0 - h) * (1.0 - h),
+            tilt: hoop.tilt(),
         }
     }
 
@@ -153,19 +149,20 @@ impl RollingLaw {
         0.5 * (self.top + self.bottom)
     }
 
-    /// θ″ = ℓ̂ sin θ (1 + u)/D (2.11), from 1 + u and D.
+    /// θ″ = [ℓ̂ sin θ (1 + u) + (m + ℓ̂ cos θ) tan α]/D, (2.11) on a level plane; from D.
     #[inline]
-    pub(crate) fn acceleration(&self, sin: f64, one_plus_u: f64, denominator: f64) -> f64 {
-        self.offset * sin * one_plus_u / denominator
+    pub(crate) fn acceleration(&self, (sin, cos): (f64, f64), [one, u]: [f64; 2], denominator: f64) -> f64 {
+        let pull = (self.mass + self.offset * cos) * self.tilt;
+        (self.offset * sin * (one + u) + pull * one) / denominator
     }
 
     /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Undefined where D = 0 (footnote 8).
     #[must_use]
     pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
-        self.acceleration(libm::sin(theta), 1.0 + theta_rate * theta_rate, self.denominator(theta))
+        self.acceleration(libm::sincos(theta), [1.0, theta_rate * theta_rate], self.denominator(theta))
     }
 
-    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ (2.12), from D.
+    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12), from D.
     #[inline]
     pub(crate) fn forces_at(
         &self,
@@ -173,10 +170,11 @@ impl RollingLaw {
         [one, u]: [f64; 2],
         denominator: f64,
     ) -> ContactForces {
-        let acceleration = self.acceleration(sin, one + u, denominator);
+        let acceleration = self.acceleration((sin, cos), [one, u], denominator);
         ContactForces {
             normal: self.mass * one - self.offset * (sin * acceleration + cos * u),
-            friction: self.offset * sin * u - (self.mass + self.offset * cos) * acceleration,
+            friction: self.offset * sin * u - (self.mass + self.offset * cos) * acceleration
+                + self.mass * self.tilt * one,
         }
     }
 
@@ -187,10 +185,12 @@ impl RollingLaw {
         self.forces_at(libm::sincos(theta), [1.0, theta_rate * theta_rate], self.denominator(theta))
     }
 
-    /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ (2.8, and 3.2 for Littlewood's hoop).
+    /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ − (m θ + ℓ̂ sin θ) tan α (2.8, and 3.2 for Littlewood's hoop), where x = −θ.
     #[must_use]
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
-        0.5 * self.denominator(theta) * theta_rate * theta_rate + self.offset * libm::cos(theta)
+        let (sin, cos) = libm::sincos(theta);
+        let level = 0.5 * self.denominator(theta) * theta_rate * theta_rate + self.offset * cos;
+        level - (self.mass * theta + self.offset * sin) * self.tilt
     }
 
     /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂.
@@ -207,7 +207,7 @@ impl RollingLaw {
 /// ```text
 /// w = 1 − h cos θ θ′²,      P = Î + m h sin θ q,
 /// N = Î m w/P,              θ″ = N q/Î = m q w/P,
-/// η″ = −μk σ N/m + (1 + h cos θ) θ″ − h sin θ θ′².
+/// η″ = −μk σ N/m + (1 + h cos θ) θ″ − h sin θ θ′² − tan α.
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlidingLaw {
@@ -244,6 +244,12 @@ impl SlidingLaw {
         inertia + mass * h * sin * q
     }
 
+    /// μk σ + tan α, the rate at which η′ decreases on average.
+    #[inline]
+    pub(crate) fn drag(&self) -> f64 {
+        self.friction + self.body.tilt
+    }
+
     /// 1 + h cos θ + μk σ h sin θ, the coefficient of θ′ in the first integral.
     #[inline]
     pub(crate) fn lever(&self, sin: f64, cos: f64) -> f64 {
@@ -263,7 +269,7 @@ impl SlidingLaw {
         let Heavy { mass, h, inertia, .. } = self.body;
         let q = self.q(1.0, sin, cos);
         let alpha = ((1.0 + h * cos) * mass * q - self.friction * inertia) / self.p(sin, q);
-        (alpha, -h * cos * alpha - h * sin)
+        (alpha - self.body.pull(), -h * cos * alpha - h * sin)
     }
 
     /// w = 1 − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where w = 0, independent of μk.
@@ -301,18 +307,19 @@ impl SlidingLaw {
             theta: theta_acceleration,
             slip: (1.0 + h * cos) * theta_acceleration
                 - self.friction * normal_over_mass
-                - h * sin * theta_rate * theta_rate,
+                - h * sin * theta_rate * theta_rate
+                - self.body.pull(),
         }
     }
 
-    /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + μk σ τ.
+    /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + (μk σ + tan α) τ.
     #[must_use]
     pub fn momentum_integral(&self, state: &State) -> f64 {
         let (sin, cos) = libm::sincos(state.theta);
-        state.slip - state.theta_rate * self.lever(sin, cos) + self.friction * state.time
+        state.slip - state.theta_rate * self.lever(sin, cos) + self.drag() * state.time
     }
 
-    /// The second integral, x̄ + μk σ (ȳ + τ²/2) minus a linear function of τ, of the slide from a state.
+    /// The second integral, x̄ + μk σ (ȳ + τ²/2) + tan α τ²/2 minus a linear function of τ, of the slide from a state.
     pub(crate) fn path(&self, start: &State, (sin, cos): (f64, f64)) -> SlidePath {
         let h = self.body.h;
         let vx = start.slip - (1.0 + h * cos) * start.theta_rate;
@@ -320,6 +327,7 @@ impl SlidingLaw {
         SlidePath {
             h,
             friction: self.friction,
+            pull: self.body.pull(),
             mass_centre_x: start.x - h * sin,
             drift: vx + self.friction * vy,
             cos_start: cos,
@@ -332,6 +340,7 @@ impl SlidingLaw {
 pub(crate) struct SlidePath {
     h: f64,
     friction: f64,
+    pull: f64,
     /// x̄0, x̄′ + μk σ ȳ′ and cos θ0: the constants of the integral.
     mass_centre_x: f64,
     drift: f64,
@@ -343,7 +352,8 @@ impl SlidePath {
     #[inline]
     pub(crate) fn x(&self, elapsed: f64, (sin, cos): (f64, f64)) -> f64 {
         let fall = self.h * (cos - self.cos_start) + 0.5 * elapsed * elapsed;
-        let mass_centre = self.mass_centre_x + self.drift * elapsed - self.friction * fall;
+        let pulled = 0.5 * self.pull * elapsed * elapsed;
+        let mass_centre = self.mass_centre_x + self.drift * elapsed - self.friction * fall - pulled;
         mass_centre + self.h * sin
     }
 }

@@ -30,7 +30,7 @@ pub(crate) struct FrictionlessIntegrals {
 impl FrictionlessIntegrals {
     /// The integrals at a state, with the sine and cosine of its angle.
     pub(crate) fn new(body: &Heavy, state: &State, (sin, cos): (f64, f64)) -> Self {
-        let Heavy { mass, h, inertia, offset } = *body;
+        let Heavy { mass, h, inertia, offset, .. } = *body;
         let rate = state.theta_rate;
         Self {
             energy: (inertia + mass * (h * sin) * (h * sin)) * rate * rate + 2.0 * offset * cos,
@@ -41,7 +41,7 @@ impl FrictionlessIntegrals {
     /// A² J − (C − 2 m h c) (1 + h c)², which vanishes with η′, in powers of c − `cos`. Each coefficient is given as its two
     /// terms.
     pub(crate) fn standstills(&self, body: &Heavy, cos: f64) -> [[f64; 2]; 4] {
-        let Heavy { mass, h, inertia, offset } = *body;
+        let Heavy { mass, h, inertia, offset, .. } = *body;
         let (square, product) = (self.momentum * self.momentum, mass * h * h);
         let lever = 1.0 + h * cos;
         let [kinetic, slope] = [self.energy - 2.0 * offset * cos, -2.0 * offset];
@@ -73,7 +73,7 @@ impl FrictionlessIntegrals {
     /// Angle near `theta`, and rate, at which η′ vanishes: Newton's method for C, with θ′ from A. `None` without
     /// convergence.
     pub(crate) fn standstill_near(&self, body: &Heavy, theta: f64) -> Option<(f64, f64)> {
-        let Heavy { mass, h, inertia, offset } = *body;
+        let Heavy { mass, h, inertia, offset, .. } = *body;
         let theta = converge(theta, |theta| {
             let (sin, cos) = sincos(theta);
             let lever = lever(h, (sin, cos));

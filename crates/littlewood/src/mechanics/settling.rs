@@ -164,7 +164,7 @@ struct Bounces {
     restitution: Restitution,
     /// W = 1 − h cos θ θ′².
     contact_force: f64,
-    /// a = −h sin θ θ′².
+    /// a = −h sin θ θ′² − tan α.
     slip_acceleration: f64,
 }
 
@@ -203,7 +203,7 @@ impl Bounces {
             contact: Contact::new(hoop, body, state.theta),
             restitution,
             contact_force,
-            slip_acceleration: -body.h * sin * (rate * rate),
+            slip_acceleration: -body.h * sin * (rate * rate) - body.pull(),
         })
     }
 

@@ -60,7 +60,7 @@ mod tests {
             for mu in [0.1, 0.8, 3.0] {
                 let bound = 0.25 * mu * mu * (1.0 + h) * (1.0 + h);
                 for part in [0.05, 0.3, 0.6, 0.9, 1.0 - 1e-6, 1.0 + 1e-6, 2.0] {
-                    let body = Heavy { mass: 1.0, h, offset: h, inertia: bound * part };
+                    let body = Heavy { mass: 1.0, h, offset: h, inertia: bound * part, tilt: -0.0 };
                     let p = |theta: f64, sigma: f64| {
                         let (sin, cos) = libm::sincos(theta);
                         body.inertia + h * sin * (h * sin - sigma * mu * (1.0 + h * cos))

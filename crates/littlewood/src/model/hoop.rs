@@ -28,6 +28,9 @@ pub struct HoopParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction, μk ≥ 0.
     pub mu_k: f64,
+    /// Angle α by which the plane rises to the right, |α| < π/2.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub slope: f64,
     /// Coefficient of restitution 0 ≤ e ≤ 1; without one a motion ends at a landing.
     pub restitution: Option<f64>,
     /// Law of restitution; `None` with a coefficient is the energetic law.
@@ -45,6 +48,7 @@ impl HoopParameters {
             inertia: mass_ratio,
             mu_s: 0.0,
             mu_k: 0.0,
+            slope: 0.0,
             restitution: None,
             restitution_law: None,
         }
@@ -65,6 +69,8 @@ setters! {
     with_inertia(inertia: f64);
     /// The same hoop with these coefficients of static and kinetic friction.
     with_friction(mu_s: f64, mu_k: f64);
+    /// The same hoop on a plane that rises to the right by this angle α.
+    with_slope(slope: f64);
 }
 
 /// A hoop with checked parameters.
@@ -96,6 +102,8 @@ pub struct Heavy {
     pub offset: f64,
     /// Moment of inertia about the mass centre, Î = Î_zz + m̂1 ℓ̂²/(1 + m̂1) (2.1).
     pub inertia: f64,
+    /// Gravity along the plane over that normal to it, tan α; −0 on a level plane, so that every sum with it is unchanged.
+    pub tilt: f64,
 }
 
 /// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Constructed by [`Hoop::new`].
@@ -104,6 +112,8 @@ pub struct Heavy {
 pub struct Massless {
     /// Offset of the particle, ℓ̂ = h. Littlewood has ℓ̂ = 1; footnote 7 of the paper relaxes it.
     pub offset: f64,
+    /// Gravity along the plane over that normal to it, as in [`Heavy`].
+    pub tilt: f64,
 }
 
 impl Restitution {
@@ -130,6 +140,8 @@ getters! {
     pub mu_s: f64 = self.parameters.mu_s;
     /// Coefficient of kinetic friction μk.
     pub mu_k: f64 = self.parameters.mu_k;
+    /// Slope α of the plane.
+    pub slope: f64 = self.parameters.slope;
     /// The restitution of an impact; `None` if a motion ends at a landing.
     pub restitution: Option<Restitution> = self.restitution;
     /// The body with or without inertia.
@@ -141,13 +153,13 @@ getters! {
 }
 
 impl Hoop {
-    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, 0 ≤ e ≤ 1, and a body that can move.
+    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, |α| < π/2, 0 ≤ e ≤ 1, and a body that can move.
     ///
     /// # Errors
     /// The first value that violates a bound; ℓ̂ = 0 with Î = 0 ([`ParameterError::NoMotion`]); 0 < Î < 1e-60; a law of
     /// restitution without a coefficient; a massless hoop with a coefficient of restitution.
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
-        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } =
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law } =
             parameters;
         for (quantity, value) in [
             (Quantity::MassRatio, mass_ratio),
@@ -155,20 +167,22 @@ impl Hoop {
             (Quantity::Inertia, inertia),
             (Quantity::MuS, mu_s),
             (Quantity::MuK, mu_k),
+            (Quantity::Slope, slope),
         ] {
             quantity.check(value)?;
         }
         within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
 
+        let tilt = if slope == 0.0 { -0.0 } else { libm::tan(slope) };
         let mass = 1.0 + mass_ratio;
         let about_mass_centre = inertia + mass_ratio * offset * offset / mass;
         let body = if about_mass_centre > 0.0 {
             if about_mass_centre < MIN_INERTIA {
                 return Err(ParameterError::NearlyMassless { inertia: about_mass_centre });
             }
-            Body::Heavy(Heavy { mass, h: offset / mass, offset, inertia: about_mass_centre })
+            Body::Heavy(Heavy { mass, h: offset / mass, offset, inertia: about_mass_centre, tilt })
         } else if offset > 0.0 && mass_ratio == 0.0 {
-            Body::Massless(Massless { offset })
+            Body::Massless(Massless { offset, tilt })
         } else {
             return Err(ParameterError::NoMotion { mass_ratio });
         };
@@ -208,6 +222,33 @@ impl Hoop {
     /// A massless hoop.
     pub fn with_restitution(&self, restitution: Restitution) -> Result<Self, ParameterError> {
         Self::new(self.parameters.with_restitution(restitution.coefficient(), restitution.law()))
+    }
+
+    /// √cos α: velocities over it are those in units in which gravity normal to the plane is 1. It is 1 on a level plane.
+    pub(crate) fn pace(&self) -> f64 {
+        libm::cos(self.parameters.slope).sqrt()
+    }
+
+    /// Gravity along the plane over that normal to it, tan α; −0 on a level plane.
+    pub(crate) const fn tilt(&self) -> f64 {
+        match self.body {
+            Body::Heavy(heavy) => heavy.tilt,
+            Body::Massless(massless) => massless.tilt,
+        }
+    }
+}
+
+impl Heavy {
+    /// `tilt` as a term to subtract: +0 on a level plane.
+    pub(crate) const fn pull(&self) -> f64 {
+        self.tilt + 0.0
+    }
+}
+
+impl Massless {
+    /// As [`Heavy::pull`].
+    pub(crate) const fn pull(&self) -> f64 {
+        self.tilt + 0.0
     }
 }
 

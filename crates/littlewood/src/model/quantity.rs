@@ -39,6 +39,12 @@ named! {
             (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of kinetic friction",
             "Coefficient of kinetic friction (2.15), from 0 to that of static friction, with SI parameters too")
             .with_hint("kinetic friction is never stronger than static friction: 0 <= mu_k <= mu_s");
+        /// Angle α by which the plane rises to the right.
+        Slope = 25, "slope" => row((DIMENSIONLESS, Group::Hoop, D::Angle, None), ["alpha", "α"],
+            (SLOPE, Presence::Default(0.0), [-1.0, 1.0]), "angle by which the plane rises to the right",
+            "Angle by which the plane rises to the right, in radians, between -pi/2 and pi/2, with SI parameters too; \
+             x is then measured along the plane and theta from its normal")
+            .with_hint("a slope is an angle in radians: 30 degrees are 0.5236");
         /// Angle θ of the particle from the upward vertical.
         Theta = 5, "theta" => row((DIMENSIONLESS, Group::Start, D::Angle, None), ["theta", "θ"],
             (COORDINATE, Presence::Required, [-3.1, 6.2]), "angle of the particle from the upward vertical",
@@ -208,6 +214,8 @@ pub enum Bound {
     AtMostConstant(f64),
     /// The magnitude must not exceed a constant.
     MagnitudeAtMost(f64),
+    /// The magnitude must be less than a constant.
+    MagnitudeBelow(f64),
     /// The value must not be less than that of another quantity.
     AtLeast(Quantity, f64),
 }
@@ -223,6 +231,7 @@ impl Bound {
             Self::NonNegative => value >= 0.0,
             Self::AtMost(_, most) | Self::AtMostConstant(most) => value <= most,
             Self::MagnitudeAtMost(most) => value.abs() <= most,
+            Self::MagnitudeBelow(bound) => value.abs() < bound,
             Self::AtLeast(_, least) => value >= least,
         }
     }
@@ -237,6 +246,7 @@ impl fmt::Display for Bound {
             Self::AtMost(quantity, value) => write!(f, "must not exceed {}", Reading(*quantity, *value)),
             Self::AtMostConstant(value) => write!(f, "must not exceed {}", Number(*value)),
             Self::MagnitudeAtMost(value) => write!(f, "must lie between {:e} and {value:e}", -value),
+            Self::MagnitudeBelow(value) => write!(f, "must lie between -{value} and {value}, exclusive"),
             Self::AtLeast(quantity, value) => {
                 write!(f, "must not be less than {}", Reading(*quantity, *value))
             }
@@ -287,6 +297,8 @@ const MAX_RATE: f64 = 1e6;
 const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_PARAMETER)];
 const COORDINATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_COORDINATE)];
 const RATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_RATE)];
+/// |slope| < π/2, up to the last double below: the plane is not vertical.
+const SLOPE: &[Bound] = &[Bound::MagnitudeBelow(core::f64::consts::FRAC_PI_2)];
 const FRACTION: &[Bound] = &[Bound::NonNegative, Bound::AtMostConstant(1.0)];
 const NON_NEGATIVE_RATE: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_RATE)];
 const POSITIVE: &[Bound] = &[Bound::Positive];
@@ -348,15 +360,15 @@ getters! {
 
 impl Quantity {
     /// The dimensionless parameters of a hoop.
-    pub const HOOP: [Self; 6] =
-        [Self::MassRatio, Self::Offset, Self::Inertia, Self::MuS, Self::MuK, Self::Restitution];
+    pub const HOOP: [Self; 7] =
+        [Self::MassRatio, Self::Offset, Self::Inertia, Self::MuS, Self::MuK, Self::Slope, Self::Restitution];
 
     /// The dimensionless quantities of a start.
     pub const START: [Self; 6] =
         [Self::Theta, Self::ThetaRate, Self::Slip, Self::GapRate, Self::X, Self::Time];
 
     /// The quantities that determine a motion and that a sweep can vary, in the order of tables.
-    pub const AXES: [Self; 10] = [
+    pub const AXES: [Self; 11] = [
         Self::Theta,
         Self::ThetaRate,
         Self::Slip,
@@ -366,11 +378,12 @@ impl Quantity {
         Self::Inertia,
         Self::MuS,
         Self::MuK,
+        Self::Slope,
         Self::Restitution,
     ];
 
     /// The quantities of a hoop in SI units, including the units of (2.9).
-    pub const SI_HOOP: [Self; 9] = [
+    pub const SI_HOOP: [Self; 10] = [
         Self::DiscMassKg,
         Self::ParticleMassKg,
         Self::RadiusM,
@@ -379,6 +392,7 @@ impl Quantity {
         Self::GravityMPerS2,
         Self::MuS,
         Self::MuK,
+        Self::Slope,
         Self::Restitution,
     ];
 
@@ -386,10 +400,16 @@ impl Quantity {
     pub const SI_START: [Self; 6] =
         [Self::Theta, Self::ThetaRateRadPerS, Self::SlipMPerS, Self::GapRateMPerS, Self::XM, Self::TimeS];
 
+    /// Whether a value goes without saying, and is left out of records and captions: no slope, no opening gap.
+    #[must_use]
+    pub const fn goes_without_saying(self, value: f64) -> bool {
+        matches!(self, Self::Slope | Self::GapRate | Self::GapRateMPerS) && value == 0.0
+    }
+
     /// Whether the quantity is a ratio, as the parameters of (2.9) are.
     const fn is_ratio(self) -> bool {
         match self.row().group {
-            Group::Hoop => !self.is_si(),
+            Group::Hoop => !self.is_si() && !matches!(self.dimension(), Dimension::Angle),
             Group::Start | Group::Place | Group::Units | Group::Run => false,
         }
     }
@@ -451,7 +471,7 @@ mod tests {
         };
         let those = |groups: &[Group], is_listed: fn(Quantity) -> bool| -> Vec<Quantity> {
             let in_groups = |quantity: &Quantity| groups.contains(&quantity.group()) && is_listed(*quantity);
-            Quantity::ALL.into_iter().filter(in_groups).collect()
+            sorted(&Quantity::ALL.into_iter().filter(in_groups).collect::<Vec<_>>())
         };
         let is_plain = |quantity: Quantity| !quantity.is_si();
         let in_si = |quantity: Quantity| quantity.is_si() || quantity.si_twin().is_none();

@@ -34,6 +34,7 @@ impl Setup {
             Quantity::Inertia => &mut hoop.inertia,
             Quantity::MuS => &mut hoop.mu_s,
             Quantity::MuK => &mut hoop.mu_k,
+            Quantity::Slope => &mut hoop.slope,
             Quantity::Restitution => return Some(Field::Optional(&mut hoop.restitution)),
             Quantity::Theta => &mut start.theta,
             Quantity::ThetaRate => &mut start.theta_rate,

@@ -45,6 +45,8 @@ pub struct SiParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction μk.
     pub mu_k: f64,
+    /// Slope α of the plane, rad.
+    pub slope: f64,
     /// Coefficient of restitution e; without one a motion ends at a landing.
     pub restitution: Option<f64>,
     /// Law of restitution; `None` with a coefficient is the energetic law.
@@ -80,6 +82,7 @@ impl Default for SiParameters {
             gravity_m_per_s2: STANDARD_GRAVITY,
             mu_s: 0.0,
             mu_k: 0.0,
+            slope: 0.0,
             restitution: None,
             restitution_law: None,
         }
@@ -103,7 +106,7 @@ impl SiParameters {
     /// # Errors
     /// Unless m2, R, g > 0, m1, `I_zz` ≥ 0, 0 ≤ ℓ ≤ R, 0 ≤ μk ≤ μs, all finite; and as [`Hoop::new`].
     pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
-        let Self { disc_mass_kg, radius_m, offset_m, inertia_kg_m2, mu_s, mu_k, .. } = *self;
+        let Self { disc_mass_kg, radius_m, offset_m, inertia_kg_m2, mu_s, mu_k, slope, .. } = *self;
         let mass = Quantity::DiscMassKg.check(disc_mass_kg)?;
         let radius = Quantity::RadiusM.check(radius_m)?;
         let offset = Quantity::OffsetM.check(offset_m)?;
@@ -117,6 +120,7 @@ impl SiParameters {
             inertia: plain(Quantity::InertiaKgM2, inertia),
             mu_s,
             mu_k,
+            slope,
             restitution: self.restitution,
             restitution_law: self.restitution_law,
         };
@@ -126,7 +130,7 @@ impl SiParameters {
     /// The parameters of a hoop in SI units, unchecked.
     #[must_use]
     pub fn new(hoop: &HoopParameters, units: &Units) -> Self {
-        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, restitution, restitution_law } = *hoop;
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law } = *hoop;
         let si = |quantity: Quantity, value| units.to_si(quantity.dimension(), value);
         Self {
             disc_mass_kg: si(Quantity::DiscMassKg, mass_ratio),
@@ -137,6 +141,7 @@ impl SiParameters {
             gravity_m_per_s2: units.gravity_m_per_s2,
             mu_s,
             mu_k,
+            slope,
             restitution,
             restitution_law,
         }
@@ -198,6 +203,7 @@ impl SiSetup {
             Quantity::GravityMPerS2 => &mut hoop.gravity_m_per_s2,
             Quantity::MuS => &mut hoop.mu_s,
             Quantity::MuK => &mut hoop.mu_k,
+            Quantity::Slope => &mut hoop.slope,
             Quantity::Theta => &mut start.theta_rad,
             Quantity::ThetaRateRadPerS => &mut start.theta_rate_rad_per_s,
             Quantity::SlipMPerS => &mut start.slip_m_per_s,

@@ -42,7 +42,7 @@ pub struct Classification {
     pub energy: f64,
     /// N and F that rolling would need (2.12).
     pub rolling_forces: ContactForces,
-    /// 1 − h cos θ θ′².
+    /// 1 − h cos θ θ′²/cos α.
     pub contact: f64,
     /// The end of rolling for a start in 𝓡; none if it rolls for ever.
     pub rolling_end: Option<RollingEnd>,
@@ -55,6 +55,13 @@ pub struct Classification {
 }
 
 impl Hoop {
+    /// Kinetic and potential energy of a start (2.8); on a slope the potential energy includes m x̄ sin α.
+    #[must_use]
+    pub fn energy_of(&self, start: &Start) -> f64 {
+        let (origin, (state, gap_rate), _) = Origin::of(self, start, Limits::default());
+        origin.energy(energy(self, &state, 0.0, gap_rate))
+    }
+
     /// Determines the region of a start, the motion that begins, and, for Littlewood's hoop, its type.
     ///
     /// ```
@@ -70,7 +77,8 @@ impl Hoop {
     /// # Errors
     /// A start that is not finite.
     pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
-        let (origin, state, _) = Origin::of(self.check(start)?, Limits::default());
+        self.check(start)?;
+        let (origin, (state, gap_rate), _) = Origin::of(self, &start, Limits::default());
         let (theta, theta_rate) = (state.theta, state.theta_rate);
         let forces = RollingLaw::new(self).forces(theta, theta_rate);
         let contact = contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate));
@@ -78,8 +86,8 @@ impl Hoop {
             region: StartRegion::Slipping,
             mode: None,
             direction: None,
-            energy: energy(self, &state, 0.0, start.gap_rate),
-            rolling_forces: forces,
+            energy: origin.energy(energy(self, &state, 0.0, gap_rate)),
+            rolling_forces: origin.forces(forces),
             contact,
             rolling_end: None,
             recurrence: None,
@@ -95,8 +103,9 @@ impl Hoop {
                 let orbit = RollingOrbit::new(self, theta, theta_rate);
                 let end = orbit.end();
                 found.rolling_type = self.rolling_type(theta, theta_rate, end);
-                found.recurrence = end.is_none().then(|| origin.recurrence(orbit.recurrence()));
-                found.rolling_end = end.map(|end| RollingEnd { theta: origin.theta(end.theta), ..end });
+                let endless = end.is_none() && !orbit.descends();
+                found.recurrence = endless.then(|| origin.recurrence(orbit.recurrence()));
+                found.rolling_end = end.map(|end| origin.rolling_end(end));
                 (StartRegion::Rolling, Some(Mode::Rolling), None)
             }
             Next::Slide { direction, .. } => {
@@ -110,11 +119,11 @@ impl Hoop {
             Next::Glide { .. } => (StartRegion::Gliding, Some(Mode::Gliding), Direction::of_sign(state.slip)),
             Next::Fly { .. } => (StartRegion::LossOfContact, Some(Mode::Flight), None),
             Next::None(candidates) => {
-                found.candidates = Some(*candidates);
+                found.candidates = Some(origin.candidates(*candidates));
                 (StartRegion::Inconsistent, None, None)
             }
             Next::Several(candidates) => {
-                found.candidates = Some(*candidates);
+                found.candidates = Some(origin.candidates(*candidates));
                 (StartRegion::Ambiguous, None, None)
             }
         };
@@ -124,6 +133,12 @@ impl Hoop {
     fn rolling_type(&self, theta: f64, theta_rate: f64, end: Option<RollingEnd>) -> Option<RollingType> {
         match self.body() {
             Body::Massless(body) if body.offset == 1.0 => {
+                if self.slope() != 0.0 {
+                    return end.map(|end| match end.limit {
+                        RollingLimit::NormalForce => RollingType::I,
+                        RollingLimit::Friction(_) => RollingType::III,
+                    });
+                }
                 let by_energy = RollingType::of_energy(rolling_energy(theta, theta_rate), self.mu_s())?;
                 // Near e = 1 + 2 cos θ_s the energy may round to either side, so the end of rolling decides.
                 match (end?.limit, by_energy) {

@@ -98,12 +98,12 @@ impl Hoop {
         limits: Limits,
         signs: Option<RandomSigns>,
     ) -> Result<Vec<EventRecord>, ParameterError> {
-        let state = self.check(start)?;
+        self.check(start)?;
         limits.check(&start)?;
-        let (origin, state, limits) = Origin::of(state, limits);
+        let (origin, relative, limits) = Origin::of(self, &start, limits);
         let mut events = Events { origin, seen: Vec::new() };
         let solver = PerturbedSolver { exact: Exact::new(self, &limits), signs };
-        walk(&solver, (state, start.gap_rate), (&limits, Known::default()), &mut events);
+        walk(&solver, relative, (&limits, Known::default()), &mut events);
         Ok(events.seen)
     }
 

@@ -2,9 +2,10 @@
 
 use crate::mechanics::Impact;
 use crate::model::{Body, Direction, Hoop, Limits, ParameterError, Start, State};
-use crate::modes::PhaseSolution;
+use crate::modes::{Flight, PhaseSolution};
+use crate::motion::summary::SummaryRecorder;
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::{Event, Exact, Known, Origin, Outcome, PhaseRecord, Recorder, Transition, walk};
+use crate::walk::{Event, Exact, Known, MaybeFlight, Origin, PhaseRecord, Recorder, Transition, walk};
 
 impl Hoop {
     /// Simulates the motion from `start` to its end, or to a limit.
@@ -31,19 +32,19 @@ impl Hoop {
     pub fn simulate(&self, start: Start, limits: Limits) -> Result<Trajectory, ParameterError> {
         let state = self.check(start)?;
         limits.check(&start)?;
-        let (origin, relative, limits) = Origin::of(state, limits);
-        let mut trajectory = Trajectory {
+        let (origin, relative, limits) = Origin::of(self, &start, limits);
+        let mut recording = Recording {
             hoop: *self,
             origin,
-            start: state,
             phases: Vec::new(),
             transitions: Vec::new(),
-            outcome: Outcome::TimeLimit { state: relative },
+            summary: SummaryRecorder::new(self, origin),
         };
         let solver = Exact::new(self, &limits);
-        trajectory.outcome =
-            walk(&solver, (relative, start.gap_rate), (&limits, Known::default()), &mut trajectory);
-        Ok(trajectory)
+        let outcome = walk(&solver, relative, (&limits, Known::default()), &mut recording);
+        let Recording { hoop, phases, transitions, summary, .. } = recording;
+        let summary = summary.finish(outcome.kind(), outcome.state());
+        Ok(Trajectory { hoop, origin, start: state, relative: relative.0, phases, transitions, outcome, summary })
     }
 
     /// Checks a start for this hoop.
@@ -58,17 +59,28 @@ impl Hoop {
     }
 }
 
-impl Recorder<PhaseSolution> for Trajectory {
+/// The parts of a trajectory, while it is walked.
+struct Recording<'a> {
+    hoop: Hoop,
+    origin: Origin,
+    phases: Vec<Phase>,
+    transitions: Vec<Transition>,
+    summary: SummaryRecorder<'a>,
+}
+
+impl Recorder<PhaseSolution> for Recording<'_> {
     fn phase(&mut self, phase: PhaseRecord, solution: PhaseSolution) {
+        self.summary.phase(phase, &solution);
         let PhaseRecord { start, end, .. } = phase;
         let Self { hoop, origin, .. } = *self;
         self.phases.push(Phase { hoop, origin, solution, start, end, ended_by: None });
     }
 
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<Direction>) {
+        Recorder::<&PhaseSolution>::transition(&mut self.summary, event, impact, direction);
         let Event { state: before, from, to, cause } = *event;
         let after = impact.map_or(before, |impact| impact.state_after(&before));
-        let impact = impact.copied();
+        let impact = impact.map(|impact| self.origin.impact(*impact));
         if from.is_some()
             && let Some(phase) = self.phases.last_mut()
         {
@@ -76,5 +88,11 @@ impl Recorder<PhaseSolution> for Trajectory {
         }
         let [before, after] = [before, after].map(|state| self.origin.state(state));
         self.transitions.push(Transition { before, after, impact, from, to, direction, cause });
+    }
+}
+
+impl MaybeFlight for &PhaseSolution {
+    fn flight(&self) -> Option<&Flight> {
+        (**self).flight()
     }
 }

@@ -3,11 +3,8 @@
 use crate::math::trig::sincos;
 use crate::mechanics::{Impact, energy_at};
 use crate::model::{Direction, Hoop, Mode, State};
-use crate::modes::{Flight, PhaseSolution};
-use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{
     Cause, Event, MaybeFlight, Origin, OutcomeKind, PhaseDetail, PhaseRecord, PhaseSequence, Recorder,
-    Transition,
 };
 
 /// The summary of a motion. All values are dimensionless; the values of absent events are NaN.
@@ -133,7 +130,7 @@ impl<S: MaybeFlight> Recorder<S> for SummaryRecorder<'_> {
         }
         if let Some(impact) = impact {
             (self.flight, self.gap_rate) = (None, impact.after.gap_rate);
-            self.summary.impact_energy_lost += impact.energy_lost();
+            self.summary.impact_energy_lost += self.origin.force(impact.energy_lost());
             if event.from == Some(Mode::Flight) && event.to != Some(Mode::Flight) {
                 self.summary.settle_time = self.origin.time(event.state.time);
             }
@@ -171,50 +168,8 @@ impl<'a> SummaryRecorder<'a> {
         if !summary.sequence.is_empty() {
             let energy = energy_at(hoop, &last, sincos(last.theta), (0.0, gap_rate));
             // The energy is NaN if a rate is infinite.
-            summary.energy = if energy.is_finite() { energy } else { f64::NAN };
+            summary.energy = if energy.is_finite() { origin.energy(energy) } else { f64::NAN };
         }
         summary
-    }
-}
-
-impl MaybeFlight for &PhaseSolution {
-    fn flight(&self) -> Option<&Flight> {
-        (**self).flight()
-    }
-}
-
-impl Trajectory {
-    /// The summary of the motion.
-    #[must_use]
-    pub fn summary(&self) -> Summary {
-        let mut recorder = SummaryRecorder::new(self.hoop(), self.origin);
-        let mut transitions = self.transitions().iter().peekable();
-        // The state of a transition relative to the origin is that of the end of its phase. A jam before a phase does not need it.
-        let mut record = |recorder: &mut SummaryRecorder<'_>, ended: Option<&Phase>| {
-            let ends = ended.is_some();
-            while let Some(transition) = transitions.next_if(|next| next.from.is_some() == ends) {
-                let Transition { before, impact, from, to, direction, cause, .. } = *transition;
-                let state = ended.and_then(|phase| phase.end).unwrap_or(before);
-                let event = Event { state, from, to, cause };
-                Recorder::<&PhaseSolution>::transition(recorder, &event, impact.as_ref(), direction);
-                if ends {
-                    return;
-                }
-            }
-        };
-        for phase in self.phases() {
-            // Jams from states without a consistent motion precede the next phase.
-            record(&mut recorder, None);
-            let seen = PhaseRecord {
-                mode: phase.mode(),
-                direction: phase.direction(),
-                start: phase.start,
-                end: phase.end,
-            };
-            recorder.phase(seen, phase.solution());
-            record(&mut recorder, Some(phase));
-        }
-        record(&mut recorder, None);
-        recorder.finish(self.outcome.kind(), self.outcome.state())
     }
 }

@@ -1,7 +1,9 @@
 //! A motion: its phases, the transitions between them, its outcome, and the state at any time.
 
+use crate::mechanics::energy;
 use crate::model::{Direction, Hoop, Mode, State, getters};
 use crate::modes::{Instant, PhaseSolution, Sample};
+use crate::motion::summary::Summary;
 use crate::walk::{Origin, Outcome, Transition};
 
 /// A phase of motion in one mode.
@@ -53,6 +55,11 @@ impl Phase {
     /// Duration; infinite for an endless phase.
     #[must_use]
     pub fn duration(&self) -> f64 {
+        self.origin.duration(self.relative_duration())
+    }
+
+    /// Duration in the units of the solution.
+    fn relative_duration(&self) -> f64 {
         self.last_instant() - self.start.time
     }
 
@@ -66,11 +73,11 @@ impl Phase {
         let elapsed = if time <= self.origin.time(self.start.time) {
             0.0
         } else if time >= self.end_time() {
-            self.duration()
+            self.relative_duration()
         } else {
             self.origin.elapsed(time) - self.start.time
         };
-        self.sample(elapsed)
+        self.relative_sample(elapsed)
     }
 
     /// Energy lost to friction during the phase.
@@ -79,7 +86,8 @@ impl Phase {
         if self.mode() != Mode::Sliding || self.hoop.mu_k() == 0.0 {
             return 0.0;
         }
-        self.last().map_or(0.0, |last| self.first().energy - last.energy)
+        let energy = |state: State| energy(&self.hoop, &state, 0.0, 0.0);
+        self.end.map_or(0.0, |end| self.origin.force(energy(self.start) - energy(end)))
     }
 
     /// Whether the phase is gliding that is not the limit of sliding as the inertia of a heavy hoop vanishes.
@@ -91,7 +99,11 @@ impl Phase {
     /// The sample at the time `elapsed` after the start of the phase, clamped to the phase.
     #[must_use]
     pub fn sample(&self, elapsed: f64) -> Sample {
-        let duration = self.duration();
+        self.relative_sample(self.origin.passed(elapsed))
+    }
+
+    fn relative_sample(&self, elapsed: f64) -> Sample {
+        let duration = self.relative_duration();
         let state = match self.end {
             _ if elapsed <= 0.0 => self.start,
             Some(end) if elapsed >= duration => end,
@@ -103,13 +115,13 @@ impl Phase {
     /// The first sample.
     #[must_use]
     pub fn first(&self) -> Sample {
-        self.sample(0.0)
+        self.relative_sample(0.0)
     }
 
     /// The last sample, before the transition that ends the phase; none for an endless phase.
     #[must_use]
     pub fn last(&self) -> Option<Sample> {
-        self.end.map(|_| self.sample(self.duration()))
+        self.end.map(|_| self.relative_sample(self.relative_duration()))
     }
 }
 
@@ -119,10 +131,13 @@ pub struct Trajectory {
     pub(crate) hoop: Hoop,
     pub(crate) origin: Origin,
     pub(crate) start: State,
+    /// The start relative to the origin.
+    pub(crate) relative: State,
     pub(crate) phases: Vec<Phase>,
     pub(crate) transitions: Vec<Transition>,
     /// Relative to the origin.
     pub(crate) outcome: Outcome,
+    pub(crate) summary: Summary,
 }
 
 getters! {
@@ -133,6 +148,8 @@ getters! {
     pub start: State = self.start;
     /// The outcome.
     pub outcome: Outcome = self.origin.outcome(self.outcome);
+    /// The summary.
+    pub summary: Summary = self.summary;
 }
 
 impl Trajectory {
@@ -200,7 +217,7 @@ impl Trajectory {
             forces: unknown,
             gap: (0.0, 0.0),
         };
-        self.phases.is_empty().then(|| instant.sample(&self.hoop, self.start))
+        self.phases.is_empty().then(|| self.origin.sample(instant.sample(&self.hoop, self.relative)))
     }
 
     /// The samples at `times`, by [`Trajectory::at`].
@@ -243,7 +260,7 @@ impl Trajectory {
                 let from = before(start)
                     + usize::from(index > 0 && before(start) < count && grid(before(start)) == start);
                 let to = if index == last { count } else { before(stop) };
-                let between = (from..to.max(from)).map(move |i| phase.sample(grid(i) - start));
+                let between = (from..to.max(from)).map(move |i| phase.relative_sample(grid(i) - start));
                 let final_instant = phase.last().filter(|_| index < last && stop <= end);
                 first.into_iter().chain(between).chain(final_instant)
             })

@@ -112,6 +112,10 @@ impl Solver for Exact<'_> {
                 arrival: Arrival::RollingLimit(end.limit),
             },
             Some(_) => self.stopped(rolling.state(allowed.unwrap_or(0.0))),
+            None if rolling.orbit().descends() => {
+                let outcome = Outcome::Unresolved { state: *state };
+                self.endless(state, |allowed| rolling.state(allowed), outcome)
+            }
             None => {
                 let recurrence = rolling.orbit().recurrence();
                 let outcome = Outcome::RollsForever { since: *state, recurrence };

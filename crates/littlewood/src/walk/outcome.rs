@@ -175,6 +175,7 @@ pub enum Outcome {
     },
     /// The time scale falls below double precision: a slide of a hoop with very small inertia whose particle passes the bottom, or a slide
     /// next to P = 0 whose end depends on rounding. Or an impact beyond the bounds of θ and x of a start, or with velocities that overflow.
+    /// Or an unbalanced hoop that rolls down a slope beyond these bounds.
     Unresolved {
         /// State.
         state: State,
@@ -209,7 +210,7 @@ impl Outcome {
     #[must_use]
     pub const fn state(&self) -> State {
         let mut copy = *self;
-        *copy.parts_mut().0
+        *copy.state_mut()
     }
 
     /// Whether the outcome is final, and not a limit.
@@ -221,30 +222,30 @@ impl Outcome {
     /// The recurrence of an endless motion; none for other outcomes.
     #[must_use]
     pub const fn recurrence(&self) -> Option<Recurrence> {
-        let mut copy = *self;
-        match copy.parts_mut().1 {
-            Some(recurrence) => Some(*recurrence),
-            None => None,
+        if let Self::RollsForever { recurrence, .. } | Self::SlidesForever { recurrence, .. } = self {
+            Some(*recurrence)
+        } else {
+            None
         }
     }
 
     /// The candidates, if no motion or more than one is consistent.
     #[must_use]
     pub const fn candidates(&self) -> Option<Candidates> {
-        let mut copy = *self;
-        copy.parts_mut().2
+        if let Self::Inconsistent { candidates, .. } | Self::Ambiguous { candidates, .. } = self {
+            Some(*candidates)
+        } else {
+            None
+        }
     }
 
-    /// The common parts of outcomes: state, recurrence and candidates.
-    pub(crate) const fn parts_mut(&mut self) -> (&mut State, Option<&mut Recurrence>, Option<Candidates>) {
+    pub(crate) const fn state_mut(&mut self) -> &mut State {
         match self {
-            Self::RollsForever { since, recurrence } | Self::SlidesForever { since, recurrence } => {
-                (since, Some(recurrence), None)
-            }
-            Self::Inconsistent { state, candidates } | Self::Ambiguous { state, candidates } => {
-                (state, None, Some(*candidates))
-            }
-            Self::RepeatsForever { since: state, .. }
+            Self::RollsForever { since: state, .. }
+            | Self::SlidesForever { since: state, .. }
+            | Self::RepeatsForever { since: state, .. }
+            | Self::Inconsistent { state, .. }
+            | Self::Ambiguous { state, .. }
             | Self::Landing { state, .. }
             | Self::SlipsForever { state, .. }
             | Self::StaysInContact { state }
@@ -255,7 +256,7 @@ impl Outcome {
             | Self::TransitionLimit { state, .. }
             | Self::Singular { state, .. }
             | Self::StepLimit { state, .. }
-            | Self::Unresolved { state } => (state, None, None),
+            | Self::Unresolved { state } => state,
         }
     }
 

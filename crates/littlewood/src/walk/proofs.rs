@@ -98,7 +98,7 @@ impl<'a> Proofs<'a> {
     pub(crate) fn new(hoop: &'a Hoop, limits: &Limits, known: Known<'a>) -> Self {
         let proof = limits.proof();
         let kind = match hoop.body() {
-            Body::Heavy(_) | Body::Massless(_) if proof == Proof::None => Kind::None,
+            Body::Heavy(_) | Body::Massless(_) if proof == Proof::None || hoop.slope() != 0.0 => Kind::None,
             Body::Massless(_) => Kind::Conservative(Vec::new()),
             Body::Heavy(_) if hoop.mu_k() == 0.0 => Kind::Conservative(Vec::new()),
             Body::Heavy(body) if hoop.mu_s() == hoop.mu_k() && body.h > 0.0 => {

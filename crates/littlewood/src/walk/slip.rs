@@ -31,14 +31,14 @@ pub(crate) struct LastSlip {
 }
 
 impl LastSlip {
-    /// A slip that ended rolling; none with kinetic friction, which dissipates energy.
+    /// A slip that ended rolling; none with kinetic friction, which dissipates energy, nor on a slope, which changes the momentum.
     pub(crate) fn out_of_rolling(hoop: &Hoop, state: State, direction: Direction) -> Option<Self> {
-        (hoop.mu_k() == 0.0).then_some(Self { state, direction, is_on_limit: true })
+        (hoop.mu_k() == 0.0 && hoop.slope() == 0.0).then_some(Self { state, direction, is_on_limit: true })
     }
 
     /// The start of a motion, if it slides from η′ = 0: there |F| of rolling exceeds μs N.
     pub(crate) fn at_start(hoop: &Hoop, state: State, slides: Option<Direction>) -> Option<Self> {
-        let direction = slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0)?;
+        let direction = slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.slope() == 0.0)?;
         Some(Self { state, direction, is_on_limit: false })
     }
 

@@ -59,6 +59,9 @@ impl ContactProof {
     /// [`Hoop::never_lifts_off`].
     pub(crate) fn holds(&self, hoop: &Hoop, state: &State) -> bool {
         let Body::Heavy(body) = hoop.body() else { return false };
+        if hoop.slope() != 0.0 {
+            return false;
+        }
         let Some(needed) = hoop.lift_off_energy() else { return false };
         let energy = at_most(energy(hoop, state, 0.0, 0.0));
         let suffices = || {

@@ -89,7 +89,7 @@ impl WholeTurns {
 impl Cell {
     /// The bounds between two cosines, the lower first, for C between `least` and `most`.
     fn new(body: &Heavy, [mu_s, mu_k]: [f64; 2], [low, high]: [f64; 2], [least, most]: [f64; 2]) -> Self {
-        let Heavy { mass, h, inertia, offset } = *body;
+        let Heavy { mass, h, inertia, offset, .. } = *body;
         let is_above = low + high > 0.0;
         let [inner, outer] = if is_above { [low, high] } else { [high, low] };
         let sine_square = |cos: f64| (1.0 - cos) * (1.0 + cos);

@@ -48,6 +48,7 @@ pub(crate) enum TakeOff {
 #[derive(Clone, Copy, Debug)]
 pub struct Flight {
     h: f64,
+    pull: f64,
     start: State,
     vx: f64,
     vy: f64,
@@ -137,6 +138,7 @@ impl Flight {
         };
         Self {
             h,
+            pull: body.pull(),
             start,
             vx: start.slip - (1.0 + h * cos) * rate,
             vy: gap_rate - h * sin * rate,
@@ -201,8 +203,8 @@ impl Flight {
             time: self.start.time + elapsed,
             theta,
             theta_rate: rate,
-            slip: self.vx + (1.0 + self.h * cos) * rate,
-            x: self.mass_centre_x + self.vx * elapsed + self.h * sin,
+            slip: self.vx - self.pull * elapsed + (1.0 + self.h * cos) * rate,
+            x: self.mass_centre_x + (self.vx - 0.5 * self.pull * elapsed) * elapsed + self.h * sin,
         }
     }
 
@@ -214,10 +216,10 @@ impl Flight {
         (if self.settles { 0.0 } else { gap }, self.clock * slope)
     }
 
-    /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved.
+    /// Velocity (x̄′, ȳ′) of the mass centre after the time `elapsed`; x̄′ is conserved on a level plane.
     #[must_use]
     pub fn mass_centre_velocity(&self, elapsed: f64) -> (f64, f64) {
-        (self.vx, self.vy - elapsed)
+        (self.vx - self.pull * elapsed, self.vy - elapsed)
     }
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State, gap: (f64, f64)) -> Sample {
@@ -225,7 +227,7 @@ impl Flight {
         let instant = Instant {
             mode: Mode::Flight,
             direction: None,
-            accelerations: (0.0, -self.h * libm::sin(state.theta) * rate * rate),
+            accelerations: (0.0, -self.h * libm::sin(state.theta) * rate * rate - self.pull),
             forces: (0.0, 0.0),
             gap,
         };

@@ -10,10 +10,11 @@
 //! The zeros of the slip are roots of a cubic polynomial in the height of the particle ([`rest`]).
 //!
 //! Gliding conserves the vertical energy of the particle w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ (the w printed in (3.18) is not
-//! conserved by (3.17)), the energy e_s and the horizontal momentum v.
+//! conserved by (3.17)), and on a level plane the energy e_s and the horizontal momentum v. On a slope v decreases by τ tan α ([`tilted`]).
 
 mod particle;
 mod rest;
+mod tilted;
 
 use crate::model::{Direction, Hoop, Massless, Mode, State};
 use crate::modes::{Instant, Sample};
@@ -25,7 +26,7 @@ use self::rest::Slip;
 /// A phase of gliding in one direction of slip.
 #[derive(Clone, Copy, Debug)]
 pub struct Gliding {
-    offset: f64,
+    body: Massless,
     start: State,
     direction: Direction,
     particle: Particle,
@@ -66,7 +67,7 @@ pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f
     let (sin, cos) = libm::sincos(theta);
     let l = hoop.offset;
     let u = theta_rate * theta_rate;
-    ((1.0 - l * cos * u) / (l * sin), (1.0 + l * cos - u * l * (l + cos)) / (l * sin))
+    ((1.0 - l * cos * u) / (l * sin), (1.0 + l * cos - u * l * (l + cos)) / (l * sin) - hoop.pull())
 }
 
 /// How a phase of gliding ends.
@@ -92,7 +93,11 @@ impl Gliding {
         allowed: Option<f64>,
     ) -> (Self, GlidingEnd) {
         let particle = Particle::new(body, &start);
-        let slip = Slip::of(&particle, start.slip, entry);
+        let slip = if particle.pull == 0.0 {
+            Slip::of(&particle, start.slip, entry)
+        } else {
+            tilted::slip(&particle, start.slip, entry)
+        };
         let last = slip.rest.unwrap_or_else(|| particle.end());
         let is_stopped = allowed.is_some_and(|allowed| allowed < last.elapsed);
         let place = match allowed {
@@ -100,7 +105,7 @@ impl Gliding {
             Some(_) | None => last,
         };
         let mut glide = Self {
-            offset: body.offset,
+            body: *body,
             start,
             direction: slip.direction,
             particle,
@@ -158,11 +163,10 @@ impl Gliding {
     }
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
-        let body = Massless { offset: self.offset };
         let instant = Instant {
             mode: Mode::Gliding,
             direction: Some(self.direction),
-            accelerations: gliding_accelerations(&body, state.theta, state.theta_rate),
+            accelerations: gliding_accelerations(&self.body, state.theta, state.theta_rate),
             forces: (0.0, 0.0),
             gap: (0.0, 0.0),
         };

@@ -17,6 +17,7 @@ use crate::model::{Massless, State};
 pub(super) struct Particle {
     start: State,
     pub(super) offset: f64,
+    pub(super) pull: f64,
     /// 1 − ℓ̂.
     pub(super) inside: f64,
     /// Multiple of 2π to which the angle belongs, and the side of the vertical on which the particle is.
@@ -61,6 +62,7 @@ impl Particle {
         Self {
             start: *start,
             offset: l,
+            pull: body.pull(),
             inside,
             // The side fixes the number of turns; next to the bottom the angle alone would be ambiguous.
             turns: (start.theta / TAU - 0.25 * side).round(),
@@ -149,13 +151,15 @@ impl Particle {
         let half_angle = libm::atan2(place.below_top.sqrt(), place.above_bottom.sqrt());
         let rate = self.side * place.fall_rate / arm;
         let lever = self.inside + place.above_bottom;
+        let lost = self.pull * place.elapsed;
+        let momentum = self.momentum - lost;
         State {
             time: self.start.time + place.elapsed,
             theta: TAU * self.turns + self.side * 2.0 * half_angle,
             theta_rate: rate,
             // For ℓ̂ = 1 the lever vanishes at the bottom, where the rate is infinite.
-            slip: if lever == 0.0 { self.momentum } else { self.momentum + rate * lever },
-            x: self.mass_centre + self.momentum * place.elapsed + self.side * arm,
+            slip: if lever == 0.0 { momentum } else { momentum + rate * lever },
+            x: self.mass_centre + (self.momentum - 0.5 * lost) * place.elapsed + self.side * arm,
         }
     }
 }

@@ -188,7 +188,7 @@ impl Levels {
         let slope = margin.derivative();
         let (rise, fall) = if at_turning_point {
             let steepness = -2.0 * self.law.offset * sin;
-            let acceleration = self.law.acceleration(sin, 1.0, d);
+            let acceleration = self.law.acceleration((sin, cos), [1.0, 0.0], d);
             let along = slope.value(angle);
             (-(self.slope.value(angle) + along / steepness), 0.5 * along * acceleration)
         } else {

@@ -11,6 +11,7 @@
 
 mod boundary;
 mod grazing;
+mod incline;
 mod orbit;
 mod recurrence;
 mod rim;

@@ -23,6 +23,7 @@ use crate::model::{Direction, Hoop};
 
 use super::boundary::{Boundary, RollingLimit};
 use super::boundary::{Hold, RollingEnd, in_body_frame};
+use super::incline::Incline;
 use super::recurrence::Recurrence;
 use super::rim::RimOrbit;
 
@@ -34,6 +35,7 @@ pub struct RollingOrbit(Kind);
 enum Kind {
     Elliptic(Elliptic),
     Rim(RimOrbit),
+    Incline(Incline),
 }
 
 /// An orbit of a body with D(π) > 0, that is, of every body but Littlewood's hoop.
@@ -72,7 +74,9 @@ impl RollingOrbit {
     #[must_use]
     pub fn new(hoop: &Hoop, theta: f64, theta_rate: f64) -> Self {
         let law = RollingLaw::new(hoop);
-        Self(if law.bottom > 0.0 {
+        Self(if hoop.slope() != 0.0 {
+            Kind::Incline(Incline::new(hoop, law, theta, theta_rate))
+        } else if law.bottom > 0.0 {
             Kind::Elliptic(Elliptic::new(hoop, law, theta, theta_rate))
         } else {
             Kind::Rim(RimOrbit::new(hoop.mu_s(), theta, theta_rate))
@@ -85,6 +89,7 @@ impl RollingOrbit {
         match &self.0 {
             Kind::Elliptic(orbit) => orbit.position(elapsed),
             Kind::Rim(orbit) => orbit.position(elapsed),
+            Kind::Incline(orbit) => orbit.position(elapsed),
         }
     }
 
@@ -94,6 +99,7 @@ impl RollingOrbit {
         match &self.0 {
             Kind::Elliptic(orbit) => orbit.time_to(theta),
             Kind::Rim(orbit) => orbit.time_to(theta),
+            Kind::Incline(orbit) => orbit.time_to(theta),
         }
     }
 
@@ -103,6 +109,7 @@ impl RollingOrbit {
         match &self.0 {
             Kind::Elliptic(orbit) => orbit.end(false),
             Kind::Rim(orbit) => orbit.end(),
+            Kind::Incline(orbit) => orbit.end(),
         }
     }
 
@@ -111,6 +118,7 @@ impl RollingOrbit {
         match &self.0 {
             Kind::Elliptic(orbit) => orbit.end(true),
             Kind::Rim(orbit) => orbit.end(),
+            Kind::Incline(orbit) => orbit.end(),
         }
     }
 
@@ -120,6 +128,15 @@ impl RollingOrbit {
         match &self.0 {
             Kind::Elliptic(orbit) => orbit.recurrence(),
             Kind::Rim(orbit) => orbit.recurrence(),
+            Kind::Incline(orbit) => orbit.recurrence(),
+        }
+    }
+
+    /// Whether an unbalanced hoop rolls down a slope without a turning point: rolling then ends, if only beyond the bounds of θ.
+    pub(crate) fn descends(&self) -> bool {
+        match &self.0 {
+            Kind::Incline(orbit) => orbit.descends(),
+            Kind::Elliptic(_) | Kind::Rim(_) => false,
         }
     }
 
@@ -127,6 +144,7 @@ impl RollingOrbit {
         match &self.0 {
             Kind::Elliptic(orbit) => orbit.hold(),
             Kind::Rim(orbit) => orbit.hold(),
+            Kind::Incline(orbit) => orbit.hold(),
         }
     }
 }

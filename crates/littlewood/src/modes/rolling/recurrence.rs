@@ -1,4 +1,4 @@
-//! Recurrence of endless motions.
+//! Recurrence of endless motions, and the one endless motion that does not recur: a balanced hoop down a slope.
 
 use crate::model::{Detail, Dimension, named};
 
@@ -22,6 +22,11 @@ pub enum Recurrence {
         /// Time of one turn.
         period: f64,
     },
+    /// Acceleration of a balanced hoop down a slope.
+    Downhill {
+        /// x″ of the centre.
+        acceleration: f64,
+    },
     /// Approach to the unstable equilibrium on the separatrix, in infinite time.
     Asymptotic {
         /// Angle of that equilibrium.
@@ -40,6 +45,8 @@ named! {
         Rotation = 2, "rotation";
         /// [`Recurrence::Asymptotic`].
         Asymptotic = 3, "asymptotic";
+        /// [`Recurrence::Downhill`].
+        Downhill = 4, "downhill";
     }
 }
 
@@ -52,15 +59,16 @@ impl Recurrence {
             Self::Libration { .. } => RecurrenceKind::Libration,
             Self::Rotation { .. } => RecurrenceKind::Rotation,
             Self::Asymptotic { .. } => RecurrenceKind::Asymptotic,
+            Self::Downhill { .. } => RecurrenceKind::Downhill,
         }
     }
 
-    /// Period; none for rest and on the separatrix.
+    /// Period; none for rest, on the separatrix, and down a slope.
     #[must_use]
     pub const fn period(&self) -> Option<f64> {
         match self {
             Self::Libration { period, .. } | Self::Rotation { period } => Some(*period),
-            Self::Rest | Self::Asymptotic { .. } => None,
+            Self::Rest | Self::Asymptotic { .. } | Self::Downhill { .. } => None,
         }
     }
 
@@ -77,6 +85,9 @@ impl Recurrence {
                 details.extend([("theta_min", angle(theta_min)), ("theta_max", angle(theta_max))]);
             }
             Self::Asymptotic { theta } => details.push(("theta_limit", angle(theta))),
+            Self::Downhill { acceleration } => {
+                details.push(("acceleration", Detail::Real(acceleration, Dimension::Acceleration)));
+            }
             Self::Rest | Self::Rotation { .. } => {}
         }
         details

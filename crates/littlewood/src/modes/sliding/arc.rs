@@ -3,12 +3,13 @@
 use core::f64::consts::TAU;
 
 use crate::ablation::{Part, is_on};
+use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::mechanics::{SlidePath, SlidingLaw};
 use crate::model::{Direction, Hoop, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, Turns, section_of};
-use super::series::{DEGREE, INITIAL_MAX_STEP, PhasePoint, Series, SlideSeries, crossing, root, value};
+use super::series::{INITIAL_MAX_STEP, PhasePoint, SlideSeries};
 use super::singular::{Approach, Fate};
 
 /// Least step relative to the time. A shorter step means a singularity of the equations.
@@ -52,8 +53,8 @@ pub(crate) enum SlidingEnd {
     StepLimit { state: State, time_left: f64 },
     /// The time limit.
     TimeLimit(State),
-    /// No end: without kinetic friction, energy and horizontal momentum are conserved, and a slide
-    /// without an event in a whole period repeats.
+    /// No end: the slip does not decrease on average, and θ and θ′ repeat after a whole period without an event, or the hoop
+    /// is balanced.
     Endless(Recurrence),
 }
 
@@ -67,7 +68,7 @@ pub struct Sliding {
     steps: Vec<Step>,
     leaps: Vec<Leap>,
     attempts: usize,
-    /// Time and angle of the turning points; recorded only without kinetic friction.
+    /// Time and angle of the turning points; recorded only while the slip does not decrease on average.
     turnings: Vec<(f64, f64)>,
     cycle: Option<Cycle>,
 }
@@ -227,7 +228,13 @@ impl Sliding {
                 };
             }
             let next = self.here(here.elapsed + width, here.turned, series.point(width));
-            if self.law.friction == 0.0 {
+            if self.law.body.h == 0.0 && self.law.body.tilt != 0.0 && sign * series.slip[1] >= 0.0 {
+                // The pull of the slope along the plane is at least the friction force, at all times.
+                let acceleration = series.slip[1] - series.theta_rate[1];
+                return SlidingEnd::Endless(Recurrence::Downhill { acceleration });
+            }
+            // On a level plane, and against the pull of a slope, only a slide without kinetic friction can last for ever.
+            if sign * self.law.drag() <= 0.0 {
                 if next.place.rate * here.place.rate < 0.0 {
                     let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
                     self.turnings.push((here.elapsed + at, value(&series.theta, at)));
@@ -246,7 +253,7 @@ impl Sliding {
     /// The end next to P = 0, with the limits of θ′ and η′ at fixed angle and time.
     fn singular_end(&mut self, here: SlidePoint) -> SlidingEnd {
         let theta = here.place.theta;
-        let loss = self.law.friction * here.elapsed;
+        let loss = self.law.drag() * here.elapsed;
         let (sin, cos) = libm::sincos(self.start.theta);
         let terms = self.start.slip.abs()
             + self.start.theta_rate.abs()
@@ -291,17 +298,18 @@ impl Sliding {
         allowed: Option<f64>,
     ) -> Option<SlidePoint> {
         let SlidingLaw { body, friction } = self.law;
+        let (drag, sign) = (self.law.drag(), self.direction.sign());
         if friction == 0.0 || body.h == 0.0 || !is_on(Part::WholeTurns) {
             return None;
         }
         let integral = self.integral();
         let bounds = |elapsed: f64| LeapLimits {
-            slip: self.direction.sign() * (integral - friction * elapsed),
-            friction: friction.abs(),
+            slip: sign * (integral - drag * elapsed),
+            drag: sign * drag,
             allowed: allowed.map_or(f64::INFINITY, |allowed| allowed - elapsed),
         };
         let width = next.elapsed - here.elapsed;
-        let swings = self.direction.sign() * (here.slip - integral + friction * here.elapsed);
+        let swings = sign * (here.slip - integral + drag * here.elapsed);
         let (least, most) = search.range.unwrap_or((swings, swings));
         let (least, most) = (least.min(swings), most.max(swings));
         search.range = Some((least, most));
@@ -350,7 +358,7 @@ impl Sliding {
         Some(self.here(begin + duration, turned + advance, place))
     }
 
-    /// η′ − θ′ (1 + h c + μk σ h s) + μk σ τ at the start.
+    /// η′ − θ′ (1 + h c + μk σ h s) + (μk σ + tan α) τ at the start.
     fn integral(&self) -> f64 {
         self.law.momentum_integral(&State { time: 0.0, ..self.start })
     }
@@ -358,7 +366,7 @@ impl Sliding {
     /// A point of the slide, with η′ from the first integral.
     fn here(&self, elapsed: f64, turned: f64, place: PhasePoint) -> SlidePoint {
         let (sin, cos) = libm::sincos(place.theta);
-        let slip = self.integral() + place.rate * self.law.lever(sin, cos) - self.law.friction * elapsed;
+        let slip = self.integral() + place.rate * self.law.lever(sin, cos) - self.law.drag() * elapsed;
         SlidePoint { elapsed, turned, place, slip }
     }
 
@@ -374,7 +382,8 @@ impl Sliding {
         if lost > 0.0 { now.max(0.0) / lost * here.elapsed } else { f64::INFINITY }
     }
 
-    /// The recurrence of a slide without friction, once a whole period has passed.
+    /// The recurrence of a slide whose slip does not decrease, once a whole period has passed. Kinetic friction changes u from turn to
+    /// turn, but a slide that turns back retraces u(θ).
     fn recurrence(
         &mut self,
         series: &SlideSeries,
@@ -385,7 +394,7 @@ impl Sliding {
             return Some(Recurrence::Rest);
         }
         let gained = next.place.theta - self.start.theta;
-        if gained.abs() >= TAU {
+        if self.law.friction == 0.0 && gained.abs() >= TAU {
             let advance = TAU.copysign(gained);
             let width = next.elapsed - here.elapsed;
             let period =
@@ -448,6 +457,7 @@ impl Sliding {
         }
         let mut here = step.at(within - step.begin);
         here.place.theta += gained;
+        here.slip -= self.law.drag() * (elapsed - within);
         self.state_from(SlidePoint { elapsed, ..here })
     }
 

@@ -22,9 +22,10 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::math::bernstein::Bernstein;
+use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::mechanics::SlidingLaw;
 
-use super::series::{DEGREE, PhasePoint, Series, SlideSeries, crossing, root, value};
+use super::series::{PhasePoint, SlideSeries};
 use super::turn::{Turn, section};
 
 /// Least number of turns, or periods, of a leap; fewer are integrated step by step.
@@ -63,8 +64,8 @@ const MAX_STEPS_PER_TURN: usize = 2_000;
 pub(super) struct LeapLimits {
     /// σ η′ − σ θ′ (1 + h c + f h s) at the beginning.
     pub(super) slip: f64,
-    /// μk.
-    pub(super) friction: f64,
+    /// μk + σ tan α, the rate at which σ η′ decreases on average.
+    pub(super) drag: f64,
     /// Time left until the time limit, or infinity.
     pub(super) allowed: f64,
 }
@@ -72,12 +73,15 @@ pub(super) struct LeapLimits {
 impl LeapLimits {
     /// Time to the time limit, or to η′ = 0 if the oscillating part of σ η′ is `lowest`.
     pub(super) fn longest(&self, lowest: f64) -> f64 {
-        ((self.slip + lowest) / self.friction).min(self.allowed)
+        let left = self.slip + lowest;
+        let sticks = if self.drag > 0.0 { left / self.drag } else if left > 0.0 { f64::INFINITY } else { 0.0 };
+        sticks.min(self.allowed)
     }
 
     /// Whether σ η′ > 0, and the time is left, up to this time, if the oscillating part of σ η′ is at least `lowest`.
     fn holds(&self, time: f64, lowest: f64) -> bool {
-        let lost = self.friction * time;
+        // A slip that grows on average is least at the beginning.
+        let lost = (self.drag * time).max(0.0);
         let margin = PROOF_MARGIN * (self.slip.abs() + lost + lowest.abs());
         time <= self.allowed && self.slip - lost + lowest - margin > 0.0
     }
@@ -100,7 +104,7 @@ impl Probe {
         for _ in 0..MAX_STEPS_PER_TURN {
             let (sin, cos) = libm::sincos(here.theta);
             let mut series = SlideSeries::new(law, here, here.rate * law.lever(sin, cos));
-            series.slip[1] += law.friction;
+            series.slip[1] += law.drag();
             let width = series.reach(f64::INFINITY);
             if !(width > 0.0 && width.is_finite())
                 || crossing(&series.contact, width).is_some()
@@ -411,7 +415,7 @@ fn last_of(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
 
 /// Upper bound of the number of turns whose times can be summed; none if it is below [`MIN_LEAP_TURNS`].
 fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: LeapLimits) -> Option<f64> {
-    let LeapLimits { slip, friction, allowed } = bounds;
+    let LeapLimits { slip, drag, allowed } = bounds;
     let (h, beta) = (law.body.h, turn.beta());
     // The first turn lifts off.
     if turn.load_at_top(h, energy) >= 1.0 {
@@ -421,7 +425,7 @@ fn most_turns(law: &SlidingLaw, turn: &Turn, energy: f64, bounds: LeapLimits) ->
         // The first turn is the fastest; half its time is below the time of any turn.
         let shortest = 0.5 * turn.time(energy);
         let most_slip = slip + turn.largest_slip(energy);
-        let sticks = most_slip / (friction * shortest) + 1.0;
+        let sticks = if drag > 0.0 { most_slip / (drag * shortest) + 1.0 } else { f64::INFINITY };
         turn.turns(energy, -2.0 * beta).min(sticks).min(allowed / shortest + 1.0)
     } else {
         turn.turns(energy, turn.lift_off_energy(h))

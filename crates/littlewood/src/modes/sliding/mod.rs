@@ -10,7 +10,6 @@
 
 mod arc;
 mod leap;
-mod panel;
 mod series;
 mod singular;
 mod turn;

@@ -4,17 +4,9 @@
 //! θ, θ′, η′ and of the two quantities whose signs limit sliding, w and P. They solve the equations of [`SlidingLaw`], which a
 //! test checks.
 
-use crate::math::bernstein::{first_crossing, value_and_slope};
-use crate::math::bracket::Bracket;
+use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
-
-/// Degree of the series. The step-size rule of Jorba and Zou gives 20 at double precision; two more cost
-/// little and allow longer steps.
-pub(super) const DEGREE: usize = 22;
-
-/// Coefficients 0 to `DEGREE` of a power series in the time since its centre.
-pub(super) type Series = [f64; DEGREE + 1];
 
 /// Largest truncation error of a step, relative to θ′ and θ″: below the rounding.
 const TRUNCATION_TOLERANCE: f64 = f64::EPSILON / 4.0;
@@ -38,24 +30,6 @@ pub(super) struct SlideSeries {
     pub(super) contact: Series,
     /// P = Î + m h s q: sliding has a unique solution while P > 0 (Painlevé).
     pub(super) solvability: Series,
-}
-
-/// Coefficients `n` of products of series, each summed in the order of its first factor. The interleaved sums hide the latency of
-/// the additions.
-#[inline(always)]
-fn convolve<const N: usize>(products: [(&Series, &Series); N], n: usize) -> [f64; N] {
-    let mut sums = [0.0; N];
-    if n > DEGREE {
-        return sums;
-    }
-    let mut j = 0;
-    while j <= n {
-        for i in 0..N {
-            sums[i] += products[i].0[j] * products[i].1[n - j];
-        }
-        j += 1;
-    }
-    sums
 }
 
 impl SlideSeries {
@@ -102,9 +76,9 @@ impl SlideSeries {
             acceleration[n] = remainder / s.solvability[0];
             order += 1.0;
         }
-        // First integral of sliding: η′ = const − μk σ τ + θ′ (1 + h cos θ + μk σ h sin θ).
+        // First integral of sliding: η′ = const − (μk σ + tan α) τ + θ′ (1 + h cos θ + μk σ h sin θ).
         s.slip[0] = slip;
-        s.slip[1] -= friction;
+        s.slip[1] -= law.drag();
         s
     }
 
@@ -150,32 +124,6 @@ impl SlideSeries {
     }
 }
 
-/// Value of a series, by Horner's scheme.
-#[inline]
-pub(super) fn value(series: &Series, at: f64) -> f64 {
-    series.iter().rev().fold(0.0, |sum, c| sum * at + c)
-}
-
-/// First crossing of a series from non-negative to negative in [0, width].
-pub(super) fn crossing(series: &Series, width: f64) -> Option<f64> {
-    let mut swing = 0.0;
-    for c in series[1..].iter().rev() {
-        swing = (swing + c.abs()) * width;
-    }
-    if series[0] > swing {
-        return None;
-    }
-    first_crossing(series, width)
-}
-
-/// The point of [0, width] where a monotone series takes the value `level`; `sign` is the sign of series − level at 0.
-pub(super) fn root(series: &Series, level: f64, sign: f64, width: f64) -> f64 {
-    Bracket { low: 0.0, high: width }.refine(|at| {
-        let (value, slope) = value_and_slope(series, at);
-        (sign * (value - level), sign * slope)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -188,8 +136,9 @@ mod tests {
         fn the_series_begin_with_the_equations_of_sliding(
             mass in 1.1..4.0_f64, offset in 0.1..1.0_f64, inertia in 0.5..5.0_f64, mu in 0.0..0.5_f64,
             theta in -7.0..7.0_f64, rate in -3.0..3.0_f64, positive in any::<bool>(),
+            tilt in prop_oneof![Just(-0.0), -2.0..2.0_f64],
         ) {
-            let body = Heavy { mass, h: offset / mass, offset, inertia };
+            let body = Heavy { mass, h: offset / mass, offset, inertia, tilt };
             let law = SlidingLaw { body, friction: if positive { mu } else { -mu } };
             let series = SlideSeries::new(&law, PhasePoint { theta, rate }, 0.25);
             let expected = law.accelerations(theta, rate);

@@ -17,10 +17,9 @@
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use crate::math::panel::{NODES, Rule, largest};
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
-
-use super::panel::{NODES, Rule, largest};
 
 /// Largest number of panel halvings in a turn; only very light hoops would need more.
 const MAX_HALVINGS: usize = 160;
@@ -267,7 +266,7 @@ mod tests {
         fn the_section_is_the_unstable_equilibrium_or_where_the_slope_of_the_energy_is_least(
             mass in 1.0..4.0_f64, h in 0.0125..1.0_f64, inertia in 0.1..3.0_f64, mu in 0.0..5.0_f64, positive in any::<bool>(),
         ) {
-            let body = Heavy { mass, h, offset: mass * h, inertia };
+            let body = Heavy { mass, h, offset: mass * h, inertia, tilt: -0.0 };
             let law = SlidingLaw { body, friction: if positive { mu } else { -mu } };
             let (sin, cos) = libm::sincos(section(&law));
             let q = law.q(1.0, sin, cos);

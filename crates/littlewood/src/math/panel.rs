@@ -2,13 +2,13 @@
 
 use std::sync::OnceLock;
 
-pub(super) const NODES: usize = 16;
+pub(crate) const NODES: usize = 16;
 
 /// Nodes on [−1, 1] with their weights.
 #[derive(Clone, Debug)]
-pub(super) struct Rule {
-    pub(super) nodes: [f64; NODES],
-    pub(super) weights: [f64; NODES],
+pub(crate) struct Rule {
+    pub(crate) nodes: [f64; NODES],
+    pub(crate) weights: [f64; NODES],
     /// Row i gives the integral from −1 to node i.
     integrals: [[f64; NODES]; NODES],
     /// The last two coefficients of the expansion in Legendre polynomials.
@@ -30,7 +30,7 @@ fn legendre(x: f64) -> ([f64; NODES + 1], f64) {
 
 impl Rule {
     /// The rule, computed once.
-    pub(super) fn get() -> &'static Self {
+    pub(crate) fn get() -> &'static Self {
         static RULE: OnceLock<Rule> = OnceLock::new();
         RULE.get_or_init(Self::new)
     }
@@ -70,22 +70,22 @@ impl Rule {
         Self { nodes, weights, integrals, tails }
     }
 
-    pub(super) fn integral(&self, values: &[f64; NODES]) -> f64 {
+    pub(crate) fn integral(&self, values: &[f64; NODES]) -> f64 {
         dot(&self.weights, values)
     }
 
     /// Integrals from −1 to the nodes.
-    pub(super) fn up_to(&self, values: &[f64; NODES]) -> [f64; NODES] {
+    pub(crate) fn up_to(&self, values: &[f64; NODES]) -> [f64; NODES] {
         core::array::from_fn(|i| dot(&self.integrals[i], values))
     }
 
     /// Magnitude of the last two coefficients, an estimate of the interpolation error.
-    pub(super) fn tail(&self, values: &[f64; NODES]) -> f64 {
+    pub(crate) fn tail(&self, values: &[f64; NODES]) -> f64 {
         dot(&self.tails[0], values).abs() + dot(&self.tails[1], values).abs()
     }
 }
 
-pub(super) fn largest(values: &[f64; NODES]) -> f64 {
+pub(crate) fn largest(values: &[f64; NODES]) -> f64 {
     values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
 }
 

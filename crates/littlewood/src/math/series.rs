@@ -1,0 +1,55 @@
+//! Power series of a fixed degree about a point: products, values and sign changes.
+
+use crate::math::bernstein::{first_crossing, value_and_slope};
+use crate::math::bracket::Bracket;
+
+/// Degree of the series. The step-size rule of Jorba and Zou gives 20 at double precision; two more cost
+/// little and allow longer steps.
+pub(crate) const DEGREE: usize = 22;
+
+/// Coefficients 0 to `DEGREE` of a power series in the distance from its centre.
+pub(crate) type Series = [f64; DEGREE + 1];
+
+/// Coefficients `n` of products of series, each summed in the order of its first factor. The interleaved sums hide the latency of
+/// the additions.
+#[inline(always)]
+pub(crate) fn convolve<const N: usize>(products: [(&Series, &Series); N], n: usize) -> [f64; N] {
+    let mut sums = [0.0; N];
+    if n > DEGREE {
+        return sums;
+    }
+    let mut j = 0;
+    while j <= n {
+        for i in 0..N {
+            sums[i] += products[i].0[j] * products[i].1[n - j];
+        }
+        j += 1;
+    }
+    sums
+}
+
+/// Value of a series, by Horner's scheme.
+#[inline]
+pub(crate) fn value(series: &Series, at: f64) -> f64 {
+    series.iter().rev().fold(0.0, |sum, c| sum * at + c)
+}
+
+/// First crossing of a series from non-negative to negative in [0, width].
+pub(crate) fn crossing(series: &Series, width: f64) -> Option<f64> {
+    let mut swing = 0.0;
+    for c in series[1..].iter().rev() {
+        swing = (swing + c.abs()) * width;
+    }
+    if series[0] > swing {
+        return None;
+    }
+    first_crossing(series, width)
+}
+
+/// The point of [0, width] where a monotone series takes the value `level`; `sign` is the sign of series − level at 0.
+pub(crate) fn root(series: &Series, level: f64, sign: f64, width: f64) -> f64 {
+    Bracket { low: 0.0, high: width }.refine(|at| {
+        let (value, slope) = value_and_slope(series, at);
+        (sign * (value - level), sign * slope)
+    })
+}

@@ -1,0 +1,108 @@
+//! The first rest of the slip of a glide on a slope.
+//!
+//! With the heights a, b and the fall rate z of [`super::particle`], L = 1 − ℓ̂ + b, and v = v0 − τ tan α, √(ab) η′ = v √(ab) ± z L.
+//! So η′ vanishes only where the two terms have opposite signs, at the zeros of
+//!
+//! ```text
+//! Q = v² a b − z² L²,
+//! ```
+//!
+//! a polynomial of degree six in the time. Both signs are constant between the zeros of v and of z. For ℓ̂ = 1, L = b, and Q/b is of
+//! degree four.
+
+use crate::math::bernstein::first_crossing;
+use crate::model::Direction;
+
+use super::particle::Particle;
+use super::rest::{GlideEntry, Slip};
+
+/// A polynomial of degree at most six, lowest power first.
+type Polynomial = [f64; 7];
+
+fn times(a: &Polynomial, b: &Polynomial) -> Polynomial {
+    core::array::from_fn(|n| (0..=n).fold(0.0, |sum, k| sum + a[k] * b[n - k]))
+}
+
+/// The polynomial in the distance from `at`.
+fn shifted(mut p: Polynomial, at: f64) -> Polynomial {
+    for first in 0..p.len() {
+        for k in (first..p.len() - 1).rev() {
+            p[k] += at * p[k + 1];
+        }
+    }
+    p
+}
+
+/// The slip of a glide on a slope that starts with the slip velocity `slip`.
+pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
+    let tilt = particle.pull;
+    let (l, inside, side) = (particle.offset, particle.inside, particle.side);
+    let (a, b, rise) = (particle.below_top, particle.above_bottom, particle.rise);
+    let (rate, spin) = particle.spin();
+    let lever = inside + b;
+    let arm = side * (a * b).sqrt();
+    // G = ℓ̂ sin θ η″ at η′ = 0; N of rolling has its sign.
+    let level = b * ((1.0 - rate) * (1.0 + rate)) + inside * (1.0 + l * spin);
+    let mut pull = level - tilt * arm;
+    let begun = match entry {
+        GlideEntry::Moving => Direction::of_sign(slip),
+        GlideEntry::FromRest { presses } => {
+            if presses.is_some_and(|presses| presses != (pull > 0.0)) {
+                pull = 0.0;
+            }
+            None
+        }
+        GlideEntry::Unloaded => {
+            pull = 0.0;
+            None
+        }
+    };
+    let f: Polynomial = [0.0, -rise, 0.5, 0.0, 0.0, 0.0, 0.0];
+    let plus = |constant: f64, sign: f64| -> Polynomial {
+        core::array::from_fn(|n| sign * f[n] + if n == 0 { constant } else { 0.0 })
+    };
+    let (below, above) = (plus(a, 1.0), plus(b, -1.0));
+    let linear = |constant: f64, slope: f64| -> Polynomial { [constant, slope, 0.0, 0.0, 0.0, 0.0, 0.0] };
+    let (drift, fall) = (linear(particle.momentum, -tilt), linear(-rise, 1.0));
+    let (drift_square, fall_square) = (times(&drift, &drift), times(&fall, &fall));
+    let mut q = if inside == 0.0 {
+        let (first, second) = (times(&drift_square, &below), times(&fall_square, &above));
+        core::array::from_fn(|n| first[n] - second[n])
+    } else {
+        let levers = plus(lever, -1.0);
+        let first = times(&drift_square, &times(&below, &above));
+        let second = times(&fall_square, &times(&levers, &levers));
+        core::array::from_fn(|n| first[n] - second[n])
+    };
+    // The first coefficients, without cancellation.
+    let product = if inside == 0.0 { a } else { a * b };
+    q[0] = if begun.is_some() { product * slip * (slip - 2.0 * rate * lever) } else { 0.0 };
+    if begun.is_none() {
+        q[1] = 2.0 * rise * pull * if inside == 0.0 { 1.0 } else { lever };
+    }
+    let direction = begun.unwrap_or_else(|| {
+        let next = q.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum());
+        let fall = if rise > 0.0 { -1.0 } else { 1.0 };
+        let towards = if pull == 0.0 { -side * fall * next } else { side * pull };
+        if towards < 0.0 { Direction::Negative } else { Direction::Positive }
+    });
+    let end = particle.end().elapsed;
+    let mut cuts = vec![0.0];
+    cuts.extend([rise, particle.momentum / tilt].into_iter().filter(|at| *at > 0.0 && *at < end));
+    cuts.push(end);
+    cuts.sort_by(f64::total_cmp);
+    let rest = cuts.windows(2).find_map(|piece| {
+        let (from, to) = (piece[0], piece[1]);
+        let middle = 0.5 * (from + to);
+        let drift = particle.momentum - tilt * middle;
+        if drift * side * (middle - rise) >= 0.0 {
+            return None;
+        }
+        let sign = direction.sign() * drift.signum();
+        let p = (if from == 0.0 { q } else { shifted(q, from) }).map(|c| sign * c);
+        let known = if from == 0.0 && begun.is_none() { p.iter().take_while(|c| **c == 0.0).count() } else { 0 };
+        let at = first_crossing(p.get(known..).filter(|rest| !rest.is_empty())?, to - from)?;
+        Some(particle.place(from + at))
+    });
+    Slip { direction, rest }
+}

@@ -1,0 +1,557 @@
+//! Rolling on a slope: the kinetic energy as a function of the angle, time as a quadrature, and the end of rolling.
+//!
+//! In the direction of motion, in which the angle ϑ increases, with T = ± tan α, D θ′² obeys
+//!
+//! ```text
+//! G = D ϑ′² = G0 + 2 [ℓ̂ (cos ϑ0 − cos ϑ) + T (m (ϑ − ϑ0) + ℓ̂ (sin ϑ − sin ϑ0))],
+//! N D² = D [m Î + (m + ℓ̂c)² − T ℓ̂ s (m + ℓ̂c)] − G ℓ̂ (ℓ̂ s² + c D),
+//! F D² = ℓ̂ s [G D − (m + ℓ̂c)(D + G)] + T (m Î + ℓ̂² s²) D,
+//! ```
+//!
+//! and dτ = √(D/G) dϑ. G changes by 4π m T in a turn. Its extrema, the equilibria, are at sin(ϑ + atan T) = −sin(atan T)/h, so each turning
+//! point is the only root between two of them. The margins μs N ± F are Taylor polynomials that converge to rounding on an eighth of a
+//! half turn, whose sign changes [`crate::math::bernstein`] isolates.
+//!
+//! *Many turns.* At each angle the margins are linear in G. A margin that falls with G is negative on a set of angles that grows from turn to
+//! turn downhill, one that rises with G on a set that grows uphill. So the turns in which rolling ends follow those in which it does not, and
+//! bisection finds the first. The time of n turns is the quadrature of one turn with Σ (G + k δ)^(−½) in place of G^(−½), a sum of
+//! Euler and Maclaurin.
+
+use core::f64::consts::{FRAC_PI_8, PI, TAU};
+
+use crate::math::bracket::{Bracket, Step};
+use crate::math::panel::{NODES, Rule, largest};
+use crate::math::series::{DEGREE, Series, convolve, crossing};
+use crate::math::trig::{above_bottom, sincos};
+use crate::mechanics::RollingLaw;
+use crate::model::{Direction, Hoop};
+
+use super::boundary::{Hold, RollingEnd, RollingLimit, in_body_frame};
+use super::recurrence::Recurrence;
+
+/// Largest angle of an end of rolling, as of a start: doubles resolve 1e-7 there.
+const MAX_ANGLE: f64 = 1e9;
+
+/// Largest relative tail of an integrand on a panel: the rule is exact to twice the degree.
+const TAIL_TOLERANCE: f64 = 1e-8;
+
+/// Largest number of halvings of a panel: its width is then one unit in the last place.
+const MAX_HALVINGS: u32 = 52;
+
+/// Number of terms summed one by one before the formula of Euler and Maclaurin: its first omitted term is then below 1e-16 of a term.
+const SINGLE_TERMS: u32 = 32;
+
+/// The rolling orbit of a hoop on a slope through a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Incline {
+    /// Direction of motion at the start.
+    travel: f64,
+    /// Up to the first turning point.
+    first: Leg,
+    /// From there, the other way.
+    back: Option<Leg>,
+    /// Whether it stays where it is.
+    rests: bool,
+}
+
+/// A part of an orbit in one direction, in which its angle increases.
+#[derive(Clone, Copy, Debug)]
+struct Leg {
+    law: RollingLaw,
+    limits: Limits,
+    /// tan α, positive downhill.
+    pull: f64,
+    /// ϑ and G at the beginning; G is 0 at a turning point.
+    angle: f64,
+    kinetic: f64,
+    /// Distance to the turning point, if any.
+    reach: Option<f64>,
+}
+
+/// A point of a leg: the distances from its beginning and to its turning point.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    passed: f64,
+    left: f64,
+}
+
+/// What bounds rolling.
+#[derive(Clone, Copy, Debug)]
+struct Limits {
+    mu: f64,
+    /// Î; a hoop without has a contact force that points at the particle.
+    inertia: f64,
+}
+
+impl Incline {
+    pub(super) fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
+        let (sin, cos) = libm::sincos(theta);
+        let kinetic = law.denominator(theta) * theta_rate * theta_rate;
+        // At a turning point gravity decides the direction of motion.
+        let pulled = law.offset * sin + law.tilt * (law.mass + law.offset * cos);
+        let moving = if kinetic == 0.0 { pulled } else { theta_rate };
+        let travel = Direction::of_sign(moving).map_or(1.0, Direction::sign);
+        let limits = Limits { mu: hoop.mu_s(), inertia: hoop.body().inertia_about_mass_centre() };
+        let pull = travel * law.tilt;
+        let first = Leg { law, limits, pull, angle: travel * theta, kinetic, reach: None }.with_reach();
+        let back = first.reach.map(|reach| {
+            let turned = first.angle + reach;
+            Leg { pull: -pull, angle: -turned, kinetic: 0.0, reach: None, ..first }.with_reach()
+        });
+        // Both turning points round to the angle of the start.
+        let width = back.map_or(f64::INFINITY, |back| back.reach.unwrap_or(f64::INFINITY));
+        let rests = moving == 0.0 || width <= f64::EPSILON * theta.abs();
+        Self { travel, first, back, rests }
+    }
+
+    /// Whether the hoop is unbalanced and rolls down without end: it ends beyond the bounds of θ if nowhere else.
+    pub(super) fn descends(&self) -> bool {
+        !self.rests
+            && self.first.law.offset > 0.0
+            && self.back.map_or(self.first.reach.is_none(), |back| back.reach.is_none())
+    }
+
+    /// Time to the first turning point.
+    fn outward(&self) -> f64 {
+        self.first.whole()
+    }
+
+    pub(super) fn position(&self, elapsed: f64) -> (f64, f64) {
+        if self.rests {
+            return (self.travel * self.first.angle, 0.0);
+        }
+        let (leg, place, way) = self.at(elapsed);
+        let rate = (leg.kinetic_at(place) / leg.denominator(place)).sqrt();
+        let frame = self.frame(&leg);
+        (frame * (leg.angle + place.passed), frame * way * rate)
+    }
+
+    /// The sign of θ in the frame of a leg.
+    fn frame(&self, leg: &Leg) -> f64 {
+        if leg.pull == self.first.pull { self.travel } else { -self.travel }
+    }
+
+    /// The leg and the place after a time, and the direction of motion in the frame of the leg.
+    fn at(&self, elapsed: f64) -> (Leg, Place, f64) {
+        let Some(back) = self.back else { return (self.first, self.first.place_at(elapsed), 1.0) };
+        let outward = self.outward();
+        if elapsed <= outward {
+            return (self.first, self.first.place_at(elapsed), 1.0);
+        }
+        let since = elapsed - outward;
+        if back.reach.is_none() {
+            return (back, back.place_at(since), 1.0);
+        }
+        let half = back.whole();
+        let within = since - 2.0 * half * (since / (2.0 * half)).floor();
+        if within <= half {
+            (back, back.place_at(within), 1.0)
+        } else {
+            (back, back.place_at(2.0 * half - within), -1.0)
+        }
+    }
+
+    pub(super) fn time_to(&self, theta: f64) -> Option<f64> {
+        if self.rests {
+            return (theta == self.travel * self.first.angle).then_some(0.0);
+        }
+        let ahead = |leg: &Leg| {
+            let passed = self.frame(leg) * theta - leg.angle;
+            let is_on = passed >= 0.0 && leg.reach.is_none_or(|reach| passed <= reach);
+            is_on.then(|| leg.time(leg.place(passed)))
+        };
+        ahead(&self.first).or_else(|| Some(self.outward() + ahead(&self.back?)?))
+    }
+
+    pub(super) fn end(&self) -> Option<RollingEnd> {
+        if self.rests {
+            return None;
+        }
+        let (leg, before, (place, limit)) = match self.first.end() {
+            Some(end) => (self.first, 0.0, end),
+            None => {
+                let back = self.back?;
+                (back, self.outward(), back.end()?)
+            }
+        };
+        let frame = self.frame(&leg);
+        let rate = (leg.kinetic_at(place) / leg.denominator(place)).sqrt();
+        Some(RollingEnd {
+            elapsed: before + leg.time(place),
+            theta: frame * (leg.angle + place.passed),
+            theta_rate: frame * rate,
+            limit: in_body_frame(limit, frame),
+        })
+    }
+
+    pub(super) fn recurrence(&self) -> Recurrence {
+        if self.rests {
+            return Recurrence::Rest;
+        }
+        let Some((back, reach)) = self.back.and_then(|back| Some((back, back.reach?))) else {
+            // The centre moves by −θ.
+            let law = self.first.law;
+            return Recurrence::Downhill { acceleration: -law.mass * law.tilt / law.mean_denominator() };
+        };
+        let frame = self.frame(&back);
+        let [from, to] = [back.angle, back.angle + reach].map(|angle| frame * angle);
+        Recurrence::Libration { period: 2.0 * back.whole(), theta_min: from.min(to), theta_max: from.max(to) }
+    }
+
+    pub(super) fn hold(&self) -> Hold {
+        let leg = &self.first;
+        let d = leg.denominator(leg.place(0.0));
+        let mut hold = Hold::Holds;
+        for (margin, limit) in leg.margins(leg.place(0.0)).into_iter().flatten() {
+            let first = if self.rests { Some(&margin[0]) } else { margin.iter().find(|c| **c != 0.0) };
+            if first.is_none_or(|first| *first >= 0.0) {
+                continue;
+            }
+            hold = match (hold, in_body_frame(limit, self.travel)) {
+                // Both margins are negative only where N < 0.
+                (Hold::Slips { .. } | Hold::NoNormalForce, _) | (_, RollingLimit::NormalForce) => {
+                    Hold::NoNormalForce
+                }
+                (Hold::Holds, RollingLimit::Friction(direction)) => {
+                    Hold::Slips { direction, excess: -margin[0] / (d * d) }
+                }
+            };
+        }
+        hold
+    }
+}
+
+impl Leg {
+    /// 2 [ℓ̂ (cos a − cos b) + T (m (b − a) + ℓ̂ (sin b − sin a))] for b = a + `by`.
+    fn gain(&self, from: f64, by: f64) -> f64 {
+        let (sin, cos) = sincos(from + 0.5 * by);
+        let chord = 2.0 * libm::sin(0.5 * by);
+        2.0 * (self.law.offset * chord * (sin + self.pull * cos) + self.pull * self.law.mass * by)
+    }
+
+    /// Half the slope of G.
+    fn slope(&self, passed: f64) -> f64 {
+        let (sin, cos) = sincos(self.angle + passed);
+        self.law.offset * sin + self.pull * (self.law.mass + self.law.offset * cos)
+    }
+
+    fn place(&self, passed: f64) -> Place {
+        Place { passed, left: self.reach.map_or(f64::INFINITY, |reach| reach - passed) }
+    }
+
+    fn denominator(&self, place: Place) -> f64 {
+        self.law.denominator_of(sincos(self.angle + place.passed))
+    }
+
+    /// G, from the nearer end.
+    fn kinetic_at(&self, Place { passed, left }: Place) -> f64 {
+        let kinetic = if left < passed {
+            self.gain(self.angle + passed + left, -left)
+        } else {
+            self.kinetic + self.gain(self.angle, passed)
+        };
+        kinetic.max(0.0)
+    }
+
+    /// The leg with its turning point.
+    fn with_reach(self) -> Self {
+        let reach = self.turning_point();
+        Self { reach, ..self }
+    }
+
+    /// Distance to the first zero of G ahead.
+    fn turning_point(&self) -> Option<f64> {
+        let Self { law, pull, angle, kinetic, .. } = *self;
+        let value = |by: f64| kinetic + self.gain(angle, by);
+        let root = |low: f64, high: f64| {
+            Bracket { low, high }.iterate(high, |by| Step::newton(by, (value(by), 2.0 * self.slope(by))))
+        };
+        let lean = libm::atan(pull);
+        let sine = pull / (1.0 + pull * pull).sqrt() * law.mass / law.offset;
+        if sine.is_nan() || sine.abs() >= 1.0 {
+            // G is monotone, within the swing of its periodic part of a straight line.
+            let swing = 4.0 * law.offset * (1.0 + pull * pull).sqrt();
+            let per = -2.0 * law.mass * pull;
+            return (pull < 0.0)
+                .then(|| root(((kinetic - swing) / per).max(0.0), (kinetic + swing) / per * (1.0 + 1e-15)));
+        }
+        let away = libm::asin(sine);
+        let ahead = |of: f64| (of - without(angle)).rem_euclid(TAU);
+        let (lowest, highest) = (ahead(-lean - away), ahead(PI - lean + away));
+        // At a turning point G first rises to its maximum.
+        let low = if kinetic == 0.0 { highest } else { 0.0 };
+        if low > lowest {
+            return Some(0.0);
+        }
+        if value(lowest) < 0.0 {
+            return Some(root(low, lowest));
+        }
+        if pull >= 0.0 {
+            return None;
+        }
+        // Each minimum is lower than the one before by the fall of a turn.
+        let fall = -4.0 * PI * law.mass * pull;
+        let mut turns = (value(lowest) / fall).floor() + 1.0;
+        while turns > 1.0 && value(lowest + TAU * (turns - 1.0)) < 0.0 {
+            turns -= 1.0;
+        }
+        while value(lowest + TAU * turns) >= 0.0 && turns < MAX_ANGLE {
+            turns += 1.0;
+        }
+        Some(root(lowest + TAU * (turns - 1.0), lowest + TAU * turns))
+    }
+
+    /// Time from the beginning to the turning point; infinite without one.
+    fn whole(&self) -> f64 {
+        self.reach.map_or(f64::INFINITY, |reach| self.time(Place { passed: reach, left: 0.0 }))
+    }
+
+    /// Time from the beginning to a place.
+    fn time(&self, place: Place) -> f64 {
+        let turns = (place.passed / TAU).floor() - 1.0;
+        if turns < 2.0 {
+            return self.time_between(0.0, place);
+        }
+        // The first turn, whose kinetic energy may vanish, then turns that differ by the fall of a turn, then up to two more.
+        let fall = 4.0 * PI * self.law.mass * self.pull;
+        let count = turns - 1.0;
+        let slowest = if fall < 0.0 { TAU * (count - 1.0) } else { 0.0 };
+        let summed = integral([TAU, 2.0 * TAU], |passed| {
+            let kinetic = self.kinetic_at(self.place(passed + slowest));
+            self.denominator(self.place(passed)).sqrt() * sum_of_roots(kinetic, fall.abs(), count)
+        });
+        self.time_between(0.0, self.place(TAU)) + summed + self.time_between(TAU * turns, place)
+    }
+
+    /// Time between two places, on less than some turns.
+    fn time_between(&self, from: f64, to: Place) -> f64 {
+        let slowness = |place: Place| (self.denominator(place) / self.kinetic_at(place)).sqrt();
+        // Next to a turning point the square root of the distance is the variable.
+        let turns_back = self.reach.is_some();
+        let middle = self.reach.map_or(f64::INFINITY, |reach| 0.5 * reach).max(from);
+        let first_end = to.passed.min(middle);
+        let mut time = if self.kinetic == 0.0 && from == 0.0 {
+            let near = first_end.min(PI);
+            integral([0.0, near.sqrt()], |s| 2.0 * s * slowness(self.place(s * s)))
+                + integral([near, first_end], |passed| slowness(self.place(passed)))
+        } else {
+            integral([from, first_end], |passed| slowness(self.place(passed)))
+        };
+        if turns_back && to.passed > middle {
+            let reach = to.passed + to.left;
+            let near = (reach - middle).min(PI).max(to.left);
+            let at = |left: f64| Place { passed: reach - left, left };
+            time += integral([middle, reach - near], |passed| slowness(self.place(passed)));
+            time += integral([to.left.sqrt(), near.sqrt()], |s| 2.0 * s * slowness(at(s * s)));
+        }
+        time
+    }
+
+    /// The place after a time, by inversion of the increasing function of the time.
+    fn place_at(&self, time: f64) -> Place {
+        if time <= 0.0 {
+            return self.place(0.0);
+        }
+        // The variable p with the distance as a smooth function of it: its square after a turning point, the square from the far
+        // side before one, and reach sin²(p/2) between two.
+        let begins_at_rest = self.kinetic == 0.0;
+        let place = |p: f64| match (begins_at_rest, self.reach) {
+            (true, Some(reach)) => {
+                let (sin, cos) = sincos(0.5 * p);
+                (Place { passed: reach * sin * sin, left: reach * cos * cos }, reach * sin * cos)
+            }
+            (false, Some(reach)) => {
+                let rest = reach.sqrt() - p;
+                (Place { passed: reach - rest * rest, left: rest * rest }, 2.0 * rest)
+            }
+            (true, None) => (self.place(p * p), 2.0 * p),
+            (false, None) => (self.place(p), 1.0),
+        };
+        let high = match (begins_at_rest, self.reach) {
+            (true, Some(_)) => PI,
+            (false, Some(reach)) => reach.sqrt(),
+            (true, None) => self.bound(time).sqrt(),
+            (false, None) => self.bound(time),
+        };
+        let p = Bracket { low: 0.0, high }.iterate(0.5 * high, |p| {
+            let (place, stretch) = place(p);
+            let value = time - self.time(place);
+            let rate = (self.kinetic_at(place) / self.denominator(place)).sqrt() / stretch;
+            Step { value, step: value * rate, last: f64::EPSILON * p.abs() }
+        });
+        place(p).0
+    }
+
+    /// A distance beyond the place after a time.
+    fn bound(&self, time: f64) -> f64 {
+        let mut bound = 1.0;
+        while self.time(self.place(bound)) < time && bound < f64::MAX / 4.0 {
+            bound *= 2.0;
+        }
+        bound
+    }
+
+    /// The margins about a place, each with the limit that is reached when it becomes negative.
+    fn margins(&self, place: Place) -> [Option<(Series, RollingLimit)>; 3] {
+        let Self { law, pull, limits: Limits { mu, inertia }, .. } = *self;
+        let (l, m) = (law.offset, law.mass);
+        let (sin0, cos0) = sincos(self.angle + place.passed);
+        let (mut sin, mut cos) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
+        (sin[0], cos[0]) = (sin0, cos0);
+        for n in 1..=DEGREE {
+            (sin[n], cos[n]) = (cos[n - 1] / n as f64, -sin[n - 1] / n as f64);
+        }
+        let over_bottom = above_bottom((sin0, cos0));
+        let scaled = |lead: f64, factor: f64, series: &Series| -> Series {
+            core::array::from_fn(|n| if n == 0 { lead } else { factor * series[n] })
+        };
+        let d = scaled(law.bottom + 2.0 * l * over_bottom, 2.0 * l, &cos);
+        let carried = scaled((m - l) + l * over_bottom, l, &cos);
+        let kinetic: Series = core::array::from_fn(|n| match n {
+            0 => self.kinetic_at(place),
+            1 => 2.0 * (l * sin0 + pull * (m + l * cos0)),
+            _ => 2.0 * l * (pull * sin[n] - cos[n]),
+        });
+        let negative = RollingLimit::Friction(Direction::Negative);
+        let positive = RollingLimit::Friction(Direction::Positive);
+        if inertia == 0.0 {
+            // N D²/(1 + ℓ̂c) = D (1 + ℓ̂c − T ℓ̂ s) − G ℓ̂ (ℓ̂ + c); the force points at the particle.
+            let held: Series = core::array::from_fn(|n| carried[n] - pull * l * sin[n]);
+            let arm = scaled((l - 1.0) + over_bottom, 1.0, &cos);
+            let normal = product(&d, &held);
+            let pulled = product(&kinetic, &arm);
+            let cone = |sign: f64| -> Series { core::array::from_fn(|n| mu * carried[n] + sign * l * sin[n]) };
+            return [
+                Some((core::array::from_fn(|n| normal[n] - l * pulled[n]), RollingLimit::NormalForce)),
+                Some((cone(1.0), negative)),
+                Some((cone(-1.0), positive)),
+            ];
+        }
+        let square = product(&sin, &sin);
+        let carried_square = product(&carried, &carried);
+        let lever = product(&sin, &carried);
+        let own = m * inertia;
+        let weighed: Series = core::array::from_fn(|n| {
+            carried_square[n] - pull * l * lever[n] + if n == 0 { own } else { 0.0 }
+        });
+        let c_d = product(&cos, &d);
+        let centripetal: Series = core::array::from_fn(|n| l * square[n] + c_d[n]);
+        let [held, pulled] = [product(&d, &weighed), product(&kinetic, &centripetal)];
+        let spare: Series = core::array::from_fn(|n| kinetic[n] - carried[n]);
+        let [driven, loaded] = [product(&d, &spare), product(&carried, &kinetic)];
+        let net: Series = core::array::from_fn(|n| driven[n] - loaded[n]);
+        let across = product(&sin, &net);
+        let along: Series = core::array::from_fn(|n| l * l * square[n] + if n == 0 { own } else { 0.0 });
+        let along = product(&d, &along);
+        let margin = |sign: f64| -> Series {
+            core::array::from_fn(|n| {
+                let normal = held[n] - l * pulled[n];
+                let friction = l * across[n] + pull * along[n];
+                mu * normal + sign * friction
+            })
+        };
+        [Some((margin(-1.0), negative)), Some((margin(1.0), positive)), None]
+    }
+
+    /// The first crossing of a limit between two distances.
+    fn crossing(&self, from: f64, to: f64) -> Option<(Place, RollingLimit)> {
+        let pieces = ((to - from) / FRAC_PI_8).ceil().max(1.0);
+        let width = (to - from) / pieces;
+        (0..pieces as u32).find_map(|piece| {
+            let begin = from + width * f64::from(piece);
+            let margins = self.margins(self.place(begin)).into_iter().flatten();
+            let crossings = margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
+            let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
+            Some((self.place((begin + at).min(to)), limit))
+        })
+    }
+
+    /// The first point at which rolling ends.
+    fn end(&self) -> Option<(Place, RollingLimit)> {
+        let reach = self.reach.unwrap_or(f64::INFINITY);
+        if self.law.offset == 0.0 {
+            // The forces are constant.
+            return None;
+        }
+        if let Some(end) = self.crossing(0.0, reach.min(2.0 * TAU)) {
+            return Some(end);
+        }
+        let turn = |k: f64| self.crossing(TAU * k, TAU * (k + 1.0));
+        let whole = (reach.min(MAX_ANGLE - self.angle.abs()) / TAU).floor();
+        // Rolling holds in turn `low` and before.
+        let mut low = 1.0;
+        while low < whole - 1.0 {
+            let mut high = (2.0 * low).min(whole - 1.0);
+            if turn(high).is_none() {
+                low = high;
+                continue;
+            }
+            while high - low > 1.0 {
+                let middle = (0.5 * (low + high)).floor();
+                if turn(middle).is_some() { high = middle } else { low = middle }
+            }
+            return turn(high);
+        }
+        (reach > 2.0 * TAU && reach <= MAX_ANGLE).then(|| self.crossing(TAU * whole, reach)).flatten()
+    }
+}
+
+fn product(a: &Series, b: &Series) -> Series {
+    core::array::from_fn(|n| convolve([(a, b)], n)[0])
+}
+
+/// An angle without whole turns.
+fn without(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// The integral of a function over an interval, on panels that are halved until the rule resolves it.
+fn integral([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+    let rule = Rule::get();
+    let pieces = ((to - from) / 1.0).ceil().max(1.0);
+    let width = (to - from) / pieces;
+    if width.is_nan() || width <= 0.0 {
+        return 0.0;
+    }
+    let mut sum = 0.0;
+    let mut pending: Vec<(f64, f64, u32)> = (0..pieces as u32)
+        .rev()
+        .map(|k| (from + width * f64::from(k), from + width * f64::from(k + 1), 0))
+        .collect();
+    while let Some((low, high, halvings)) = pending.pop() {
+        let (centre, half) = (0.5 * (low + high), 0.5 * (high - low));
+        let values: [f64; NODES] = rule.nodes.map(|x| f(centre + half * x));
+        if halvings < MAX_HALVINGS && rule.tail(&values) > TAIL_TOLERANCE * largest(&values) {
+            pending.extend([(centre, high, halvings + 1), (low, centre, halvings + 1)]);
+        } else {
+            sum += half * rule.integral(&values);
+        }
+    }
+    sum
+}
+
+/// Σ (g + k δ)^(−½) for k = 0 … n − 1.
+fn sum_of_roots(g: f64, step: f64, count: f64) -> f64 {
+    let single = count.min(f64::from(SINGLE_TERMS));
+    let mut sum = 0.0;
+    let mut k = 0.0;
+    while k < single {
+        sum += 1.0 / (g + k * step).sqrt();
+        k += 1.0;
+    }
+    if count <= single {
+        return sum;
+    }
+    let [first, last] = [g + single * step, g + count * step];
+    let root = |x: f64| x.sqrt();
+    sum += 2.0 * (count - single) / (root(first) + root(last));
+    sum += 0.5 * (1.0 / root(first) - 1.0 / root(last));
+    // B_2j/(2j)! times the odd derivatives of x^(−½), −½ δ x^(−3/2), −15/8 δ³ x^(−7/2), …
+    let odd = |x: f64| {
+        let ratio = step / x;
+        let square = ratio * ratio;
+        let series = 1.0 / 24.0 - square * (1.0 / 384.0 - square * (1.0 / 1024.0 - square * (143.0 / 163_840.0)));
+        ratio * series / root(x)
+    };
+    sum + odd(first) - odd(last)
+}
