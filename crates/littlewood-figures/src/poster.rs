@@ -281,7 +281,7 @@ fn numbers(input: &FigureInput, quantities: &[Quantity]) -> String {
     let words: Vec<String> = quantities
         .iter()
         .filter_map(|quantity| {
-            let value = setup.get(*quantity)?;
+            let value = setup.said(*quantity)?;
             let is_angle = quantity.dimension() == Dimension::Angle;
             let number = if is_angle { angle(value) } else { short(value) };
             Some(format!("{} = {number}", marked(quantity.sign())))

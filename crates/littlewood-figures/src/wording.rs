@@ -79,7 +79,7 @@ impl Wording {
         let setup = Setup::new(hoop.parameters(), Start::default());
         let Some(units) = self.units else {
             let words = quantities.iter().filter_map(|quantity| {
-                Some(format!("{} = {}", marked(quantity.sign()), short(setup.get(*quantity)?)))
+                Some(format!("{} = {}", marked(quantity.sign()), short(setup.said(*quantity)?)))
             });
             return words.collect::<Vec<_>>().join(", ");
         };
@@ -87,7 +87,7 @@ impl Wording {
         let twins = quantities.iter().map(|quantity| quantity.si_twin().unwrap_or(*quantity));
         let of_units = Quantity::SI_HOOP.into_iter().filter(|quantity| quantity.group() == Group::Units);
         let words = twins.chain(of_units).filter_map(|quantity| {
-            let value = short(si.get(quantity)?);
+            let value = short(si.said(quantity)?);
             let unit = quantity.unit_sign().replace('²', "^{2}");
             Some(format!("{} = {value} {unit}", marked(quantity.sign())).trim_end().to_owned())
         });
@@ -113,11 +113,7 @@ impl Wording {
             .into_iter()
             .filter(|quantity| quantity.group() == Group::Start && !except.contains(quantity))
             .filter_map(|quantity| {
-                let value = setup.get(quantity)?;
-                // Only a hoop that is thrown has a rate of the gap to speak of.
-                if quantity == Quantity::GapRate && value == 0.0 {
-                    return None;
-                }
+                let value = setup.said(quantity)?;
                 let dimension = quantity.dimension();
                 let number =
                     if dimension == Dimension::Angle { angle(value) } else { self.value(value, dimension) };

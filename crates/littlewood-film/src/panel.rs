@@ -312,7 +312,9 @@ fn parameters(hoop: &Hoop) -> String {
     let setup = Setup::new(hoop.parameters(), Start::default());
     let words: Vec<String> = Quantity::HOOP
         .into_iter()
-        .filter_map(|quantity| Some(format!("{} = {}", marked(quantity.sign()), short(setup.get(quantity)?))))
+        .filter_map(|quantity| {
+            Some(format!("{} = {}", marked(quantity.sign()), short(setup.said(quantity)?)))
+        })
         .chain(hoop.restitution().map(|restitution| format!("({})", restitution.law())))
         .collect();
     words.join("   ")

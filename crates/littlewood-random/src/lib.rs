@@ -221,7 +221,7 @@ impl Draw {
     /// A hoop that is put on a slope, up to nearly vertical.
     pub fn on_slope(&mut self, hoop: &Hoop) -> Hoop {
         let slope = if self.comes(0.5) { self.between([-1.5, 1.5]) } else { self.allowed(Quantity::Slope) };
-        let slope = if self.comes(0.1) { hoop.mu_s().atan().copysign(slope) } else { slope };
+        let slope = if self.comes(0.1) { libm::atan(hoop.mu_s()).copysign(slope) } else { slope };
         Hoop::new(hoop.parameters().with_slope(slope)).unwrap_or(*hoop)
     }
 
@@ -283,8 +283,9 @@ fn largest(quantity: Quantity) -> f64 {
 /// The command that follows a motion.
 #[must_use]
 pub fn command(setup: &Setup, limits: Limits) -> String {
-    let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law, .. } =
-        setup.hoop;
+    let HoopParameters {
+        mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law, ..
+    } = setup.hoop;
     let Start { time, theta, theta_rate, slip, gap_rate, x, .. } = setup.start;
     let mut words = format!(
         "littlewood simulate --mass-ratio {mass_ratio:e} --offset {offset:e} --inertia {inertia:e} --mu-s {mu_s:e} \

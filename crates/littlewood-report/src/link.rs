@@ -181,7 +181,10 @@ impl fmt::Display for Link {
         if let Some(case) = problem.case() {
             parts.push(format!("{CASE}={}", case.name));
         } else {
-            for (quantity, value) in &problem.values {
+            let said = |(quantity, value): &&(Quantity, Option<f64>)| {
+                value.is_none_or(|value| !quantity.goes_without_saying(value))
+            };
+            for (quantity, value) in problem.values.iter().filter(said) {
                 parts.extend(value.map(|value| format!("{}={}", quantity.name(), written(value))));
                 let law = problem.effective_law().filter(|_| *quantity == Quantity::Restitution);
                 parts.extend(law.map(|law| format!("{RESTITUTION_LAW}={}", law.name())));
@@ -246,9 +249,7 @@ impl Given {
         }
         let base = of_case.as_ref().unwrap_or(shown);
         // What may be left out is left out, unless a case has it.
-        let kept = |quantity| {
-            if case.is_some() && quantity == Quantity::Restitution { base.get(quantity) } else { None }
-        };
+        let kept = |quantity| if case.is_some() { base.get(quantity) } else { None };
         let law_of_case = base.law.filter(|_| case.is_some());
         let is_si = given.iter().any(|quantity| quantity.is_si());
         let values = Problem::quantities(is_si).map(|quantity| {
@@ -256,6 +257,9 @@ impl Given {
             let number = self.number(quantity.name());
             let otherwise = match quantity.row().presence {
                 Presence::Optional => kept(quantity),
+                Presence::Default(value) if quantity.goes_without_saying(value) => {
+                    kept(quantity).or(Some(value))
+                }
                 Presence::Required | Presence::Default(_) if base.is_si == is_si => base.get(quantity),
                 Presence::Default(value) => Some(value),
                 Presence::Required => {

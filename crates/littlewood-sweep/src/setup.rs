@@ -13,9 +13,10 @@ pub(crate) fn places() -> impl Iterator<Item = Quantity> {
     Quantity::START.into_iter().filter(|quantity| !Quantity::AXES.contains(quantity))
 }
 
-/// Those of [`quantities`] that a setup gives a value.
+/// Those of [`quantities`] that a setup gives a value; the slope only where there is one.
 pub(crate) fn given(setup: &Setup) -> impl Iterator<Item = (Quantity, f64)> {
-    quantities().filter_map(|quantity| Some((quantity, setup.get(quantity)?)))
+    let is_listed = |(quantity, value): &(Quantity, f64)| *quantity != Quantity::Slope || *value != 0.0;
+    quantities().filter_map(|quantity| Some((quantity, setup.get(quantity)?))).filter(is_listed)
 }
 
 /// The law of restitution of a hoop, under the name that descriptions use.

@@ -209,6 +209,7 @@ fn hula_hoop(quantity: Quantity) -> Option<f64> {
         Quantity::InertiaKgM2 => 0.081,
         Quantity::GravityMPerS2 => 9.8,
         Quantity::MuS => 0.5,
+        Quantity::Slope => 0.2,
         Quantity::Theta => 1.2,
         Quantity::ThetaRateRadPerS => 6.0,
         Quantity::TimeS => -0.7,

@@ -42,9 +42,9 @@ pub(crate) fn run(case: &mut Case) -> Verdict {
 fn written(draw: &mut Draw) -> String {
     let setup = draw.setup();
     let mut text = String::new();
-    for (table, quantities) in [("hoop", Quantity::HOOP), ("start", Quantity::START)] {
+    for (table, quantities) in [("hoop", &Quantity::HOOP[..]), ("start", &Quantity::START)] {
         let _ = writeln!(text, "[{table}]");
-        for quantity in quantities {
+        for &quantity in quantities {
             if let Some(value) = setup.get(quantity) {
                 let value = if draw.comes(0.02) { draw.any(quantity) } else { value };
                 let _ = writeln!(text, "{} = {value:e}", quantity.name());

@@ -95,7 +95,8 @@ fn hoop_lines(hoop: &Hoop, subject: &Subject<'_>) -> Vec<String> {
         format!("{} = {} {unit}", quantity.sign(), brief(value)).trim_end().to_owned()
     };
     let setup = Setup::new(hoop.parameters(), Start::default());
-    let parameters = Quantity::HOOP.into_iter().filter_map(|quantity| Some((quantity, setup.get(quantity)?)));
+    let parameters =
+        Quantity::HOOP.into_iter().filter_map(|quantity| Some((quantity, setup.said(quantity)?)));
     let mut lines = filled(parameters.map(item), GAP, LINE);
     if let Some(units) = subject.units {
         let si = SiSetup::new(&setup, units);

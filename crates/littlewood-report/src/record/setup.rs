@@ -14,7 +14,7 @@ pub const RESTITUTION_LAW: &str = "restitution_law";
 /// A hoop (2.9).
 pub(crate) fn hoop(hoop: HoopParameters) -> Fields {
     let setup = Setup::new(hoop, Start::default());
-    numbers(Quantity::HOOP, |quantity| setup.get(quantity)).followed_by(law(&hoop))
+    numbers(Quantity::HOOP, |quantity| setup.said(quantity)).followed_by(law(&hoop))
 }
 
 /// The quantities that have a value.
@@ -35,19 +35,14 @@ fn law(hoop: &HoopParameters) -> Fields {
 /// A start; the rate of the gap where there is one.
 pub(crate) fn start(start: Start) -> Fields {
     let setup = Setup::new(HoopParameters::default(), start);
-    state(&start.into()).followed_by(numbers(thrown(&start).then_some(Quantity::GapRate), |it| setup.get(it)))
+    state(&start.into()).followed_by(numbers([Quantity::GapRate], |it| setup.said(it)))
 }
 
 /// A start in SI units.
 fn si_start(units: &Units, start: Start) -> Fields {
     let si = SiSetup::new(&Setup::new(HoopParameters::default(), start), units);
-    let gap_rate = thrown(&start).then_some(Quantity::GapRateMPerS);
-    si_state(units, &start.into()).followed_by(numbers(gap_rate, |quantity| si.get(quantity)))
-}
-
-/// Whether the rim leaves the plane at the start.
-fn thrown(start: &Start) -> bool {
-    start.gap_rate != 0.0
+    si_state(units, &start.into())
+        .followed_by(numbers([Quantity::GapRateMPerS], |quantity| si.said(quantity)))
 }
 
 /// A start with the motion that begins there.

@@ -239,6 +239,10 @@ pub fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
             show(period)
         ),
         Recurrence::Rotation { period } => format!("one turn in {}", show(period)),
+        Recurrence::Downhill { acceleration } => format!(
+            "down the slope with the acceleration {}",
+            scale.show_with_unit(Dimension::Acceleration, acceleration)
+        ),
         Recurrence::Asymptotic { theta } => {
             format!("towards the unstable equilibrium θ = {}, never reached", brief(theta))
         }

@@ -130,7 +130,8 @@ impl SiParameters {
     /// The parameters of a hoop in SI units, unchecked.
     #[must_use]
     pub fn new(hoop: &HoopParameters, units: &Units) -> Self {
-        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law } = *hoop;
+        let HoopParameters { mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution, restitution_law } =
+            *hoop;
         let si = |quantity: Quantity, value| units.to_si(quantity.dimension(), value);
         Self {
             disc_mass_kg: si(Quantity::DiscMassKg, mass_ratio),
@@ -166,7 +167,7 @@ impl SiSetup {
         Self { hoop: SiParameters::new(&setup.hoop, units), start }
     }
 
-    /// From the values of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. A missing value is NaN, an error in
+    /// From the values of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. A missing value is its default, or NaN, an error in
     /// [`SiSetup::to_setup`].
     #[must_use]
     pub fn from_values(
@@ -178,7 +179,7 @@ impl SiSetup {
         let mut setup = Self { hoop, start: SiState::default() };
         for quantity in Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START) {
             if let Some(field) = setup.field(quantity) {
-                *field = value(quantity).unwrap_or(f64::NAN);
+                *field = value(quantity).or(quantity.row().presence.default_value()).unwrap_or(f64::NAN);
             }
         }
         setup
@@ -189,6 +190,12 @@ impl SiSetup {
     pub fn get(&self, quantity: Quantity) -> Option<f64> {
         let mut copy = *self;
         if quantity == Quantity::Restitution { self.hoop.restitution } else { copy.field(quantity).copied() }
+    }
+
+    /// The value of a quantity, if it has one that does not go without saying ([`Quantity::goes_without_saying`]).
+    #[must_use]
+    pub fn said(&self, quantity: Quantity) -> Option<f64> {
+        self.get(quantity).filter(|value| !quantity.goes_without_saying(*value))
     }
 
     /// The field of a quantity; `None` for the coefficient of restitution, too, which may be absent.

@@ -44,7 +44,16 @@ impl Hoop {
         let outcome = walk(&solver, relative, (&limits, Known::default()), &mut recording);
         let Recording { hoop, phases, transitions, summary, .. } = recording;
         let summary = summary.finish(outcome.kind(), outcome.state());
-        Ok(Trajectory { hoop, origin, start: state, relative: relative.0, phases, transitions, outcome, summary })
+        Ok(Trajectory {
+            hoop,
+            origin,
+            start: state,
+            relative: relative.0,
+            phases,
+            transitions,
+            outcome,
+            summary,
+        })
     }
 
     /// Checks a start for this hoop.

@@ -42,13 +42,8 @@ impl Origin {
         let [time, x, turns, rest] =
             [state.time, state.x, turns, rest].map(|from| if from == 0.0 { -0.0 } else { from });
         let until = limits.until.map(|until| [(until - state.time) * pace, until]);
-        let seen = State {
-            time: 0.0,
-            theta,
-            theta_rate: state.theta_rate / pace,
-            slip: state.slip / pace,
-            x: 0.0,
-        };
+        let seen =
+            State { time: 0.0, theta, theta_rate: state.theta_rate / pace, slip: state.slip / pace, x: 0.0 };
         let height = if hoop.slope() == 0.0 { -0.0 } else { hoop.mass() * x * libm::sin(hoop.slope()) };
         (
             Self { time, x, turns: [turns, rest], until, pace, height },

@@ -104,13 +104,8 @@ impl Gliding {
             Some(allowed) if is_stopped => particle.place(allowed),
             Some(_) | None => last,
         };
-        let mut glide = Self {
-            body: *body,
-            start,
-            direction: slip.direction,
-            particle,
-            limit_of_small_inertia: true,
-        };
+        let mut glide =
+            Self { body: *body, start, direction: slip.direction, particle, limit_of_small_inertia: true };
         glide.limit_of_small_inertia = glide.is_limit_of_small_inertia(mu_k, &place);
         let state = particle.state(&place);
         let end = if is_stopped {

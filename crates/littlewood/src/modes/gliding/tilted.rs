@@ -100,7 +100,8 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
         }
         let sign = direction.sign() * drift.signum();
         let p = (if from == 0.0 { q } else { shifted(q, from) }).map(|c| sign * c);
-        let known = if from == 0.0 && begun.is_none() { p.iter().take_while(|c| **c == 0.0).count() } else { 0 };
+        let known =
+            if from == 0.0 && begun.is_none() { p.iter().take_while(|c| **c == 0.0).count() } else { 0 };
         let at = first_crossing(p.get(known..).filter(|rest| !rest.is_empty())?, to - from)?;
         Some(particle.place(from + at))
     });

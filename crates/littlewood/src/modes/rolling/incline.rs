@@ -420,7 +420,8 @@ impl Leg {
             let arm = scaled((l - 1.0) + over_bottom, 1.0, &cos);
             let normal = product(&d, &held);
             let pulled = product(&kinetic, &arm);
-            let cone = |sign: f64| -> Series { core::array::from_fn(|n| mu * carried[n] + sign * l * sin[n]) };
+            let cone =
+                |sign: f64| -> Series { core::array::from_fn(|n| mu * carried[n] + sign * l * sin[n]) };
             return [
                 Some((core::array::from_fn(|n| normal[n] - l * pulled[n]), RollingLimit::NormalForce)),
                 Some((cone(1.0), negative)),
@@ -550,7 +551,8 @@ fn sum_of_roots(g: f64, step: f64, count: f64) -> f64 {
     let odd = |x: f64| {
         let ratio = step / x;
         let square = ratio * ratio;
-        let series = 1.0 / 24.0 - square * (1.0 / 384.0 - square * (1.0 / 1024.0 - square * (143.0 / 163_840.0)));
+        let series =
+            1.0 / 24.0 - square * (1.0 / 384.0 - square * (1.0 / 1024.0 - square * (143.0 / 163_840.0)));
         ratio * series / root(x)
     };
     sum + odd(first) - odd(last)

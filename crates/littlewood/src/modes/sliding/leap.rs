@@ -74,7 +74,13 @@ impl LeapLimits {
     /// Time to the time limit, or to η′ = 0 if the oscillating part of σ η′ is `lowest`.
     pub(super) fn longest(&self, lowest: f64) -> f64 {
         let left = self.slip + lowest;
-        let sticks = if self.drag > 0.0 { left / self.drag } else if left > 0.0 { f64::INFINITY } else { 0.0 };
+        let sticks = if self.drag > 0.0 {
+            left / self.drag
+        } else if left > 0.0 {
+            f64::INFINITY
+        } else {
+            0.0
+        };
         sticks.min(self.allowed)
     }
 
