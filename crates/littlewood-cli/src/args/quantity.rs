@@ -25,6 +25,8 @@ struct Texts {
     value_name: String,
     help: String,
     alias: Option<String>,
+    /// The flag of an angle in degrees.
+    degrees: Option<String>,
 }
 
 static TEXTS: LazyLock<Vec<Texts>> = LazyLock::new(|| Quantity::ALL.into_iter().map(texts).collect());
@@ -42,6 +44,7 @@ fn texts(quantity: Quantity) -> Texts {
         },
         // A quantity without a twin is the same number in both systems, and has both names.
         alias: (row.twin.is_none() && in_si != quantity.name()).then(|| long(&in_si)),
+        degrees: (quantity.dimension() == Dimension::Angle).then(|| long(quantity.name()) + "-deg"),
     }
 }
 
@@ -92,6 +95,18 @@ fn argument(quantity: Quantity) -> Arg {
     }
 }
 
+fn degrees_flag(quantity: Quantity) -> Option<&'static str> {
+    TEXTS.get(usize::from(quantity.code()))?.degrees.as_deref()
+}
+
+/// The flag of an angle in degrees, if the quantity is one.
+fn in_degrees(quantity: Quantity) -> Option<Arg> {
+    let flag = degrees_flag(quantity)?;
+    let help = format!("{quantity} in degrees, instead of radians");
+    let argument = Arg::new(flag).long(flag).action(ArgAction::Set).value_parser(number).value_name("DEGREES");
+    Some(argument.help_heading(heading(quantity)).help(help).conflicts_with(quantity.name()))
+}
+
 /// The flag of the law of restitution.
 fn law_argument() -> Arg {
     let names = RestitutionLaw::ALL.map(|law| PossibleValue::new(law.name()).help(law.label()));
@@ -110,7 +125,11 @@ fn law_argument() -> Arg {
 
 fn typed(matches: &ArgMatches, quantities: impl Iterator<Item = Quantity>) -> Vec<Given> {
     quantities
-        .filter_map(|quantity| Some(Given::by_flag(quantity, *matches.get_one(quantity.name())?)))
+        .filter_map(|quantity| {
+            let degrees = || Some(matches.get_one::<f64>(degrees_flag(quantity)?)?.to_radians());
+            let value = matches.get_one(quantity.name()).copied().or_else(degrees)?;
+            Some(Given::by_flag(quantity, value))
+        })
         .collect()
 }
 
@@ -145,7 +164,7 @@ impl<const PLACE: bool> Args for SetupArgs<PLACE> {
         ));
         let (si, plain): (Vec<_>, Vec<_>) = Self::quantities().partition(|quantity| quantity.is_si());
         for quantity in plain {
-            command = command.arg(argument(quantity));
+            command = command.arg(argument(quantity)).args(in_degrees(quantity));
             if quantity == Quantity::Restitution {
                 command = command.arg(law_argument());
             }

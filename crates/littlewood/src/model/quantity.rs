@@ -39,12 +39,6 @@ named! {
             (PARAMETER, Presence::Required, [0.0, 1.5]), "coefficient of kinetic friction",
             "Coefficient of kinetic friction (2.15), from 0 to that of static friction, with SI parameters too")
             .with_hint("kinetic friction is never stronger than static friction: 0 <= mu_k <= mu_s");
-        /// Angle α by which the plane rises to the right.
-        Slope = 25, "slope" => row((DIMENSIONLESS, Group::Hoop, D::Angle, None), ["alpha", "α"],
-            (SLOPE, Presence::Default(0.0), [-1.0, 1.0]), "angle by which the plane rises to the right",
-            "Angle by which the plane rises to the right, in radians, between -pi/2 and pi/2, with SI parameters too; \
-             x is then measured along the plane and theta from its normal")
-            .with_hint("a slope is an angle in radians: 30 degrees are 0.5236");
         /// Angle θ of the particle from the upward vertical.
         Theta = 5, "theta" => row((DIMENSIONLESS, Group::Start, D::Angle, None), ["theta", "θ"],
             (COORDINATE, Presence::Required, [-3.1, 6.2]), "angle of the particle from the upward vertical",
@@ -129,6 +123,12 @@ named! {
         GapRateMPerS = 24, "gap_rate_m_per_s" => row((SI, Group::Start, D::Velocity, Some(Self::GapRate)), ["d gap/dt", "d gap/dt"],
             (NON_NEGATIVE, Presence::Default(0.0), [0.0, 5.0]), "rate at which the gap under the rim opens",
             "Rate at which the rim leaves the plane, m/s");
+        /// Angle α by which the plane rises to the right.
+        Slope = 25, "slope" => row((DIMENSIONLESS, Group::Hoop, D::Angle, None), ["alpha", "α"],
+            (SLOPE, Presence::Default(0.0), [-1.0, 1.0]), "angle by which the plane rises to the right",
+            "Angle by which the plane rises to the right, in radians, between -pi/2 and pi/2, with SI parameters too; \
+             x is then measured along the plane and theta from its normal")
+            .with_hint("a slope is an angle in radians: 30 degrees are 0.5236");
     }
 }
 
@@ -471,7 +471,7 @@ mod tests {
         };
         let those = |groups: &[Group], is_listed: fn(Quantity) -> bool| -> Vec<Quantity> {
             let in_groups = |quantity: &Quantity| groups.contains(&quantity.group()) && is_listed(*quantity);
-            sorted(&Quantity::ALL.into_iter().filter(in_groups).collect::<Vec<_>>())
+            Quantity::ALL.into_iter().filter(in_groups).collect()
         };
         let is_plain = |quantity: Quantity| !quantity.is_si();
         let in_si = |quantity: Quantity| quantity.is_si() || quantity.si_twin().is_none();
