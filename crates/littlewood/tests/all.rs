@@ -26,5 +26,6 @@ mod proofs;
 mod reference;
 mod rooms;
 mod serde;
+mod slopes;
 mod symmetry;
 mod vocabulary;

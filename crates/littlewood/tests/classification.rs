@@ -6,7 +6,7 @@ use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, Start};
 use proptest::prelude::*;
 
 /// Compares what is said of a start with the first phase of its motion.
-fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
+pub(crate) fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
     let said = hoop.classify(start).expect("a valid start");
     let limits = Limits::default().with_transitions(1).with_proof(Proof::None);
     let motion = hoop.simulate(start, limits).expect("a valid start");

@@ -7,7 +7,7 @@ use littlewood::{Hoop, Limits, Mode, Outcome, Restitution, RestitutionLaw, Start
 use proptest::prelude::*;
 
 /// (θ, θ′, η′, x) → −(θ, θ′, η′, x).
-fn mirrored(start: Start) -> Start {
+pub(crate) fn mirrored(start: Start) -> Start {
     Start::at(-start.theta, -start.theta_rate).with_slip(-start.slip).with_x(-start.x).with_time(start.time)
 }
 
@@ -17,7 +17,7 @@ fn bits(state: &State, sign: f64) -> [u64; 5] {
         .map(|value| (value + 0.0).to_bits())
 }
 
-fn check_mirror(a: &Trajectory, b: &Trajectory) -> Result<(), TestCaseError> {
+pub(crate) fn check_mirror(a: &Trajectory, b: &Trajectory) -> Result<(), TestCaseError> {
     prop_assert_eq!(a.outcome().kind(), b.outcome().kind());
     prop_assert_eq!(bits(&a.outcome().state(), 1.0), bits(&b.outcome().state(), -1.0));
     prop_assert_eq!(a.transitions().len(), b.transitions().len());

@@ -103,7 +103,8 @@ fn degrees_flag(quantity: Quantity) -> Option<&'static str> {
 fn in_degrees(quantity: Quantity) -> Option<Arg> {
     let flag = degrees_flag(quantity)?;
     let help = format!("{quantity} in degrees, instead of radians");
-    let argument = Arg::new(flag).long(flag).action(ArgAction::Set).value_parser(number).value_name("DEGREES");
+    let argument =
+        Arg::new(flag).long(flag).action(ArgAction::Set).value_parser(number).value_name("DEGREES");
     Some(argument.help_heading(heading(quantity)).help(help).conflicts_with(quantity.name()))
 }
 

@@ -36,7 +36,7 @@ impl Laws {
         Some(Self {
             body,
             sliding: Direction::ALL.map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction)),
-            rolling: RollingLaw::new(hoop),
+            rolling: RollingLaw::of(hoop),
             margins: margin_forms(hoop)?,
             is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
             cells: Cells::default(),

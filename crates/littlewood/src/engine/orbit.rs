@@ -189,7 +189,7 @@ mod tests {
             part in 0.0..1.0_f64,
         ) {
             let hoop = Hoop::new(HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(inertia)).unwrap();
-            let law = RollingLaw::new(&hoop);
+            let law = RollingLaw::of(&hoop);
             let start = State { time: 0.0, theta, theta_rate, slip: 0.0, x: 0.0 };
             let rolling = Rolling::new(&hoop, start);
             let Some(period) = rolling.orbit().recurrence().period() else { return Ok(()) };
@@ -209,7 +209,7 @@ mod tests {
     /// What is not found is computed for much longer, which no test of answers would notice.
     #[test]
     fn nearly_all_orbits_are_found() {
-        let law = RollingLaw::new(&Hoop::figure_2(0.5, 0.4).unwrap());
+        let law = RollingLaw::of(&Hoop::figure_2(0.5, 0.4).unwrap());
         let (mut all, mut found) = (0, 0);
         for (i, j) in (0..40).flat_map(|i| (1..40).map(move |j| (i, j))) {
             let (theta, theta_rate) = (0.16 * f64::from(i) - 3.1, 0.1 * f64::from(j));

@@ -217,6 +217,9 @@ impl PhasePlane {
     /// The separatrix through the unstable equilibrium; without inertia its stable and unstable manifold.
     #[must_use]
     pub fn separatrix_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        if self.hoop.slope() != 0.0 {
+            return self.graph(window, &|theta| Some(self.separatrix_rate(theta)).filter(|rate| *rate > 0.0));
+        }
         self.level_curve(self.law.separatrix_energy(), window)
     }
 
@@ -224,7 +227,7 @@ impl PhasePlane {
     #[must_use]
     pub fn level_curve(&self, energy: f64, window: &Window) -> Vec<Vec<Point>> {
         let offset = self.hoop.offset();
-        if energy >= offset {
+        if energy >= offset || self.hoop.slope() != 0.0 {
             return self.graph(window, &|theta| self.level_rate(theta, energy));
         }
         if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0) {

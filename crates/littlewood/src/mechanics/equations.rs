@@ -98,12 +98,19 @@ pub struct RollingLaw {
     pub(crate) bottom: f64,
     /// tan α, or −0.
     pub(crate) tilt: f64,
+    /// Gravity normal to the plane: cos α for users, 1 for the solvers ([`crate::walk::Origin`]).
+    pub(crate) weight: f64,
 }
 
 impl RollingLaw {
     /// The equations of rolling of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
+        Self { weight: libm::cos(hoop.slope()), ..Self::of(hoop) }
+    }
+
+    /// The equations in units in which gravity normal to the plane is 1.
+    pub(crate) fn of(hoop: &Hoop) -> Self {
         let (mass, h, inertia) = (hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre());
         Self {
             mass,
@@ -111,6 +118,7 @@ impl RollingLaw {
             top: inertia + mass * (1.0 + h) * (1.0 + h),
             bottom: inertia + mass * (1.0 - h) * (1.0 - h),
             tilt: hoop.tilt(),
+            weight: 1.0,
         }
     }
 
@@ -159,7 +167,11 @@ impl RollingLaw {
     /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Undefined where D = 0 (footnote 8).
     #[must_use]
     pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
-        self.acceleration(libm::sincos(theta), [1.0, theta_rate * theta_rate], self.denominator(theta))
+        self.acceleration(
+            libm::sincos(theta),
+            [self.weight, theta_rate * theta_rate],
+            self.denominator(theta),
+        )
     }
 
     /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12), from D.
@@ -182,21 +194,40 @@ impl RollingLaw {
     /// require.
     #[must_use]
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
-        self.forces_at(libm::sincos(theta), [1.0, theta_rate * theta_rate], self.denominator(theta))
+        self.forces_at(libm::sincos(theta), [self.weight, theta_rate * theta_rate], self.denominator(theta))
     }
 
-    /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ − (m θ + ℓ̂ sin θ) tan α (2.8, and 3.2 for Littlewood's hoop), where x = −θ.
+    /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ cos α − (m θ + ℓ̂ sin θ) sin α (2.8, and 3.2 for Littlewood's hoop), where x = −θ.
     #[must_use]
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
         let (sin, cos) = libm::sincos(theta);
-        let level = 0.5 * self.denominator(theta) * theta_rate * theta_rate + self.offset * cos;
-        level - (self.mass * theta + self.offset * sin) * self.tilt
+        let kinetic = 0.5 * self.denominator(theta) * theta_rate * theta_rate;
+        let fallen = (self.mass * theta + self.offset * sin) * self.tilt;
+        kinetic + self.weight * (self.offset * cos) - self.weight * fallen
     }
 
-    /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂.
+    /// The angles of the unstable and of the stable equilibrium, sin(θ + α) = −sin α/h: 0 and π on a level plane. None where the slope
+    /// exceeds asin h, and for a balanced hoop.
     #[must_use]
-    pub const fn separatrix_energy(&self) -> f64 {
-        self.offset
+    pub fn equilibria(&self) -> Option<[f64; 2]> {
+        if self.tilt == 0.0 {
+            return (self.offset > 0.0).then_some([0.0, core::f64::consts::PI]);
+        }
+        let away = self.tilt / (1.0 + self.tilt * self.tilt).sqrt() * self.mass / self.offset;
+        let lean = libm::atan(self.tilt);
+        (away.abs() < 1.0).then(|| {
+            let away = libm::asin(away);
+            [-lean - away, core::f64::consts::PI - lean + away]
+        })
+    }
+
+    /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂ on a level plane; NaN where there is none.
+    #[must_use]
+    pub fn separatrix_energy(&self) -> f64 {
+        if self.tilt == 0.0 {
+            return self.offset;
+        }
+        self.equilibria().map_or(f64::NAN, |[unstable, _]| self.energy(unstable, 0.0))
     }
 }
 
@@ -205,15 +236,17 @@ impl RollingLaw {
 /// With q = h sin θ − μk σ (1 + h cos θ), solving (2.16) for the accelerations gives
 ///
 /// ```text
-/// w = 1 − h cos θ θ′²,      P = Î + m h sin θ q,
+/// w = cos α − h cos θ θ′²,  P = Î + m h sin θ q,
 /// N = Î m w/P,              θ″ = N q/Î = m q w/P,
-/// η″ = −μk σ N/m + (1 + h cos θ) θ″ − h sin θ θ′² − tan α.
+/// η″ = −μk σ N/m + (1 + h cos θ) θ″ − h sin θ θ′² − sin α.
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlidingLaw {
     pub(crate) body: Heavy,
     /// μk σ.
     pub(crate) friction: f64,
+    /// Gravity normal to the plane, as in [`RollingLaw`].
+    pub(crate) weight: f64,
 }
 
 impl SlidingLaw {
@@ -221,13 +254,16 @@ impl SlidingLaw {
     #[must_use]
     pub fn new(hoop: &Hoop, direction: Direction) -> Option<Self> {
         match hoop.body() {
-            Body::Heavy(body) => Some(Self::of_body(body, hoop.mu_k(), direction)),
+            Body::Heavy(body) => {
+                let law = Self::of_body(body, hoop.mu_k(), direction);
+                Some(Self { weight: libm::cos(hoop.slope()), ..law })
+            }
             Body::Massless(_) => None,
         }
     }
 
     pub(crate) fn of_body(body: Heavy, mu_k: f64, direction: Direction) -> Self {
-        Self { body, friction: mu_k * direction.sign() }
+        Self { body, friction: mu_k * direction.sign(), weight: 1.0 }
     }
 
     /// q = h sin θ − μk σ (1 + h cos θ).
@@ -272,10 +308,10 @@ impl SlidingLaw {
         (alpha - self.body.pull(), -h * cos * alpha - h * sin)
     }
 
-    /// w = 1 − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where w = 0, independent of μk.
+    /// w = cos α − h cos θ θ′². The body can stay in contact while w > 0; sliding lifts off where w = 0, independent of μk.
     #[must_use]
     pub fn contact(&self, theta: f64, theta_rate: f64) -> f64 {
-        contact(1.0, self.body.h, libm::cos(theta) * (theta_rate * theta_rate))
+        contact(self.weight, self.body.h, libm::cos(theta) * (theta_rate * theta_rate))
     }
 
     /// P = Î + m h sin θ q. Where P ≤ 0, sliding has no solution with N > 0, or the motion is not unique.
@@ -308,15 +344,15 @@ impl SlidingLaw {
             slip: (1.0 + h * cos) * theta_acceleration
                 - self.friction * normal_over_mass
                 - h * sin * theta_rate * theta_rate
-                - self.body.pull(),
+                - self.body.pull() * self.weight,
         }
     }
 
-    /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + (μk σ + tan α) τ.
+    /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + (μk σ cos α + sin α) τ.
     #[must_use]
     pub fn momentum_integral(&self, state: &State) -> f64 {
         let (sin, cos) = libm::sincos(state.theta);
-        state.slip - state.theta_rate * self.lever(sin, cos) + self.drag() * state.time
+        state.slip - state.theta_rate * self.lever(sin, cos) + self.drag() * self.weight * state.time
     }
 
     /// The second integral, x̄ + μk σ (ȳ + τ²/2) + tan α τ²/2 minus a linear function of τ, of the slide from a state.

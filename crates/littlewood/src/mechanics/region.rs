@@ -1,5 +1,7 @@
 //! The (θ, θ′) plane of rolling: regions 𝓝 and 𝓡 (2.14), their boundaries, the separatrix and the equilibria.
 
+use core::f64::consts::{PI, TAU};
+
 use crate::mechanics::{ContactForces, RollingLaw};
 use crate::model::{Body, Direction, Hoop};
 
@@ -18,19 +20,21 @@ use crate::model::{Body, Direction, Hoop};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PhasePlane {
+    /// In units in which gravity normal to the plane is 1; rates there are those of the plane over `pace`.
     pub(super) law: RollingLaw,
     pub(super) hoop: Hoop,
+    pace: f64,
 }
 
 /// Stability of an equilibrium in rolling.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stability {
-    /// Centre, with the angular frequency √(ℓ̂/D(π)) of small oscillations.
+    /// Centre, with the angular frequency of small oscillations, √(ℓ̂/D(π)) on a level plane.
     Stable {
         /// Frequency.
         frequency: f64,
     },
-    /// Saddle, with exponents ±√(ℓ̂/D(0)).
+    /// Saddle, with exponents ±√(ℓ̂/D(0)) on a level plane.
     Unstable {
         /// Exponent.
         exponent: f64,
@@ -52,13 +56,15 @@ impl PhasePlane {
     /// The phase plane of a hoop.
     #[must_use]
     pub fn new(hoop: &Hoop) -> Self {
-        Self { law: RollingLaw::new(hoop), hoop: *hoop }
+        Self { law: RollingLaw::of(hoop), hoop: *hoop, pace: hoop.pace() }
     }
 
     /// Normal and friction force of rolling (2.12).
     #[must_use]
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
-        self.law.forces(theta, theta_rate)
+        let ContactForces { normal, friction } = self.law.forces(theta, theta_rate / self.pace);
+        let weight = self.pace * self.pace;
+        ContactForces { normal: weight * normal, friction: weight * friction }
     }
 
     /// Region 𝓝 of (2.14): N > 0.
@@ -84,7 +90,7 @@ impl PhasePlane {
     #[must_use]
     pub fn normal_force_rate(&self, theta: f64) -> Option<f64> {
         let [constant, slope] = self.line(theta);
-        rate_of(-constant.normal / slope.normal)
+        self.rate_of(-constant.normal / slope.normal)
     }
 
     /// |θ′| on the branch of the curve f, |F| = μs N with N ≥ 0 in rolling, where slip begins in this direction; `None`
@@ -98,55 +104,80 @@ impl PhasePlane {
         let [constant, slope] = self.line(theta);
         let cone = direction.sign() * self.hoop.mu_s();
         let u = -(constant.friction + cone * constant.normal) / (slope.friction + cone * slope.normal);
-        let rate = rate_of(u)?;
+        let rate = self.rate_of(u)?;
         (constant.normal + slope.normal * u >= 0.0).then_some(rate)
     }
 
-    /// |θ′| of lift-off from sliding, h cos θ θ′² = 1, independent of μk. Below this curve and above n the body slides at
+    /// |θ′| of lift-off from sliding, h cos θ θ′² = cos α, independent of μk. Below this curve and above n the body slides at
     /// once, although rolling would require N < 0.
     #[must_use]
     pub fn lift_off_rate(&self, theta: f64) -> Option<f64> {
-        rate_of(1.0 / (self.hoop.h() * libm::cos(theta)))
+        self.rate_of(1.0 / (self.hoop.h() * libm::cos(theta)))
     }
 
-    /// |θ′| on the separatrix through the unstable equilibrium, θ′² = 4ℓ̂ sin²(θ/2)/D(θ).
+    /// |θ′| on the separatrix through the unstable equilibrium, θ′² = 4ℓ̂ sin²(θ/2)/D(θ) on a level plane. On a slope it is that of the
+    /// equilibrium next downhill from θ, which bounds the well; zero where it does not reach θ.
     #[must_use]
     pub fn separatrix_rate(&self, theta: f64) -> f64 {
-        self.level_rate(theta, self.law.separatrix_energy()).unwrap_or(0.0)
+        if self.hoop.slope() == 0.0 {
+            return self.level_rate(theta, self.law.separatrix_energy()).unwrap_or(0.0);
+        }
+        let Some([unstable, _]) = self.law.equilibria() else { return 0.0 };
+        let turns = (theta - unstable) / TAU;
+        let turns = if self.hoop.slope() > 0.0 { turns.ceil() } else { turns.floor() };
+        let saddle = unstable + TAU * turns;
+        let kinetic = self.law.energy(saddle, 0.0) - self.law.energy(theta, 0.0);
+        self.rate_of(2.0 * kinetic / self.law.denominator(theta)).unwrap_or(0.0)
     }
 
-    /// |θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ); `None` where the orbit does not reach θ.
+    /// |θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ) on a level plane; `None` where the orbit does not reach θ. On a slope E
+    /// is that of [`RollingLaw::energy`].
     #[must_use]
     pub fn level_rate(&self, theta: f64, energy: f64) -> Option<f64> {
-        let sin_half = libm::sin(0.5 * theta);
-        // E − ℓ̂ cos θ, without cancellation near the top.
-        let kinetic = (energy - self.hoop.offset()) + 2.0 * self.hoop.offset() * sin_half * sin_half;
-        rate_of(2.0 * kinetic / self.law.denominator(theta))
+        let kinetic = if self.hoop.slope() == 0.0 {
+            let sin_half = libm::sin(0.5 * theta);
+            // E − ℓ̂ cos θ, without cancellation near the top.
+            (energy - self.hoop.offset()) + 2.0 * self.hoop.offset() * sin_half * sin_half
+        } else {
+            energy / (self.pace * self.pace) - self.law.energy(theta, 0.0)
+        };
+        self.rate_of(2.0 * kinetic / self.law.denominator(theta))
     }
 
-    /// The equilibria of rolling in (−π, π]. A massless hoop with the particle on the rim has none at θ = π (§3a).
+    /// The equilibria of rolling in (−π, π]; none where the slope exceeds asin h. A massless hoop with the particle on the rim of a level
+    /// plane has none at θ = π (§3a).
     #[must_use]
     pub fn equilibria(&self) -> Vec<Equilibrium> {
-        let (top, bottom) = (self.law.denominator(0.0), self.law.denominator(core::f64::consts::PI));
-        if self.hoop.offset() == 0.0 {
-            return [0.0, core::f64::consts::PI]
-                .map(|theta| Equilibrium { theta, stability: Stability::Neutral })
-                .to_vec();
-        }
-        let mut equilibria = vec![Equilibrium {
-            theta: 0.0,
-            stability: Stability::Unstable { exponent: (self.hoop.offset() / top).sqrt() },
-        }];
-        if !(matches!(self.hoop.body(), Body::Massless(_)) && self.hoop.offset() == 1.0) {
-            equilibria.push(Equilibrium {
-                theta: core::f64::consts::PI,
-                stability: Stability::Stable { frequency: (self.hoop.offset() / bottom).sqrt() },
-            });
+        let offset = self.hoop.offset();
+        let Some([unstable, stable]) = self.law.equilibria() else {
+            let neutral = |theta| Equilibrium { theta, stability: Stability::Neutral };
+            let is_level = self.hoop.slope() == 0.0;
+            return if is_level { [0.0, PI].map(neutral).to_vec() } else { Vec::new() };
+        };
+        // D θ″ = ℓ̂ (1 + u) sin θ + (m + ℓ̂ cos θ) tan α has this slope at an equilibrium.
+        let stiffness = |theta: f64| {
+            let (sin, cos) = libm::sincos(theta);
+            self.pace * (offset * (cos - self.law.tilt * sin).abs() / self.law.denominator(theta)).sqrt()
+        };
+        let within = |theta: f64| {
+            if theta > PI {
+                theta - TAU
+            } else if theta <= -PI {
+                theta + TAU
+            } else {
+                theta
+            }
+        };
+        let saddle = Stability::Unstable { exponent: stiffness(unstable) };
+        let mut equilibria = vec![Equilibrium { theta: within(unstable), stability: saddle }];
+        if self.law.denominator(stable) > 0.0 {
+            let centre = Stability::Stable { frequency: stiffness(stable) };
+            equilibria.push(Equilibrium { theta: within(stable), stability: centre });
         }
         equilibria
     }
-}
 
-fn rate_of(u: f64) -> Option<f64> {
-    (u >= 0.0 && u.is_finite()).then(|| u.sqrt())
+    fn rate_of(&self, u: f64) -> Option<f64> {
+        (u >= 0.0 && u.is_finite()).then(|| self.pace * u.sqrt())
+    }
 }

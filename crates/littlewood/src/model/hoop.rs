@@ -250,6 +250,11 @@ impl Massless {
     pub(crate) const fn pull(&self) -> f64 {
         self.tilt + 0.0
     }
+
+    /// cos α, gravity normal to the plane.
+    pub(crate) fn weight(&self) -> f64 {
+        1.0 / (1.0 + self.tilt * self.tilt).sqrt()
+    }
 }
 
 impl Body {

@@ -80,7 +80,7 @@ impl Hoop {
         self.check(start)?;
         let (origin, (state, gap_rate), _) = Origin::of(self, &start, Limits::default());
         let (theta, theta_rate) = (state.theta, state.theta_rate);
-        let forces = RollingLaw::new(self).forces(theta, theta_rate);
+        let forces = RollingLaw::of(self).forces(theta, theta_rate);
         let contact = contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate));
         let mut found = Classification {
             region: StartRegion::Slipping,
@@ -100,7 +100,7 @@ impl Hoop {
         }
         (found.region, found.mode, found.direction) = match next_motion(self, &state, Arrival::Open) {
             Next::Roll { .. } => {
-                let orbit = RollingOrbit::new(self, theta, theta_rate);
+                let orbit = RollingOrbit::of(self, theta, theta_rate);
                 let end = orbit.end();
                 found.rolling_type = self.rolling_type(theta, theta_rate, end);
                 let endless = end.is_none() && !orbit.descends();

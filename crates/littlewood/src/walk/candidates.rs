@@ -182,7 +182,7 @@ fn exact_evidence(
     let contact = laws[0].contact(theta, theta_rate);
     let slip = Direction::of_sign(state.slip).map_or_else(
         || {
-            let rolling = RollingLaw::new(hoop);
+            let rolling = RollingLaw::of(hoop);
             SlipEvidence::AtRest {
                 hold: match arrival {
                     Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
@@ -198,7 +198,7 @@ fn exact_evidence(
                         Hold::Slips { direction, excess }
                     }
                     Arrival::Open | Arrival::GlideAtRest { .. } => {
-                        RollingOrbit::new(hoop, theta, theta_rate).hold()
+                        RollingOrbit::of(hoop, theta, theta_rate).hold()
                     }
                 },
                 rolling_forces: rolling.forces(theta, theta_rate),
@@ -338,7 +338,7 @@ fn weigh_all(
             Next::Fly { body: *body, take_off }
         }
         (_, [negative, positive], _) => {
-            let forces = RollingLaw::new(hoop).forces(state.theta, state.theta_rate);
+            let forces = RollingLaw::of(hoop).forces(state.theta, state.theta_rate);
             let candidates = Box::new(Candidates {
                 rolling,
                 sliding_negative: negative.is_some(),
@@ -360,14 +360,14 @@ fn opposing(forces: &ContactForces, mu_s: f64) -> Option<(Direction, f64)> {
 fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Next {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
     let sin = libm::sin(theta);
-    let forces = RollingLaw::new(hoop).forces(theta, theta_rate);
+    let forces = RollingLaw::of(hoop).forces(theta, theta_rate);
     let at_rest = state.slip == 0.0;
     let may_roll = match arrival {
         Arrival::Open => at_rest,
         Arrival::GlideAtRest { presses } => presses,
         Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) | Arrival::LiftOff => false,
     };
-    if may_roll && RollingOrbit::new(hoop, theta, theta_rate).hold() == Hold::Holds {
+    if may_roll && RollingOrbit::of(hoop, theta, theta_rate).hold() == Hold::Holds {
         return Next::Roll { on_limit: false };
     }
     let contact = contact(1.0, body.offset, libm::cos(theta) * (theta_rate * theta_rate));

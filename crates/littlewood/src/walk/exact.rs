@@ -170,7 +170,13 @@ impl Solver for Exact<'_> {
 
     fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> SolvedBy<Self> {
         let flight = Flight::new(body, *state, take_off);
-        self.flown(flight, state, |state| Ending::Landing { state, gap_rate: flight.landing_rate() })
+        self.flown(flight, state, |end| {
+            if flight.is_resolved() {
+                Ending::Landing { state: end, gap_rate: flight.landing_rate() }
+            } else {
+                Self::without_event(*state, Outcome::Unresolved { state: *state })
+            }
+        })
     }
 
     fn settle(&self, state: &State, body: &Heavy, settling: &Settling) -> SolvedBy<Self> {

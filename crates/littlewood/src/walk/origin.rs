@@ -23,6 +23,8 @@ pub(crate) struct Origin {
     until: Option<[f64; 2]>,
     /// √cos α, the unit of velocity.
     pace: f64,
+    /// θ′ and η′ of the start relative to the origin, and as given: what does not change is given back as it was.
+    velocities: [[f64; 2]; 2],
     /// The energy at the x of the start, m x sin α.
     height: f64,
 }
@@ -44,9 +46,10 @@ impl Origin {
         let until = limits.until.map(|until| [(until - state.time) * pace, until]);
         let seen =
             State { time: 0.0, theta, theta_rate: state.theta_rate / pace, slip: state.slip / pace, x: 0.0 };
+        let velocities = [[seen.theta_rate, state.theta_rate], [seen.slip, state.slip]];
         let height = if hoop.slope() == 0.0 { -0.0 } else { hoop.mass() * x * libm::sin(hoop.slope()) };
         (
-            Self { time, x, turns: [turns, rest], until, pace, height },
+            Self { time, x, turns: [turns, rest], until, pace, velocities, height },
             (seen, start.gap_rate / pace),
             limits.with_until(until.map(|[elapsed, _]| elapsed)),
         )
@@ -98,7 +101,10 @@ impl Origin {
     /// The absolute state from one relative to the origin.
     pub(crate) const fn state(&self, state: State) -> State {
         let State { time, theta, theta_rate, slip, x } = state;
-        let [theta_rate, slip] = [self.velocity(theta_rate), self.velocity(slip)];
+        let [[seen_rate, rate], [seen_slip, given_slip]] = self.velocities;
+        let theta_rate =
+            if theta_rate.to_bits() == seen_rate.to_bits() { rate } else { self.velocity(theta_rate) };
+        let slip = if slip.to_bits() == seen_slip.to_bits() { given_slip } else { self.velocity(slip) };
         State { time: self.time(time), theta: self.theta(theta), theta_rate, slip, x: self.x + x }
     }
 
@@ -186,17 +192,13 @@ impl Origin {
     }
 
     pub(crate) const fn recurrence(&self, recurrence: Recurrence) -> Recurrence {
-        match recurrence {
+        match recurrence.at_pace(self.pace) {
             Recurrence::Libration { period, theta_min, theta_max } => {
                 let (theta_min, theta_max) = (self.theta(theta_min), self.theta(theta_max));
-                Recurrence::Libration { period: self.duration(period), theta_min, theta_max }
+                Recurrence::Libration { period, theta_min, theta_max }
             }
             Recurrence::Asymptotic { theta } => Recurrence::Asymptotic { theta: self.theta(theta) },
-            Recurrence::Rotation { period } => Recurrence::Rotation { period: self.duration(period) },
-            Recurrence::Downhill { acceleration } => {
-                Recurrence::Downhill { acceleration: self.force(acceleration) }
-            }
-            Recurrence::Rest => recurrence,
+            same @ (Recurrence::Rest | Recurrence::Rotation { .. } | Recurrence::Downhill { .. }) => same,
         }
     }
 }

@@ -175,7 +175,7 @@ pub enum Outcome {
     },
     /// The time scale falls below double precision: a slide of a hoop with very small inertia whose particle passes the bottom, or a slide
     /// next to P = 0 whose end depends on rounding. Or an impact beyond the bounds of θ and x of a start, or with velocities that overflow.
-    /// Or an unbalanced hoop that rolls down a slope beyond these bounds.
+    /// Or an unbalanced hoop that rolls down a slope beyond these bounds, or a flight of more turns than doubles resolve.
     Unresolved {
         /// State.
         state: State,

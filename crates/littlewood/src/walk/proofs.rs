@@ -103,7 +103,7 @@ impl<'a> Proofs<'a> {
             Body::Heavy(_) if hoop.mu_k() == 0.0 => Kind::Conservative(Vec::new()),
             Body::Heavy(body) if hoop.mu_s() == hoop.mu_k() && body.h > 0.0 => {
                 Kind::Grazing(Box::new(Slips {
-                    law: RollingLaw::new(hoop),
+                    law: RollingLaw::of(hoop),
                     slip: None,
                     confirmed: None,
                     shared: known.levels,

@@ -152,7 +152,7 @@ mod tests {
                 .with_inertia(inertia)
                 .with_friction(mu_s, mu_s);
             let hoop = Hoop::new(hoop).unwrap();
-            let curves = SlipCurves::new(margin_forms(&hoop).unwrap(), RollingLaw::new(&hoop));
+            let curves = SlipCurves::new(margin_forms(&hoop).unwrap(), RollingLaw::of(&hoop));
             for side in [0, 1] {
                 let mut compared = 0;
                 for k in 1..200 {

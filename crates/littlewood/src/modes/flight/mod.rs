@@ -29,7 +29,7 @@ use crate::mechanics::energy;
 use crate::model::{Heavy, Hoop, Mode, State, getters};
 use crate::modes::{Instant, Sample};
 
-use gap::{Bound, Gap};
+use gap::{Bound, Gap, MAX_RESOLVED_ANGLE};
 
 pub(crate) use gap::sine_follows_from_rate;
 
@@ -175,6 +175,11 @@ impl Flight {
     /// Arguments of the landing and of the maximum of the gap.
     pub(crate) fn angles(&self) -> [f64; 2] {
         [self.landing.at, self.highest().at]
+    }
+
+    /// Whether the angle of the landing is resolved. On a steep slope a flight may last for 1e16 turns.
+    pub(crate) fn is_resolved(&self) -> bool {
+        self.landing.at < MAX_RESOLVED_ANGLE
     }
 
     /// Rate of the gap at the landing.

@@ -36,11 +36,11 @@ pub struct Gliding {
 /// First integrals of gliding (3.18), with w corrected.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GlidingIntegrals {
-    /// Vertical energy of the particle about the centre, w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ.
+    /// Energy of the particle normal to the plane about the centre, w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ cos α.
     pub w: f64,
-    /// Total energy e_s.
+    /// Total energy e_s; on a slope without that of the fall along the plane.
     pub energy: f64,
-    /// Horizontal momentum v = η′ − θ′ (1 + ℓ̂ cos θ).
+    /// Momentum along the plane v = η′ − θ′ (1 + ℓ̂ cos θ), which decreases by sin α in a unit of time.
     pub momentum: f64,
 }
 
@@ -53,21 +53,23 @@ impl GlidingIntegrals {
         let l = hoop.offset;
         let rise = l * sin * theta_rate;
         let momentum = slip - theta_rate * (1.0 + l * cos);
-        Self {
-            w: 0.5 * rise * rise + l * cos,
-            energy: 0.5 * (rise * rise + momentum * momentum) + l * cos,
-            momentum,
-        }
+        let height = hoop.weight() * (l * cos);
+        let energy = 0.5 * (rise * rise + momentum * momentum) + height;
+        Self { w: 0.5 * rise * rise + height, energy, momentum }
     }
 }
 
 /// Accelerations θ″ and η″ of gliding (3.17), for a particle at 0 < ℓ̂ ≤ 1. Not defined at θ = 0, ±π.
 #[must_use]
 pub fn gliding_accelerations(hoop: &Massless, theta: f64, theta_rate: f64) -> (f64, f64) {
-    let (sin, cos) = libm::sincos(theta);
+    accelerations(hoop, [hoop.weight(), theta_rate * theta_rate], libm::sincos(theta))
+}
+
+/// θ″ and η″ from gravity normal to the plane and u.
+fn accelerations(hoop: &Massless, [weight, u]: [f64; 2], (sin, cos): (f64, f64)) -> (f64, f64) {
     let l = hoop.offset;
-    let u = theta_rate * theta_rate;
-    ((1.0 - l * cos * u) / (l * sin), (1.0 + l * cos - u * l * (l + cos)) / (l * sin) - hoop.pull())
+    let slip = (weight * (1.0 + l * cos) - u * l * (l + cos)) / (l * sin) - hoop.pull() * weight;
+    ((weight - l * cos * u) / (l * sin), slip)
 }
 
 /// How a phase of gliding ends.
@@ -161,7 +163,11 @@ impl Gliding {
         let instant = Instant {
             mode: Mode::Gliding,
             direction: Some(self.direction),
-            accelerations: gliding_accelerations(&self.body, state.theta, state.theta_rate),
+            accelerations: accelerations(
+                &self.body,
+                [1.0, state.theta_rate * state.theta_rate],
+                libm::sincos(state.theta),
+            ),
             forces: (0.0, 0.0),
             gap: (0.0, 0.0),
         };

@@ -174,7 +174,7 @@ impl Boundary {
 /// as forms of degree six in (cos θ/2, sin θ/2); none for a massless hoop.
 pub(crate) fn margin_forms(hoop: &Hoop) -> Option<[[Form<7>; 2]; 2]> {
     let Body::Heavy(_) = hoop.body() else { return None };
-    let law = RollingLaw::new(hoop);
+    let law = RollingLaw::of(hoop);
     let part = |one, excess, k| margins(hoop.mu_s(), law.offset, forces(&law, one, excess, k));
     let [minus, plus] = part(1.0, [-4.0 * law.offset, 0.0], law.bottom);
     let [minus_driven, plus_driven] = part(0.0, [1.0, 1.0], 1.0);

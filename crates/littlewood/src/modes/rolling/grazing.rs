@@ -130,7 +130,7 @@ impl Levels {
             return None;
         }
         let [[a, b], _] = margin_forms(hoop)?.map(|parts| parts.map(|part| Trigonometric::from_form(&part)));
-        let law = RollingLaw::new(hoop);
+        let law = RollingLaw::of(hoop);
         let extrema = a.derivative().times(&b).minus(&a.times(&b.derivative())).sign_changes();
         let inside = extrema.into_iter().filter_map(|angle| {
             let over_bottom = -a.value(angle) / b.value(angle);
@@ -204,7 +204,7 @@ impl Levels {
                 energy: self.energy_of(over_bottom),
                 theta: if angle > PI { 2.0 * PI - angle } else { angle },
                 theta_rate,
-                recurrence: RollingOrbit::new(hoop, angle, theta_rate).recurrence(),
+                recurrence: RollingOrbit::of(hoop, angle, theta_rate).recurrence(),
                 loss: 9.0 * self.mu_k * normal * rise * rise / (self.body.mass * solvability * d * fall),
                 ceiling,
             }
@@ -214,6 +214,6 @@ impl Levels {
     /// Whether static friction holds on the whole orbit of a level.
     fn holds(&self, hoop: &Hoop, over_bottom: f64) -> bool {
         let u = over_bottom / self.law.bottom;
-        RollingOrbit::new(hoop, PI, u.max(0.0).sqrt()).end().is_none()
+        RollingOrbit::of(hoop, PI, u.max(0.0).sqrt()).end().is_none()
     }
 }

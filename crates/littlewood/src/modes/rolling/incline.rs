@@ -22,7 +22,7 @@ use core::f64::consts::{FRAC_PI_8, PI, TAU};
 use crate::math::bracket::{Bracket, Step};
 use crate::math::panel::{NODES, Rule, largest};
 use crate::math::series::{DEGREE, Series, convolve, crossing};
-use crate::math::trig::{above_bottom, sincos};
+use crate::math::trig::{above_bottom, sincos, without_turns};
 use crate::mechanics::RollingLaw;
 use crate::model::{Direction, Hoop};
 
@@ -37,6 +37,9 @@ const TAIL_TOLERANCE: f64 = 1e-8;
 
 /// Largest number of halvings of a panel: its width is then one unit in the last place.
 const MAX_HALVINGS: u32 = 52;
+
+/// Largest number of panels. Where rounding, and not the width, is what a panel does not resolve, more would not help.
+const MAX_PANELS: u32 = 1024;
 
 /// Number of terms summed one by one before the formula of Euler and Maclaurin: its first omitted term is then below 1e-16 of a term.
 const SINGLE_TERMS: u32 = 32;
@@ -61,17 +64,32 @@ struct Leg {
     limits: Limits,
     /// tan α, positive downhill.
     pull: f64,
-    /// ϑ and G at the beginning; G is 0 at a turning point.
+    /// ϑ at the beginning, without whole turns, and these.
     angle: f64,
+    turned: f64,
+    /// G at the beginning; 0 at a turning point.
     kinetic: f64,
-    /// Distance to the turning point, if any.
-    reach: Option<f64>,
+    /// The turning point, if any.
+    reach: Option<Distance>,
+}
+
+/// A distance in whole turns and a rest: each number is computed from the rest, which resolves it however many turns there are.
+#[derive(Clone, Copy, Debug)]
+struct Distance {
+    turns: f64,
+    rest: f64,
+}
+
+impl Distance {
+    fn total(&self) -> f64 {
+        TAU * self.turns + self.rest
+    }
 }
 
 /// A point of a leg: the distances from its beginning and to its turning point.
 #[derive(Clone, Copy, Debug)]
 struct Place {
-    passed: f64,
+    passed: Distance,
     left: f64,
 }
 
@@ -93,13 +111,13 @@ impl Incline {
         let travel = Direction::of_sign(moving).map_or(1.0, Direction::sign);
         let limits = Limits { mu: hoop.mu_s(), inertia: hoop.body().inertia_about_mass_centre() };
         let pull = travel * law.tilt;
-        let first = Leg { law, limits, pull, angle: travel * theta, kinetic, reach: None }.with_reach();
+        let first = Leg::new((law, limits), pull, [0.0, travel * theta], kinetic);
         let back = first.reach.map(|reach| {
-            let turned = first.angle + reach;
-            Leg { pull: -pull, angle: -turned, kinetic: 0.0, reach: None, ..first }.with_reach()
+            let turned = first.turned + TAU * reach.turns;
+            Leg::new((law, limits), -pull, [-turned, -(first.angle + reach.rest)], 0.0)
         });
         // Both turning points round to the angle of the start.
-        let width = back.map_or(f64::INFINITY, |back| back.reach.unwrap_or(f64::INFINITY));
+        let width = back.and_then(|back| back.reach).map_or(f64::INFINITY, |reach| reach.total());
         let rests = moving == 0.0 || width <= f64::EPSILON * theta.abs();
         Self { travel, first, back, rests }
     }
@@ -118,12 +136,12 @@ impl Incline {
 
     pub(super) fn position(&self, elapsed: f64) -> (f64, f64) {
         if self.rests {
-            return (self.travel * self.first.angle, 0.0);
+            return (self.travel * self.first.start(), 0.0);
         }
         let (leg, place, way) = self.at(elapsed);
         let rate = (leg.kinetic_at(place) / leg.denominator(place)).sqrt();
         let frame = self.frame(&leg);
-        (frame * (leg.angle + place.passed), frame * way * rate)
+        (frame * leg.angle_at(place), frame * way * rate)
     }
 
     /// The sign of θ in the frame of a leg.
@@ -153,12 +171,13 @@ impl Incline {
 
     pub(super) fn time_to(&self, theta: f64) -> Option<f64> {
         if self.rests {
-            return (theta == self.travel * self.first.angle).then_some(0.0);
+            return (theta == self.travel * self.first.start()).then_some(0.0);
         }
         let ahead = |leg: &Leg| {
-            let passed = self.frame(leg) * theta - leg.angle;
-            let is_on = passed >= 0.0 && leg.reach.is_none_or(|reach| passed <= reach);
-            is_on.then(|| leg.time(leg.place(passed)))
+            let passed = self.frame(leg) * theta - leg.start();
+            let is_on = passed >= 0.0 && leg.reach.is_none_or(|reach| passed <= reach.total());
+            let turns = (passed / TAU).floor();
+            is_on.then(|| leg.time(leg.place(turns, passed - TAU * turns)))
         };
         ahead(&self.first).or_else(|| Some(self.outward() + ahead(&self.back?)?))
     }
@@ -178,7 +197,7 @@ impl Incline {
         let rate = (leg.kinetic_at(place) / leg.denominator(place)).sqrt();
         Some(RollingEnd {
             elapsed: before + leg.time(place),
-            theta: frame * (leg.angle + place.passed),
+            theta: frame * leg.angle_at(place),
             theta_rate: frame * rate,
             limit: in_body_frame(limit, frame),
         })
@@ -194,15 +213,15 @@ impl Incline {
             return Recurrence::Downhill { acceleration: -law.mass * law.tilt / law.mean_denominator() };
         };
         let frame = self.frame(&back);
-        let [from, to] = [back.angle, back.angle + reach].map(|angle| frame * angle);
+        let [from, to] = [back.start(), back.start() + reach.total()].map(|angle| frame * angle);
         Recurrence::Libration { period: 2.0 * back.whole(), theta_min: from.min(to), theta_max: from.max(to) }
     }
 
     pub(super) fn hold(&self) -> Hold {
         let leg = &self.first;
-        let d = leg.denominator(leg.place(0.0));
+        let d = leg.denominator(leg.place(0.0, 0.0));
         let mut hold = Hold::Holds;
-        for (margin, limit) in leg.margins(leg.place(0.0)).into_iter().flatten() {
+        for (margin, limit) in leg.margins(leg.place(0.0, 0.0)).into_iter().flatten() {
             let first = if self.rests { Some(&margin[0]) } else { margin.iter().find(|c| **c != 0.0) };
             if first.is_none_or(|first| *first >= 0.0) {
                 continue;
@@ -229,120 +248,142 @@ impl Leg {
         2.0 * (self.law.offset * chord * (sin + self.pull * cos) + self.pull * self.law.mass * by)
     }
 
+    /// The angle at the beginning is the sum of whole turns and a rest.
+    fn new((law, limits): (RollingLaw, Limits), pull: f64, [turned, rest]: [f64; 2], kinetic: f64) -> Self {
+        let angle = without_turns(rest);
+        let leg = Self { law, limits, pull, angle, turned: turned + (rest - angle), kinetic, reach: None };
+        Self { reach: leg.turning_point(), ..leg }
+    }
+
+    /// ϑ at the beginning.
+    fn start(&self) -> f64 {
+        self.turned + self.angle
+    }
+
+    fn angle_at(&self, place: Place) -> f64 {
+        (self.turned + TAU * place.passed.turns) + (self.angle + place.passed.rest)
+    }
+
+    /// The gain of G in a turn.
+    fn fall(&self) -> f64 {
+        4.0 * PI * self.law.mass * self.pull
+    }
+
     /// Half the slope of G.
-    fn slope(&self, passed: f64) -> f64 {
-        let (sin, cos) = sincos(self.angle + passed);
+    fn slope(&self, rest: f64) -> f64 {
+        let (sin, cos) = sincos(self.angle + rest);
         self.law.offset * sin + self.pull * (self.law.mass + self.law.offset * cos)
     }
 
-    fn place(&self, passed: f64) -> Place {
-        Place { passed, left: self.reach.map_or(f64::INFINITY, |reach| reach - passed) }
+    fn place(&self, turns: f64, rest: f64) -> Place {
+        let left = |reach: Distance| TAU * (reach.turns - turns) + (reach.rest - rest);
+        Place { passed: Distance { turns, rest }, left: self.reach.map_or(f64::INFINITY, left) }
     }
 
     fn denominator(&self, place: Place) -> f64 {
-        self.law.denominator_of(sincos(self.angle + place.passed))
+        self.law.denominator_of(sincos(self.angle + place.passed.rest))
     }
 
     /// G, from the nearer end.
-    fn kinetic_at(&self, Place { passed, left }: Place) -> f64 {
-        let kinetic = if left < passed {
-            self.gain(self.angle + passed + left, -left)
-        } else {
-            self.kinetic + self.gain(self.angle, passed)
+    fn kinetic_at(&self, Place { passed: Distance { turns, rest }, left }: Place) -> f64 {
+        let kinetic = match self.reach {
+            Some(reach) if left < TAU * turns + rest => {
+                let whole = (left / TAU).floor();
+                self.gain(self.angle + reach.rest, TAU * whole - left) - whole * self.fall()
+            }
+            Some(_) | None => self.kinetic + self.gain(self.angle, rest) + turns * self.fall(),
         };
         kinetic.max(0.0)
     }
 
-    /// The leg with its turning point.
-    fn with_reach(self) -> Self {
-        let reach = self.turning_point();
-        Self { reach, ..self }
-    }
-
-    /// Distance to the first zero of G ahead.
-    fn turning_point(&self) -> Option<f64> {
+    /// The first zero of G ahead.
+    fn turning_point(&self) -> Option<Distance> {
         let Self { law, pull, angle, kinetic, .. } = *self;
-        let value = |by: f64| kinetic + self.gain(angle, by);
-        let root = |low: f64, high: f64| {
-            Bracket { low, high }.iterate(high, |by| Step::newton(by, (value(by), 2.0 * self.slope(by))))
+        let value = |turns: f64, rest: f64| kinetic + self.gain(angle, rest) + turns * self.fall();
+        let root = |turns: f64, low: f64, high: f64| {
+            let rest = Bracket { low, high }
+                .iterate(high, |rest| Step::newton(rest, (value(turns, rest), 2.0 * self.slope(rest))));
+            if rest < 0.0 {
+                Distance { turns: turns - 1.0, rest: rest + TAU }
+            } else {
+                Distance { turns, rest }
+            }
         };
-        let lean = libm::atan(pull);
-        let sine = pull / (1.0 + pull * pull).sqrt() * law.mass / law.offset;
-        if sine.is_nan() || sine.abs() >= 1.0 {
+        let Some([unstable, stable]) = (RollingLaw { tilt: pull, ..law }).equilibria() else {
             // G is monotone, within the swing of its periodic part of a straight line.
             let swing = 4.0 * law.offset * (1.0 + pull * pull).sqrt();
             let per = -2.0 * law.mass * pull;
-            return (pull < 0.0)
-                .then(|| root(((kinetic - swing) / per).max(0.0), (kinetic + swing) / per * (1.0 + 1e-15)));
-        }
-        let away = libm::asin(sine);
-        let ahead = |of: f64| (of - without(angle)).rem_euclid(TAU);
-        let (lowest, highest) = (ahead(-lean - away), ahead(PI - lean + away));
+            return (pull < 0.0).then(|| {
+                let [low, high] = [((kinetic - swing) / per).max(0.0), (kinetic + swing) / per];
+                let turns = (low / TAU).floor();
+                root(turns, low - TAU * turns, high * (1.0 + 1e-15) - TAU * turns)
+            });
+        };
+        let ahead = |of: f64| (of - angle).rem_euclid(TAU);
+        let (lowest, highest) = (ahead(unstable), ahead(stable));
         // At a turning point G first rises to its maximum.
         let low = if kinetic == 0.0 { highest } else { 0.0 };
         if low > lowest {
-            return Some(0.0);
+            return Some(Distance { turns: 0.0, rest: 0.0 });
         }
-        if value(lowest) < 0.0 {
-            return Some(root(low, lowest));
+        if value(0.0, lowest) < 0.0 {
+            return Some(root(0.0, low, lowest));
         }
         if pull >= 0.0 {
             return None;
         }
         // Each minimum is lower than the one before by the fall of a turn.
-        let fall = -4.0 * PI * law.mass * pull;
-        let mut turns = (value(lowest) / fall).floor() + 1.0;
-        while turns > 1.0 && value(lowest + TAU * (turns - 1.0)) < 0.0 {
+        let mut turns = (value(0.0, lowest) / -self.fall()).floor() + 1.0;
+        if value(turns - 1.0, lowest) < 0.0 {
             turns -= 1.0;
-        }
-        while value(lowest + TAU * turns) >= 0.0 && turns < MAX_ANGLE {
+        } else if value(turns, lowest) >= 0.0 {
             turns += 1.0;
         }
-        Some(root(lowest + TAU * (turns - 1.0), lowest + TAU * turns))
+        Some(root(turns, lowest - TAU, lowest))
     }
 
     /// Time from the beginning to the turning point; infinite without one.
     fn whole(&self) -> f64 {
-        self.reach.map_or(f64::INFINITY, |reach| self.time(Place { passed: reach, left: 0.0 }))
+        self.reach.map_or(f64::INFINITY, |passed| self.time(Place { passed, left: 0.0 }))
     }
 
     /// Time from the beginning to a place.
     fn time(&self, place: Place) -> f64 {
-        let turns = (place.passed / TAU).floor() - 1.0;
-        if turns < 2.0 {
-            return self.time_between(0.0, place);
+        let turns = place.passed.turns;
+        if turns < 3.0 {
+            let passed = Distance { turns: 0.0, rest: place.passed.total() };
+            return self.time_between(0.0, Place { passed, ..place });
         }
-        // The first turn, whose kinetic energy may vanish, then turns that differ by the fall of a turn, then up to two more.
-        let fall = 4.0 * PI * self.law.mass * self.pull;
-        let count = turns - 1.0;
-        let slowest = if fall < 0.0 { TAU * (count - 1.0) } else { 0.0 };
-        let summed = integral([TAU, 2.0 * TAU], |passed| {
-            let kinetic = self.kinetic_at(self.place(passed + slowest));
-            self.denominator(self.place(passed)).sqrt() * sum_of_roots(kinetic, fall.abs(), count)
+        // The first turn, whose kinetic energy may vanish, then turns that differ by the gain of a turn, then the rest.
+        let slowest = if self.pull < 0.0 { turns - 1.0 } else { 1.0 };
+        let summed = integral([0.0, TAU], |rest| {
+            let kinetic = self.kinetic_at(self.place(slowest, rest));
+            self.denominator(self.place(slowest, rest)).sqrt()
+                * sum_of_roots(kinetic, self.fall().abs(), turns - 1.0)
         });
-        self.time_between(0.0, self.place(TAU)) + summed + self.time_between(TAU * turns, place)
+        self.time_between(0.0, self.place(0.0, TAU)) + summed + self.time_between(0.0, place)
     }
 
-    /// Time between two places, on less than some turns.
+    /// Time between a place in the same turn, at this rest, and a place.
     fn time_between(&self, from: f64, to: Place) -> f64 {
+        let turns = to.passed.turns;
         let slowness = |place: Place| (self.denominator(place) / self.kinetic_at(place)).sqrt();
+        let at = |rest: f64| slowness(self.place(turns, rest));
         // Next to a turning point the square root of the distance is the variable.
-        let turns_back = self.reach.is_some();
-        let middle = self.reach.map_or(f64::INFINITY, |reach| 0.5 * reach).max(from);
-        let first_end = to.passed.min(middle);
-        let mut time = if self.kinetic == 0.0 && from == 0.0 {
+        let end = to.passed.rest + to.left;
+        let middle = if end.is_finite() { 0.5 * (from + end) } else { f64::INFINITY };
+        let first_end = to.passed.rest.min(middle);
+        let mut time = if self.kinetic == 0.0 && turns == 0.0 && from == 0.0 {
             let near = first_end.min(PI);
-            integral([0.0, near.sqrt()], |s| 2.0 * s * slowness(self.place(s * s)))
-                + integral([near, first_end], |passed| slowness(self.place(passed)))
+            integral([0.0, near.sqrt()], |s| 2.0 * s * at(s * s)) + integral([near, first_end], at)
         } else {
-            integral([from, first_end], |passed| slowness(self.place(passed)))
+            integral([from, first_end], at)
         };
-        if turns_back && to.passed > middle {
-            let reach = to.passed + to.left;
-            let near = (reach - middle).min(PI).max(to.left);
-            let at = |left: f64| Place { passed: reach - left, left };
-            time += integral([middle, reach - near], |passed| slowness(self.place(passed)));
-            time += integral([to.left.sqrt(), near.sqrt()], |s| 2.0 * s * slowness(at(s * s)));
+        if to.passed.rest > middle {
+            let near = (end - middle).min(PI).max(to.left);
+            let back = |left: f64| slowness(Place { passed: Distance { turns, rest: end - left }, left });
+            time += integral([middle, end - near], at);
+            time += integral([to.left.sqrt(), near.sqrt()], |s| 2.0 * s * back(s * s));
         }
         time
     }
@@ -350,28 +391,47 @@ impl Leg {
     /// The place after a time, by inversion of the increasing function of the time.
     fn place_at(&self, time: f64) -> Place {
         if time <= 0.0 {
-            return self.place(0.0);
+            return self.place(0.0, 0.0);
         }
-        // The variable p with the distance as a smooth function of it: its square after a turning point, the square from the far
-        // side before one, and reach sin²(p/2) between two.
-        let begins_at_rest = self.kinetic == 0.0;
-        let place = |p: f64| match (begins_at_rest, self.reach) {
-            (true, Some(reach)) => {
+        let most = self.reach.map_or(f64::INFINITY, |reach| reach.turns);
+        let begins = |turns: f64| self.time(self.place(turns, 0.0));
+        let (mut turns, mut beyond) = (0.0, 1.0);
+        while beyond <= most && begins(beyond) <= time && beyond < f64::MAX / 4.0 {
+            (turns, beyond) = (beyond, 2.0 * beyond);
+        }
+        beyond = beyond.min(most + 1.0);
+        while beyond - turns > 1.0 {
+            let middle = (0.5 * (turns + beyond)).floor();
+            if middle <= turns {
+                break;
+            }
+            if begins(middle) <= time { turns = middle } else { beyond = middle }
+        }
+        // The variable p with the rest as a smooth function of it: its square after a turning point, the square from the far
+        // side before one, and the width times sin²(p/2) between two.
+        let begins_at_rest = self.kinetic == 0.0 && turns == 0.0;
+        let last = self.reach.filter(|reach| reach.turns <= turns).map(|reach| reach.rest);
+        let place = |p: f64| match (begins_at_rest, last) {
+            (true, Some(rest)) => {
                 let (sin, cos) = sincos(0.5 * p);
-                (Place { passed: reach * sin * sin, left: reach * cos * cos }, reach * sin * cos)
+                let passed = Distance { turns, rest: rest * sin * sin };
+                (Place { passed, left: rest * cos * cos }, rest * sin * cos)
             }
-            (false, Some(reach)) => {
-                let rest = reach.sqrt() - p;
-                (Place { passed: reach - rest * rest, left: rest * rest }, 2.0 * rest)
+            (false, Some(rest)) => {
+                let root = rest.sqrt() - p;
+                (
+                    Place { passed: Distance { turns, rest: rest - root * root }, left: root * root },
+                    2.0 * root,
+                )
             }
-            (true, None) => (self.place(p * p), 2.0 * p),
-            (false, None) => (self.place(p), 1.0),
+            (true, None) => (self.place(turns, p * p), 2.0 * p),
+            (false, None) => (self.place(turns, p), 1.0),
         };
-        let high = match (begins_at_rest, self.reach) {
+        let high = match (begins_at_rest, last) {
             (true, Some(_)) => PI,
-            (false, Some(reach)) => reach.sqrt(),
-            (true, None) => self.bound(time).sqrt(),
-            (false, None) => self.bound(time),
+            (false, Some(rest)) => rest.sqrt(),
+            (true, None) => TAU.sqrt(),
+            (false, None) => TAU,
         };
         let p = Bracket { low: 0.0, high }.iterate(0.5 * high, |p| {
             let (place, stretch) = place(p);
@@ -382,20 +442,11 @@ impl Leg {
         place(p).0
     }
 
-    /// A distance beyond the place after a time.
-    fn bound(&self, time: f64) -> f64 {
-        let mut bound = 1.0;
-        while self.time(self.place(bound)) < time && bound < f64::MAX / 4.0 {
-            bound *= 2.0;
-        }
-        bound
-    }
-
     /// The margins about a place, each with the limit that is reached when it becomes negative.
     fn margins(&self, place: Place) -> [Option<(Series, RollingLimit)>; 3] {
         let Self { law, pull, limits: Limits { mu, inertia }, .. } = *self;
         let (l, m) = (law.offset, law.mass);
-        let (sin0, cos0) = sincos(self.angle + place.passed);
+        let (sin0, cos0) = sincos(self.angle + place.passed.rest);
         let (mut sin, mut cos) = ([0.0; DEGREE + 1], [0.0; DEGREE + 1]);
         (sin[0], cos[0]) = (sin0, cos0);
         for n in 1..=DEGREE {
@@ -454,31 +505,31 @@ impl Leg {
         [Some((margin(-1.0), negative)), Some((margin(1.0), positive)), None]
     }
 
-    /// The first crossing of a limit between two distances.
-    fn crossing(&self, from: f64, to: f64) -> Option<(Place, RollingLimit)> {
+    /// The first crossing of a limit in a turn, between two rests.
+    fn crossing(&self, turns: f64, [from, to]: [f64; 2]) -> Option<(Place, RollingLimit)> {
         let pieces = ((to - from) / FRAC_PI_8).ceil().max(1.0);
         let width = (to - from) / pieces;
         (0..pieces as u32).find_map(|piece| {
             let begin = from + width * f64::from(piece);
-            let margins = self.margins(self.place(begin)).into_iter().flatten();
+            let margins = self.margins(self.place(turns, begin)).into_iter().flatten();
             let crossings = margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
-            Some((self.place((begin + at).min(to)), limit))
+            Some((self.place(turns, (begin + at).min(to)), limit))
         })
     }
 
     /// The first point at which rolling ends.
     fn end(&self) -> Option<(Place, RollingLimit)> {
-        let reach = self.reach.unwrap_or(f64::INFINITY);
         if self.law.offset == 0.0 {
             // The forces are constant.
             return None;
         }
-        if let Some(end) = self.crossing(0.0, reach.min(2.0 * TAU)) {
+        let reach = self.reach.map_or(f64::INFINITY, |reach| reach.total());
+        if let Some(end) = self.crossing(0.0, [0.0, reach.min(2.0 * TAU)]) {
             return Some(end);
         }
-        let turn = |k: f64| self.crossing(TAU * k, TAU * (k + 1.0));
-        let whole = (reach.min(MAX_ANGLE - self.angle.abs()) / TAU).floor();
+        let turn = |turns: f64| self.crossing(turns, [0.0, TAU]);
+        let whole = (reach.min(MAX_ANGLE - self.start().abs()) / TAU).floor();
         // Rolling holds in turn `low` and before.
         let mut low = 1.0;
         while low < whole - 1.0 {
@@ -493,7 +544,8 @@ impl Leg {
             }
             return turn(high);
         }
-        (reach > 2.0 * TAU && reach <= MAX_ANGLE).then(|| self.crossing(TAU * whole, reach)).flatten()
+        let is_last = reach > 2.0 * TAU && reach <= MAX_ANGLE;
+        is_last.then(|| self.crossing(whole, [0.0, reach - TAU * whole])).flatten()
     }
 }
 
@@ -501,20 +553,15 @@ fn product(a: &Series, b: &Series) -> Series {
     core::array::from_fn(|n| convolve([(a, b)], n)[0])
 }
 
-/// An angle without whole turns.
-fn without(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
-}
-
 /// The integral of a function over an interval, on panels that are halved until the rule resolves it.
 fn integral([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
     let rule = Rule::get();
-    let pieces = ((to - from) / 1.0).ceil().max(1.0);
+    let pieces = (to - from).ceil().max(1.0);
     let width = (to - from) / pieces;
     if width.is_nan() || width <= 0.0 {
         return 0.0;
     }
-    let mut sum = 0.0;
+    let (mut sum, mut panels) = (0.0, 0);
     let mut pending: Vec<(f64, f64, u32)> = (0..pieces as u32)
         .rev()
         .map(|k| (from + width * f64::from(k), from + width * f64::from(k + 1), 0))
@@ -522,7 +569,11 @@ fn integral([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
     while let Some((low, high, halvings)) = pending.pop() {
         let (centre, half) = (0.5 * (low + high), 0.5 * (high - low));
         let values: [f64; NODES] = rule.nodes.map(|x| f(centre + half * x));
-        if halvings < MAX_HALVINGS && rule.tail(&values) > TAIL_TOLERANCE * largest(&values) {
+        panels += 1;
+        if halvings < MAX_HALVINGS
+            && panels < MAX_PANELS
+            && rule.tail(&values) > TAIL_TOLERANCE * largest(&values)
+        {
             pending.extend([(centre, high, halvings + 1), (low, centre, halvings + 1)]);
         } else {
             sum += half * rule.integral(&values);

@@ -40,8 +40,8 @@ impl Rolling {
     pub(crate) fn new(hoop: &Hoop, start: State) -> Self {
         let start = State { slip: 0.0, ..start };
         Self {
-            law: RollingLaw::new(hoop),
-            orbit: RollingOrbit::new(hoop, start.theta, start.theta_rate),
+            law: RollingLaw::of(hoop),
+            orbit: RollingOrbit::of(hoop, start.theta, start.theta_rate),
             start,
         }
     }

@@ -29,7 +29,11 @@ use super::rim::RimOrbit;
 
 /// The orbit of a rolling body through a state.
 #[derive(Clone, Copy, Debug)]
-pub struct RollingOrbit(Kind);
+pub struct RollingOrbit {
+    kind: Kind,
+    /// √cos α for users, 1 for the solvers ([`crate::walk::Origin`]).
+    pace: f64,
+}
 
 #[derive(Clone, Copy, Debug)]
 enum Kind {
@@ -73,49 +77,60 @@ impl RollingOrbit {
     /// The orbit of `hoop` through (θ, θ′).
     #[must_use]
     pub fn new(hoop: &Hoop, theta: f64, theta_rate: f64) -> Self {
-        let law = RollingLaw::new(hoop);
-        Self(if hoop.slope() != 0.0 {
+        let pace = hoop.pace();
+        Self { pace, ..Self::of(hoop, theta, theta_rate / pace) }
+    }
+
+    /// The orbit in units in which gravity normal to the plane is 1.
+    pub(crate) fn of(hoop: &Hoop, theta: f64, theta_rate: f64) -> Self {
+        let law = RollingLaw::of(hoop);
+        let kind = if hoop.slope() != 0.0 {
             Kind::Incline(Incline::new(hoop, law, theta, theta_rate))
         } else if law.bottom > 0.0 {
             Kind::Elliptic(Elliptic::new(hoop, law, theta, theta_rate))
         } else {
             Kind::Rim(RimOrbit::new(hoop.mu_s(), theta, theta_rate))
-        })
+        };
+        Self { kind, pace: 1.0 }
     }
 
     /// (θ, θ′) after the time `elapsed`.
     #[must_use]
     pub fn position(&self, elapsed: f64) -> (f64, f64) {
-        match &self.0 {
+        let elapsed = elapsed * self.pace;
+        let (theta, theta_rate) = match &self.kind {
             Kind::Elliptic(orbit) => orbit.position(elapsed),
             Kind::Rim(orbit) => orbit.position(elapsed),
             Kind::Incline(orbit) => orbit.position(elapsed),
-        }
+        };
+        (theta, theta_rate * self.pace)
     }
 
     /// Time until the orbit first reaches the angle `theta` (not reduced), if it does. The cost does not depend on the number of turns.
     #[must_use]
     pub fn time_to(&self, theta: f64) -> Option<f64> {
-        match &self.0 {
+        let elapsed = match &self.kind {
             Kind::Elliptic(orbit) => orbit.time_to(theta),
             Kind::Rim(orbit) => orbit.time_to(theta),
             Kind::Incline(orbit) => orbit.time_to(theta),
-        }
+        };
+        elapsed.map(|elapsed| elapsed / self.pace)
     }
 
     /// The first point ahead at which rolling ends; none proves that the body rolls for ever.
     #[must_use]
     pub fn end(&self) -> Option<RollingEnd> {
-        match &self.0 {
+        let end = match &self.kind {
             Kind::Elliptic(orbit) => orbit.end(false),
             Kind::Rim(orbit) => orbit.end(),
             Kind::Incline(orbit) => orbit.end(),
-        }
+        }?;
+        Some(RollingEnd { elapsed: end.elapsed / self.pace, theta_rate: end.theta_rate * self.pace, ..end })
     }
 
     /// [`Self::end`] for a start with |F| = μs N after which static friction holds: the start is no end.
     pub(crate) fn end_from_limit(&self) -> Option<RollingEnd> {
-        match &self.0 {
+        match &self.kind {
             Kind::Elliptic(orbit) => orbit.end(true),
             Kind::Rim(orbit) => orbit.end(),
             Kind::Incline(orbit) => orbit.end(),
@@ -125,23 +140,24 @@ impl RollingOrbit {
     /// Recurrence of the orbit while the limits of friction and of the normal force are not reached.
     #[must_use]
     pub fn recurrence(&self) -> Recurrence {
-        match &self.0 {
+        let recurrence = match &self.kind {
             Kind::Elliptic(orbit) => orbit.recurrence(),
             Kind::Rim(orbit) => orbit.recurrence(),
             Kind::Incline(orbit) => orbit.recurrence(),
-        }
+        };
+        recurrence.at_pace(self.pace)
     }
 
     /// Whether an unbalanced hoop rolls down a slope without a turning point: rolling then ends, if only beyond the bounds of θ.
     pub(crate) fn descends(&self) -> bool {
-        match &self.0 {
+        match &self.kind {
             Kind::Incline(orbit) => orbit.descends(),
             Kind::Elliptic(_) | Kind::Rim(_) => false,
         }
     }
 
     pub(crate) fn hold(&self) -> Hold {
-        match &self.0 {
+        match &self.kind {
             Kind::Elliptic(orbit) => orbit.hold(),
             Kind::Rim(orbit) => orbit.hold(),
             Kind::Incline(orbit) => orbit.hold(),

@@ -72,6 +72,18 @@ impl Recurrence {
         }
     }
 
+    /// In units in which velocities are `pace` times as large.
+    pub(crate) const fn at_pace(self, pace: f64) -> Self {
+        match self {
+            Self::Libration { period, theta_min, theta_max } => {
+                Self::Libration { period: period / pace, theta_min, theta_max }
+            }
+            Self::Rotation { period } => Self::Rotation { period: period / pace },
+            Self::Downhill { acceleration } => Self::Downhill { acceleration: acceleration * (pace * pace) },
+            Self::Asymptotic { .. } | Self::Rest => self,
+        }
+    }
+
     /// Kind and values with their names in records.
     #[must_use]
     pub fn details(&self) -> Vec<(&'static str, Detail)> {

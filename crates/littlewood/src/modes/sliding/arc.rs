@@ -297,7 +297,7 @@ impl Sliding {
         (here, next): (SlidePoint, SlidePoint),
         allowed: Option<f64>,
     ) -> Option<SlidePoint> {
-        let SlidingLaw { body, friction } = self.law;
+        let SlidingLaw { body, friction, .. } = self.law;
         let (drag, sign) = (self.law.drag(), self.direction.sign());
         if friction == 0.0 || body.h == 0.0 || !is_on(Part::WholeTurns) {
             return None;

@@ -46,6 +46,15 @@ impl SlideSeries {
 
         s.theta[0] = theta;
         s.theta_rate[0] = rate;
+        if h == 0.0 {
+            // The accelerations are constant; powers of those of a hoop of tiny inertia overflow.
+            let acceleration = m * -friction / inertia;
+            (s.theta[1], s.theta[2]) = (rate, 0.5 * acceleration);
+            s.theta_rate[1] = acceleration;
+            (s.contact[0], s.solvability[0]) = (1.0, inertia);
+            (s.slip[0], s.slip[1]) = (slip, acceleration - law.drag());
+            return s;
+        }
         (sin[0], cos[0]) = libm::sincos(theta);
         let mut order = 0.0;
         for n in 0..=DEGREE {
@@ -139,7 +148,7 @@ mod tests {
             tilt in prop_oneof![Just(-0.0), -2.0..2.0_f64],
         ) {
             let body = Heavy { mass, h: offset / mass, offset, inertia, tilt };
-            let law = SlidingLaw { body, friction: if positive { mu } else { -mu } };
+            let law = SlidingLaw { body, friction: if positive { mu } else { -mu }, weight: 1.0 };
             let series = SlideSeries::new(&law, PhasePoint { theta, rate }, 0.25);
             let expected = law.accelerations(theta, rate);
             let size = 1.0 + rate * rate;

@@ -267,7 +267,7 @@ mod tests {
             mass in 1.0..4.0_f64, h in 0.0125..1.0_f64, inertia in 0.1..3.0_f64, mu in 0.0..5.0_f64, positive in any::<bool>(),
         ) {
             let body = Heavy { mass, h, offset: mass * h, inertia, tilt: -0.0 };
-            let law = SlidingLaw { body, friction: if positive { mu } else { -mu } };
+            let law = SlidingLaw { body, friction: if positive { mu } else { -mu }, weight: 1.0 };
             let (sin, cos) = libm::sincos(section(&law));
             let q = law.q(1.0, sin, cos);
             let slope = body.h * (cos + law.friction * sin);

@@ -1,0 +1,229 @@
+//! The plane at a slope.
+#![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::classification;
+use crate::common::{heavy_hoop, instants, massless_hoop, simulate, start};
+use crate::invariants::{check_minima, check_phase, check_transitions, size};
+use crate::symmetry::{check_mirror, mirrored};
+use littlewood::cases::CASES;
+use littlewood::modes::{Recurrence, RollingOrbit};
+use littlewood::tables::{Bound, Quantity};
+use littlewood::theory::{Equilibrium, PhasePlane, RollingLaw, Stability};
+use littlewood::{
+    Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Sample, Start, Trajectory,
+};
+use littlewood_random::Draw;
+use proptest::prelude::*;
+
+fn slope() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => -1.5..1.5_f64, 1 => (-12.0..-1.0_f64, any::<bool>()).prop_map(|(power, up)| {
+        let slope = libm::exp10(power);
+        if up { slope } else { -slope }
+    })]
+}
+
+fn tilted(hoop: &Hoop, slope: f64) -> Hoop {
+    Hoop::new(hoop.parameters().with_slope(slope)).expect("a slope")
+}
+
+/// Whether the forces and accelerations of an instant satisfy Newton's and Euler's equations of the two bodies together.
+fn check_balances(hoop: &Hoop, now: &Sample) -> Result<(), TestCaseError> {
+    let (sin, cos) = libm::sincos(now.state.theta);
+    let (m, h, u) = (hoop.mass(), hoop.h(), now.state.theta_rate * now.state.theta_rate);
+    let (along, down) = libm::sincos(hoop.slope());
+    let inertia = hoop.body().inertia_about_mass_centre();
+    let spin = now.theta_acceleration;
+    let x = now.slip_acceleration - spin - h * (cos * spin - sin * u);
+    let rounding = 1e-13 * size(hoop, now) * (1.0 + spin.abs() * (1.0 + inertia) * m + now.normal.abs());
+    let momentum = m * x - now.friction + m * along;
+    prop_assert!(momentum.abs() < rounding, "along the plane: {momentum:e} {now:?}");
+    if now.mode != Mode::Flight {
+        let lift = -h * (sin * spin + cos * u);
+        let normal = m * lift - now.normal + m * down;
+        prop_assert!(normal.abs() < rounding, "normal to the plane: {normal:e} {now:?}");
+    }
+    let moment = inertia * spin - h * sin * now.normal - (1.0 + h * cos) * now.friction;
+    prop_assert!(moment.abs() < rounding, "about the mass centre: {moment:e} {now:?}");
+    Ok(())
+}
+
+fn check_motion(motion: &Trajectory) -> Result<(), TestCaseError> {
+    let hoop = motion.hoop();
+    let mut since = None;
+    for phase in motion.phases() {
+        let first = *since.get_or_insert_with(|| phase.first());
+        check_phase(hoop, phase, &first)?;
+        check_minima(hoop, phase)?;
+        for elapsed in instants(phase.duration(), 8) {
+            let now = phase.sample(elapsed);
+            if now.state.theta_rate.is_finite() && now.normal.is_finite() {
+                check_balances(hoop, &now)?;
+            }
+            if phase.mode() == Mode::Flight {
+                let bound = 1e-12 * size(hoop, &phase.first()) * (1.0 + elapsed * elapsed);
+                prop_assert!((now.energy - phase.first().energy).abs() < bound, "energy in flight");
+            }
+        }
+        if phase.mode() != Mode::Sliding {
+            since = None;
+        }
+    }
+    check_transitions(hoop, motion)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    #[test]
+    fn heavy_hoops_keep_their_laws(hoop in heavy_hoop(), slope in slope(), start in start()) {
+        check_motion(&simulate(&tilted(&hoop, slope), start))?;
+    }
+
+    #[test]
+    fn massless_hoops_keep_their_laws(hoop in massless_hoop(), slope in slope(), start in start()) {
+        check_motion(&simulate(&tilted(&hoop, slope), start))?;
+    }
+
+    #[test]
+    fn the_mirror_image_of_a_motion_is_that_on_the_mirrored_slope(
+        hoop in prop_oneof![heavy_hoop(), massless_hoop()], slope in slope(), start in start(),
+    ) {
+        let motion = simulate(&tilted(&hoop, slope), start);
+        check_mirror(&motion, &simulate(&tilted(&hoop, -slope), mirrored(start)))?;
+    }
+
+    #[test]
+    fn a_start_is_classified_as_its_motion_begins(
+        hoop in prop_oneof![heavy_hoop(), massless_hoop()], slope in slope(), start in start(),
+    ) {
+        classification::check(&tilted(&hoop, slope), start)?;
+    }
+
+    #[test]
+    fn the_time_to_an_angle_is_that_at_which_the_orbit_is_there(
+        hoop in heavy_hoop(), slope in slope(), start in start(), elapsed in 0.0..10.0_f64,
+    ) {
+        let hoop = tilted(&hoop, slope);
+        let orbit = RollingOrbit::new(&hoop, start.theta, start.theta_rate);
+        let (theta, rate) = orbit.position(elapsed);
+        let law = RollingLaw::new(&hoop);
+        let [energy, later] = [(start.theta, start.theta_rate), (theta, rate)].map(|(theta, rate)| law.energy(theta, rate));
+        let kinetic = law.denominator(theta) * rate * rate;
+        let terms = 1.0 + energy.abs() + kinetic + hoop.mass() * (theta.abs() + start.theta.abs() + 1.0);
+        prop_assert!((later - energy).abs() < 1e-12 * terms, "{energy} {later}");
+        if let Some(first) = orbit.time_to(theta) {
+            prop_assert!(first <= elapsed + 1e-9 * (1.0 + elapsed), "{first} {elapsed}");
+            let (back, _) = orbit.position(first);
+            prop_assert!((back - theta).abs() < 1e-12 * (1.0 + theta.abs()), "{back} {theta}");
+        }
+    }
+}
+
+#[test]
+fn a_motion_tends_to_that_on_a_level_plane() {
+    for case in CASES.iter().filter(|case| case.setup.hoop.restitution.is_none()) {
+        let level = case.simulate().expect("a case");
+        let hoop = tilted(level.hoop(), 1e-12);
+        let limits = Limits::default().with_transitions(level.transitions().len().max(1));
+        let sloped = hoop.simulate(case.setup.start, limits).expect("a start");
+        for (ours, theirs) in sloped.transitions().iter().zip(level.transitions()).take(6) {
+            assert_eq!(ours.cause, theirs.cause, "{}", case.name);
+            for (ours, theirs) in ours.before.numbers().into_iter().zip(theirs.before.numbers()) {
+                let apart = (ours - theirs).abs();
+                assert!(apart < 1e-9 * (1.0 + theirs.abs()) || ours == theirs, "{}: {apart:e}", case.name);
+            }
+        }
+        assert_eq!(
+            sloped.phases().first().map(|phase| phase.mode()),
+            level.phases().first().map(|phase| phase.mode())
+        );
+    }
+}
+
+#[test]
+fn a_balanced_hoop_is_accelerated_evenly() {
+    let balanced = HoopParameters::thin(1.0).with_offset(0.0).with_friction(0.5, 0.4);
+    // Without slip where tan α ≤ μs (1 + m/Î): m = 2, Î = 1.
+    for (slope, rolls) in [(0.9, true), (-0.9, true), (1.1, false), (-1.1, false)] {
+        let hoop = Hoop::new(balanced.with_slope(slope)).expect("a hoop");
+        let motion = hoop.simulate(Start::at(0.3, 0.0), Limits::default()).expect("a start");
+        let (recurrence, expected) = match motion.outcome() {
+            Outcome::RollsForever { recurrence, .. } => (recurrence, -2.0 * slope.sin() / 3.0),
+            Outcome::SlidesForever { recurrence, .. } => {
+                (recurrence, -slope.sin() + 0.4 * slope.cos().copysign(slope))
+            }
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(motion.outcome().kind() == OutcomeKind::RollsForever, rolls);
+        let Recurrence::Downhill { acceleration } = recurrence else { panic!("{recurrence:?}") };
+        assert!((acceleration - expected).abs() < 1e-15, "{acceleration} {expected}");
+        let x = motion.at(7.0).expect("an instant").state.x;
+        assert!((x - 24.5 * expected).abs() < 1e-13, "{x}");
+    }
+}
+
+#[test]
+fn a_hoop_stays_where_it_is_in_equilibrium_if_friction_holds_it() {
+    let parameters = HoopParameters::thin(1.0).with_slope(0.4);
+    let stable = PhasePlane::new(&Hoop::new(parameters).expect("a hoop"))
+        .equilibria()
+        .into_iter()
+        .find(|it| matches!(it.stability, Stability::Stable { .. }))
+        .map(|Equilibrium { theta, .. }| theta)
+        .expect("sin α < h");
+    // sin(θ + α) = −sin α/h
+    assert!(((stable + 0.4).sin() + 0.4_f64.sin() / 0.5).abs() < 1e-15);
+    for (mu, holds) in [(0.43, true), (0.42, false)] {
+        let hoop = Hoop::new(parameters.with_friction(mu, mu)).expect("a hoop");
+        let motion =
+            hoop.simulate(Start::at(stable, 0.0), Limits::default().with_transitions(1)).expect("a start");
+        assert_eq!(motion.phases()[0].mode() == Mode::Rolling, holds, "tan 0.4 = 0.4228 and {mu}");
+        assert_eq!(motion.outcome().kind() == OutcomeKind::RollsForever, holds);
+    }
+}
+
+#[test]
+fn a_slope_is_less_than_a_right_angle() {
+    let with = |slope| Hoop::new(HoopParameters::thin(1.0).with_slope(slope));
+    for slope in [FRAC_PI_2, -FRAC_PI_2, 1.7, 30.0, f64::INFINITY, f64::NAN] {
+        let error = with(slope).expect_err("too steep");
+        assert!(matches!(error, ParameterError::OutOfBounds { quantity: Quantity::Slope, .. }), "{error}");
+        assert!(error.hint().contains("radians") || !slope.is_finite(), "{}", error.hint());
+    }
+    let Err(ParameterError::OutOfBounds { bound, .. }) = with(2.0) else { panic!("too steep") };
+    assert_eq!(bound, Bound::MagnitudeBelow(FRAC_PI_2));
+    assert!(with(FRAC_PI_2.next_down()).is_ok());
+}
+
+/// Hoops and starts of the whole range, on slopes up to the vertical: each motion comes back, with numbers in order.
+#[test]
+fn motions_of_the_whole_range_come_back() {
+    let mut outcomes = std::collections::BTreeMap::new();
+    for case in 0..1500 {
+        let mut draw = Draw::of_case(35, 0, case);
+        let (hoop, start) = draw.motion();
+        let hoop = draw.on_slope(&hoop);
+        let until = Some(start.time + 50.0);
+        let limits = Limits::default().with_transitions(40).with_until(until);
+        let motion = hoop.simulate(start, limits).expect("a start");
+        let mut time = start.time;
+        for transition in motion.transitions() {
+            assert!(transition.time() >= time, "{case}: {transition:?}");
+            time = transition.time();
+            assert!(transition.before.x.is_finite() && transition.before.theta.is_finite(), "{case}");
+        }
+        for phase in motion.phases() {
+            for elapsed in instants(phase.duration().min(50.0), 3) {
+                let state = phase.sample(elapsed).state;
+                assert!(
+                    !state.theta.is_nan() && !state.theta_rate.is_nan() && !state.x.is_nan(),
+                    "{case}: {phase:?}"
+                );
+            }
+        }
+        *outcomes.entry(motion.outcome().kind().name()).or_insert(0) += 1;
+    }
+    assert!(outcomes.len() > 6 && outcomes["landing"] > 100, "{outcomes:?}");
+}
