@@ -2,6 +2,7 @@
 
     python3 digits.py heavy --motions 1000 --workers 2 --kept heavy.jsonl
     python3 digits.py heavy --motions 120 --write     writes digits-heavy.json, with which the tests of the core compare
+    python3 digits.py hard --write                    the same for some of the heavy motions
 
 Draws motions of a kind (`any`, `heavy` or `usual`, as the example `motions` of littlewood-random has them), and follows their first events with 60 digits.  Exact
 motions are kept in a file, if one is named: they do not depend on the library.  A claim of d digits is that the printed number
@@ -28,11 +29,16 @@ from gmpy2 import log10, mpfr
 HOOP, START = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"), ("theta", "theta_rate", "slip", "gap_rate", "x", "time")
 EVENTS, STEPS, SECONDS = 8, 100, 60      # of a motion, of a phase, of a motion
 EDGES = (-1, 0, 1, 2, 3)
+# Heavy motions that begin with a short arc of rolling, or within rounding of a margin; and particles near the rim, next to the plane.
+HARD = (492, 2243, 2543, 2699, 3231, 7133, 7698)
 COARSEST = -6                            # decade of rates, for all below it
 
 
 def library(kind, count):
     """Motions as the library draws and follows them, with its claims."""
+    if kind == "hard":
+        lines = library("heavy", max(HARD) + 1)
+        return {f"heavy {number}": lines[f"heavy {number}"] for number in HARD}
     cargo = ["cargo", "run", "--release", "--quiet", "--locked", "-p", "littlewood-random", "--example", "motions", "--"]
     run = subprocess.run([*cargo, str(count), "2019", kind, str(EVENTS), "digits"], capture_output=True, text=True, check=False, cwd=Path(__file__).parent)
     if run.returncode:
@@ -112,7 +118,7 @@ def write(kind, lines, motions):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("kind", choices=("any", "heavy", "usual"))
+    parser.add_argument("kind", choices=("any", "heavy", "usual", "hard"))
     parser.add_argument("--motions", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--kept")

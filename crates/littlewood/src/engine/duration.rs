@@ -108,7 +108,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::modes::rolling::time_from_bottom;
+    use crate::modes::rolling::{time_between, time_from_bottom};
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
@@ -133,6 +133,34 @@ mod tests {
             let (begin, end) = (to_place(from), to_place(from + arc));
             let size = begin.abs() + end.abs();
             prop_assert!((found - (end - begin)).abs() <= 1e-14 * size, "{found} {}", end - begin);
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// A difference of two elliptic integrals would have lost up to fifteen digits.
+        #[test]
+        fn a_short_arc_has_all_digits(
+            bottom in prop_oneof![0.01..10.0_f64, 1e-4..0.01_f64],
+            excess in prop_oneof![0.01..10.0_f64, 1e-4..0.01_f64],
+            swing in 0.01..10.0_f64,
+            from in 0.01..FRAC_PI_2,
+            exponent in -15.0..-0.3_f64,
+            is_before_bottom in any::<bool>(),
+        ) {
+            let orbit = (excess, swing);
+            let arc = libm::exp10(exponent).min(FRAC_PI_2 - from);
+            let ((s0, c0), (sin, cos)) = (libm::sincos(from), libm::sincos(arc));
+            let (s1, c1) = (s0 * cos + c0 * sin, (c0 * cos - s0 * sin).max(0.0));
+            let gain = sin * (s0 * c1 + c0 * s1);
+            let Some(expected) = duration(bottom, orbit, (s0, c0), arc) else { return Ok(()) };
+            let found = if is_before_bottom {
+                time_between(bottom, orbit, [(-s1, c1), (-s0, c0)], -gain)
+            } else {
+                time_between(bottom, orbit, [(s0, c0), (s1, c1)], gain)
+            };
+            prop_assert!((found - expected).abs() <= 2e-14 * expected, "{found} {expected}");
         }
     }
 

@@ -38,8 +38,9 @@ pub(crate) fn rf(x: f64, y: f64, z: f64) -> f64 {
     }
 }
 
-/// `R_C(1, 1 + e)` for e > −1 (DLMF 19.6.15), the elementary function in the sum for `R_J`.
-fn rc_one_plus(e: f64) -> f64 {
+/// `R_C(1, y)` for y > 0 (DLMF 19.6.15), the elementary function in the sum for `R_J`, from y and e = y − 1: next to y = 0 and y = 1
+/// one of them has lost digits.
+fn rc_one(y: f64, e: f64) -> f64 {
     if e.abs() < 0.02 {
         // Alternating series 1 − e/3 + e²/5 − …; 0.02^10 / 21 is below half an ulp.
         let mut sum = 0.0;
@@ -50,9 +51,12 @@ fn rc_one_plus(e: f64) -> f64 {
     } else if e > 0.0 {
         let root = e.sqrt();
         libm::atan(root) / root
-    } else {
+    } else if e > -0.5 {
         let root = (-e).sqrt();
         libm::atanh(root) / root
+    } else {
+        let root = (1.0 - y).sqrt();
+        libm::log((1.0 + root) / y.sqrt()) / root
     }
 }
 
@@ -94,7 +98,8 @@ pub(crate) fn rj(x: f64, y: f64, z: f64, p: f64) -> f64 {
         let (rx, ry, rz, rp) = (x.sqrt(), y.sqrt(), z.sqrt(), p.sqrt());
         let lambda = rx * (ry + rz) + ry * rz;
         let d = (rp + rx) * (rp + ry) * (rp + rz);
-        elementary += factor / d * rc_one_plus(delta / (d * d));
+        // d² + delta = 2 √p (p + λ) d, a sum of positive terms.
+        elementary += factor / d * rc_one(2.0 * rp * (p + lambda) / d, delta / (d * d));
         factor *= 0.25;
         delta /= 64.0;
         x = 0.25 * (x + lambda);
@@ -120,6 +125,19 @@ mod tests {
         assert!(relative(rf(2.0, 3.0, 4.0), 0.584_082_841_677_151_7) < 4e-16);
         assert!(relative(rj(0.0, 1.0, 2.0, 3.0), 0.776_886_237_785_823_3) < 4e-16);
         assert!(relative(rj(2.0, 3.0, 4.0, 5.0), 0.142_975_796_671_567_53) < 6e-16);
+    }
+
+    #[test]
+    fn agree_with_arb_where_arguments_differ_by_many_decades() {
+        let arguments = [
+            (1e-32, 2e-32, 2e9, 2.458_767_048_734_987e-3),
+            (1e-20, 1e-10, 1e4, 0.366_174_681_378_435_8),
+            (0.0, 1e-12, 1e12, 4.352_597_321_557_266e-5),
+            (1e-3, 1.0, 1e15, 9.196_029_009_514_572e-8),
+        ];
+        for (x, y, z, exact) in arguments {
+            assert!(relative(rj(x, y, z, 1.0), exact) < 1e-15, "{x} {y} {z}");
+        }
     }
 
     proptest! {

@@ -96,8 +96,12 @@ pub struct RollingLaw {
     pub(crate) top: f64,
     /// D(π) = Î + m(1 − h)². Zero only for a massless hoop with the particle on the rim.
     pub(crate) bottom: f64,
+    /// D − (m + ℓ̂ cos θ) = Î + ℓ̂(h + cos θ) at θ = 0 and π: of a heavy hoop a small part of D.
+    pub(crate) beyond_mass: [f64; 2],
     /// tan α, or −0.
     pub(crate) tilt: f64,
+    /// m Î.
+    pub(crate) own: f64,
     /// Gravity normal to the plane: cos α for users, 1 for the solvers ([`crate::walk::Origin`]).
     pub(crate) weight: f64,
 }
@@ -117,6 +121,8 @@ impl RollingLaw {
             offset: hoop.offset(),
             top: inertia + mass * (1.0 + h) * (1.0 + h),
             bottom: inertia + mass * (1.0 - h) * (1.0 - h),
+            beyond_mass: [inertia + hoop.offset() * (1.0 + h), inertia - hoop.offset() * (1.0 - h)],
+            own: mass * inertia,
             tilt: hoop.tilt(),
             weight: 1.0,
         }
@@ -174,7 +180,8 @@ impl RollingLaw {
         )
     }
 
-    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12), from D.
+    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12), from D. With θ″ of (2.11)
+    /// F = [ℓ̂ sin θ (u (Î + ℓ̂(h + cos θ)) − m − ℓ̂ cos θ) + (m Î + ℓ̂² sin²θ) tan α]/D, which keeps the digits of a heavy hoop.
     #[inline]
     pub(crate) fn forces_at(
         &self,
@@ -183,10 +190,12 @@ impl RollingLaw {
         denominator: f64,
     ) -> ContactForces {
         let acceleration = self.acceleration((sin, cos), [one, u], denominator);
+        let beyond_mass = self.beyond_mass[1] + self.offset * above_bottom((sin, cos));
+        let arm = self.offset * sin;
+        let level = arm * (u * beyond_mass - one * (self.mass + self.offset * cos));
         ContactForces {
             normal: self.mass * one - self.offset * (sin * acceleration + cos * u),
-            friction: self.offset * sin * u - (self.mass + self.offset * cos) * acceleration
-                + self.mass * self.tilt * one,
+            friction: (level + (self.own + arm * arm) * self.tilt * one) / denominator,
         }
     }
 

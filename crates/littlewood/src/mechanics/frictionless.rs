@@ -85,9 +85,18 @@ impl FrictionlessIntegrals {
         Some((theta, self.rate_at_rest(body, sincos(theta))))
     }
 
-    /// θ′ where η′ vanishes.
-    pub(crate) fn rate_at_rest(&self, body: &Heavy, direction: (f64, f64)) -> f64 {
-        -self.momentum / lever(body.h, direction)
+    /// θ′ where η′ vanishes. Next to the bottom A, over a lever that is small for a particle near the rim, magnifies the rounding of
+    /// the angle; at a turning point C does so.
+    pub(crate) fn rate_at_rest(&self, body: &Heavy, (sin, cos): (f64, f64)) -> f64 {
+        let Heavy { mass, h, inertia, offset, .. } = *body;
+        let lever = lever(h, (sin, cos));
+        let from_momentum = -self.momentum / lever;
+        let (kinetic, potential) = (self.energy - 2.0 * offset * cos, 2.0 * offset * cos);
+        if (self.energy.abs() + potential.abs()) * lever < 2.0 * kinetic * (h * sin).abs() {
+            (kinetic / (inertia + mass * (h * sin) * (h * sin))).sqrt().copysign(from_momentum)
+        } else {
+            from_momentum
+        }
     }
 }
 

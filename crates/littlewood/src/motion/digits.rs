@@ -244,13 +244,19 @@ impl PerturbedSolver<'_> {
         let rate = from.theta_rate.abs().max(to.theta_rate.abs());
         let turned = from.theta.abs() + rate * duration;
         let slipped = from.slip.abs().max(to.slip.abs());
+        // Rolling ends at an angle, whose rounding along the orbit is one of time and rate.
+        let late = match mode {
+            Mode::Rolling => (to.theta / to.theta_rate).abs().min(duration / f64::EPSILON),
+            Mode::Sliding | Mode::Gliding | Mode::Flight => 0.0,
+        };
+        let along = if late == 0.0 { 0.0 } else { (to.theta_rate - from.theta_rate).abs() / duration * late };
         // Terms of the first and of the second integral of a slide.
         let velocity = slipped + rate * (1.0 + h + friction * h) + friction * duration;
         let place = from.x.abs() + h + friction * h;
         State {
-            time: moved(to.time, to.time + duration),
+            time: moved(to.time, to.time + duration + late),
             theta: moved(to.theta, turned),
-            theta_rate: moved(to.theta_rate, rate),
+            theta_rate: moved(to.theta_rate, rate + along),
             // In contact, η′ = 0 is exact.
             slip: if to.slip == 0.0 && mode != Mode::Flight { 0.0 } else { moved(to.slip, velocity) },
             x: moved(to.x, place + turned + velocity * duration),

@@ -5,11 +5,11 @@
 //!
 //! ```text
 //! N D² = (m + ℓ̂c) D² − ℓ̂ K (ℓ̂ s² + c D)
-//! F D² = s ℓ̂ [(K − D) D − K (m + ℓ̂c)]
+//! F D² = s ℓ̂ [(K − D) (D − m − ℓ̂c) − D (m + ℓ̂c)]
 //! ```
 //!
-//! K − D = D θ′² is twice the energy over the top times X² and that over the bottom times Y². So F keeps its digits where D is large, in
-//! which D − K of a heavy hoop would lose them.
+//! K − D = D θ′² is twice the energy over the top times X² and that over the bottom times Y², and D − m − ℓ̂c = Î + ℓ̂(h + c). So F keeps
+//! its digits where D is large.
 //!
 //! [`crate::math::form`] restricts them to an arc and isolates the first crossing. For a massless hoop the contact force points
 //! at the particle, F/N = −ℓ̂ s/(1 + ℓ̂c), and the boundary splits into forms of lower degree.
@@ -88,6 +88,7 @@ fn even_product<const P: usize, const Q: usize, const R: usize>(p: [f64; P], q: 
 const HALF_ANGLE_NORM: [f64; 2] = [1.0, 1.0];
 
 /// N D² and F D²/(2ℓ̂) as forms in the half angle, the first in even powers and the second in odd ones, from K − D in X² and Y², and K.
+/// `one` is the coefficient of what does not depend on them.
 fn forces(law: &RollingLaw, one: f64, excess: [f64; 2], k: f64) -> ([f64; 4], [f64; 3]) {
     let l = law.offset;
     let d = [law.top, law.bottom];
@@ -96,11 +97,11 @@ fn forces(law: &RollingLaw, one: f64, excess: [f64; 2], k: f64) -> ([f64; 4], [f
     let inertial: [f64; 4] = even_product(d2, carried);
     let c_d: [f64; 3] = even_product([l, -l], d);
     let centripetal: [f64; 4] = even_product([c_d[0], c_d[1] + 4.0 * l * l, c_d[2]], HALF_ANGLE_NORM);
-    let driven: [f64; 3] = even_product(excess, d);
-    let held: [f64; 3] = even_product(carried, HALF_ANGLE_NORM);
+    let driven: [f64; 3] = even_product(excess, law.beyond_mass);
+    let held: [f64; 3] = even_product(d, carried);
     (
         core::array::from_fn(|i| one * inertial[i] - k * centripetal[i]),
-        core::array::from_fn(|i| driven[i] - k * held[i]),
+        core::array::from_fn(|i| driven[i] - one * held[i]),
     )
 }
 

@@ -5,7 +5,7 @@
 //! ```text
 //! G = D ϑ′² = G0 + 2 [ℓ̂ (cos ϑ0 − cos ϑ) + T (m (ϑ − ϑ0) + ℓ̂ (sin ϑ − sin ϑ0))],
 //! N D² = D [m Î + (m + ℓ̂c)² − T ℓ̂ s (m + ℓ̂c)] − G ℓ̂ (ℓ̂ s² + c D),
-//! F D² = ℓ̂ s [G D − (m + ℓ̂c)(D + G)] + T (m Î + ℓ̂² s²) D,
+//! F D² = ℓ̂ s [G (Î + ℓ̂(h + c)) − (m + ℓ̂c) D] + T (m Î + ℓ̂² s²) D,
 //! ```
 //!
 //! and dτ = √(D/G) dϑ. G changes by 4π m T in a turn. Its extrema, the equilibria, are at sin(ϑ + atan T) = −sin(atan T)/h, so each turning
@@ -489,8 +489,8 @@ impl Leg {
         let c_d = product(&cos, &d);
         let centripetal: Series = core::array::from_fn(|n| l * square[n] + c_d[n]);
         let [held, pulled] = [product(&d, &weighed), product(&kinetic, &centripetal)];
-        let spare: Series = core::array::from_fn(|n| kinetic[n] - carried[n]);
-        let [driven, loaded] = [product(&d, &spare), product(&carried, &kinetic)];
+        let beyond_mass = scaled(law.beyond_mass[1] + l * over_bottom, l, &cos);
+        let [driven, loaded] = [product(&kinetic, &beyond_mass), product(&d, &carried)];
         let net: Series = core::array::from_fn(|n| driven[n] - loaded[n]);
         let across = product(&sin, &net);
         let along: Series = core::array::from_fn(|n| l * l * square[n] + if n == 0 { own } else { 0.0 });

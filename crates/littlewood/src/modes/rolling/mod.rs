@@ -21,6 +21,8 @@ pub use boundary::{RollingEnd, RollingLimit};
 pub use grazing::GrazingOrbit;
 pub(crate) use grazing::Levels;
 pub use orbit::RollingOrbit;
+#[cfg(test)]
+pub(crate) use orbit::time_between;
 pub(crate) use orbit::time_from_bottom;
 pub use recurrence::{Recurrence, RecurrenceKind};
 

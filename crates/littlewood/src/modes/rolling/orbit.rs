@@ -11,6 +11,13 @@
 //! with s = sin ψ, c = cos ψ, γ = |κ| + β, q² = (|κ| + βc²)/γ, p = 1 + βs²/D(π): an integral of the third kind in
 //! Carlson's symmetric form (DLMF 19.25.14). Its two terms have the same sign, so nothing cancels. It holds
 //! for libration, rotation and the separatrix.
+//!
+//! The time between two places on the same side of the bottom, however near to each other, is a sum of two terms of one sign, too, by the
+//! addition theorem (DLMF 19.11):
+//!
+//! ```text
+//! τ(ψ1) − τ(ψ0) = τ(ψ3) + 2 arsinh(β s0 s1 s3 / sqrt(γ D(π))).
+//! ```
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -36,6 +43,7 @@ pub struct RollingOrbit {
 }
 
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "the smaller one is that of a single hoop")]
 enum Kind {
     Elliptic(Elliptic),
     Rim(RimOrbit),
@@ -228,19 +236,40 @@ impl Elliptic {
         2.0 * libm::atan2(self.swing.sqrt(), self.excess.sqrt())
     }
 
-    /// D ϑ′² at another angle of the same turn, with its z. It differs from the start by 4ℓ̂ (z0² − z²);
-    /// the factor z0 − z is computed from the angles to avoid cancellation near a turning point.
-    fn kinetic_at(&self, angle: f64, z: f64) -> f64 {
-        let difference = -2.0
-            * flip(self.lap)
-            * libm::sin(0.25 * (angle + self.angle))
-            * libm::sin(0.25 * (angle - self.angle));
-        self.kinetic + 4.0 * self.law.offset * difference * (self.z + z)
-    }
-
     /// sin ψ = z/k.
     fn phase_sine(&self, z: f64) -> f64 {
         z * (4.0 * self.law.offset / self.swing).sqrt()
+    }
+
+    /// sin ψ and cos ψ from z, y and D ϑ′².
+    fn phase(&self, [z, y]: [f64; 2], kinetic: f64) -> Phase {
+        match self.motion {
+            Swing::Rest | Swing::Rotation => (z, y),
+            Swing::Libration => (self.phase_sine(z).clamp(-1.0, 1.0), (kinetic.max(0.0) / self.swing).sqrt()),
+        }
+    }
+
+    fn start_phase(&self) -> Phase {
+        self.phase([self.z, self.y], self.kinetic)
+    }
+
+    /// Time from the start to a place of the same turn on the way up or down, with its z² − z0².
+    fn time_since_start(&self, to: Phase, rise: f64) -> f64 {
+        let gain = match self.motion {
+            Swing::Rest | Swing::Rotation => rise,
+            Swing::Libration => 4.0 * self.law.offset * rise / self.swing,
+        };
+        time_between(self.law.bottom, (self.excess, self.swing), [self.start_phase(), to], gain)
+    }
+
+    /// Time from a phase to the top or the turning point.
+    fn time_to_quarter(&self, (sine, cosine): Phase) -> f64 {
+        if sine <= 0.0 {
+            self.quarter - self.time_from_bottom(sine, cosine)
+        } else {
+            let arc = [(sine, cosine), (1.0, 0.0)];
+            time_between(self.law.bottom, (self.excess, self.swing), arc, cosine * cosine)
+        }
     }
 
     /// τ(ψ) − τ(0) for ψ in [−π/2, π/2], from sin ψ and cos ψ.
@@ -283,20 +312,26 @@ impl Elliptic {
     }
 
     fn time_to(&self, theta: f64) -> Option<f64> {
-        let (lap, z, y) = reduce(self.travel * theta);
+        let angle = self.travel * theta;
+        let (lap, z, y) = reduce(angle);
+        let rise = libm::sin(0.5 * (angle - self.angle)) * (z * self.y + y * self.z);
         let elapsed = match self.motion {
             Swing::Rest => (theta == self.travel * self.angle_of(self.lap, self.z, self.y)).then_some(0.0),
-            Swing::Rotation => {
-                let laps = lap - self.lap;
-                let turns = if laps == 0.0 { 0.0 } else { 2.0 * self.quarter * laps };
-                Some(turns + self.time_from_bottom(z, y) - self.entered)
+            Swing::Rotation if lap > self.lap => {
+                let turns = 2.0 * self.quarter * (lap - self.lap - 1.0);
+                Some(self.time_to_quarter(self.start_phase()) + turns + self.time_to_quarter((-z, y)))
             }
+            Swing::Rotation => (lap == self.lap).then(|| self.time_since_start((z, y), rise)),
             Swing::Libration => {
-                let left = self.kinetic_at(self.travel * theta, z);
+                let left = self.kinetic - 4.0 * self.law.offset * rise;
                 (lap == self.lap && left >= 0.0).then(|| {
-                    let from_bottom = self.time_from_bottom(self.phase_sine(z), (left / self.swing).sqrt());
-                    let first = from_bottom - self.entered;
-                    if first >= 0.0 { first } else { 2.0 * self.quarter - from_bottom - self.entered }
+                    let there = self.phase([z, y], left);
+                    let first = self.time_since_start(there, rise);
+                    if first >= 0.0 {
+                        first
+                    } else {
+                        self.time_to_quarter(self.start_phase()) + self.time_to_quarter(there)
+                    }
                 })
             }
         };
@@ -346,45 +381,53 @@ impl Elliptic {
 
     /// The arcs ahead, which together cover the orbit.
     fn arcs(&self) -> impl Iterator<Item = Arc> {
-        let here = [-self.z, self.y];
-        let bottom = [0.0, 1.0];
+        let four_l = 4.0 * self.law.offset;
+        let here = Place { x: -self.z, y: self.y, kinetic: self.kinetic };
+        let bottom = Place { x: 0.0, y: 1.0, kinetic: self.kinetic + four_l * self.z * self.z };
         let past_bottom = self.z >= 0.0;
-        let first = |to: HalfAngle| {
-            let ahead = Arc { from: if past_bottom { here } else { bottom }, to, pass: Pass::First };
-            [(!past_bottom).then_some(Arc { from: here, to: bottom, pass: Pass::First }), Some(ahead)]
+        // From here to an end of the arc, and on from the bottom.
+        let first = |to: Place, apart: f64| {
+            let ahead = if past_bottom {
+                Arc { from: here, to, apart, pass: Pass::First }
+            } else {
+                Arc { from: bottom, to, apart: -to.x, pass: Pass::First }
+            };
+            let down = Arc { from: here, to: bottom, apart: here.x, pass: Pass::First };
+            [(!past_bottom).then_some(down), Some(ahead)]
         };
         let arcs = match self.motion {
             Swing::Rest => [None; 4],
             Swing::Rotation => {
-                let [a, b] = first([-1.0, 0.0]);
-                let again = |from, to| Arc { from, to, pass: Pass::NextTurn };
-                let next = if self.quarter.is_finite() {
-                    let to_bottom = again([1.0, 0.0], if past_bottom { bottom } else { here });
-                    [Some(to_bottom), past_bottom.then_some(again(bottom, here))]
-                } else {
-                    [None; 2]
+                let top = |x: f64| Place { x, y: 0.0, kinetic: self.excess };
+                let [a, b] = first(top(-1.0), self.y);
+                let again = |from, to, apart| {
+                    self.quarter.is_finite().then_some(Arc { from, to, apart, pass: Pass::NextTurn })
                 };
-                [a, b, next[0], next[1]]
+                let down =
+                    if past_bottom { again(top(1.0), bottom, 1.0) } else { again(top(1.0), here, self.y) };
+                [a, b, down, if past_bottom { again(bottom, here, self.z) } else { None }]
             }
             Swing::Libration => {
-                let four_l = 4.0 * self.law.offset;
                 let (k, y) = ((self.swing / four_l).sqrt(), (self.excess / four_l).sqrt());
-                let [a, b] = first([-k, y]);
-                let back = |from, to| Some(Arc { from, to, pass: Pass::WayBack });
-                [a, b, back([-k, y], bottom), back(bottom, [k, y])]
+                let turn = |x: f64| Place { x, y, kinetic: 0.0 };
+                let [a, b] = first(turn(-k), self.kinetic / (four_l * (k * self.y + y * self.z)));
+                let back = |from, to| Some(Arc { from, to, apart: k, pass: Pass::WayBack });
+                [a, b, back(turn(-k), bottom), back(bottom, turn(k))]
             }
         };
-        arcs.into_iter().flatten().filter(|arc| arc.from != arc.to)
+        arcs.into_iter().flatten().filter(|arc| arc.from.direction() != arc.to.direction())
     }
 
     fn end(&self, from_limit: bool) -> Option<RollingEnd> {
         self.arcs().enumerate().find_map(|(passed, arc)| {
             let at_limit = (from_limit && passed == 0).then(|| self.limit_at_start(&arc)).flatten();
-            let crossings = self.boundary.on_arc(arc.from, arc.to).filter_map(|(margin, limit)| {
-                let margin = if at_limit == Some(limit) { margin.starting_at_zero() } else { margin };
-                let bracket = margin.first_crossing()?;
-                Some((bracket.refine(|x| margin.value_and_slope(x)), limit))
-            });
+            let crossings = self.boundary.on_arc(arc.from.direction(), arc.to.direction()).filter_map(
+                |(margin, limit)| {
+                    let margin = if at_limit == Some(limit) { margin.starting_at_zero() } else { margin };
+                    let bracket = margin.first_crossing()?;
+                    Some((bracket.refine(|x| margin.value_and_slope(x)), limit))
+                },
+            );
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;
             Some(self.end_at(&arc, at, limit))
         })
@@ -392,29 +435,33 @@ impl Elliptic {
 
     /// The limit whose margin is nearest to zero at the start.
     fn limit_at_start(&self, arc: &Arc) -> Option<RollingLimit> {
-        let margins =
-            self.boundary.on_arc(arc.from, arc.to).map(|(margin, limit)| (start_value(&margin).abs(), limit));
+        let margins = self
+            .boundary
+            .on_arc(arc.from.direction(), arc.to.direction())
+            .map(|(margin, limit)| (start_value(&margin).abs(), limit));
         margins.min_by(|a, b| a.0.total_cmp(&b.0)).map(|nearest| nearest.1)
     }
 
     fn end_at(&self, arc: &Arc, at: f64, limit: RollingLimit) -> RollingEnd {
-        let [x, y] = on_arc(arc.from, arc.to, at);
+        let [x, y] = on_arc(arc.from.direction(), arc.to.direction(), at);
         let z = -x;
         let four_l = 4.0 * self.law.offset;
-        let d = self.law.bottom + four_l * z * z;
-        let angle = self.angle_of(self.lap, z, y);
-        let (from_bottom, speed) = if self.motion == Swing::Rotation {
-            (self.time_from_bottom(z, y), ((self.excess + four_l * y * y) / d).sqrt())
-        } else {
-            let left = self.kinetic_at(angle, z).max(0.0);
-            let cosine = (left / self.swing).sqrt();
-            (self.time_from_bottom(self.phase_sine(z).clamp(-1.0, 1.0), cosine), (left / d).sqrt())
+        // z² − z² at the start of the arc, from the half angle that is passed.
+        let rise = arc.passed(at) * (y * -arc.from.x + z * arc.from.y);
+        let kinetic = match self.motion {
+            Swing::Rest | Swing::Rotation => self.excess + four_l * y * y,
+            Swing::Libration => (arc.from.kinetic - four_l * rise).max(0.0),
         };
-        let half_period = 2.0 * self.quarter;
+        let speed = (kinetic / (self.law.bottom + four_l * z * z)).sqrt();
+        let there @ (sine, cosine) = self.phase([z, y], kinetic);
+        let next = || self.time_to_quarter(self.start_phase());
         let (elapsed, lap, rate) = match arc.pass {
-            Pass::First => (from_bottom - self.entered, self.lap, speed),
-            Pass::NextTurn => (half_period + from_bottom - self.entered, self.lap + 1.0, speed),
-            Pass::WayBack => (half_period - from_bottom - self.entered, self.lap, -speed),
+            Pass::First if arc.from.direction() == [-self.z, self.y] => {
+                (self.time_since_start(there, rise), self.lap, speed)
+            }
+            Pass::First => (self.time_from_bottom(sine, cosine) - self.entered, self.lap, speed),
+            Pass::NextTurn => (next() + self.time_to_quarter((-sine, cosine)), self.lap + 1.0, speed),
+            Pass::WayBack => (next() + self.time_to_quarter(there), self.lap, -speed),
         };
         RollingEnd {
             elapsed: elapsed.max(0.0),
@@ -428,7 +475,7 @@ impl Elliptic {
         let Some(arc) = self.arcs().next() else { return Hold::Holds };
         let d = self.law.bottom + 4.0 * self.law.offset * self.z * self.z;
         let mut hold = Hold::Holds;
-        for (margin, limit) in self.boundary.on_arc(arc.from, arc.to) {
+        for (margin, limit) in self.boundary.on_arc(arc.from.direction(), arc.to.direction()) {
             if margin.initial_sign() >= 0.0 {
                 continue;
             }
@@ -457,16 +504,73 @@ pub(crate) fn time_from_bottom(bottom: f64, (excess, swing): (f64, f64), (sine, 
     2.0 * (bottom / gamma).sqrt() * sine * (first + third)
 }
 
+/// τ(ψ1) − τ(ψ0) from sin²ψ1 − sin²ψ0, which may be known better than its terms.
+pub(crate) fn time_between(bottom: f64, orbit: (f64, f64), [from, to]: [Phase; 2], gain: f64) -> f64 {
+    if from.0 * to.0 <= 0.0 {
+        return time_from_bottom(bottom, orbit, to) - time_from_bottom(bottom, orbit, from);
+    }
+    if gain == 0.0 {
+        return 0.0;
+    }
+    // The time is odd in ψ.
+    let sign = 1.0_f64.copysign(gain * to.0);
+    let [(s0, c0), (s1, c1)] = if gain < 0.0 { [to, from] } else { [from, to] }.map(|(s, c)| (s.abs(), c));
+    let (excess, swing) = orbit;
+    let (at_bottom, at_quarter) = (excess + swing, bottom + swing);
+    let kinetic = [c0, c1].map(|c| (excess + swing * c * c).sqrt());
+    let d = [s0, s1].map(|s| (bottom + swing * s * s).sqrt());
+    // sn and cn of the difference; cn as a quotient of sums of positive terms.
+    let sn = (at_bottom * at_quarter).sqrt() * gain.abs()
+        / (s1 * c0 * kinetic[0] * d[1] + s0 * c1 * kinetic[1] * d[0]);
+    let (a, b) = (c1 * d[0], s1 * kinetic[0]);
+    let cn = (at_bottom * c0 * a * d[1] + at_quarter * s0 * b * kinetic[1])
+        / (at_bottom * a * a + at_quarter * b * b);
+    let (sine, cosine) = (sn * bottom.sqrt(), cn * at_quarter.sqrt());
+    let length = libm::hypot(sine, cosine);
+    let (sine, cosine) = (sine / length, cosine / length);
+    let rest = swing * s0 * s1 * sine / (at_bottom * bottom).sqrt();
+    sign * (time_from_bottom(bottom, orbit, (sine, cosine)) + 2.0 * libm::asinh(rest))
+}
+
 fn start_value(margin: &Bernstein) -> f64 {
     margin.coefficients()[0]
 }
 
-/// Part of an orbit between two half angles.
+/// sin ψ and cos ψ.
+type Phase = (f64, f64);
+
+/// A half angle, and D ϑ′² there.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    x: f64,
+    y: f64,
+    kinetic: f64,
+}
+
+impl Place {
+    const fn direction(&self) -> HalfAngle {
+        [self.x, self.y]
+    }
+}
+
+/// Part of an orbit between two places.
 #[derive(Clone, Copy, Debug)]
 struct Arc {
-    from: HalfAngle,
-    to: HalfAngle,
+    from: Place,
+    to: Place,
+    /// Sine of the half angle between them.
+    apart: f64,
     pass: Pass,
+}
+
+impl Arc {
+    /// Sine of the half angle that is passed at a barycentric coordinate, against the motion negative.
+    fn passed(&self, at: f64) -> f64 {
+        let along = self.from.x * self.to.x + self.from.y * self.to.y;
+        let sine = at * self.apart;
+        let passed = sine / libm::hypot(sine, 1.0 - at + at * along);
+        if self.pass == Pass::WayBack { -passed } else { passed }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
