@@ -1,8 +1,7 @@
 import { defineConfig } from '@playwright/test';
 
 import { CHROMIUM } from './tests/chromium.mjs';
-
-const PORT = 4173;
+import { PORT } from './tests/port.mjs';
 
 export default defineConfig({
   testDir: 'tests',

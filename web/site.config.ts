@@ -1,8 +1,8 @@
 import { defineConfig } from '@playwright/test';
 
 import { CHROMIUM } from './tests/chromium.mjs';
+import { PORT } from './tests/port.mjs';
 
-const PORT = 4175;
 const SITE = process.env.LITTLEWOOD_SITE ?? '../target/site';
 
 export default defineConfig({

@@ -24,7 +24,7 @@ def client():
     """Two workers, each a process of its own."""
     with (
         dask.config.set({"distributed.scheduler.allowed-failures": 5}),
-        LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address="127.0.0.1:0") as cluster,
         Client(cluster) as client,
     ):
         yield client

@@ -65,7 +65,10 @@ def test_the_cluster_page_runs_on_a_cluster_of_this_machine(tmp_path, monkeypatc
     monkeypatch.chdir(tmp_path)
     text = (PYTHON / "docs" / "cluster.md").read_text(encoding="utf-8")
     (block,) = re.findall(r"^```python\n(# The sweep.*?)^```", text, re.MULTILINE | re.DOTALL)
-    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+    with (
+        LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address="127.0.0.1:0") as cluster,
+        Client(cluster) as client,
+    ):
         names = {"client": client}
         exec(compile(block.replace("2001", "41"), "cluster.md", "exec"), names)
         assert np.isfinite(names["stored"].end_time).any()

@@ -10,8 +10,8 @@ import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { chromium } from '@playwright/test';
 
 import { CHROMIUM } from '../tests/chromium.mjs';
+import { PORT } from '../tests/port.mjs';
 
-const PORT = 4174;
 const ADDRESS = `http://127.0.0.1:${PORT}/lab/`;
 const RUNS = 7;
 const FRAMES = 240;

@@ -4,8 +4,7 @@ import { spawn } from 'node:child_process';
 import { chromium } from '@playwright/test';
 
 import { CHROMIUM } from '../tests/chromium.mjs';
-
-const PORT = 4175;
+import { PORT } from '../tests/port.mjs';
 
 const server = spawn(process.execPath, ['tests/serve.mjs', 'dist', String(PORT), '/lab/'], { stdio: 'ignore' });
 const browser = await chromium.launch(CHROMIUM);
