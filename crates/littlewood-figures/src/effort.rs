@@ -5,8 +5,7 @@ use littlewood::{Engine, Hoop, Limits, Mode, Start, Summary};
 
 use crate::axes::outcome_window;
 
-/// Starts to either side of the plane from which it is known how long motions are, and how many of them do not matter.
-const PROBES: u32 = 8;
+/// How many of the motions that tell how long motions are do not matter.
 const FEW: usize = 1;
 /// Transitions of a long motion, and of one that bounces on and on.
 const LONG: usize = 100;
@@ -84,24 +83,14 @@ impl Effort {
     }
 }
 
-/// Those of some motions that have so many transitions.
-fn probes(hoop: &Hoop, limits: Limits, engine: &Engine, transitions: usize) -> impl Iterator<Item = Summary> {
-    let window = outcome_window(hoop);
-    let limits = limits.with_transitions(limits.transitions.min(transitions));
-    let at =
-        |range: [f64; 2], i: u32| range[0] + (range[1] - range[0]) * (f64::from(i) + 0.5) / f64::from(PROBES);
-    let starts = (0..PROBES).flat_map(|i| (0..PROBES).map(move |j| [i, j]));
-    let starts = starts.map(move |[i, j]| Start::at(at(window.x, i), at(window.y, j)));
-    let summaries = starts.filter_map(move |start| engine.summary(start, limits).ok());
-    summaries.filter(move |summary| summary.transitions as usize >= transitions)
-}
-
 /// How many of some motions are long before they lift off, and how many of these roll again and again.
 fn long_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> (usize, usize) {
     let rolls = |summary: &Summary| {
         summary.sequence.codes().skip(IN_CHAIN).flatten().any(|code| code.mode().0 == Mode::Rolling)
     };
-    let long = probes(hoop, limits, engine, LONG).filter(|summary| summary.lift_off_time.is_nan());
+    let long = engine
+        .long_motions(outcome_window(hoop), Start::default(), limits, LONG)
+        .filter(|summary| summary.lift_off_time.is_nan());
     long.fold((0, 0), |(all, rolling), summary| (all + 1, rolling + usize::from(rolls(&summary))))
 }
 
@@ -111,5 +100,8 @@ fn bouncing_motions(hoop: &Hoop, limits: Limits, engine: &Engine) -> usize {
         return 0;
     }
     let many = if engine.is_exact() { LONG } else { BOUNCES };
-    probes(hoop, limits, engine, many).filter(|summary| !summary.lift_off_time.is_nan()).count()
+    engine
+        .long_motions(outcome_window(hoop), Start::default(), limits, many)
+        .filter(|summary| !summary.lift_off_time.is_nan())
+        .count()
 }

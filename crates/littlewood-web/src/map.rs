@@ -3,6 +3,7 @@
 use core::f64::consts::PI;
 
 use littlewood::tables::Class;
+use littlewood::theory::Window;
 use littlewood::{Engine, Hoop, Limits, Proof, Start};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -13,12 +14,9 @@ use crate::problem::Problem;
 /// light hoops there can be more.
 const TRANSITIONS: usize = 200;
 
-/// Starts each way of the plane by which it is known how long motions are.
-const PROBES: usize = 8;
-
-/// Motions that take more transitions than this on average, those that lift off not counted, are followed only until their energy proves
+/// Where more than one motion of 64 has so many transitions and does not lift off, motions are followed only until their energy proves
 /// that they never will.
-const LONG: usize = 8;
+const LONG: usize = 100;
 
 /// What a map shows of each motion.
 #[wasm_bindgen]
@@ -146,7 +144,7 @@ impl OutcomeMap {
 
 impl OutcomeMap {
     fn code_at(&self, x: usize, y: usize) -> u8 {
-        let start = self.start(self.side, x, y);
+        let start = self.start(x, y);
         match self.subject {
             MapSubject::Outcome => self.class_of(start).code(),
             MapSubject::Hops => {
@@ -156,23 +154,19 @@ impl OutcomeMap {
         }
     }
 
-    /// One of `side` starts each way.
-    fn start(&self, side: usize, x: usize, y: usize) -> Start {
+    fn start(&self, x: usize, y: usize) -> Start {
         // Odd numbers over the side: exactly opposite for opposite cells.
-        let centre = |i: usize| ((2 * i + 1) as f64 - side as f64) / side as f64;
+        let centre = |i: usize| ((2 * i + 1) as f64 - self.side as f64) / self.side as f64;
         let start = Start::at(PI * centre(x), -self.rate * centre(y));
         start.with_slip(self.slip).with_gap_rate(self.gap_rate)
     }
 
     fn has_long_motions(&self) -> bool {
         let engine = self.until_landing.as_ref().unwrap_or(&self.engine);
-        let starts = (0..PROBES).flat_map(|x| (0..PROBES).map(move |y| self.start(PROBES, x, y)));
-        let transitions: u32 = starts
-            .filter_map(|start| engine.summary(start, self.limits).ok())
-            .filter(|summary| summary.lift_off_time.is_nan())
-            .map(|summary| summary.transitions)
-            .sum();
-        transitions as usize > LONG * PROBES * PROBES
+        let window = Window { x: [-PI, PI], y: [-self.rate, self.rate] };
+        let base = Start::default().with_slip(self.slip).with_gap_rate(self.gap_rate);
+        let long = engine.long_motions(window, base, self.limits, LONG);
+        long.filter(|summary| summary.lift_off_time.is_nan()).count() > 1
     }
 
     /// The class is decided where the body first leaves the plane, so that bounces need not be followed for it. Only a jam
@@ -250,7 +244,7 @@ mod tests {
             map.compute(1, 0, 24);
             let mut in_contact = 0;
             for (cell, code) in map.classes(1).into_iter().enumerate() {
-                let start = map.start(24, cell % 24, cell / 24);
+                let start = map.start(cell % 24, cell / 24);
                 let motion = hoop.simulate(start, Limits::default()).unwrap();
                 let lifts_off = motion.phases().iter().any(|phase| phase.mode() == littlewood::Mode::Flight);
                 let class = Class::ALL.into_iter().find(|class| class.code() == code).unwrap();

@@ -15,6 +15,7 @@ mod jump;
 mod laws;
 mod orbit;
 mod place;
+mod probe;
 mod quadrature;
 mod roll;
 mod slide;
