@@ -4,6 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import xarray
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
 
 import littlewood as lw
@@ -231,19 +232,22 @@ def test_the_plane_of_every_case_shows_its_curves(name):
     axes = plot.phase_plane(motion.hoop, motion=motion)
     axes.figure.canvas.draw()
     plane = motion.hoop.phase_plane
-    theta = np.linspace(-math.pi, math.pi, 1201)
-    lines = {}
-    for line in axes.get_lines():
-        lines.setdefault(to_hex(line.get_color()), []).append(line)
-    # A curve is drawn on both sides of θ′ = 0, where it passes.
-    for curve, rate in (("normal_force_zero", plane.normal_force_rate(theta)),):
-        drawn = lines[CURVE_COLOURS[curve]]
-        assert len(drawn) == 2
-        np.testing.assert_array_equal(drawn[0].get_ydata(), rate)
-        np.testing.assert_array_equal(drawn[1].get_ydata(), -rate)
-    # f: to both sides for both directions of slip, and two vertical lines without inertia.
-    massless = motion.hoop.inertia_about_mass_centre == 0.0
-    assert len(lines[CURVE_COLOURS["slip_limit"]]) == (6 if massless else 4)
+    drawn = {}
+    for collection in axes.collections:
+        if isinstance(collection, LineCollection) and len(collection.get_segments()) > 0:
+            is_solid = collection.get_linestyle()[0][1] is None
+            drawn[to_hex(collection.get_color()[0]), is_solid] = np.concatenate(collection.get_segments()).T
+    # Where they are drawn their equations hold; where rates are large forces are, and their errors.
+    theta, rate = drawn[CURVE_COLOURS["normal_force_zero"], True]
+    np.testing.assert_allclose(plane.normal(theta, rate) / (1.0 + rate**2), 0.0, atol=1e-12)
+    theta, rate = drawn[CURVE_COLOURS["slip_limit"], False]
+    miss = np.abs(plane.friction(theta, rate)) - motion.hoop.mu_s * plane.normal(theta, rate)
+    np.testing.assert_allclose(miss / (1.0 + rate**2), 0.0, atol=1e-12)
+    # Region R is where the hoop can roll.
+    region = next(one for one in axes.collections if isinstance(one, PolyCollection))
+    grid = np.stack(np.meshgrid(np.linspace(-3.0, 3.0, 41), np.linspace(-3.9, 3.9, 41)), axis=-1).reshape(-1, 2)
+    inside = np.any([path.contains_points(grid) for path in region.get_paths()], axis=0)
+    assert np.mean(inside == plane.in_rolling_region(*grid.T)) > 0.999
     assert len(axes.texts) >= 1
     assert {text.get_text() for text in axes.texts} <= {"f", "n"}
     # The motion over it, in the modes that it has.

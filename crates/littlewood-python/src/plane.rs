@@ -1,7 +1,8 @@
 //! The (θ, θ′) plane of rolling over arrays. What is not there is NaN.
 
-use littlewood::theory::{PhasePlane as Core, RollingLaw, Stability};
+use littlewood::theory::{PhasePlane as Core, RollingLaw, Stability, Window};
 use littlewood::{Direction, Hoop, Start};
+use littlewood_style::Curve;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
@@ -9,6 +10,8 @@ use crate::error::refuse;
 use crate::record::{GivenHoop, hoop};
 
 type Reals<'py> = Bound<'py, PyArray1<f64>>;
+/// Lines, or outlines, as points.
+type Pieces = Vec<Vec<[f64; 2]>>;
 
 /// The phase plane of a hoop.
 #[pyclass(frozen, module = "littlewood._core")]
@@ -124,6 +127,25 @@ impl PhasePlane {
         over_two(py, &theta, &energy, |theta, energy| {
             self.plane.level_rate(theta, energy).unwrap_or(f64::NAN)
         })
+    }
+
+    /// The pieces of a curve in a window, which is [from, to] of θ and of θ′, and where its letter stands; none of a name that is none.
+    fn curve(&self, name: &str, theta: [f64; 2], theta_rate: [f64; 2]) -> (Pieces, Option<[f64; 2]>) {
+        let window = Window { x: theta, y: theta_rate };
+        let curve = Curve::ALL.into_iter().find(|curve| curve.name() == name);
+        curve.map_or((Vec::new(), None), |curve| {
+            (curve.pieces(&self.plane, &window), curve.place_of_letter(&self.plane, &window))
+        })
+    }
+
+    /// The pieces of the orbit of an energy in a window.
+    fn level(&self, energy: f64, theta: [f64; 2], theta_rate: [f64; 2]) -> Pieces {
+        self.plane.level_curve(energy, &Window { x: theta, y: theta_rate })
+    }
+
+    /// Region R as polygons in a window that reaches as far down as up.
+    fn rolling_region(&self, theta: [f64; 2], theta_rate: [f64; 2]) -> Pieces {
+        self.plane.rolling_region(&Window { x: theta, y: theta_rate })
     }
 
     /// Angle, kind and frequency (or exponent) of each equilibrium.

@@ -1,5 +1,9 @@
 //! Curves of the (θ, θ′) plane.
 
+use core::f64::consts::FRAC_PI_2;
+
+use littlewood::theory::{PhasePlane, Window};
+
 use crate::arrow::Arrow;
 use crate::dash::Dash;
 use crate::ink::Ink;
@@ -59,6 +63,44 @@ impl Curve {
             Self::LiftOff => "lift-off: h cos θ θ′² = 1",
             Self::Level => "constant energy",
         }
+    }
+
+    /// Its pieces in a window of the plane of a hoop; none of the levels, each of which belongs to an energy.
+    #[must_use]
+    pub fn pieces(self, plane: &PhasePlane, window: &Window) -> Vec<Vec<[f64; 2]>> {
+        match self {
+            Self::SlipLimit => plane.slip_curve(window),
+            Self::NormalForceZero => plane.normal_force_curve(window),
+            Self::Separatrix => plane.separatrix_curve(window),
+            Self::LiftOff => plane.lift_off_curve(window),
+            Self::Level => Vec::new(),
+        }
+    }
+
+    /// Where its letter stands in a window: on the curve, at about a part of its lowest point in sight, near θ = π/2; below
+    /// θ′ = 0, as the motions of the paper are above. None
+    /// without a letter, or where the curve does not pass.
+    #[must_use]
+    pub fn place_of_letter(self, plane: &PhasePlane, window: &Window) -> Option<[f64; 2]> {
+        let part = match self {
+            Self::SlipLimit => 0.66,
+            Self::NormalForceZero => 0.86,
+            Self::Separatrix | Self::LiftOff | Self::Level => return None,
+        };
+        let pieces = self.pieces(plane, window);
+        let lowest = pieces.iter().flatten().map(|[_, rate]| *rate).fold(0.0, f64::min);
+        let wanted = part * lowest;
+        let margin = 0.02 * (window.x[1] - window.x[0]);
+        let is_inside = |theta: f64| theta > window.x[0] + margin && theta < window.x[1] - margin;
+        let on_chord = |chord: &[[f64; 2]]| {
+            let ([x, y], [to_x, to_y]) = (chord[0], chord[1]);
+            let along = if y == to_y { (FRAC_PI_2 - x) / (to_x - x) } else { (wanted - y) / (to_y - y) }
+                .clamp(0.0, 1.0);
+            [x + along * (to_x - x), y + along * (to_y - y)]
+        };
+        let far = |[x, y]: &[f64; 2]| ((y - wanted) / lowest).abs() + 0.05 * (x - FRAC_PI_2).abs();
+        let places = pieces.iter().flat_map(|piece| piece.windows(2)).map(on_chord);
+        places.filter(|[x, _]| is_inside(*x)).min_by(|a, b| far(a).total_cmp(&far(b)))
     }
 
     /// Colour.

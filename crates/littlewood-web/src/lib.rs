@@ -19,7 +19,6 @@ mod map;
 mod motion;
 mod panic;
 mod plane;
-mod polyline;
 mod problem;
 mod refusal;
 mod routh;

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..closed_form import slip_angle
 from ..style import (
     CURVE_COLOURS,
     CURVE_DASHES,
@@ -59,50 +58,41 @@ def phase_plane(
     """
     if axes is None:
         axes = new_axes(6.4, 4.8)
+    from matplotlib.collections import LineCollection, PolyCollection
+
     plane = hoop.phase_plane
-    angles = np.linspace(*theta, 1201)
-    rates = np.linspace(*theta_rate, 801)
-    inside = plane.in_rolling_region(angles, rates[:, None])
-    axes.contourf(angles, rates, inside, levels=[0.5, 1.5], colors=[REGION], zorder=0)
-    without = plane.normal(angles, rates[:, None]) <= 0.0
-    hatched = axes.contourf(angles, rates, without, levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=0)
-    hatched.set_edgecolor(HATCH)
-    hatched.set_linewidth(0.0)
-    with_slip = [("slip_limit", plane.slip_rate(angles, side)) for side in (-1, 1)]
-    for name, curve in [("normal_force_zero", plane.normal_force_rate(angles)), *with_slip]:
-        for side in (1.0, -1.0):
-            axes.plot(angles, side * curve, **_line(name), zorder=2)
-        _name_curve(axes, name, angles, curve, theta_rate[1])
-    if hoop.inertia_about_mass_centre == 0.0:
-        slip = float(slip_angle(hoop.mu_s, hoop.offset))
-        for side in (-1.0, 1.0):
-            axes.axvline(side * slip, **_line("slip_limit"), zorder=2)
-        axes.annotate(
-            CURVE_LETTERS["slip_limit"],
-            (slip, theta_rate[1] * 0.9),
-            xytext=(4, 0),
-            textcoords="offset points",
-            color=CURVE_COLOURS["slip_limit"],
-        )
+    most = max(map(abs, theta_rate))
+    # Region R is traced in a window that reaches as far down as up.
+    window = (theta, (-most, most))
+    core = plane._core
+    axes.add_collection(PolyCollection(core.rolling_region(*window), facecolors=REGION, edgecolors="none", zorder=0))
+    for piece in core.curve("normal_force_zero", *window)[0]:
+        angles, rates = zip(*piece, strict=True)
+        edge = math.copysign(most, rates[0])
+        axes.fill_between(angles, rates, edge, facecolor="none", edgecolor=HATCH, hatch="////", linewidth=0.0, zorder=0)
+    for name, order in (("lift_off", 2), ("normal_force_zero", 2), ("slip_limit", 2), ("separatrix", 1)):
+        pieces, letter = core.curve(name, *window)
+        axes.add_collection(LineCollection(pieces, **_line(name), zorder=order))
+        if letter is not None:
+            axes.text(
+                letter[0],
+                letter[1],
+                CURVE_LETTERS[name],
+                color=CURVE_COLOURS[name],
+                style="italic",
+                size="large",
+                horizontalalignment="center",
+                verticalalignment="center",
+                bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
+                clip_on=True,
+                zorder=6,
+            )
     # Orbits through evenly spaced points at rest, and over the top; each is a level of the energy.
     starts = [(angle, 0.0) for angle in np.linspace(0.0, math.pi, levels + 2)[1:-1]]
-    starts += [(0.0, rate) for rate in np.linspace(0.0, theta_rate[1], levels // 2 + 2)[1:]]
+    starts += [(0.0, rate) for rate in np.linspace(0.0, most, levels // 2 + 2)[1:]]
     energies = sorted({float(plane.energy(angle, rate)) for angle, rate in starts})
-    surface = plane.energy(angles, rates[:, None])
-    level = _line("level")
-    axes.contour(
-        angles,
-        rates,
-        surface,
-        levels=energies,
-        colors=[level["color"]],
-        linewidths=level["linewidth"],
-        linestyles=[level["linestyle"]],
-        zorder=1,
-    )
-    separatrix = plane.separatrix_rate(angles)
-    for side in (1.0, -1.0):
-        axes.plot(angles, side * separatrix, **_line("separatrix"), zorder=1)
+    orbits = [piece for energy in energies for piece in core.level(energy, *window)]
+    axes.add_collection(LineCollection(orbits, **_line("level"), zorder=1))
     for equilibrium in plane.equilibria:
         filled = INK if equilibrium.stability == "stable" else PAPER
         for turn in (-2 * math.pi, 0.0, 2 * math.pi):
@@ -120,26 +110,7 @@ def phase_plane(
 
 
 def _line(curve: str) -> dict[str, Any]:
-    return {"color": CURVE_COLOURS[curve], "linewidth": CURVE_WIDTHS[curve], "linestyle": CURVE_DASHES[curve]}
-
-
-def _name_curve(axes: Axes, name: str, angles: Any, curve: Any, top: float) -> None:
-    # Where the curve is in sight, a good way up.
-    edge = len(angles) // 8
-    inner = (np.arange(len(angles)) >= edge) & (np.arange(len(angles)) < len(angles) - edge)
-    seen = np.flatnonzero((curve < 0.92 * top) & (curve > 0.3 * top) & inner)
-    if seen.size:
-        at = seen[np.argmax(curve[seen])]
-        axes.annotate(
-            CURVE_LETTERS[name],
-            (angles[at], curve[at]),
-            xytext=(5, 3),
-            textcoords="offset points",
-            color=CURVE_COLOURS[name],
-            style="italic",
-            bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
-            zorder=6,
-        )
+    return {"colors": CURVE_COLOURS[curve], "linewidths": CURVE_WIDTHS[curve], "linestyles": [CURVE_DASHES[curve]]}
 
 
 def _over_plane(axes: Axes, motion: Trajectory, theta: tuple[float, float]) -> None:
@@ -154,7 +125,7 @@ def _over_plane(axes: Axes, motion: Trajectory, theta: tuple[float, float]) -> N
         )
     start = motion.start
     reduced_start = (start.theta - theta[0]) % (2 * math.pi) + theta[0]
-    axes.plot([reduced_start], [start.theta_rate], "o", mfc=PAPER, mec=INK, ms=7, zorder=6)
+    axes.plot([reduced_start], [start.theta_rate], "x", color=INK, ms=7, mew=1.6, zorder=6)
     handles, labels = axes.get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
     axes.legend(

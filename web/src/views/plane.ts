@@ -12,9 +12,6 @@ import { FONT } from './font';
 export const FROM = -Math.PI;
 export const TO = 2 * Math.PI;
 
-/** Points of a curve. */
-const POINTS = 900;
-
 /** Energies over ℓ̂ whose levels are drawn, between the least and the largest that the plane shows. */
 const LEVELS = 9;
 
@@ -63,35 +60,47 @@ export class Frame {
   }
 }
 
-/** The curves of one hoop, computed once. */
+/** The curves of one hoop, computed once: points θ, θ′ one after the other, with NaN, NaN between pieces. */
 export interface Curves {
-  /** The arcs of each, θ′ ≥ 0. */
-  arcs: Readonly<Record<Curve, Float64Array[]>>;
+  lines: Readonly<Record<Curve, Float64Array[]>>;
+  /** With where they stand. */
+  letters: readonly [string, number, number][];
   region: Float64Array;
+  /** Whether 𝓡 has room for its name. */
+  isRegionNamed: boolean;
   equilibria: Float64Array;
-  slipAngle: number | undefined;
   rate: number;
 }
 
+/** Where 𝓡 is named, θ and the part of the largest rate. */
+const REGION_NAME = [0.28, 0.13] as const;
+
 export function curvesOf(problem: Problem, rate: number): Curves {
-  const plane = new Plane(problem);
+  const plane = new Plane(problem, FROM, TO, rate);
   const bottom = plane.energy(Math.PI, 0);
   const saddle = plane.energy(0, 0);
   const top = plane.energy(Math.PI, rate);
   const levels: number[] = [];
   for (let k = 1; k <= 3; k++) levels.push(bottom + ((saddle - bottom) * k) / 4);
   for (let k = 1; k <= LEVELS - 3; k++) levels.push(saddle + (Math.max(top, plane.energy(0, rate)) - saddle) * (k / (LEVELS - 2)) ** 2);
+  const named = (curve: Curve): Float64Array[] => [plane.curve(curve)];
+  const letters: [string, number, number][] = [];
+  for (const curve of UPWARDS) {
+    const place = plane.placeOfLetter(curve);
+    if (place) letters.push([CURVE_ROWS[curve].letter ?? '', place[0]!, place[1]!]);
+  }
   const curves: Curves = {
-    arcs: {
-      slip_limit: [plane.friction(true, FROM, TO, POINTS), plane.friction(false, FROM, TO, POINTS)],
-      normal_force_zero: [plane.normal(FROM, TO, POINTS)],
-      separatrix: [plane.separatrix(FROM, TO, POINTS)],
-      lift_off: [plane.liftOff(FROM, TO, POINTS)],
-      level: levels.map((energy) => plane.level(energy, FROM, TO, 400)),
+    lines: {
+      slip_limit: named('slip_limit'),
+      normal_force_zero: named('normal_force_zero'),
+      separatrix: named('separatrix'),
+      lift_off: named('lift_off'),
+      level: levels.map((energy) => plane.level(energy)),
     },
-    region: plane.region(FROM, TO, POINTS, rate),
+    letters,
+    region: plane.region(),
+    isRegionNamed: plane.canRoll(REGION_NAME[0], REGION_NAME[1] * rate),
     equilibria: plane.equilibria(),
-    slipAngle: plane.slipAngle(),
     rate,
   };
   plane.free();
@@ -118,15 +127,14 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
     c.drawImage(map, 0, 0, mapSize, mapSize, left, top, turn, frame.height);
     c.drawImage(map, 0, 0, mapSize / 2, mapSize, left + turn, top, turn / 2, frame.height);
   }
-  fillRegion(c, frame, curves.region, palette);
+  c.fillStyle = palette.region;
+  trace(c, frame, curves.region);
+  c.fill();
   for (const curve of UPWARDS) {
     setPen(c, curve, palette);
-    for (const arc of curves.arcs[curve]) stroke(c, frame, arc);
-  }
-  if (curves.slipAngle !== undefined) {
-    setPen(c, 'slip_limit', palette);
-    for (const theta of [-curves.slipAngle, curves.slipAngle, 2 * Math.PI - curves.slipAngle]) {
-      segment(c, frame.x(theta), frame.y(1), frame.x(theta), frame.y(-1));
+    for (const points of curves.lines[curve]) {
+      trace(c, frame, points);
+      c.stroke();
     }
   }
   c.setLineDash([]);
@@ -150,23 +158,18 @@ function setPen(c: CanvasRenderingContext2D, curve: Curve, palette: Palette): vo
   setDash(c, CURVE_ROWS[curve].dash);
 }
 
-function stroke(c: CanvasRenderingContext2D, frame: Frame, points: Float64Array): void {
-  for (const side of [1, -1]) {
-    c.beginPath();
-    let open = false;
-    for (let i = 0; i < points.length; i += 2) {
-      const [theta, rate] = [points[i]!, points[i + 1]!];
-      if (Number.isNaN(theta)) {
-        open = false;
-        continue;
-      }
-      // Far outside a point is only a direction.
-      const y = frame.y(side * Math.min(rate, 5 * frame.rate));
-      if (open) c.lineTo(frame.x(theta), y);
-      else c.moveTo(frame.x(theta), y);
+/** Pieces of a curve, or outlines, as one path. */
+function trace(c: CanvasRenderingContext2D, frame: Frame, points: Float64Array): void {
+  c.beginPath();
+  let open = false;
+  for (let i = 0; i < points.length; i += 2) {
+    const [theta, rate] = [points[i]!, points[i + 1]!];
+    if (Number.isNaN(theta)) open = false;
+    else if (open) c.lineTo(frame.x(theta), frame.y(rate));
+    else {
+      c.moveTo(frame.x(theta), frame.y(rate));
       open = true;
     }
-    c.stroke();
   }
 }
 
@@ -175,25 +178,6 @@ function segment(c: CanvasRenderingContext2D, x0: number, y0: number, x1: number
   c.moveTo(x0, y0);
   c.lineTo(x1, y1);
   c.stroke();
-}
-
-function fillRegion(c: CanvasRenderingContext2D, frame: Frame, region: Float64Array, palette: Palette): void {
-  const count = region.length / 2;
-  const theta = (i: number): number => FROM + ((TO - FROM) * i) / (count - 1);
-  c.fillStyle = palette.region;
-  for (const side of [1, -1]) {
-    for (let from = 0; from < count; from++) {
-      if (Number.isNaN(region[2 * from]!)) continue;
-      let to = from;
-      while (to + 1 < count && !Number.isNaN(region[2 * to + 2]!)) to++;
-      c.beginPath();
-      for (let i = from; i <= to; i++) c.lineTo(frame.x(theta(i)), frame.y(side * region[2 * i + 1]!));
-      for (let i = to; i >= from; i--) c.lineTo(frame.x(theta(i)), frame.y(side * region[2 * i]!));
-      c.closePath();
-      c.fill();
-      from = to;
-    }
-  }
 }
 
 function equilibrium(c: CanvasRenderingContext2D, x: number, y: number, stability: number, palette: Palette): void {
@@ -211,27 +195,12 @@ function curveLabels(c: CanvasRenderingContext2D, frame: Frame, curves: Curves, 
   c.font = `italic 15px ${FONT}`;
   c.textAlign = 'center';
   c.textBaseline = 'middle';
-  const put = (curve: Curve, wanted: number): void => {
-    const [points] = curves.arcs[curve];
-    const { letter } = CURVE_ROWS[curve];
-    if (points === undefined || letter === null) return;
-    let [best, at] = [Infinity, -1];
-    for (let i = 0; i < points.length; i += 2) {
-      const far = Math.abs(points[i + 1]! - wanted * frame.rate) / frame.rate + 0.05 * Math.abs(points[i]! - 0.5 * Math.PI);
-      if (points[i]! > FROM + 0.2 && points[i]! < TO - 0.2 && far < best) [best, at] = [far, i];
-    }
-    if (at >= 0 && best < 0.6) {
-      label(c, letter, frame.x(points[at]!), frame.y(-points[at + 1]!), palette.ink.ink, palette.ink.paper);
-    }
-  };
-  put('slip_limit', 0.66);
-  put('normal_force_zero', 0.86);
-  if (curves.slipAngle !== undefined) {
-    label(c, CURVE_ROWS.slip_limit.letter, frame.x(curves.slipAngle) + 10, frame.y(0.5), palette.ink.ink, palette.ink.paper);
+  for (const [letter, theta, rate] of curves.letters) {
+    label(c, letter, frame.x(theta), frame.y(rate), palette.ink.ink, palette.ink.paper);
   }
-  if (!Number.isNaN(curves.region[2 * Math.round(POINTS / 3)]!)) {
+  if (curves.isRegionNamed) {
     c.font = `italic 17px ${FONT}`;
-    label(c, '𝓡', frame.x(0.28), frame.y(0.13 * frame.rate), palette.ink.ink, palette.ink.paper);
+    label(c, '𝓡', frame.x(REGION_NAME[0]), frame.y(REGION_NAME[1] * frame.rate), palette.ink.ink, palette.ink.paper);
   }
 }
 

@@ -42,19 +42,13 @@ impl Picture {
         let [x, y] = if is_upright { [0, 1] } else { [1, 0] }
             .map(|k: usize| [axes[k].from().min(axes[k].to()), axes[k].from().max(axes[k].to())]);
         let window = Window { x, y };
-        let lines = |curve| match curve {
-            Curve::SlipLimit => plane.slip_curve(&window),
-            Curve::NormalForceZero => plane.normal_force_curve(&window),
-            Curve::LiftOff => plane.lift_off_curve(&window),
-            Curve::Separatrix | Curve::Level => Vec::new(),
-        };
         let place = |point: Place| {
             let point = turned(point);
             [0, 1].map(|k| along(&axes[k], point[k]))
         };
-        Curve::ALL
+        [Curve::SlipLimit, Curve::NormalForceZero, Curve::LiftOff]
             .into_iter()
-            .flat_map(|curve| lines(curve).into_iter().map(move |line| (curve, line)))
+            .flat_map(|curve| curve.pieces(&plane, &window).into_iter().map(move |line| (curve, line)))
             .map(|(curve, line)| (curve, line.into_iter().map(place).collect()))
             .collect()
     }
