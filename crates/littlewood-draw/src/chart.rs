@@ -1,5 +1,6 @@
 //! A figure on a sheet: frames, ticks, marks, labels, keys.
 
+use crate::clip;
 use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View};
 use crate::item::{Item, Paint, STEPS, Step, Words, steps};
 use crate::marks::{Canvas, MIDDLE, edge};
@@ -74,7 +75,7 @@ impl Canvas {
             View::Space { x, y, z, yaw, pitch } => {
                 let space = Space::new(panel.frame, [x, y, z], [*yaw, *pitch]);
                 space.axes(self);
-                self.layers(panel, &[x, y, z], |at| space.place(at), 1.0);
+                self.layers(panel, &[x, y, z], |at| space.place(at), 1.0, None);
                 self.labels(panel, |at| space.place(at));
             }
         }
@@ -120,7 +121,7 @@ impl Canvas {
             self.0.push(Item::Image { corners, image: image.clone() });
         }
         // Hoops are drawn only where both axes have one scale.
-        self.layers(panel, &[x, y], place, wide / (x.range[1] - x.range[0]));
+        self.layers(panel, &[x, y], place, wide / (x.range[1] - x.range[0]), axes.then_some(corners));
         self.labels(panel, place);
         if !axes {
             return;
@@ -159,20 +160,49 @@ impl Canvas {
         self.words(name(&y.title, [outer + TOP * LETTER, 0.5 * pixels(top + bottom)], true));
     }
 
-    fn layers(&mut self, panel: &Panel, axes: &[&PlotAxis], place: impl Fn(&[f64]) -> Step, unit: f64) {
+    /// Draws what panels show; within bounds, where there are any: marks whose place is there, and parts of lines and areas.
+    fn layers(
+        &mut self,
+        panel: &Panel,
+        axes: &[&PlotAxis],
+        place: impl Fn(&[f64]) -> Step,
+        unit: f64,
+        bounds: Option<[Step; 2]>,
+    ) {
+        let is_seen = |place: &Step| bounds.is_none_or(|bounds| clip::holds(bounds, *place));
         for layer in &panel.layers {
             let columns: Option<Vec<usize>> =
                 axes.iter().map(|axis| layer.series.column(&axis.column)).collect();
             let Some(columns) = columns else { continue };
             let at = |row: &Vec<f64>| place(&columns.iter().map(|column| row[*column]).collect::<Vec<_>>());
             if let Mark::Hoop { offset, h, radius, rim } = layer.mark {
-                for row in layer.series.pieces.iter().flatten() {
+                for row in layer.series.pieces.iter().flatten().filter(|row| is_seen(&at(row))) {
                     self.hoop(at(row), row[row.len() - 1], radius * unit, [offset, h], rim);
                 }
                 continue;
             }
-            let pieces: Vec<Vec<Step>> =
+            let mut pieces: Vec<Vec<Step>> =
                 layer.series.pieces.iter().map(|piece| piece.iter().map(at).collect()).collect();
+            match layer.mark {
+                Mark::Dot(..) | Mark::Ring(..) | Mark::Diamond(..) | Mark::Cross(..) | Mark::Hoop { .. } => {
+                    pieces.iter_mut().for_each(|piece| piece.retain(is_seen));
+                }
+                Mark::Head(_) => pieces.retain(|piece| piece.first().is_some_and(is_seen)),
+                Mark::Line(_)
+                | Mark::Arrow(_)
+                | Mark::Fill(_)
+                | Mark::Region(_)
+                | Mark::Hatch(_)
+                | Mark::HatchedRegion(_) => {
+                    let first = self.0.len();
+                    self.mark(layer.mark, &pieces, unit);
+                    if let Some(bounds) = bounds {
+                        let drawn = self.0.split_off(first);
+                        self.0.extend(drawn.into_iter().filter_map(|item| clip::item(item, bounds)));
+                    }
+                    continue;
+                }
+            }
             self.mark(layer.mark, &pieces, unit);
         }
     }

@@ -6,6 +6,7 @@ use littlewood_style::Rgb;
 use littlewood_style::ticks::Tick;
 
 use crate::chart::ROOM;
+use crate::clip;
 use crate::stroke::{INK, LETTER, Stroke};
 
 /// A figure, complete: [`Figure::svg`], [`Figure::png`] and [`Figure::csv`] only write it down.
@@ -232,6 +233,21 @@ impl Panel {
         let [left, below] = if has_axes { ROOM } else { [0.0; 2] };
         let [x, y, width, height] = self.frame;
         [[x + left, y], [x + width, y + height - below]]
+    }
+
+    /// Where a place of its plane is drawn, in pixels; none in space.
+    #[must_use]
+    pub fn place(&self, [right, up]: [f64; 2]) -> Option<[f64; 2]> {
+        let View::Plane { x, y, .. } = &self.view else { return None };
+        let [[left, top], [end, bottom]] = self.axes_frame();
+        Some([left + x.share(right) * (end - left), bottom - y.share(up) * (bottom - top)])
+    }
+
+    /// The pieces of a line in its plane that lie within the axes, in pixels.
+    #[must_use]
+    pub fn line(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+        let places: Option<Vec<[f64; 2]>> = points.iter().map(|point| self.place(*point)).collect();
+        clip::line(&places.unwrap_or_default(), self.axes_frame())
     }
 }
 

@@ -131,13 +131,10 @@ fn overlap(a: Frame, b: Frame) -> bool {
 
 /// Moves labels of a plane onto the sheet, and up or down where another one stands.
 fn arrange(panel: &mut Panel, [sheet, _]: [f64; 2]) {
-    let [[left, top], [right, bottom]] = panel.axes_frame();
-    let View::Plane { x, y, .. } = &panel.view else { return };
-    let place =
-        |at: &[f64]| [left + x.share(at[0]) * (right - left), bottom - y.share(at[1]) * (bottom - top)];
+    let places: Option<Vec<[f64; 2]>> =
+        panel.labels.iter().map(|label| panel.place([label.at[0], label.at[1]])).collect();
     let mut taken: Vec<Frame> = Vec::new();
-    for label in &mut panel.labels {
-        let at = place(&label.at);
+    for (label, at) in panel.labels.iter_mut().zip(places.unwrap_or_default()) {
         let there = frame(label, at);
         label.shift[0] += (EDGE - there[0]).max(0.0) - (there[2] - (sheet - EDGE)).max(0.0);
         let own = label.shift;

@@ -27,6 +27,7 @@
 
 mod caption;
 mod chart;
+mod clip;
 mod csv;
 mod error;
 mod figure;
@@ -51,6 +52,7 @@ pub use error::DrawError;
 pub use figure::{Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
 pub use letters::{missing, outlines, width};
 pub use littlewood_style::{Dash, Rgb, ticks::Tick};
+pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve};
 pub use markup::{Run, Script, markdown, plain, runs};
 pub use pencil::Segment;
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale};

@@ -1,10 +1,31 @@
 //! The marks: lines, heads of arrows, areas, dots, hoops, in steps of the sheet.
 
-use littlewood_style::Rgb;
+use littlewood_style::{Curve, Rgb};
 
 use crate::figure::{Anchor, Mark};
 use crate::item::{Item, Paint, STEPS, Step, Words, steps};
 use crate::stroke::{INK, PAPER, Stroke};
+
+/// The start of a motion, in all pictures.
+pub const START: Mark = Mark::Cross(INK, 4.0);
+/// A transition.
+pub const TRANSITION: Mark = Mark::Diamond(INK, 4.2);
+/// A stable equilibrium.
+pub const STABLE: Mark = Mark::Dot(INK, 3.4);
+/// An unstable one.
+pub const UNSTABLE: Mark = Mark::Ring(INK, 3.4);
+
+/// A curve of the (θ, θ′) plane in a key, and what it means.
+#[must_use]
+pub fn key_of_curve(curve: Curve) -> (Mark, String) {
+    let words = match curve {
+        Curve::SlipLimit => "*f*: |*F*| = *μ*_{s}*N* in rolling",
+        Curve::NormalForceZero => "*n*: *N* = 0 in rolling",
+        Curve::LiftOff => "*h* cos *θ* *θ*′^{2} = 1: *N* = 0 in sliding",
+        Curve::Separatrix | Curve::Level => curve.label(),
+    };
+    (Mark::Line(Stroke::of_curve(curve)), words.to_owned())
+}
 
 /// Length and half width of a head of an arrow in pixels.
 const HEAD: [f64; 2] = [9.0, 3.4];

@@ -109,10 +109,15 @@ impl Sheet {
         let room = self.width - 10.0 + GAP;
         let all: f64 = widths.iter().sum();
         let widest = widths.iter().copied().fold(0.0, f64::max);
-        let left = if KEYS_LEFT + all.min(widest) > room { 10.0 } else { KEYS_LEFT };
-        let fits = libm::floor((room - left) / widest) as usize;
+        let rows_from = |left: f64| {
+            let fits = libm::floor((room - left) / widest) as usize;
+            if left + all <= room { 1 } else { entries.len().div_ceil(fits.clamp(1, entries.len().max(1))) }
+        };
+        // Where that takes no more rows they begin with the axes.
+        let is_indented = KEYS_LEFT + all.min(widest) <= room && rows_from(KEYS_LEFT) <= rows_from(10.0);
+        let left = if is_indented { KEYS_LEFT } else { 10.0 };
         // As few columns as make the same number of rows.
-        let rows = entries.len().div_ceil(fits.clamp(1, entries.len().max(1)));
+        let rows = rows_from(left);
         let columns = entries.len().div_ceil(rows.max(1));
         let is_row = left + all <= room;
         let mut at = left;

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use littlewood::theory::closed_form::slip_angle;
 use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, Window};
 use littlewood::{Hoop, ParameterError};
-use littlewood_draw::{INK, Label, Layer, Mark, Series};
+use littlewood_draw::{Label, Layer, STABLE, Series, UNSTABLE};
 use littlewood_style::Curve;
 
 use crate::columns::{ENERGY, MU_S, PLANE, THETA, THETA_RATE};
@@ -188,8 +188,8 @@ impl Portrait {
             }
         }
         vec![
-            Series::of_rows("stable equilibrium", &PLANE, stable).drawn(Mark::Dot(INK, 3.4)),
-            Series::of_rows("unstable equilibrium", &PLANE, unstable).drawn(Mark::Ring(INK, 3.4)),
+            Series::of_rows("stable equilibrium", &PLANE, stable).drawn(STABLE),
+            Series::of_rows("unstable equilibrium", &PLANE, unstable).drawn(UNSTABLE),
         ]
     }
 }

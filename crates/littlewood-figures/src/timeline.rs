@@ -1,6 +1,6 @@
 //! Motions against time: histories of a quantity, verticals at the transitions, names of phases and transitions.
 
-use littlewood::{Cause, Phase, Sample, Trajectory, Transition};
+use littlewood::{Phase, Sample, Trajectory, Transition};
 use littlewood_draw::{FAINT, Label, Layer, Mark, PlotAxis, SMALL, SOFT, Scale, Series, Stroke};
 use littlewood_style::Dash;
 use littlewood_style::width::FINE;
@@ -43,11 +43,6 @@ pub(crate) fn range_of(series: &[&Series], also: &[f64]) -> [f64; 2] {
     bounds(values.chain(also.iter().copied()), 0.12)
 }
 
-/// Whether a landing is one of those that may be many and close together.
-fn is_bounce(transition: &Transition) -> bool {
-    transition.cause == Cause::Landing && transition.to.is_some()
-}
-
 /// Verticals at the transitions; of bounces that are closer together than can be seen only the first.
 pub(crate) fn transitions(motion: &Trajectory, axis: &PlotAxis, name: &'static str) -> Layer {
     let until = horizon(motion);
@@ -57,7 +52,7 @@ pub(crate) fn transitions(motion: &Trajectory, axis: &PlotAxis, name: &'static s
         .transitions()
         .iter()
         .filter(|transition| {
-            let is_drawn = !is_bounce(transition) || transition.time() - last > apart;
+            let is_drawn = !transition.is_bounce() || transition.time() - last > apart;
             if is_drawn {
                 last = transition.time();
             }
@@ -99,7 +94,7 @@ pub(crate) fn names(motion: &Trajectory, top: f64, width: f64) -> Names {
     }
     // Bounces have a name only where there is room beside all others.
     let (bounces, others): (Vec<&Transition>, Vec<&Transition>) =
-        motion.transitions().iter().partition(|transition| is_bounce(transition));
+        motion.transitions().iter().partition(|transition| transition.is_bounce());
     // More than these cannot be told apart in any number of rows.
     let count = motion.transitions().iter().filter(|transition| transition.time() <= until).count();
     let rows = if count as f64 > ROWS as f64 * width / NAME { 1 } else { ROWS };
@@ -107,7 +102,7 @@ pub(crate) fn names(motion: &Trajectory, top: f64, width: f64) -> Names {
     let mut are_all = true;
     for transition in others.into_iter().chain(bounces) {
         let at = transition.time();
-        let room = if is_bounce(transition) { 1.4 * NAME } else { NAME };
+        let room = if transition.is_bounce() { 1.4 * NAME } else { NAME };
         if at > until {
             continue;
         }

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use littlewood::tables::Dimension;
 use littlewood::theory::{PhasePlane, RollingLaw};
 use littlewood_draw::{
-    Content, FIRST, FRICTION_FORCE, Figure, INK, Label, Mark, SOFT, Series, Stroke, short,
+    Content, FIRST, FRICTION_FORCE, Figure, Label, Mark, SOFT, START, Series, Stroke, short,
 };
 
 use crate::columns::{DEMAND, ENERGY, MU_S, THETA};
@@ -101,8 +101,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let here = plane.forces(input.start.theta, here_rate).demand();
     if here <= most {
         let row = vec![at, here, start];
-        layers
-            .push(Series::of_rows("start", &[THETA, DEMAND, ENERGY], vec![row]).drawn(Mark::Ring(INK, 3.6)));
+        layers.push(Series::of_rows("start", &[THETA, DEMAND, ENERGY], vec![row]).drawn(START));
     }
     let label = label.coloured(FRICTION_FORCE);
     let y = say.axis(DEMAND, "|*F*|/*N*", [0.0, most]);

@@ -4,7 +4,9 @@ use core::f64::consts::PI;
 
 use littlewood::theory::{Body, GlidingIntegrals, Massless};
 use littlewood::{Limits, Mode, Start};
-use littlewood_draw::{Content, FAINT, Figure, INK, Label, Layer, Mark, REGION, SOFT, Series, Stroke, short};
+use littlewood_draw::{
+    Content, FAINT, Figure, INK, Label, Layer, Mark, REGION, SOFT, Series, Stroke, TRANSITION, short,
+};
 
 use crate::columns::{PLANE, THETA, THETA_RATE, W};
 use crate::error::FigureError;
@@ -219,7 +221,7 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     let edges = [1.0, -1.0].map(|rate| vec![vec![-theta_s, rate], vec![theta_s, rate]]).to_vec();
     layers.push(Series::new("n", &PLANE, edges).drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
     layers.push(Series::new("flow", &COLUMNS, flow_g).drawn(Mark::Head(GLIDING.colour)));
-    layers.push(Series::of_rows("transition", &PLANE, changes).drawn(Mark::Dot(INK, 2.4)));
+    layers.push(Series::of_rows("transition", &PLANE, changes).drawn(TRANSITION));
     layers.extend(portrait.equilibria());
     let labels = vec![
         Label::new("rolls", &[0.0, 0.63]).coloured(Stroke::of_mode(Mode::Rolling).colour),
@@ -229,7 +231,7 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
     ];
     let caption = format!(
         "Rolling (in 𝓡, shaded) and gliding (outside it) of the massless hoop together. Motions leave 𝓡 where static \
-         friction gives way (*f*, dashed) or the normal force vanishes (*n*) at the dots and glide on along a line of constant *w* to *θ* = ±π. \
+         friction gives way (*f*, dashed) or the normal force vanishes (*n*) at the diamonds and glide on along a line of constant *w* to *θ* = ±π. \
          Gliding motions that enter 𝓡 become rolling ones only if *η*′ = 0 there. Black: stable and unstable manifolds of \
          the equilibrium. *μ*_{{s}} = {}. Gliding by the corrected integral, see Figure 6(a); grey: other gliding motions, outside 𝓡.",
         short(input.hoop.mu_s())

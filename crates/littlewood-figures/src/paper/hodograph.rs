@@ -3,7 +3,8 @@
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Figure, IMPULSE, INK, Label, Layer, Mark, REGION, SMALL, SOFT, Series, Stroke, marked,
+    Content, Figure, IMPULSE, Label, Layer, Mark, REGION, SMALL, SOFT, START, Series, Stroke, TRANSITION,
+    marked,
 };
 
 use crate::columns::{FRICTION, MU_K, MU_S, NORMAL, TIME};
@@ -126,7 +127,7 @@ fn changes(motion: &Trajectory, largest: f64) -> (Layer, Vec<Label>) {
     });
     let labels = labels.collect();
     let rows = ends.into_iter().map(|(_, row)| row).collect();
-    (Series::of_rows("transition", &COLUMNS, rows).drawn(Mark::Dot(INK, 3.2)), labels)
+    (Series::of_rows("transition", &COLUMNS, rows).drawn(TRANSITION), labels)
 }
 
 /// The impulses as dots, which lie in the cones as forces do.
@@ -218,13 +219,13 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(dots);
     if let Some(first) = motion.phases().first().filter(|phase| phase.mode().has_normal_force()) {
         let start = Series::of_rows("start", &COLUMNS, vec![row(&first.first())]);
-        layers.push(start.drawn(Mark::Ring(INK, 3.6)));
+        layers.push(start.drawn(START));
     }
     let say = input.wording();
     let caption = format!(
         "Friction force *F* against normal force *N* along the motion, with the friction cone |*F*| ≤ *μ*_{{s}}*N* (shaded) \
-         in which rolling stays; a slide runs along |*F*| = *μ*_{{k}}*N*, and in flight both are zero. Ring: start; dots: \
-         transitions; arrows: time.{}{} {}; {}.",
+         in which rolling stays; a slide runs along |*F*| = *μ*_{{k}}*N*, and in flight both are zero. Cross: start; \
+         diamonds: transitions; arrows: time.{}{} {}; {}.",
         if is_seen { "" } else { " The cone is far beyond the window." },
         in_words(&spikes, say),
         say.hoop(hoop),

@@ -3,7 +3,7 @@
 use littlewood::impact::{Impact, ImpactCase};
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, Transition};
-use littlewood_draw::{Content, Figure, INK, Label, Layer, Mark, PAPER, Series, Stroke, short};
+use littlewood_draw::{Content, Figure, INK, Label, Layer, Mark, PAPER, START, Series, Stroke, short};
 use littlewood_style::ImpulseLine;
 use littlewood_style::width::BOLD;
 
@@ -144,7 +144,7 @@ impl Diagram {
             layers.push(dot("slip ends", bend, Mark::Dot(INK, 3.4)));
         }
         layers.extend(self.greatest_compression().map(|at| dot("compressed most", at, Mark::Dot(INK, 3.4))));
-        layers.push(dot("start", [0.0, 0.0], Mark::Ring(INK, 3.4)));
+        layers.push(dot("start", [0.0, 0.0], START));
         layers
     }
 

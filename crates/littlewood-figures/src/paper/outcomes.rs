@@ -4,7 +4,9 @@ use core::f64::consts::PI;
 
 use littlewood::tables::{Class, Dimension, Quantity, Setup};
 use littlewood::{Engine, Limits, Start, Summary};
-use littlewood_draw::{BOUNDARY, Content, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, short};
+use littlewood_draw::{
+    BOUNDARY, Content, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, key_of_curve, short,
+};
 use littlewood_style::{Curve, of_class};
 use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
 
@@ -178,15 +180,15 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let mut remark = "";
     if !input.is_massless() {
         let portrait = Portrait::new(hoop, window);
-        for (curve, series, words) in [
-            (Curve::LiftOff, portrait.lift_off_locus(), "*h* cos *θ* *θ*′^{2} = 1: *N* = 0 in sliding"),
-            (Curve::NormalForceZero, portrait.unloading_locus(), "*n*: *N* = 0 in rolling"),
+        for (curve, series) in [
+            (Curve::LiftOff, portrait.lift_off_locus()),
+            (Curve::NormalForceZero, portrait.unloading_locus()),
         ] {
             let stroke = Stroke::of_curve(curve);
             let under = Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN);
             layers.push(series.clone().drawn(Mark::Line(under)));
             layers.push(series.drawn(Mark::Line(stroke)));
-            legend.push((Mark::Line(stroke), words.to_owned()));
+            legend.push(key_of_curve(curve));
         }
         remark = " The body leaves the plane at once only beyond *h* cos *θ* *θ*′^{2} = 1, not, as the paper has it, \
                   beyond *n*: between the two it slides first.";

@@ -52,9 +52,8 @@ fn transitions(motion: &Trajectory, apart: f64) -> Vec<(String, Sample)> {
     found.extend(motion.phases().first().map(|phase| (start, phase.first())));
     for phase in motion.phases() {
         let Some((transition, sample)) = motion.end_of(phase).zip(phase.last()) else { continue };
-        let is_bounce = transition.to == Some(Mode::Flight) && transition.impact.is_some();
         let is_close = |(_, other): &(String, Sample)| (other.centre.x - sample.centre.x).abs() < apart;
-        if transition.time() <= until && !(is_bounce && found.iter().any(is_close)) {
+        if transition.time() <= until && !(transition.is_bounce() && found.iter().any(is_close)) {
             found.push((transition.cause.label().to_owned(), sample));
         }
     }

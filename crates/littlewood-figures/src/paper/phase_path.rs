@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Figure, HATCH, IMPULSE, INK, Label, Layer, Mark, REGION, SMALL, Series, Stroke,
+    Content, Figure, HATCH, IMPULSE, Label, Layer, Mark, REGION, SMALL, START, Series, Stroke, TRANSITION,
 };
 
 use crate::axes::plane_window;
@@ -29,9 +29,6 @@ const LEAST_STEP: f64 = 0.004;
 const LAST: f64 = 0.85;
 /// Transitions that all have a name.
 const NAMED: usize = 6;
-
-/// Equilibria are dots and rings.
-const TRANSITION: Mark = Mark::Diamond(INK, 4.2);
 
 /// Its row, the angle less whole turns.
 fn row(sample: &Sample, turns: f64) -> Vec<f64> {
@@ -188,7 +185,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(dots);
     let start = motion.start();
     let start = vec![start.time, start.theta - turns, start.theta_rate];
-    layers.push(Series::of_rows("start", &COLUMNS, vec![start]).drawn(Mark::Cross(INK, 4.0)));
+    layers.push(Series::of_rows("start", &COLUMNS, vec![start]).drawn(START));
     let say = input.wording();
     let is_short = all.iter().any(|row| !(window.x[0]..=window.x[1]).contains(&row[1]));
     let caption = format!(

@@ -5,8 +5,8 @@ use core::f64::consts::PI;
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, State, Transition};
 use littlewood_draw::{
-    Content, FAINT, Figure, IMPULSE, INK, Label, Mark, PAPER, Panel, REGION, SMALL, SOFT, Series, Sheet,
-    Stroke, View, short,
+    Content, FAINT, Figure, IMPULSE, Label, Mark, PAPER, Panel, REGION, SMALL, SOFT, START, Series, Sheet,
+    Stroke, TRANSITION, View, short,
 };
 
 use crate::columns::{PLANE, SLIP, THETA, THETA_RATE, TIME};
@@ -121,10 +121,8 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     if has_jumps {
         layers.push(Series::new("impact", &COLUMNS, jumps).drawn(Mark::Line(jump)));
     }
-    let dot = if has_jumps { 2.6 } else { 3.6 };
-    layers.push(Series::of_rows("transition", &COLUMNS, changes).drawn(Mark::Dot(INK, dot)));
-    layers
-        .push(Series::of_rows("start", &COLUMNS, vec![of_state(motion.start())]).drawn(Mark::Ring(INK, 3.6)));
+    layers.push(Series::of_rows("transition", &COLUMNS, changes).drawn(TRANSITION));
+    layers.push(Series::of_rows("start", &COLUMNS, vec![of_state(motion.start())]).drawn(START));
     let say = input.wording();
     let axes = [say.angle(x), say.slip(y), say.rate(z)];
     let [across, upwards, back] = &axes;
@@ -133,7 +131,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     labels.push(Label::new(&upwards.title, &[x[0], y[1], z[0]]).shifted(0.0, -18.0));
     let caption = format!(
         "The motion in the space of *θ*, *θ*′ and the slip velocity *η*′: sliding (*s*), rolling (*r*) in the plane \
-         *η*′ = 0, lift-off (*L*).{} Arrows: time; ring: start; dots: transitions; grey: shadow of the sliding parts on the plane of \
+         *η*′ = 0, lift-off (*L*).{} Arrows: time; cross: start; diamonds: transitions; grey: shadow of the sliding parts on the plane of \
          rolling. {}; {}. The zeros of *η*′ are located, not found by a threshold of \
          10^{{−9}} as in §2(c) of the paper.",
         if has_jumps {
@@ -272,11 +270,11 @@ pub(crate) fn rolling_then_gliding(input: &FigureInput) -> Result<Figure, Figure
         .map(|transition| of_state(transition.before))
         .filter(|row| row[2].is_finite())
         .collect();
-    plane.push(Series::of_rows("transition", &COLUMNS, changes.clone()).drawn(Mark::Dot(INK, 3.4)));
+    plane.push(Series::of_rows("transition", &COLUMNS, changes.clone()).drawn(TRANSITION));
     let start = motion.start();
     plane.push(
         Series::of_rows("start", &COLUMNS, vec![vec![start.time, start.theta, start.theta_rate, start.slip]])
-            .drawn(Mark::Ring(INK, 3.4)),
+            .drawn(START),
     );
     let ends = motion.transitions().last().is_some_and(|last| last.cause == Cause::ParticleAtPlane);
     let times = if ends {

@@ -1,7 +1,7 @@
 //! What the colours and lines of a map mean.
 
 use littlewood::tables::{Class, PhaseSequence};
-use littlewood_draw::{Mark, Stroke};
+use littlewood_draw::{Mark, key_of_curve};
 use littlewood_style::ticks::minus;
 use littlewood_style::{Curve, Ink, RANKS, Theme, of_class, of_rank};
 
@@ -13,16 +13,6 @@ use super::shade::Shade;
 
 /// An entry: how it is drawn, and what it means.
 pub(super) type Entry = (Mark, String);
-
-/// A curve in words, with marks.
-fn label_of(curve: Curve) -> String {
-    match curve {
-        Curve::SlipLimit => "*f*: |*F*| = *μ*_{s}*N* in rolling".to_owned(),
-        Curve::NormalForceZero => "*n*: *N* = 0 in rolling".to_owned(),
-        Curve::LiftOff => "*h* cos *θ* *θ*′^{2} = 1: *N* = 0 in sliding".to_owned(),
-        Curve::Separatrix | Curve::Level => curve.label().to_owned(),
-    }
-}
 
 fn with_share(label: &str, share: &str) -> String {
     if share.is_empty() { label.to_owned() } else { format!("{label}, {share}") }
@@ -111,8 +101,5 @@ impl Picture {
 
 /// The entries of curves, each once.
 pub(super) fn of_curves(curves: &[Curve]) -> impl Iterator<Item = Entry> + '_ {
-    Curve::ALL
-        .into_iter()
-        .filter(|curve| curves.contains(curve))
-        .map(|curve| (Mark::Line(Stroke::of_curve(curve)), label_of(curve)))
+    Curve::ALL.into_iter().filter(|curve| curves.contains(curve)).map(key_of_curve)
 }
