@@ -10,6 +10,7 @@ use crate::colour::PAPER;
 use crate::error::FilmError;
 use crate::letters::Style;
 use crate::size::{FrameSize, SizeError};
+use littlewood_draw::Image;
 use littlewood_style::Rgb;
 
 /// A picture that is being drawn.
@@ -56,6 +57,21 @@ impl Canvas {
             within(top + height, bottom),
         ];
         self.restore_rows(other, bounds);
+    }
+
+    /// Draws an image with its left upper corner at a place, its columns up to one.
+    pub(crate) fn image(&mut self, image: &Image, corner: [f64; 2], columns: usize) {
+        let [left, top] = corner.map(|side| side as usize);
+        let stride = self.pixels.width() as usize;
+        let columns = columns.min(image.size[0]).min(stride.saturating_sub(left));
+        let rows = self.pixels.pixels_mut().chunks_exact_mut(stride).skip(top);
+        for (to, from) in rows.zip(image.pixels.chunks_exact(3 * image.size[0])) {
+            for (to, from) in to[left..][..columns].iter_mut().zip(from.chunks_exact(3)) {
+                if let Some(colour) = PremultipliedColorU8::from_rgba(from[0], from[1], from[2], 255) {
+                    *to = colour;
+                }
+            }
+        }
     }
 
     fn restore_rows(&mut self, other: &[u8], [left, top, right, bottom]: [usize; 4]) {
@@ -122,11 +138,6 @@ impl Canvas {
 
     pub(crate) fn dashes(&mut self, points: &[Place], width: f64, dash: f64, colour: Rgb) {
         self.stroke(polyline(points, false), colour, width, &[dash, dash]);
-    }
-
-    /// A line in dashes and gaps of these lengths by turns; unbroken if there are none.
-    pub(crate) fn pattern(&mut self, points: &[Place], width: f64, pattern: &[f64], colour: Rgb) {
-        self.stroke(polyline(points, false), colour, width, pattern);
     }
 
     pub(crate) fn polygon(&mut self, points: &[Place], colour: Rgb) {

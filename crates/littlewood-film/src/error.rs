@@ -3,6 +3,7 @@
 use std::io;
 
 use littlewood::OutcomeKind;
+use littlewood_draw::DrawError;
 use thiserror::Error;
 
 use crate::size::{FrameSize, SizeError};
@@ -13,6 +14,9 @@ pub enum FilmError {
     /// A side that is too short to read, or too long.
     #[error(transparent)]
     Size(#[from] SizeError),
+    /// A pane that has no room.
+    #[error(transparent)]
+    Pane(#[from] DrawError),
     /// H.264 halves the resolution of colour.
     #[error("size = {size} px: both sides of an MP4 must be even")]
     OddSize {
@@ -105,7 +109,9 @@ impl FilmError {
     #[must_use]
     pub fn hint(&self) -> &'static str {
         match self {
-            Self::Size { .. } => "a size is WIDTHxHEIGHT in pixels, such as 640x360 or 1920x1080",
+            Self::Size { .. } | Self::Pane(_) => {
+                "a size is WIDTHxHEIGHT in pixels, such as 640x360 or 1920x1080"
+            }
             Self::OddSize { .. } => "add a pixel, or write a GIF or an APNG",
             Self::FrameRate { format: "GIF", .. } => {
                 "a GIF counts hundredths of a second, and programs slow down what is shown for less than two; take \

@@ -254,11 +254,12 @@ impl<'a> Reel<'a> {
             let view = film.camera.view(&film.scene(0)?);
             draw_plane(&mut canvas, &view, film.window().width, unit, film.units.as_ref());
         }
-        let pane = film.with.map(|with| {
-            let pane = Pane::new(with, trajectory, schedule, pane_of(size), unit, film.units);
-            pane.draw_still(&mut canvas, trajectory);
-            pane
-        });
+        let pane =
+            film.with.map(|with| Pane::new(with, trajectory, schedule, pane_of(size), unit, film.units));
+        let pane = pane.transpose()?;
+        if let Some(pane) = &pane {
+            pane.draw_still(&mut canvas);
+        }
         let inset = (!film.camera.is_still()).then(|| {
             let inset = Inset::new(trajectory, schedule, inset_of(size), unit);
             inset.draw_still(&mut canvas);

@@ -51,7 +51,6 @@ mod ledger;
 mod letters;
 mod pane;
 mod panel;
-mod plot;
 mod quantise;
 mod scene;
 mod schedule;

@@ -6,15 +6,17 @@ use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity, SampleColumn};
 use littlewood::theory::{PhasePlane, Window};
 use littlewood::{Mode, Sample, Trajectory};
-use littlewood_draw::marked;
-use littlewood_style::ticks::{self, Tick};
-use littlewood_style::{Curve, Dash, EnergyPart};
+use littlewood_draw::{
+    Content, Dash, DrawError, GRID, Image, Label, Layer, Mark, Panel, PlotAxis, REGION, SMALL, Scale, Series,
+    Sheet, Stroke, marked,
+};
+use littlewood_style::width::FINE;
+use littlewood_style::{Curve, EnergyPart};
 
-use crate::canvas::{Canvas, Place};
-use crate::colour::{self, FRICTION_FORCE, INK, LINE, PAPER, SOFT, of_mode, of_region};
+use crate::canvas::Canvas;
+use crate::colour::{FRICTION_FORCE, INK, PAPER, SOFT, of_energy, of_mode};
 use crate::ledger::{EnergyParts, Ledger};
 use crate::letters::Style;
-use crate::plot::Plot;
 use crate::schedule::Schedule;
 
 /// What a film shows beside the hoop.
@@ -46,8 +48,17 @@ impl With {
 /// Width of the pane in units of lettering.
 pub(crate) const PANE: f64 = 236.0;
 
+/// Units of lettering to a pixel of the figure: its letters are about as large as those beside it.
+const SCALE: f64 = 0.8;
+
 /// Instants at which a motion is sampled for a pane.
 const SAMPLES: usize = 1500;
+
+/// Width of the line of the motion, in pixels of the figure.
+const MOTION: f64 = 2.6;
+
+/// Columns of a figure.
+const COLUMNS: [&str; 2] = ["right", "up"];
 
 /// A part of a motion in one mode: its points, each with its time.
 struct Piece {
@@ -55,13 +66,29 @@ struct Piece {
     points: Vec<(f64, [f64; 2])>,
 }
 
-/// A pane with what it shows of a motion.
+/// A pane: a figure that is drawn once, and once more as it is at the end, of which a film uncovers more and more.
 pub(crate) struct Pane {
     with: With,
-    plot: Plot,
+    panel: Panel,
+    /// Where the figure stands, and pixels to one of it.
+    corner: [f64; 2],
+    scale: f64,
+    still: Image,
+    /// With the whole motion, where that runs from left to right.
+    done: Option<Image>,
     pieces: Vec<Piece>,
-    energies: Option<(Ledger, Vec<(f64, EnergyParts)>)>,
+    /// What a unit of either axis is worth.
+    units: [f64; 2],
+}
+
+/// What is drawn of a motion.
+struct Shown<'a> {
+    with: With,
+    trajectory: &'a Trajectory,
     units: Option<Units>,
+    ranges: [[f64; 2]; 2],
+    pieces: &'a [Piece],
+    energies: &'a [(f64, EnergyParts)],
 }
 
 impl Pane {
@@ -72,42 +99,23 @@ impl Pane {
         [left, top, width, height]: [f64; 4],
         unit: f64,
         units: Option<Units>,
-    ) -> Self {
+    ) -> Result<Self, DrawError> {
         let samples: Vec<Sample> = trajectory.sample_evenly(SAMPLES, schedule.end()).collect();
         let times = [schedule.start(), schedule.end().max(schedule.start() + 1e-9)];
-        let ledger = Ledger::new(trajectory);
-        let energies = ledger.map(|ledger| {
-            let parts = samples
-                .iter()
-                .filter_map(|sample| Some((sample.state.time, ledger.parts(sample, false)?)))
-                .collect();
-            (ledger, parts)
-        });
-        let (x, y) = match with {
-            With::Plane => ([-PI, PI], rates(&samples, trajectory)),
-            With::Friction => (times, [0.0, most_demand(trajectory)]),
-            With::Energy => (times, [0.0, most_energy(energies.as_ref())]),
+        let parts = |ledger: &Ledger| -> Vec<(f64, EnergyParts)> {
+            let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
+            samples.iter().filter_map(parts).collect()
         };
-        // What the colours of the energy mean takes two lines.
-        let head = if with == With::Energy { 29.0 } else { 18.0 } * unit;
-        let plot = Plot {
-            left: left + 32.0 * unit,
-            top: top + head,
-            width: width - 44.0 * unit,
-            height: height - head - 28.0 * unit,
-            x,
-            y,
-            unit,
-        };
-        let value = |sample: &Sample| match with {
-            With::Plane => Some([wrapped(sample.state.theta), sample.state.theta_rate]),
-            With::Friction => demand(sample).map(|demand| [sample.state.time, demand]),
-            With::Energy => None,
+        let energies = Ledger::new(trajectory).as_ref().map(parts).unwrap_or_default();
+        let ranges = match with {
+            With::Plane => [[-PI, PI], rates(&samples, trajectory)],
+            With::Friction => [times, [0.0, most_demand(trajectory)]],
+            With::Energy => [times, [0.0, most_energy(&energies)]],
         };
         let mut pieces: Vec<Piece> = Vec::new();
         let mut begins = true;
         for sample in &samples {
-            let Some(point) = value(sample) else {
+            let Some(point) = place_of(with, sample) else {
                 begins = true;
                 continue;
             };
@@ -120,179 +128,223 @@ impl Pane {
             }
             begins = false;
         }
-        Self { with, plot, pieces, energies, units }
+        let shown = Shown { with, trajectory, units, ranges, pieces: &pieces, energies: &energies };
+        let scale = SCALE * unit;
+        let size = [width, height].map(libm::round);
+        let sheet = Sheet::new(None, size[0] / scale)?;
+        let drawn = |is_done| -> Result<(Panel, Image), DrawError> {
+            let (keys, room) = sheet.keys(shown.entries(), 0.0);
+            let ([left, inner], top) = (sheet.span(), room + ABOVE);
+            let mut panel =
+                Sheet::panel([left, top, inner, size[1] / scale - top - BELOW], shown.content(is_done));
+            panel.keys = keys;
+            let figure =
+                sheet.figure("pane", "", String::new(), size[1] / scale, vec![panel.clone()]).fitted();
+            let image = figure.pixels(size.map(|side| side as u32), scale)?;
+            Ok((panel, image))
+        };
+        let (panel, still) = drawn(false)?;
+        let done = if with == With::Plane { None } else { Some(drawn(true)?.1) };
+        let (corner, units) = ([left, top].map(libm::round), shown.worth());
+        Ok(Self { with, panel, corner, scale, still, done, pieces, units })
     }
 
     /// What does not change from frame to frame.
-    pub(crate) fn draw_still(&self, canvas: &mut Canvas, trajectory: &Trajectory) {
-        let plot = &self.plot;
-        let u = plot.unit;
-        match self.with {
-            With::Plane => {
-                self.draw_curves(canvas, trajectory);
-                for piece in &self.pieces {
-                    let points: Vec<[f64; 2]> = piece.points.iter().map(|(_, point)| *point).collect();
-                    plot.line(canvas, &points, 1.2 * u, LINE, Dash::Solid);
-                }
-                let x: Vec<Tick> = ticks::angular(-PI, PI, 5);
-                let name = with_unit(&marked(Quantity::Theta.sign()), Dimension::Angle.si_sign());
-                self.frame(canvas, &x, &name, Dimension::AngularRate, &marked(Quantity::ThetaRate.sign()));
-            }
-            With::Friction => {
-                let hoop = trajectory.hoop();
-                for (limit, dash, sign) in
-                    [(hoop.mu_s(), Dash::Solid, Quantity::MuS), (hoop.mu_k(), Dash::Dashed, Quantity::MuK)]
-                {
-                    let line = [[plot.x[0], limit], [plot.x[1], limit]];
-                    plot.line(canvas, &line, 1.4 * u, FRICTION_FORCE, dash);
-                    let (_, y) = plot.place([plot.x[1], limit]);
-                    // One over, the other under its line, so that they never meet.
-                    let below = if sign == Quantity::MuS { -3.0 } else { 10.0 };
-                    let style = Style { size: 10.0 * u, is_bold: false, anchor: 1.0 };
-                    canvas.words(
-                        &marked(sign.sign()),
-                        (plot.left + plot.width - 4.0 * u, y + below * u),
-                        style,
-                        FRICTION_FORCE,
-                    );
-                }
-                for piece in &self.pieces {
-                    let points: Vec<[f64; 2]> = piece.points.iter().map(|(_, point)| *point).collect();
-                    plot.line(canvas, &points, 1.2 * u, LINE, Dash::Solid);
-                }
-                self.frame_of_time(canvas, "|*F*|/*N*", None);
-            }
-            With::Energy => {
-                self.draw_energy(canvas, f64::INFINITY, 0.3);
-                let style = Style { size: 9.0 * u, is_bold: true, anchor: 1.0 };
-                for (line, parts) in EnergyPart::ALL.chunks(2).enumerate() {
-                    let mut right = plot.left + plot.width;
-                    let y = plot.top - (15.5 - 11.0 * line as f64) * u;
-                    for part in parts.iter().rev().filter(|part| self.has(**part)) {
-                        canvas.words(part.label(), (right, y), style, colour::of_energy(*part));
-                        right -= style.width(part.label()) + 7.0 * u;
-                    }
-                }
-                let unit = unit_sign(self.units.as_ref(), Dimension::Energy);
-                let name = with_unit(&marked(SampleColumn::Energy.sign()), &unit);
-                let style = Style { size: 10.0 * u, is_bold: false, anchor: 0.0 };
-                canvas.words(&name, (plot.left, plot.top - 15.5 * u), style, INK);
-                self.frame_of_time(canvas, "", Some(Dimension::Energy));
-            }
-        }
+    pub(crate) fn draw_still(&self, canvas: &mut Canvas) {
+        canvas.image(&self.still, self.corner, self.still.size[0]);
+    }
+
+    /// Where a place of the figure is drawn.
+    fn place(&self, at: [f64; 2]) -> (f64, f64) {
+        let [x, y] = [0, 1].map(|k| self.corner[k] + self.scale * at[k]);
+        (x, y)
     }
 
     /// What the motion has done up to a time.
     pub(crate) fn draw_moving(&self, canvas: &mut Canvas, sample: &Sample) {
-        let (plot, time) = (&self.plot, sample.state.time);
-        let u = plot.unit;
-        if self.with == With::Energy {
-            self.draw_energy(canvas, time, 1.0);
+        let time = sample.state.time;
+        let [[left, top], [right, bottom]] = self.panel.axes_frame();
+        let in_units = |[x, y]: [f64; 2]| [self.units[0] * x, self.units[1] * y];
+        let placed = |point: [f64; 2]| self.panel.place(in_units(point)).unwrap_or_default();
+        if let Some(done) = &self.done {
+            let now = placed([time, 0.0])[0].clamp(left, right);
+            canvas.image(done, self.corner, libm::round(self.scale * now) as usize);
+            let (x, y) = self.place([now - 0.7, top]);
+            canvas.rectangle((x, y), 1.4 * self.scale, self.scale * (bottom - top), INK);
+        } else {
+            for piece in &self.pieces {
+                let until = piece.points.iter().take_while(|(at, _)| *at <= time);
+                let points: Vec<[f64; 2]> = until.map(|(_, point)| in_units(*point)).collect();
+                for run in self.panel.line(&points) {
+                    let run: Vec<(f64, f64)> = run.into_iter().map(|at| self.place(at)).collect();
+                    canvas.line(&run, MOTION * self.scale, of_mode(piece.mode));
+                }
+            }
         }
-        for piece in &self.pieces {
-            let points: Vec<[f64; 2]> =
-                piece.points.iter().take_while(|(at, _)| *at <= time).map(|(_, point)| *point).collect();
-            plot.line(canvas, &points, 2.2 * u, of_mode(piece.mode), Dash::Solid);
-        }
-        let now = match self.with {
-            With::Plane => Some([wrapped(sample.state.theta), sample.state.theta_rate]),
-            With::Friction => demand(sample).map(|demand| [time, demand]),
-            With::Energy => None,
-        };
-        if self.with != With::Plane {
-            let (x, _) = plot.place([time, plot.y[0]]);
-            canvas.rectangle((x - 0.6 * u, plot.top), 1.2 * u, plot.height, INK);
-        }
-        if let Some(now) = now.filter(|now| now[1].is_finite()) {
-            let (x, y) = plot.place([now[0], now[1].clamp(plot.y[0], plot.y[1])]);
-            canvas.disc((x, y), 4.6 * u, PAPER);
-            canvas.disc((x, y), 3.4 * u, INK);
+        if let Some(now) = place_of(self.with, sample).filter(|now| now[1].is_finite()) {
+            let [x, y] = placed(now);
+            let centre = self.place([x, y.clamp(top, bottom)]);
+            canvas.disc(centre, 5.4 * self.scale, PAPER);
+            canvas.disc(centre, 4.0 * self.scale, INK);
         } else if self.with == With::Friction {
             let words = if sample.mode.touches_plane() { "*N* = *F* = 0" } else { "no contact" };
-            let style = Style { size: 10.0 * u, is_bold: false, anchor: 0.5 };
-            let place = (plot.left + 0.5 * plot.width, plot.top + 14.0 * u);
-            canvas.label(words, place, style, SOFT);
+            let style = Style { size: 12.0 * self.scale, is_bold: false, anchor: 0.5 };
+            canvas.label(words, self.place([0.5 * (left + right), top + 16.0]), style, SOFT);
         }
+    }
+}
+
+/// Room above and below the frame of the figure, in its pixels.
+const ABOVE: f64 = 10.0;
+const BELOW: f64 = 2.0;
+
+impl Shown<'_> {
+    /// What a unit of either axis is worth in the units of the film.
+    fn worth(&self) -> [f64; 2] {
+        self.dimensions().map(|dimension| self.units.map_or(1.0, |units| units.unit(dimension)))
+    }
+
+    fn dimensions(&self) -> [Dimension; 2] {
+        match self.with {
+            With::Plane => [Dimension::Angle, Dimension::AngularRate],
+            With::Friction => [Dimension::Time, Dimension::Ratio],
+            With::Energy => [Dimension::Time, Dimension::Energy],
+        }
+    }
+
+    fn content(&self, is_done: bool) -> Content {
+        let time = if self.units.is_some() { "*t*".to_owned() } else { marked(Quantity::Time.sign()) };
+        let names = match self.with {
+            With::Plane => [Quantity::Theta, Quantity::ThetaRate].map(|quantity| marked(quantity.sign())),
+            With::Friction => [time, "|*F*|/*N*".to_owned()],
+            With::Energy => [time, marked(SampleColumn::Energy.sign())],
+        };
+        let (dimensions, worth) = (self.dimensions(), self.worth());
+        let axis = |k: usize| {
+            // The sign of the radian is a word.
+            let unit = match dimensions[k] {
+                Dimension::Angle => dimensions[k].si_sign().to_owned(),
+                other => unit_sign(self.units.as_ref(), other),
+            };
+            let range = self.ranges[k].map(|value| worth[k] * value);
+            PlotAxis::new(COLUMNS[k], with_unit(&names[k], &unit), range)
+        };
+        let (mut x, y) = (axis(0), axis(1));
+        if self.with == With::Plane {
+            x.scale = Scale::Angle(Vec::new());
+        }
+        let mut layers = match self.with {
+            With::Plane => self.curves(),
+            With::Friction => self.limits(),
+            With::Energy => self.bands(if is_done { 1.0 } else { 0.3 }),
+        };
+        for piece in self.pieces {
+            let stroke =
+                if is_done { Stroke::solid(of_mode(piece.mode), MOTION) } else { Stroke::solid(GRID, 1.4) };
+            layers
+                .push(self.layer(vec![piece.points.iter().map(|(_, at)| *at).collect()], Mark::Line(stroke)));
+        }
+        Content { name: "pane", x, y, layers, labels: self.labels() }
+    }
+
+    fn layer(&self, pieces: Vec<Vec<[f64; 2]>>, mark: Mark) -> Layer {
+        let [right, up] = self.worth();
+        let row = |[x, y]: [f64; 2]| vec![right * x, up * y];
+        let pieces = pieces.into_iter().map(|piece| piece.into_iter().map(row).collect()).collect();
+        Series::new("", &COLUMNS, pieces).drawn(mark)
     }
 
     /// The curves f and n of rolling and that of lift-off, over the region of rolling.
-    fn draw_curves(&self, canvas: &mut Canvas, trajectory: &Trajectory) {
-        let (plot, hoop) = (&self.plot, trajectory.hoop());
-        let plane = PhasePlane::new(hoop);
-        let u = plot.unit;
-        let window = Window { x: plot.x, y: plot.y };
-        for outline in plane.rolling_region(&window) {
-            let corners: Vec<Place> = outline.into_iter().map(|corner| plot.place(corner)).collect();
-            canvas.polygon(&corners, of_region());
-        }
-        for (curve, lines) in [
-            (Curve::LiftOff, plane.lift_off_curve(&window)),
-            (Curve::NormalForceZero, plane.normal_force_curve(&window)),
-            (Curve::SlipLimit, plane.slip_curve(&window)),
-        ] {
-            for line in lines {
-                plot.line(canvas, &line, 0.8 * curve.width() * u, curve.colour(colour::THEME), curve.dash());
-            }
-        }
-        let style = Style { size: 9.0 * u, is_bold: false, anchor: 1.0 };
-        let mut right = plot.left + plot.width;
-        for (words, curve) in [
-            ("lift-off", Curve::LiftOff),
-            ("*n*: *N* = 0", Curve::NormalForceZero),
-            ("*f*: |*F*| = *μ*ₛ*N*", Curve::SlipLimit),
-        ] {
-            canvas.words(words, (right, plot.top - 4.5 * u), style, curve.colour(colour::THEME));
-            right -= style.width(words) + 7.0 * u;
-        }
+    fn curves(&self) -> Vec<Layer> {
+        let plane = PhasePlane::new(self.trajectory.hoop());
+        let [x, y] = self.ranges;
+        let window = Window { x, y };
+        let region = self.layer(plane.rolling_region(&window), Mark::Fill(REGION));
+        let lines = CURVES.map(|(curve, _)| self.layer(curve.pieces(&plane, &window), of_curve(curve)));
+        core::iter::once(region).chain(lines).collect()
     }
 
-    fn has(&self, part: EnergyPart) -> bool {
-        let most = self.plot.y[1];
-        let parts = self.energies.iter().flat_map(|(_, parts)| parts);
-        parts.map(|(_, parts)| parts.part(part)).fold(0.0, f64::max) > 1e-6 * most
+    /// The coefficients of friction.
+    fn friction(&self) -> [(Quantity, f64, Dash); 2] {
+        let hoop = self.trajectory.hoop();
+        [(Quantity::MuS, hoop.mu_s(), Dash::Solid), (Quantity::MuK, hoop.mu_k(), Dash::Dashed)]
     }
 
-    /// The parts of the energy one upon the other up to a time.
-    fn draw_energy(&self, canvas: &mut Canvas, until: f64, strength: f64) {
-        let Some((_, parts)) = &self.energies else { return };
-        let parts: Vec<&(f64, EnergyParts)> = parts.iter().take_while(|(time, _)| *time <= until).collect();
-        let mut lower: Vec<[f64; 2]> = parts.iter().map(|(time, _)| [*time, 0.0]).collect();
-        if lower.len() < 2 {
-            return;
+    fn limits(&self) -> Vec<Layer> {
+        let line = |(_, limit, dash)| {
+            let stroke = Stroke { colour: FRICTION_FORCE, width: 1.6, dash };
+            self.layer(vec![self.ranges[0].map(|time| [time, limit]).to_vec()], Mark::Line(stroke))
+        };
+        self.friction().map(line).to_vec()
+    }
+
+    fn labels(&self) -> Vec<Label> {
+        if self.with != With::Friction {
+            return Vec::new();
         }
+        let label = |(quantity, limit, _): (Quantity, f64, Dash)| {
+            // One over, the other under its line, so that they never meet.
+            let down = if quantity == Quantity::MuS { -8.0 } else { 8.0 };
+            let at = [self.worth()[0] * self.ranges[0][1], limit];
+            let label = Label::new(marked(quantity.sign()), &at).right().shifted(-5.0, down);
+            label.sized(SMALL).coloured(FRICTION_FORCE)
+        };
+        self.friction().map(label).to_vec()
+    }
+
+    /// The parts of the energy one upon the other.
+    fn bands(&self, strength: f64) -> Vec<Layer> {
+        let mut lower: Vec<[f64; 2]> = self.energies.iter().map(|(time, _)| [*time, 0.0]).collect();
+        let mut layers = Vec::new();
         for part in EnergyPart::ALL {
-            let upper: Vec<[f64; 2]> = lower
-                .iter()
-                .zip(&parts)
-                .map(|([time, below], (_, parts))| [*time, below + parts.part(part).max(0.0)])
-                .collect();
-            self.plot.band(canvas, &lower, &upper, colour::of_energy(part).over(PAPER, strength));
-            self.plot.line(canvas, &upper, 0.8 * self.plot.unit, PAPER, Dash::Solid);
+            let above = |([time, below], (_, parts)): (&[f64; 2], &(f64, EnergyParts))| {
+                [*time, below + parts.part(part).max(0.0)]
+            };
+            let upper: Vec<[f64; 2]> = lower.iter().zip(self.energies).map(above).collect();
+            let area = lower.iter().chain(upper.iter().rev()).copied().collect();
+            let colour = of_energy(part).over(PAPER, strength);
+            layers.push(self.layer(vec![area], Mark::Fill(colour)));
+            layers.push(self.layer(vec![upper.clone()], Mark::Line(Stroke::solid(PAPER, FINE))));
             lower = upper;
         }
+        layers
     }
 
-    fn frame_of_time(&self, canvas: &mut Canvas, name: &str, dimension: Option<Dimension>) {
-        let unit = self.units.map_or(1.0, |units| units.unit(Dimension::Time));
-        let sign = if self.units.is_some() { "t" } else { Quantity::Time.sign() };
-        let [low, high] = self.plot.x.map(|time| unit * time);
-        let mut x = ticks::round(low, high, 5);
-        x.iter_mut().for_each(|tick| tick.value /= unit);
-        let title = with_unit(&marked(sign), &unit_sign(self.units.as_ref(), Dimension::Time));
-        self.frame(canvas, &x, &title, dimension.unwrap_or(Dimension::Ratio), name);
+    /// The keys.
+    fn entries(&self) -> Vec<(Mark, String)> {
+        match self.with {
+            With::Plane => CURVES.map(|(curve, words)| (of_curve(curve), words.to_owned())).to_vec(),
+            With::Friction => Vec::new(),
+            With::Energy => {
+                let most = self.ranges[1][1];
+                let is_seen = |part: &EnergyPart| {
+                    self.energies.iter().map(|(_, parts)| parts.part(*part)).fold(0.0, f64::max) > 1e-6 * most
+                };
+                let key = |part: EnergyPart| (Mark::Fill(of_energy(part)), part.label().to_owned());
+                EnergyPart::ALL.into_iter().filter(is_seen).map(key).collect()
+            }
+        }
     }
+}
 
-    fn frame(&self, canvas: &mut Canvas, x: &[Tick], x_name: &str, dimension: Dimension, name: &str) {
-        let unit = self.units.map_or(1.0, |units| units.unit(dimension));
-        let [low, high] = self.plot.y.map(|value| unit * value);
-        let mut y = ticks::round(low, high, 5);
-        y.iter_mut().for_each(|tick| tick.value /= unit);
-        let title = if name.is_empty() {
-            String::new()
-        } else {
-            with_unit(name, &unit_sign(self.units.as_ref(), dimension))
-        };
-        self.plot.draw_frame(canvas, [x, &y], [x_name, &title]);
+/// The curves of the plane, and what they are called where there is little room.
+const CURVES: [(Curve, &str); 3] = [
+    (Curve::SlipLimit, "*f*: |*F*| = *μ*_{s}*N*"),
+    (Curve::NormalForceZero, "*n*: *N* = 0"),
+    (Curve::LiftOff, "lift-off"),
+];
+
+fn of_curve(curve: Curve) -> Mark {
+    let stroke = Stroke::of_curve(curve);
+    Mark::Line(stroke.wide(0.8 * stroke.width))
+}
+
+/// Where a motion is in a pane.
+fn place_of(with: With, sample: &Sample) -> Option<[f64; 2]> {
+    match with {
+        With::Plane => Some([wrapped(sample.state.theta), sample.state.theta_rate]),
+        With::Friction => demand(sample).map(|demand| [sample.state.time, demand]),
+        With::Energy => None,
     }
 }
 
@@ -336,11 +388,10 @@ fn most_demand(trajectory: &Trajectory) -> f64 {
     if most > 0.0 { 1.3 * most } else { 1.0 }
 }
 
-fn most_energy(energies: Option<&(Ledger, Vec<(f64, EnergyParts)>)>) -> f64 {
-    let parts = energies.into_iter().flat_map(|(_, parts)| parts);
+fn most_energy(energies: &[(f64, EnergyParts)]) -> f64 {
     let sum =
         |parts: &EnergyParts| EnergyPart::ALL.iter().map(|part| parts.part(*part).max(0.0)).sum::<f64>();
-    let most = parts.map(|(_, parts)| sum(parts)).filter(|sum| sum.is_finite()).fold(0.0, f64::max);
+    let most = energies.iter().map(|(_, parts)| sum(parts)).filter(|sum| sum.is_finite()).fold(0.0, f64::max);
     if most > 0.0 { 1.05 * most } else { 1.0 }
 }
 
