@@ -20,8 +20,8 @@ GREEK = "αβγδεηθλμνπρστφψωΓΔΘΛΣΦΨΩ"
 SYMBOLS = "é−±×·°′″ℓ√∞≤≥≈≠→←↑↓½–—‘’…§\u0304\u0302"
 SCRIPT = "𝓡𝓝"
 ASCII = "".join(map(chr, range(0x20, 0x7F)))
-# Where the bar over a letter goes: it stands over a capital, X, and is drawn for small letters.
-BAR, LIFT = 0x0304, (20, 656 - 473)
+# Accents are drawn for small letters, but stand over italic capitals: the bar over X, the hat over I.
+LIFTS = {0x0304: (20, 656 - 473), 0x0302: (177, 656 - 473)}
 
 
 def italic_symbols() -> dict[int, int]:
@@ -78,7 +78,7 @@ def main() -> None:
     for face, code, own in places:
         if own in names:
             glyph, pen = glyphs[names[own]], Outline(glyphs)
-            right, up = LIFT if code == BAR else (0, 0)
+            right, up = LIFTS.get(code, (0, 0))
             glyph.draw(TransformPen(pen, (1, 0, 0, 1, right, up)))
             lines.append(f"{face} {code:x} {glyph.width:g} {pen.path}".rstrip() + "\n")
     Path(__file__).with_name("letters.txt").write_text("".join(lines))

@@ -119,10 +119,15 @@ fn letters_of(text: &str, italic: bool) -> String {
     let mut out = String::new();
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
-        // A line over the letter before.
-        if letters.peek() == Some(&'\u{304}') {
+        // An accent follows its letter.
+        let accent = match letters.peek() {
+            Some('\u{302}') => Some("hat"),
+            Some('\u{304}') => Some("bar"),
+            _ => None,
+        };
+        if let Some(accent) = accent {
             letters.next();
-            out += &format!("\\bar{{{letter}}}");
+            out += &format!("\\{accent}{{{letter}}}");
         } else if let Some(symbol) = symbol(letter) {
             out += symbol;
             // A name of letters ends before another letter.
@@ -181,5 +186,6 @@ mod tests {
         assert_eq!(latex("*θ*′^{2} = 10^{−9}."), "$\\theta'^{2} = 10^{-9}$.");
         assert_eq!(latex("*μ*_{k} = 0.4. In 2019"), "$\\mu_{\\mathrm{k}} = 0.4$. In 2019");
         assert_eq!(latex("*X̄* moves by *ℓh*"), "$\\bar{X}$ moves by $\\ell h$");
+        assert_eq!(latex("*I\u{302}* = 1"), "$\\hat{I} = 1$");
     }
 }

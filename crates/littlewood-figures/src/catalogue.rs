@@ -78,7 +78,7 @@ pub const FIGURES: &[FigureEntry] = &[
     entry("figure-1", "the body and its symbols", "figure-3", paper::schematic::figure),
     entry(
         "figure-2a",
-        "where static friction gives way, for four coefficients",
+        "loci of slip in rolling, for four coefficients of friction",
         "figure-3",
         paper::loci::figure,
     ),
@@ -110,22 +110,27 @@ pub const FIGURES: &[FigureEntry] = &[
     ),
     entry("energy", "energies of a motion against time", "figure-3", paper::histories::energy),
     entry("sheet", "all quantities of a motion against time", "figure-3", paper::overview::figure),
-    entry("stroboscope", "the hoop at equal times, with its forces", "figure-3", paper::stroboscope::figure),
+    entry(
+        "stroboscope",
+        "the hoop at equal intervals of time, with its forces",
+        "figure-3",
+        paper::stroboscope::figure,
+    ),
     entry("phase-path", "a motion in the phase portrait of rolling", "figure-3", paper::phase_path::figure),
-    entry("friction-demand", "friction that rolling demands along orbits", "figure-3", paper::demand::figure),
+    entry("friction-demand", "friction demand of rolling along orbits", "figure-3", paper::demand::figure),
     entry("hodograph", "friction against normal force, in the cone", "figure-3", paper::hodograph::figure),
     entry("painleve", "where sliding has no solution", "painleve", paper::painleve::figure),
     entry("impact", "an impact in the plane of impulses", "figure-3-bounces", paper::impact::figure),
     entry("bounces", "gap and rates of the bounces of a motion", "figure-3-bounces", paper::bounces::figure),
     FigureEntry {
         name: "outcomes",
-        title: "what becomes of the starts of the plane",
+        title: "outcomes of the starts in the phase plane",
         case: "figure-3",
         make: Make::OfStarts(paper::outcomes::figure),
     },
     FigureEntry {
         name: "bifurcation",
-        title: "how transitions change along a line of starts or parameters",
+        title: "transitions along a line of starts or parameters",
         case: "figure-3",
         make: Make::OfStarts(paper::bifurcation::figure),
     },
@@ -138,18 +143,17 @@ const PREFACE: &str = "\
 # Gallery
 
 Every figure of A. Bronars and O. M. O'Reilly, *Gliding motions of a rigid body: the curious dynamics of Littlewood's
-rolling hoop* (Proc. R. Soc. A 475, 2019), and others that it does not have, made from the library's results:
+rolling hoop* (Proc. R. Soc. A 475, 2019), and more, computed by the library:
 
 ```sh
 littlewood figures --out figures
 ```
 
-Beside each drawing come a PDF, a picture, the data drawn (CSV) and the caption. With `--mass-ratio` and its like the same
-figures show any other hoop, in SI units if they are given in SI units; `--width-mm 84` lays them out for the column of a
-journal, with letters of 7 to 8 points, and `--format pdf,tex` brings a file for `\\input`. `littlewood figures --help` has
-examples. Lengths are in *R*, masses in *m*<sub>2</sub>,
-times in √(*R*/*g*). This page and its images are made by
-`cargo run -p littlewood-figures --example gallery -- docs`; a test compares them.
+It writes each figure as SVG, PDF and PNG, with its data (CSV) and its caption. With other parameters (`--mass-ratio`, …) the
+figures show another hoop, in SI units if the parameters are; `--width-mm 84` fits the column of a journal, with letters of 7
+to 8 points, and `--format pdf,tex` adds a file for `\\input`. `littlewood figures --help` has examples. Lengths are in *R*,
+masses in *m*<sub>2</sub>, times in √(*R*/*g*). `cargo run -p littlewood-figures --example gallery -- docs` writes this page
+and its images; a test compares them.
 ";
 
 /// The page of the gallery: every figure as the paper has it, with its caption.

@@ -122,12 +122,12 @@ fn choose(
             }
         }
     }
-    Err(reason.unwrap_or_else(|| "There is nothing more to show of this hoop.".to_owned()))
+    Err(reason.unwrap_or_else(|| "No other figure applies to this hoop.".to_owned()))
 }
 
 /// Why there is no such figure.
 fn sentence(entry: &FigureEntry, error: &FigureError) -> String {
-    format!("There is no picture of {}: {error}.", entry.title)
+    format!("No figure of {}: {error}.", entry.title)
 }
 
 struct Page {
@@ -225,7 +225,7 @@ impl Page {
             y += 9.0;
         }
         let units = "Lengths in radii *R*, times in √(*R*/*g*), masses in that of the particle; ′ is the rate; *m*, *h*: mass \
-                     and distance of the mass centre; *I*: moment of inertia about it; *σ* = ±1: direction of the slip.";
+                     and distance of the mass centre; *I\u{302}*: moment of inertia about it; *σ* = ±1: direction of the slip.";
         for line in wrapped(units, self.letters(), LINES) {
             self.labels.push(Label::new(line, &[left, -y]).left().coloured(SOFT));
             y += LINE;
@@ -322,13 +322,16 @@ fn laws(input: &FigureInput) -> &'static [(&'static str, &'static [&'static str]
         ]
     } else {
         &[
-            ("Rolling", &["*D* (*θ*′^{2} + 1) = constant,  *D* = *I* + *m*(1 + *h*^{2}) + 2*mh* cos *θ*"]),
+            (
+                "Rolling",
+                &["*D* (*θ*′^{2} + 1) = constant,  *D* = *I\u{302}* + *m*(1 + *h*^{2}) + 2*mh* cos *θ*"],
+            ),
             ("holds while", &["|*F*| ≤ *μ*_{s} *N*,  *N* > 0"]),
             (
                 "Sliding",
                 &[
-                    "*F* = −*μ*_{k} *σN*,  *I θ*″ = *qN*,  *q* = *h* sin *θ* − *μ*_{k} *σ*(1 + *h* cos *θ*)",
-                    "*N* = *I m* (1 − *h* cos *θ* *θ*′^{2})/(*I* + *mh* sin *θ* *q*)",
+                    "*F* = −*μ*_{k} *σN*,  *I\u{302} θ*″ = *qN*,  *q* = *h* sin *θ* − *μ*_{k} *σ*(1 + *h* cos *θ*)",
+                    "*N* = *I\u{302} m* (1 − *h* cos *θ* *θ*′^{2})/(*I\u{302}* + *mh* sin *θ* *q*)",
                 ],
             ),
             ("Lift-off", &["where *h* cos *θ* *θ*′^{2} = 1, whatever the friction"]),

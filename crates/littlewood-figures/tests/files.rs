@@ -70,7 +70,7 @@ fn captions_say_where_the_paper_is_wrong() {
         ("figure-6a", "is not conserved by (3.17)"),
         ("figure-6b", "corrected integral"),
         ("figure-7a", "corrected integral"),
-        ("outcomes", "not, as the paper has it"),
+        ("outcomes", "where the paper lets it leave, it slides first"),
     ] {
         let caption = plain(&support::figure(name).caption);
         assert!(caption.contains(words), "{name}: {caption}");

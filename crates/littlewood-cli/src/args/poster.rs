@@ -7,11 +7,10 @@ use clap::Args;
 use super::{ProblemArgs, RunArgs, number};
 
 pub(super) const POSTER: &str = "\
-Draw a poster of a hoop on a page of A3: its body, the path, the phase portrait, what becomes of other starts, forces, \
-friction, energy and the laws, each with a sentence.
+Draw an A3 poster of a hoop: its body, path, phase portrait, outcomes, forces, friction, energy and laws of motion.
 
-The motion is given as in `simulate`. What does not apply to a hoop is replaced by another picture, or by the reason in \
-words. The ending of --out says what the poster is: .pdf, .svg or .png.";
+The motion is given as in `simulate`. A figure that does not apply to the hoop is replaced by another, or by the reason. \
+The extension of --out chooses the format: .pdf, .svg or .png.";
 
 pub(super) const POSTER_EXAMPLES: &str = "\
 Examples:

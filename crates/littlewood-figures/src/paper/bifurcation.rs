@@ -268,19 +268,19 @@ fn said(line: &Line, bands: &[Band], fates: Fates, say: Wording) -> String {
         unit => format!(" {unit}"),
     };
     if boundaries.is_empty() {
-        return format!("All are alike: {}.", sequences[0]);
+        return format!("All have the same sequence: {}.", sequences[0]);
     }
     if boundaries.len() > SAID {
         let first = boundaries[..SAID].join(", ");
         return format!(
-            "There are {} boundaries, the first at {} = {first}{unit}; the table has all.",
+            "{} boundaries, the first at {} = {first}{unit}; the CSV file has all.",
             boundaries.len(),
             say.sign_of(varies)
         );
     }
     let last = sequences.len() - 1;
     format!(
-        "In turn: {} and {}. Boundaries at {} = {}{unit}.",
+        "From left to right: {} and {}. Boundaries at {} = {}{unit}.",
         sequences[..last].join(", "),
         sequences[last],
         say.sign_of(varies),
@@ -426,15 +426,15 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
         && bands.iter().any(|band| class(band) == Class::InContact);
     let finer = if amiss > 0 {
         format!(
-            " Ends change more finely than is drawn: of {} other motions {amiss} end otherwise.",
+            " Outcomes vary more finely than drawn: of {} other motions {amiss} have another outcome.",
             MOTIONS - 1
         )
     } else {
         String::new()
     };
     let caption = format!(
-        "How a motion{} changes with {}: above, the sequence of its phases ({}) and what becomes of it; below, in which mode it is \
-         at which time. White curves: transitions; where two meet the sequence changes. {}{finer} {}.",
+        "Motions{} that differ in {}. Above: the sequence of phases ({}) and the outcome. Below: the mode at each time; white \
+         curves are transitions, and where two meet the sequence changes. {}{finer} {}.",
         if cut { format!(", followed to {} transitions,", limits.transitions) } else { String::new() },
         say.varied_in_words(varies),
         letters.join(", "),

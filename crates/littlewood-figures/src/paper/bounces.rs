@@ -173,10 +173,10 @@ fn rate_panel(
 fn in_words(settled: &[Settled<'_>], landings: usize, say: Wording) -> String {
     match settled {
         [] if landings == 1 => "There is one landing.".to_owned(),
-        [] => format!("There are {landings} landings, and they do not accumulate."),
+        [] => format!("{landings} landings, which do not accumulate."),
         [end, ..] => format!(
-            "After {} landings those that remain, without number, take less than 10^{{−7}}; they are completed as one. The \
-             hoop {} at {} = {}.",
+            "After {} landings the remaining ones, infinitely many, last less than 10^{{−7}} and are summed. The hoop {} at \
+             {} = {}.",
             end.landings,
             end.transition.cause.label(),
             say.time(),

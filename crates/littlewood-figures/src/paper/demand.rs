@@ -107,19 +107,19 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let y = say.axis(DEMAND, "|*F*|/*N*", [0.0, most]);
     Ok(input.sheet(620.0)?.plot(
         NAME,
-        "Friction that rolling demands",
+        "Friction demand of rolling",
         if input.is_massless() {
             format!(
-                "The share |*F*|/*N* that rolling of a massless hoop demands: *F* and *N* vanish together, and their ratio is \
-                 the same on all orbits and at all rates (3.9). Where the curve rises above *μ*_{{s}} the hoop slips. {}; {}.",
+                "The ratio |*F*|/*N* in rolling of a massless hoop. It is the same on all orbits and at all rates, since *F* and \
+                 *N* vanish together (3.9). Where the curve exceeds *μ*_{{s}} the hoop slips. {}; {}.",
                 say.rolling(hoop),
                 say.start(hoop, &input.start)
             )
         } else {
             format!(
-                "The share |*F*|/*N* that rolling demands along four orbits of constant energy *E* (2.12). Where a curve rises \
-             above *μ*_{{s}} the hoop slips; a curve that ends goes up to where *N* = 0 or beyond the frame, or the orbit \
-             turns there. |*F*|/*N* does not depend on the direction of motion. {}; {}.",
+                "The ratio |*F*|/*N* in rolling along four orbits of constant energy *E* (2.12), in either direction. Where a \
+                 curve exceeds *μ*_{{s}} the hoop slips. A curve ends at the frame, where *N* = 0, or where the orbit turns. {}; \
+                 {}.",
                 say.rolling(hoop),
                 say.start(hoop, &input.start)
             )

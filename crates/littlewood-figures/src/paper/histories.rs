@@ -236,7 +236,7 @@ fn losses(motion: &Trajectory, say: Wording) -> String {
     let all = motion.energy_lost();
     let energy = |value: f64| say.quantity(value, Dimension::Energy);
     if motion.hoop().restitution().is_none() {
-        return format!("Only sliding costs energy: {} in all", energy(all));
+        return format!("Only sliding dissipates energy, {} in all", energy(all));
     }
     let until = horizon(motion);
     let in_impacts: f64 = impacts::all(motion)

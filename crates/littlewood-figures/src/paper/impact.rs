@@ -275,9 +275,9 @@ fn chosen(input: &FigureInput) -> Result<(Restitution, Transition, Impact), Figu
 fn in_words(impact: &Impact, say: Wording) -> String {
     let lost = impact.energy_lost();
     if impact.gains_energy() {
-        return format!("The law gains {} here.", say.quantity(-lost, Dimension::Energy));
+        return format!("Energy gained by this law: {}.", say.quantity(-lost, Dimension::Energy));
     }
-    format!("It takes {}.", say.quantity(lost, Dimension::Energy))
+    format!("Energy lost: {}.", say.quantity(lost, Dimension::Energy))
 }
 
 /// Routh's diagram.

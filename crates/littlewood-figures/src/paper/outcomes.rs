@@ -1,4 +1,4 @@
-//! What becomes of the starts of the plane: regions of outcomes, bounded by curves.
+//! Outcomes of the starts in the phase plane: regions bounded by curves.
 
 use core::f64::consts::PI;
 
@@ -190,21 +190,23 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
             layers.push(series.drawn(Mark::Line(stroke)));
             legend.push(key_of_curve(curve));
         }
-        remark = " The body leaves the plane at once only beyond *h* cos *θ* *θ*′^{2} = 1, not, as the paper has it, \
-                  beyond *n*: between the two it slides first.";
+        remark = " The body leaves the plane at once only beyond *h* cos *θ* *θ*′^{2} = 1; between *n* and this curve, \
+                  where the paper lets it leave, it slides first.";
     }
     let finer = if amiss > UNSAID {
-        format!(" Ends change more finely than is drawn: of {CHECKED} other starts {amiss} end otherwise.")
+        format!(
+            " Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
+        )
     } else {
         String::new()
     };
     let say = input.wording();
     Ok(input.sheet(620.0)?.plot(
         NAME,
-        "What becomes of the motion",
+        "Outcome",
         format!(
-            "What becomes of a start in the plane of rolling with *η*′ = 0, followed {}{}{}. Boundaries are followed as curves, \
-             each of their points between two starts that end otherwise.{finer}{remark} {}.",
+            "Outcome of each start with *η*′ = 0, followed {}{}{}. Each point of a boundary lies between two starts with \
+             different outcomes.{finer}{remark} {}.",
             if fates.go_on() { "through all landings " } else { "" },
             followed(input, plan.limits, cut),
             if fates.go_on() { "; hatched: the body lifts off before" } else { "" },

@@ -261,9 +261,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         words => words + ".",
     };
     let caption = format!(
-        "All of a motion against time: angle *θ* and its rate, slip velocity *η*′, place (*x*, *y*) of the geometric centre \
-         *C*, with the mass centre *X̄*, gap under the rim, normal force *N* and friction force *F*; {verticals}.{words} {}; \
-         {}.",
+        "Angle *θ* and its rate, slip velocity *η*′, position (*x*, *y*) of the geometric centre *C* and of the mass centre \
+         *X̄*, gap under the rim, normal force *N* and friction force *F* against time; {verticals}.{words} {}; {}.",
         say.hoop(hoop),
         say.start(hoop, &input.start)
     ) + &remark(&motion, say);

@@ -180,8 +180,8 @@ fn in_words(hoop: &Hoop, own: &Threshold, say: Wording) -> String {
     let angle = |theta: f64| format!("{}°", short(libm::round(100.0 * theta.to_degrees()) / 100.0));
     let of_hoop = match own {
         Threshold::Massless(_) => {
-            "This hoop has no inertia: hatched is the limit of small inertia, where |*F*| = *μ*_{k}*N* would do to roll; the \
-             massless hoop itself glides there."
+            "This hoop has no inertia: hatched is the limit of small inertia, where |*F*| ≤ *μ*_{k}*N* suffices to roll; the \
+             massless hoop glides there."
                 .to_owned()
         }
         Threshold::Heavy { .. } => {
@@ -193,9 +193,9 @@ fn in_words(hoop: &Hoop, own: &Threshold, say: Wording) -> String {
                 .map(|[from, to]| format!("from *θ* = {} to {}", angle(from), angle(to)))
                 .collect();
             let now = if between.is_empty() {
-                format!("*μ*_{{k}} = {mu} is less")
+                format!("*μ*_{{k}} = {mu} is below it")
             } else {
-                format!("*μ*_{{k}} = {mu} is too much {} (rings)", between.join(" and "))
+                format!("*μ*_{{k}} = {mu} exceeds the threshold {} (rings)", between.join(" and "))
             };
             format!("For this hoop it is {}, at *θ* = {}; {now}.", short(least), angle(theta))
         }
@@ -253,7 +253,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     let say = input.wording();
     let caption = format!(
-        "Painlevé's paradox: where sliding with *η*′ > 0 has no solution with a normal force, or more than one, *I* + *mh* sin \
+        "Painlevé's paradox: where sliding with *η*′ > 0 has no solution with a normal force, or more than one, *I\u{302}* + *mh* sin \
          *θ* (*h* sin *θ* − *μ*_{{k}}(1 + *h* cos *θ*)) ≤ 0; for *η*′ < 0 at −*θ*. Thin: where it begins for thin hoops with the \
          particle on the rim, *γ* = *m*_{{2}}/(*m*_{{1}} + *m*_{{2}}). The least *μ*_{{k}} is √(1 − *γ*^{{2}})/*γ*, at cos *θ* = *γ* \
          (dots, dash-dotted: *μ*_{{k}} = tan *θ*). {}",

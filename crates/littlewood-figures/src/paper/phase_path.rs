@@ -189,9 +189,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let say = input.wording();
     let is_short = all.iter().any(|row| !(window.x[0]..=window.x[1]).contains(&row[1]));
     let caption = format!(
-        "The motion in the plane of rolling. In rolling it follows an orbit, a line of constant energy (grey), as long as it is in \
-         𝓡 (shaded); sliding and flight do not belong to this plane, for they have *η*′ ≠ 0, and are its shadow on it. Cross: start; \
-         diamonds: transitions; arrows: time; dots and rings: equilibria, stable and unstable.{} {}; {}.",
+        "The motion in the plane of rolling. In 𝓡 (shaded) rolling follows an orbit, a line of constant energy (grey). Sliding and \
+         flight, which have *η*′ ≠ 0, are projected onto this plane. Cross: start; diamonds: transitions; arrows: time; dots and \
+         rings: stable and unstable equilibria.{} {}; {}.",
         if is_short { " Shown are the first turns." } else { "" },
         say.hoop(hoop),
         say.start(hoop, &input.start)

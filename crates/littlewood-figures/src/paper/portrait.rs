@@ -68,8 +68,8 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
             "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium, the \
              particle on top, with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
              gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
-             where the hoop can roll. Hatched: *N* < 0. The paper has the hoop lose contact there at once; in truth it \
-             only cannot roll: between *n* and the curve *h* cos *θ* *θ*′^{{2}} = 1 it slides.{} {}{}.",
+             where the hoop can roll. Hatched: *N* < 0. The paper lets the hoop lose contact there at once; but \
+             between *n* and the curve *h* cos *θ* *θ*′^{{2}} = 1 it slides.{} {}{}.",
             if is_beyond { BEYOND } else { "" },
             if hoop.mu_s() == 0.0 { "Without friction 𝓡 has no area. " } else { "" },
             say.rolling(hoop)

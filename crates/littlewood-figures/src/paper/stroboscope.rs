@@ -155,7 +155,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
             layers.extend(arrows);
         }
         scale = format!(
-            " Arrows at the point of contact: normal force *N* and friction force *F*; one as long as the radius is {}.",
+            " Arrows at the point of contact: normal force *N* and friction force *F*; the radius as a length is {}.",
             say.quantity(force, Dimension::Force)
         );
     }

@@ -94,8 +94,8 @@ pub(super) fn ticks_of(axis: &Axis, units: Option<&Units>, most: usize) -> Vec<T
 pub(super) fn title(shade: Shade, goes_on: bool, units: Option<&Units>) -> String {
     match shade {
         Shade::Class if goes_on => "First lift-off, else the outcome".to_owned(),
-        Shade::Class => "What becomes of the motion".to_owned(),
-        Shade::Sequence => "The phases of the motion".to_owned(),
+        Shade::Class => "Outcome".to_owned(),
+        Shade::Sequence => "Sequence of phases".to_owned(),
         Shade::EnergyLost => with_unit("Energy lost", &unit_sign(units, Dimension::Energy)),
         Shade::Column(column) => {
             with_unit(&capitalised(column.long_name()), &unit_sign(units, column.dimension()))
