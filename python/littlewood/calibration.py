@@ -1,4 +1,4 @@
-"""What a camera shows wrong in every frame alike, and what it shows of a motion while a frame is exposed."""
+"""Constant errors of a camera, and the blur of a motion during an exposure."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(2)
 
 
 def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
-    """Return those names of a calibration that some channels tell of.
+    """Return the names of a calibration that some channels determine.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
 
 
 def shown(means: Mapping[str, _Reals], constants: Mapping[str, float]) -> dict[str, _Reals]:
-    """Return what a camera shows of θ, x and y, given what it shows wrong.
+    """Return θ, x and y as a camera with these errors shows them.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ class Case:
     name : str
         Name, as the command line takes it.
     title : str
-        What the motion does.
+        The motion in words.
     source : str
         Where the paper has it, if it does.
     hoop : Hoop
@@ -83,7 +83,7 @@ def case(name: str) -> Case:
     Raises
     ------
     KeyError
-        If there is none; the message has the names that look most like it.
+        If there is none; the message suggests similar names.
     """
     found = _core.name_of_case(name)
     if found is None:

@@ -1,4 +1,4 @@
-"""What a fit has found, and how well it is known."""
+"""The result of a fit."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Estimate:
     Attributes
     ----------
     value : float
-        Estimate; where it is not identifiable, the value that the fit happened to end with.
+        Estimate; where it is not identifiable, the last value of the fit.
     std_error : float
         Standard error; infinite where it is not identifiable.
     identifiable : bool
@@ -107,7 +107,7 @@ class FitResult:
     motion : Trajectory
         The fitted motion.
     track : Track
-        What was fitted.
+        The fitted track.
     residuals : mapping of str to ndarray
         Measured minus fitted, by channel: rad, R, R.
     noise : mapping of str to Noise
@@ -115,7 +115,7 @@ class FitResult:
     reduced_chi_square : float
         Sum eᵀV⁻¹e of the residuals over the number of measurements less that of free parameters; 1 for a good fit.
     mu_s_at_least : float
-        Largest friction |F|/N that rolling needed in the fitted motion: μs is at least that, whatever else is known.
+        Largest friction |F|/N of rolling in the fitted motion, a lower bound of μs.
     message : str
         How the optimiser ended.
     """
@@ -165,7 +165,7 @@ class FitResult:
         )
 
     def plot(self) -> Figure:
-        """Draw what was measured, the fitted motion, and the residuals below.
+        """Draw data, fitted motion and residuals.
 
         Returns
         -------

@@ -61,23 +61,23 @@ def fit(
 ) -> FitResult:
     r"""Estimate friction, inertia and restitution of a hoop from a tracked motion.
 
-    The start (angle, rate, position, and slip velocity if asked for) is estimated along with them. Masses and the place
+    The start (angle, rate, position, optionally slip velocity) is estimated, too. Masses and the place
     of the particle are taken from `hoop`: they are weighed and measured.
 
     Parameters
     ----------
     track : Track, str or Path
-        What was tracked, or a CSV file of it (:meth:`Track.from_csv`).
+        The track, or its CSV file (:meth:`Track.from_csv`).
     hoop : Hoop
         The hoop with what is known; its values of what is free are a first guess. Its law of restitution is taken as it
         is.
     free : iterable of {"mu_s", "mu_k", "inertia", "restitution"}, optional
-        What to estimate; the first three by default. With "restitution", or with a hoop that has one, the track may go
-        on after a landing.
+        Parameters to estimate; the first three by default. With "restitution", or with a hoop that has one, the
+        track may continue after a landing.
     slips_at_start : bool, optional
-        Whether the hoop is thrown with a slip velocity, which is then estimated, too; else it starts without slip.
+        Whether to estimate the slip velocity at the start; otherwise it is 0.
     start : mapping, optional
-        First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not tell them.
+        First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not determine them.
     sigma : mapping, optional
         Standard deviations of the measurements of `theta` (rad), `x` and `y` (R), which are then taken for independent.
         By default the errors of each channel are estimated from the residuals, as a part that differs from frame to
@@ -92,11 +92,11 @@ def fit(
         Whether to begin at many places. Without it the fit begins at the values of `hoop` and `start` alone, which is
         many times as fast, and finds the sequence of phases only if they have it.
     calibration : iterable of str, optional
-        What the camera may show wrong in every frame alike, which is then estimated along (as `camera_floor`, …):
+        Constant errors of the camera to estimate (as `camera_floor`, …):
         "floor" (the height of the centre), "turn", "scale", "stretch", "shear", "perspective_x" and "perspective_y" of
         the frame, "marker" (the angle), "middle_x" and "middle_y" (the centre against the marker), and "exposure"
-        (how long a frame is exposed). By default that of the
-        track: all of them for one of :func:`track_video`, none for others. What no channel tells of is left out.
+        (exposure time). By default all for a track of :func:`track_video`,
+        none for others. Those that no channel determines are omitted.
 
     Returns
     -------
@@ -106,7 +106,7 @@ def fit(
     -----
     IdentifiabilityWarning
         If the motion does not depend on something that is free. μs enters by the instant of a slip out of rolling alone
-        (a motion without one tells only that μs is at least the friction that rolling needed), μk by slides and by
+        (a motion without one gives only a lower bound, the friction that rolling needed), μk by slides and by
         impacts that slip; the inertia enters by rolling, sliding and impacts, not by flight; the coefficient of
         restitution by impacts alone.
 

@@ -39,13 +39,13 @@ class Hoop:
         Coefficient of kinetic friction, μk ≥ 0.
     restitution : float, optional
         Coefficient of restitution of the impact of the rim on the plane, 0 ≤ e ≤ 1. Without one (None) a motion ends
-        where the rim lands; with one it goes on: bounces, settles, rolls or slides, jumps again. A massless hoop has
-        none: its rim has no inertia that an impulse could act on.
+        where the rim lands; with one it continues. A massless hoop has none: an impulse would accelerate its rim
+        without bound.
     restitution_law : {"energetic", "poisson", "newton"}, optional
-        What e is a ratio of: of works (Stronge), which is the default where e is given, of impulses, or of velocities.
-        Only the last can gain energy.
+        Definition of e, a ratio of works (Stronge; the default where e is given), impulses or velocities. Only the
+        last can gain energy.
     units : Units, optional
-        What the hoop measures in; :meth:`from_si` sets it.
+        Units of the hoop; :meth:`from_si` sets them.
 
     Raises
     ------
@@ -62,7 +62,7 @@ class Hoop:
     >>> [phase.mode for phase in motion.phases]
     ['sliding', 'rolling', 'sliding', 'flight']
 
-    The same hoop lands without a rebound, goes on sliding, and rolls in the end:
+    The same hoop with e = 0 lands without a rebound, slides, and rolls in the end:
 
     >>> soft = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, restitution=0)
     >>> [phase.mode for phase in soft.simulate(theta=math.pi / 2, theta_rate=2).phases][3:]
@@ -154,7 +154,7 @@ class Hoop:
 
     @property
     def attributes(self) -> dict[str, float | str]:
-        """What data sets say of the hoop: its parameters and the law of restitution, as far as it has them."""
+        """Attributes of data sets: the parameters of the hoop and the law of restitution, if any."""
         named = {**{name: getattr(self, name) for name in HOOP}, "restitution_law": self.restitution_law}
         return {name: value for name, value in named.items() if value is not None}
 
@@ -192,7 +192,7 @@ class Hoop:
         max_slides: int = MAX_SLIDES,
         proof: str = PROOF,
     ) -> Trajectory:
-        """Follow a motion to its end, or to a limit.
+        """Simulate a motion to its end, or to a limit.
 
         Each transition is isolated as a root of the solution and located to machine precision.
 
@@ -211,15 +211,15 @@ class Hoop:
         time : float, optional
             Time τ of the start, √(R/g).
         until : float, optional
-            Time τ at which to stop, √(R/g). A motion is followed to its end by default.
+            Time τ at which to stop, √(R/g). By default to the end of the motion.
         max_transitions : int, optional
-            Largest number of transitions: a light hoop on a nearly smooth plane may make very many.
+            Largest number of transitions: a light hoop on a nearly smooth plane may have very many.
         max_slides : int, optional
             Largest length of all slides together, √(Δτ² + Δθ²) each but at most 32, times 1 + ln(1 + m/Î): on a plane
-            of next to no friction they are long and many.
+            with hardly any friction they are long and many.
         proof : {"endless", "contact", "none"}, optional
-            What is enough to end a motion without a time limit: that it repeats itself or slips for ever; besides, as
-            soon as that is known, that it never lifts off; or only that a phase lasts for ever.
+            Proof that ends a motion without a time limit: that it is periodic or slips for ever; also, as soon as
+            possible, that it never lifts off; or only that a phase is endless.
 
         Returns
         -------
@@ -247,7 +247,7 @@ class Hoop:
         max_slides: int = MAX_SLIDES,
         proof: str = PROOF,
     ) -> Trajectory:
-        """Follow a motion from a start in SI units.
+        """Simulate a motion from a start in SI units.
 
         Parameters
         ----------
@@ -268,8 +268,8 @@ class Hoop:
         max_slides : int, optional
             Largest length of all slides together, as in :meth:`simulate`.
         proof : {"endless", "contact", "none"}, optional
-            What is enough to end a motion without a time limit: that it repeats itself or slips for ever; besides, as
-            soon as that is known, that it never lifts off; or only that a phase lasts for ever.
+            Proof that ends a motion without a time limit: that it is periodic or slips for ever; also, as soon as
+            possible, that it never lifts off; or only that a phase is endless.
 
         Returns
         -------
@@ -296,7 +296,7 @@ class Hoop:
         return Trajectory(self, start, until, max_transitions, max_slides, proof)
 
     def classify(self, *, theta: float, theta_rate: float, slip: float = 0.0, gap_rate: float = 0.0) -> Classification:
-        """Say which region a start lies in, and what begins there, without simulating it.
+        """Return the region of a start and the motion that begins there, without simulating it.
 
         Parameters
         ----------
@@ -319,8 +319,7 @@ class Hoop:
     def bouncing_orbit(self, angle: float) -> BouncingOrbit | None:
         """Return the motion that bounces for ever with impacts at this angle.
 
-        It needs e = 1, and friction that holds in the impacts: `simulate` of its start by a hoop with `restitution=1`
-        shows it.
+        It needs e = 1 and enough static friction in the impacts: simulate its start with a hoop of `restitution=1`.
 
         Parameters
         ----------
@@ -330,8 +329,7 @@ class Hoop:
         Returns
         -------
         littlewood.bouncing.BouncingOrbit or None
-            None for a massless or a balanced hoop, for another angle, and where the rim would have to pass through the
-            plane.
+            None for a massless or a balanced hoop, for an angle out of range, and where the rim would cross the plane.
 
         Examples
         --------

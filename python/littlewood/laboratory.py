@@ -19,8 +19,8 @@ _MODULE = Path(__file__).with_suffix(".js")
 class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
     """The page in which a hoop is dragged and watched, in a notebook; :meth:`littlewood.Trajectory.lab` makes it.
 
-    What the page shows and what Python has are the same at any time: a start that is dragged gives another `motion`,
-    the time line sets `time`, and what is set here is shown there. ``laboratory.observe(function, "motion")`` calls a
+    Page and Python share one state: dragging the start changes `motion`,
+    the time line sets `time`, and values set here are shown there. ``laboratory.observe(function, "motion")`` calls a
     function when the motion changes.
 
     Attributes

@@ -48,7 +48,7 @@ def link_of(motion: Trajectory, time: float, shown: str = "") -> str:
     time : float
         The instant, √(R/g).
     shown : str, optional
-        A link that says how the page shows it.
+        A link with settings of the page.
 
     Returns
     -------

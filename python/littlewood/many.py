@@ -1,4 +1,4 @@
-"""Many starts in, one data set out: on all cores, or in blocks on a cluster."""
+"""Simulate many starts into one data set: on all cores, or in blocks on a cluster."""
 
 from __future__ import annotations
 
@@ -57,13 +57,13 @@ def simulate_many(
 ) -> xarray.Dataset:
     """Simulate many motions and keep a summary of each.
 
-    Starts and hoops broadcast with each other: arrays of NumPy by position, DataArrays by the names of their
-    dimensions, numbers with everything. All cores work, the interpreter is free meanwhile, and Ctrl-C stops at once.
+    Starts and hoops broadcast: NumPy arrays by position, DataArrays by the names of their dimensions. All cores are
+    used, the GIL is released, and Ctrl-C stops at once.
 
     Parameters
     ----------
     hoop : Hoop, optional
-        Where the parameters of the hoop come from that are not given by name.
+        Supplies the parameters of the hoop that are not given by name.
     restitution_law : {"energetic", "poisson", "newton"}, optional
         Law of restitution, for all; that of the hoop by default.
     theta, theta_rate : array_like
@@ -73,20 +73,20 @@ def simulate_many(
     gap_rate : array_like, optional
         Rate at which the gap under the rim opens, √(gR); 0 by default.
     mass_ratio, offset, inertia, mu_s, mu_k, restitution : array_like, optional
-        Parameters of the hoop, as :class:`Hoop` has them. Without a coefficient of restitution motions end where the
-        rim lands; NaN is none, and is refused.
+        Parameters of the hoop, as in :class:`Hoop`. Without a coefficient of restitution motions end where the
+        rim lands; NaN is not allowed.
     until : float, optional
-        Time τ at which to stop, √(R/g). Motions are followed to their end by default.
+        Time τ at which to stop, √(R/g). By default to the end of each motion.
     max_transitions : int, optional
         Largest number of transitions of a motion.
     max_slides : int, optional
         Largest length of all slides of a motion together, as in :meth:`Hoop.simulate`.
     proof : {"endless", "contact", "none"}, optional
-        What is enough to end a motion without a time limit: that it repeats itself or slips for ever; besides, as
-        soon as that is known, that it never lifts off; or only that a phase lasts for ever.
+        Proof that ends a motion without a time limit: that it is periodic or slips for ever; also, as soon as
+        possible, that it never lifts off; or only that a phase is endless.
     chunks : int, dict, tuple or "auto", optional
-        Sizes of blocks, as :meth:`xarray.Dataset.chunk` takes them: the result is then lazy, an array of Dask whose
-        blocks any scheduler can compute. Quantities that are arrays of Dask make it lazy, too.
+        Sizes of blocks, as in :meth:`xarray.Dataset.chunk`, for a lazy result of Dask arrays. Quantities given as Dask
+        arrays also make it lazy.
     threads : int, optional
         Number of threads, at most 1024; all cores by default. Blocks of Dask take one each.
     progress : bool, optional
@@ -98,21 +98,20 @@ def simulate_many(
         Of the common shape, with `outcome`, `sequence`, `transitions`, `painleve`, `end_time`, `end_theta`,
         `end_theta_rate`, `end_slip`, `end_x`, `energy`, `first_slip_time`, `lift_off_time`, `jump_length` and
         `jump_height` of the first flight, `landings`, `impact_energy_lost` and `settle_time`, with their units and
-        long names. What did not happen is NaN. Dimensions are those of the DataArrays; of arrays they are `start`, or
-        `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of restitution, if there is one.
+        long names. Events that do not happen are NaN. Dimensions are those of the DataArrays; of arrays
+        `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of restitution, if there is one.
 
     Raises
     ------
     ParameterError
-        For the first start, in the order of the points, or the first hoop that has a value without physical meaning;
-        `index` is its place. Where two parameters that vary contradict each other (μk > μs, a point mass at the
+        For the first start or hoop, in the order of the points, with a value without physical meaning;
+        `index` is its index. Where two parameters that vary contradict each other (μk > μs, a point mass at the
         centre, an impact of a massless hoop) the outcome is `invalid` instead.
 
     Notes
     -----
-    Motions of a hoop with some hundreds of starts, by the dimensions that the parameters of the hoop do not have, share
-    the series of its slides, which makes a start faster and changes times by a few units in the last digits. The choice
-    does not depend on blocks or threads; neither do the results.
+    Some hundreds of starts of one hoop, along dimensions that its parameters do not have, share the series of its
+    slides, which is faster and changes times by a few units in the last place. Results do not depend on blocks or threads.
 
     Examples
     --------
@@ -145,15 +144,15 @@ def outcome_map(
     Parameters
     ----------
     hoop, restitution_law, until, max_transitions, max_slides, proof, chunks, threads, progress
-        As those of :func:`simulate_many`.
+        As in :func:`simulate_many`.
     theta, theta_rate, slip, gap_rate, mass_ratio, offset, inertia, mu_s, mu_k, restitution : array_like, optional
-        Axes of shape (n,), in the order in which they are given, or numbers. `theta` and `theta_rate` are required.
+        Axes of shape (n,), in the given order, or numbers. `theta` and `theta_rate` are required.
 
     Returns
     -------
     xarray.Dataset
-        The variables of :func:`simulate_many`, over dimensions named by the axes: those of a Zarr store that
-        `littlewood map` or `littlewood sweep` makes.
+        The variables of :func:`simulate_many`, over dimensions named by the axes: as in a Zarr store of
+        `littlewood map` or `littlewood sweep`.
 
     Raises
     ------
@@ -175,7 +174,7 @@ def outcome_map(
 
 
 def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
-    """Write sequences of phases with one letter a phase.
+    """Return sequences of phases with one letter a phase.
 
     Parameters
     ----------

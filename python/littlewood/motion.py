@@ -84,15 +84,15 @@ class Phase:
     start : State
         State at the start.
     end : State or None
-        State at the end; None for a phase that lasts for ever.
+        State at the end; None for an endless phase.
     energy_start : float
         Energy at the start (2.8), m2 g R.
     energy_lost : float
-        Energy lost to friction during the phase, m2 g R; an impact that ends it is not part of it.
+        Energy lost to friction during the phase, m2 g R, without an impact that ends it.
     is_small_inertia_limit : bool
         False for a glide that is not the limit of motions of a heavy hoop as its inertia vanishes.
     ended_by : int or None
-        Place of the transition that ends it among those of the motion; None if none does.
+        Index of the transition that ends it; None if there is none.
     """
 
     mode: str
@@ -111,7 +111,7 @@ class Phase:
 
     @property
     def end_time(self) -> float:
-        """Time at the end, √(R/g); infinite for a phase that lasts for ever."""
+        """Time at the end, √(R/g); infinite for an endless phase."""
         return math.inf if self.end is None else self.end.time
 
     @property
@@ -137,12 +137,12 @@ class ContactVelocities(NamedTuple):
 
 @dataclass(frozen=True)
 class Impact:
-    """An impact, or all those of the bounces by which a hoop settles, together.
+    """An impact, or the sum of those by which a hoop settles.
 
     Attributes
     ----------
     case : str
-        What the contact point does, one of :data:`littlewood.tables.IMPACT_CASES`.
+        Course of the slip, one of :data:`littlewood.tables.IMPACT_CASES`.
     before, after : ContactVelocities
         Velocities on either side.
     impulse : Impulse
@@ -183,11 +183,11 @@ class Transition:
     after : State
         State just after: the same, unless there is an impact.
     impact : Impact or None
-        The impact, if the velocities jump. Where bounces have settled it is all of theirs together.
+        The impact, if the velocities jump; for `settle` the sum of those of all bounces.
     from_mode : str or None
-        Mode that ends; None where a hoop jams from a state at which no motion was consistent.
+        Mode that ends; None where a hoop jams without a consistent motion before.
     to_mode : str or None
-        Mode that begins; None where the motion is not followed further.
+        Mode that begins; None where the motion ends.
     direction : {-1, 0, 1}
         Sign of the slip velocity of the motion that begins.
     cause : str
@@ -219,18 +219,18 @@ class Outcome:
     Attributes
     ----------
     kind : str
-        Name, one of those of :data:`littlewood.tables.OUTCOMES`.
+        Name, one of :data:`littlewood.tables.OUTCOMES`.
     state : State
-        State at the end, or where the phase begins that lasts for ever.
+        State at the end, or at the start of an endless phase.
     details : mapping
-        What is known besides: `gap_rate` of a landing; `recurrence`, `period`, `theta_min`, `theta_max`, `theta_limit`
-        of a motion that lasts for ever, and of the orbit that one with `slips_forever` approaches; of that orbit
+        More data: `gap_rate` of a landing; `recurrence`, `period`, `theta_min`, `theta_max`, `theta_limit`
+        of an endless motion, and of the orbit that one with `slips_forever` approaches; of that orbit
         `grazing_energy`, `grazing_theta` and `grazing_theta_rate`, and `slips_to_halve` its distance; `theta_gained`
-        and `transitions` in the period of one that repeats itself; `transitions` where their limit was reached;
+        and `transitions` in the period of a periodic one; `transitions` at their limit;
         `consistent`, `rolling_normal`, `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive`
         where no motion or several are consistent; `solvability` of a singular slide.
     sentence : str
-        How it ended, in words.
+        The end in words.
     """
 
     kind: str
@@ -240,7 +240,7 @@ class Outcome:
 
     @property
     def is_final(self) -> bool:
-        """Whether the motion was followed to its end, and not only to a limit."""
+        """Whether the motion ended, rather than reached a limit."""
         return self.kind in FINAL_OUTCOMES
 
     @property
@@ -250,7 +250,7 @@ class Outcome:
 
     @property
     def period(self) -> float | None:
-        """Period of a motion that lasts for ever, √(R/g); None if it has none."""
+        """Period of an endless motion, √(R/g); None if it has none."""
         period: float | None = self.details.get("period")
         return period
 
@@ -260,7 +260,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Classification:
-    """Where a start lies, and what follows at once.
+    """The region of a start, and the motion that begins.
 
     Attributes
     ----------
@@ -273,7 +273,7 @@ class Classification:
     energy : float
         Energy (2.8), m2 g R.
     rolling_normal, rolling_friction : float
-        N and F that rolling from here would need (2.12), m2 g.
+        N and F that rolling would need (2.12), m2 g.
     contact : float
         1 − h cos θ θ′²: negative where the body leaves the plane.
     rolling_type : str or None
@@ -311,11 +311,11 @@ class Edge:
     guard : str
         Condition, in the symbols of the paper.
     reset : str
-        What is set at the transition; everything else is continuous.
+        Values set at the transition; everything else is continuous.
     to_mode : str or None
         Mode that begins; None where the simulation ends.
     source : str
-        Where the paper has it.
+        Place in the paper.
     """
 
     body: str

@@ -26,10 +26,10 @@ class Noise:
     Attributes
     ----------
     white : float
-        Standard deviation of what differs from frame to frame; where the track has errors, in a frame whose error
+        Standard deviation of the white noise; where the track has errors, in a frame whose error
         is the median.
     slow : float
-        Standard deviation of what changes slowly.
+        Standard deviation of the slow noise.
     time : float
         In which time, √(R/g), it does; 0 without such a part.
     """
@@ -51,7 +51,7 @@ class Noise:
 class Whitening:
     """Measurements as combinations whose errors are independent and of size 1.
 
-    What is new in each measurement, given those before: a Kalman filter whose state is the slow part.
+    Innovations of the measurements: a Kalman filter whose state is the slow noise.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def estimate_noise(
     known: Mapping[str, Noise],
     correlated: bool,
 ) -> dict[str, Noise]:
-    """Estimate the errors of channels by restricted likelihood: it knows what a fit has taken out of the residuals.
+    """Estimate the errors of channels by restricted likelihood: it accounts for the fitted parameters.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ class PhasePlane:
     """The phase plane of the rolling motions of one hoop.
 
     All methods broadcast over arrays of any shape (and xarray objects). Angles in rad, rates in √(g/R), forces in m2 g,
-    energies in m2 g R. Curves are given as |θ′| over θ, NaN where they do not pass.
+    energies in m2 g R. Curves are |θ′| over θ, NaN where they do not exist.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class PhasePlane:
         return broadcast(self._core.normal_force_rate, theta)
 
     def slip_rate(self, theta: npt.ArrayLike, direction: Literal[-1, 1]) -> Any:
-        """|θ′| on the curve f, where |F| = μs N and the slip that follows has this direction.
+        """|θ′| on the curve f, where |F| = μs N and the following slip has this direction.
 
         For a massless hoop f is a vertical line: :func:`littlewood.closed_form.slip_angle`.
         """

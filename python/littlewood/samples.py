@@ -26,8 +26,8 @@ class Samples(Mapping[str, Any]):
     Attributes
     ----------
     mode : ndarray of int8
-        Codes of the modes, places in :data:`littlewood.tables.MODES`; -1 outside the motion, and just before a jam,
-        where no motion is consistent.
+        Codes of the modes, places in :data:`littlewood.tables.MODES`; -1 outside the motion, and before a jam
+        without a consistent motion.
     direction : ndarray of int8
         Sign of the slip velocity; 0 for rolling and flight.
     time, theta, theta_rate, slip, x : ndarray
@@ -45,7 +45,7 @@ class Samples(Mapping[str, Any]):
 
     Notes
     -----
-    All have the shape of the times that were asked for. Outside the motion they are NaN.
+    All have the shape of the given times, and are NaN outside the motion.
     """
 
     def __init__(self, columns: Mapping[str, Any], shape: tuple[int, ...] | None = None) -> None:
@@ -100,7 +100,7 @@ class Samples(Mapping[str, Any]):
         Returns
         -------
         dict of str to ndarray
-            The names are those of the command line: `time_s`, `theta_rad`, …; `mode` and `direction` are as they were.
+            Names as on the command line: `time_s`, `theta_rad`, …; `mode` and `direction` are unchanged.
         """
         columns: dict[str, Any] = {}
         for name, column in SAMPLE_COLUMNS.items():

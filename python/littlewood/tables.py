@@ -20,7 +20,7 @@ def _frozen(items: Iterable[tuple[_K, _V]]) -> Mapping[_K, _V]:
 
 
 class Quantity(NamedTuple):
-    """What a quantity is, how it is printed, its units, bounds and default.
+    """A quantity: names, units, bounds and default.
 
     One that is optional has no default, and a meaning where it is absent. `cf_unit` and `scale` are those of a value in
     the system of (2.9): the value is a multiple of the scale.

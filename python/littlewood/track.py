@@ -32,7 +32,7 @@ def _column(name: str, values: npt.ArrayLike | None, count: int) -> _Reals | Non
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """A tracked motion, dimensionless as everything else. A frame in which something was not seen has NaN.
+    """A tracked motion, dimensionless. NaN where tracking failed.
 
     Parameters
     ----------
@@ -46,12 +46,12 @@ class Track:
         Height of the geometric centre over the plane, R, shape (n,): 1 in contact.
 
     errors : mapping, optional
-        Standard errors of `theta`, `x`, `y`, frame by frame, where the tracker knows them. A fit takes what they
-        say of one frame against another, and finds by the residuals how large they are.
+        Standard errors of `theta`, `x`, `y`, frame by frame, if the tracker estimates them. A fit uses
+        their ratios only, and finds their size from the residuals.
     exposure : float, optional
-        How long a frame is exposed from its time on, √(R/g): what was tracked is the mean over it. 0 for instants.
+        Exposure of a frame from its time on, √(R/g), over which the track is the mean. 0 for instants.
     calibration : iterable of str, optional
-        What the camera may show wrong in every frame alike, which a fit estimates along: names of :func:`fit`.
+        Constant errors of the camera that a fit estimates: names of :func:`fit`.
 
     Raises
     ------
@@ -191,7 +191,7 @@ class Track:
 
     @property
     def channels(self) -> dict[str, _Reals]:
-        """What was measured, by name."""
+        """The measured channels, by name."""
         found = {"theta": self.theta, "x": self.x, "y": self.y}
         return {name: values for name, values in found.items() if values is not None}
 

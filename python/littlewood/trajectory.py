@@ -33,7 +33,7 @@ __all__ = ["Trajectory"]
 
 
 class Trajectory:
-    """A motion as a whole: its phases, the transitions between them, how it ends, and the state at any time.
+    """A motion: its phases, transitions, outcome, and the state at any time.
 
     :meth:`littlewood.Hoop.simulate` makes it.
 
@@ -46,7 +46,7 @@ class Trajectory:
     >>> motion([0.0, 0.7]).mode_names.tolist()
     ['sliding', 'rolling']
 
-    With a coefficient of restitution it goes on after the landing:
+    With a coefficient of restitution it continues after the landing:
 
     >>> motion = lw.case("figure-3-bounces").simulate()
     >>> motion.outcome.kind, motion.transitions[-1].cause
@@ -79,7 +79,7 @@ class Trajectory:
 
     @property
     def until(self) -> float | None:
-        """Time limit that was asked for, √(R/g)."""
+        """Given time limit, √(R/g)."""
         return self._until
 
     @cached_property
@@ -94,8 +94,7 @@ class Trajectory:
     def transitions(self) -> tuple[Transition, ...]:
         """The transitions in order.
 
-        Each ends a phase, but for a jam from a state at which no motion was consistent: :meth:`end_of` says which ends
-        a phase.
+        Each ends a phase, except a jam without a consistent motion before; :meth:`end_of` finds that of a phase.
         """
         return tuple(
             Transition(
@@ -111,13 +110,13 @@ class Trajectory:
         )
 
     def end_of(self, phase: Phase) -> Transition | None:
-        """Return the transition that ends a phase; None for the last of a motion that stops or lasts for ever."""
+        """Return the transition that ends a phase; None for the last of a stopped or endless motion."""
         return None if phase.ended_by is None else self.transitions[phase.ended_by]
 
     def impacts(self) -> pandas.DataFrame:
         """Return the impacts as a table, one row each.
 
-        The index is the place among the :attr:`transitions`. Columns: `time`, √(R/g); `cause` (`landing`, `settle` or
+        The index is that of :attr:`transitions`. Columns: `time`, √(R/g); `cause` (`landing`, `settle` or
         `jam`), `case` and `to`, the mode that begins, as categories; `theta`, rad; `theta_rate`, √(g/R), `slip` and
         `gap_rate`, √(gR), each with `_before` and `_after`; `normal_impulse` upwards and `friction_impulse` along E1,
         m2 √(gR); `energy_lost`, m2 g R, which is negative where Newton's law gains energy. The bounces by which a hoop
@@ -163,7 +162,7 @@ class Trajectory:
 
     @property
     def end_time(self) -> float:
-        """Time at which the motion ends, √(R/g); infinite if it lasts for ever."""
+        """Time at which the motion ends, √(R/g); infinite if it is endless."""
         return self._core.end_time()
 
     @property
@@ -214,7 +213,7 @@ class Trajectory:
         count : int, optional
             Number of evenly spaced instants, 2 to 10⁷.
         until : float, optional
-            Last time, √(R/g); by default the end of the motion, or two periods of one that lasts for ever.
+            Last time, √(R/g); by default the end of the motion, or two periods of an endless one.
 
         Returns
         -------

@@ -32,7 +32,7 @@ class Units:
 
     @property
     def scales(self) -> tuple[float, float, float]:
-        """What defines the units: m2, R and g in SI."""
+        """m2, R and g in SI."""
         return (self.mass_kg, self.length_m, self.gravity_m_per_s2)
 
     @property

@@ -39,7 +39,7 @@ const HAS_ADDRESS = location.protocol !== 'about:';
 
 watch();
 await startCore(await coreModule(), showDefect);
-if (!namesAgree()) throw new Error('the page and its core are of different versions');
+if (!namesAgree()) throw new Error('page and core have different versions');
 start(JSON.parse(casesOfCore()) as NamedCase[]);
 
 function start(cases: NamedCase[]): void {
@@ -209,5 +209,5 @@ function showLinkErrors(fieldErrors: readonly FieldError[]): void {
   const banner = byId('banner', HTMLParagraphElement);
   banner.hidden = fieldErrors.length === 0;
   const list = fieldErrors.map((it) => `${it.field}=${it.given}: ${it.message}`).join('; ');
-  banner.textContent = banner.hidden ? '' : `The link cannot be shown as it is. ${list}.`;
+  banner.textContent = banner.hidden ? '' : `Invalid link: ${list}.`;
 }

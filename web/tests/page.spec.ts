@@ -110,7 +110,7 @@ test('it works without a network once it has been there', async ({ page, context
 test('a panic of the core shows what happened, and a way out', async ({ page }) => {
   await page.goto('./#panic');
   const defect = page.locator('.defect');
-  await expect(defect).toContainText('Something has broken');
+  await expect(defect).toContainText('Internal error');
   await expect(defect).toContainText('asked for');
   await defect.getByRole('button', { name: 'Start with figure 3' }).click();
   await ready(page);

@@ -40,7 +40,7 @@ fn an_impact_is_told_with_the_part_of_the_energy_that_is_gone() {
         let percent = 100.0 * lost / before_the_landing();
         assert!((10.0..99.0).contains(&percent));
         let sentence = sentence::transition(&motion, landing, PLAIN).unwrap();
-        let expected = format!("{words}{percent:.0} % of its kinetic energy just before is gone, and ");
+        let expected = format!("{words}{percent:.0} % of its kinetic energy before the impact is lost, and ");
         assert!(sentence.starts_with(&expected), "{sentence}");
         // w after it, of the notes; or the slide that goes on.
         let end = if restitution > 0.0 {
@@ -62,7 +62,7 @@ fn the_end_of_bounces_is_told_with_their_number() {
     let landings = motion.transitions().iter().filter(|it| it.cause == Cause::Landing).count();
     let last = told(&motion).pop().unwrap();
     let expected = format!(
-        "Settles: after {landings} bounces, and ever smaller ones without number, the rim stays at the plane, and it rolls."
+        "Settles: after {landings} bounces and infinitely many smaller ones, the rim stays at the plane, and it rolls."
     );
     assert_eq!(last, expected);
     // Two sequences of bounces are counted each by itself.
@@ -99,7 +99,7 @@ fn a_jam_is_told_at_the_start_and_behind_every_transition_its_own_end() {
                  (Painlevé); ";
     let (number, end) = told[0].strip_prefix(begin).and_then(|rest| rest.split_once(" % ")).unwrap();
     assert!((number.parse::<f64>().unwrap() - percent).abs() <= 0.05, "{} is not {percent}", told[0]);
-    assert_eq!(end, "of its kinetic energy just before is gone, and it rolls.");
+    assert_eq!(end, "of its kinetic energy before the impact is lost, and it rolls.");
     for (text, begin) in
         told[1..].iter().zip(["Slips", "Sticks", "Slips", "Jumps", "Lands: slips, then sticks"])
     {

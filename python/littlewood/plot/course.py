@@ -1,4 +1,4 @@
-"""A motion: its path in the plane, and what happens over time."""
+"""A motion: its path in the plane, and its quantities over time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a hoop does from when to when, as far as positions tell: rolling, sliding either way, flight.
+"""Episodes of a motion by positions: rolling, sliding either way, flight.
 
 The same rule is applied to the exact motion and to that of a solver, so that the limits within which a hoop counts as
 in contact, or as rolling, shift an event of both by the same.
@@ -167,7 +167,7 @@ def _parted(episode: Episode, record: Record, within: Tolerances) -> list[Episod
 
 
 def events(episodes: list[Episode], step: float, within: Tolerances) -> list[Event]:
-    """Return what happens between episodes; what is shorter than a few steps of the record is an instant.
+    """Return the events between episodes; an episode shorter than a few steps of the record is an instant.
 
     A contact between two flights is an impact, and a passage of the slip velocity through zero a reversal, or nothing.
     """

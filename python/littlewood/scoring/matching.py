@@ -24,7 +24,7 @@ def match(exact: Sequence[Event], found: Sequence[Event], farthest: float) -> li
     Returns
     -------
     list of tuple
-        Pairs in order: both, an exact event that was missed and None, or None and an event that is none. Of all
+        Pairs in order: both, an exact event that was missed and None, or None and a spurious event. Of all
         pairings that with the least sum of distances, one without a partner counting as `farthest`.
     """
     rows, columns = len(exact), len(found)

@@ -1,4 +1,4 @@
-"""What a solver has computed: times, positions of the centre, the angle."""
+"""The motion computed by a solver: times, positions of the centre, the angle."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class RecordError(ValueError):
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """A motion as a solver has computed it, dimensionless as everything else.
+    """The motion computed by a solver, dimensionless.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ class Record:
     theta : array_like
         Angle θ of the particle from the upward vertical, counterclockwise, rad, shape (n,). A turn is 2π more.
     contact : array_like of bool, optional
-        Whether the solver says that the rim touches the plane, shape (n,). Without it the height tells.
+        Whether the solver says that the rim touches the plane, shape (n,). Without it the height decides.
 
     Raises
     ------
@@ -155,7 +155,7 @@ class Record:
         Raises
         ------
         RecordError
-            With the line and the column of what cannot be read.
+            With the line and the column that cannot be read.
         """
         file = Path(path)
         with file.open(encoding="utf-8", newline="") as lines:

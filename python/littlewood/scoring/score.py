@@ -36,7 +36,7 @@ class EventScore:
     kind : str
         stick, slip, reversal, lift_off, landing, or impact (between two flights).
     exact : float or None
-        Its time in the exact motion, √(R/g); None for an event that is none.
+        Its time in the exact motion, √(R/g); None for a spurious event.
     found : float or None
         Its time in the record, √(R/g); None where it was missed.
     """
@@ -60,7 +60,7 @@ class Score:
     motion : Trajectory
         The exact motion.
     record : Record
-        What was scored: the record up to the end of the exact motion.
+        The scored part of the record, up to the end of the exact motion.
     tolerances : Tolerances
         Within which a hoop counts as in contact, or as rolling.
     events : tuple of EventScore
@@ -196,7 +196,7 @@ def score(motion: Trajectory, record: Record, tolerances: Tolerances | None = No
     motion : Trajectory
         The exact motion, of :meth:`littlewood.Hoop.simulate` or :meth:`littlewood.cases.Case.simulate`.
     record : Record
-        What the solver has computed.
+        The record of the solver.
     tolerances : Tolerances, optional
         Within which a hoop counts as in contact, or as rolling.
 
@@ -211,7 +211,7 @@ def score(motion: Trajectory, record: Record, tolerances: Tolerances | None = No
 
     Notes
     -----
-    Positions alone are compared, so that any solver can be scored. The hoop counts as in flight where the rim is higher
+    Only positions are compared, so that any solver can be scored. The hoop counts as in flight where the rim is higher
     than a tolerance, and as rolling where the point of contact slides more slowly than another; both are asked of the
     exact motion in the same way, so that they shift an event of both by the same. Velocities are differences of
     positions, those of the exact motion, too.

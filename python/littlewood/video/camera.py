@@ -18,7 +18,7 @@ class Camera:
     Parameters
     ----------
     position_m : tuple of float
-        Where it stands: x to the right, y up, z toward the camera, m.
+        Its position: x to the right, y up, z toward the camera, m.
     target_m : tuple of float
         The point in the middle of its frame, m.
     focal_px : float

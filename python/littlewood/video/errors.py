@@ -1,4 +1,4 @@
-"""What can be wrong with a video."""
+"""Errors of videos."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class UnwritableVideoError(VideoFileError):
 
 
 class TooFewFramesError(VideoError):
-    """A video, or a part of it, that is too short to see what moves.
+    """A video, or a part of it, too short to detect motion.
 
     Attributes
     ----------

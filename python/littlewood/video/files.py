@@ -38,7 +38,7 @@ def _open(path: str | Path) -> Any:
 
 
 def rate_of(path: str | Path) -> float:
-    """Return the frames per second that a file says it is to be played with.
+    """Return the frames per second at which a file is played.
 
     Slow motion is played slower than it was taken: the rate at which it was taken is not in the file.
     """
@@ -49,7 +49,7 @@ def rate_of(path: str | Path) -> float:
 
 
 def count_of(path: str | Path) -> int:
-    """Return how many frames a video has: counted, because what a file says of it is often wrong."""
+    """Return how many frames a video has: counted, because files often state it wrongly."""
     capture = _open(path)
     count = 0
     while capture.grab():

@@ -152,9 +152,9 @@ class Finder:
         return np.asarray(cv2.GaussianBlur(apart, (0, 0), 0.8), dtype=np.uint8)
 
     def circle(self, frame: Frame) -> Circle | None:
-        """Find the rim; None where there is none, or less than a half of it.
+        """Find the rim; None if less than half of it is seen.
 
-        The outline of what differs from the background tells where the rim is. Its centre is then that of the mean line
+        The rim is the outline of the difference from the background. Its centre is then that of the mean line
         of the rim, in light: the mean over the exposure, however the hoop moves meanwhile, and however bright the
         background is. Of a disc, which has no inner edge, it is that of the outer edge.
         """
@@ -194,7 +194,7 @@ class Finder:
         return None if found is None or line is None else (found[1][:2], *line)
 
     def rounded(self, frames: Iterable[Frame]) -> Finder:
-        """Return a finder that knows how far from a circle the plane shows the rim, which tells errors of the plane.
+        """Return a finder that also fits the deviation of the rim from a circle, by errors of the plane.
 
         A plane with a wrong perspective makes an oval of a circle, and a part of the rim that is hidden then moves its
         centre. Which oval it is depends on the place: evenly, to first order.
@@ -377,7 +377,7 @@ class Finder:
         return float(centre_x[best]), float(centre_y[best])
 
     def marker(self, frame: Frame, circle: Circle) -> Marker | None:
-        """Find the marker on a hoop that was found; None where its colour is not to be seen."""
+        """Find the marker on a hoop; None if its colour is not seen."""
         cut = self._cut(circle.x_m, circle.y_m, 1.3 * self._radius)
         if cut is None:
             return None
@@ -475,7 +475,7 @@ class _Profiles:
         return found
 
     def distances_of(self, rays: npt.NDArray[Any], circle: tuple[float, float, float]) -> _Reals:
-        """Return where rays meet a circle about which they begin."""
+        """Return the distances at which rays from near its centre meet a circle."""
         x, y = circle[0] - self.centre[0], circle[1] - self.centre[1]
         cosine, sine = np.cos(_ANGLES[rays]), np.sin(_ANGLES[rays])
         across = y * cosine - x * sine

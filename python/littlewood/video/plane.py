@@ -1,4 +1,4 @@
-"""The vertical plane in which the hoop moves, and where a frame shows it."""
+"""The vertical plane of the motion, and its projection in a frame."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class Plane:
 
     @classmethod
     def from_points(cls, pixels: npt.ArrayLike, metres: npt.ArrayLike) -> Plane:
-        """Take the plane from points that were measured and are seen in the frame: four corners of a board, say.
+        """Make the plane from measured points in the frame, such as four corners of a board.
 
         Parameters
         ----------
@@ -127,7 +127,7 @@ class Plane:
 
     @classmethod
     def from_camera(cls, camera: Camera) -> Plane:
-        """Take the plane from a camera whose place is known.
+        """Make the plane from a camera with a known position.
 
         Parameters
         ----------
@@ -141,7 +141,7 @@ class Plane:
         return cls(camera.matrix[:, [0, 1, 3]])
 
     def to_pixels(self, x: npt.ArrayLike, y: npt.ArrayLike) -> tuple[_Reals, _Reals]:
-        """Return where the frame shows points of the plane, u and v in pixels.
+        """Return points of the plane in the frame, u and v in pixels.
 
         Parameters
         ----------

@@ -40,7 +40,7 @@ _MOST_TRANSITIONS = 16
 
 @dataclass(frozen=True)
 class Look:
-    """What is in front of the camera. Colours are red, green, blue, 0 to 255.
+    """The scene. Colours are red, green, blue, 0 to 255.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class Look:
     rim : float, optional
         Width of the rim over the radius; 1 is a disc.
     marker_radius : float, optional
-        Radius of the marker over that of the hoop. What would be outside the rim is cut off.
+        Radius of the marker over that of the hoop. Parts outside the rim are cut off.
     texture : float, optional
         How uneven wall and floor are, grey levels.
     shadow : float, optional

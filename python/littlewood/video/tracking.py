@@ -72,7 +72,7 @@ def track_video(
     -------
     Track
         Dimensionless, with the standard errors of every frame, NaN where hoop or marker were not found, and with
-        what a camera may show wrong in every frame alike, so that a fit estimates it along.
+        constant errors of the camera for a fit to estimate.
 
     Raises
     ------
@@ -154,7 +154,7 @@ def finder_of(
     last: int | None = None,
     background: npt.ArrayLike | None = None,
 ) -> Finder:
-    """Return what finds the hoop in single frames; arguments are those of :func:`littlewood.track_video`.
+    """Return the finder of the hoop in single frames, with the arguments of :func:`littlewood.track_video`.
 
     Returns
     -------

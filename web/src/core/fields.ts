@@ -62,7 +62,7 @@ export function quantityNamed(name: string): Quantity {
 
 /** What a person at the page may want to know besides the long name, for both systems. */
 const REMARKS: Partial<Record<Quantity, string>> = {
-  offset: 'On the rim it is the radius.',
+  offset: 'The radius for a particle on the rim.',
   inertia: 'A thin hoop has Izz = m₁R², a uniform disc half of that.',
   mu_s: 'The hoop rolls while |F| ≤ μₛN (2.13).',
   mu_k: 'While the contact point slips |F| = μₖN (2.15). Never above μₛ.',
@@ -71,9 +71,9 @@ const REMARKS: Partial<Record<Quantity, string>> = {
   theta_rate: 'Negative for a hoop that rolls to the right.',
   slip: '0 lets friction decide what follows.',
   gap_rate: 'Above 0 the hoop is thrown from the plane.',
-  x: 'The place of the start; no motion depends on it.',
-  time: 'The time of the start; no motion depends on it.',
-  until: 'Stops the motion. Empty: it is followed to its end.',
+  x: 'Position at the start; the motion does not depend on it.',
+  time: 'Time of the start; the motion does not depend on it.',
+  until: 'Time limit. Empty: to the end of the motion.',
 };
 
 /** What a quantity is, for its tip. */

@@ -18,8 +18,8 @@ export function showDefect(message: string): void {
   const box = make(
     'div',
     { class: 'defect', role: 'alertdialog', 'aria-labelledby': 'defect-title', 'aria-modal': 'true' },
-    make('h2', { id: 'defect-title' }, 'Something has broken'),
-    make('p', {}, 'This is a defect of the laboratory, not of your numbers. The address still holds the motion.'),
+    make('h2', { id: 'defect-title' }, 'Internal error'),
+    make('p', {}, 'This is an error of the laboratory, not of your input. The address still has the motion.'),
     make('pre', {}, message),
     make('p', {}, again, ' ', anew),
   );

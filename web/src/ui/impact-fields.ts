@@ -10,7 +10,7 @@ import { lawOf } from '../state/state';
 const FIRST = 0.5;
 
 /** Why a massless hoop has no impact. */
-const MASSLESS = 'A massless hoop has no impact: its rim has no inertia that an impulse could act on.';
+const MASSLESS = 'A massless hoop has no impact: an impulse would accelerate its rim without bound.';
 
 export class ImpactFields {
   private readonly bounces = make('input', { type: 'checkbox', id: 'bounces', 'aria-describedby': 'no-impact' });
@@ -28,11 +28,11 @@ export class ImpactFields {
   constructor(private readonly lab: Lab) {
     this.law.append(...LAWS.map((law) => make('option', { value: law }, LAW_LABELS[law])));
     this.material.append(
-      make('option', { value: '', disabled: '' }, 'of your own'),
+      make('option', { value: '', disabled: '' }, 'custom'),
       ...MATERIALS.map(({ name, label }) => make('option', { value: name }, label)),
     );
     this.before = [
-      make('label', { class: 'switch' }, this.bounces, ' goes on after a landing'),
+      make('label', { class: 'switch' }, this.bounces, ' continues after a landing'),
       this.reason,
       make('div', { class: 'row choice' }, make('label', { for: 'material' }, 'Material'), this.material),
       this.source,

@@ -105,7 +105,7 @@ export class ImpactPane {
           )}${system === 'si' ? ` ${si}` : ''}`;
     byId('impact-place', HTMLElement).textContent = place;
     byId('impact-sentence', HTMLElement).textContent =
-      shown === null ? 'The rim does not come down on the plane in this motion.' : shown.sentence;
+      shown === null ? 'The rim does not land in this motion.' : shown.sentence;
   }
 
   private showNumbers(): void {

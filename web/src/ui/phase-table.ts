@@ -54,7 +54,7 @@ export class PhaseTable {
       if (i === TIME && time !== null) {
         cell.append(this.button(text, () => this.go(time), { 'data-time': String(time) }));
       } else if (i === MOTION && folds !== null) {
-        cell.append(this.button(text, () => this.unfold(), { title: 'Show each of them' }));
+        cell.append(this.button(text, () => this.unfold(), { title: 'Show all rows' }));
       } else {
         cell.append(text);
       }

@@ -11,7 +11,7 @@ import { type Curves, curvesOf, drawMotion, drawPlane, drawStart, FROM, Frame, T
 
 const SIGNS = { theta: COLUMN_ROWS.theta.signs.dimensionless, rate: COLUMN_ROWS.theta_rate.signs.dimensionless };
 
-/** What the map shows, in words. */
+/** Names of the maps. */
 const SHOWN: Readonly<Record<Shows, string>> = { outcome: 'outcomes', hops: 'hops' };
 
 /** What an arrow key moves the start by; a tenth of it with Shift. */
@@ -184,7 +184,7 @@ export class PlanePane {
     this.legend.replaceChildren(...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])), ...hops);
     this.legend.setAttribute(
       'aria-label',
-      hops.length > 0 ? 'Colours of the map: how often the motion from there lands' : 'Colours of the outcome map: a start there …',
+      hops.length > 0 ? 'Colours of the map: number of landings' : 'Colours of the outcome map',
     );
   }
 

@@ -19,7 +19,7 @@ export class ProblemBar {
     private readonly lab: Lab,
     before: () => void,
   ) {
-    this.cases.append(make('option', { value: '', disabled: '' }, 'a hoop of your own'));
+    this.cases.append(make('option', { value: '', disabled: '' }, 'custom hoop'));
     for (const named of lab.cases) {
       this.cases.append(make('option', { value: named.name }, `${named.name}: ${named.title}`));
     }

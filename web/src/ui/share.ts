@@ -97,7 +97,7 @@ export class Share {
     const message = byId('samples-message', HTMLSpanElement);
     const count = Number(text);
     const wrong = text !== '' && !(Number.isInteger(count) && count >= 2 && count <= 1_000_000);
-    message.textContent = wrong ? 'a whole number from 2 to 1000000, or nothing' : '';
+    message.textContent = wrong ? 'a whole number from 2 to 1000000, or empty' : '';
     this.samples.setAttribute('aria-invalid', String(wrong));
     if (wrong) return undefined;
     return text === '' ? null : count;

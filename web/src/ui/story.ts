@@ -1,4 +1,4 @@
-// What happens, in words: the mode and the sentence.
+// Mode and sentence of the current event.
 
 import { type Event, modeOf } from '../core/motion';
 import { byId } from '../dom';

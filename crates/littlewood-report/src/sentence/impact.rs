@@ -21,7 +21,7 @@ pub(super) fn landing(hoop: &Hoop, event: &Transition, impact: &Impact, scale: S
 pub(super) fn jam(hoop: &Hoop, event: &Transition, impact: &Impact, scale: Scale<'_>) -> String {
     let why = match event.from {
         None => "no motion is consistent here",
-        Some(_) => "the slide has run into P = 0",
+        Some(_) => "the slide has reached P = 0",
     };
     let course = format!("{why}, and the plane ends the slip in an impact without a collision (Painlevé)");
     format!("Jams: {}.", whole(course, hoop, event, impact, scale))
@@ -37,9 +37,9 @@ pub(super) fn settling(
     let before = trajectory.transitions().get(..index).unwrap_or_default();
     let bounces = before.iter().rev().take_while(|it| it.is_bounce()).count();
     let after = match bounces {
-        0 => "after ever smaller bounces without number".to_owned(),
-        1 => "after a bounce, and ever smaller ones without number".to_owned(),
-        _ => format!("after {bounces} bounces, and ever smaller ones without number"),
+        0 => "after infinitely many ever smaller bounces".to_owned(),
+        1 => "after a bounce and infinitely many smaller ones".to_owned(),
+        _ => format!("after {bounces} bounces and infinitely many smaller ones"),
     };
     format!("Settles: {after}, the rim stays at the plane{}.", then(event, scale))
 }
@@ -82,7 +82,7 @@ fn loss(hoop: &Hoop, theta: f64, impact: &Impact) -> Option<String> {
             percent(-share)
         )
     } else {
-        format!("{} of its kinetic energy just before is gone", percent(share))
+        format!("{} of its kinetic energy before the impact is lost", percent(share))
     })
 }
 

@@ -1,4 +1,4 @@
-//! What happens at an instant of a motion, in one sentence.
+//! An event of a motion in one sentence.
 
 mod impact;
 
@@ -12,10 +12,10 @@ use littlewood::{Cause, Mode, Outcome, Phase, Trajectory, Transition};
 use crate::number::brief;
 use crate::scale::Scale;
 
-/// Why nothing follows where a massless hoop strikes the plane.
-const NO_IMPACT: &str = "there is no impact: a rim without inertia has nothing that an impulse could act on";
+/// Why the motion of a massless hoop ends at the plane.
+const NO_IMPACT: &str = "there is no impact: an impulse would accelerate a rim without inertia without bound";
 
-/// What begins at the start, and why.
+/// The first phase, and why it begins.
 #[must_use]
 pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let state = trajectory.start();
@@ -29,7 +29,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     };
     if let PhaseSolution::Flight(flight) = phase.solution() {
         if flight.settles() {
-            return "Is thrown so gently that its bounces are told as one.".to_owned();
+            return "Is thrown so gently that its bounces are summed as one.".to_owned();
         }
         if flight.take_off_rate() > 0.0 {
             let rate = scale.show_with_unit(Dimension::Velocity, three(flight.take_off_rate()));
@@ -55,7 +55,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     }
 }
 
-/// What happens at transition `index`, and why; none where there is no such transition.
+/// Transition `index` and its reason; none if there is no such transition.
 #[must_use]
 pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
     let event = trajectory.transitions().get(index)?;
@@ -71,7 +71,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
         Cause::Reversal => {
             format!("The slip reverses: {}.", gives_way(&forces, mu_s))
         }
-        Cause::Graze => "The slip touches zero and goes on in the same direction.".to_owned(),
+        Cause::Graze => "The slip touches zero and continues in the same direction.".to_owned(),
         Cause::NormalForceZero => {
             "Glides: the normal force has vanished before friction gave way.".to_owned()
         }
@@ -107,7 +107,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
     })
 }
 
-/// How the motion ends, or does not.
+/// The end of the motion, or that it has none.
 #[must_use]
 pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let last = trajectory.transitions().len().checked_sub(1);
@@ -139,7 +139,7 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Outcome::TransitionLimit { transitions, .. } => {
             let bounces = trajectory.transitions().last().is_some_and(Transition::is_bounce);
             let endless =
-                if bounces { "bounces may go on without end" } else { "slips may shrink without end" };
+                if bounces { "bounces may never end" } else { "slips may continue with decaying amplitude" };
             format!("Stopped after {transitions} transitions: {endless}.")
         }
         Outcome::Inconsistent { candidates, .. } => {
@@ -152,7 +152,7 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         }
         Outcome::StepLimit { limit: SlideLimit::All { slides }, .. } => {
             format!(
-                "Stopped after slides of the length {slides}, all together: slips may shrink without end."
+                "Stopped after slides of total length {slides}: slips may continue with decaying amplitude."
             )
         }
         Outcome::StepLimit { limit: SlideLimit::One { steps, time_left }, .. } => format!(
@@ -160,7 +160,7 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             scale.show_with_unit(Dimension::Time, three(time_left))
         ),
         Outcome::Unresolved { .. } => {
-            "From here the motion changes faster than its numbers resolve.".to_owned()
+            "From here the motion changes faster than double precision resolves.".to_owned()
         }
         // These are events.
         event @ (Outcome::Landing { .. }

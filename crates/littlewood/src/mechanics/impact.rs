@@ -41,7 +41,7 @@ pub enum ImpactError {
         gap_rate: f64,
     },
     /// A massless hoop: an impulse on its rim would cause an infinite velocity.
-    #[error("a massless hoop has no impact: its rim has no inertia that an impulse could act on")]
+    #[error("a massless hoop has no impact: an impulse would accelerate its rim without bound")]
     Massless,
 }
 

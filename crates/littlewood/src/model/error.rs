@@ -51,7 +51,7 @@ pub enum ParameterError {
     /// A massless hoop with a coefficient of restitution.
     #[error(
         "restitution = {} of a massless hoop (mass_ratio = 0, inertia = 0): \
-         its rim has no inertia that an impulse could act on, so it has no impact",
+         an impulse would accelerate its rim without bound",
         Number(*restitution)
     )]
     MasslessImpact {
