@@ -111,7 +111,8 @@ def simulate_many(
     Notes
     -----
     Some hundreds of starts of one hoop, along dimensions that its parameters do not have, share the series of its
-    slides, which is faster and changes times by a few units in the last place. Results do not depend on blocks or threads.
+    slides, which is faster and changes times by a few units in the last place. Results do not depend on blocks or
+    threads.
 
     Examples
     --------
