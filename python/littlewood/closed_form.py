@@ -1,8 +1,8 @@
 """Littlewood's hoop in closed form (section 3 of the paper): massless, the particle on the rim.
 
-Angles are in radians, times in √(R/g), rates in √(g/R), energies in m2 g R, forces in m2 g. All arguments broadcast:
-the functions take and return arrays of any shape, scalars, or xarray objects. Where the paper's formula is misprinted
-the corrected one stands here, and the documentation says what is printed.
+Angles θ are in radians, times in √(R/g), rates θ′ in √(g/R), slip velocities in √(gR), energies e in m2 g R, forces in
+m2 g. `theta`, `theta_rate` and `slip` are the state, or the start where there is a time `elapsed` = Δτ since then. All
+arguments broadcast: arrays of any shape, scalars, or xarray objects. Misprints of the paper are corrected and noted.
 """
 
 from __future__ import annotations
@@ -38,37 +38,14 @@ __all__ = [
 
 
 def rolling_energy(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
-    """Conserved energy of rolling, e = (1 + cos θ) θ′² + cos θ (3.2).
-
-    Parameters
-    ----------
-    theta : array_like
-        Angle θ, rad.
-    theta_rate : array_like
-        Rate θ′, √(g/R).
-
-    Returns
-    -------
-    ndarray or scalar
-        Energy, m2 g R.
-    """
+    """Conserved energy of rolling, e = (1 + cos θ) θ′² + cos θ (3.2)."""
     return broadcast(_core.rolling_energy, theta, theta_rate)
 
 
 def alpha(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
     """Amplitude of the growing exponential in (3.3), α = sin(θ0/2) + θ0′ cos(θ0/2).
 
-    Printed in (3.4) as sin(θ0/2) + √((e0 − cos θ0)/2), which is this for θ0′ ≥ 0 only.
-
-    Parameters
-    ----------
-    theta, theta_rate : array_like
-        Start of rolling, rad and √(g/R).
-
-    Returns
-    -------
-    ndarray or scalar
-        Zero on the stable manifold.
+    It is zero on the stable manifold. Printed in (3.4) as sin(θ0/2) + √((e0 − cos θ0)/2), which holds for θ0′ ≥ 0 only.
     """
     return broadcast(_core.alpha, theta, theta_rate)
 
@@ -78,17 +55,6 @@ def rolling_half_sine(theta: npt.ArrayLike, theta_rate: npt.ArrayLike, elapsed: 
 
     This is (3.3) with the right α and with exponents ±(τ − τ0)/2 (printed: τ − τ0/2). It contains (3.5) to (3.7).
     Beyond ±1 the motion has ended before.
-
-    Parameters
-    ----------
-    theta, theta_rate : array_like
-        Start of rolling, rad and √(g/R).
-    elapsed : array_like
-        Time Δτ since the start, √(R/g).
-
-    Returns
-    -------
-    ndarray or scalar
     """
     return broadcast(_core.rolling_half_sine, theta, theta_rate, elapsed)
 
@@ -96,194 +62,72 @@ def rolling_half_sine(theta: npt.ArrayLike, theta_rate: npt.ArrayLike, elapsed: 
 def rolling_angle(theta: npt.ArrayLike, theta_rate: npt.ArrayLike, elapsed: npt.ArrayLike) -> Any:
     """Angle θ while rolling after Δτ, for a start with |θ0| ≤ π.
 
-    Parameters
-    ----------
-    theta, theta_rate : array_like
-        Start of rolling, rad and √(g/R).
-    elapsed : array_like
-        Time Δτ since the start, √(R/g).
-
-    Returns
-    -------
-    ndarray or scalar
-        Angle in rad; NaN after the particle has reached the plane.
+    NaN after the particle has reached the plane.
     """
     return broadcast(_core.rolling_angle, theta, theta_rate, elapsed)
 
 
 def rolling_time_to_plane(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
-    """Time in which rolling, if nothing gave way, would bring the particle to the plane, θ = ±π.
+    """Time in which rolling without end would bring the particle to the plane, θ = ±π.
 
-    Parameters
-    ----------
-    theta, theta_rate : array_like
-        Start of rolling, rad and √(g/R).
-
-    Returns
-    -------
-    ndarray or scalar
-        Time in √(R/g); infinite on the stable manifold.
+    Infinite on the stable manifold.
     """
     return broadcast(_core.rolling_time_to_plane, theta, theta_rate)
 
 
 def stable_manifold_rate(theta: npt.ArrayLike) -> Any:
-    """Rate θ′ = −tan(θ/2) on the stable manifold of the equilibrium θ = 0, where e = 1 (3.7).
-
-    Parameters
-    ----------
-    theta : array_like
-        Angle, rad.
-
-    Returns
-    -------
-    ndarray or scalar
-        Rate, √(g/R).
-    """
+    """Rate θ′ = −tan(θ/2) on the stable manifold of the equilibrium θ = 0, where e = 1 (3.7)."""
     return broadcast(_core.stable_manifold_rate, theta)
 
 
 def unstable_manifold_rate(theta: npt.ArrayLike) -> Any:
-    """Rate θ′ = tan(θ/2) on the unstable manifold of the equilibrium θ = 0, where e = 1 (3.7).
-
-    Parameters
-    ----------
-    theta : array_like
-        Angle, rad.
-
-    Returns
-    -------
-    ndarray or scalar
-        Rate, √(g/R).
-    """
+    """Rate θ′ = tan(θ/2) on the unstable manifold of the equilibrium θ = 0, where e = 1 (3.7)."""
     return broadcast(_core.unstable_manifold_rate, theta)
 
 
 def rolling_normal(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
-    """Normal force while rolling, N = cos²(θ/2) (1 − θ′²) (3.8).
-
-    Parameters
-    ----------
-    theta, theta_rate : array_like
-        State, rad and √(g/R).
-
-    Returns
-    -------
-    ndarray or scalar
-        Force, m2 g.
-    """
+    """Normal force while rolling, N = cos²(θ/2) (1 − θ′²) (3.8)."""
     return broadcast(_core.rolling_normal, theta, theta_rate)
 
 
 def rolling_friction(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
-    """Friction force while rolling, F = (θ′² − 1) cos(θ/2) sin(θ/2) (3.8).
-
-    Parameters
-    ----------
-    theta, theta_rate : array_like
-        State, rad and √(g/R).
-
-    Returns
-    -------
-    ndarray or scalar
-        Force along E1, m2 g.
-    """
+    """Friction force while rolling, F = (θ′² − 1) cos(θ/2) sin(θ/2) (3.8)."""
     return broadcast(_core.rolling_friction, theta, theta_rate)
 
 
 def slip_angle(mu_s: npt.ArrayLike, offset: npt.ArrayLike = 1.0) -> Any:
-    """Angle θ_s > 0 at which static friction gives way (3.9): 2 atan μs for the particle on the rim.
+    """Angle θ_s > 0 at which the hoop slips (3.9): 2 atan μs for the particle on the rim.
 
-    For ℓ̂ < 1 (footnote 7) it is atan μs + asin(μs/(ℓ̂ √(1 + μs²))). The caption of Figure 5 has half of the right value.
-
-    Parameters
-    ----------
-    mu_s : array_like
-        Coefficient of static friction.
-    offset : array_like, optional
-        Offset ℓ/R of the particle of the massless hoop, 0 < ℓ/R ≤ 1.
-
-    Returns
-    -------
-    ndarray or scalar
-        Angle in rad; NaN where static friction always suffices.
-
-    Raises
-    ------
-    ParameterError
-        For values without physical meaning.
+    For ℓ̂ < 1 (footnote 7) it is atan μs + asin(μs/(ℓ̂ √(1 + μs²))). NaN where static friction always suffices.
+    The caption of Figure 5 has half of the right value.
     """
     return broadcast(_core.slip_angle, mu_s, offset)
 
 
 def in_rolling_region(theta: npt.ArrayLike, theta_rate: npt.ArrayLike, mu_s: npt.ArrayLike) -> Any:
-    """Region R of Littlewood's hoop (3.10): |θ| < θ_s and |θ′| < 1.
-
-    Parameters
-    ----------
-    theta, theta_rate : array_like
-        State, rad and √(g/R).
-    mu_s : array_like
-        Coefficient of static friction.
-
-    Returns
-    -------
-    ndarray of bool, or bool
-    """
+    """Region R of Littlewood's hoop (3.10): |θ| < θ_s and |θ′| < 1."""
     return broadcast(_core.in_rolling_region, theta, theta_rate, mu_s, dtype=np.bool_)
 
 
 def rolling_type(energy: npt.ArrayLike, mu_s: npt.ArrayLike) -> Any:
     """Type of a motion that starts in R (section 3a), by its energy e (3.2).
 
-    Type I (N vanishes before static friction gives way): 1 + 2 cos θ_s < e < 3; type II (both at once):
-    e = 1 + 2 cos θ_s; type III (static friction gives way under a normal force): cos θ_s < e < 1 + 2 cos θ_s.
-
-    Parameters
-    ----------
-    energy : array_like
-        Energy e, m2 g R.
-    mu_s : array_like
-        Coefficient of static friction.
-
-    Returns
-    -------
-    ndarray of uint8, or scalar
-        1, 2, 3 for types I, II, III; 0 where no motion in R has this energy. `ROLLING_TYPES` has the names.
+    Type I (N vanishes before the hoop slips): 1 + 2 cos θ_s < e < 3; type II (both at once):
+    e = 1 + 2 cos θ_s; type III (the hoop slips first): cos θ_s < e < 1 + 2 cos θ_s.
+    The codes are 1, 2, 3; 0 where no motion in R has this energy. `ROLLING_TYPES` has the names.
     """
     return broadcast(_core.rolling_type, energy, mu_s, dtype=np.uint8)
 
 
 def slip_time_from_top(theta_rate: npt.ArrayLike, mu_s: npt.ArrayLike) -> Any:
-    """Time at which a hoop that rolls from the top slips, τ = 2 asinh(sin(θ_s/2)/θ0′) by (3.6).
-
-    Parameters
-    ----------
-    theta_rate : array_like
-        Rate θ0′ at the top, √(g/R).
-    mu_s : array_like
-        Coefficient of static friction.
-
-    Returns
-    -------
-    ndarray or scalar
-        Time, √(R/g).
-    """
+    """Time at which a hoop that rolls from the top slips, τ = 2 asinh(sin(θ_s/2)/θ0′) by (3.6)."""
     return broadcast(_core.slip_time_from_top, theta_rate, mu_s)
 
 
 def unloading_time_from_top(theta_rate: npt.ArrayLike) -> Any:
     """Time at which N = 0 for a hoop that rolls from the top, τ = arccosh(1/θ0′²), where cos θ = θ0′².
 
-    Parameters
-    ----------
-    theta_rate : array_like
-        Rate θ0′ at the top, √(g/R), of magnitude ≤ 1.
-
-    Returns
-    -------
-    ndarray or scalar
-        Time, √(R/g); NaN for faster starts.
+    NaN for |θ0′| > 1.
     """
     return broadcast(_core.unloading_time_from_top, theta_rate)
 
@@ -292,16 +136,6 @@ def gliding_time_to_plane(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> An
     """Time of a glide to θ = ±π, the positive root of (3.20).
 
     τ_g − τ0 = −θ0′ sin θ0 + √(θ0′² sin²θ0 + 2(1 + cos θ0)).
-
-    Parameters
-    ----------
-    theta, theta_rate : array_like
-        Start of the glide, rad and √(g/R).
-
-    Returns
-    -------
-    ndarray or scalar
-        Time, √(R/g).
     """
     return broadcast(_core.gliding_time_to_plane, theta, theta_rate)
 
@@ -311,17 +145,7 @@ def gliding_path(
 ) -> tuple[Any, Any]:
     """Position of the particle of a gliding hoop after Δτ (3.19): a parabola, or a vertical line.
 
-    Parameters
-    ----------
-    theta, theta_rate, slip : array_like
-        Start of the glide: θ0 in rad, θ0′ in √(g/R), η0′ in √(gR).
-    elapsed : array_like
-        Time Δτ since the start, √(R/g).
-
-    Returns
-    -------
-    x, y : ndarray or scalar
-        Horizontal distance from the start and height over the plane, R.
+    Returns the horizontal distance from the start and the height over the plane, R.
     """
     x, y = broadcast(_core.gliding_path, theta, theta_rate, slip, elapsed, outputs=2)
     return x, y

@@ -263,13 +263,8 @@ class Hoop:
             Horizontal position of the geometric centre, m.
         time_s, until_s : float, optional
             Time of the start, and time at which to stop, s.
-        max_transitions : int, optional
-            Largest number of transitions.
-        max_slides : int, optional
-            Largest length of all slides together, as in :meth:`simulate`.
-        proof : {"endless", "contact", "none"}, optional
-            Proof that ends a motion without a time limit: that it is periodic or slips for ever; also, as soon as
-            possible, that it never lifts off; or only that a phase is endless.
+        max_transitions, max_slides, proof : optional
+            As in :meth:`simulate`.
 
         Returns
         -------

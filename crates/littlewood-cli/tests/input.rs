@@ -32,7 +32,7 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
         ),
         (
             &massless_impact,
-            "restitution = 0.5 of a massless hoop (mass_ratio = 0, inertia = 0): its rim has no inertia",
+            "restitution = 0.5 of a massless hoop (mass_ratio = 0, inertia = 0): an impulse would accelerate its rim",
             "give the hoop a mass or a moment of inertia",
         ),
         (
