@@ -179,7 +179,7 @@ def broadcast(values: Mapping[str, Any], law: str | None) -> Points:
         unnamed = [name for name, value in values.items() if name not in named and np.ndim(value) > 0]
         if unnamed:
             raise TypeError(
-                f"{', '.join(unnamed)} and {', '.join(named)} do not go together: "
+                f"{', '.join(unnamed)} and {', '.join(named)} cannot be combined: "
                 "give all arrays as xarray.DataArray, or none"
             )
         aligned = dict(zip(named, xr.align(*named.values(), join="exact"), strict=True))

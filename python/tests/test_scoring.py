@@ -201,7 +201,7 @@ def write(path, header, rows):
         ("time,x,y,theta", ["0,0,1,0", "", "1,0,1", "2,0,1,0"], 4, None, "3 fields, the first line has 4"),
         ("time,x,y,theta", ["0,0,1,0", "1,0,1,0", "1,0,1,0"], 4, "time", "must be greater than 1.0"),
         ("time,x,theta", ["0,0,0"], 1, "y", "is missing among time, x, theta"),
-        ("time,x,y,theta,x", ["0,0,1,0,0"], 1, "x", "stands twice"),
+        ("time,x,y,theta,x", ["0,0,1,0,0"], 1, "x", "occurs twice"),
         ("time_s,x,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "x has no dimension"),
         ("time_s,x_m,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "the hoop has none"),
         ("time,x,y,theta,contact", ["0,0,1,0,1", "1,0,1,0,2", "2,0,1,0,1"], 3, "contact", "must be 0 or 1"),
@@ -295,7 +295,7 @@ def test_a_certificate_names_a_case(tmp_path, capsys):
         other = write(tmp_path / "other.json", text, [])
         assert main([str(other), str(path)]) == 2
         message = capsys.readouterr().err
-        assert "is no certificate" in message and reason in message
+        assert "is not a certificate" in message and reason in message
 
 
 def test_the_command_refuses_with_the_reason(tmp_path, capsys):

@@ -30,7 +30,7 @@ DIGITS = 30
 """Significant digits of a midpoint."""
 
 FLOOR = Fraction(1, 10**40)
-"""Numbers that are not told apart from 0 and are not larger are written as 0 with this radius."""
+"""Numbers up to this that may be 0 are written as 0 with this radius."""
 
 
 class Undecided(Exception):
@@ -98,7 +98,7 @@ def text(value: Ball) -> list[str]:
         return ["0", "0"]
     if low <= 0 <= high or max(abs(low), abs(high)) <= FLOOR:
         if max(-low, high) > FLOOR:
-            raise Undecided("a number is not told apart from 0")
+            raise Undecided("a number may be 0")
         return ["0", "1e-40"]
     found = {_of_point(low), _of_point(high)}
     if len(found) > 1:

@@ -106,7 +106,7 @@ class Slide:
             if spread < 0.9375 * first:
                 return radius, (first - spread).lower(), (first + spread).upper()
             radius = (radius * 3 / 4).mid()
-        raise Undecided("θ′ is not told apart from 0")
+        raise Undecided("θ′ may be 0")
 
     @staticmethod
     def _turning_point(family: Model) -> Ball | None:

@@ -39,7 +39,7 @@ def _parser() -> argparse.ArgumentParser:
         nargs="+",
         type=Path,
         help="tables with the columns time, x, y, theta (or time_s, x_m, y_m, theta_rad), perhaps contact; "
-        "of several with different steps the order of convergence is told, too",
+        "several with different steps also give the order of convergence",
     )
     parser.add_argument("--json", action="store_true", help="write JSON")
     parser.add_argument("--plot", metavar="PICTURE", type=Path, help="draw a picture: .png, .svg or .pdf")
@@ -62,7 +62,7 @@ def _motion(text: str) -> Trajectory:
         certificate = checker.read(Path(text).read_bytes())
         checker.intact(certificate)
     except (checker.Refused, checker.Unreadable) as error:
-        raise ValueError(f"{text} is no certificate: {error}") from None
+        raise ValueError(f"{text} is not a certificate: {error}") from None
     return simulated(certificate["case"])
 
 

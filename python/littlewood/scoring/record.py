@@ -180,7 +180,7 @@ def _header(file: Path, names: list[str], units: Units | None) -> list[str]:
     """Names of the columns that are read."""
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise RecordError(file, 1, twice, "stands twice")
+        raise RecordError(file, 1, twice, "occurs twice")
     has_plain = [name for name in _COLUMNS if name in names]
     has_si = [name for name in _SI_COLUMNS if name in names]
     if has_plain and has_si:

@@ -109,7 +109,7 @@ class FrameWriter:
         cv2 = require("cv2")
         ending = Path(path).suffix.lower()
         if ending not in _CODECS:
-            raise UnwritableVideoError(str(path), f"the ending must be one of {', '.join(_CODECS)}")
+            raise UnwritableVideoError(str(path), f"the extension must be one of {', '.join(_CODECS)}")
         if not Path(path).parent.is_dir():
             raise UnwritableVideoError(str(path), "there is no such folder")
         code = cv2.VideoWriter.fourcc(*_CODECS[ending])

@@ -100,7 +100,7 @@ class Plane:
             rows.append([0.0, 0.0, 0.0, x, y, 1.0, -v * x, -v * y, -v])
         _, singular, right = np.linalg.svd(np.array(rows))
         if singular[7] < 1e-9 * singular[0]:
-            raise ValueError("three of the points are on a line: they do not tell the perspective")
+            raise ValueError("three of the points are on a line: they do not determine the perspective")
         return cls(np.linalg.inv(of_seen) @ right[8].reshape(3, 3) @ of_true)
 
     @classmethod
