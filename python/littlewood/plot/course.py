@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..trajectory import Trajectory
 
 
-def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001, hoops: bool = True) -> Axes:
+def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001) -> Axes:
     """Draw the paths of the mass centre (thick) and the geometric centre (thin), as in Figure 3(b).
 
     Parameters
@@ -31,8 +31,6 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001, hoo
         Where to draw; a new figure by default.
     count : int, optional
         Number of instants.
-    hoops : bool, optional
-        Whether to draw the hoop at the start, at transitions and at the end.
 
     Returns
     -------
@@ -53,11 +51,10 @@ def path(motion: Trajectory, axes: Axes | None = None, *, count: int = 1001, hoo
         axes.plot(samples.mass_centre_x[part], samples.mass_centre_y[part], linewidth=2.4, label=label, **style)
         axes.plot(samples.x[part], samples.centre_y[part], linewidth=1.1, **style)
         shown.add(mode)
-    if hoops:
-        _mark_hoops(motion, axes, samples, x_high - x_low)
+    _mark_hoops(motion, axes, samples, x_high - x_low)
     axes.set_xlim(x_low, x_high)
     # Room for two rows of labels.
-    axes.set_ylim(-0.045 * (x_high - x_low) if hoops else -0.1, y_high)
+    axes.set_ylim(-0.045 * (x_high - x_low), y_high)
     axes.set_aspect("equal")
     axes.set_xlabel(axis_label("x"))
     axes.set_ylabel(axis_label("centre_y"))

@@ -96,8 +96,8 @@ class FrameWriter:
         The file: `.mp4` or `.mov` (MPEG-4), or `.avi` (Motion JPEG).
     size : tuple of int
         Width and height, pixels.
-    fps : float
-        Rate at which it is played.
+    fps : float, optional
+        Rate at which it is played: slow motion, as a phone does it.
 
     Raises
     ------
@@ -105,7 +105,7 @@ class FrameWriter:
         If OpenCV cannot write it.
     """
 
-    def __init__(self, path: str | Path, size: tuple[int, int], fps: float) -> None:
+    def __init__(self, path: str | Path, size: tuple[int, int], fps: float = 30.0) -> None:
         cv2 = require("cv2")
         ending = Path(path).suffix.lower()
         if ending not in _CODECS:

@@ -34,7 +34,7 @@ def draw_motion(frame: Frame, motion: Trajectory, plane: Plane, time: float) -> 
     motion : Trajectory
         The motion, of a hoop with units.
     plane : Plane
-        Where the frame shows the plane of the motion.
+        The plane of the motion in a frame.
     time : float
         Time τ, √(R/g).
 
@@ -85,7 +85,6 @@ def overlay_video(
     *,
     plane: Plane,
     fps: float,
-    played_fps: float = 30.0,
 ) -> int:
     """Write a video with the simulated hoop drawn over the filmed one.
 
@@ -96,18 +95,16 @@ def overlay_video(
     fitted : FitResult or Trajectory
         The motion; its time counts from the first frame of the video, as that of a track does.
     out : str or Path
-        The file that is written: `.mp4` (MPEG-4) or `.avi` (Motion JPEG).
+        The new file: `.mp4` (MPEG-4) or `.avi` (Motion JPEG).
     plane : Plane
-        Where the frame shows the plane of the motion.
+        The plane of the motion in a frame.
     fps : float
         Rate at which the frames were taken.
-    played_fps : float, optional
-        Rate at which the file is to be played.
 
     Returns
     -------
     int
-        How many frames were written.
+        Number of frames.
 
     Raises
     ------
@@ -122,7 +119,7 @@ def overlay_video(
     try:
         for frame in frames(video):
             if writer is None:
-                writer = FrameWriter(out, (frame.shape[1], frame.shape[0]), played_fps)
+                writer = FrameWriter(out, (frame.shape[1], frame.shape[0]))
             writer.write(draw_motion(frame, motion, plane, count / fps / time_s))
             count += 1
     finally:

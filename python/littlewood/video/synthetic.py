@@ -269,7 +269,6 @@ def synthetic_video(
     seconds: float | None = None,
     look: Look | None = None,
     seed: int = 0,
-    played_fps: float = 30.0,
 ) -> Plane:
     """Write a video of a motion as a camera would take it; arguments are those of :func:`synthetic_frames`.
 
@@ -279,8 +278,6 @@ def synthetic_video(
         The file, `.avi` (Motion JPEG) or `.mp4` (MPEG-4, which loses more).
     motion, camera, fps, exposure_s, seconds, look, seed : optional
         As those of :func:`synthetic_frames`.
-    played_fps : float, optional
-        Rate at which the file is to be played: slow motion, as a phone does it.
 
     Returns
     -------
@@ -295,7 +292,7 @@ def synthetic_video(
         If OpenCV cannot write the file.
     """
     require("cv2")
-    with FrameWriter(path, (camera.width, camera.height), played_fps) as writer:
+    with FrameWriter(path, (camera.width, camera.height)) as writer:
         for frame in synthetic_frames(
             motion,
             camera,
