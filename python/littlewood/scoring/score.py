@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import json
 import math
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
@@ -144,10 +143,6 @@ class Score:
             "slip_while_rolling": self.slip_while_rolling,
             "penetration": self.penetration,
         }
-
-    def to_json(self) -> str:
-        """Return :meth:`as_dict` as text."""
-        return json.dumps(self.as_dict(), indent=2, allow_nan=False)
 
     def plot(self) -> Figure:
         """Draw the paths of both motions, and the errors over time.
