@@ -104,8 +104,7 @@ export class ImpactPane {
             6,
           )}${system === 'si' ? ` ${si}` : ''}`;
     byId('impact-place', HTMLElement).textContent = place;
-    byId('impact-sentence', HTMLElement).textContent =
-      shown === null ? 'The rim does not land in this motion.' : shown.sentence;
+    byId('impact-sentence', HTMLElement).textContent = shown === null ? 'The rim does not land in this motion.' : shown.sentence;
   }
 
   private showNumbers(): void {

@@ -182,10 +182,7 @@ export class PlanePane {
     const computed = this.map.present.filter((name) => name !== 'not_computed');
     const hops = this.map.hops.map((it) => make('li', { 'data-hops': String(it.colour) }, swatch(), labelOfHops(it)));
     this.legend.replaceChildren(...computed.map((name) => make('li', { 'data-class': name }, swatch(), CLASS_LABELS[name])), ...hops);
-    this.legend.setAttribute(
-      'aria-label',
-      hops.length > 0 ? 'Colours of the map: number of landings' : 'Colours of the outcome map',
-    );
+    this.legend.setAttribute('aria-label', hops.length > 0 ? 'Colours of the map: number of landings' : 'Colours of the outcome map');
   }
 
   /** Draws what is stale. */
