@@ -264,7 +264,7 @@ def test_bad_films_are_refused(film, hoop, motion, tmp_path):
         lw.track_video(path, hoop, marker=(9, 9, 9), **given)
     with pytest.raises(ValueError, match="from_si"):
         lw.track_video(path, lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4), **given)
-    with pytest.raises(video.UnwritableVideoError, match=r"ending must be one of \.mp4"):
+    with pytest.raises(video.UnwritableVideoError, match=r"extension must be one of \.mp4"):
         video.synthetic_video(tmp_path / "film.gif", motion, CAMERA)
     with pytest.raises(video.UnwritableVideoError, match="no such folder"):
         video.synthetic_video(tmp_path / "nowhere" / "film.avi", motion, CAMERA)
