@@ -12,7 +12,8 @@ use littlewood::modes::{Recurrence, RollingOrbit};
 use littlewood::tables::{Bound, Quantity};
 use littlewood::theory::{Equilibrium, PhasePlane, RollingLaw, Stability};
 use littlewood::{
-    Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Sample, Start, Trajectory,
+    Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Phase, Sample, Start,
+    Trajectory,
 };
 use littlewood_random::Draw;
 use proptest::prelude::*;
@@ -135,10 +136,7 @@ fn a_motion_tends_to_that_on_a_level_plane() {
                 assert!(apart < 1e-9 * (1.0 + theirs.abs()) || ours == theirs, "{}: {apart:e}", case.name);
             }
         }
-        assert_eq!(
-            sloped.phases().first().map(|phase| phase.mode()),
-            level.phases().first().map(|phase| phase.mode())
-        );
+        assert_eq!(sloped.phases().first().map(Phase::mode), level.phases().first().map(Phase::mode));
     }
 }
 

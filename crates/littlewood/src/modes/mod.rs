@@ -41,7 +41,7 @@ pub use self::sliding::{SlideLimit, Sliding};
 #[derive(Clone, Debug)]
 pub enum PhaseSolution {
     /// Rolling along an orbit.
-    Rolling(Rolling),
+    Rolling(Box<Rolling>),
     /// Sliding in one direction.
     Sliding(Box<Sliding>),
     /// Gliding of a massless hoop.

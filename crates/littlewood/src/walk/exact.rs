@@ -122,7 +122,7 @@ impl Solver for Exact<'_> {
                 self.endless(state, |allowed| rolling.state(allowed), outcome)
             }
         };
-        Solved { solution: PhaseSolution::Rolling(rolling), direction: None, ending }
+        Solved { solution: PhaseSolution::Rolling(Box::new(rolling)), direction: None, ending }
     }
 
     fn slide(

@@ -43,7 +43,6 @@ pub struct RollingOrbit {
 }
 
 #[derive(Clone, Copy, Debug)]
-#[expect(clippy::large_enum_variant, reason = "the smaller one is that of a single hoop")]
 enum Kind {
     Elliptic(Elliptic),
     Rim(RimOrbit),
