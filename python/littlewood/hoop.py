@@ -37,6 +37,9 @@ class Hoop:
         Coefficient of static friction, μs ≥ μk.
     mu_k : float
         Coefficient of kinetic friction, μk ≥ 0.
+    slope : float, optional
+        Angle α by which the plane rises to the right, rad, |α| < π/2. On a slope x is measured along the plane and θ
+        from its normal.
     restitution : float, optional
         Coefficient of restitution of the impact of the rim on the plane, 0 ≤ e ≤ 1. Without one (None) a motion ends
         where the rim lands; with one it continues. A massless hoop has none: an impulse would accelerate its rim
@@ -74,6 +77,7 @@ class Hoop:
     inertia: float
     mu_s: float
     mu_k: float
+    slope: float = 0.0
     restitution: float | None = None
     restitution_law: str | None = None
     units: Units | None = None
@@ -97,6 +101,7 @@ class Hoop:
         inertia_kg_m2: float,
         mu_s: float,
         mu_k: float,
+        slope: float = 0.0,
         restitution: float | None = None,
         restitution_law: str | None = None,
         gravity_m_per_s2: float = STANDARD_GRAVITY,
@@ -117,6 +122,8 @@ class Hoop:
             Moment of inertia I_zz of the disc about its centre, kg m²: m1 R² for a thin hoop.
         mu_s, mu_k : float
             Coefficients of static and kinetic friction, 0 ≤ μk ≤ μs.
+        slope : float, optional
+            Angle by which the plane rises to the right, rad.
         restitution, restitution_law : optional
             Coefficient of restitution and its law, as those of :class:`Hoop`.
         gravity_m_per_s2 : float, optional
@@ -141,6 +148,7 @@ class Hoop:
             "gravity_m_per_s2": gravity_m_per_s2,
             "mu_s": mu_s,
             "mu_k": mu_k,
+            "slope": slope,
             "restitution": restitution,
         }
         numbers, units = _core.hoop_from_si([given[name] for name in SI_HOOP], restitution_law)
@@ -154,8 +162,9 @@ class Hoop:
 
     @property
     def attributes(self) -> dict[str, float | str]:
-        """Attributes of data sets: the parameters of the hoop and the law of restitution, if any."""
+        """Attributes of data sets: the parameters of the hoop, and the slope and the law of restitution, if any."""
         named = {**{name: getattr(self, name) for name in HOOP}, "restitution_law": self.restitution_law}
+        named["slope"] = self.slope or None
         return {name: value for name, value in named.items() if value is not None}
 
     @property

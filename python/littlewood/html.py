@@ -19,8 +19,8 @@ _CELL = "padding:2px 10px;text-align:{};border:none;background:none"
 
 def _hoop_rows(hoop: Hoop) -> list[tuple[str, str, str]]:
     """Return sign, value and meaning of each parameter that a hoop has."""
-    values = [(QUANTITIES[name], getattr(hoop, name)) for name in HOOP]
-    rows = [(one.sign, f"{value:.6g}", one.long_name) for one, value in values if value is not None]
+    values = [(QUANTITIES[name], hoop.attributes.get(name)) for name in HOOP]
+    rows = [(one.sign, f"{value:.6g}", one.long_name) for one, value in values if isinstance(value, float)]
     law = hoop.restitution_law
     return rows if law is None else [*rows, ("", LAW_LABELS[law], "law of restitution")]
 

@@ -10,7 +10,7 @@
 //! # Ok::<(), littlewood::ParameterError>(())
 //! ```
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 use crate::model::{Hoop, HoopParameters, Limits, ParameterError, RestitutionLaw, Setup, Start};
 use crate::motion::trajectory::Trajectory;
@@ -114,4 +114,14 @@ pub const CASES: &[NamedCase] = cases! {
         Start::at(0.5, -0.5).with_slip(1.0);
     "bounces-forever", "bounces twice a turn for ever, and never slips", "beyond the paper" =>
         thin_hoop_with(1.0), Start::at(-BOUNCING_ANGLE, BOUNCING_RATE).with_gap_rate(BOUNCING_GAP_RATE);
+    "uphill-disc", "released from rest on a slope: climbs, and rolls back and forth for ever", "beyond the paper" =>
+        HoopParameters::thin(1.0).with_offset(0.8).with_inertia(0.5).with_friction(0.8, 0.6).with_slope(0.15),
+        Start::at(-1.0, 0.0);
+    "ramp-jump", "released from rest on a ramp of 15 degrees: rolls, slips twice, and jumps", "Gomez et al., Eur. J. Phys. 33, 1359 (2012)" =>
+        HoopParameters::thin(2.0).with_offset(0.8).with_inertia(1.0).with_friction(1.0, 1.0).with_slope(FRAC_PI_6 / 2.0),
+        Start::at(FRAC_PI_6, 0.0);
+    "ramp-libration", "rolls back and forth about the equilibrium of a slope for ever", "beyond the paper" =>
+        THIN_HOOP.with_slope(0.2), Start::at(2.0, 0.0);
+    "ramp-bounces", "jumps at once, bounces up the slope, settles, and rolls back and forth for ever", "beyond the paper" =>
+        thin_hoop_with(0.5).with_slope(0.15), Start::at(0.5, -3.0);
 };
