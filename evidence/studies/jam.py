@@ -192,7 +192,7 @@ def rim_bounds() -> list[str]:
                 f"{(widest - lower) / (widest - body.painleve):.3f}",
             ]
         )
-    heads = ["γ", "P = 0 from μ", "jams from μ", "to μ = 1/γ", "θ_P first, °", "θ_P at λ = 1, °", "fraction of the interval"]
+    heads = ["γ", "P = 0 from μ", "jams from μ", "to μ = 1/γ", "θ_P first, °", "θ_P at λ = 1, °", "fraction"]
     return table(heads, rows)
 
 
