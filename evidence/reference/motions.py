@@ -24,10 +24,10 @@ from gmpy2 import mpfr
 DIGITS = 25                      # significant digits written
 MOST = 1000                      # transitions of a motion
 CHECKED = ("figure_3", "many_transitions", "very_light_hoop", "equal_friction")
-HOOP, START = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"), ("theta", "theta_rate", "slip")
+HOOP, START = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k", "slope"), ("theta", "theta_rate", "slip")
 PI = 3.141592653589793
 
-# name: (mass_ratio, offset, inertia, mu_s, mu_k), (theta, theta_rate, slip), until
+# name: (mass_ratio, offset, inertia, mu_s, mu_k[, slope]), (theta, theta_rate, slip), until
 MOTIONS = {
     "figure_3": ((1.0, 1.0, 1.0, 0.5, 0.4), (PI / 2, 2.0, 0.0), 10.0),
     "equal_friction": ((1.0, 1.0, 1.0, 0.4, 0.4), (PI / 2, 2.0, 0.0), 10.0),
@@ -51,6 +51,11 @@ MOTIONS = {
     # rolling would need N <= 0, yet the contact holds: slides at once
     "band": ((1.0, 1.0, 1.0, 0.5, 0.4), (0.8, 1.62, 0.0), 10.0),
     "rolls_on": ((1.0, 1.0, 1.0, 1.0, 0.8), (PI, 2.0, 0.0), 4.0),
+    "uphill_disc": ((1.0, 0.8, 0.5, 0.8, 0.6, 0.15), (-1.0, 0.0, 0.0), 12.0),
+    "ramp_jump": ((2.0, 0.8, 1.0, 1.0, 1.0, 0.2617993877991494), (PI / 6, 0.0, 0.0), 20.0),
+    "steep": ((1.0, 1.0, 1.0, 0.5, 0.4, 1.4), (2.0, -1.0, 0.3), 6.0),
+    "uphill_slide": ((0.5, 0.9, 0.6, 0.3, 0.2, 0.1), (0.4, -2.5, 0.8), 8.0),
+    "falls_away_to_the_right": ((1.0, 0.7, 0.8, 0.6, 0.5, -0.4), (-2.0, 0.5, 0.0), 12.0),
 }
 
 
@@ -59,16 +64,17 @@ def gap_of(hoop, begin, t):
     theta, rate, d = begin["theta"], begin["theta_rate"], t - begin["time"]
     (s0, c0), (s, c) = gmpy2.sin_cos(theta), gmpy2.sin_cos(theta + rate * d)
     up = -hoop.h * s0 * rate
-    return up * d - d * d / 2 - hoop.h * (c - c0), up - d + hoop.h * s * rate
+    return up * d - hoop.down * d * d / 2 - hoop.h * (c - c0), up - hoop.down * d + hoop.h * s * rate
 
 
 def energy(hoop, state, gap):
-    """Sum over hoop and particle; the potential energy is that of the paper plus mass times gap."""
+    """Sum over hoop and particle; the potential energy is that of the paper plus mass times gap, and that of the fall along the plane."""
     (height, rise), rate, m1, izz = gap, state["theta_rate"], *map(mpfr, (hoop.numbers[0], hoop.numbers[2]))
     s, c = gmpy2.sin_cos(state["theta"])
     vx = state["slip"] - rate
     particle = (vx - hoop.l * c * rate)**2 + (rise - hoop.l * s * rate)**2
-    return (m1 * (vx**2 + rise**2) + izz * rate**2 + particle) / 2 + hoop.l * c + hoop.m * height
+    up = hoop.down * (hoop.l * c + hoop.m * height) + hoop.along * (hoop.m * state["x"] - hoop.l * s)
+    return (m1 * (vx**2 + rise**2) + izz * rate**2 + particle) / 2 + up
 
 
 def sample(hoop, mode, sigma, begin, state):

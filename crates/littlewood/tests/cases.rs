@@ -167,10 +167,39 @@ fn motions_go_on_after_the_landing() {
     assert!((jam.after.theta_rate + 1.0).abs() < 1e-14, "the rate of the closed form, −1");
     assert_eq!(motion.end_of(&motion.phases()[0]).map(|it| it.cause), Some(Cause::Slip));
 
+    let motion = case("ramp-bounces");
+    assert_eq!(modes(&motion).first(), Some(&Flight));
+    assert_eq!(motion.transitions().last().map(|it| it.cause), Some(Cause::Settle));
+    assert!(motion.summary().landings > 20 && motion.summary().end.x > 20.0);
+    let Outcome::RollsForever { recurrence, .. } = motion.outcome() else { panic!("{:?}", motion.outcome()) };
+    assert!(matches!(recurrence, Recurrence::Libration { .. }));
+
     let motion = case("bounces-forever");
     assert!(modes(&motion).iter().all(|mode| *mode == Flight));
     assert!(matches!(motion.outcome(), Outcome::TransitionLimit { .. }));
     assert!(motion.transitions().iter().all(|it| it.before.slip.abs() < 1e-9));
+}
+
+#[test]
+fn a_loaded_disc_climbs_and_a_ramp_makes_it_jump() {
+    for (name, climbs) in [("uphill-disc", true), ("ramp-libration", false)] {
+        let motion = case(name);
+        assert_eq!(modes(&motion), [Rolling], "{name}");
+        let Outcome::RollsForever { recurrence: Recurrence::Libration { period, .. }, .. } = motion.outcome()
+        else {
+            panic!("{:?}", motion.outcome())
+        };
+        let farthest = motion.at(0.5 * period).expect("an instant").state;
+        assert!(farthest.theta_rate.abs() < 1e-7, "{name}: {farthest:?}");
+        assert_eq!(farthest.x > 1.0, climbs, "{name}: the plane rises to the right");
+    }
+    let motion = case("ramp-jump");
+    assert_eq!(modes(&motion), [Rolling, Sliding, Rolling, Sliding, Flight]);
+    // How far the rim slips before it leaves, by Runge and Kutta: 0.0033 R in 0.19 √(R/g).
+    let slide = &motion.phases()[3];
+    let (first, last) = (slide.first().state, slide.last().expect("lifts off").state);
+    let slipped = (last.x + last.theta) - (first.x + first.theta);
+    assert!((slide.duration() - 0.19).abs() < 0.005 && (slipped - 0.0033).abs() < 0.0001, "{slipped}");
 }
 
 #[test]

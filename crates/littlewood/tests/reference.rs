@@ -23,7 +23,8 @@ fn hoop(value: &Value) -> Hoop {
         HoopParameters::thin(get("mass_ratio"))
             .with_offset(get("offset"))
             .with_inertia(get("inertia"))
-            .with_friction(get("mu_s"), get("mu_k")),
+            .with_friction(get("mu_s"), get("mu_k"))
+            .with_slope(get("slope")),
     )
     .expect("a valid hoop")
 }
