@@ -12,17 +12,14 @@ use crate::modes::flight::Flight;
 /// Rounding of the evidence at a state, as a part of its terms: a few products and sums of numbers that are known to the last digit.
 const SIGN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Where 1 − h cos θ θ′² is a smaller part of its terms, the normal force has lost the digits by which rolling and slipping are told
-/// apart. Chosen: of the motions of the tests that need it, fast ones with coefficients of friction of 1e9, the worst has 3e-8.
-const MIN_RELATIVE_CONTACT: f64 = 2.5e-7;
-
 /// Rounding of a phase, as a part of the numbers at its end.
 const PHASE_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Light hoops amplify rounding by (Î/m)^(−1/2) at each passage of the bottom; this part of it is in PHASE_ROUNDING.
 const AMPLIFICATION_PART: f64 = 0.1;
 
-/// A state that is known to no more than this is lost: impacts and slides decide by numbers that are not looked at.
+/// A state that is known to no more than this is lost: impacts and slides decide by numbers that are not looked at. Chosen: there is no
+/// bound on how near to zero these are.
 const MAX_DRIFT: f64 = 1e-4;
 
 /// Beyond this angle phases are those of the simulation: whole turns of it are not taken off to the last digits.
@@ -33,6 +30,9 @@ const MAX_ANGLE: f64 = 1e5;
 pub(super) struct Drift {
     h: f64,
     phase: f64,
+    /// Where 1 − h cos θ θ′² is a smaller part of its terms, the rounding of N, times the coefficient of friction, is as large as F:
+    /// rolling and slipping cannot be told apart.
+    contact: f64,
     /// By how much of the closing rate an impact changes the rates of slip and rotation, at most.
     impact: f64,
     lost: Cell<Lost>,
@@ -49,11 +49,13 @@ struct Lost {
 }
 
 impl Drift {
-    pub(super) fn new(body: &Heavy) -> Self {
+    pub(super) fn new(body: &Heavy, mu_s: f64) -> Self {
         let amplification = (body.mass / body.inertia).sqrt();
+        let phase = PHASE_ROUNDING * (AMPLIFICATION_PART * amplification).max(1.0);
         Self {
             h: body.h,
-            phase: PHASE_ROUNDING * (AMPLIFICATION_PART * amplification).max(1.0),
+            phase,
+            contact: phase * (1.0 + mu_s),
             impact: 1.0 + amplification,
             lost: Cell::default(),
             is_told: Cell::new(false),
@@ -83,7 +85,7 @@ impl Drift {
     /// Whether 1 − h cos θ θ′², with terms of this size, is far enough from zero to compare forces.
     #[inline(always)]
     pub(super) fn is_known(&self, number: f64, size: f64) -> bool {
-        self.exceeds(number, MIN_RELATIVE_CONTACT * size, size)
+        self.exceeds(number, self.contact * size, size)
     }
 
     /// Whether the sign of a number with terms of this size is known.

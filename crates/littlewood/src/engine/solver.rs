@@ -106,7 +106,7 @@ type Ended = Ending<Place, Verdict>;
 impl<'a> FastSolver<'a> {
     pub(super) fn new(hoop: &'a Hoop, laws: &'a Laws, limits: &Limits) -> Self {
         let until = limits.until.unwrap_or(f64::INFINITY);
-        let (exact, drift) = (Exact::new(hoop, limits), Drift::new(&laws.body));
+        let (exact, drift) = (Exact::new(hoop, limits), Drift::new(&laws.body, hoop.mu_s()));
         Self { hoop, laws, chains: None, until, exact, phases_without: Cell::new(0), drift }
     }
 
