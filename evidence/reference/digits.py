@@ -5,7 +5,8 @@
     python3 digits.py hard --write                    the same for some of the heavy motions
 
 Draws motions of a kind (`any`, `heavy` or `usual`, as the example `motions` of littlewood-random has them), and follows their first events with 60 digits.  Exact
-motions are kept in a file, if one is named: they do not depend on the library.  A claim of d digits is that the printed number
+motions are kept in a file, if one is named, each with its hoop and start: the library draws them, and computes some of them, such as a
+start on the limit of friction.  A claim of d digits is that the printed number
 differs from the exact one by at most 10^-d of that.  Printed are, for each decade of the rate at the start, how many numbers have how many
 digits more than was claimed: below 0 the claim was too high.
 
@@ -50,8 +51,12 @@ def too_long(*_):
     raise Tie("too long")
 
 
+def given(line):
+    return [line["hoop"], line["start"]]
+
+
 def exact(named):
-    """Name, and cause and numbers of the transitions with 60 digits, as text."""
+    """Name, and hoop and start, and cause and numbers of the transitions with 60 digits, as text."""
     name, line = named
     hoop, start = line["hoop"], line["start"]
     bounce = None if hoop["restitution"] is None else (hoop["restitution"], hoop["restitution_law"] or "energetic")
@@ -65,18 +70,19 @@ def exact(named):
     except (ArithmeticError, ValueError):
         transitions = []
     signal.alarm(0)
-    return name, [[t["cause"], *("{0:.60g}".format(t[number]) for number in NUMBERS)] for t in transitions]
+    return name, given(line), [[t["cause"], *("{0:.60g}".format(t[number]) for number in NUMBERS)] for t in transitions]
 
 
 def exact_motions(lines, workers, path):
-    kept = dict(map(json.loads, Path(path).read_text().splitlines())) if path and Path(path).exists() else {}
+    rows = map(json.loads, Path(path).read_text().splitlines()) if path and Path(path).exists() else []
+    kept = {name: transitions for name, problem, transitions in rows if name in lines and given(lines[name]) == problem}
     todo = [item for item in lines.items() if item[0] not in kept and item[1]["transitions"]]
     with multiprocessing.Pool(workers) as pool:
-        for name, transitions in pool.imap_unordered(exact, todo, chunksize=4):
+        for name, problem, transitions in pool.imap_unordered(exact, todo, chunksize=4):
             kept[name] = transitions
             if path:
                 with open(path, "a") as file:
-                    file.write(json.dumps([name, transitions]) + "\n")
+                    file.write(json.dumps([name, problem, transitions]) + "\n")
     return kept
 
 
