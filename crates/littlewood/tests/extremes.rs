@@ -32,6 +32,23 @@ fn the_slide_of_a_balanced_hoop_is_in_closed_form() {
     assert!((period * 1e-9 / std::f64::consts::TAU - 1.0).abs() < 1e-6);
 }
 
+/// A slip of 1e6 at μ = 1e9 ends within 1e-33: the hoop then rolls with the slip as its rate.
+#[test]
+fn a_fast_slip_of_a_hoop_of_next_to_no_inertia_ends_at_once() {
+    let (inertia, mu) = (1e-30, 1e9);
+    let hoop = HoopParameters::thin(0.0).with_offset(0.0).with_inertia(inertia).with_friction(mu, mu);
+    let start = Start::at(2.905_841_460_448_034, 0.015_5).with_slip(-1e6);
+    let motion =
+        Hoop::new(hoop).expect("a valid hoop").simulate(start, Limits::default()).expect("a valid start");
+    let stick = motion.transitions().first().expect("sticks");
+    let time = 1e6 / (mu * (1.0 + 1.0 / inertia));
+    assert_eq!((stick.cause, stick.to), (Cause::Stick, Some(Mode::Rolling)));
+    assert!((stick.time() / time - 1.0).abs() < 1e-14, "{} {time}", stick.time());
+    assert!(
+        (stick.before.theta_rate / (1e6 + 0.015_5) - 1.0).abs() < 1e-14 && stick.before.theta == start.theta
+    );
+}
+
 /// A heavy rim on a plane of next to no friction would slip for 4.4e12 time units, through 3e12 turns: the angle at their end would
 /// be known to no digit. The slip loses μk in each time unit.
 #[test]

@@ -66,7 +66,8 @@ impl SlideSeries {
             let [square, forth, back] =
                 convolve([(&s.theta_rate, &s.theta_rate), (&increment, &cos), (&increment, &sin)], n);
             u[n] = square;
-            if n > 0 {
+            // Of a balanced hoop sine and cosine do not matter, and may overflow.
+            if n > 0 && h != 0.0 {
                 sin[n] = forth / order;
                 cos[n] = -(back / order);
             }
