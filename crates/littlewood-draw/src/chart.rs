@@ -76,7 +76,7 @@ impl Canvas {
                 let space = Space::new(panel.frame, [x, y, z], [*yaw, *pitch]);
                 space.axes(self);
                 self.layers(panel, &[x, y, z], |at| space.place(at), 1.0, None);
-                self.labels(panel, |at| space.place(at));
+                self.labels(panel, |at| space.place(at), None);
             }
         }
         for key in &panel.keys {
@@ -122,7 +122,7 @@ impl Canvas {
         }
         // Hoops are drawn only where both axes have one scale.
         self.layers(panel, &[x, y], place, wide / (x.range[1] - x.range[0]), axes.then_some(corners));
-        self.labels(panel, place);
+        self.labels(panel, place, axes.then_some(corners));
         if !axes {
             return;
         }
@@ -207,9 +207,13 @@ impl Canvas {
         }
     }
 
-    fn labels(&mut self, panel: &Panel, place: impl Fn(&[f64]) -> Step) {
+    /// The texts whose places are within bounds, where there are any.
+    fn labels(&mut self, panel: &Panel, place: impl Fn(&[f64]) -> Step, bounds: Option<[Step; 2]>) {
         for label in &panel.labels {
             let (x, y) = place(&label.at);
+            if bounds.is_some_and(|bounds| !clip::holds(bounds, (x, y))) {
+                continue;
+            }
             let [right, down] = label.shift.map(steps);
             let at = [f64::from(x + right) / STEPS, f64::from(y + down) / STEPS + MIDDLE * label.size];
             let (text, anchor) = (label.text.clone(), label.anchor);
