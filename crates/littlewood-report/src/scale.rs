@@ -1,6 +1,5 @@
 //! The system of units that a person sees: none (2.9), or SI.
 
-use littlewood::State;
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity, SampleColumn};
 
@@ -67,19 +66,6 @@ impl<'a> Scale<'a> {
             None => with_unit(brief(value), dimension.scale_sign()),
             Some(_) => self.show(dimension, value),
         }
-    }
-
-    /// θ, θ′ and η′.
-    #[must_use]
-    pub fn show_motion(self, state: &State) -> String {
-        format!(
-            "{}  {} = {}  {} = {}",
-            self.show_angle(state.theta),
-            self.sign(Quantity::ThetaRate),
-            self.show(Dimension::AngularRate, state.theta_rate),
-            self.sign(Quantity::Slip),
-            self.show(Dimension::Velocity, state.slip),
-        )
     }
 
     /// θ in radians and in degrees.

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use littlewood::tables::{Quantity, Setup, SummaryColumn};
 use littlewood::{HoopParameters, Limits, Start};
 use littlewood_sweep::{
-    Axis, Grid, Options, Picture, PictureSize, Shade, Workers, ZarrStore, grid_to_parquet, grid_to_zarr,
+    Axis, Grid, Options, Picture, PictureSize, Shade, Target, Workers, ZarrStore, sweep_grid,
 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -21,8 +21,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let workers = Workers::new(None)?;
     let options = Options { resume: true, ..Options::default() };
     let limits = Limits::until(50.0);
-    println!("{:?}", grid_to_zarr(&grid, limits, &folder.join("map.zarr"), &workers, &options)?);
-    println!("{:?}", grid_to_parquet(&grid, limits, &folder.join("map.parquet"), &workers, &options)?);
+    println!(
+        "{:?}",
+        sweep_grid(&grid, limits, &[Target::Zarr(&folder.join("map.zarr"))], None, &workers, &options)?
+    );
+    println!(
+        "{:?}",
+        sweep_grid(&grid, limits, &[Target::Parquet(&folder.join("map.parquet"))], None, &workers, &options)?
+    );
     let store = ZarrStore::open(&folder.join("map.zarr"))?;
     for (name, shade) in [
         ("outcome", Shade::Class),

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use littlewood::tables::Setup;
-use littlewood::{Engine, Hoop, HoopParameters, Limits, ParameterError, Start, Summary};
+use littlewood::{Engine, Hoop, Limits, ParameterError, Summary};
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -186,19 +186,6 @@ impl Workers {
             Err(Halt::Cancelled) => Ok(Columns::blank(points.len())),
             Ok(columns) => Ok(columns),
         }
-    }
-
-    /// Computes starts of one hoop, as [`Workers::compute`] does.
-    ///
-    /// # Errors
-    /// As [`Workers::compute`].
-    pub fn compute_starts(
-        &self,
-        hoop: HoopParameters,
-        starts: &[Start],
-        limits: Limits,
-    ) -> Result<Columns, ParameterError> {
-        self.compute(starts.iter().map(|&start| Setup::new(hoop, start)), limits)
     }
 
     /// The keys of points, in their order, by their summaries, of a run in which each hoop has so many starts.

@@ -80,7 +80,7 @@ pub use regions::{Ask, Band, Boundary, Detail, Lattice, Place, Region, Regions};
 pub use run::Report;
 pub use starts::{ListError, StartList};
 pub use store::StoreError;
-pub use sweep::{ChunkView, grid_to_parquet, grid_to_zarr, list_to_parquet, sweep_grid, sweep_list};
+pub use sweep::{ChunkView, sweep_grid, sweep_list};
 pub use tally::Tally;
 #[cfg(feature = "zarr")]
 pub use zarr::ZarrStore;

@@ -1,7 +1,5 @@
 //! Whole runs: a grid or a list, computed into files.
 
-use std::path::Path;
-
 use littlewood::Limits;
 
 use crate::chunk::{Chunk, Chunks};
@@ -129,46 +127,4 @@ fn not_built(target: &Target<'_>) -> SweepError {
         Target::Parquet(path) | Target::ParquetFolder(path) => (path, "parquet"),
     };
     SweepError::NotBuilt { path: path.to_path_buf(), feature }
-}
-
-/// [`sweep_grid`] into a Zarr store.
-///
-/// # Errors
-/// As [`sweep_grid`].
-pub fn grid_to_zarr(
-    grid: &Grid,
-    limits: Limits,
-    path: &Path,
-    workers: &Workers,
-    options: &Options<'_>,
-) -> Result<Report, SweepError> {
-    sweep_grid(grid, limits, &[Target::Zarr(path)], None, workers, options)
-}
-
-/// [`sweep_grid`] into one Parquet file, one row a point.
-///
-/// # Errors
-/// As [`sweep_grid`].
-pub fn grid_to_parquet(
-    grid: &Grid,
-    limits: Limits,
-    path: &Path,
-    workers: &Workers,
-    options: &Options<'_>,
-) -> Result<Report, SweepError> {
-    sweep_grid(grid, limits, &[Target::Parquet(path)], None, workers, options)
-}
-
-/// [`sweep_list`] into one Parquet file.
-///
-/// # Errors
-/// As [`sweep_list`].
-pub fn list_to_parquet(
-    list: &StartList,
-    limits: Limits,
-    path: &Path,
-    workers: &Workers,
-    options: &Options<'_>,
-) -> Result<Report, SweepError> {
-    sweep_list(list, limits, &[Target::Parquet(path)], workers, options)
 }

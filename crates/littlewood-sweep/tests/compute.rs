@@ -51,8 +51,8 @@ fn a_row_does_not_depend_on_the_length_of_its_list() {
             Start::at(theta, rate).with_slip(if draw.comes(0.5) { slip } else { 0.0 })
         }));
         let of = |length: usize| -> Vec<_> {
-            let lists =
-                starts.chunks(length).map(|list| workers(2).compute_starts(hoop, list, limits).unwrap());
+            let points = |list: &[Start]| Vec::from_iter(list.iter().map(|start| Setup::new(hoop, *start)));
+            let lists = starts.chunks(length).map(|list| workers(2).compute(points(list), limits).unwrap());
             lists.flat_map(|columns| columns.summaries().map(|one| codes(&one)).collect::<Vec<_>>()).collect()
         };
         let long = of(1000);
@@ -196,13 +196,14 @@ fn a_limit_before_the_start_is_refused() {
 #[test]
 fn a_slice_of_starts_can_be_computed() {
     let starts = [Start::at(std::f64::consts::FRAC_PI_2, 2.0), Start::at(0.0, 4.0)];
-    let columns = workers(1).compute_starts(figure_2().hoop, &starts, Limits::default()).unwrap();
+    let points = starts.map(|start| Setup::new(figure_2().hoop, start));
+    let columns = workers(1).compute(points, Limits::default()).unwrap();
     let sequences: Vec<String> = columns.summaries().map(|summary| summary.sequence.to_string()).collect();
     assert_eq!(sequences, ["-R+F", "F"]);
     // Figure 3: the lift-off of the paper's motion, to 40 digits.
     assert!((reals(&columns, SummaryColumn::LiftOffTime)[0] - 1.518_670_213_819_437).abs() < 1e-13);
     assert!((reals(&columns, SummaryColumn::FirstSlipTime)[0] - 0.973_223_074_772_405_4).abs() < 1e-13);
-    assert!(workers(1).compute_starts(figure_2().hoop, &[], Limits::default()).unwrap().is_empty());
+    assert!(workers(1).compute([], Limits::default()).unwrap().is_empty());
 }
 
 fn any_grid() -> impl Strategy<Value = (Grid, usize)> {

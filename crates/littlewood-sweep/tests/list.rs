@@ -10,7 +10,7 @@ use crate::support::table::{Cells, Table, write_table};
 use crate::support::{figure_2, workers};
 use littlewood::tables::{Quantity, Setup};
 use littlewood::{Limits, ParameterError};
-use littlewood_sweep::{ListError, Options, StartList, SweepError, Target, list_to_parquet, sweep_list};
+use littlewood_sweep::{ListError, Options, StartList, SweepError, Target, sweep_list};
 use parquet::record::Field;
 
 fn csv(folder: &Path, text: &str) -> PathBuf {
@@ -201,7 +201,8 @@ fn a_file_that_changes_after_it_was_opened_is_an_error() {
     fs::write(&path, "theta\n1\n").unwrap();
     let out = folder.path().join("out.parquet");
     let error =
-        list_to_parquet(&list, Limits::until(1.0), &out, &workers(1), &Options::default()).unwrap_err();
+        sweep_list(&list, Limits::until(1.0), &[Target::Parquet(&out)], &workers(1), &Options::default())
+            .unwrap_err();
     assert!(matches!(error, SweepError::List(ListError::Changed { .. })), "{error}");
 }
 
@@ -213,7 +214,7 @@ fn one_file_has_the_rows_of_all_chunks_in_order() {
     let list = StartList::open(&path, figure_2()).unwrap();
     let out = folder.path().join("out.parquet");
     let options = Options { chunk_points: 20, ..Options::default() };
-    list_to_parquet(&list, Limits::until(5.0), &out, &workers(2), &options).unwrap();
+    sweep_list(&list, Limits::until(5.0), &[Target::Parquet(&out)], &workers(2), &options).unwrap();
     let whole = Table::read(&out);
     let expected: Vec<f64> = (0..95).map(|i| format!("{}", 0.1 * f64::from(i)).parse().unwrap()).collect();
     assert_eq!(whole.reals("theta"), expected);
@@ -229,7 +230,8 @@ fn a_list_may_say_where_and_when_its_starts_are() {
         csv(folder.path(), "time,theta,theta_rate,x\n0,1.5707963267948966,2,0\n3,1.5707963267948966,2,-5\n");
     let list = StartList::open(&path, figure_2()).unwrap();
     let out = folder.path().join("out.parquet");
-    list_to_parquet(&list, Limits::until(50.0), &out, &workers(1), &Options::default()).unwrap();
+    sweep_list(&list, Limits::until(50.0), &[Target::Parquet(&out)], &workers(1), &Options::default())
+        .unwrap();
     let whole = Table::read(&out);
     let column = |name: &str| whole.reals(name);
     assert_eq!((column("time"), column("x")), (vec![0.0, 3.0], vec![0.0, -5.0]));
@@ -242,7 +244,8 @@ fn a_list_may_say_where_and_when_its_starts_are() {
     let list = StartList::open(&path, figure_2()).unwrap();
     let out = folder.path().join("late.parquet");
     let error =
-        list_to_parquet(&list, Limits::until(50.0), &out, &workers(1), &Options::default()).unwrap_err();
+        sweep_list(&list, Limits::until(50.0), &[Target::Parquet(&out)], &workers(1), &Options::default())
+            .unwrap_err();
     assert!(
         matches!(error, SweepError::List(ListError::BadValue { line: 3, column: Quantity::Time, .. })),
         "{error}"

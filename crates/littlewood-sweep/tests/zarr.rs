@@ -8,7 +8,7 @@ use crate::support::zarr::Array;
 use crate::support::{map, mixed, reals, workers};
 use littlewood::tables::{PhaseSequence, SummaryColumn};
 use littlewood::{Limits, Summary};
-use littlewood_sweep::{ColumnValues, Options, STORE_FORMAT, grid_to_zarr};
+use littlewood_sweep::{ColumnValues, Options, STORE_FORMAT, Target, sweep_grid};
 use serde_json::Value;
 
 #[test]
@@ -18,7 +18,7 @@ fn the_arrays_hold_what_was_computed_with_names_and_units() {
     let (grid, limits) = (mixed(), Limits::until(20.0));
     // Chunks that do not divide the grid, along an axis that is not the slowest.
     let options = Options { chunk_points: 100, ..Options::default() };
-    grid_to_zarr(&grid, limits, &path, &workers(2), &options).unwrap();
+    sweep_grid(&grid, limits, &[Target::Zarr(&path)], None, &workers(2), &options).unwrap();
     let columns = workers(1).compute(grid.points(0..grid.len()), limits).unwrap();
 
     let open = |name: &str| Array::open(&path, name);
@@ -57,7 +57,8 @@ fn the_arrays_hold_what_was_computed_with_names_and_units() {
 fn the_group_says_what_was_run_and_holds_the_metadata_of_its_arrays() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("map.zarr");
-    grid_to_zarr(&map(5), Limits::until(1.0), &path, &workers(1), &Options::default()).unwrap();
+    sweep_grid(&map(5), Limits::until(1.0), &[Target::Zarr(&path)], None, &workers(1), &Options::default())
+        .unwrap();
     let text = fs::read_to_string(path.join("zarr.json")).unwrap();
     let json: Value = serde_json::from_str(&text).unwrap();
     assert_eq!((&json["zarr_format"], &json["node_type"]), (&3.into(), &"group".into()));

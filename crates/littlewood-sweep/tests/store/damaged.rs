@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use littlewood_sweep::{Options, Progress, StoreError, SweepError, ZarrStore, grid_to_zarr};
+use littlewood_sweep::{Options, Progress, StoreError, SweepError, Target, ZarrStore, sweep_grid};
 
 use crate::store::runs::{each_kind, interrupted, limits, options, store_of};
 use crate::support::{assert_same_tree, bits, map, tree, workers};
@@ -90,7 +90,7 @@ fn a_partial_zarr_store_is_readable_and_says_what_is_missing() {
     let watch = |progress: Progress| cancel.store(progress.done >= 400, Ordering::Relaxed);
     let options =
         Options { chunk_points: 200, cancel: Some(&cancel), progress: Some(&watch), ..Options::default() };
-    let report = grid_to_zarr(&grid, limits(), &path, &workers(1), &options).unwrap();
+    let report = sweep_grid(&grid, limits(), &[Target::Zarr(&path)], None, &workers(1), &options).unwrap();
     let store = ZarrStore::open(&path).unwrap();
     assert!(!store.is_complete());
     assert_eq!((store.grid(), store.limits()), (&grid, limits()));

@@ -4,8 +4,7 @@ use std::fs;
 
 use littlewood::Limits;
 use littlewood_sweep::{
-    Grid, Options, Report, StartList, StoreError, SweepError, Target, Workers, grid_to_zarr, list_to_parquet,
-    sweep_grid,
+    Grid, Options, Report, StartList, StoreError, SweepError, Target, Workers, sweep_grid, sweep_list,
 };
 
 use crate::store::runs::{each_kind, interrupted, limits, options, store_of};
@@ -56,7 +55,7 @@ fn a_store_of_other_parameters_is_refused_and_the_difference_named() {
     let path = folder.path().join("store");
     let workers = workers(1);
     let start = |grid: &Grid, limits: Limits, options: &Options<'_>, workers: &Workers| {
-        grid_to_zarr(grid, limits, &path, workers, options)
+        sweep_grid(grid, limits, &[Target::Zarr(&path)], None, workers, options)
     };
     let resume = Options { resume: true, ..options("zarr") };
     start(&mixed(), limits(), &resume, &workers).unwrap();
@@ -94,7 +93,7 @@ fn a_list_with_other_content_is_another_run() {
         fs::write(&csv, content).unwrap();
         let list = StartList::open(&csv, figure_2()).unwrap();
         let resume = Options { resume: true, ..Options::default() };
-        let result = list_to_parquet(&list, limits(), &path, &workers(1), &resume);
+        let result = sweep_list(&list, limits(), &[Target::Parquet(&path)], &workers(1), &resume);
         assert_eq!(result.is_ok(), same, "{result:?}");
     }
 }
@@ -106,7 +105,8 @@ fn an_unwritable_folder_is_an_error_that_names_it() {
     fs::write(&file, "").unwrap();
     // A path through a file: no one, not even root, can write there.
     let path = file.join("map.zarr");
-    let error = grid_to_zarr(&map(3), limits(), &path, &workers(1), &Options::default()).unwrap_err();
+    let error = sweep_grid(&map(3), limits(), &[Target::Zarr(&path)], None, &workers(1), &Options::default())
+        .unwrap_err();
     assert!(error.to_string().contains("file"), "{error}");
     assert!(!error.to_string().contains("stay"), "{error}");
     assert!(matches!(error, SweepError::Store(StoreError::Unwritable { finished: 0, .. })));

@@ -5,8 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use littlewood::tables::Class;
 use littlewood_sweep::{
-    Chunk, Columns, Options, Progress, StoreError, SweepError, Tally, Target, grid_to_parquet, grid_to_zarr,
-    sweep_grid,
+    Chunk, Columns, Options, Progress, StoreError, SweepError, Tally, Target, sweep_grid,
 };
 
 use crate::store::runs::{each_kind, interrupted, limits, options};
@@ -60,7 +59,8 @@ fn the_number_of_threads_does_not_change_a_byte() {
     let folder = tempfile::tempdir().unwrap();
     for threads in [1, 3] {
         let path = folder.path().join(threads.to_string());
-        grid_to_zarr(&mixed(), limits(), &path, &workers(threads), &options("zarr")).unwrap();
+        sweep_grid(&mixed(), limits(), &[Target::Zarr(&path)], None, &workers(threads), &options("zarr"))
+            .unwrap();
     }
     assert_same_tree(&folder.path().join("1"), &folder.path().join("3"));
 }
@@ -70,8 +70,17 @@ fn one_run_fills_several_targets_and_shows_every_chunk() {
     let folder = tempfile::tempdir().unwrap();
     let (zarr, file) = (folder.path().join("a.zarr"), folder.path().join("a.parquet"));
     let (alone_zarr, alone_file) = (folder.path().join("b.zarr"), folder.path().join("b.parquet"));
-    grid_to_zarr(&mixed(), limits(), &alone_zarr, &workers(2), &options("zarr")).unwrap();
-    let alone = grid_to_parquet(&mixed(), limits(), &alone_file, &workers(2), &options("grid file")).unwrap();
+    sweep_grid(&mixed(), limits(), &[Target::Zarr(&alone_zarr)], None, &workers(2), &options("zarr"))
+        .unwrap();
+    let alone = sweep_grid(
+        &mixed(),
+        limits(),
+        &[Target::Parquet(&alone_file)],
+        None,
+        &workers(2),
+        &options("grid file"),
+    )
+    .unwrap();
     let targets = [Target::Zarr(&zarr), Target::Parquet(&file)];
     let run = |options: &Options<'_>| {
         let mut seen = Tally::default();
@@ -107,11 +116,18 @@ fn what_others_put_among_the_parts_stays() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.parquet");
     let run = |resume| {
-        grid_to_parquet(&mixed(), limits(), &path, &workers(1), &Options { resume, ..options("grid file") })
+        sweep_grid(
+            &mixed(),
+            limits(),
+            &[Target::Parquet(&path)],
+            None,
+            &workers(1),
+            &Options { resume, ..options("grid file") },
+        )
     };
     interrupted(
         "grid file",
-        &|_, options| grid_to_parquet(&mixed(), limits(), &path, &workers(1), options),
+        &|_, options| sweep_grid(&mixed(), limits(), &[Target::Parquet(&path)], None, &workers(1), options),
         &path,
         100,
         false,

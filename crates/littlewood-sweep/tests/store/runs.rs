@@ -5,10 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use littlewood::Limits;
-use littlewood_sweep::{
-    Options, Progress, Report, StartList, SweepError, Target, grid_to_parquet, grid_to_zarr, list_to_parquet,
-    sweep_grid, sweep_list,
-};
+use littlewood_sweep::{Options, Progress, Report, StartList, SweepError, Target, sweep_grid, sweep_list};
 
 use crate::support::{figure_2, mixed, parts, workers};
 
@@ -28,17 +25,21 @@ pub(crate) fn each_kind(test: impl Fn(&str, &Run<'_>, &Path)) {
     fs::write(&csv, format!("theta,theta_rate\n{}\n", rows.join("\n"))).unwrap();
     let list = StartList::open(&csv, figure_2()).unwrap();
     let workers = workers(2);
-    let zarr = |path: &Path, options: &Options<'_>| grid_to_zarr(&mixed(), limits(), path, &workers, options);
+    let zarr = |path: &Path, options: &Options<'_>| {
+        sweep_grid(&mixed(), limits(), &[Target::Zarr(path)], None, &workers, options)
+    };
     let folder_of_grid = |path: &Path, options: &Options<'_>| {
         sweep_grid(&mixed(), limits(), &[Target::ParquetFolder(path)], None, &workers, options)
     };
     let folder_of_list = |path: &Path, options: &Options<'_>| {
         sweep_list(&list, limits(), &[Target::ParquetFolder(path)], &workers, options)
     };
-    let grid_file =
-        |path: &Path, options: &Options<'_>| grid_to_parquet(&mixed(), limits(), path, &workers, options);
-    let list_file =
-        |path: &Path, options: &Options<'_>| list_to_parquet(&list, limits(), path, &workers, options);
+    let grid_file = |path: &Path, options: &Options<'_>| {
+        sweep_grid(&mixed(), limits(), &[Target::Parquet(path)], None, &workers, options)
+    };
+    let list_file = |path: &Path, options: &Options<'_>| {
+        sweep_list(&list, limits(), &[Target::Parquet(path)], &workers, options)
+    };
     let kinds: [(&str, &Run<'_>); 5] = [
         ("zarr", &zarr),
         ("folder", &folder_of_grid),

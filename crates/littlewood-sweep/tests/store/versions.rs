@@ -5,7 +5,7 @@ use std::path::Path;
 
 use littlewood::tables::PhaseSequence;
 use littlewood_sweep::{
-    ForeignVersion, Options, Report, STORE_FORMAT, StoreError, SweepError, ZarrStore, grid_to_parquet,
+    ForeignVersion, Options, Report, STORE_FORMAT, StoreError, SweepError, Target, ZarrStore, sweep_grid,
 };
 use serde_json::{Value, json};
 
@@ -88,8 +88,14 @@ fn a_file_of_the_first_version_is_refused() {
     write_table(&path, &columns, Some(("littlewood_run", run)));
     let before = fs::read(&path).unwrap();
     let resume = Options { resume: true, ..options("grid file") };
-    let version =
-        refused(grid_to_parquet(&mixed(), littlewood::Limits::until(1.0), &path, &workers(1), &resume));
+    let version = refused(sweep_grid(
+        &mixed(),
+        littlewood::Limits::until(1.0),
+        &[Target::Parquet(&path)],
+        None,
+        &workers(1),
+        &resume,
+    ));
     assert_eq!((version.found, version.needed), (1, STORE_FORMAT));
     assert_eq!(fs::read(&path).unwrap(), before);
 }
