@@ -55,7 +55,7 @@ pub use littlewood_style::{Dash, Rgb, ticks::Tick};
 pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve};
 pub use markup::{Run, Script, markdown, plain, runs};
 pub use pencil::Segment;
-pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale};
+pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};
 pub use sheet::{Content, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet, check_width};
 pub use stroke::*;
 pub use words::{angle, marked, short};

@@ -34,7 +34,9 @@ struct Picture {
     mask: Option<Mask>,
 }
 
-fn skia(path: &Path) -> Option<tiny_skia::Path> {
+/// A path for tiny-skia; none if nothing is to be seen.
+#[must_use]
+pub fn skia(path: &[Segment]) -> Option<tiny_skia::Path> {
     let mut builder = PathBuilder::new();
     for segment in path {
         match *segment {

@@ -1,10 +1,9 @@
 //! The energy of the start as a bar of its parts: kinetic, potential, and what has been lost.
 
-use littlewood_style::{EnergyPart, Rgb};
+use littlewood_style::{EnergyPart, EnergyParts, Rgb};
 
 use crate::canvas::Canvas;
 use crate::colour::{self, INK, PAPER, SOFT};
-use crate::ledger::EnergyParts;
 use crate::letters::Style;
 
 /// Width of the column in which the bar stands with its words, in units of lettering.
@@ -34,19 +33,6 @@ pub(crate) struct Column {
     pub(crate) left: f64,
     pub(crate) top: f64,
     pub(crate) bottom: f64,
-}
-
-impl EnergyParts {
-    /// A part.
-    #[must_use]
-    pub const fn part(&self, part: EnergyPart) -> f64 {
-        match part {
-            EnergyPart::Kinetic => self.kinetic,
-            EnergyPart::Potential => self.potential,
-            EnergyPart::Friction => self.friction,
-            EnergyPart::Impacts => self.impacts,
-        }
-    }
 }
 
 /// The bar as high as `most` has room; what is lost hangs from the top of what was there at the start.

@@ -3,6 +3,7 @@
 use littlewood::Trajectory;
 use littlewood::modes::Position;
 use littlewood::si::Units;
+use littlewood_style::{EnergyParts, Ledger};
 
 use crate::bar::{COLUMN, Column, draw_bar};
 use crate::body::{draw_arrows, draw_body, draw_impulse, draw_trail};
@@ -13,7 +14,6 @@ use crate::error::FilmError;
 use crate::ground::{draw_contact, draw_plane};
 use crate::impacts::ShownImpact;
 use crate::inset::{self, Inset};
-use crate::ledger::{EnergyParts, Ledger};
 use crate::pane::{PANE, Pane, With};
 use crate::panel::{FOOT, HEAD, Panel, short};
 use crate::scene::{ArrowScale, DrawnImpulse, Scene};

@@ -1,7 +1,7 @@
 //! Words as outlines, in the letters of all pictures.
 
-use littlewood_draw::{Segment, outlines, width};
-use tiny_skia::{Path, PathBuilder};
+use littlewood_draw::{outlines, skia, width};
+use tiny_skia::Path;
 
 /// How words are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,30 +37,9 @@ impl Style {
     /// The outline of words, with marks, on a base line; none if nothing is to be seen.
     pub(crate) fn outline(self, words: &str, (x, y): (f64, f64)) -> Option<Path> {
         let left = x - self.anchor * self.width(words);
-        let mut path = PathBuilder::new();
-        for segment in outlines(words, self.letters()).flat_map(|(segments, _)| segments) {
-            let place = |[right, down]: [f64; 2]| ((left + right) as f32, (y + down) as f32);
-            match segment {
-                Segment::Move(to) => {
-                    let (x, y) = place(to);
-                    path.move_to(x, y);
-                }
-                Segment::Line(to) => {
-                    let (x, y) = place(to);
-                    path.line_to(x, y);
-                }
-                Segment::Quad(handle, to) => {
-                    let ((a, b), (x, y)) = (place(handle), place(to));
-                    path.quad_to(a, b, x, y);
-                }
-                Segment::Curve(first, second, to) => {
-                    let ((a, b), (c, d), (x, y)) = (place(first), place(second), place(to));
-                    path.cubic_to(a, b, c, d, x, y);
-                }
-                Segment::Close => path.close(),
-            }
-        }
-        path.finish()
+        let place = |[right, down]: [f64; 2]| [left + right, y + down];
+        let segments = outlines(words, self.letters()).flat_map(|(segments, _)| segments);
+        skia(&segments.map(|segment| segment.placed(place)).collect::<Vec<_>>())
     }
 }
 

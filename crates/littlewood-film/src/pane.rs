@@ -11,11 +11,10 @@ use littlewood_draw::{
     Sheet, Stroke, marked,
 };
 use littlewood_style::width::FINE;
-use littlewood_style::{Curve, EnergyPart};
+use littlewood_style::{Curve, EnergyPart, EnergyParts, Ledger};
 
 use crate::canvas::Canvas;
 use crate::colour::{FRICTION_FORCE, INK, PAPER, SOFT, of_energy, of_mode};
-use crate::ledger::{EnergyParts, Ledger};
 use crate::letters::Style;
 use crate::schedule::Schedule;
 

@@ -2,7 +2,8 @@
 
 use littlewood::cases::{CASES, find_case};
 use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, Trajectory};
-use littlewood_film::{EnergyBar, EnergyParts, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Schedule};
+use littlewood_film::{EnergyBar, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Schedule};
+use littlewood_style::EnergyParts;
 
 const PACE: Pace = Pace { fps: 25, slow: 3.0, units: None, hold_s: None, slow_impacts: None };
 

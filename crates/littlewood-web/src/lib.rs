@@ -12,7 +12,6 @@
 mod boundary;
 mod cases;
 mod digest;
-mod energy;
 pub mod hops;
 mod link;
 mod map;

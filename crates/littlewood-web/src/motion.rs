@@ -8,11 +8,10 @@ use littlewood::{Mode, OutcomeKind, Sample, Trajectory, Transition};
 use littlewood_report::scale::Scale;
 use littlewood_report::sheet::Table;
 use littlewood_report::{Sampling, Subject, csv, json as documents, page, sentence};
-use littlewood_style::EnergyPart;
+use littlewood_style::{EnergyPart, Ledger};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::energy::Energies;
 use crate::problem::Problem;
 use crate::refusal::Refusal;
 use crate::routh::Routh;
@@ -97,8 +96,8 @@ impl Motion {
     /// energy of the start; empty outside the motion.
     #[must_use]
     pub fn energies(&self, time: f64) -> Vec<f64> {
-        Energies::at(&self.trajectory, time)
-            .map_or_else(Vec::new, |it| EnergyPart::ALL.map(|part| it.part(part)).to_vec())
+        let parts = || Ledger::new(&self.trajectory)?.parts(&self.trajectory.at(time)?, false);
+        parts().map_or_else(Vec::new, |it| EnergyPart::ALL.map(|part| it.part(part)).to_vec())
     }
 
     /// Routh's diagram of the impact at a transition, if there is one.

@@ -1,0 +1,159 @@
+//! Where the energy of the start has gone.
+
+use littlewood::{Hoop, Mode, Sample, Trajectory};
+
+use crate::energy::EnergyPart;
+
+/// The energy at the start by what it has become, over m2 g R; the potential energy is counted from its least value. The
+/// parts add up to the energy at the start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyParts {
+    /// Kinetic.
+    pub kinetic: f64,
+    /// Potential.
+    pub potential: f64,
+    /// Lost to friction in sliding.
+    pub friction: f64,
+    /// Lost in impacts; negative where Newton's law has gained more.
+    pub impacts: f64,
+    /// At the start.
+    pub start: f64,
+}
+
+impl EnergyParts {
+    /// A part.
+    #[must_use]
+    pub const fn part(&self, part: EnergyPart) -> f64 {
+        match part {
+            EnergyPart::Kinetic => self.kinetic,
+            EnergyPart::Potential => self.potential,
+            EnergyPart::Friction => self.friction,
+            EnergyPart::Impacts => self.impacts,
+        }
+    }
+}
+
+/// The losses of a motion up to each of its phases.
+#[derive(Clone, Debug)]
+pub struct Ledger {
+    hoop: Hoop,
+    start: f64,
+    /// Time at the start of each phase, its energy then, and what had been lost to friction and in impacts.
+    phases: Vec<Entry>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    time: f64,
+    energy: f64,
+    friction: f64,
+    impacts: f64,
+}
+
+impl Ledger {
+    /// None for a motion that does not begin.
+    #[must_use]
+    pub fn new(trajectory: &Trajectory) -> Option<Self> {
+        let hoop = *trajectory.hoop();
+        let (mut friction, mut impacts) = (0.0, 0.0);
+        // A jam at the start ends no phase.
+        if let Some(first) = trajectory.transitions().first().filter(|first| first.from.is_none()) {
+            impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
+        }
+        let start = trajectory.phases().first()?.first().energy + impacts + hoop.offset();
+        let mut phases = Vec::with_capacity(trajectory.phases().len());
+        for phase in trajectory.phases() {
+            phases.push(Entry { time: phase.start().time, energy: phase.first().energy, friction, impacts });
+            friction += phase.energy_lost();
+            let impact = trajectory.end_of(phase).and_then(|transition| transition.impact);
+            impacts += impact.map_or(0.0, |impact| impact.energy_lost());
+        }
+        Some(Self { hoop, start, phases })
+    }
+
+    /// The parts at an instant: of the phase before a transition, or of the one after it.
+    #[must_use]
+    pub fn parts(&self, sample: &Sample, is_before: bool) -> Option<EnergyParts> {
+        let time = sample.state.time;
+        let after = self
+            .phases
+            .partition_point(|entry| if is_before { entry.time < time } else { entry.time <= time });
+        let entry = self.phases.get(after.max(1) - 1)?;
+        let gap = if sample.gap.is_finite() { sample.gap } else { 0.0 };
+        let potential = self.hoop.offset() * (1.0 + libm::cos(sample.state.theta)) + self.hoop.mass() * gap;
+        let slides = match sample.mode {
+            Mode::Sliding => (entry.energy - sample.energy).max(0.0),
+            Mode::Rolling | Mode::Gliding | Mode::Flight => 0.0,
+        };
+        let (friction, impacts) = (entry.friction + slides, entry.impacts);
+        // Where a particle of a massless hoop meets the plane its rate is infinite, but not its energy.
+        let kinetic = Some(sample.energy + self.hoop.offset() - potential)
+            .filter(|kinetic| kinetic.is_finite())
+            .unwrap_or(self.start - potential - friction - impacts);
+        Some(EnergyParts { kinetic, potential, friction, impacts, start: self.start })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use littlewood::cases::CASES;
+    use littlewood::{Hoop, Limits, RestitutionLaw};
+
+    use super::*;
+
+    fn sum(energies: &EnergyParts) -> f64 {
+        energies.kinetic + energies.potential + energies.friction + energies.impacts
+    }
+
+    fn at(motion: &Trajectory, time: f64) -> Option<EnergyParts> {
+        Ledger::new(motion)?.parts(&motion.at(time)?, false)
+    }
+
+    #[test]
+    fn the_shares_add_up_to_the_energy_of_the_start() {
+        for case in CASES {
+            for law in [None, Some(RestitutionLaw::Newton)] {
+                let mut parameters = case.setup.hoop;
+                if let (Some(law), true) = (law, parameters.restitution.is_some()) {
+                    parameters.restitution_law = Some(law);
+                }
+                let limits = Limits::until(case.setup.start.time + 20.0).with_transitions(100);
+                let motion = Hoop::new(parameters).unwrap().simulate(case.setup.start, limits).unwrap();
+                let Some(first) = motion.phases().first() else { continue };
+                let jammed = motion.transitions().iter().filter(|it| it.from.is_none());
+                let lost: f64 = jammed.filter_map(|it| it.impact).map(|impact| impact.energy_lost()).sum();
+                let total = first.first().energy + case.setup.hoop.offset + lost;
+                let end = motion.end_time().min(20.0);
+                for i in 0..=200 {
+                    let time = case.setup.start.time + (end - case.setup.start.time) * f64::from(i) / 200.0;
+                    let Some(energies) = at(&motion, time) else { continue };
+                    // Where a glide ends its rate is infinite.
+                    if energies.kinetic.is_finite() {
+                        assert!(
+                            (sum(&energies) - total).abs() < 1e-12 * (1.0 + total),
+                            "{} at {time}",
+                            case.name
+                        );
+                        assert!(
+                            energies.potential >= 0.0 && energies.kinetic >= -1e-12,
+                            "{} at {time}",
+                            case.name
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn figure_3_loses_in_its_first_impact_what_the_notes_say() {
+        let motion = littlewood::cases::find_case("figure-3-bounces").unwrap().simulate().unwrap();
+        let landing = 3.847_395_556_686_894;
+        let before = at(&motion, landing - 1e-9).unwrap();
+        let after = at(&motion, landing + 1e-9).unwrap();
+        assert_eq!(before.impacts, 0.0);
+        assert!((after.impacts - 3.362_443_419_227_28).abs() < 1e-12);
+        assert!(before.friction > 0.0 && after.friction == before.friction);
+        assert_eq!(motion.at(landing + 1e-9).unwrap().mode, Mode::Flight);
+    }
+}
