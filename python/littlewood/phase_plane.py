@@ -113,7 +113,8 @@ class PhasePlane:
         """
         if direction not in (-1, 1):
             raise ValueError(f"direction = {direction} must be -1 or +1")
-        return broadcast(lambda angles: self._core.slip_rate(angles, float(direction)), theta)
+        core = self._core
+        return broadcast(core.positive_slip_rate if direction > 0 else core.negative_slip_rate, theta)
 
     def lift_off_rate(self, theta: npt.ArrayLike) -> Any:
         """|θ′| above which the body cannot stay in contact, 1 = h cos θ θ′².

@@ -9,7 +9,6 @@ use pyo3::prelude::*;
 use crate::error::refuse;
 use crate::record::{GivenHoop, hoop};
 
-type Reals<'py> = Bound<'py, PyArray1<f64>>;
 /// Lines, or outlines, as points.
 type Pieces = Vec<Vec<[f64; 2]>>;
 
@@ -20,49 +19,48 @@ struct PhasePlane {
     plane: Core,
 }
 
-fn over<'py, T: numpy::Element>(
-    py: Python<'py>,
-    theta: &PyReadonlyArray1<'py, f64>,
-    value: impl Fn(f64) -> T,
-) -> Bound<'py, PyArray1<T>> {
-    theta.as_array().iter().map(|&theta| value(theta)).collect::<Vec<T>>().into_pyarray(py)
+/// The methods of the class: functions of the plane and one or two reals, element by element, and others as they stand.
+macro_rules! methods {
+    ($($name:ident($plane:ident, $($argument:ident),+) -> $output:ty = $value:expr;)+ { $($others:tt)* }) => {
+        #[pymethods]
+        impl PhasePlane {
+            $(
+                fn $name<'py>(
+                    &self,
+                    py: Python<'py>,
+                    $($argument: PyReadonlyArray1<'py, f64>),+
+                ) -> Bound<'py, PyArray1<$output>> {
+                    let $plane = &self.plane;
+                    $(let mut $argument = $argument.as_array().into_iter().copied();)+
+                    let mut values = Vec::<$output>::new();
+                    while let ($(Some($argument),)+) = ($($argument.next(),)+) {
+                        values.push($value);
+                    }
+                    values.into_pyarray(py)
+                }
+            )+
+
+            $($others)*
+        }
+    };
 }
 
-fn over_two<'py, T: numpy::Element>(
-    py: Python<'py>,
-    a: &PyReadonlyArray1<'py, f64>,
-    b: &PyReadonlyArray1<'py, f64>,
-    value: impl Fn(f64, f64) -> T,
-) -> Bound<'py, PyArray1<T>> {
-    let pairs = a.as_array();
-    let values: Vec<T> = pairs.iter().zip(b.as_array()).map(|(&a, &b)| value(a, b)).collect();
-    values.into_pyarray(py)
-}
-
-#[pymethods]
-impl PhasePlane {
+methods! {
+    normal(plane, theta, theta_rate) -> f64 = plane.forces(theta, theta_rate).normal;
+    friction(plane, theta, theta_rate) -> f64 = plane.forces(theta, theta_rate).friction;
+    in_contact_region(plane, theta, theta_rate) -> bool = plane.in_contact_region(theta, theta_rate);
+    in_rolling_region(plane, theta, theta_rate) -> bool = plane.in_rolling_region(theta, theta_rate);
+    normal_force_rate(plane, theta) -> f64 = plane.normal_force_rate(theta).unwrap_or(f64::NAN);
+    positive_slip_rate(plane, theta) -> f64 = plane.slip_rate(theta, Direction::Positive).unwrap_or(f64::NAN);
+    negative_slip_rate(plane, theta) -> f64 = plane.slip_rate(theta, Direction::Negative).unwrap_or(f64::NAN);
+    lift_off_rate(plane, theta) -> f64 = plane.lift_off_rate(theta).unwrap_or(f64::NAN);
+    separatrix_rate(plane, theta) -> f64 = plane.separatrix_rate(theta);
+    level_rate(plane, theta, energy) -> f64 = plane.level_rate(theta, energy).unwrap_or(f64::NAN);
+    {
     #[new]
     fn new(py: Python<'_>, given: GivenHoop) -> PyResult<Self> {
         let hoop = hoop(py, &given)?;
         Ok(Self { hoop, plane: Core::new(&hoop) })
-    }
-
-    fn normal<'py>(
-        &self,
-        py: Python<'py>,
-        theta: PyReadonlyArray1<'py, f64>,
-        theta_rate: PyReadonlyArray1<'py, f64>,
-    ) -> Reals<'py> {
-        over_two(py, &theta, &theta_rate, |theta, rate| self.plane.forces(theta, rate).normal)
-    }
-
-    fn friction<'py>(
-        &self,
-        py: Python<'py>,
-        theta: PyReadonlyArray1<'py, f64>,
-        theta_rate: PyReadonlyArray1<'py, f64>,
-    ) -> Reals<'py> {
-        over_two(py, &theta, &theta_rate, |theta, rate| self.plane.forces(theta, rate).friction)
     }
 
     fn energy<'py>(
@@ -70,63 +68,11 @@ impl PhasePlane {
         py: Python<'py>,
         theta: PyReadonlyArray1<'py, f64>,
         theta_rate: PyReadonlyArray1<'py, f64>,
-    ) -> Reals<'py> {
+    ) -> Bound<'py, PyArray1<f64>> {
         let law = RollingLaw::new(&self.hoop);
-        over_two(py, &theta, &theta_rate, |theta, rate| law.energy(theta, rate))
-    }
-
-    fn in_contact_region<'py>(
-        &self,
-        py: Python<'py>,
-        theta: PyReadonlyArray1<'py, f64>,
-        theta_rate: PyReadonlyArray1<'py, f64>,
-    ) -> Bound<'py, PyArray1<bool>> {
-        over_two(py, &theta, &theta_rate, |theta, rate| self.plane.in_contact_region(theta, rate))
-    }
-
-    fn in_rolling_region<'py>(
-        &self,
-        py: Python<'py>,
-        theta: PyReadonlyArray1<'py, f64>,
-        theta_rate: PyReadonlyArray1<'py, f64>,
-    ) -> Bound<'py, PyArray1<bool>> {
-        over_two(py, &theta, &theta_rate, |theta, rate| self.plane.in_rolling_region(theta, rate))
-    }
-
-    fn normal_force_rate<'py>(&self, py: Python<'py>, theta: PyReadonlyArray1<'py, f64>) -> Reals<'py> {
-        over(py, &theta, |theta| self.plane.normal_force_rate(theta).unwrap_or(f64::NAN))
-    }
-
-    /// `direction` is −1 or +1.
-    fn slip_rate<'py>(
-        &self,
-        py: Python<'py>,
-        theta: PyReadonlyArray1<'py, f64>,
-        direction: f64,
-    ) -> Reals<'py> {
-        let direction = Direction::of_sign(direction);
-        over(py, &theta, |theta| {
-            direction.and_then(|direction| self.plane.slip_rate(theta, direction)).unwrap_or(f64::NAN)
-        })
-    }
-
-    fn lift_off_rate<'py>(&self, py: Python<'py>, theta: PyReadonlyArray1<'py, f64>) -> Reals<'py> {
-        over(py, &theta, |theta| self.plane.lift_off_rate(theta).unwrap_or(f64::NAN))
-    }
-
-    fn separatrix_rate<'py>(&self, py: Python<'py>, theta: PyReadonlyArray1<'py, f64>) -> Reals<'py> {
-        over(py, &theta, |theta| self.plane.separatrix_rate(theta))
-    }
-
-    fn level_rate<'py>(
-        &self,
-        py: Python<'py>,
-        theta: PyReadonlyArray1<'py, f64>,
-        energy: PyReadonlyArray1<'py, f64>,
-    ) -> Reals<'py> {
-        over_two(py, &theta, &energy, |theta, energy| {
-            self.plane.level_rate(theta, energy).unwrap_or(f64::NAN)
-        })
+        let (theta, rates) = (theta.as_array(), theta_rate.as_array());
+        let energies: Vec<f64> = theta.iter().zip(rates).map(|(&theta, &rate)| law.energy(theta, rate)).collect();
+        energies.into_pyarray(py)
     }
 
     /// The pieces of a curve in a window, which is [from, to] of θ and of θ′, and where its letter stands; none of a name that is none.
@@ -178,6 +124,7 @@ impl PhasePlane {
             codes.push(found.region.code());
         }
         Ok(codes.into_pyarray(py))
+    }
     }
 }
 
