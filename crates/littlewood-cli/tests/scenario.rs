@@ -117,7 +117,8 @@ fn every_quantity_is_a_key_of_its_table() {
         }
     }
     let in_si = numbers(&Quantity::SI_START).replace("theta =", "theta_rad =");
-    let si = format!("[si.hoop]\n{}[si.start]\n{in_si}", numbers(&Quantity::SI_HOOP));
+    let hoop_in_si = numbers(&Quantity::SI_HOOP).replace("slope =", "slope_rad =");
+    let si = format!("[si.hoop]\n{hoop_in_si}[si.start]\n{in_si}");
     let (_folder, path) = scenario(&si);
     let document = json(&["classify", "--scenario", path.to_str().unwrap()]);
     for quantity in Quantity::SI_HOOP {

@@ -41,6 +41,9 @@ const MAX_HALVINGS: u32 = 52;
 /// Largest number of panels. Where rounding, and not the width, is what a panel does not resolve, more would not help.
 const MAX_PANELS: u32 = 1024;
 
+/// How often a panel is halved before its series are computed, which cost some ten times as much as a look at the margins.
+const SCREENINGS: u32 = 3;
+
 /// Number of terms summed one by one before the formula of Euler and Maclaurin: its first omitted term is then below 1e-16 of a term.
 const SINGLE_TERMS: u32 = 32;
 
@@ -505,12 +508,52 @@ impl Leg {
         [Some((margin(-1.0), negative)), Some((margin(1.0), positive)), None]
     }
 
+    /// Whether the margins of a heavy hoop are positive within a distance of a place, by their values there and bounds of their slopes, the sums
+    /// of the sizes of all terms. Where that does not tell, the two halves are tried, `depth` times.
+    fn holds_about(&self, turns: f64, rest: f64, reach: f64, depth: u32) -> bool {
+        let Self { law, limits: Limits { mu, inertia }, .. } = *self;
+        let (l, m, pull) = (law.offset, law.mass, self.pull);
+        if inertia == 0.0 {
+            return false;
+        }
+        let (sin, cos) = sincos(self.angle + rest);
+        let place = self.place(turns, rest);
+        let (g, d) = (self.kinetic_at(place), law.denominator_of((sin, cos)));
+        let carried = m + l * cos;
+        let arm = l * sin;
+        let normal =
+            d * (law.own + carried * carried - pull * arm * carried) - g * l * (l * sin * sin + cos * d);
+        let beyond = law.beyond_mass[1] + l * above_bottom((sin, cos));
+        let friction = arm * (g * beyond - carried * d) + pull * (law.own + arm * arm) * d;
+        let [top, most, tilt] = [law.top, m + l, pull.abs()];
+        let rise = 2.0 * (l + tilt * most);
+        let energy = g + rise * reach;
+        let spare = law.beyond_mass[0].abs().max(law.beyond_mass[1].abs());
+        let weighed = law.own + most * most + tilt * l * most;
+        let normal_slope = 2.0 * l * weighed
+            + top * l * (2.0 * most + tilt * (most + l))
+            + l * (rise * (l + top) + energy * (4.0 * l + top));
+        let friction_slope = l
+            * (energy * (spare + l) + rise * spare + most * top + l * top + 2.0 * l * most)
+            + 2.0 * tilt * l * (l * top + law.own + l * l);
+        // The bounds exceed the slopes by far more than rounding the values.
+        let least = mu * normal - friction.abs();
+        least > (mu * normal_slope + friction_slope) * reach
+            || (depth > 0
+                && [-0.5, 0.5]
+                    .into_iter()
+                    .all(|side| self.holds_about(turns, rest + side * reach, 0.5 * reach, depth - 1)))
+    }
+
     /// The first crossing of a limit in a turn, between two rests.
     fn crossing(&self, turns: f64, [from, to]: [f64; 2]) -> Option<(Place, RollingLimit)> {
         let pieces = ((to - from) / FRAC_PI_8).ceil().max(1.0);
         let width = (to - from) / pieces;
         (0..pieces as u32).find_map(|piece| {
             let begin = from + width * f64::from(piece);
+            if self.holds_about(turns, begin + 0.5 * width, 0.5 * width, SCREENINGS) {
+                return None;
+            }
             let margins = self.margins(self.place(turns, begin)).into_iter().flatten();
             let crossings = margins.filter_map(|(margin, limit)| Some((crossing(&margin, width)?, limit)));
             let (at, limit) = crossings.min_by(|a, b| a.0.total_cmp(&b.0))?;

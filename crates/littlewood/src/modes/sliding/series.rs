@@ -66,8 +66,7 @@ impl SlideSeries {
             let [square, forth, back] =
                 convolve([(&s.theta_rate, &s.theta_rate), (&increment, &cos), (&increment, &sin)], n);
             u[n] = square;
-            // Of a balanced hoop sine and cosine do not matter, and may overflow.
-            if n > 0 && h != 0.0 {
+            if n > 0 {
                 sin[n] = forth / order;
                 cos[n] = -(back / order);
             }
