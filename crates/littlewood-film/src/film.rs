@@ -62,11 +62,11 @@ struct Energies {
 impl Energies {
     fn new(trajectory: &Trajectory, end: f64) -> Option<Self> {
         let ledger = Ledger::new(trajectory)?;
-        // Newton's law can gain energy.
+        // Newton's law can gain energy, and so does what goes down a slope.
         let most = trajectory
             .sample_evenly(EXAMINED, end)
             .filter_map(|sample| ledger.parts(&sample, false))
-            .map(|parts| parts.start - parts.impacts.min(0.0))
+            .map(|parts| parts.start - parts.impacts.min(0.0) - parts.potential.min(0.0))
             .fold(0.0, f64::max);
         Some(Self { ledger, most })
     }

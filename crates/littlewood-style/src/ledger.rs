@@ -4,8 +4,8 @@ use littlewood::{Hoop, Mode, Sample, Trajectory};
 
 use crate::energy::EnergyPart;
 
-/// The energy at the start by what it has become, over m2 g R; the potential energy is counted from its least value. The
-/// parts add up to the energy at the start.
+/// The energy at the start by what it has become, over m2 g R; the potential energy is counted from its least value, on a
+/// slope from that where the motion begins, below which it may fall. The parts add up to the energy at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyParts {
     /// Kinetic.
@@ -37,6 +37,8 @@ impl EnergyParts {
 #[derive(Clone, Debug)]
 pub struct Ledger {
     hoop: Hoop,
+    /// Where the motion begins along the plane.
+    x: f64,
     start: f64,
     /// Time at the start of each phase, its energy then, and what had been lost to friction and in impacts.
     phases: Vec<Entry>,
@@ -60,7 +62,9 @@ impl Ledger {
         if let Some(first) = trajectory.transitions().first().filter(|first| first.from.is_none()) {
             impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
         }
-        let start = trajectory.phases().first()?.first().energy + impacts + hoop.offset();
+        let first = trajectory.phases().first()?.first();
+        let x = first.state.x;
+        let start = first.energy + impacts + reference(&hoop, x);
         let mut phases = Vec::with_capacity(trajectory.phases().len());
         for phase in trajectory.phases() {
             phases.push(Entry { time: phase.start().time, energy: phase.first().energy, friction, impacts });
@@ -68,7 +72,7 @@ impl Ledger {
             let impact = trajectory.end_of(phase).and_then(|transition| transition.impact);
             impacts += impact.map_or(0.0, |impact| impact.energy_lost());
         }
-        Some(Self { hoop, start, phases })
+        Some(Self { hoop, x, start, phases })
     }
 
     /// The parts at an instant: of the phase before a transition, or of the one after it.
@@ -80,18 +84,28 @@ impl Ledger {
             .partition_point(|entry| if is_before { entry.time < time } else { entry.time <= time });
         let entry = self.phases.get(after.max(1) - 1)?;
         let gap = if sample.gap.is_finite() { sample.gap } else { 0.0 };
-        let potential = self.hoop.offset() * (1.0 + libm::cos(sample.state.theta)) + self.hoop.mass() * gap;
+        let (sin, cos) = libm::sincos(sample.state.theta);
+        let (along, across) = libm::sincos(self.hoop.slope());
+        let hoop = &self.hoop;
+        let risen = hoop.mass() * along * (sample.state.x - self.x - hoop.h() * sin);
+        let potential = across * (hoop.offset() * (1.0 + cos) + hoop.mass() * gap) + risen;
         let slides = match sample.mode {
             Mode::Sliding => (entry.energy - sample.energy).max(0.0),
             Mode::Rolling | Mode::Gliding | Mode::Flight => 0.0,
         };
         let (friction, impacts) = (entry.friction + slides, entry.impacts);
         // Where a particle of a massless hoop meets the plane its rate is infinite, but not its energy.
-        let kinetic = Some(sample.energy + self.hoop.offset() - potential)
+        let kinetic = Some(sample.energy + reference(hoop, self.x) - potential)
             .filter(|kinetic| kinetic.is_finite())
             .unwrap_or(self.start - potential - friction - impacts);
         Some(EnergyParts { kinetic, potential, friction, impacts, start: self.start })
     }
+}
+
+/// By how much the potential energy of a ledger exceeds that of a sample.
+fn reference(hoop: &Hoop, x: f64) -> f64 {
+    let (along, across) = libm::sincos(hoop.slope());
+    across * hoop.offset() - hoop.mass() * along * x
 }
 
 #[cfg(test)]
@@ -122,7 +136,9 @@ mod tests {
                 let Some(first) = motion.phases().first() else { continue };
                 let jammed = motion.transitions().iter().filter(|it| it.from.is_none());
                 let lost: f64 = jammed.filter_map(|it| it.impact).map(|impact| impact.energy_lost()).sum();
-                let total = first.first().energy + case.setup.hoop.offset + lost;
+                let slope = motion.hoop().slope();
+                assert_eq!(case.setup.start.x, 0.0, "{}", case.name);
+                let total = first.first().energy + case.setup.hoop.offset * libm::cos(slope) + lost;
                 let end = motion.end_time().min(20.0);
                 for i in 0..=200 {
                     let time = case.setup.start.time + (end - case.setup.start.time) * f64::from(i) / 200.0;
@@ -135,7 +151,7 @@ mod tests {
                             case.name
                         );
                         assert!(
-                            energies.potential >= 0.0 && energies.kinetic >= -1e-12,
+                            (energies.potential >= 0.0 || slope != 0.0) && energies.kinetic >= -1e-12,
                             "{} at {time}",
                             case.name
                         );
