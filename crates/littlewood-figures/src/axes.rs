@@ -1,17 +1,16 @@
 //! Axes of the quantities that figures show.
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 use std::borrow::Cow;
 
 use littlewood::Hoop;
 use littlewood::tables::Quantity;
-use littlewood::theory::PhasePlane;
+use littlewood::theory::{PhasePlane, Stability, Window};
 use littlewood_draw::{PlotAxis, Scale, marked};
 use littlewood_style::ticks::Tick;
 
 use crate::columns::dimension;
 use crate::wording::Wording;
-use littlewood::theory::Window;
 
 impl Wording {
     /// θ.
@@ -54,11 +53,14 @@ impl Wording {
 /// to well above the separatrix and, where that is not far above it, the least rate at which N = 0.
 pub(crate) fn plane_window(hoop: &Hoop) -> Window {
     let plane = PhasePlane::new(hoop);
-    let separatrix = plane.separatrix_rate(PI);
+    let stable = plane.equilibria().into_iter().find(|it| matches!(it.stability, Stability::Stable { .. }));
+    let separatrix = plane.separatrix_rate(stable.map_or(PI, |it| it.theta.rem_euclid(TAU)));
     let unloading = plane.normal_force_rate(0.0).filter(|rate| *rate <= FAR * separatrix);
     // A light hoop is fast at the bottom, and loses the plane long before.
     let most = unloading.map_or(f64::INFINITY, |rate| f64::max(FASTEST, rate));
-    window_to(f64::max(f64::min(separatrix, most), unloading.unwrap_or(0.0)))
+    let rate = f64::max(f64::min(separatrix, most), unloading.unwrap_or(0.0));
+    // On a steep slope there is no separatrix.
+    window_to(if rate > 0.0 { rate } else { plane.lift_off_rate(0.0).unwrap_or(1.0) })
 }
 
 /// The same with the least rate at which N = 0 in any case.

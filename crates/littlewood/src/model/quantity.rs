@@ -403,7 +403,7 @@ impl Quantity {
     /// Whether a value goes without saying, and is left out of records and captions: no slope, no opening gap.
     #[must_use]
     pub const fn goes_without_saying(self, value: f64) -> bool {
-        matches!(self, Self::Slope | Self::GapRate | Self::GapRateMPerS) && value == 0.0
+        matches!(self, Self::Slope | Self::GapRate | Self::GapRateMPerS) && value.to_bits() == 0
     }
 
     /// Whether the quantity is a ratio, as the parameters of (2.9) are.
