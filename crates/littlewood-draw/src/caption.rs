@@ -146,6 +146,7 @@ fn letters_of(text: &str, italic: bool) -> String {
 /// Symbols beyond ASCII.
 const fn symbol(letter: char) -> Option<&'static str> {
     Some(match letter {
+        'α' => "\\alpha",
         'θ' => "\\theta",
         'τ' => "\\tau",
         'γ' => "\\gamma",

@@ -55,11 +55,12 @@ pub(crate) fn plane_window(hoop: &Hoop) -> Window {
     let plane = PhasePlane::new(hoop);
     let stable = plane.equilibria().into_iter().find(|it| matches!(it.stability, Stability::Stable { .. }));
     let separatrix = plane.separatrix_rate(stable.map_or(PI, |it| it.theta.rem_euclid(TAU)));
-    let unloading = plane.normal_force_rate(0.0).filter(|rate| *rate <= FAR * separatrix);
+    let is_level = hoop.slope() == 0.0;
+    // On a slope wells are shallow or absent, and rolling downhill goes on to the loss of the normal force.
+    let unloading = plane.normal_force_rate(0.0).filter(|rate| !is_level || *rate <= FAR * separatrix);
     // A light hoop is fast at the bottom, and loses the plane long before.
     let most = unloading.map_or(f64::INFINITY, |rate| f64::max(FASTEST, rate));
     let rate = f64::max(f64::min(separatrix, most), unloading.unwrap_or(0.0));
-    // On a steep slope there is no separatrix.
     window_to(if rate > 0.0 { rate } else { plane.lift_off_rate(0.0).unwrap_or(1.0) })
 }
 

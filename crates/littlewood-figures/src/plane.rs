@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use littlewood::theory::closed_form::slip_angle;
 use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, Window};
 use littlewood::{Hoop, ParameterError};
-use littlewood_draw::{Label, Layer, STABLE, Series, UNSTABLE};
+use littlewood_draw::{INK, Label, Layer, Mark, STABLE, Series, UNSTABLE};
 use littlewood_style::Curve;
 
 use crate::columns::{ENERGY, MU_S, PLANE, THETA, THETA_RATE};
@@ -102,7 +102,9 @@ impl Portrait {
 
     /// The separatrix through the unstable equilibrium.
     pub(crate) fn separatrix(&self) -> Series {
-        Series { name: Curve::Separatrix.name().to_owned(), ..self.orbit(self.law.separatrix_energy()) }
+        let energy = self.law.separatrix_energy();
+        let pieces = self.plane.separatrix_curve(&self.window);
+        Series::new(Curve::Separatrix.name(), &[THETA, THETA_RATE, ENERGY], rows_with(pieces, energy))
     }
 
     /// Energies of orbits that fill the window: librations by equal steps of θ′ at the bottom, rotations at the top.
@@ -170,6 +172,14 @@ impl Portrait {
                     .map(|sign| Label::new("*N* < 0", &[TAU * f64::from(turn), sign * 0.5 * (least + most)]))
             })
             .collect()
+    }
+
+    /// Arrowheads on the separatrix of a level plane, which goes over the tops.
+    /// Arrowheads on the separatrix of a level plane, which goes over the tops.
+    pub(crate) fn separatrix_heads(&self) -> Vec<Layer> {
+        let angles = if self.hoop.slope() == 0.0 { &[0.62 * PI, 1.38 * PI][..] } else { &[] };
+        let heads = |theta: &f64| self.flow(&[self.law.separatrix_energy()], *theta).drawn(Mark::Head(INK));
+        angles.iter().map(heads).collect()
     }
 
     /// Dots on the stable equilibria, rings on the unstable ones.

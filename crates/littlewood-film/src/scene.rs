@@ -24,6 +24,8 @@ pub struct ArrowScale {
     pub force: f64,
     /// The weight (m1 + m2) g, over m2 g.
     pub weight: f64,
+    /// Direction of the weight, which on a slope is not normal to the plane.
+    pub down: (f64, f64),
     /// Radii for the velocity √(gR).
     pub velocity: f64,
     /// Radii for the impulse m2 √(gR).
@@ -48,6 +50,7 @@ impl ArrowScale {
         Self {
             force: weight.clamp(WEIGHT[0], WEIGHT[1]) / hoop.mass(),
             weight: hoop.mass(),
+            down: (-libm::sin(hoop.slope()), -libm::cos(hoop.slope())),
             velocity: (LONGEST / velocity).clamp(VELOCITY[0], VELOCITY[1]),
             impulse: impulse_scale(impacts),
         }
@@ -156,7 +159,7 @@ impl Scene {
             contact,
             normal: arrow((0.0, 1.0), sample.normal, scale.force),
             friction: arrow((1.0, 0.0), sample.friction, scale.force),
-            weight: DrawnArrow::along((0.0, -1.0), sample.mass_centre, scale.weight, scale.force),
+            weight: DrawnArrow::along(scale.down, sample.mass_centre, scale.weight, scale.force),
             slip: arrow((1.0, 0.0), sample.state.slip, scale.velocity),
             impulse: None,
         }

@@ -180,16 +180,19 @@ pub(crate) fn given(
 mod tests {
     use super::*;
 
-    /// m1, m2, R, ℓ, Izz, g, μs, μk, θ, dθ/dt, dη/dt, rate of the gap, x, t.
-    const SI: [f64; 14] = [1.5, 0.5, 2.0, 1.0, 3.0, 8.0, 0.5, 0.4, 0.25, 6.0, 1.0, 2.0, 4.0, 3.0];
+    /// m1, m2, R, ℓ, Izz, g, μs, μk, α, θ, dθ/dt, dη/dt, rate of the gap, x, t.
+    const SI: [f64; 15] = [1.5, 0.5, 2.0, 1.0, 3.0, 8.0, 0.5, 0.4, 0.125, 0.25, 6.0, 1.0, 2.0, 4.0, 3.0];
 
-    const POINT_MASS: [f64; 11] = [1.0, 0.0, 0.0, 0.5, 0.4, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    const POINT_MASS: [f64; 12] = [1.0, 0.0, 0.0, 0.5, 0.4, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
     #[test]
     fn a_problem_in_si_units_has_the_quotients_of_2_9() {
         // m2 = 0.5, R = 2, g = 8: the unit of time is 1/2, that of velocity 4, that of inertia 2, that of impulse 2.
         let problem = Problem::si(&SI, Some(0.25), Some("newton".to_owned()), Some(5.0)).unwrap();
-        assert_eq!(problem.to_dimensionless(), [3.0, 0.5, 1.5, 0.5, 0.4, 0.25, 3.0, 0.25, 0.5, 2.0, 6.0]);
+        assert_eq!(
+            problem.to_dimensionless(),
+            [3.0, 0.5, 1.5, 0.5, 0.4, 0.125, 0.25, 3.0, 0.25, 0.5, 2.0, 6.0]
+        );
         assert_eq!(problem.to_si(0.5, 2.0, 8.0).unwrap(), SI);
         assert_eq!(problem.limits.until, Some(10.0));
         assert_eq!(
@@ -208,7 +211,7 @@ mod tests {
             |numbers: &[f64], until: Option<f64>| Problem::si(numbers, None, None, until).unwrap_err();
         let mut numbers = SI;
         assert_eq!(refused(&numbers, Some(2.0)).quantity(), "until_s");
-        assert_eq!(refused(&numbers[..13], None).quantity(), "time_s");
+        assert_eq!(refused(&numbers[..14], None).quantity(), "time_s");
         numbers[3] = 2.5;
         assert_eq!(refused(&numbers, None).quantity(), "offset_m");
         assert_eq!(Problem::dimensionless(&POINT_MASS, None, None, None).unwrap_err().quantity(), "offset");

@@ -75,12 +75,17 @@ fn check_motion(motion: &Trajectory) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    // The inversion of a quadrature at each instant takes its time.
+    #![proptest_config(ProptestConfig::with_cases(100))]
 
     #[test]
     fn heavy_hoops_keep_their_laws(hoop in heavy_hoop(), slope in slope(), start in start()) {
         check_motion(&simulate(&tilted(&hoop, slope), start))?;
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
 
     #[test]
     fn massless_hoops_keep_their_laws(hoop in massless_hoop(), slope in slope(), start in start()) {

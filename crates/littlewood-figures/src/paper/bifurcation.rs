@@ -93,7 +93,10 @@ fn ends(setup: &Setup, band: &Band, limits: Limits) -> Option<Vec<f64>> {
     let own = phases.iter().map(|phase| PhaseCode::new(phase.mode(), phase.direction()));
     let agrees = phases.len() >= codes.len() && own.zip(&codes).all(|(own, code)| own == *code);
     let from = motion.start().time;
-    agrees.then(|| phases.iter().take(codes.len()).map(|phase| phase.end_time() - from).collect())
+    let is_over = motion.outcome().kind().last_event().is_some();
+    let end = if is_over { motion.end_time() - from } else { f64::INFINITY };
+    let told = phases.iter().take(codes.len()).map(|phase| phase.end_time() - from);
+    agrees.then(|| told.chain([end]).collect())
 }
 
 /// How many of the motions half-way between those that were followed are of another kind than their band: bands between two of them
@@ -113,7 +116,7 @@ fn amiss(
     Ok(places.iter().zip(found.summaries()).filter(is_amiss).count())
 }
 
-/// A place along the line, and the ends of the phases there.
+/// A place along the line, the ends of the phases of its band there, and the end of the motion, infinite if no event ends it.
 type Times = (f64, Vec<f64>);
 
 /// Places between others where times bend.
@@ -190,10 +193,12 @@ impl Drawn {
 
     /// The area of the phases that the band does not tell of.
     fn beyond(&self, line: &Line, until: f64) -> Option<Vec<Vec<f64>>> {
-        let last = |ends: &[f64]| ends.last().map_or(until, |end| end.min(until));
-        let is_seen = goes_on(&self.band) && self.places.iter().any(|(_, ends)| last(ends) < until);
-        let below = self.places.iter().map(|(at, ends)| vec![line.axis.between(*at), last(ends)]);
-        let above = self.places.iter().rev().map(|(at, _)| vec![line.axis.between(*at), until]);
+        let told = self.band.phases.len() as usize;
+        let [begin, end] = [told.saturating_sub(1), told]
+            .map(|number| move |ends: &[f64]| ends.get(number).map_or(until, |end| end.min(until)));
+        let is_seen = goes_on(&self.band) && self.places.iter().any(|(_, ends)| begin(ends) < end(ends));
+        let below = self.places.iter().map(|(at, ends)| vec![line.axis.between(*at), begin(ends)]);
+        let above = self.places.iter().rev().map(|(at, ends)| vec![line.axis.between(*at), end(ends)]);
         is_seen.then(|| below.chain(above).collect())
     }
 

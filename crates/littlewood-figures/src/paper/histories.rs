@@ -2,7 +2,7 @@
 
 use littlewood::impact::Impulse;
 use littlewood::tables::{Dimension, SampleColumn};
-use littlewood::{Sample, Trajectory};
+use littlewood::{Hoop, Sample, Trajectory};
 use littlewood_draw::{
     Content, FIRST, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM,
     SECOND, SMALL, SOFT, Series, Sheet, Stroke, marked, short,
@@ -39,7 +39,7 @@ fn normal_panel(
     spikes: &Spikes,
     (say, wide): (Wording, f64),
 ) -> (Content, f64, &'static str) {
-    let weight = motion.hoop().mass();
+    let weight = normal_weight(motion.hoop());
     let part = |impulse: &Impulse| impulse.normal;
     let mut heights = [vec![0.0], spikes.heights(part)].concat();
     // A motion that only bounces has no other force to compare with.
@@ -48,7 +48,7 @@ fn normal_panel(
     let mut layers = vec![
         transitions(motion, &axis, NORMAL),
         zero(range, NORMAL),
-        level(range, "weight", NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
+        level(range, NORMAL_WEIGHT, NORMAL, weight, Stroke::solid(SOFT, 1.0).dashed(Dash::Dotted)),
         normal.drawn(Mark::Line(Stroke::solid(NORMAL_FORCE, 2.0))),
     ];
     layers.extend(spikes.layers([TIME, NORMAL, NORMAL_IMPULSE], part));
@@ -56,7 +56,11 @@ fn normal_panel(
     let (height, words) = (names.height, names.in_words());
     let mut labels = names.labels;
     labels.push(
-        Label::new("weight", &[range[1], weight]).shifted(-6.0, -9.0).right().sized(SMALL).coloured(SOFT),
+        Label::new(weight_label(motion.hoop()), &[range[1], weight])
+            .shifted(-6.0, -9.0)
+            .right()
+            .sized(SMALL)
+            .coloured(SOFT),
     );
     labels.extend(spikes.label("*P*", range[1], say, part));
     let name = SampleColumn::Normal.long_name();
@@ -177,14 +181,30 @@ fn drops(motion: &Trajectory) -> Option<Layer> {
         .then(|| Series::new("lost in an impact", &[TIME, ENERGY], pieces).drawn(Mark::Line(DROP)))
 }
 
+/// Name of the level that the normal force has at rest.
+pub(super) const NORMAL_WEIGHT: &str = "weight";
+
+/// The weight normal to the plane, m cos α.
+pub(super) fn normal_weight(hoop: &Hoop) -> f64 {
+    hoop.mass() * libm::cos(hoop.slope())
+}
+
+/// Its label.
+pub(super) fn weight_label(hoop: &Hoop) -> &'static str {
+    if hoop.slope() == 0.0 { "weight" } else { "weight × cos α" }
+}
+
 /// Energies against time.
 pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "energy";
     let motion = input.motion(NAME)?;
     let hoop = motion.hoop();
     let range = [motion.start().time, horizon(&motion)];
-    let potential_of =
-        |sample: &Sample| hoop.offset() * libm::cos(sample.state.theta) + hoop.mass() * sample.gap;
+    let (along, across) = libm::sincos(hoop.slope());
+    let potential_of = |sample: &Sample| {
+        let above_centre = hoop.offset() * libm::cos(sample.state.theta) + hoop.mass() * sample.gap;
+        across * above_centre + along * (hoop.mass() * sample.mass_centre.x)
+    };
     let total = history(&motion, "total energy", ENERGY, &|_, sample| Some(sample.energy));
     let kinetic =
         history(&motion, "kinetic energy", ENERGY, &|_, sample| Some(sample.energy - potential_of(sample)));

@@ -8,6 +8,7 @@ use littlewood_draw::{
     marked,
 };
 
+use super::histories::{NORMAL_WEIGHT, normal_weight, weight_label};
 use crate::columns::{FRICTION, FRICTION_IMPULSE, NORMAL, NORMAL_IMPULSE, TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
@@ -182,7 +183,7 @@ fn panel(
     if let Some((_, _, part)) = impulses_of(column) {
         others.extend(spikes.heights(part));
     }
-    let weight = Some(motion.hoop().mass()).filter(|_| column == SampleColumn::Normal);
+    let weight = Some(normal_weight(motion.hoop())).filter(|_| column == SampleColumn::Normal);
     others.extend(weight);
     let History { by_mode, range } = History::new(samples, column, name, &others);
     let axis = axis_of(column, name, range, say);
@@ -192,9 +193,16 @@ fn panel(
     }
     let mut labels = Vec::new();
     if let Some(weight) = weight {
-        layers.push(level(times, "weight", name, weight, Stroke::solid(SOFT, FINE).dashed(Dash::Dotted)));
+        layers.push(level(
+            times,
+            NORMAL_WEIGHT,
+            name,
+            weight,
+            Stroke::solid(SOFT, FINE).dashed(Dash::Dotted),
+        ));
         let is_high = weight > range[0] + HIGH * (range[1] - range[0]);
-        let label = Label::new("weight", &[times[1], weight]).shifted(-6.0, if is_high { 9.0 } else { -8.0 });
+        let label = Label::new(weight_label(motion.hoop()), &[times[1], weight])
+            .shifted(-6.0, if is_high { 9.0 } else { -8.0 });
         labels.push(label.right().sized(SMALL).coloured(SOFT));
     }
     layers.extend(beside.map(|series| series.drawn(Mark::Line(OF_MASS_CENTRE))));

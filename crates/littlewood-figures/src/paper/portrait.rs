@@ -57,8 +57,7 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(lift_off.drawn(Mark::Line(Stroke::of_curve(Curve::LiftOff))));
     layers.push(unloading.drawn(Mark::Line(Stroke::of_curve(Curve::NormalForceZero))));
     layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
-    layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 0.62 * PI).drawn(Mark::Head(INK)));
-    layers.push(portrait.flow(&[portrait.law.separatrix_energy()], 1.38 * PI).drawn(Mark::Head(INK)));
+    layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
     let say = input.wording();
     Ok(input.sheet(580.0)?.plot(
@@ -123,9 +122,7 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
     let always = limit.is_none();
     layers.extend(limit.map(|(_, series)| series.drawn(Mark::Line(Stroke::of_curve(Curve::SlipLimit)))));
     layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
-    for theta in [0.62 * PI, 1.38 * PI] {
-        layers.push(portrait.flow(&[portrait.law.separatrix_energy()], theta).drawn(Mark::Head(INK)));
-    }
+    layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
     let say = input.wording();
     let friction = if always {

@@ -109,8 +109,8 @@ pub(crate) fn sine_follows_from_rate(theta: f64, (sin, cos): (f64, f64)) -> bool
 /// Largest angle at which the gap uses the difference b; beyond it the rounding of b, times φ²/2, would dominate.
 const MAX_ANGLE_WITH_DIFFERENCE: f64 = 1.0;
 
-/// Largest angle that doubles resolve to less than a turn. The landing after a longer flight is not resolved.
-pub(super) const MAX_RESOLVED_ANGLE: f64 = 4_503_599_627_370_496.0;
+/// Largest angle whose inflections can be counted. Doubles resolve a thousand radians there; the landing after a longer flight is none.
+pub(super) const MAX_RESOLVED_ANGLE: f64 = 4.6e18;
 
 /// Largest error of a bound by tangents, relative to the terms of the gap: a dozen operations round by ε/2 each.
 const TANGENT_BOUND_ERROR: f64 = 16.0 * f64::EPSILON;
@@ -268,8 +268,7 @@ impl Gap {
         let inflections = self.inflections();
         let (opens, closes) = self.open_interval();
         if closes >= MAX_RESOLVED_ANGLE {
-            let [landing, apex] = [closes, 0.5 * (opens + closes)].map(|at| Bound { at, ..Bound::default() });
-            return (apex, landing);
+            return (self.bound(0.5 * (opens + closes)), Bound { at: closes, ..Bound::default() });
         }
         let mut highest = Bound::default();
         let mut index = 0;

@@ -177,7 +177,7 @@ impl Flight {
         [self.landing.at, self.highest().at]
     }
 
-    /// Whether the angle of the landing is resolved. On a steep slope a flight may last for 1e16 turns.
+    /// Whether there is a landing. On a steep slope a flight may last for more turns than can be counted.
     pub(crate) fn is_resolved(&self) -> bool {
         self.landing.at < MAX_RESOLVED_ANGLE
     }
