@@ -167,7 +167,7 @@ impl SiSetup {
         Self { hoop: SiParameters::new(&setup.hoop, units), start }
     }
 
-    /// From the values of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. A missing value is its default, or NaN, an error in
+    /// From the values of [`Quantity::SI_HOOP`] and [`Quantity::SI_START`]. A missing value is NaN, an error in
     /// [`SiSetup::to_setup`].
     #[must_use]
     pub fn from_values(
@@ -179,7 +179,7 @@ impl SiSetup {
         let mut setup = Self { hoop, start: SiState::default() };
         for quantity in Quantity::SI_HOOP.into_iter().chain(Quantity::SI_START) {
             if let Some(field) = setup.field(quantity) {
-                *field = value(quantity).or(quantity.row().presence.default_value()).unwrap_or(f64::NAN);
+                *field = value(quantity).unwrap_or(f64::NAN);
             }
         }
         setup
