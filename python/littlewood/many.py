@@ -39,6 +39,7 @@ class Quantities(TypedDict, total=False):
     inertia: Any
     mu_s: Any
     mu_k: Any
+    slope: Any
     restitution: Any
 
 
@@ -72,7 +73,7 @@ def simulate_many(
         Slip velocity η′, √(gR); 0 by default.
     gap_rate : array_like, optional
         Rate at which the gap under the rim opens, √(gR); 0 by default.
-    mass_ratio, offset, inertia, mu_s, mu_k, restitution : array_like, optional
+    mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution : array_like, optional
         Parameters of the hoop, as in :class:`Hoop`. Without a coefficient of restitution motions end where the
         rim lands; NaN is not allowed.
     until : float, optional
@@ -146,7 +147,7 @@ def outcome_map(
     ----------
     hoop, restitution_law, until, max_transitions, max_slides, proof, chunks, threads, progress
         As in :func:`simulate_many`.
-    theta, theta_rate, slip, gap_rate, mass_ratio, offset, inertia, mu_s, mu_k, restitution : array_like, optional
+    theta, theta_rate, slip, gap_rate, mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution : array_like, optional
         Axes of shape (n,), in the given order, or numbers. `theta` and `theta_rate` are required.
 
     Returns

@@ -247,7 +247,11 @@ def test_the_plane_of_every_case_shows_its_curves(name):
     region = next(one for one in axes.collections if isinstance(one, PolyCollection))
     grid = np.stack(np.meshgrid(np.linspace(-3.0, 3.0, 41), np.linspace(-3.9, 3.9, 41)), axis=-1).reshape(-1, 2)
     inside = np.any([path.contains_points(grid) for path in region.get_paths()], axis=0)
-    assert np.mean(inside == plane.in_rolling_region(*grid.T)) > 0.999
+    # Off its boundary, which is drawn as chords.
+    margin = motion.hoop.mu_s * plane.normal(*grid.T) - np.abs(plane.friction(*grid.T))
+    clear = np.minimum(np.abs(margin), np.abs(plane.normal(*grid.T))) > 0.005
+    assert np.mean(clear) > 0.9
+    assert np.mean(inside[clear] == plane.in_rolling_region(*grid[clear].T)) > 0.999
     assert len(axes.texts) >= 1
     assert {text.get_text() for text in axes.texts} <= {"f", "n"}
     # The motion over it, in the modes that it has.

@@ -47,7 +47,7 @@ test('figure 7 has the times of its closed form', async ({ page }) => {
 test('every named case is in the menu and shows its motion', async ({ page }) => {
   await open(page);
   const names = await page.locator('#case option:not([value=""])').evaluateAll((all) => all.map((it) => (it as HTMLOptionElement).value));
-  expect(names).toHaveLength(19);
+  expect(names).toHaveLength(23);
   // What the titles of the cases say.
   const then: Record<string, string[] | null> = {
     'figure-3': ['sliding', 'rolling', 'sliding', 'flight'],
@@ -62,6 +62,9 @@ test('every named case is in the menu and shows its motion', async ({ page }) =>
     painleve: [],
     'lands-and-rolls': ['sliding', 'flight', 'rolling'],
     jam: ['rolling', 'sliding', 'rolling', 'sliding', 'flight', 'rolling'],
+    'uphill-disc': ['rolling'],
+    'ramp-jump': ['rolling', 'sliding', 'rolling', 'sliding', 'flight'],
+    'ramp-libration': ['rolling'],
   };
   for (const name of names) {
     await page.locator('#case').selectOption(name);

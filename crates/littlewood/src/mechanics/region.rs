@@ -170,7 +170,7 @@ impl PhasePlane {
         };
         let saddle = Stability::Unstable { exponent: stiffness(unstable) };
         let mut equilibria = vec![Equilibrium { theta: within(unstable), stability: saddle }];
-        if self.law.denominator(stable) > 0.0 {
+        if self.law.bottom > 0.0 || self.hoop.slope() != 0.0 {
             let centre = Stability::Stable { frequency: stiffness(stable) };
             equilibria.push(Equilibrium { theta: within(stable), stability: centre });
         }

@@ -55,7 +55,7 @@ impl Phase {
     /// Duration; infinite for an endless phase.
     #[must_use]
     pub fn duration(&self) -> f64 {
-        self.origin.duration(self.relative_duration())
+        self.origin.duration(self.last_instant()) - self.origin.duration(self.start.time)
     }
 
     /// Duration in the units of the solution.
