@@ -147,8 +147,10 @@ def outcome_map(
     ----------
     hoop, restitution_law, until, max_transitions, max_slides, proof, chunks, threads, progress
         As in :func:`simulate_many`.
-    theta, theta_rate, slip, gap_rate, mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution : array_like, optional
-        Axes of shape (n,), in the given order, or numbers. `theta` and `theta_rate` are required.
+    theta, theta_rate, slip, gap_rate : array_like, optional
+        Axes of the start, of shape (n,), in the given order, or numbers. `theta` and `theta_rate` are required.
+    mass_ratio, offset, inertia, mu_s, mu_k, slope, restitution : array_like, optional
+        Axes of the hoop, likewise.
 
     Returns
     -------
