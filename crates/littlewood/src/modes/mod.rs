@@ -38,6 +38,7 @@ pub use self::sample::Position;
 pub use self::sliding::{SlideLimit, Sliding};
 
 /// The exact solution of a phase. τ and x are relative to the start of the motion, and θ excludes the whole turns of the start.
+/// On a slope its units are those in which gravity normal to the plane is 1: times are multiplied by √cos α, velocities divided by it.
 #[derive(Clone, Debug)]
 pub enum PhaseSolution {
     /// Rolling along an orbit.
