@@ -216,7 +216,9 @@ impl Incline {
             return Recurrence::Downhill { acceleration: -law.mass * law.tilt / law.mean_denominator() };
         };
         let frame = self.frame(&back);
-        let [from, to] = [back.start(), back.start() + reach.total()].map(|angle| frame * angle);
+        // From rest the motion comes back to its start.
+        let far = if self.first.kinetic == 0.0 { -self.first.start() } else { back.start() + reach.total() };
+        let [from, to] = [back.start(), far].map(|angle| frame * angle);
         Recurrence::Libration { period: 2.0 * back.whole(), theta_min: from.min(to), theta_max: from.max(to) }
     }
 
