@@ -75,7 +75,7 @@ methods! {
         energies.into_pyarray(py)
     }
 
-    /// The pieces of a curve in a window, which is [from, to] of θ and of θ′, and where its letter stands; none of a name that is none.
+    /// The pieces of the curve of this name in a window, [from, to] of θ and of θ′, and the place of its letter; `None` for an unknown name.
     fn curve(&self, name: &str, theta: [f64; 2], theta_rate: [f64; 2]) -> (Pieces, Option<[f64; 2]>) {
         let window = Window { x: theta, y: theta_rate };
         let curve = Curve::ALL.into_iter().find(|curve| curve.name() == name);

@@ -3,7 +3,6 @@
 
 use core::f64::consts::TAU;
 
-use littlewood::modes::PhaseSolution;
 use littlewood::tables::PhaseSequence;
 use littlewood::{Direction, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Phase, Proof, Start};
 
@@ -139,12 +138,8 @@ impl FirstTurn {
 
 /// The period of a phase that lasts for ever; none if it does not come back.
 fn period(phase: &Phase, outcome: &Outcome) -> Option<f64> {
-    match phase.solution() {
-        PhaseSolution::Rolling(rolling) => rolling.orbit().recurrence().period(),
-        PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => {
-            outcome.recurrence().and_then(|recurrence| recurrence.period())
-        }
-    }
+    let recurrence = phase.recurrence().or_else(|| outcome.recurrence());
+    recurrence.and_then(|recurrence| recurrence.period())
 }
 
 /// Where a turn began, and in which direction.

@@ -8,12 +8,13 @@ use crate::common::{heavy_hoop, instants, massless_hoop, simulate, start};
 use crate::invariants::{check_minima, check_phase, check_transitions, size};
 use crate::symmetry::{check_mirror, mirrored};
 use littlewood::cases::CASES;
-use littlewood::modes::{Recurrence, RollingOrbit};
+use littlewood::impact::BouncingOrbit;
+use littlewood::modes::{GrazingOrbit, Recurrence, RollingOrbit};
 use littlewood::tables::{Bound, Quantity};
 use littlewood::theory::{Equilibrium, PhasePlane, RollingLaw, Stability};
 use littlewood::{
-    Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Phase, Sample, Start,
-    Trajectory,
+    Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Phase, Restitution,
+    RestitutionLaw, Sample, Start, Trajectory,
 };
 use littlewood_random::Draw;
 use proptest::prelude::*;
@@ -185,6 +186,33 @@ fn a_hoop_stays_where_it_is_in_equilibrium_if_friction_holds_it() {
         assert_eq!(motion.phases()[0].mode() == Mode::Rolling, holds, "tan 0.4 = 0.4228 and {mu}");
         assert_eq!(motion.outcome().kind() == OutcomeKind::RollsForever, holds);
     }
+}
+
+/// The units of the results have g = 1, those of the solvers g cos α = 1: 0.36 at this slope.
+#[test]
+fn facts_of_phases_and_bounces_are_in_the_units_of_the_results() {
+    let parameters = HoopParameters::thin(1.0).with_friction(0.5, 0.4).with_slope(1.2);
+    let thrown = Start::at(0.4, 1.0).with_gap_rate(0.5);
+    let motion = Hoop::new(parameters).expect("a hoop").simulate(thrown, Limits::default()).expect("a start");
+    let flight = &motion.phases()[0];
+    assert_eq!(flight.take_off_rate(), 0.5);
+    let (elapsed, height) = flight.apex().expect("a flight");
+    let highest = flight.sample(elapsed);
+    assert!(highest.gap_rate.abs() < 1e-14 && (highest.gap - height).abs() < 1e-14, "{highest:?}");
+
+    let rocking = Hoop::new(parameters.with_friction(9.0, 9.0).with_slope(0.2)).expect("a hoop");
+    let motion = rocking.simulate(Start::at(2.0, 0.0), Limits::default()).expect("a start");
+    assert_eq!(motion.phases()[0].recurrence(), motion.outcome().recurrence());
+
+    // A balanced hoop bounces like a ball: 2 v/(cos α (1 − e)).
+    let ball = Hoop::new(parameters.with_offset(0.0)).expect("a hoop");
+    let law = Restitution::new(0.5, RestitutionLaw::Energetic).expect("a coefficient");
+    let settling = ball.settling(&Start::at(0.0, 0.0).check().expect("a start"), 1e-9, law).expect("settles");
+    assert!((settling.duration * 1.2_f64.cos() - 4e-9).abs() < 1e-23, "{settling:?}");
+    // What holds on a level plane alone says nothing on a slope.
+    assert_eq!(rocking.lift_off_energy(), None);
+    assert!(!rocking.never_lifts_off(&Start::at(2.0, 0.0).check().expect("a start")));
+    assert!(BouncingOrbit::new(&rocking, 1.0).is_none() && GrazingOrbit::below(&rocking, 9.0).is_none());
 }
 
 #[test]

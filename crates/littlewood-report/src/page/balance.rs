@@ -1,6 +1,5 @@
 //! What a motion has come to: its jumps, its landings, and the energy that it has lost.
 
-use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, Quantity};
 use littlewood::{Phase, Trajectory};
 
@@ -32,10 +31,9 @@ pub(super) fn jumps(trajectory: &Trajectory, scale: Scale<'_>, all: bool) -> Vec
 
 /// Time and height of the highest point of a flight, if it comes to it.
 fn apex(phase: &Phase) -> Option<(f64, f64)> {
-    let PhaseSolution::Flight(flight) = phase.solution() else { return None };
-    let (elapsed, height) = flight.apex();
-    // A time limit may come before the highest point; that of bounces without number is not resolved.
-    (elapsed <= phase.duration() && !flight.settles()).then_some((phase.start().time + elapsed, height))
+    let (elapsed, height) = phase.apex()?;
+    // A time limit may come before the highest point.
+    (elapsed <= phase.duration()).then_some((phase.start().time + elapsed, height))
 }
 
 /// How often a hoop with restitution has landed, and since when the rim stays at the plane.

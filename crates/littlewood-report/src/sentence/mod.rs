@@ -31,8 +31,8 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         if flight.settles() {
             return "Is thrown so gently that its bounces are summed as one.".to_owned();
         }
-        if flight.take_off_rate() > 0.0 {
-            let rate = scale.show_with_unit(Dimension::Velocity, three(flight.take_off_rate()));
+        if phase.take_off_rate() > 0.0 {
+            let rate = scale.show_with_unit(Dimension::Velocity, three(phase.take_off_rate()));
             return format!("Is thrown: the rim leaves the plane at {rate}.");
         }
     }

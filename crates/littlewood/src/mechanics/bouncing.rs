@@ -35,7 +35,7 @@ pub struct BouncingOrbit {
 }
 
 impl BouncingOrbit {
-    /// The motion of a hoop with impacts at this angle. `None` for a massless or a balanced hoop, for an angle outside
+    /// The motion of a hoop with impacts at this angle. `None` for a massless or a balanced hoop, on a slope, for an angle outside
     /// (0, π), and where the rim would penetrate the plane.
     ///
     /// ```
@@ -50,7 +50,7 @@ impl BouncingOrbit {
     #[must_use]
     pub fn new(hoop: &Hoop, angle: f64) -> Option<Self> {
         let Body::Heavy(body) = hoop.body() else { return None };
-        if !(angle > 0.0 && angle < PI) || body.h == 0.0 {
+        if !(angle > 0.0 && angle < PI) || body.h == 0.0 || hoop.slope() != 0.0 {
             return None;
         }
         let (sin, cos) = libm::sincos(angle);

@@ -230,7 +230,7 @@ impl RollingLaw {
         })
     }
 
-    /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂ on a level plane; NaN where there is none.
+    /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂ on a level plane; NaN without such an equilibrium.
     #[must_use]
     pub fn separatrix_energy(&self) -> f64 {
         if self.tilt == 0.0 {

@@ -111,7 +111,8 @@ impl Hoop {
         if !(gap_rate.is_finite() && gap_rate > 0.0) {
             return Err(NoSettling::Closed { gap_rate });
         }
-        Bounces::new(self, &body, state, restitution)?.sum(state, gap_rate, f64::INFINITY)
+        let weight = libm::cos(self.slope());
+        Bounces::new(self, (&body, weight), state, restitution)?.sum(state, gap_rate, f64::INFINITY)
     }
 
     /// [`Hoop::settling`], if the remaining bounces are short enough for fixed coefficients.
@@ -128,7 +129,7 @@ impl Hoop {
             return None;
         }
         let pace = 1.0 + state.theta_rate.abs();
-        let bounces = Bounces::new(self, body, state, restitution).ok()?;
+        let bounces = Bounces::new(self, (body, 1.0), state, restitution).ok()?;
         if 2.0 * gap_rate / bounces.contact_force * pace > MAX_SETTLING_TIME {
             return None;
         }
@@ -145,7 +146,7 @@ impl Hoop {
         let holds = [0.5, 1.0].into_iter().all(|part| {
             let theta = state.theta + part * duration * state.theta_rate;
             let later = State { theta, theta_rate: state.theta_rate + part * spin, ..*state };
-            let sum = Bounces::new(self, body, &later, restitution)
+            let sum = Bounces::new(self, (body, 1.0), &later, restitution)
                 .and_then(|bounces| bounces.sum(&later, gap_rate, 2.0 * MAX_SETTLING_TIME));
             sum.is_ok_and(|Settling { duration: other, impact, .. }| {
                 let other_spin = impact.after.theta_rate - impact.before.theta_rate;
@@ -162,9 +163,9 @@ impl Hoop {
 struct Bounces {
     contact: Contact,
     restitution: Restitution,
-    /// W = 1 − h cos θ θ′².
+    /// W = cos α − h cos θ θ′².
     contact_force: f64,
-    /// a = −h sin θ θ′² − tan α.
+    /// a = −h sin θ θ′² − sin α.
     slip_acceleration: f64,
 }
 
@@ -192,10 +193,16 @@ impl Sums {
 }
 
 impl Bounces {
-    fn new(hoop: &Hoop, body: &Heavy, state: &State, restitution: Restitution) -> Result<Self, NoSettling> {
+    /// `weight` is gravity normal to the plane: cos α for users, 1 for the solvers.
+    fn new(
+        hoop: &Hoop,
+        (body, weight): (&Heavy, f64),
+        state: &State,
+        restitution: Restitution,
+    ) -> Result<Self, NoSettling> {
         let (sin, cos) = libm::sincos(state.theta);
         let rate = state.theta_rate;
-        let contact_force = contact(1.0, body.h, cos * (rate * rate));
+        let contact_force = contact(weight, body.h, cos * (rate * rate));
         if contact_force <= 0.0 {
             return Err(NoSettling::LeavesPlane { contact: contact_force });
         }
@@ -203,7 +210,7 @@ impl Bounces {
             contact: Contact::new(hoop, body, state.theta),
             restitution,
             contact_force,
-            slip_acceleration: -body.h * sin * (rate * rate) - body.pull(),
+            slip_acceleration: -body.h * sin * (rate * rate) - weight * body.pull(),
         })
     }
 

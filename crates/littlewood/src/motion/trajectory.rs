@@ -2,7 +2,7 @@
 
 use crate::mechanics::energy;
 use crate::model::{Direction, Hoop, Mode, State, getters};
-use crate::modes::{Instant, PhaseSolution, Sample};
+use crate::modes::{Instant, PhaseSolution, Recurrence, Sample};
 use crate::motion::summary::Summary;
 use crate::walk::{Origin, Outcome, Transition};
 
@@ -78,6 +78,33 @@ impl Phase {
             self.origin.elapsed(time) - self.start.time
         };
         self.relative_sample(elapsed)
+    }
+
+    /// Time since the start, and height, of the largest gap in a flight, also if the flight is cut before; none for other modes and for
+    /// settling bounces, whose gap is not resolved.
+    #[must_use]
+    pub fn apex(&self) -> Option<(f64, f64)> {
+        let PhaseSolution::Flight(flight) = &self.solution else { return None };
+        let (elapsed, height) = flight.apex();
+        (!flight.settles()).then_some((self.origin.duration(elapsed), height))
+    }
+
+    /// Rate of the gap at the start of a flight; zero for other modes.
+    #[must_use]
+    pub fn take_off_rate(&self) -> f64 {
+        match &self.solution {
+            PhaseSolution::Flight(flight) => self.origin.velocity(flight.take_off_rate()),
+            PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) => 0.0,
+        }
+    }
+
+    /// The recurrence of the orbit of rolling, as long as static friction holds; none for other modes.
+    #[must_use]
+    pub fn recurrence(&self) -> Option<Recurrence> {
+        match &self.solution {
+            PhaseSolution::Rolling(rolling) => Some(self.origin.recurrence(rolling.orbit().recurrence())),
+            PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => None,
+        }
     }
 
     /// Energy lost to friction during the phase.

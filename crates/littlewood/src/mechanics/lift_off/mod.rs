@@ -12,7 +12,7 @@ use turn::{ENERGY_ROUNDING, WholeTurns, at_most};
 
 impl Hoop {
     /// Least energy (2.8) of a lift-off, Î/(2h) + ℓ̂. Infinite for a balanced hoop, whose normal force is constant; `None`
-    /// for a massless hoop, which stays at the plane.
+    /// for a massless hoop, which stays at the plane, and on a slope, down which energy grows.
     ///
     /// A hoop in contact leaves the plane only where h cos θ θ′² ≥ 1 (2.18). Its energy is at least
     /// ½ (Î + m h² sin²θ) θ′² + ℓ̂ cos θ, the value for a mass centre that moves vertically. With θ′² = 1/(h cos θ) this
@@ -27,6 +27,8 @@ impl Hoop {
     #[must_use]
     pub fn lift_off_energy(&self) -> Option<f64> {
         match self.body() {
+            // A hoop gains energy down a slope.
+            Body::Heavy(_) if self.slope() != 0.0 => None,
             Body::Heavy(body) if body.h == 0.0 => Some(f64::INFINITY),
             Body::Heavy(body) => Some(0.5 * body.inertia / body.h + body.offset),
             Body::Massless(_) => None,
@@ -34,7 +36,7 @@ impl Hoop {
     }
 
     /// Whether energy and momentum prove, by a margin that covers rounding, that a hoop in contact at this state never
-    /// lifts off. The proof requires P > 0 at all angles it can reach, ℓ̂ cos θ ≤ E: where P ≤ 0, an impact without
+    /// lifts off; on a slope nothing is proved. The proof requires P > 0 at all angles it can reach, ℓ̂ cos θ ≤ E: where P ≤ 0, an impact without
     /// collision can throw the hoop up.
     ///
     /// It holds if the energy is below [`Hoop::lift_off_energy`]. It also holds if the energy without m V²/2, with V the
@@ -59,9 +61,6 @@ impl ContactProof {
     /// [`Hoop::never_lifts_off`].
     pub(crate) fn holds(&self, hoop: &Hoop, state: &State) -> bool {
         let Body::Heavy(body) = hoop.body() else { return false };
-        if hoop.slope() != 0.0 {
-            return false;
-        }
         let Some(needed) = hoop.lift_off_energy() else { return false };
         let energy = at_most(energy(hoop, state, 0.0, 0.0));
         let suffices = || {

@@ -109,7 +109,7 @@ pub(crate) fn sine_follows_from_rate(theta: f64, (sin, cos): (f64, f64)) -> bool
 /// Largest angle at which the gap uses the difference b; beyond it the rounding of b, times φ²/2, would dominate.
 const MAX_ANGLE_WITH_DIFFERENCE: f64 = 1.0;
 
-/// Largest angle whose inflections can be counted. Doubles resolve a thousand radians there; the landing after a longer flight is none.
+/// Largest angle of a flight, rad: its turns can still be counted. The landing of a longer flight is not computed.
 pub(super) const MAX_RESOLVED_ANGLE: f64 = 4.6e18;
 
 /// Largest error of a bound by tangents, relative to the terms of the gap: a dozen operations round by ε/2 each.

@@ -58,7 +58,7 @@ pub struct GrazingOrbit {
 
 impl GrazingOrbit {
     /// The grazing orbit of the highest energy below `energy`, among rotations if an orbit of this energy rotates, otherwise
-    /// among librations. None if static friction holds on all such orbits, or on none; none for a massless hoop.
+    /// among librations. None if static friction holds on all such orbits, or on none; none for a massless hoop and on a slope.
     #[must_use]
     pub fn below(hoop: &Hoop, energy: f64) -> Option<Self> {
         Levels::new(hoop)?.orbit_below(hoop, energy)
@@ -123,10 +123,10 @@ impl Level {
 }
 
 impl Levels {
-    /// The levels of a heavy hoop; none if it is balanced.
+    /// The levels of a heavy hoop; none if it is balanced, or on a slope.
     pub(crate) fn new(hoop: &Hoop) -> Option<Self> {
         let Body::Heavy(body) = hoop.body() else { return None };
-        if body.h == 0.0 {
+        if body.h == 0.0 || hoop.slope() != 0.0 {
             return None;
         }
         let [[a, b], _] = margin_forms(hoop)?.map(|parts| parts.map(|part| Trigonometric::from_form(&part)));
