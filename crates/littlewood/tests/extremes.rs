@@ -3,8 +3,8 @@
 
 use littlewood::modes::{Recurrence, SlideLimit};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, ParameterError, Proof, RestitutionLaw, Start,
-    Transition,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Proof, RestitutionLaw,
+    Start, Transition,
 };
 
 /// A balanced hoop slips for 1.2345/(μk (1 + m/Î)), however long that is.
@@ -139,6 +139,50 @@ fn a_slip_at_huge_friction_goes_against_the_friction_force() {
     for (ours, theirs) in times.iter().zip(expected) {
         assert!((ours - theirs).abs() < 1e-9, "{times:?}");
     }
+}
+
+/// Next to P = 0 the series of a slide overflow one after another: those of the angle may be numbers and that of the normal force none.
+/// The slip ends there (60 digits, `evidence/reference/follower`).
+#[test]
+fn a_slide_towards_unbounded_forces_does_not_lift_off() {
+    let hoop = HoopParameters::thin(0.002_893_206_777_576_306_5)
+        .with_offset(4.983_671_045_778_125e-6)
+        .with_inertia(1e-30)
+        .with_friction(1e-6, 9.999_999_999_999_997e-7);
+    let start = Start::at(2e-16, 3.595_144_166_216_662);
+    let hoop = Hoop::new(hoop).expect("a valid hoop");
+    let motion = hoop.simulate(start, Limits::until(0.2)).expect("a valid start");
+    let expected = [
+        (Cause::Slip, 0.056_359_463_235_719_385),
+        (Cause::Stick, 0.061_317_605_848_191_185),
+        (Cause::Slip, 0.169_616_068_418_884_76),
+        (Cause::Stick, 0.170_377_317_231_451_65),
+    ];
+    // The last step of a slide, 3e-15 long, turns the hoop by up to 2e-12, at each of two slides.
+    for (transition, (cause, time)) in motion.transitions().iter().zip(expected) {
+        assert_eq!(transition.cause, cause, "{transition:?}");
+        assert!((transition.time() - time).abs() < 4e-12, "{transition:?}");
+    }
+}
+
+/// A slide of a thousand turns, then thirty of a turn or less, and a jump that grazes the plane: no step rounds the angle to the last digit of
+/// all its turns (60 digits, `evidence/reference/follower`).
+#[test]
+fn slides_after_many_turns_keep_the_digits_of_an_angle_in_its_turn() {
+    let mu = 6.250_645_073_604_898e-5;
+    let hoop = HoopParameters::thin(0.617_872_786_973_064_6)
+        .with_offset(0.167_019_704_614_548_82)
+        .with_inertia(0.673_281_490_214_766_7)
+        .with_friction(mu, mu);
+    let start =
+        Start::at(-1.232_125_792_187_205_7, 2.832_120_411_003_164).with_slip(-0.629_170_491_372_690_3);
+    let hoop = Hoop::new(hoop).expect("a valid hoop");
+    let motion = hoop.simulate(start, Limits::default()).expect("a valid start").summary();
+    assert_eq!((motion.outcome, motion.transitions), (OutcomeKind::Landing, 33));
+    // A time of 2,000 is rounded by up to 2.3e-13 at each transition.
+    assert!((motion.lift_off_time - 2_105.506_863_120_022_4).abs() < 33.0 * 2.3e-13, "{motion:?}");
+    assert!((motion.end.theta_rate - 3.112_389_793_941_420_6).abs() < 5e-14, "{motion:?}");
+    assert!((motion.jump_length - 0.028_799_516_892_151_345).abs() < 1e-11, "{motion:?}");
 }
 
 /// The lighter a hoop, the faster an impact turns it, up to rates at which it would start nowhere, and beyond all numbers.

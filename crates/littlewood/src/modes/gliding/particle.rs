@@ -48,6 +48,17 @@ impl ParticleState {
     pub(super) fn arm(&self) -> f64 {
         (self.below_top * self.above_bottom).sqrt()
     }
+
+    /// The place at this time before.
+    pub(super) fn before(&self, time: f64) -> Self {
+        let fallen = time * (self.fall_rate - 0.5 * time);
+        Self {
+            elapsed: self.elapsed - time,
+            below_top: self.below_top - fallen,
+            above_bottom: self.above_bottom + fallen,
+            fall_rate: self.fall_rate - time,
+        }
+    }
 }
 
 impl Particle {

@@ -53,7 +53,8 @@ enum Path {
 /// c0 + c1 x + c2 x² + c3 x³. A root near 0 has the relative accuracy of c0.
 type Cubic = [f64; 4];
 
-enum Height {
+/// A place on a path, in the variable of the polynomials: the height, or the time on a slope.
+pub(super) enum Along {
     FromBegin(f64),
     ToEnd(f64),
 }
@@ -198,7 +199,7 @@ impl Terms {
     fn rest(&self, particle: &Particle, path: Path) -> Option<ParticleState> {
         let at_turn = path == Path::DownFromTurn && particle.momentum == 0.0;
         let ends = self.ends(path);
-        let found = if at_turn { Height::FromBegin(0.0) } else { first_rest(ends)? };
+        let found = if at_turn { Along::FromBegin(0.0) } else { first_rest(ends, initial_sign(&ends.0))? };
         let (turn_a, turn_b) = self.turn();
         let (from_turn, down) = match path {
             Path::Down => (false, 1.0),
@@ -207,13 +208,11 @@ impl Terms {
         };
         // a, b, z², and the height from the beginning of the path.
         let (below_top, above_bottom, square, passed) = match (found, path) {
-            (Height::FromBegin(y), _) if from_turn => (turn_a + y, turn_b - y, 2.0 * y, y),
-            (Height::FromBegin(y), _) => {
-                (self.a + down * y, self.b - down * y, self.rise + 2.0 * down * y, y)
-            }
-            (Height::ToEnd(y), Path::UpToTurn) => (turn_a + y, turn_b - y, 2.0 * y, ends.2 - y),
-            (Height::ToEnd(y), Path::UpToTop) => (y, self.whole - y, self.top + 2.0 * y, ends.2 - y),
-            (Height::ToEnd(y), Path::Down | Path::DownFromTurn) => {
+            (Along::FromBegin(y), _) if from_turn => (turn_a + y, turn_b - y, 2.0 * y, y),
+            (Along::FromBegin(y), _) => (self.a + down * y, self.b - down * y, self.rise + 2.0 * down * y, y),
+            (Along::ToEnd(y), Path::UpToTurn) => (turn_a + y, turn_b - y, 2.0 * y, ends.2 - y),
+            (Along::ToEnd(y), Path::UpToTop) => (y, self.whole - y, self.top + 2.0 * y, ends.2 - y),
+            (Along::ToEnd(y), Path::Down | Path::DownFromTurn) => {
                 (self.whole - y, y, self.bottom - 2.0 * y, ends.2 - y)
             }
         };
@@ -232,14 +231,16 @@ fn initial_sign(cubic: &Cubic) -> f64 {
     cubic.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum())
 }
 
-/// The first sign change on a path: by the polynomial about its beginning on the first half, about its end on the second.
-fn first_rest((begin, end, height): (Cubic, Cubic, f64)) -> Option<Height> {
-    let middle = 0.5 * height;
-    let sign = initial_sign(&begin);
-    let [begin, end] = [begin, end].map(|cubic| cubic.map(|c| sign * c));
+/// The first change from this sign on a path: by the polynomial about its beginning on the first half, about its end on the second.
+pub(super) fn first_rest<const N: usize>(
+    (begin, end, length): ([f64; N], [f64; N], f64),
+    sign: f64,
+) -> Option<Along> {
+    let middle = 0.5 * length;
+    let [begin, end] = [begin, end].map(|polynomial| polynomial.map(|c| sign * c));
     // Divides out a root at the start: slip from rest, or a particle at the top.
-    let roots = begin.iter().take_while(|c| **c == 0.0).count();
-    let first = first_crossing(&begin[roots..], middle).map(Height::FromBegin);
+    let roots = begin.iter().take_while(|c| **c == 0.0).count().min(N - 1);
+    let first = first_crossing(&begin[roots..], middle).map(Along::FromBegin);
     first.or_else(|| {
         let Bracket { low, high } = Bernstein::from_taylor(&end, middle).reversed().first_crossing()?;
         let bracket = Bracket { low: middle * (1.0 - high), high: middle * (1.0 - low) };
@@ -247,6 +248,6 @@ fn first_rest((begin, end, height): (Cubic, Cubic, f64)) -> Option<Height> {
             let (value, slope) = value_and_slope(&end, x);
             (-value, -slope)
         };
-        Some(Height::ToEnd(bracket.refine(back)))
+        Some(Along::ToEnd(bracket.refine(back)))
     })
 }

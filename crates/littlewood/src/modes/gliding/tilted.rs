@@ -8,13 +8,12 @@
 //! ```
 //!
 //! a polynomial of degree six in the time. Both signs are constant between the zeros of v and of z. For ℓ̂ = 1, L = b, and Q/b is of
-//! degree four.
+//! degree four. It is expanded about both ends of each piece, in the time from that end: about the bottom and the top without cancelling terms.
 
-use crate::math::bernstein::first_crossing;
 use crate::model::Direction;
 
-use super::particle::Particle;
-use super::rest::{GlideEntry, Slip};
+use super::particle::{Particle, ParticleState};
+use super::rest::{Along, GlideEntry, Slip, first_rest};
 
 /// A polynomial of degree at most six, lowest power first.
 type Polynomial = [f64; 7];
@@ -31,6 +30,25 @@ fn shifted(mut p: Polynomial, at: f64) -> Polynomial {
         }
     }
     p
+}
+
+/// Q about a place with the drift v, in the time after it (`pace` 1) or before it (−1).
+fn condition(particle: &Particle, at: &ParticleState, drift: f64, pace: f64) -> Polynomial {
+    let f: Polynomial = [0.0, pace * at.fall_rate, 0.5, 0.0, 0.0, 0.0, 0.0];
+    let plus = |constant: f64, sign: f64| -> Polynomial {
+        core::array::from_fn(|n| sign * f[n] + if n == 0 { constant } else { 0.0 })
+    };
+    let linear = |constant: f64, slope: f64| -> Polynomial { [constant, slope, 0.0, 0.0, 0.0, 0.0, 0.0] };
+    let (below, above) = (plus(at.below_top, 1.0), plus(at.above_bottom, -1.0));
+    let (drift, fall) = (linear(drift, -pace * particle.pull), linear(at.fall_rate, pace));
+    let (drift_square, fall_square) = (times(&drift, &drift), times(&fall, &fall));
+    let (first, second) = if particle.inside == 0.0 {
+        (times(&drift_square, &below), times(&fall_square, &above))
+    } else {
+        let levers = plus(particle.inside + at.above_bottom, -1.0);
+        (times(&drift_square, &times(&below, &above)), times(&fall_square, &times(&levers, &levers)))
+    };
+    core::array::from_fn(|n| first[n] - second[n])
 }
 
 /// The slip of a glide on a slope that starts with the slip velocity `slip`.
@@ -57,23 +75,8 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
             None
         }
     };
-    let f: Polynomial = [0.0, -rise, 0.5, 0.0, 0.0, 0.0, 0.0];
-    let plus = |constant: f64, sign: f64| -> Polynomial {
-        core::array::from_fn(|n| sign * f[n] + if n == 0 { constant } else { 0.0 })
-    };
-    let (below, above) = (plus(a, 1.0), plus(b, -1.0));
-    let linear = |constant: f64, slope: f64| -> Polynomial { [constant, slope, 0.0, 0.0, 0.0, 0.0, 0.0] };
-    let (drift, fall) = (linear(particle.momentum, -tilt), linear(-rise, 1.0));
-    let (drift_square, fall_square) = (times(&drift, &drift), times(&fall, &fall));
-    let mut q = if inside == 0.0 {
-        let (first, second) = (times(&drift_square, &below), times(&fall_square, &above));
-        core::array::from_fn(|n| first[n] - second[n])
-    } else {
-        let levers = plus(lever, -1.0);
-        let first = times(&drift_square, &times(&below, &above));
-        let second = times(&fall_square, &times(&levers, &levers));
-        core::array::from_fn(|n| first[n] - second[n])
-    };
+    let start = ParticleState { elapsed: 0.0, below_top: a, above_bottom: b, fall_rate: -rise };
+    let mut q = condition(particle, &start, particle.momentum, 1.0);
     // The first coefficients, without cancellation.
     let product = if inside == 0.0 { a } else { a * b };
     q[0] = if begun.is_some() { product * slip * (slip - 2.0 * rate * lever) } else { 0.0 };
@@ -86,10 +89,10 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
         let towards = if pull == 0.0 { -side * fall * next } else { side * pull };
         if towards < 0.0 { Direction::Negative } else { Direction::Positive }
     });
-    let end = particle.end().elapsed;
+    let end = particle.end();
     let mut cuts = vec![0.0];
-    cuts.extend([rise, particle.momentum / tilt].into_iter().filter(|at| *at > 0.0 && *at < end));
-    cuts.push(end);
+    cuts.extend([rise, particle.momentum / tilt].into_iter().filter(|at| *at > 0.0 && *at < end.elapsed));
+    cuts.push(end.elapsed);
     cuts.sort_by(f64::total_cmp);
     let rest = cuts.windows(2).find_map(|piece| {
         let (from, to) = (piece[0], piece[1]);
@@ -98,12 +101,15 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
         if drift * side * (middle - rise) >= 0.0 {
             return None;
         }
+        let is_last = to == end.elapsed;
+        let place = if is_last { end } else { particle.place(to) };
+        let before = condition(particle, &place, particle.momentum - tilt * to, -1.0);
+        let after = if from == 0.0 { q } else { shifted(q, from) };
         let sign = direction.sign() * drift.signum();
-        let p = (if from == 0.0 { q } else { shifted(q, from) }).map(|c| sign * c);
-        let known =
-            if from == 0.0 && begun.is_none() { p.iter().take_while(|c| **c == 0.0).count() } else { 0 };
-        let at = first_crossing(p.get(known..).filter(|rest| !rest.is_empty())?, to - from)?;
-        Some(particle.place(from + at))
+        Some(match first_rest((after, before, to - from), sign)? {
+            Along::FromBegin(at) => particle.place(from + at),
+            Along::ToEnd(left) => place.before(left),
+        })
     });
     Slip { direction, rest }
 }

@@ -4,13 +4,14 @@ use core::f64::consts::TAU;
 
 use crate::ablation::{Part, is_on};
 use crate::math::series::{DEGREE, Series, crossing, root, value};
+use crate::math::trig::without_turns;
 use crate::mechanics::{SlidePath, SlidingLaw};
 use crate::model::{Direction, Hoop, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, Turns, section_of};
 use super::series::{INITIAL_MAX_STEP, PhasePoint, SlideSeries};
-use super::singular::{Approach, Fate};
+use super::singular::{Approach, Ending, Fate};
 
 /// Least step relative to the time. A shorter step means a singularity of the equations.
 const MIN_RELATIVE_STEP: f64 = 4.0 * f64::EPSILON;
@@ -63,7 +64,10 @@ pub(crate) enum SlidingEnd {
 pub struct Sliding {
     law: SlidingLaw,
     direction: Direction,
+    /// The start without its whole turns: with them, each step would round the angle to the last digit of all turns.
     start: State,
+    /// Whole turns of the start as an unevaluated sum, which restores its angle exactly; negative zeros leave every angle unchanged.
+    turns: [f64; 2],
     path: SlidePath,
     steps: Vec<Step>,
     leaps: Vec<Leap>,
@@ -159,10 +163,14 @@ impl Sliding {
     }
 
     fn new(law: SlidingLaw, start: State, direction: Direction) -> Self {
+        let theta = without_turns(start.theta);
+        let turns = start.theta - theta;
+        let rest = (start.theta - turns) - theta;
         Self {
             law,
             direction,
-            start,
+            start: State { theta, ..start },
+            turns: [turns, rest].map(|part| if part == 0.0 { -0.0 } else { part }),
             path: law.path(&start, libm::sincos(start.theta)),
             steps: Vec::new(),
             leaps: Vec::new(),
@@ -270,15 +278,17 @@ impl Sliding {
         let earlier = self.steps.iter().rev().take_while(same_turn);
         let earlier = earlier.clone().find(is_earlier).or(earlier.last());
         let earlier = earlier.map_or(here.place, |step| step.at(0.0).place);
-        let Some((fate, rate)) = approach.fate(earlier) else {
+        let Some(Ending { fate, rate, ahead, later }) = approach.end(earlier) else {
             return SlidingEnd::Unresolved(self.state_from(here));
         };
+        let theta = theta + ahead;
         let (sin, cos) = libm::sincos(theta);
         let slip = match fate {
             Fate::Sticks => 0.0,
             Fate::Jams | Fate::LiftsOff => approach.rest + rate * self.law.lever(sin, cos),
         };
-        let end = SlidePoint { place: PhasePoint { theta, rate }, slip, ..here };
+        let elapsed = here.elapsed + later;
+        let end = SlidePoint { elapsed, place: PhasePoint { theta, rate }, slip, ..here };
         let constant = |value: f64| core::array::from_fn(|n| if n == 0 { value } else { 0.0 });
         self.steps.push(Step::new(&end, [theta, rate, slip].map(constant)));
         let state = self.state_from(end);
@@ -407,8 +417,8 @@ impl Sliding {
         self.cycle = Some(Cycle { from: first, period: third - first, advance: 0.0 });
         Some(Recurrence::Libration {
             period: third - first,
-            theta_min: theta_first.min(theta_second),
-            theta_max: theta_first.max(theta_second),
+            theta_min: self.with_turns(theta_first.min(theta_second)),
+            theta_max: self.with_turns(theta_first.max(theta_second)),
         })
     }
 
@@ -420,8 +430,9 @@ impl Sliding {
 
     /// Smallest and largest angle at the start, at the last step and at the turning points.
     pub(crate) fn theta_range(&self) -> (f64, f64) {
-        let last = self.steps.last().map_or(self.start.theta, |step| step.theta[0]);
+        let last = self.steps.last().map_or(self.start.theta, |step| step.turned + step.theta[0]);
         let angles = self.turnings.iter().map(|turning| turning.1).chain([self.start.theta, last]);
+        let angles = angles.map(|theta| self.with_turns(theta));
         angles.fold((f64::INFINITY, f64::NEG_INFINITY), |(min, max), theta| (min.min(theta), max.max(theta)))
     }
 
@@ -447,7 +458,9 @@ impl Sliding {
             _ => (elapsed, 0.0),
         };
         let after = self.steps.partition_point(|step| step.begin <= within);
-        let Some(step) = self.steps.get(after.saturating_sub(1)) else { return self.start };
+        let Some(step) = self.steps.get(after.saturating_sub(1)) else {
+            return State { theta: self.with_turns(self.start.theta), ..self.start };
+        };
         let leaps = self.leaps.partition_point(|leap| leap.begin <= within);
         if let Some(Leap { begin, turned, passed }) = self.leaps[..leaps].last()
             && *begin >= step.begin
@@ -461,10 +474,15 @@ impl Sliding {
         self.state_from(SlidePoint { elapsed, ..here })
     }
 
+    fn with_turns(&self, theta: f64) -> f64 {
+        let [turns, rest] = self.turns;
+        turns + (rest + theta)
+    }
+
     fn state_from(&self, SlidePoint { elapsed, turned, place, slip }: SlidePoint) -> State {
         State {
             time: self.start.time + elapsed,
-            theta: turned + place.theta,
+            theta: self.with_turns(turned + place.theta),
             theta_rate: place.rate,
             slip,
             x: self.path.x(elapsed, libm::sincos(place.theta)),

@@ -111,14 +111,13 @@ impl SlideSeries {
     pub(super) fn reach(&self, longest: f64) -> f64 {
         let (rate, acceleration) = (self.theta_rate[0].abs(), self.theta_rate[1].abs());
         let mut reach = longest;
-        if !self.theta_rate[DEGREE].is_finite() || !self.slip[DEGREE].is_finite() {
+        let all = [&self.theta_rate, &self.slip, &self.contact, &self.solvability];
+        if all.iter().any(|series| !series[DEGREE].is_finite()) {
             // Coefficients grow like reach^−n, so overflow means a reach below 1e-13.
             return 0.0;
         }
         for order in [DEGREE - 1, DEGREE] {
-            let size = [&self.theta_rate, &self.slip, &self.contact, &self.solvability]
-                .iter()
-                .fold(0.0_f64, |size, series| size.max(series[order].abs()));
+            let size = all.iter().fold(0.0_f64, |size, series| size.max(series[order].abs()));
             if size > 0.0 && rate.max(acceleration) > 0.0 {
                 let of = |scale: f64, order: usize| {
                     libm::exp(libm::log(TRUNCATION_TOLERANCE * scale / size) / order as f64)

@@ -9,6 +9,9 @@
 //!   C > 0, and lifts off otherwise. If cos θ ≤ 0, then λ ≤ 0 and θ′ decreases without bound: the slip ends.
 //! - *From below*, θ′ > 0, the slide turns back before P = 0 (λ < −1 if cos θ > 0, and w ≥ 1 otherwise) and leaves with −θ′, unless the
 //!   slip ends before.
+//!
+//! Where the slip ends follows from ξ du/dξ = λ u − κ, κ = 2 Î/(h sin θ P_θ), λ = κ h cos θ, the equation of u = θ′² to leading order:
+//! the terms left out are smaller by ξ.
 
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
@@ -30,6 +33,23 @@ pub(super) enum Fate {
     LiftsOff,
     /// The slip ends before.
     Sticks,
+}
+
+/// The end of a slide next to P = 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ending {
+    pub(super) fate: Fate,
+    /// The limit of θ′.
+    pub(super) rate: f64,
+    /// The angle and the time from the approach to the end; zero where they are below the resolution of the time.
+    pub(super) ahead: f64,
+    pub(super) later: f64,
+}
+
+impl Ending {
+    const fn here(fate: Fate, rate: f64) -> Self {
+        Self { fate, rate, ahead: 0.0, later: 0.0 }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -83,18 +103,17 @@ impl Zero {
 }
 
 impl Approach<'_> {
-    /// The outcome and the limit of θ′, from an earlier angle and rate at which the leading-order terms hold. None if
-    /// rounding decides, or if P = 0 is not the cause.
-    pub(super) fn fate(&self, earlier: PhasePoint) -> Option<(Fate, f64)> {
+    /// The end, from an earlier angle and rate at which the leading-order terms hold. None if rounding decides, or if P = 0 is not the
+    /// cause.
+    pub(super) fn end(&self, earlier: PhasePoint) -> Option<Ending> {
         let Self { law, place: PhasePoint { theta, rate }, rest, error } = *self;
         let (h, sigma) = (law.body.h, law.friction.signum());
         let zero = Zero::near(law, theta).filter(|zero| zero.slope * rate < 0.0)?;
         let Zero { sin, cos, .. } = zero;
         let lever = law.lever(sin, cos);
-        let sticks = Some((Fate::Sticks, -rest / lever));
         let is_from_above = sigma * rate < 0.0;
         if is_from_above && cos <= 0.0 {
-            return sticks;
+            return Some(self.rest(&zero));
         }
         let last = if is_from_above { -sigma / (h * cos).sqrt() } else { -rate };
         let slip = sigma * (last * lever + rest);
@@ -102,12 +121,46 @@ impl Approach<'_> {
         let by_angle = (last * (lever * tilt + h * (law.friction * cos - sin))).abs();
         let doubt = error + SUM_ERROR * (last * lever).abs() + by_angle * zero.error;
         if slip < -doubt {
-            sticks
+            Some(self.rest(&zero))
         } else if slip > doubt && is_from_above {
-            Some((self.without_force(&zero, earlier)?, last))
+            Some(Ending::here(self.without_force(&zero, earlier)?, last))
         } else {
             None
         }
+    }
+
+    /// The end of the slip, where θ′ L = −(η′ − θ′ L).
+    fn rest(&self, zero: &Zero) -> Ending {
+        let Self { law, place: PhasePoint { theta, rate }, rest, .. } = *self;
+        let scale = 2.0 * law.body.inertia / (law.body.h * zero.sin * zero.slope);
+        let exponent = scale * law.body.h * zero.cos;
+        // u after the distance has become e^y times that of the approach, and its inverse.
+        let u_at = |y: f64| {
+            let lost = if exponent == 0.0 { y } else { libm::expm1(exponent * y) / exponent };
+            rate * rate * libm::exp(exponent * y) - scale * lost
+        };
+        let y_of = |u: f64| {
+            let (gained, slope) = (u - rate * rate, exponent * rate * rate - scale);
+            if exponent == 0.0 { gained / slope } else { libm::log1p(exponent * gained / slope) / exponent }
+        };
+        let mut end = Ending::here(Fate::Sticks, -rest / law.lever(zero.sin, zero.cos));
+        // The lever changes by the distance, so that each round gains its digits.
+        for _ in 0..3 {
+            let y = y_of(end.rate * end.rate);
+            // Rejects NaN, too: an end that rounding puts before the approach.
+            if !(y <= 0.0) {
+                return Ending::here(Fate::Sticks, end.rate);
+            }
+            end.ahead = -zero.ahead * libm::expm1(y);
+            let (sin, cos) = libm::sincos(theta + end.ahead);
+            end.rate = -rest / law.lever(sin, cos);
+            // Simpson's rule in the distance; a slide that turns back passes θ′ = 0, in a time that is not resolved.
+            let between = libm::log1p(0.5 * libm::expm1(y));
+            let slowness = 1.0 / rate + 4.0 / u_at(between).sqrt().copysign(rate) + 1.0 / end.rate;
+            let is_ahead = end.rate * rate > 0.0 && slowness.is_finite();
+            end.later = if is_ahead { end.ahead * slowness / 6.0 } else { 0.0 };
+        }
+        end
     }
 
     /// Jam or lift-off, from λ and C.
