@@ -71,7 +71,9 @@ impl Sway {
         let nothing = vec![0.0_f64; SummaryColumn::reals().count()];
         let mut sway =
             Self { same: nothing.clone(), all: nothing, steady: vec![true; codes(&motion.summary()).len()] };
-        for (start, moved) in moved_phases(motion) {
+        for ((start, moved), phase) in moved_phases(motion).zip(motion.phases()) {
+            // A phase of many turns rounds in each of them, independently.
+            let turned = phase.end().map_or(0.0, |end| (end.theta - start.theta).abs() / TAU);
             let Some(here) = summary(start) else { continue };
             let mut of_phase = [vec![0.0_f64; sway.same.len()], vec![0.0_f64; sway.all.len()]];
             for there in moved.into_iter().filter_map(summary) {
@@ -89,7 +91,8 @@ impl Sway {
                 }
             }
             for (sums, of_phase) in [&mut sway.same, &mut sway.all].into_iter().zip(of_phase) {
-                sums.iter_mut().zip(of_phase).for_each(|(sum, change)| *sum = sum.hypot(change));
+                let times = (1.0 + turned).sqrt();
+                sums.iter_mut().zip(of_phase).for_each(|(sum, change)| *sum = sum.hypot(times * change));
             }
         }
         sway

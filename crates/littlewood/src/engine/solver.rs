@@ -422,7 +422,7 @@ impl Solver for FastSolver<'_> {
             theta: event.theta,
             theta_rate: event.theta_rate,
             slip: event.slip,
-            x: law.path(&state, place.direction).x(event.elapsed, here),
+            x: law.path([state.theta_rate, state.slip, state.x], place.direction).x(event.elapsed, here),
         };
         self.computed(&end);
         let solution = Kept::Slide(event.range_from(state.theta));

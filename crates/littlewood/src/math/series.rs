@@ -2,26 +2,30 @@
 
 use crate::math::bernstein::{first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
+use crate::math::number::Number;
 
 /// Degree of the series. The step-size rule of Jorba and Zou gives 20 at double precision; two more cost
 /// little and allow longer steps.
 pub(crate) const DEGREE: usize = 22;
 
 /// Coefficients 0 to `DEGREE` of a power series in the distance from its centre.
-pub(crate) type Series = [f64; DEGREE + 1];
+pub(crate) type Series<T = f64> = [T; DEGREE + 1];
 
 /// Coefficients `n` of products of series, each summed in the order of its first factor. The interleaved sums hide the latency of
 /// the additions.
 #[inline(always)]
-pub(crate) fn convolve<const N: usize>(products: [(&Series, &Series); N], n: usize) -> [f64; N] {
-    let mut sums = [0.0; N];
+pub(crate) fn convolve<T: Number, const N: usize>(
+    products: [(&Series<T>, &Series<T>); N],
+    n: usize,
+) -> [T; N] {
+    let mut sums = [T::constant(0.0); N];
     if n > DEGREE {
         return sums;
     }
     let mut j = 0;
     while j <= n {
         for i in 0..N {
-            sums[i] += products[i].0[j] * products[i].1[n - j];
+            sums[i] = sums[i] + products[i].0[j] * products[i].1[n - j];
         }
         j += 1;
     }
@@ -30,8 +34,8 @@ pub(crate) fn convolve<const N: usize>(products: [(&Series, &Series); N], n: usi
 
 /// Value of a series, by Horner's scheme.
 #[inline]
-pub(crate) fn value(series: &Series, at: f64) -> f64 {
-    series.iter().rev().fold(0.0, |sum, c| sum * at + c)
+pub(crate) fn value<T: Number>(series: &Series<T>, at: f64) -> T {
+    series.iter().rev().fold(T::constant(0.0), |sum, c| sum * at + *c)
 }
 
 /// First crossing of a series from non-negative to negative in [0, width].

@@ -6,6 +6,8 @@
 
 use core::f64::consts::{FRAC_2_PI, TAU};
 
+use crate::math::number::Number;
+
 /// Largest reducible angle: its multiple of π/2 stays below 2²⁰, where the product with the leading part is exact.
 const MAX_REDUCIBLE_ANGLE: f64 = 1e5;
 
@@ -65,8 +67,8 @@ fn polynomial(coefficients: &[f64], x: f64) -> f64 {
 
 /// 1 + cos θ without cancellation near the bottom.
 #[inline]
-pub(crate) fn above_bottom((sin, cos): (f64, f64)) -> f64 {
-    if cos < 0.0 { sin * sin / (1.0 - cos) } else { 1.0 + cos }
+pub(crate) fn above_bottom<T: Number>((sin, cos): (T, T)) -> T {
+    if cos.value() < 0.0 { sin * sin / (-cos + 1.0) } else { cos + 1.0 }
 }
 
 /// (sin x, cos x).

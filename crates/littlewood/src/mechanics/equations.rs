@@ -16,17 +16,18 @@
 //! Symbols: m total mass, h distance and Î moment of inertia of the mass centre, ℓ̂ = m h, σ = sign(η′).
 
 use crate::math::form::Trigonometric;
+use crate::math::number::Number;
 use crate::math::trig::above_bottom;
 use crate::model::{Body, Direction, Heavy, Hoop, State};
 
 /// Contact forces, in m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct ContactForces {
+pub struct ContactForces<T = f64> {
     /// Normal force N.
-    pub normal: f64,
+    pub normal: T,
     /// Friction force F along E1.
-    pub friction: f64,
+    pub friction: T,
 }
 
 impl ContactForces {
@@ -39,18 +40,18 @@ impl ContactForces {
 
 /// Accelerations of a motion in contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Accelerations {
+pub struct Accelerations<T = f64> {
     /// Angular acceleration θ″.
-    pub theta: f64,
+    pub theta: T,
     /// Slip acceleration η″.
-    pub slip: f64,
+    pub slip: T,
 }
 
 /// w = 1 − h cos θ θ′², from cos θ θ′². A hoop can stay in contact while w > 0; sliding lifts off where w = 0 (2.18),
 /// independent of μk.
 #[inline]
-pub(crate) fn contact(one: f64, h: f64, cos_u: f64) -> f64 {
-    one - h * cos_u
+pub(crate) fn contact<T: Number>(one: f64, h: T, cos_u: T) -> T {
+    -(h * cos_u) + one
 }
 
 /// Whether the body lifts off: w < 0, or w = 0 and decreasing. At w = 0, w′ = h sin θ θ′³; where that vanishes too, at
@@ -89,21 +90,78 @@ pub(crate) fn energy_at(
 
 /// The equations of rolling (2.10) to (2.12) of one body, massless or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RollingLaw {
-    pub(crate) mass: f64,
-    pub(crate) offset: f64,
+pub struct RollingLaw<T = f64> {
+    pub(crate) mass: T,
+    pub(crate) offset: T,
     /// D(0) = Î + m(1 + h)².
-    pub(crate) top: f64,
+    pub(crate) top: T,
     /// D(π) = Î + m(1 − h)². Zero only for a massless hoop with the particle on the rim.
-    pub(crate) bottom: f64,
+    pub(crate) bottom: T,
     /// D − (m + ℓ̂ cos θ) = Î + ℓ̂(h + cos θ) at θ = 0 and π: of a heavy hoop a small part of D.
-    pub(crate) beyond_mass: [f64; 2],
+    pub(crate) beyond_mass: [T; 2],
     /// tan α, or −0.
-    pub(crate) tilt: f64,
+    pub(crate) tilt: T,
     /// m Î.
-    pub(crate) own: f64,
+    pub(crate) own: T,
     /// Gravity normal to the plane: cos α for users, 1 for the solvers ([`crate::walk::Origin`]).
-    pub(crate) weight: f64,
+    pub(crate) weight: T,
+}
+
+impl<T: Number> RollingLaw<T> {
+    /// The equations in units in which gravity normal to the plane is 1, of a body with inertia or without.
+    pub(crate) fn of_body(body: &Heavy<T>) -> Self {
+        let Heavy { mass, h, offset, inertia, tilt } = *body;
+        let (outer, inner) = (h + 1.0, -h + 1.0);
+        Self {
+            mass,
+            offset,
+            top: inertia + mass * outer * outer,
+            bottom: inertia + mass * inner * inner,
+            beyond_mass: [inertia + offset * outer, inertia - offset * inner],
+            own: mass * inertia,
+            tilt,
+            weight: T::constant(1.0),
+        }
+    }
+
+    /// D(θ) from (sin θ, cos θ).
+    #[inline]
+    pub(crate) fn denominator_of(&self, direction: (T, T)) -> T {
+        self.bottom + self.offset * 2.0 * above_bottom(direction)
+    }
+
+    /// D(π/2), the mean of D over a turn.
+    #[inline]
+    pub(crate) fn mean_denominator(&self) -> T {
+        (self.top + self.bottom) * 0.5
+    }
+
+    /// D θ″ = ℓ̂ sin θ (1 + u) + (m + ℓ̂ cos θ) tan α, from 1, sin θ, cos θ and sin θ (1 + u).
+    #[inline]
+    pub(crate) fn drive(&self, one: T, cos: T, levered: T) -> T {
+        self.offset * levered + (self.mass * one + self.offset * cos) * self.tilt
+    }
+
+    /// θ″ = [ℓ̂ sin θ (1 + u) + (m + ℓ̂ cos θ) tan α]/D, (2.11) on a level plane; from D.
+    #[inline]
+    pub(crate) fn acceleration(&self, (sin, cos): (T, T), [one, u]: [T; 2], denominator: T) -> T {
+        let pull = (self.mass + self.offset * cos) * self.tilt;
+        (self.offset * sin * (one + u) + pull * one) / denominator
+    }
+
+    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12), from D. With θ″ of (2.11)
+    /// F = [ℓ̂ sin θ (u (Î + ℓ̂(h + cos θ)) − m − ℓ̂ cos θ) + (m Î + ℓ̂² sin²θ) tan α]/D, which keeps the digits of a heavy hoop.
+    #[inline]
+    pub(crate) fn forces_at(&self, (sin, cos): (T, T), [one, u]: [T; 2], denominator: T) -> ContactForces<T> {
+        let acceleration = self.acceleration((sin, cos), [one, u], denominator);
+        let beyond_mass = self.beyond_mass[1] + self.offset * above_bottom((sin, cos));
+        let arm = self.offset * sin;
+        let level = arm * (u * beyond_mass - one * (self.mass + self.offset * cos));
+        ContactForces {
+            normal: self.mass * one - self.offset * (sin * acceleration + cos * u),
+            friction: (level + (self.own + arm * arm) * self.tilt * one) / denominator,
+        }
+    }
 }
 
 impl RollingLaw {
@@ -115,17 +173,7 @@ impl RollingLaw {
 
     /// The equations in units in which gravity normal to the plane is 1.
     pub(crate) fn of(hoop: &Hoop) -> Self {
-        let (mass, h, inertia) = (hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre());
-        Self {
-            mass,
-            offset: hoop.offset(),
-            top: inertia + mass * (1.0 + h) * (1.0 + h),
-            bottom: inertia + mass * (1.0 - h) * (1.0 - h),
-            beyond_mass: [inertia + hoop.offset() * (1.0 + h), inertia - hoop.offset() * (1.0 - h)],
-            own: mass * inertia,
-            tilt: hoop.tilt(),
-            weight: 1.0,
-        }
+        Self::of_body(&hoop.rigid_body())
     }
 
     /// D(θ), the denominator of (2.11): twice the kinetic energy of rolling over θ′². A sum of non-negative terms, accurate
@@ -141,12 +189,6 @@ impl RollingLaw {
         4.0 * self.offset * cos_half * cos_half
     }
 
-    /// D(θ) from (sin θ, cos θ).
-    #[inline]
-    pub(crate) fn denominator_of(&self, direction: (f64, f64)) -> f64 {
-        self.bottom + 2.0 * self.offset * above_bottom(direction)
-    }
-
     /// D(θ) as a trigonometric polynomial.
     pub(crate) fn denominator_polynomial(&self) -> Trigonometric {
         Trigonometric::linear(self.mean_denominator(), 0.0, 2.0 * self.offset)
@@ -157,19 +199,6 @@ impl RollingLaw {
         Trigonometric::linear(2.0 * self.offset, 0.0, 2.0 * self.offset)
     }
 
-    /// D(π/2), the mean of D over a turn.
-    #[inline]
-    pub(crate) fn mean_denominator(&self) -> f64 {
-        0.5 * (self.top + self.bottom)
-    }
-
-    /// θ″ = [ℓ̂ sin θ (1 + u) + (m + ℓ̂ cos θ) tan α]/D, (2.11) on a level plane; from D.
-    #[inline]
-    pub(crate) fn acceleration(&self, (sin, cos): (f64, f64), [one, u]: [f64; 2], denominator: f64) -> f64 {
-        let pull = (self.mass + self.offset * cos) * self.tilt;
-        (self.offset * sin * (one + u) + pull * one) / denominator
-    }
-
     /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Undefined where D = 0 (footnote 8).
     #[must_use]
     pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
@@ -178,25 +207,6 @@ impl RollingLaw {
             [self.weight, theta_rate * theta_rate],
             self.denominator(theta),
         )
-    }
-
-    /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12), from D. With θ″ of (2.11)
-    /// F = [ℓ̂ sin θ (u (Î + ℓ̂(h + cos θ)) − m − ℓ̂ cos θ) + (m Î + ℓ̂² sin²θ) tan α]/D, which keeps the digits of a heavy hoop.
-    #[inline]
-    pub(crate) fn forces_at(
-        &self,
-        (sin, cos): (f64, f64),
-        [one, u]: [f64; 2],
-        denominator: f64,
-    ) -> ContactForces {
-        let acceleration = self.acceleration((sin, cos), [one, u], denominator);
-        let beyond_mass = self.beyond_mass[1] + self.offset * above_bottom((sin, cos));
-        let arm = self.offset * sin;
-        let level = arm * (u * beyond_mass - one * (self.mass + self.offset * cos));
-        ContactForces {
-            normal: self.mass * one - self.offset * (sin * acceleration + cos * u),
-            friction: (level + (self.own + arm * arm) * self.tilt * one) / denominator,
-        }
     }
 
     /// Normal and friction force (2.12). In 𝓡 of (2.14) they are the contact forces; elsewhere, those that rolling would
@@ -250,12 +260,77 @@ impl RollingLaw {
 /// η″ = −μk σ N/m + (1 + h cos θ) θ″ − h sin θ θ′² − sin α.
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlidingLaw {
-    pub(crate) body: Heavy,
+pub struct SlidingLaw<T = f64> {
+    pub(crate) body: Heavy<T>,
     /// μk σ.
-    pub(crate) friction: f64,
+    pub(crate) friction: T,
     /// Gravity normal to the plane, as in [`RollingLaw`].
-    pub(crate) weight: f64,
+    pub(crate) weight: T,
+}
+
+impl<T: Number> SlidingLaw<T> {
+    pub(crate) fn of_body(body: Heavy<T>, mu_k: T, direction: Direction) -> Self {
+        Self { body, friction: mu_k * direction.sign(), weight: T::constant(1.0) }
+    }
+
+    /// q = h sin θ − μk σ (1 + h cos θ).
+    #[inline]
+    pub(crate) fn q(&self, one: f64, sin: T, cos: T) -> T {
+        let h = self.body.h;
+        h * sin - self.friction * (h * cos + one)
+    }
+
+    /// P = Î + m h sin θ q.
+    #[inline]
+    pub(crate) fn p(&self, sin: T, q: T) -> T {
+        let Heavy { mass, h, inertia, .. } = self.body;
+        inertia + mass * h * sin * q
+    }
+
+    /// μk σ + tan α, the rate at which η′ decreases on average.
+    #[inline]
+    pub(crate) fn drag(&self) -> T {
+        self.friction + self.body.tilt
+    }
+
+    /// 1 + h cos θ + μk σ h sin θ, the coefficient of θ′ in the first integral.
+    #[inline]
+    pub(crate) fn lever(&self, sin: T, cos: T) -> T {
+        self.body.h * (cos + self.friction * sin) + 1.0
+    }
+
+    /// θ″ and η″ of (2.16), solved, from (sin θ, cos θ) and θ′.
+    pub(crate) fn accelerations_at(&self, (sin, cos): (T, T), theta_rate: T) -> Accelerations<T> {
+        let Heavy { mass, h, inertia, .. } = self.body;
+        let w = self.weight - h * (cos * (theta_rate * theta_rate));
+        let q = self.q(1.0, sin, cos);
+        let p = self.p(sin, q);
+        let theta_acceleration = mass * q * w / p;
+        let normal_over_mass = inertia * w / p;
+        Accelerations {
+            theta: theta_acceleration,
+            slip: (h * cos + 1.0) * theta_acceleration
+                - self.friction * normal_over_mass
+                - h * sin * theta_rate * theta_rate
+                - self.body.pull() * self.weight,
+        }
+    }
+
+    /// The second integral, x̄ + μk σ (ȳ + τ²/2) + tan α τ²/2 minus a linear function of τ, of the slide from an angle, a rate, a slip
+    /// velocity and an x.
+    pub(crate) fn path(&self, [rate, slip, x]: [T; 3], (sin, cos): (T, T)) -> SlidePath<T> {
+        let h = self.body.h;
+        let vx = slip - (h * cos + 1.0) * rate;
+        let vy = -h * sin * rate;
+        SlidePath {
+            h,
+            friction: self.friction,
+            pull: self.body.pull(),
+            mass_centre_x: x - h * sin,
+            drift: vx + self.friction * vy,
+            cos_start: cos,
+        }
+    }
 }
 
 impl SlidingLaw {
@@ -269,36 +344,6 @@ impl SlidingLaw {
             }
             Body::Massless(_) => None,
         }
-    }
-
-    pub(crate) fn of_body(body: Heavy, mu_k: f64, direction: Direction) -> Self {
-        Self { body, friction: mu_k * direction.sign(), weight: 1.0 }
-    }
-
-    /// q = h sin θ − μk σ (1 + h cos θ).
-    #[inline]
-    pub(crate) fn q(&self, one: f64, sin: f64, cos: f64) -> f64 {
-        let h = self.body.h;
-        h * sin - self.friction * (one + h * cos)
-    }
-
-    /// P = Î + m h sin θ q.
-    #[inline]
-    pub(crate) fn p(&self, sin: f64, q: f64) -> f64 {
-        let Heavy { mass, h, inertia, .. } = self.body;
-        inertia + mass * h * sin * q
-    }
-
-    /// μk σ + tan α, the rate at which η′ decreases on average.
-    #[inline]
-    pub(crate) fn drag(&self) -> f64 {
-        self.friction + self.body.tilt
-    }
-
-    /// 1 + h cos θ + μk σ h sin θ, the coefficient of θ′ in the first integral.
-    #[inline]
-    pub(crate) fn lever(&self, sin: f64, cos: f64) -> f64 {
-        1.0 + self.body.h * (cos + self.friction * sin)
     }
 
     /// a = 2 θ″/w of the linear equation du/dθ = a w.
@@ -341,20 +386,7 @@ impl SlidingLaw {
     /// θ″ and η″ of (2.16), solved.
     #[must_use]
     pub fn accelerations(&self, theta: f64, theta_rate: f64) -> Accelerations {
-        let (sin, cos) = libm::sincos(theta);
-        let Heavy { mass, h, inertia, .. } = self.body;
-        let w = self.contact(theta, theta_rate);
-        let q = self.q(1.0, sin, cos);
-        let p = self.p(sin, q);
-        let theta_acceleration = mass * q * w / p;
-        let normal_over_mass = inertia * w / p;
-        Accelerations {
-            theta: theta_acceleration,
-            slip: (1.0 + h * cos) * theta_acceleration
-                - self.friction * normal_over_mass
-                - h * sin * theta_rate * theta_rate
-                - self.body.pull() * self.weight,
-        }
+        self.accelerations_at(libm::sincos(theta), theta_rate)
     }
 
     /// The first integral η′ − θ′ (1 + h cos θ + μk σ h sin θ) + (μk σ cos α + sin α) τ.
@@ -363,41 +395,26 @@ impl SlidingLaw {
         let (sin, cos) = libm::sincos(state.theta);
         state.slip - state.theta_rate * self.lever(sin, cos) + self.drag() * self.weight * state.time
     }
-
-    /// The second integral, x̄ + μk σ (ȳ + τ²/2) + tan α τ²/2 minus a linear function of τ, of the slide from a state.
-    pub(crate) fn path(&self, start: &State, (sin, cos): (f64, f64)) -> SlidePath {
-        let h = self.body.h;
-        let vx = start.slip - (1.0 + h * cos) * start.theta_rate;
-        let vy = -h * sin * start.theta_rate;
-        SlidePath {
-            h,
-            friction: self.friction,
-            pull: self.body.pull(),
-            mass_centre_x: start.x - h * sin,
-            drift: vx + self.friction * vy,
-            cos_start: cos,
-        }
-    }
 }
 
 /// Position of the geometric centre during a slide, by the second integral.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SlidePath {
-    h: f64,
-    friction: f64,
-    pull: f64,
+pub(crate) struct SlidePath<T = f64> {
+    h: T,
+    friction: T,
+    pull: T,
     /// x̄0, x̄′ + μk σ ȳ′ and cos θ0: the constants of the integral.
-    mass_centre_x: f64,
-    drift: f64,
-    cos_start: f64,
+    mass_centre_x: T,
+    drift: T,
+    cos_start: T,
 }
 
-impl SlidePath {
+impl<T: Number> SlidePath<T> {
     /// x after the time `elapsed`, at the angle of this sine and cosine.
     #[inline]
-    pub(crate) fn x(&self, elapsed: f64, (sin, cos): (f64, f64)) -> f64 {
-        let fall = self.h * (cos - self.cos_start) + 0.5 * elapsed * elapsed;
-        let pulled = 0.5 * self.pull * elapsed * elapsed;
+    pub(crate) fn x(&self, elapsed: T, (sin, cos): (T, T)) -> T {
+        let fall = self.h * (cos - self.cos_start) + elapsed * 0.5 * elapsed;
+        let pulled = self.pull * 0.5 * elapsed * elapsed;
         let mass_centre = self.mass_centre_x + self.drift * elapsed - self.friction * fall - pulled;
         mass_centre + self.h * sin
     }

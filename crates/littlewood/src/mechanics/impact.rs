@@ -18,16 +18,17 @@
 
 use thiserror::Error;
 
+use crate::math::number::Number;
 use crate::model::{Body, Direction, Heavy, Hoop, Restitution, RestitutionLaw, State, getters, named};
 
 /// The impulse of the plane on the body, in m2 √(gR).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Impulse {
+pub struct Impulse<T = f64> {
     /// Upwards, P.
-    pub normal: f64,
+    pub normal: T,
     /// Along E1, J.
-    pub friction: f64,
+    pub friction: T,
 }
 
 /// Reason why an impact is undefined.
@@ -70,13 +71,13 @@ named! {
 /// The velocities that an impact changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct ContactVelocities {
+pub struct ContactVelocities<T = f64> {
     /// Rate θ′.
-    pub theta_rate: f64,
+    pub theta_rate: T,
     /// Slip velocity η′ of the contact point.
-    pub slip: f64,
+    pub slip: T,
     /// Gap rate; negative while the gap closes.
-    pub gap_rate: f64,
+    pub gap_rate: T,
 }
 
 impl ContactVelocities {
@@ -90,19 +91,19 @@ impl ContactVelocities {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
-pub struct Impact {
+pub struct Impact<T = f64> {
     /// Course of the slip.
     pub case: ImpactCase,
     /// Velocities before the impact.
-    pub before: ContactVelocities,
+    pub before: ContactVelocities<T>,
     /// Velocities after the impact.
-    pub after: ContactVelocities,
+    pub after: ContactVelocities<T>,
     /// Impulse on the body.
-    pub impulse: Impulse,
+    pub impulse: Impulse<T>,
     /// Work of the normal impulse, ∫ w dP.
-    pub normal_work: f64,
+    pub normal_work: T,
     /// Work of the friction impulse, ∫ u dJ ≤ 0.
-    pub friction_work: f64,
+    pub friction_work: T,
 }
 
 getters! {
@@ -122,11 +123,11 @@ impl Impact {
 
 /// The derivatives of J, θ′, u and w with respect to P, constant on each part of an impact.
 #[derive(Clone, Copy, Debug)]
-struct Slope {
-    friction: f64,
-    spin: f64,
-    slip: f64,
-    gap_rate: f64,
+struct Slope<T> {
+    friction: T,
+    spin: T,
+    slip: T,
+    gap_rate: T,
 }
 
 /// Compliance of the contact point to an impulse (J, P), in 1/m2: u′ − u = A J + B P, w′ − w = B J + C P.
@@ -200,7 +201,7 @@ impl Hoop {
             return Err(ImpactError::Opening { gap_rate });
         }
         let before = ContactVelocities::of(state, gap_rate);
-        Ok(Contact::new(self, &body, state.theta).impact(before, restitution))
+        Ok(Contact::new(self, &body, state.theta).impact(before, restitution.parts()))
     }
 
     /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or which has reached
@@ -211,63 +212,70 @@ impl Hoop {
         let (Body::Heavy(body), Some(restitution)) = (self.body(), self.restitution()) else { return None };
         let direction = Direction::of_sign(state.slip)?;
         let contact = Contact::new(self, &body, state.theta);
-        Some(contact.jam(ContactVelocities::of(state, 0.0), direction, restitution))
+        Some(contact.jam(ContactVelocities::of(state, 0.0), direction, restitution.parts()))
     }
 }
 
 /// The coefficients of an impact at one angle.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Contact {
-    mass: f64,
+pub(crate) struct Contact<T = f64> {
+    mass: T,
     /// h sin θ and 1 + h cos θ.
-    arm: f64,
-    lever: f64,
+    arm: T,
+    lever: T,
     /// In slip with σ = −1 and σ = +1.
-    slipping: [Slope; 2],
+    slipping: [Slope<T>; 2],
     /// After slip has ended, and whether the contact slips again.
-    at_rest: Slope,
+    at_rest: Slope<T>,
     reverses: bool,
 }
 
 impl Contact {
     pub(crate) fn new(hoop: &Hoop, body: &Heavy, theta: f64) -> Self {
-        let (sin, cos) = libm::sincos(theta);
-        let (mass, arm, lever) = (body.mass, body.h * sin, 1.0 + body.h * cos);
-        let slope = |friction: f64, spin: f64| Slope {
+        Self::of(body, [hoop.mu_s(), hoop.mu_k()], libm::sincos(theta))
+    }
+}
+
+impl<T: Number> Contact<T> {
+    /// The contact of a body with coefficients of static and kinetic friction, at (sin θ, cos θ).
+    pub(crate) fn of(body: &Heavy<T>, [mu_s, mu_k]: [T; 2], (sin, cos): (T, T)) -> Self {
+        let (mass, arm, lever) = (body.mass, body.h * sin, body.h * cos + 1.0);
+        let slope = |friction: T, spin: T| Slope {
             friction,
             spin,
             slip: friction / mass + lever * spin,
-            gap_rate: 1.0 / mass + arm * spin,
+            gap_rate: T::constant(1.0) / mass + arm * spin,
         };
         let slipping = Direction::ALL.map(|direction| {
-            let friction = -hoop.mu_k() * direction.sign();
+            let friction = -mu_k * direction.sign();
             slope(friction, (arm + friction * lever) / body.inertia)
         });
         // m Î A and m Î B: sticking requires |B|/A ≤ μs.
         let (a, b) = (body.inertia + mass * lever * lever, mass * arm * lever);
-        let stuck = Slope { slip: 0.0, ..slope(-b / a, arm / a) };
-        let reversed = Direction::of_sign(b).filter(|_| b.abs() > hoop.mu_s() * a);
+        let stuck = Slope { slip: T::constant(0.0), ..slope(-b / a, arm / a) };
+        let reversed = Direction::of_sign(b.value()).filter(|_| b.value().abs() > mu_s.value() * a.value());
         let at_rest = reversed.map_or(stuck, |direction| slipping[direction.index()]);
         Self { mass, arm, lever, slipping, at_rest, reverses: reversed.is_some() }
     }
 
-    const fn slope(&self, direction: Direction) -> Slope {
+    fn slope(&self, direction: Direction) -> Slope<T> {
         self.slipping[direction.index()]
     }
 
-    /// The impact with these velocities, for a gap rate ≤ 0.
-    pub(crate) fn impact(&self, before: ContactVelocities, restitution: Restitution) -> Impact {
-        let direction = Direction::of_sign(before.slip);
+    /// The impact with these velocities, for a gap rate ≤ 0, by a coefficient and law of restitution.
+    pub(crate) fn impact(&self, before: ContactVelocities<T>, restitution: (T, RestitutionLaw)) -> Impact<T> {
+        let direction = Direction::of_sign(before.slip.value());
         let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
-        let jams = direction.is_some() && slipping.gap_rate <= 0.0;
-        if before.gap_rate == 0.0 && !jams {
+        let jams = direction.is_some() && slipping.gap_rate.value() <= 0.0;
+        if before.gap_rate.value() == 0.0 && !jams {
+            let none = T::constant(0.0);
             return Impact {
                 case: ImpactCase::None,
                 before,
                 after: before,
-                impulse: Impulse { normal: 0.0, friction: 0.0 },
-                normal_work: 0.0,
-                friction_work: 0.0,
+                impulse: Impulse { normal: none, friction: none },
+                normal_work: none,
+                friction_work: none,
             };
         }
         self.course(before, direction, slipping).impact(jams, restitution)
@@ -275,23 +283,38 @@ impl Contact {
 
     /// The jam of a hoop that slips where P ≤ 0, at gap rate 0. Where a slide has reached P = 0, rounding may make P
     /// positive; it is set to zero.
-    fn jam(&self, before: ContactVelocities, direction: Direction, restitution: Restitution) -> Impact {
+    pub(crate) fn jam(
+        &self,
+        before: ContactVelocities<T>,
+        direction: Direction,
+        restitution: (T, RestitutionLaw),
+    ) -> Impact<T> {
         let slope = self.slope(direction);
-        let slipping = if slope.gap_rate <= 0.0 {
+        let slipping = if slope.gap_rate.value() <= 0.0 {
             slope
         } else {
-            let spin = -1.0 / (self.mass * self.arm);
-            Slope { spin, slip: slope.friction / self.mass + self.lever * spin, gap_rate: 0.0, ..slope }
+            let spin = T::constant(-1.0) / (self.mass * self.arm);
+            let slip = slope.friction / self.mass + self.lever * spin;
+            Slope { spin, slip, gap_rate: T::constant(0.0), ..slope }
         };
         self.course(before, Some(direction), slipping).impact(true, restitution)
     }
 
-    fn course(&self, before: ContactVelocities, direction: Option<Direction>, slipping: Slope) -> Course<'_> {
+    fn course(
+        &self,
+        before: ContactVelocities<T>,
+        direction: Option<Direction>,
+        slipping: Slope<T>,
+    ) -> Course<'_, T> {
         let first = match direction {
-            None => 0.0,
+            None => T::constant(0.0),
             Some(direction) => {
-                let deceleration = -direction.sign() * slipping.slip;
-                if deceleration > 0.0 { before.slip.abs() / deceleration } else { f64::INFINITY }
+                let deceleration = slipping.slip * -direction.sign();
+                if deceleration.value() > 0.0 {
+                    before.slip.abs() / deceleration
+                } else {
+                    T::constant(f64::INFINITY)
+                }
             }
         };
         Course { contact: self, before, slipping, first }
@@ -300,35 +323,35 @@ impl Contact {
 
 /// The two parts of an impact: the initial slip, up to the normal impulse `first`, and the rest.
 #[derive(Clone, Copy, Debug)]
-struct Course<'a> {
-    contact: &'a Contact,
-    before: ContactVelocities,
-    slipping: Slope,
-    first: f64,
+struct Course<'a, T> {
+    contact: &'a Contact<T>,
+    before: ContactVelocities<T>,
+    slipping: Slope<T>,
+    first: T,
 }
 
 /// How an impact ends.
-struct End {
+struct End<T> {
     case: ImpactCase,
     /// P.
-    normal: f64,
+    normal: T,
     /// Gap rate after the impact, from the law of restitution. Summed over P it would be lost in rounding for small e.
-    opening: f64,
+    opening: T,
 }
 
-impl Course<'_> {
+impl<T: Number> Course<'_, T> {
     /// The end of the impact by the law of restitution.
-    fn end(&self, jams: bool, restitution: Restitution) -> End {
-        let (e, law) = (restitution.coefficient(), restitution.law());
+    fn end(&self, jams: bool, (e, law): (T, RestitutionLaw)) -> End<T> {
         let closing = -self.before.gap_rate;
         let (k1, k2, first) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate, self.first);
         let reverses = self.contact.reverses;
-        if !jams && first * k1 >= (1.0 + e) * closing {
-            return End { case: ImpactCase::Slides, normal: (1.0 + e) * closing / k1, opening: e * closing };
+        let whole = (e + 1.0) * closing;
+        if !jams && first.value() * k1.value() >= whole.value() {
+            return End { case: ImpactCase::Slides, normal: whole / k1, opening: e * closing };
         }
         // The gap rate where slip ends.
         let at_end = k1 * first - closing;
-        if at_end <= 0.0 {
+        if at_end.value() <= 0.0 {
             let case = match (jams, reverses) {
                 (true, _) => ImpactCase::Jams,
                 (false, true) => ImpactCase::ReversesInCompression,
@@ -337,8 +360,8 @@ impl Course<'_> {
             let compression = first - at_end / k2;
             let opening = match law {
                 RestitutionLaw::Energetic => {
-                    let work = 0.5 * (closing - at_end) * first + 0.5 * at_end * at_end / k2;
-                    e * (2.0 * work * k2).sqrt()
+                    let work = (closing - at_end) * 0.5 * first + at_end * 0.5 * at_end / k2;
+                    e * (work * 2.0 * k2).sqrt()
                 }
                 RestitutionLaw::Poisson => e * compression * k2,
                 RestitutionLaw::Newton => e * closing,
@@ -351,14 +374,14 @@ impl Course<'_> {
                 let given_back = e * e * closing * closing - at_end * at_end;
                 (at_end * at_end + k2 / k1 * given_back).sqrt()
             }
-            RestitutionLaw::Poisson => at_end + k2 * ((1.0 + e) * closing / k1 - first),
+            RestitutionLaw::Poisson => at_end + k2 * (whole / k1 - first),
             RestitutionLaw::Newton => e * closing,
         };
         End { case, normal: first + (opening - at_end) / k2, opening }
     }
 
     /// The impact, with the work of both parts.
-    fn impact(&self, jams: bool, restitution: Restitution) -> Impact {
+    fn impact(&self, jams: bool, restitution: (T, RestitutionLaw)) -> Impact<T> {
         let End { case, normal, opening } = self.end(jams, restitution);
         let before = self.before;
         let then = self.contact.at_rest;
@@ -372,7 +395,7 @@ impl Course<'_> {
             | ImpactCase::ReversesInCompression
             | ImpactCase::SticksInRestitution
             | ImpactCase::ReversesInRestitution
-            | ImpactCase::Jams => 0.0,
+            | ImpactCase::Jams => T::constant(0.0),
         };
         let gap_between = before.gap_rate + self.slipping.gap_rate * one;
         let after = ContactVelocities {
@@ -381,9 +404,9 @@ impl Course<'_> {
             gap_rate: opening,
         };
         let normal_work =
-            0.5 * one * (before.gap_rate + gap_between) + 0.5 * two * (gap_between + after.gap_rate);
-        let friction_work = 0.5 * self.slipping.friction * one * (before.slip + slip_between)
-            + 0.5 * then.friction * two * (slip_between + after.slip);
+            one * 0.5 * (before.gap_rate + gap_between) + two * 0.5 * (gap_between + after.gap_rate);
+        let friction_work = self.slipping.friction * 0.5 * one * (before.slip + slip_between)
+            + then.friction * 0.5 * two * (slip_between + after.slip);
         Impact { case, before, after, impulse, normal_work, friction_work }
     }
 }

@@ -13,8 +13,9 @@
 
 use thiserror::Error;
 
+use crate::math::number::Number;
 use crate::mechanics::{Contact, ContactVelocities, Impact, ImpactCase, Impulse, contact};
-use crate::model::{Body, Heavy, Hoop, Restitution, State};
+use crate::model::{Body, Heavy, Hoop, Restitution, RestitutionLaw, State};
 
 /// Longest time summed with fixed coefficients, also in units of 1/|θ′|. The error is of the order of its square.
 const MAX_SETTLING_TIME: f64 = 1e-7;
@@ -37,15 +38,15 @@ const MAX_BOUNCES: usize = 4096;
 /// The sum of all bounces from a flight on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Settling {
+pub struct Settling<T = f64> {
     /// Gap rate at the start of the first flight.
-    pub gap_rate: f64,
+    pub gap_rate: T,
     /// Total time of the flights.
-    pub duration: f64,
+    pub duration: T,
     /// Limit of the ratio of successive gap rates: the effective coefficient of restitution.
-    pub ratio: f64,
+    pub ratio: T,
     /// All impacts combined into one at the end of the time, with the case of the last ones.
-    pub impact: Impact,
+    pub impact: Impact<T>,
 }
 
 /// Reason why bounces do not settle.
@@ -112,7 +113,8 @@ impl Hoop {
             return Err(NoSettling::Closed { gap_rate });
         }
         let weight = libm::cos(self.slope());
-        Bounces::new(self, (&body, weight), state, restitution)?.sum(state, gap_rate, f64::INFINITY)
+        Bounces::new(self, (&body, weight), state, restitution)?
+            .sum(ContactVelocities::of(state, gap_rate), f64::INFINITY)
     }
 
     /// [`Hoop::settling`], if the remaining bounces are short enough for fixed coefficients.
@@ -133,7 +135,7 @@ impl Hoop {
         if 2.0 * gap_rate / bounces.contact_force * pace > MAX_SETTLING_TIME {
             return None;
         }
-        let settling = bounces.sum(state, gap_rate, MAX_SETTLING_TIME).ok()?;
+        let settling = bounces.sum(ContactVelocities::of(state, gap_rate), MAX_SETTLING_TIME).ok()?;
         let Settling { duration, impact: Impact { before, after, .. }, .. } = settling;
         // A slow bounce can still change the velocities by a finite amount if its impact ends the slip.
         let spin = after.theta_rate - before.theta_rate;
@@ -146,8 +148,9 @@ impl Hoop {
         let holds = [0.5, 1.0].into_iter().all(|part| {
             let theta = state.theta + part * duration * state.theta_rate;
             let later = State { theta, theta_rate: state.theta_rate + part * spin, ..*state };
-            let sum = Bounces::new(self, (body, 1.0), &later, restitution)
-                .and_then(|bounces| bounces.sum(&later, gap_rate, 2.0 * MAX_SETTLING_TIME));
+            let sum = Bounces::new(self, (body, 1.0), &later, restitution).and_then(|bounces| {
+                bounces.sum(ContactVelocities::of(&later, gap_rate), 2.0 * MAX_SETTLING_TIME)
+            });
             sum.is_ok_and(|Settling { duration: other, impact, .. }| {
                 let other_spin = impact.after.theta_rate - impact.before.theta_rate;
                 (other - duration).abs() * pace <= MAX_SUM_ERROR
@@ -160,35 +163,47 @@ impl Hoop {
 }
 
 /// Bounces at a fixed angle and rate.
-struct Bounces {
-    contact: Contact,
-    restitution: Restitution,
+pub(crate) struct Bounces<T = f64> {
+    contact: Contact<T>,
+    restitution: (T, RestitutionLaw),
     /// W = cos α − h cos θ θ′².
-    contact_force: f64,
+    contact_force: T,
     /// a = −h sin θ θ′² − sin α.
-    slip_acceleration: f64,
+    slip_acceleration: T,
 }
 
 /// Sums over bounces.
-#[derive(Clone, Copy, Debug, Default)]
-struct Sums {
-    duration: f64,
-    normal: f64,
-    friction: f64,
-    theta_rate: f64,
-    normal_work: f64,
-    friction_work: f64,
+#[derive(Clone, Copy, Debug)]
+struct Sums<T> {
+    duration: T,
+    normal: T,
+    friction: T,
+    theta_rate: T,
+    normal_work: T,
+    friction_work: T,
 }
 
-impl Sums {
+impl<T: Number> Sums<T> {
+    fn new() -> Self {
+        let zero = T::constant(0.0);
+        Self {
+            duration: zero,
+            normal: zero,
+            friction: zero,
+            theta_rate: zero,
+            normal_work: zero,
+            friction_work: zero,
+        }
+    }
+
     /// Adds `times` a bounce, and `works` times its work.
-    fn add(&mut self, duration: f64, impact: &Impact, times: f64, works: f64) {
-        self.duration += duration * times;
-        self.normal += impact.impulse.normal * times;
-        self.friction += impact.impulse.friction * times;
-        self.theta_rate += (impact.after.theta_rate - impact.before.theta_rate) * times;
-        self.normal_work += impact.normal_work * works;
-        self.friction_work += impact.friction_work * works;
+    fn add(&mut self, duration: T, impact: &Impact<T>, times: T, works: T) {
+        self.duration = self.duration + duration * times;
+        self.normal = self.normal + impact.impulse.normal * times;
+        self.friction = self.friction + impact.impulse.friction * times;
+        self.theta_rate = self.theta_rate + (impact.after.theta_rate - impact.before.theta_rate) * times;
+        self.normal_work = self.normal_work + impact.normal_work * works;
+        self.friction_work = self.friction_work + impact.friction_work * works;
     }
 }
 
@@ -200,72 +215,86 @@ impl Bounces {
         state: &State,
         restitution: Restitution,
     ) -> Result<Self, NoSettling> {
-        let (sin, cos) = libm::sincos(state.theta);
-        let rate = state.theta_rate;
+        let friction = [hoop.mu_s(), hoop.mu_k()];
+        Self::of(body, (friction, weight), (state.theta, state.theta_rate), restitution.parts())
+    }
+}
+
+impl<T: Number> Bounces<T> {
+    /// The bounces of a body with coefficients of static and kinetic friction, at an angle and a rate.
+    pub(crate) fn of(
+        body: &Heavy<T>,
+        (friction, weight): ([T; 2], f64),
+        (theta, rate): (T, T),
+        restitution: (T, RestitutionLaw),
+    ) -> Result<Self, NoSettling> {
+        let (sin, cos) = theta.sincos();
         let contact_force = contact(weight, body.h, cos * (rate * rate));
-        if contact_force <= 0.0 {
-            return Err(NoSettling::LeavesPlane { contact: contact_force });
+        if contact_force.value() <= 0.0 {
+            return Err(NoSettling::LeavesPlane { contact: contact_force.value() });
         }
         Ok(Self {
-            contact: Contact::new(hoop, body, state.theta),
+            contact: Contact::of(body, friction, (sin, cos)),
             restitution,
             contact_force,
-            slip_acceleration: -body.h * sin * (rate * rate) - weight * body.pull(),
+            slip_acceleration: -body.h * sin * (rate * rate) - body.pull() * weight,
         })
     }
 
-    /// The sum of all bounces. A sum longer than `longest` may return [`NoSettling::Unsettled`].
-    fn sum(&self, state: &State, gap_rate: f64, longest: f64) -> Result<Settling, NoSettling> {
-        let mut sums = Sums::default();
-        let (mut slip, mut opening) = (state.slip, gap_rate);
+    /// The sum of all bounces from θ′, η′ and a gap rate. A sum longer than `longest` may return [`NoSettling::Unsettled`].
+    pub(crate) fn sum(&self, start: ContactVelocities<T>, longest: f64) -> Result<Settling<T>, NoSettling> {
+        let mut sums = Sums::<T>::new();
+        let one = T::constant(1.0);
+        let (mut slip, mut opening) = (start.slip, start.gap_rate);
         for bounce in 0..MAX_BOUNCES {
-            if sums.duration > longest {
+            if sums.duration.value() > longest {
                 return Err(NoSettling::Unsettled { bounces: bounce });
             }
-            let duration = 2.0 * opening / self.contact_force;
+            let duration = opening * 2.0 / self.contact_force;
             let before = ContactVelocities {
-                theta_rate: state.theta_rate,
+                theta_rate: start.theta_rate,
                 slip: slip + self.slip_acceleration * duration,
                 gap_rate: -opening,
             };
             let impact = self.contact.impact(before, self.restitution);
             let ratio = impact.after.gap_rate / opening;
-            let shrinks = 1.0 - ratio > RATIO_ROUNDING;
+            let (r, now) = (ratio.value(), slip.value());
+            let shrinks = 1.0 - r > RATIO_ROUNDING;
             // All velocities of a repeating bounce scale with this ratio.
-            let repeats =
-                (impact.after.slip - slip * ratio).abs() <= REPETITION_TOLERANCE * slip.abs() * ratio;
+            let repeats = (impact.after.slip.value() - now * r).abs() <= REPETITION_TOLERANCE * now.abs() * r;
             if repeats && impact.case != ImpactCase::Slides {
                 if !shrinks {
-                    return Err(NoSettling::Grows { ratio });
+                    return Err(NoSettling::Grows { ratio: r });
                 }
                 let (count, squares) =
                     (geometric(ratio, f64::INFINITY), geometric(ratio * ratio, f64::INFINITY));
                 sums.add(duration, &impact, count, squares);
-                return Ok(self.settled((state, gap_rate), &sums, 0.0, (ratio, impact.case)));
+                return Ok(self.settled(start, &sums, T::constant(0.0), (ratio, impact.case)));
             }
             if impact.case == ImpactCase::Slides {
                 let slides = Slides { ratio, slip, before: before.slip, after: impact.after.slip };
                 let number = slides.number();
                 if number == f64::INFINITY && !shrinks {
-                    return Err(NoSettling::Grows { ratio });
+                    return Err(NoSettling::Grows { ratio: r });
                 }
                 let (count, squares) = (geometric(ratio, number), geometric(ratio * ratio, number));
-                sums.add(duration, &Impact { friction_work: 0.0, ..impact }, count, squares);
-                sums.friction_work += impact.impulse.friction * slides.slipped(number);
-                slip += (impact.after.slip - slip) * count;
+                sums.add(duration, &Impact { friction_work: T::constant(0.0), ..impact }, count, squares);
+                sums.friction_work = sums.friction_work + impact.impulse.friction * slides.slipped(number);
+                slip = slip + (impact.after.slip - slip) * count;
                 if number == f64::INFINITY {
-                    return Ok(self.settled((state, gap_rate), &sums, slip, (ratio, impact.case)));
+                    return Ok(self.settled(start, &sums, slip, (ratio, impact.case)));
                 }
-                opening *= libm::pow(ratio, number);
+                let power = libm::pow(r, number);
+                opening = opening * ratio.map(power, number * power / r);
             } else {
-                sums.add(duration, &impact, 1.0, 1.0);
+                sums.add(duration, &impact, one, one);
                 (slip, opening) = (impact.after.slip, impact.after.gap_rate);
             }
-            if opening <= NEGLIGIBLE_RATE_RATIO * gap_rate {
-                return Ok(self.settled((state, gap_rate), &sums, slip, (ratio, impact.case)));
+            if opening.value() <= NEGLIGIBLE_RATE_RATIO * start.gap_rate.value() {
+                return Ok(self.settled(start, &sums, slip, (ratio, impact.case)));
             }
-            if opening > gap_rate / f64::EPSILON {
-                return Err(NoSettling::Grows { ratio });
+            if opening.value() > start.gap_rate.value() / f64::EPSILON {
+                return Err(NoSettling::Grows { ratio: r });
             }
         }
         Err(NoSettling::Unsettled { bounces: MAX_BOUNCES })
@@ -273,18 +302,19 @@ impl Bounces {
 
     fn settled(
         &self,
-        (state, gap_rate): (&State, f64),
-        sums: &Sums,
-        slip: f64,
-        (ratio, case): (f64, ImpactCase),
-    ) -> Settling {
+        start: ContactVelocities<T>,
+        sums: &Sums<T>,
+        slip: T,
+        (ratio, case): (T, ImpactCase),
+    ) -> Settling<T> {
         let impulse = Impulse { normal: sums.normal, friction: sums.friction };
         let before = ContactVelocities {
-            theta_rate: state.theta_rate,
-            slip: state.slip + self.slip_acceleration * sums.duration,
-            gap_rate: gap_rate - self.contact_force * sums.duration,
+            theta_rate: start.theta_rate,
+            slip: start.slip + self.slip_acceleration * sums.duration,
+            gap_rate: start.gap_rate - self.contact_force * sums.duration,
         };
-        let after = ContactVelocities { theta_rate: state.theta_rate + sums.theta_rate, slip, gap_rate: 0.0 };
+        let theta_rate = start.theta_rate + sums.theta_rate;
+        let after = ContactVelocities { theta_rate, slip, gap_rate: T::constant(0.0) };
         let impact = Impact {
             case,
             before,
@@ -293,32 +323,41 @@ impl Bounces {
             normal_work: sums.normal_work,
             friction_work: sums.friction_work,
         };
-        Settling { gap_rate, duration: sums.duration, ratio, impact }
+        Settling { gap_rate: start.gap_rate, duration: sums.duration, ratio, impact }
     }
 }
 
 /// 1 + r + r² + … with `count` terms.
-fn geometric(ratio: f64, count: f64) -> f64 {
-    if ratio == 1.0 || count <= 1.0 { count } else { libm::expm1(count * libm::log(ratio)) / (ratio - 1.0) }
+fn geometric<T: Number>(ratio: T, count: f64) -> T {
+    let r = ratio.value();
+    if r == 1.0 || count <= 1.0 {
+        // The derivative of the sum at r = 1 is that of its terms.
+        let slope = if count <= 1.0 { 0.0 } else { 0.5 * count * (count - 1.0) };
+        return ratio.map(count, slope);
+    }
+    let power = libm::expm1(count * libm::log(r));
+    let sum = power / (r - 1.0);
+    let last = if count == f64::INFINITY { 0.0 } else { count * (power + 1.0) / r };
+    ratio.map(sum, (last - sum) / (r - 1.0))
 }
 
 /// A run of bounces that slip throughout. The slip velocity after the kth is sₖ = s0 + (s1 − s0) gₖ, with the geometric
 /// sum gₖ of k terms.
 #[derive(Clone, Copy, Debug)]
-struct Slides {
-    ratio: f64,
+struct Slides<T> {
+    ratio: T,
     /// Slip velocity s0 after the impact before the first.
-    slip: f64,
+    slip: T,
     /// Slip velocities before and after the first impact.
-    before: f64,
-    after: f64,
+    before: T,
+    after: T,
 }
 
-impl Slides {
+impl<T: Number> Slides<T> {
     /// Number of bounces to add, including the first: all if infinitely many slip, otherwise about half of those that do, so
     /// that rounding does not pass the last.
     fn number(&self) -> f64 {
-        let Self { ratio, slip, before, after } = *self;
+        let [ratio, slip, before, after] = [self.ratio, self.slip, self.before, self.after].map(T::value);
         // The number of bounces until the slip velocity `now` + `change` gₖ vanishes.
         let further = |now: f64, change: f64| {
             let until = -now / change;
@@ -339,12 +378,12 @@ impl Slides {
     }
 
     /// The sum of the mean slip velocities in `number` impacts, each weighted with its impulse over the first.
-    fn slipped(&self, number: f64) -> f64 {
+    fn slipped(&self, number: f64) -> T {
         let Self { ratio, slip, before, after } = *self;
         let count = geometric(ratio, number);
         let change = after - slip;
         slip * count
-            + change * (ratio / (1.0 + ratio) * count * geometric(ratio, number - 1.0))
-            + 0.5 * (before - slip + change) * geometric(ratio * ratio, number)
+            + change * (ratio / (ratio + 1.0) * count * geometric(ratio, number - 1.0))
+            + (before - slip + change) * 0.5 * geometric(ratio * ratio, number)
     }
 }

@@ -1,5 +1,6 @@
 //! The body: a hoop or disc with a particle fixed to it, in the dimensionless parameters of (2.9).
 
+use crate::math::number::Number;
 use crate::model::{
     Bound, MIN_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, getters, setters, within,
 };
@@ -93,17 +94,17 @@ pub enum Body {
 /// A hoop with inertia; its mass ratio may be 0. Constructed by [`Hoop::new`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Heavy {
+pub struct Heavy<T = f64> {
     /// Total mass m = 1 + m̂1.
-    pub mass: f64,
+    pub mass: T,
     /// Distance of the mass centre from the geometric centre, h = ℓ̂/m (2.4).
-    pub h: f64,
+    pub h: T,
     /// Offset of the particle, ℓ̂ = m h.
-    pub offset: f64,
+    pub offset: T,
     /// Moment of inertia about the mass centre, Î = Î_zz + m̂1 ℓ̂²/(1 + m̂1) (2.1).
-    pub inertia: f64,
+    pub inertia: T,
     /// Gravity along the plane over that normal to it, tan α; −0 on a level plane, so that every sum with it is unchanged.
-    pub tilt: f64,
+    pub tilt: T,
 }
 
 /// Littlewood's hoop: no mass, no inertia, a particle at 0 < ℓ̂ ≤ 1. Constructed by [`Hoop::new`].
@@ -173,16 +174,14 @@ impl Hoop {
         }
         within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
 
-        let tilt = if slope == 0.0 { -0.0 } else { libm::tan(slope) };
-        let mass = 1.0 + mass_ratio;
-        let about_mass_centre = inertia + mass_ratio * offset * offset / mass;
-        let body = if about_mass_centre > 0.0 {
-            if about_mass_centre < MIN_INERTIA {
-                return Err(ParameterError::NearlyMassless { inertia: about_mass_centre });
+        let heavy = Heavy::of([mass_ratio, offset, inertia], slope);
+        let body = if heavy.inertia > 0.0 {
+            if heavy.inertia < MIN_INERTIA {
+                return Err(ParameterError::NearlyMassless { inertia: heavy.inertia });
             }
-            Body::Heavy(Heavy { mass, h: offset / mass, offset, inertia: about_mass_centre, tilt })
+            Body::Heavy(heavy)
         } else if offset > 0.0 && mass_ratio == 0.0 {
-            Body::Massless(Massless { offset, tilt })
+            Body::Massless(Massless { offset, tilt: heavy.tilt })
         } else {
             return Err(ParameterError::NoMotion { mass_ratio });
         };
@@ -224,6 +223,12 @@ impl Hoop {
         Self::new(self.parameters.with_restitution(restitution.coefficient(), restitution.law()))
     }
 
+    /// The parameters of the equations of rolling, which hold without inertia, too.
+    pub(crate) fn rigid_body(&self) -> Heavy {
+        let HoopParameters { mass_ratio, offset, inertia, slope, .. } = self.parameters;
+        Heavy::of([mass_ratio, offset, inertia], slope)
+    }
+
     /// √cos α: velocities over it are those in units in which gravity normal to the plane is 1. It is 1 on a level plane.
     pub(crate) fn pace(&self) -> f64 {
         libm::cos(self.parameters.slope).sqrt()
@@ -238,9 +243,23 @@ impl Hoop {
     }
 }
 
-impl Heavy {
+impl<T: Number> Heavy<T> {
+    /// The body of a mass ratio, an offset and a moment of inertia Î_zz, on a slope; without inertia also that of a massless hoop.
+    pub(crate) fn of([mass_ratio, offset, inertia]: [T; 3], slope: T) -> Self {
+        let (_, cos) = libm::sincos(slope.value());
+        let tilt = if slope.value() == 0.0 { -0.0 } else { libm::tan(slope.value()) };
+        let mass = mass_ratio + 1.0;
+        Self {
+            mass,
+            h: offset / mass,
+            offset,
+            inertia: inertia + mass_ratio * offset * offset / mass,
+            tilt: slope.map(tilt, 1.0 / (cos * cos)),
+        }
+    }
+
     /// `tilt` as a term to subtract: +0 on a level plane.
-    pub(crate) const fn pull(&self) -> f64 {
+    pub(crate) fn pull(&self) -> T {
         self.tilt + 0.0
     }
 }

@@ -464,7 +464,7 @@ fn lands<T: Solver>(solver: &T, now: &mut Current<T::Place>, state: State, gap_r
     }
     // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
-    let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
+    let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution.parts());
     Some(rebounds(solver, now, &body, (event, impact)))
 }
 

@@ -171,7 +171,7 @@ impl Sliding {
             direction,
             start: State { theta, ..start },
             turns: [turns, rest].map(|part| if part == 0.0 { -0.0 } else { part }),
-            path: law.path(&start, libm::sincos(start.theta)),
+            path: law.path([start.theta_rate, start.slip, start.x], libm::sincos(start.theta)),
             steps: Vec::new(),
             leaps: Vec::new(),
             attempts: 0,

@@ -4,6 +4,7 @@
 //! θ, θ′, η′ and of the two quantities whose signs limit sliding, w and P. They solve the equations of [`SlidingLaw`], which a
 //! test checks.
 
+use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
@@ -16,28 +17,28 @@ pub(super) const INITIAL_MAX_STEP: f64 = 16.0;
 
 /// A point of the (θ, θ′) plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PhasePoint {
-    pub(super) theta: f64,
-    pub(super) rate: f64,
+pub(crate) struct PhasePoint<T = f64> {
+    pub(crate) theta: T,
+    pub(crate) rate: T,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SlideSeries {
-    pub(super) theta: Series,
-    pub(super) theta_rate: Series,
-    pub(super) slip: Series,
+pub(crate) struct SlideSeries<T = f64> {
+    pub(crate) theta: Series<T>,
+    pub(crate) theta_rate: Series<T>,
+    pub(crate) slip: Series<T>,
     /// w = 1 − h cos θ θ′², proportional to the normal force: N = Î m w/P.
-    pub(super) contact: Series,
+    pub(crate) contact: Series<T>,
     /// P = Î + m h s q: sliding has a unique solution while P > 0 (Painlevé).
-    pub(super) solvability: Series,
+    pub(crate) solvability: Series<T>,
 }
 
-impl SlideSeries {
+impl<T: Number> SlideSeries<T> {
     /// Series about (θ, θ′, η′).
-    pub(super) fn new(law: &SlidingLaw, PhasePoint { theta, rate }: PhasePoint, slip: f64) -> Self {
+    pub(crate) fn new(law: &SlidingLaw<T>, PhasePoint { theta, rate }: PhasePoint<T>, slip: T) -> Self {
         let Heavy { mass: m, h, inertia, .. } = law.body;
         let friction = law.friction;
-        let zero = [0.0; DEGREE + 1];
+        let zero = [T::constant(0.0); DEGREE + 1];
         let mut s = Self { theta: zero, theta_rate: zero, slip: zero, contact: zero, solvability: zero };
         let (mut sin, mut cos, mut u, mut q) = (zero, zero, zero, zero);
         let (mut lever, mut acceleration) = (zero, zero);
@@ -46,22 +47,22 @@ impl SlideSeries {
 
         s.theta[0] = theta;
         s.theta_rate[0] = rate;
-        if h == 0.0 {
+        if h.value() == 0.0 {
             // The accelerations are constant; powers of those of a hoop of tiny inertia overflow.
             let acceleration = m * -friction / inertia;
-            (s.theta[1], s.theta[2]) = (rate, 0.5 * acceleration);
+            (s.theta[1], s.theta[2]) = (rate, acceleration * 0.5);
             s.theta_rate[1] = acceleration;
-            (s.contact[0], s.solvability[0]) = (1.0, inertia);
+            (s.contact[0], s.solvability[0]) = (T::constant(1.0), inertia);
             (s.slip[0], s.slip[1]) = (slip, acceleration - law.drag());
             return s;
         }
-        (sin[0], cos[0]) = libm::sincos(theta);
+        (sin[0], cos[0]) = theta.sincos();
         let mut order = 0.0;
         for n in 0..=DEGREE {
             if n > 0 {
                 s.theta_rate[n] = acceleration[n - 1] / order;
                 s.theta[n] = s.theta_rate[n - 1] / order;
-                increment[n] = order * s.theta[n];
+                increment[n] = s.theta[n] * order;
             }
             let [square, forth, back] =
                 convolve([(&s.theta_rate, &s.theta_rate), (&increment, &cos), (&increment, &sin)], n);
@@ -72,7 +73,7 @@ impl SlideSeries {
             }
             let constant = if n == 0 { 1.0 } else { 0.0 };
             q[n] = law.q(constant, sin[n], cos[n]);
-            lever[n] = constant + h * cos[n] + friction * h * sin[n];
+            lever[n] = h * cos[n] + constant + friction * h * sin[n];
             let [cos_u, sin_q, levered] = convolve([(&cos, &u), (&sin, &q), (&s.theta_rate, &lever)], n);
             s.contact[n] = contact(constant, h, cos_u);
             s.solvability[n] = inertia * constant + m * h * sin_q;
@@ -80,23 +81,25 @@ impl SlideSeries {
             let [driven] = convolve([(&q, &s.contact)], n);
             let mut remainder = m * driven;
             for j in 1..=n {
-                remainder -= s.solvability[j] * acceleration[n - j];
+                remainder = remainder - s.solvability[j] * acceleration[n - j];
             }
             acceleration[n] = remainder / s.solvability[0];
             order += 1.0;
         }
         // First integral of sliding: η′ = const − (μk σ + tan α) τ + θ′ (1 + h cos θ + μk σ h sin θ).
         s.slip[0] = slip;
-        s.slip[1] -= law.drag();
+        s.slip[1] = s.slip[1] - law.drag();
         s
     }
 
     /// Angle and rate after a time.
     #[inline]
-    pub(super) fn point(&self, at: f64) -> PhasePoint {
+    pub(crate) fn point(&self, at: f64) -> PhasePoint<T> {
         PhasePoint { theta: value(&self.theta, at), rate: value(&self.theta_rate, at) }
     }
+}
 
+impl SlideSeries {
     /// Step of a balanced hoop, ℓ = 0. Its accelerations are constant and the series finite, so one step covers the slide up to
     /// η′ = 0, or one turn without friction.
     pub(super) fn straight_reach(&self) -> f64 {

@@ -1,0 +1,167 @@
+//! Numbers that carry derivatives: one statement of an equation gives its value, for `f64`, and its derivatives, for [`Dual`].
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number in which an equation is written.
+pub trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+{
+    /// A number that does not change.
+    fn constant(value: f64) -> Self;
+    fn value(self) -> f64;
+    /// A function of this number, from its value and its derivative.
+    fn map(self, value: f64, derivative: f64) -> Self;
+
+    fn sincos(self) -> (Self, Self) {
+        let (sin, cos) = libm::sincos(self.value());
+        (self.map(sin, cos), self.map(cos, -sin))
+    }
+
+    fn sqrt(self) -> Self {
+        let root = self.value().sqrt();
+        self.map(root, 0.5 / root)
+    }
+
+    fn abs(self) -> Self {
+        self.map(self.value().abs(), 1.0_f64.copysign(self.value()))
+    }
+
+    /// The smaller of two numbers.
+    fn min(self, other: Self) -> Self {
+        if other.value() < self.value() { other } else { self }
+    }
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn value(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn map(self, value: f64, _: f64) -> Self {
+        value
+    }
+}
+
+/// A value and its derivatives with respect to K quantities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Dual<const K: usize> {
+    pub(crate) value: f64,
+    pub(crate) parts: [f64; K],
+}
+
+impl<const K: usize> Dual<K> {
+    /// The same derivatives of a value that is known better.
+    pub(crate) const fn at(self, value: f64) -> Self {
+        Self { value, ..self }
+    }
+}
+
+impl<const K: usize> Number for Dual<K> {
+    #[inline]
+    fn constant(value: f64) -> Self {
+        Self { value, parts: [0.0; K] }
+    }
+
+    #[inline]
+    fn value(self) -> f64 {
+        self.value
+    }
+
+    #[inline]
+    fn map(self, value: f64, derivative: f64) -> Self {
+        Self { value, parts: self.parts.map(|part| derivative * part) }
+    }
+}
+
+impl<const K: usize> Add for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let parts = core::array::from_fn(|k| self.parts[k] + other.parts[k]);
+        Self { value: self.value + other.value, parts }
+    }
+}
+
+impl<const K: usize> Sub for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        let parts = core::array::from_fn(|k| self.parts[k] - other.parts[k]);
+        Self { value: self.value - other.value, parts }
+    }
+}
+
+impl<const K: usize> Mul for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let parts = core::array::from_fn(|k| self.parts[k] * other.value + self.value * other.parts[k]);
+        Self { value: self.value * other.value, parts }
+    }
+}
+
+impl<const K: usize> Div for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let parts = core::array::from_fn(|k| (self.parts[k] - value * other.parts[k]) / other.value);
+        Self { value, parts }
+    }
+}
+
+impl<const K: usize> Neg for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self { value: -self.value, parts: self.parts.map(|part| -part) }
+    }
+}
+
+impl<const K: usize> Add<f64> for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: f64) -> Self {
+        self.at(self.value + other)
+    }
+}
+
+impl<const K: usize> Sub<f64> for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: f64) -> Self {
+        self.at(self.value - other)
+    }
+}
+
+impl<const K: usize> Mul<f64> for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: f64) -> Self {
+        self.map(self.value * other, other)
+    }
+}
+
+impl<const K: usize> Div<f64> for Dual<K> {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: f64) -> Self {
+        Self { value: self.value / other, parts: self.parts.map(|part| part / other) }
+    }
+}
