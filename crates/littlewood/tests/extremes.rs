@@ -185,6 +185,35 @@ fn slides_after_many_turns_keep_the_digits_of_an_angle_in_its_turn() {
     assert!((motion.jump_length - 0.028_799_516_892_151_345).abs() < 1e-11, "{motion:?}");
 }
 
+/// At the top a light hoop has 1e-5 of the energy that it has at the bottom, and its slip all but vanishes there: events that rounding of the
+/// energy would make (60 digits, `evidence/reference/follower`).
+#[test]
+fn a_light_hoop_without_friction_has_its_rate_at_the_top_to_the_last_digits() {
+    let hoop = HoopParameters::thin(0.0).with_inertia(0.000_112_281_813_254_295_91);
+    let start = Start::at(0.0, -0.822_255_722_075_246_2).with_slip(-1.903_046_044_822_691e-10);
+    let hoop = Hoop::new(hoop).expect("a valid hoop");
+    let motion = hoop.simulate(start, Limits::until(20.0)).expect("a valid start");
+    let expected = [
+        (1.141_266_053_249_229_8, -1.210_765_548_115_670_7),
+        (2.865_336_167_261_339_1, -5.072_419_759_063_915_8),
+        (5.147_868_273_759_798_7, -7.493_950_855_295_257_2),
+        (6.871_938_387_771_908, -11.355_605_066_243_502),
+        (9.154_470_494_270_368, -13.777_136_162_474_844),
+        (10.878_540_608_282_477, -17.638_790_373_423_09),
+        (13.161_072_714_780_937, -20.060_321_469_654_43),
+        (14.885_142_828_793_046, -23.921_975_680_602_675),
+        (17.167_674_935_291_506, -26.343_506_776_834_017),
+        (18.891_745_049_303_615, -30.205_160_987_782_262),
+    ];
+    assert_eq!(motion.transitions().len(), expected.len());
+    for (transition, (time, theta)) in motion.transitions().iter().zip(expected) {
+        assert_eq!(transition.cause, Cause::Reversal);
+        // ε (1 + |θ|) of each of the slides before, over Î where the hoop is slow.
+        assert!((transition.time() - time).abs() < 1e-11, "{transition:?}");
+        assert!((transition.before.theta - theta).abs() < 1e-12, "{transition:?}");
+    }
+}
+
 /// The lighter a hoop, the faster an impact turns it, up to rates at which it would start nowhere, and beyond all numbers.
 #[test]
 fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {

@@ -6,7 +6,7 @@ use crate::ablation::{Part, is_on};
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::without_turns;
 use crate::mechanics::{SlidePath, SlidingLaw};
-use crate::model::{Direction, Hoop, Mode, State};
+use crate::model::{Direction, Heavy, Hoop, Mode, State};
 use crate::modes::{Instant, Recurrence, Sample};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, Turns, section_of};
@@ -235,7 +235,8 @@ impl Sliding {
                     Event::Singular => self.singular_end(found),
                 };
             }
-            let next = self.here(here.elapsed + width, here.turned, series.point(width));
+            let reached = self.with_energy(series.point(width));
+            let next = self.here(here.elapsed + width, here.turned, reached);
             if self.law.body.h == 0.0 && self.law.body.tilt != 0.0 && sign * series.slip[1] >= 0.0 {
                 // The pull of the slope along the plane is at least the friction force, at all times.
                 let acceleration = series.slip[1] - series.theta_rate[1];
@@ -371,6 +372,28 @@ impl Sliding {
     /// η′ − θ′ (1 + h c + μk σ h s) + (μk σ + tan α) τ at the start.
     fn integral(&self) -> f64 {
         self.law.momentum_integral(&State { time: 0.0, ..self.start })
+    }
+
+    /// A place of a slide without kinetic friction with the rate from the energy D θ′²/2 + m h cos θ, D = Î + m h² sin²θ, where its terms
+    /// hardly cancel. The rate of a light hoop at the top is otherwise known to the rounding of its energy at the bottom.
+    fn with_energy(&self, place: PhasePoint) -> PhasePoint {
+        let (Heavy { mass, h, inertia, .. }, from) = (self.law.body, self.start);
+        if self.law.friction != 0.0 {
+            return place;
+        }
+        let [before, now] = [from.theta, place.theta].map(|theta| {
+            let arm = h * libm::sin(theta);
+            inertia + mass * arm * arm
+        });
+        let kinetic = 0.5 * before * from.theta_rate * from.theta_rate;
+        let [mean, half] =
+            [place.theta + from.theta, place.theta - from.theta].map(|sum| libm::sin(0.5 * sum));
+        let fallen = 2.0 * mass * h * mean * half;
+        let energy = kinetic + fallen;
+        if energy < 0.5 * (kinetic + fallen.abs()) {
+            return place;
+        }
+        PhasePoint { rate: (2.0 * energy / now).sqrt().copysign(place.rate), ..place }
     }
 
     /// A point of the slide, with η′ from the first integral.
