@@ -72,7 +72,7 @@ impl Sway {
         let mut sway =
             Self { same: nothing.clone(), all: nothing, steady: vec![true; codes(&motion.summary()).len()] };
         for ((start, moved), phase) in moved_phases(motion).zip(motion.phases()) {
-            // A phase of many turns rounds in each of them, independently.
+            // A phase of many turns rounds in each of them, in the same way where they pass the same series.
             let turned = phase.end().map_or(0.0, |end| (end.theta - start.theta).abs() / TAU);
             let Some(here) = summary(start) else { continue };
             let mut of_phase = [vec![0.0_f64; sway.same.len()], vec![0.0_f64; sway.all.len()]];
@@ -91,7 +91,7 @@ impl Sway {
                 }
             }
             for (sums, of_phase) in [&mut sway.same, &mut sway.all].into_iter().zip(of_phase) {
-                let times = (1.0 + turned).sqrt();
+                let times = 1.0 + turned;
                 sums.iter_mut().zip(of_phase).for_each(|(sum, change)| *sum = sum.hypot(times * change));
             }
         }
