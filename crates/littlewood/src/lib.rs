@@ -181,6 +181,18 @@ pub mod many {
     pub use crate::engine::{Doubt, EngineBuilder, StartError};
 }
 
+pub mod derivatives {
+    //! Derivatives of a motion with respect to the quantities of its hoop, plane and start.
+    //!
+    //! [`Trajectory::derivatives`](crate::Trajectory::derivatives) differentiates the time of each transition, the states before and after
+    //! it, and the outcome; [`Trajectory::derivatives_at`](crate::Trajectory::derivatives_at) the state at a time. A derivative that does
+    //! not exist is a [`NoDerivative`] with its reason.
+
+    pub use crate::motion::derivatives::{
+        Derivative, Derivatives, EventDerivative, NoDerivative, NotDifferentiable, OutcomeDerivative,
+    };
+}
+
 pub mod si {
     //! SI units: a hoop and its start in kilograms, metres and seconds, and the units that convert its motion.
     //!

@@ -10,6 +10,7 @@ mod coincidences;
 mod common;
 mod counts;
 mod degenerate;
+mod derivatives;
 mod digits;
 mod documentation;
 mod engine;

@@ -153,8 +153,8 @@ fn a_slide_towards_unbounded_forces_does_not_lift_off() {
     let hoop = Hoop::new(hoop).expect("a valid hoop");
     let motion = hoop.simulate(start, Limits::until(0.2)).expect("a valid start");
     let expected = [
-        (Cause::Slip, 0.056_359_463_235_719_385),
-        (Cause::Stick, 0.061_317_605_848_191_185),
+        (Cause::Slip, 0.056_359_463_235_719_39),
+        (Cause::Stick, 0.061_317_605_848_191_19),
         (Cause::Slip, 0.169_616_068_418_884_76),
         (Cause::Stick, 0.170_377_317_231_451_65),
     ];
@@ -195,15 +195,15 @@ fn a_light_hoop_without_friction_has_its_rate_at_the_top_to_the_last_digits() {
     let motion = hoop.simulate(start, Limits::until(20.0)).expect("a valid start");
     let expected = [
         (1.141_266_053_249_229_8, -1.210_765_548_115_670_7),
-        (2.865_336_167_261_339_1, -5.072_419_759_063_915_8),
-        (5.147_868_273_759_798_7, -7.493_950_855_295_257_2),
+        (2.865_336_167_261_339, -5.072_419_759_063_916),
+        (5.147_868_273_759_799, -7.493_950_855_295_258),
         (6.871_938_387_771_908, -11.355_605_066_243_502),
         (9.154_470_494_270_368, -13.777_136_162_474_844),
         (10.878_540_608_282_477, -17.638_790_373_423_09),
         (13.161_072_714_780_937, -20.060_321_469_654_43),
         (14.885_142_828_793_046, -23.921_975_680_602_675),
         (17.167_674_935_291_506, -26.343_506_776_834_017),
-        (18.891_745_049_303_615, -30.205_160_987_782_262),
+        (18.891_745_049_303_615, -30.205_160_987_782_26),
     ];
     assert_eq!(motion.transitions().len(), expected.len());
     for (transition, (time, theta)) in motion.transitions().iter().zip(expected) {

@@ -109,6 +109,7 @@ impl<const K: usize> Sub for Dual<K> {
 
 impl<const K: usize> Mul for Dual<K> {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "the derivative of a product")]
     #[inline]
     fn mul(self, other: Self) -> Self {
         let parts = core::array::from_fn(|k| self.parts[k] * other.value + self.value * other.parts[k]);
@@ -118,6 +119,7 @@ impl<const K: usize> Mul for Dual<K> {
 
 impl<const K: usize> Div for Dual<K> {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "the derivative of a quotient")]
     #[inline]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;

@@ -149,6 +149,12 @@ impl<T: Number> RollingLaw<T> {
         (self.offset * sin * (one + u) + pull * one) / denominator
     }
 
+    /// E of (2.8) from the kinetic energy, θ and (sin θ, cos θ).
+    pub(crate) fn energy_of(&self, kinetic: T, theta: T, (sin, cos): (T, T)) -> T {
+        let fallen = (self.mass * theta + self.offset * sin) * self.tilt;
+        kinetic + self.weight * (self.offset * cos) - self.weight * fallen
+    }
+
     /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12), from D. With θ″ of (2.11)
     /// F = [ℓ̂ sin θ (u (Î + ℓ̂(h + cos θ)) − m − ℓ̂ cos θ) + (m Î + ℓ̂² sin²θ) tan α]/D, which keeps the digits of a heavy hoop.
     #[inline]
@@ -219,10 +225,8 @@ impl RollingLaw {
     /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ cos α − (m θ + ℓ̂ sin θ) sin α (2.8, and 3.2 for Littlewood's hoop), where x = −θ.
     #[must_use]
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
-        let (sin, cos) = libm::sincos(theta);
         let kinetic = 0.5 * self.denominator(theta) * theta_rate * theta_rate;
-        let fallen = (self.mass * theta + self.offset * sin) * self.tilt;
-        kinetic + self.weight * (self.offset * cos) - self.weight * fallen
+        self.energy_of(kinetic, theta, libm::sincos(theta))
     }
 
     /// The angles of the unstable and of the stable equilibrium, sin(θ + α) = −sin α/h: 0 and π on a level plane. None where the slope

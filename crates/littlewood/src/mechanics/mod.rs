@@ -13,11 +13,11 @@ pub(crate) mod solvability;
 
 pub(crate) use self::closed_form::{RollingType, rolling_energy};
 pub(crate) use self::equations::{
-    ContactForces, RollingLaw, SlidePath, SlidingLaw, contact, energy, energy_at, leaves_plane,
-    slip_acceleration_at_rest,
+    Accelerations, ContactForces, RollingLaw, SlidePath, SlidingLaw, contact, energy, energy_at,
+    leaves_plane, slip_acceleration_at_rest,
 };
 pub(crate) use self::frictionless::{FrictionlessIntegrals, converge};
 pub(crate) use self::impact::{Contact, ContactVelocities, Impact, ImpactCase, Impulse};
 pub(crate) use self::lift_off::ContactProof;
-pub(crate) use self::settling::Settling;
+pub(crate) use self::settling::{Bounces, Settling};
 pub(crate) use self::solvability::lowest_zero;

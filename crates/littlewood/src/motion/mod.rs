@@ -3,6 +3,7 @@
 pub(crate) mod class;
 pub(crate) mod classify;
 pub(crate) mod columns;
+pub(crate) mod derivatives;
 pub(crate) mod digits;
 pub(crate) mod simulate;
 pub(crate) mod summary;

@@ -69,6 +69,8 @@ getters! {
     pub settles: bool = self.settles;
     /// Rate of the gap at the start.
     pub take_off_rate: f64 = self.gap.rise * self.clock;
+    /// Whether it begins at a lift-off from sliding, where the gap opens with the third power of the time.
+    pub(crate) lifts_off: bool = self.gap.opening == 0.0 && self.gap.rise == 0.0;
     /// Time from the start of the flight to the landing.
     pub duration: f64 = self.landing.at / self.clock;
 }

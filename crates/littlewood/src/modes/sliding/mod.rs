@@ -16,6 +16,7 @@ mod turn;
 
 pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlidingEnd};
+pub(crate) use series::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
 
 /// The limit that stopped a motion with long slides.
 #[derive(Clone, Copy, Debug, PartialEq)]

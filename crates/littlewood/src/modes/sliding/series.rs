@@ -10,7 +10,7 @@ use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
 
 /// Largest truncation error of a step, relative to θ′ and θ″: below the rounding.
-const TRUNCATION_TOLERANCE: f64 = f64::EPSILON / 4.0;
+pub(crate) const TRUNCATION_TOLERANCE: f64 = f64::EPSILON / 4.0;
 
 /// Maximum of the first steps: the series of a body at rest has no time scale.
 pub(super) const INITIAL_MAX_STEP: f64 = 16.0;

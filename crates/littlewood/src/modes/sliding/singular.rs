@@ -147,8 +147,8 @@ impl Approach<'_> {
         // The lever changes by the distance, so that each round gains its digits.
         for _ in 0..3 {
             let y = y_of(end.rate * end.rate);
-            // Rejects NaN, too: an end that rounding puts before the approach.
-            if !(y <= 0.0) {
+            // Rounding puts the end before the approach.
+            if y > 0.0 || y.is_nan() {
                 return Ending::here(Fate::Sticks, end.rate);
             }
             end.ahead = -zero.ahead * libm::expm1(y);

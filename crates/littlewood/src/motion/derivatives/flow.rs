@@ -1,0 +1,282 @@
+//! The flow of each mode over numbers that carry derivatives.
+//!
+//! Rolling and sliding follow Taylor series of their equations, the derivatives along with the state; the slip and the position of a slide
+//! follow from its first integrals. Glides and flights are in closed form.
+
+use crate::math::number::{Dual, Number};
+use crate::math::series::{DEGREE, Series, convolve, value};
+use crate::math::trig::TruncatedSeries;
+use crate::mechanics::{Accelerations, RollingLaw, SlidingLaw};
+use crate::model::{Direction, Heavy, State};
+use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
+
+use super::NoDerivative;
+
+/// Longest step: the series of a body at rest has no time scale.
+const MAX_STEP: f64 = 1.0;
+
+/// Largest number of Taylor steps of a phase.
+const MAX_STEPS: usize = 20_000;
+
+/// Number of coefficients of which one is the scale of a series.
+const LEADING: usize = 5;
+
+/// A state without its time.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point<T> {
+    pub(super) theta: T,
+    pub(super) rate: T,
+    pub(super) slip: T,
+    pub(super) x: T,
+}
+
+impl<T: Number> Point<T> {
+    /// Applies a function to each number, with that of another point.
+    pub(super) fn zip<A: Copy, B>(self, other: Point<A>, f: impl Fn(T, A) -> B) -> Point<B> {
+        Point {
+            theta: f(self.theta, other.theta),
+            rate: f(self.rate, other.rate),
+            slip: f(self.slip, other.slip),
+            x: f(self.x, other.x),
+        }
+    }
+}
+
+impl From<&State> for Point<f64> {
+    fn from(state: &State) -> Self {
+        Self { theta: state.theta, rate: state.theta_rate, slip: state.slip, x: state.x }
+    }
+}
+
+/// A mode with its direction of slip, and the rate of the gap at the start of a flight; none at a lift-off, where the gap opens with the
+/// third power of the time.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Motion<T> {
+    Rolls,
+    Slides(Direction),
+    Glides,
+    Flies { from: Point<T>, rise: T, lifts_off: bool },
+}
+
+/// The body and its kinetic friction.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plane<T> {
+    pub(super) body: Heavy<T>,
+    pub(super) mu_k: T,
+}
+
+impl<T: Number> Plane<T> {
+    fn sliding(&self, direction: Direction) -> SlidingLaw<T> {
+        SlidingLaw::of_body(self.body, self.mu_k, direction)
+    }
+
+    /// The rates of a state.
+    pub(super) fn rates(&self, motion: &Motion<T>, at: &Point<T>) -> Point<T> {
+        let (sin, cos) = at.theta.sincos();
+        let Point { rate, slip, .. } = *at;
+        let Heavy { h, .. } = self.body;
+        let (spin, slips) = match motion {
+            Motion::Rolls => {
+                let law = RollingLaw::of_body(&self.body);
+                let one = T::constant(1.0);
+                let spin = law.acceleration((sin, cos), [one, rate * rate], law.denominator_of((sin, cos)));
+                (spin, T::constant(0.0))
+            }
+            Motion::Slides(direction) => {
+                let Accelerations { theta, slip } =
+                    self.sliding(*direction).accelerations_at((sin, cos), rate);
+                (theta, slip)
+            }
+            Motion::Glides => {
+                let spin = (-(h * cos * rate * rate) + 1.0) / (h * sin);
+                (spin, spin * (h * cos + 1.0) - h * sin * rate * rate - self.body.pull())
+            }
+            Motion::Flies { .. } => (T::constant(0.0), -(h * sin * rate * rate) - self.body.pull()),
+        };
+        Point { theta: rate, rate: spin, slip: slips, x: slip - rate }
+    }
+
+    /// The gap of a flight after a time, and its rate.
+    pub(super) fn gap(&self, (from, rise, lifts_off): (&Point<T>, T, bool), elapsed: T) -> (T, T) {
+        let Heavy { h, .. } = self.body;
+        let (sin, cos) = from.theta.sincos();
+        let rate = from.rate.abs();
+        let sin = if from.rate.value() < 0.0 { -sin } else { sin };
+        let turned = rate * elapsed;
+        let phi = turned.value();
+        let TruncatedSeries { sine, versine, odd, even } = TruncatedSeries::new(phi);
+        let [sine_of, versine_of, odd_of, even_of] = [
+            turned.map(sine, 1.0 - versine),
+            turned.map(versine, sine),
+            turned.map(odd, versine),
+            turned.map(even, odd),
+        ];
+        if phi <= 1.0 {
+            // Without the difference of h cos θ θ′² and 1, which vanishes at a lift-off along with its derivatives.
+            let opening = if lifts_off { T::constant(0.0) } else { h * cos * rate * rate - T::constant(1.0) };
+            let gap = elapsed * (rise + opening * elapsed * 0.5) - h * (cos * even_of + sin * odd_of);
+            (gap, rise + opening * elapsed - h * rate * (cos * odd_of + sin * versine_of))
+        } else {
+            let gap = elapsed * (rise - elapsed * 0.5) + h * (cos * versine_of - sin * odd_of);
+            (gap, rise - elapsed + h * rate * (cos * sine_of - sin * versine_of))
+        }
+    }
+}
+
+impl<const K: usize> Plane<Dual<K>> {
+    /// The state after a time that is the same for all motions.
+    pub(super) fn follow(
+        &self,
+        motion: &Motion<Dual<K>>,
+        from: &Point<Dual<K>>,
+        elapsed: f64,
+    ) -> Result<Point<Dual<K>>, NoDerivative> {
+        match motion {
+            Motion::Rolls => {
+                let law = RollingLaw::of_body(&self.body);
+                let PhasePoint { theta, rate } =
+                    in_steps(from, elapsed, |place| RollSeries::new(&law, place).parts())?;
+                Ok(Point { theta, rate, slip: from.slip, x: from.x - (theta - from.theta) })
+            }
+            Motion::Slides(direction) => {
+                let law = self.sliding(*direction);
+                let PhasePoint { theta, rate } = in_steps(from, elapsed, |place| {
+                    let series = SlideSeries::new(&law, place, from.slip);
+                    [series.theta, series.theta_rate]
+                })?;
+                let (start, end) = (from.theta.sincos(), theta.sincos());
+                let time = Dual::constant(elapsed);
+                let lever = |(sin, cos)| law.lever(sin, cos);
+                let slip = from.slip - from.rate * lever(start) + rate * lever(end) - law.drag() * time;
+                let path = law.path([from.rate, from.slip, from.x], start);
+                Ok(Point { theta, rate, slip, x: path.x(time, end) })
+            }
+            Motion::Glides => self.glide(from, elapsed),
+            Motion::Flies { .. } => {
+                let Heavy { h, .. } = self.body;
+                let (start, theta) = (from.theta.sincos(), from.theta + from.rate * elapsed);
+                let (sin, cos) = theta.sincos();
+                let vx = from.slip - (h * start.1 + 1.0) * from.rate;
+                let pulled = self.body.pull() * elapsed;
+                let slip = vx - pulled + (h * cos + 1.0) * from.rate;
+                let x = from.x - h * start.0 + (vx - pulled * 0.5) * elapsed + h * sin;
+                Ok(Point { theta, rate: from.rate, slip, x })
+            }
+        }
+    }
+
+    /// The free fall of the particle of a massless hoop.
+    fn glide(&self, from: &Point<Dual<K>>, elapsed: f64) -> Result<Point<Dual<K>>, NoDerivative> {
+        let h = self.body.h;
+        let (sin, cos) = from.theta.sincos();
+        let rise = -(h * sin * from.rate);
+        let cosine = cos + (rise - 0.5 * elapsed) * elapsed / h;
+        let turns = libm::floor(from.theta.value() / core::f64::consts::PI) * core::f64::consts::PI;
+        let side = if sin.value() < 0.0 { -1.0 } else { 1.0 };
+        let root = ((1.0 - cosine.value()) * (1.0 + cosine.value())).sqrt();
+        if root == 0.0 || root.is_nan() {
+            return Err(NoDerivative::Singular);
+        }
+        // The angle on the side of the vertical on which the particle is.
+        let angle = libm::acos(cosine.value().clamp(-1.0, 1.0));
+        let half_turn = core::f64::consts::PI;
+        let theta = if side > 0.0 { turns + angle } else { turns + half_turn - angle };
+        let theta = cosine.map(theta, -side / root);
+        let (sine, _) = theta.sincos();
+        let rate = (-rise + elapsed) / (h * sine);
+        let drift = from.slip - from.rate * (h * cos + 1.0);
+        let pulled = self.body.pull() * elapsed;
+        let slip = drift - pulled + rate * (h * cosine + 1.0);
+        let x = from.x - h * sin + (drift - pulled * 0.5) * elapsed + h * sine;
+        Ok(Point { theta, rate, slip, x })
+    }
+}
+
+/// The Taylor series of rolling about an angle and a rate.
+struct RollSeries<T> {
+    theta: Series<T>,
+    theta_rate: Series<T>,
+}
+
+impl<T: Number> RollSeries<T> {
+    fn new(law: &RollingLaw<T>, PhasePoint { theta, rate }: PhasePoint<T>) -> Self {
+        let zero = [T::constant(0.0); DEGREE + 1];
+        let mut s = Self { theta: zero, theta_rate: zero };
+        let (mut sin, mut cos, mut u, mut increment) = (zero, zero, zero, zero);
+        let (mut denominator, mut acceleration) = (zero, zero);
+        (s.theta[0], s.theta_rate[0]) = (theta, rate);
+        (sin[0], cos[0]) = theta.sincos();
+        let mut order = 0.0;
+        for n in 0..=DEGREE {
+            if n > 0 {
+                s.theta_rate[n] = acceleration[n - 1] / order;
+                s.theta[n] = s.theta_rate[n - 1] / order;
+                increment[n] = s.theta[n] * order;
+                let [forth, back] = convolve([(&increment, &cos), (&increment, &sin)], n);
+                (sin[n], cos[n]) = (forth / order, -back / order);
+            }
+            let [square] = convolve([(&s.theta_rate, &s.theta_rate)], n);
+            u[n] = square;
+            let [sin_u] = convolve([(&sin, &u)], n);
+            denominator[n] =
+                if n == 0 { law.denominator_of((sin[0], cos[0])) } else { law.offset * 2.0 * cos[n] };
+            let one = T::constant(if n == 0 { 1.0 } else { 0.0 });
+            let mut remainder = law.drive(one, cos[n], sin[n] + sin_u);
+            for j in 1..=n {
+                remainder = remainder - denominator[j] * acceleration[n - j];
+            }
+            acceleration[n] = remainder / denominator[0];
+            order += 1.0;
+        }
+        s
+    }
+
+    fn parts(self) -> [Series<T>; 2] {
+        [self.theta, self.theta_rate]
+    }
+}
+
+/// Follows series of θ and θ′ for a time.
+fn in_steps<const K: usize>(
+    from: &Point<Dual<K>>,
+    elapsed: f64,
+    series: impl Fn(PhasePoint<Dual<K>>) -> [Series<Dual<K>>; 2],
+) -> Result<PhasePoint<Dual<K>>, NoDerivative> {
+    let mut place = PhasePoint { theta: from.theta, rate: from.rate };
+    let mut left = elapsed;
+    for _ in 0..MAX_STEPS {
+        if left <= 0.0 {
+            return Ok(place);
+        }
+        let [theta, rate] = series(place);
+        let reach = reach(&rate);
+        if reach == 0.0 || reach.is_nan() {
+            return Err(NoDerivative::Singular);
+        }
+        let width = reach.min(left);
+        place = PhasePoint { theta: value(&theta, width), rate: value(&rate, width) };
+        left -= width;
+    }
+    Err(NoDerivative::TooLong)
+}
+
+/// The step on which a series and its derivatives converge to rounding, by the rule of [`SlideSeries::reach`].
+fn reach<const K: usize>(rate: &Series<Dual<K>>) -> f64 {
+    let all = (0..=K).map(|k| -> Series { rate.map(|c| if k == K { c.value } else { c.parts[k] }) });
+    all.map(|series| {
+        if !series[DEGREE].is_finite() {
+            return 0.0;
+        }
+        let of = |order: usize| {
+            // What is zero at first grows with the first coefficients that are not.
+            let by = |from: usize| {
+                let ratio = TRUNCATION_TOLERANCE * (series[from] / series[order]).abs();
+                let reach = libm::pow(ratio, 1.0 / (order - from) as f64);
+                if from == 0 { reach } else { reach.min(1.0) }
+            };
+            if series[order] == 0.0 { MAX_STEP } else { (0..LEADING).map(by).fold(0.0, f64::max) }
+        };
+        of(DEGREE - 1).min(of(DEGREE))
+    })
+    .fold(MAX_STEP, f64::min)
+}

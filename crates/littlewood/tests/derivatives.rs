@@ -1,0 +1,326 @@
+//! Derivatives of motions: against central differences with 40 digits (evidence/reference/derivatives.py), conservation laws, symmetries,
+//! and the reasons why some do not exist.
+#![allow(clippy::panic)] // a failed comparison
+#![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
+
+use std::f64::consts::PI;
+
+use crate::common::{heavy_hoop, moderate_hoop, start};
+use littlewood::cases::find_case;
+use littlewood::derivatives::{Derivatives, EventDerivative, NoDerivative};
+use littlewood::modes::{GrazingOrbit, Recurrence};
+use littlewood::tables::Quantity;
+use littlewood::theory::{Body, RollingLaw};
+use littlewood::{
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Phase, Restitution, RestitutionLaw, Sample, Start,
+    State, Trajectory,
+};
+use proptest::prelude::*;
+use serde_json::Value;
+
+fn numbers(state: &State) -> [f64; 5] {
+    [state.time, state.theta, state.theta_rate, state.slip, state.x]
+}
+
+const fn before(event: EventDerivative) -> State {
+    event.before
+}
+
+const fn after(event: EventDerivative) -> State {
+    event.after
+}
+
+fn size(numbers: [f64; 5]) -> f64 {
+    numbers.into_iter().fold(1.0, |size, number| size.max(number.abs()))
+}
+
+/// A light hoop amplifies rounding by the square of the frequency at which it swings, once it passes the bottom.
+fn amplification(hoop: &Hoop) -> f64 {
+    1.0 + match hoop.body() {
+        Body::Heavy(heavy) => heavy.offset / heavy.inertia,
+        Body::Massless(_) => 0.0,
+    }
+}
+
+#[test]
+fn derivatives_are_those_of_differences_with_40_digits() {
+    let text = include_str!("../../../evidence/reference/derivatives.json");
+    let file: Value = serde_json::from_str(text).expect("JSON");
+    let motions = file["motions"].as_array().expect("a list");
+    let mut compared = 0;
+    for (index, row) in motions.iter().enumerate() {
+        let hoop: HoopParameters = serde_json::from_value(row["hoop"].clone()).expect("a hoop");
+        let mut start = Start::at(0.0, 0.0);
+        for (name, field) in [
+            ("theta", &mut start.theta),
+            ("theta_rate", &mut start.theta_rate),
+            ("slip", &mut start.slip),
+            ("gap_rate", &mut start.gap_rate),
+        ] {
+            *field = row["start"][name].as_f64().expect("a number");
+        }
+        let events = row["events"].as_array().expect("a list");
+        let limits = Limits::default().with_transitions(events.len());
+        let motion = Hoop::new(hoop).expect("a hoop").simulate(start, limits).expect("a start");
+        let named = events[0]["before"].as_object().expect("a table");
+        let quantities: Vec<Quantity> = named.keys().map(|name| name.parse().expect("a quantity")).collect();
+        let derivatives = motion.derivatives(&quantities).expect("quantities");
+        for (i, event) in events.iter().enumerate() {
+            assert_eq!(motion.transitions()[i].cause.name(), event["cause"].as_str().expect("a cause"));
+            for (k, quantity) in quantities.iter().enumerate() {
+                let ours = derivatives.transitions()[i][k];
+                for (when, of) in [("before", before as fn(EventDerivative) -> State), ("after", after)] {
+                    let theirs = event[when][quantity.name()].as_array().expect("numbers");
+                    let theirs: [f64; 5] = core::array::from_fn(|n| theirs[n].as_f64().expect("a number"));
+                    let ours = numbers(&of(ours.expect("a regular event")));
+                    for (ours, theirs_n) in ours.into_iter().zip(theirs) {
+                        let error = (ours - theirs_n).abs() / size(theirs);
+                        compared += 1;
+                        assert!(
+                            error < 1e-11 * amplification(motion.hoop()),
+                            "{index} {} {i} {} {quantity} {when}: {ours} {theirs_n} {error:e}",
+                            row["kind"],
+                            event["cause"]
+                        );
+                    }
+                }
+            }
+        }
+    }
+    assert!(compared > 15_000, "{compared}");
+}
+
+/// The derivatives with respect to all quantities of a motion, and the place of each in the lists.
+fn all(motion: &Trajectory) -> (Vec<Quantity>, Derivatives) {
+    let bounces = motion.hoop().restitution().is_some();
+    let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
+    let quantities: Vec<Quantity> =
+        quantities.filter(|quantity| bounces || *quantity != Quantity::Restitution).collect();
+    let derivatives = motion.derivatives(&quantities).expect("quantities of the motion");
+    (quantities, derivatives)
+}
+
+/// The transition that precedes a phase.
+fn before_phase(motion: &Trajectory, phase: &Phase) -> Option<usize> {
+    motion.transitions().iter().position(|it| it.time() == phase.start().time)
+}
+
+/// The change of the energy in contact with a state, and the size of its terms.
+fn energy_change(hoop: &Hoop, (state, by): (State, State)) -> (f64, f64) {
+    let (m, h, inertia) = (hoop.mass(), hoop.h(), hoop.body().inertia_about_mass_centre());
+    let (sin, cos) = state.theta.sin_cos();
+    let rate = state.theta_rate;
+    let (vx, vy) = (state.slip - (1.0 + h * cos) * rate, -h * sin * rate);
+    let dvx = by.slip - (1.0 + h * cos) * by.theta_rate + h * sin * rate * by.theta;
+    let dvy = -h * sin * by.theta_rate - h * cos * rate * by.theta;
+    let terms = [m * vx * dvx, m * vy * dvy, inertia * rate * by.theta_rate, -hoop.offset() * sin * by.theta];
+    (terms.into_iter().sum(), terms.into_iter().map(f64::abs).sum())
+}
+
+/// A motion of such a hoop, half of them with bounces.
+fn motions(hoops: impl Strategy<Value = Hoop>) -> impl Strategy<Value = Trajectory> {
+    let restitution = (0.1..0.95_f64, prop::sample::select(RestitutionLaw::ALL.to_vec()));
+    (hoops, start(), restitution, any::<bool>()).prop_map(|(hoop, start, (e, law), bounces)| {
+        let restitution = Restitution::new(e, law).expect("a coefficient");
+        let hoop = if bounces { hoop.with_restitution(restitution).expect("heavy") } else { hoop };
+        let limits = Limits::default().with_transitions(12).with_until(Some(start.time + 50.0));
+        hoop.simulate(start, limits).expect("a valid start")
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Time and place of the start shift the motion; a phase conserves what it conserves; and at a fixed time the state changes by what
+    /// the event moves.
+    #[test]
+    fn derivatives_obey_the_laws_of_the_motion(motion in motions(heavy_hoop())) {
+        let (quantities, derivatives) = all(&motion);
+        let hoop = motion.hoop();
+        for (i, transition) in motion.transitions().iter().enumerate() {
+            for (quantity, derivative) in quantities.iter().zip(&derivatives.transitions()[i]) {
+                let Ok(EventDerivative { before, after, .. }) = *derivative else { continue };
+                if *quantity == Quantity::Time {
+                    prop_assert_eq!(numbers(&before), [1.0, 0.0, 0.0, 0.0, 0.0]);
+                }
+                if *quantity == Quantity::X {
+                    prop_assert_eq!(numbers(&before), [0.0, 0.0, 0.0, 0.0, 1.0]);
+                }
+                prop_assert_eq!((before.time, before.theta, before.x), (after.time, after.theta, after.x));
+                if matches!(transition.cause, Cause::Stick | Cause::Reversal) {
+                    prop_assert_eq!(before.slip, 0.0);
+                }
+                if transition.cause == Cause::LiftOff && Quantity::START.contains(quantity) {
+                    // 1 = h cos θ θ′² stays 1.
+                    let State { theta, theta_rate, .. } = transition.before;
+                    let (one, other) = (theta.sin() * theta_rate * before.theta, 2.0 * theta.cos() * before.theta_rate);
+                    let scale = 1e-11 * amplification(hoop) * (1.0 + one.abs() + other.abs());
+                    prop_assert!((one - other).abs() <= scale, "{quantity} {one} {other}");
+                }
+                if transition.cause == Cause::Slip && Quantity::START.contains(quantity) {
+                    prop_assert_eq!(before.slip, 0.0);
+                }
+            }
+        }
+        // Rolling conserves the energy, and so its derivatives with respect to the start.
+        for phase in motion.phases() {
+            let (Some(first), Some(last)) = (before_phase(&motion, phase), motion.end_of(phase)) else { continue };
+            if phase.mode() != Mode::Rolling {
+                continue;
+            }
+            let index = motion.transitions().iter().position(|it| it == last).expect("its own");
+            for (k, quantity) in quantities.iter().enumerate().filter(|(_, quantity)| Quantity::START.contains(quantity)) {
+                let pair = (&derivatives.transitions()[first][k], &derivatives.transitions()[index][k]);
+                let (Ok(from), Ok(to)) = pair else { continue };
+                let ends = [(phase.start(), from.after), (last.before, to.before)];
+                let [(one, a), (other, b)] = ends.map(|end| energy_change(hoop, end));
+                // A state is known to its last digit, and what that changes grows with the derivatives.
+                let grown = 64.0 * f64::EPSILON * amplification(hoop) * size(numbers(&to.before)).max(size(numbers(&from.after)));
+                prop_assert!(
+                    (one - other).abs() < 1e-11 * amplification(hoop) * (1.0 + a + b) + grown, "{quantity}: {one} {other}");
+            }
+        }
+    }
+
+    /// The derivative at a fixed time, in the middle of each phase and at its end.
+    #[test]
+    fn derivatives_at_a_time_are_those_along_the_event_less_what_it_moves(motion in motions(moderate_hoop())) {
+        let quantities = [Quantity::Theta, Quantity::ThetaRate, Quantity::MuK, Quantity::Offset];
+        let derivatives = motion.derivatives(&quantities).expect("quantities");
+        for (phase, next) in motion.phases().iter().zip(motion.phases().iter().skip(1)) {
+            let (Some(last), Some(transition)) = (phase.last(), motion.end_of(phase)) else { continue };
+            if transition.cause == Cause::Settle || next.start().time != transition.time() {
+                continue;
+            }
+            let index = motion.transitions().iter().position(|it| it == transition).expect("its own");
+            // The time of the event belongs to the next phase: the last double before it to this one.
+            let at = motion.derivatives_at(transition.time().next_down(), &quantities).expect("quantities");
+            for (k, at) in at.expect("within the motion").into_iter().enumerate() {
+                let (Ok(along), Ok(at)) = (derivatives.transitions()[index][k], at) else { continue };
+                let Sample { state, theta_acceleration, slip_acceleration, .. } = last;
+                let rates = [1.0, state.theta_rate, theta_acceleration, slip_acceleration, state.slip - state.theta_rate];
+                let moves = along.before.time;
+                let along = numbers(&along.before);
+                let scale = along.iter().zip(rates).map(|(along, rate)| along.abs() + (rate * moves).abs()).fold(1.0, f64::max);
+                for ((along, at), rate) in along.into_iter().zip(numbers(&at)).zip(rates).skip(1) {
+                    // One unit in the last place of the time changes the state by its rates.
+                    prop_assert!(
+                        (along - rate * moves - at).abs() < 1e-9 * scale,
+                        "{:?} {k} {along} {at} {rate} {moves}",
+                        transition.cause
+                    );
+                }
+            }
+        }
+    }
+
+    /// Left and right: each derivative is that of the mirror image.
+    #[test]
+    fn the_mirror_image_has_the_mirrored_derivatives(motion in motions(heavy_hoop())) {
+        let start = motion.start();
+        let mirrored = Start::from(State { theta: -start.theta, theta_rate: -start.theta_rate, slip: -start.slip, x: -start.x, ..start });
+        let limits = Limits::default().with_transitions(motion.transitions().len().max(1));
+        let mirrored = motion.hoop().simulate(mirrored, limits).expect("a start");
+        let (quantities, ours) = all(&motion);
+        let (_, theirs) = all(&mirrored);
+        let odd = [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip, Quantity::X, Quantity::Slope];
+        for (ours, theirs) in ours.transitions().iter().zip(theirs.transitions()) {
+            for ((ours, theirs), quantity) in ours.iter().zip(theirs).zip(&quantities) {
+                let (Ok(ours), Ok(theirs)) = (ours, theirs) else { continue };
+                let sign = if odd.contains(quantity) { -1.0 } else { 1.0 };
+                let signs = [sign, -sign, -sign, -sign, -sign];
+                let (ours, theirs) = (numbers(&ours.after), numbers(&theirs.after));
+                let scale = 1e-11 * amplification(motion.hoop()) * size(ours);
+                for ((a, b), sign) in ours.into_iter().zip(theirs).zip(signs) {
+                    prop_assert!((a - sign * b).abs() <= scale, "{}: {} {}", quantity, a, b);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_derivative_that_does_not_exist_says_why() {
+    let of = |motion: &Trajectory, quantity| motion.derivatives(&[quantity]).expect("a quantity");
+    let reason = |motion: &Trajectory, quantity| of(motion, quantity).transitions()[0][0].err();
+    // Without slip a start rolls, or takes a slip of either sign.
+    let rolls = find_case("slip-then-jump").expect("a case").simulate().expect("a motion");
+    assert_eq!(reason(&rolls, Quantity::Slip), Some(NoDerivative::OneSided));
+    assert_eq!(reason(&rolls, Quantity::GapRate), Some(NoDerivative::OneSided));
+    assert_eq!(reason(&rolls, Quantity::MuS), None);
+    // A massless hoop with inertia is another body; the particle reaches the plane with an infinite rate.
+    let massless = find_case("type-1").expect("a case").simulate().expect("a motion");
+    assert_eq!(reason(&massless, Quantity::Inertia), Some(NoDerivative::OneSided));
+    assert_eq!(of(&massless, Quantity::Theta).outcome()[0].err(), Some(NoDerivative::Singular));
+    // A slide of 1e5 turns.
+    let hoop = HoopParameters::thin(1.0).with_friction(1e-9, 1e-9);
+    let start = Start::at(0.0, 0.5).with_slip(1e-3);
+    let long = Hoop::new(hoop).expect("a hoop").simulate(start, Limits::default()).expect("a motion");
+    assert_eq!(reason(&long, Quantity::MuK), Some(NoDerivative::TooLong), "{:?}", long.outcome());
+    // The orbit that touches the limit of friction.
+    let hoop = Hoop::figure_2(0.5, 0.5).expect("a hoop");
+    let law = RollingLaw::new(&hoop);
+    let orbit = GrazingOrbit::below(&hoop, 10.0).expect("an orbit");
+    let (mut grazes, mut slips) = (0, 0);
+    for step in 0..60 {
+        let above = orbit.energy * (1.0 + f64::from(step) * f64::EPSILON) - law.energy(PI, 0.0);
+        let start = Start::at(PI, (2.0 * above / law.denominator(PI)).sqrt());
+        let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a motion");
+        if motion.transitions().first().is_some_and(|first| first.cause == Cause::Slip) {
+            slips += 1;
+            grazes += usize::from(reason(&motion, Quantity::MuS) == Some(NoDerivative::Grazing));
+        }
+    }
+    assert!(slips > 30 && grazes == slips, "{grazes} of {slips}");
+    let start =
+        Start::at(PI, (2.0 * (orbit.energy + 1e-6 - law.energy(PI, 0.0)) / law.denominator(PI)).sqrt());
+    let crosses = hoop.simulate(start, Limits::default()).expect("a motion");
+    assert_eq!(reason(&crosses, Quantity::MuS), None);
+    // What is no quantity of a motion.
+    let refused = rolls.derivatives(&[Quantity::Until]).expect_err("no quantity of hoop or start");
+    assert_eq!(refused.quantity, Quantity::Until);
+    assert!(rolls.derivatives(&[Quantity::Restitution]).is_err());
+}
+
+/// The period of a libration by its closed form, at both sides of each quantity.
+#[test]
+fn periods_and_amplitudes_have_the_derivatives_of_their_closed_forms() {
+    let case = find_case("figure-2-libration").expect("a case");
+    for (theta, rate) in [(2.5, 0.0), (2.0, 0.3), (-2.0, 0.3), (PI, -0.4)] {
+        let motion = |theta: f64, rate: f64, mass: f64| {
+            let mut setup = case.setup;
+            (setup.start.theta, setup.start.theta_rate, setup.hoop.mass_ratio) = (theta, rate, mass);
+            Hoop::new(setup.hoop).expect("a hoop").simulate(setup.start, Limits::default()).expect("a motion")
+        };
+        let numbers = |motion: &Trajectory| match motion.outcome() {
+            Outcome::RollsForever {
+                recurrence: Recurrence::Libration { period, theta_min, theta_max },
+                ..
+            } => [period, theta_min, theta_max],
+            other => panic!("{other:?}"),
+        };
+        let here = motion(theta, rate, 1.0);
+        let quantities = [Quantity::Theta, Quantity::ThetaRate, Quantity::MassRatio];
+        let derivatives = here.derivatives(&quantities).expect("quantities");
+        for (k, direction) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate() {
+            let ours = derivatives.outcome()[k].expect("regular").recurrence.expect("a libration");
+            let Recurrence::Libration { period, theta_min, theta_max } = ours else { panic!("{ours:?}") };
+            let at = |by: f64| {
+                let [a, b, c] = direction.map(|part| part * by);
+                numbers(&motion(theta + a, rate + b, 1.0 + c))
+            };
+            // Differences of fourth order.
+            let step = 1e-3;
+            let [near, far] = [step, 2.0 * step].map(|step| [at(step), at(-step)]);
+            for (n, ours) in [period, theta_min, theta_max].into_iter().enumerate() {
+                let [one, two] = [near, far].map(|[plus, minus]| plus[n] - minus[n]);
+                let theirs = (8.0 * one - two) / (12.0 * step);
+                // At rest the amplitude grows with the square of the rate.
+                assert!(
+                    (ours - theirs).abs() < 1e-8 * (1.0 + theirs.abs()),
+                    "{theta} {rate} {k} {n}: {ours} {theirs}"
+                );
+            }
+        }
+    }
+}
