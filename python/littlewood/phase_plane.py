@@ -117,7 +117,7 @@ class PhasePlane:
         return broadcast(core.positive_slip_rate if direction > 0 else core.negative_slip_rate, theta)
 
     def lift_off_rate(self, theta: npt.ArrayLike) -> Any:
-        """|θ′| above which the body cannot stay in contact, 1 = h cos θ θ′².
+        """|θ′| above which the body cannot stay in contact, h cos θ θ′² = cos α.
 
         Below this curve and above n the body slides at once although rolling would need N < 0.
         """

@@ -42,12 +42,12 @@ CURVE_DASHES: Mapping[str, Dashes] = _dashes("curve")
 """Dashes of these curves."""
 
 CURVE_WIDTHS: Mapping[str, float] = MappingProxyType(
-    {name: _POINTS_PER_PIXEL * width for name, _, _, width in _core.curves()}
+    {name: _POINTS_PER_PIXEL * width for name, _, width in _core.curves()}
 )
 """Widths of these curves in points."""
 
 CURVE_LETTERS: Mapping[str, str] = MappingProxyType(
-    {name: letter for name, letter, _, _ in _core.curves() if letter is not None}
+    {name: letter for name, letter, _ in _core.curves() if letter is not None}
 )
 """Letters of the curves that have one in the paper."""
 

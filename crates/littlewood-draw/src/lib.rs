@@ -49,10 +49,12 @@ mod words;
 pub use caption::latex;
 pub use chart::ROOM;
 pub use error::DrawError;
-pub use figure::{Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
+pub use figure::{
+    Anchor, Figure, Image, Key, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View, tilted,
+};
 pub use letters::{missing, outlines, width};
 pub use littlewood_style::{Dash, Rgb, ticks::Tick};
-pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve};
+pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve, lift_off_condition};
 pub use markup::{Run, Script, markdown, plain, runs};
 pub use pencil::Segment;
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};

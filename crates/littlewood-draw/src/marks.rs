@@ -5,6 +5,7 @@ use littlewood_style::{Curve, Rgb};
 use crate::figure::{Anchor, Mark};
 use crate::item::{Item, Paint, STEPS, Step, Words, steps};
 use crate::stroke::{INK, PAPER, Stroke};
+use crate::words::marked;
 
 /// The start of a motion, in all pictures.
 pub const START: Mark = Mark::Cross(INK, 4.0);
@@ -17,14 +18,20 @@ pub const UNSTABLE: Mark = Mark::Ring(INK, 3.4);
 
 /// A curve of the (θ, θ′) plane in a key, and what it means.
 #[must_use]
-pub fn key_of_curve(curve: Curve) -> (Mark, String) {
+pub fn key_of_curve(curve: Curve, slope: f64) -> (Mark, String) {
     let words = match curve {
-        Curve::SlipLimit => "*f*: |*F*| = *μ*_{s}*N* in rolling",
-        Curve::NormalForceZero => "*n*: *N* = 0 in rolling",
-        Curve::LiftOff => "*h* cos *θ* *θ*′^{2} = 1: *N* = 0 in sliding",
-        Curve::Separatrix | Curve::Level => curve.label(),
+        Curve::SlipLimit => "*f*: |*F*| = *μ*_{s}*N* in rolling".to_owned(),
+        Curve::NormalForceZero => "*n*: *N* = 0 in rolling".to_owned(),
+        Curve::LiftOff => format!("{}: *N* = 0 in sliding", lift_off_condition(slope)),
+        Curve::Separatrix | Curve::Level => curve.label(slope).to_owned(),
     };
-    (Mark::Line(Stroke::of_curve(curve)), words.to_owned())
+    (Mark::Line(Stroke::of_curve(curve)), words)
+}
+
+/// Where a sliding hoop leaves the plane (2.18), with marks.
+#[must_use]
+pub fn lift_off_condition(slope: f64) -> String {
+    marked(Curve::LiftOff.condition(slope))
 }
 
 /// Length and half width of a head of an arrow in pixels.

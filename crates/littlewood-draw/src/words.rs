@@ -7,7 +7,7 @@ use littlewood_style::ticks;
 use crate::markup::{Script, small};
 
 /// A symbol or a unit as it is printed, with marks: letters are italic, an index stands below the line, an exponent
-/// above it. Small letters after a capital one are its index.
+/// above it. Small letters after a capital one are its index; other words of three and more are names of functions, and upright.
 #[must_use]
 pub fn marked(sign: &str) -> String {
     let mut out = String::new();
@@ -16,6 +16,12 @@ pub fn marked(sign: &str) -> String {
         if let Some((plain, script)) = small(letter) {
             let mark = if script == Script::Sub { '_' } else { '^' };
             out += &format!("{mark}{{{plain}}}");
+        } else if letter.is_ascii_lowercase() {
+            let mut word = letter.to_string();
+            while let Some(next) = letters.next_if(char::is_ascii_lowercase) {
+                word.push(next);
+            }
+            out += &if word.len() > 2 { word } else { format!("*{word}*") };
         } else if letter.is_alphabetic() {
             out += &format!("*{letter}*");
             let mut index = String::new();
@@ -85,6 +91,7 @@ mod tests {
         assert_eq!(marked("Izz/(m₂R²)"), "*I*_{zz}/(*m*_{2}*R*^{2})");
         assert_eq!(marked("m₂√(gR)"), "*m*_{2}√(*gR*)");
         assert_eq!(marked("θ′"), "*θ*′");
+        assert_eq!(marked("dθ/dt = h cos α"), "*dθ*/*dt* = *h* cos *α*");
         assert_eq!(marked("μₛ"), "*μ*_{s}");
     }
 

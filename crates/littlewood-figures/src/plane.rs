@@ -61,7 +61,7 @@ impl Portrait {
         Series::new("n", &PLANE, rows(self.plane.normal_force_curve(&self.window)))
     }
 
-    /// The locus 1 = h cos θ θ′² beyond which the body leaves the plane.
+    /// The locus beyond which the body leaves the plane.
     pub(crate) fn lift_off_locus(&self) -> Series {
         Series::new("lift-off", &PLANE, rows(self.plane.lift_off_curve(&self.window)))
     }

@@ -3,8 +3,8 @@
 use littlewood::Trajectory;
 use littlewood::tables::{Dimension, Quantity, Setup};
 use littlewood_draw::{
-    Figure, GRID, Label, Mark, Panel, PlotAxis, SOFT, Scale, Series, Stroke, View, angle, marked, plain,
-    short,
+    Figure, GRID, Label, Mark, Panel, PlotAxis, SOFT, Scale, Series, Stroke, View, angle, lift_off_condition,
+    marked, plain, short,
 };
 
 use crate::catalogue::{FigureEntry, Watch, find_figure};
@@ -217,9 +217,9 @@ impl Page {
         self.text("The laws", [left, top + 0.5 * HEADING], 20.0);
         let mut y = top + HEADING + 22.0;
         for (name, equation) in laws(input) {
-            self.labels.push(Label::new(*name, &[left, -y]).left().coloured(SOFT).sized(16.0));
-            for line in *equation {
-                self.text(*line, [left + 120.0, y], 17.0);
+            self.labels.push(Label::new(name, &[left, -y]).left().coloured(SOFT).sized(16.0));
+            for line in equation {
+                self.text(line, [left + 120.0, y], 17.0);
                 y += 27.0;
             }
             y += 9.0;
@@ -309,35 +309,42 @@ fn story(motion: &Trajectory) -> String {
 }
 
 /// The laws that a hoop obeys, each in lines.
-fn laws(input: &FigureInput) -> &'static [(&'static str, &'static [&'static str])] {
-    if input.is_massless() {
-        &[
-            ("Rolling", &["*D* (*θ*′^{2} + 1) = constant,  *D* = 1 + *ℓ*^{2} + 2*ℓ* cos *θ*"]),
-            ("holds while", &["|*F*| ≤ *μ*_{s} *N*,  *N* > 0"]),
-            (
-                "Gliding",
-                &["*N* = *F* = 0: the particle falls freely,", "and the hoop without mass follows it"],
-            ),
-            ("On the rim", &["the slip begins where tan |*θ*/2| = *μ*_{s}"]),
-        ]
+fn laws(input: &FigureInput) -> Vec<(&'static str, Vec<String>)> {
+    let slope = input.hoop.slope();
+    let lines = |lines: &[&str]| lines.iter().map(|line| (*line).to_owned()).collect();
+    let holds = ("holds while", lines(&["|*F*| ≤ *μ*_{s} *N*,  *N* > 0"]));
+    let inertia = if input.is_massless() {
+        "*D* = 1 + *ℓ*^{2} + 2*ℓ* cos *θ*"
     } else {
-        &[
-            (
-                "Rolling",
-                &["*D* (*θ*′^{2} + 1) = constant,  *D* = *I\u{302}* + *m*(1 + *h*^{2}) + 2*mh* cos *θ*"],
-            ),
-            ("holds while", &["|*F*| ≤ *μ*_{s} *N*,  *N* > 0"]),
-            (
-                "Sliding",
-                &[
-                    "*F* = −*μ*_{k} *σN*,  *I\u{302} θ*″ = *qN*,  *q* = *h* sin *θ* − *μ*_{k} *σ*(1 + *h* cos *θ*)",
-                    "*N* = *I\u{302} m* (1 − *h* cos *θ* *θ*′^{2})/(*I\u{302}* + *mh* sin *θ* *q*)",
-                ],
-            ),
-            ("Lift-off", &["where *h* cos *θ* *θ*′^{2} = 1, whatever the friction"]),
-            ("Flight", &["*θ*″ = 0, and the mass centre falls freely"]),
-        ]
+        "*D* = *I\u{302}* + *m*(1 + *h*^{2}) + 2*mh* cos *θ*"
+    };
+    let rolling = if slope == 0.0 {
+        vec![format!("*D* (*θ*′^{{2}} + 1) = constant,  {inertia}")]
+    } else {
+        let energy = "½*D* *θ*′^{2} + *mh* cos *α* cos *θ* − *m* sin *α* (*θ* + *h* sin *θ*) = constant,";
+        vec![energy.to_owned(), inertia.to_owned()]
+    };
+    let mut laws = vec![("Rolling", rolling), holds];
+    if input.is_massless() {
+        laws.push((
+            "Gliding",
+            lines(&["*N* = *F* = 0: the particle falls freely,", "and the hoop without mass follows it"]),
+        ));
+        if slope == 0.0 {
+            laws.push(("On the rim", lines(&["the slip begins where tan |*θ*/2| = *μ*_{s}"])));
+        }
+    } else {
+        let weight = if slope == 0.0 { "1" } else { "cos *α*" };
+        let friction =
+            "*F* = −*μ*_{k} *σN*,  *I\u{302} θ*″ = *qN*,  *q* = *h* sin *θ* − *μ*_{k} *σ*(1 + *h* cos *θ*)";
+        let normal =
+            format!("*N* = *I\u{302} m* ({weight} − *h* cos *θ* *θ*′^{{2}})/(*I\u{302}* + *mh* sin *θ* *q*)");
+        laws.push(("Sliding", vec![friction.to_owned(), normal]));
+        let lift_off = format!("where {}, whatever the friction", lift_off_condition(slope));
+        laws.push(("Lift-off", vec![lift_off]));
+        laws.push(("Flight", lines(&["*θ*″ = 0, and the mass centre falls freely"])));
     }
+    laws
 }
 
 fn capitalised(text: &str) -> String {

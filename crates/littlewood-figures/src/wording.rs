@@ -8,7 +8,8 @@ use littlewood_style::ticks;
 use littlewood_sweep::Varies;
 
 /// Parameters on which rolling depends.
-const ROLLING: [Quantity; 4] = [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::MuS];
+const ROLLING: [Quantity; 5] =
+    [Quantity::MassRatio, Quantity::Offset, Quantity::Inertia, Quantity::Slope, Quantity::MuS];
 
 /// How a figure says numbers: in the units of (2.9), or in SI units.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +73,7 @@ impl Wording {
 
     /// Those parameters of a hoop that do not concern friction.
     pub(crate) fn body(self, hoop: &Hoop) -> String {
-        self.parameters(hoop, &ROLLING[..3])
+        self.parameters(hoop, &ROLLING[..4])
     }
 
     fn parameters(self, hoop: &Hoop, quantities: &[Quantity]) -> String {

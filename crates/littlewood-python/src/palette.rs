@@ -20,10 +20,10 @@ fn dashes() -> Vec<(&'static str, &'static str, Vec<f64>)> {
     modes.chain(curves).map(|(group, name, dash)| (group, name, dash.pattern().to_vec())).collect()
 }
 
-/// The curves of the (θ, θ′) plane: name, letter of the paper, label, width in pixels of 1/96 inch.
+/// The curves of the (θ, θ′) plane: name, letter of the paper, width in pixels of 1/96 inch.
 #[pyfunction]
-fn curves() -> Vec<(&'static str, Option<&'static str>, &'static str, f64)> {
-    Curve::ALL.map(|curve| (curve.name(), curve.letter(), curve.label(), curve.width())).to_vec()
+fn curves() -> Vec<(&'static str, Option<&'static str>, f64)> {
+    Curve::ALL.map(|curve| (curve.name(), curve.letter(), curve.width())).to_vec()
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -20,7 +20,7 @@ pub enum Curve {
     NormalForceZero,
     /// Through the unstable equilibrium; without inertia its stable and unstable manifold.
     Separatrix,
-    /// h cos θ θ′² = 1: N = 0 in sliding, beyond which the body leaves the plane (2.18).
+    /// N = 0 in sliding, beyond which the body leaves the plane (2.18).
     LiftOff,
     /// Constant energy in rolling.
     Level,
@@ -53,16 +53,24 @@ impl Curve {
         }
     }
 
-    /// In words, for legends.
+    /// In words, for legends. The weight normal to a plane at the slope α is cos α of the whole.
     #[must_use]
-    pub const fn label(self) -> &'static str {
+    pub const fn label(self, slope: f64) -> &'static str {
         match self {
             Self::SlipLimit => "f: |F| = μₛ N in rolling",
             Self::NormalForceZero => "n: N = 0 in rolling",
             Self::Separatrix => "separatrix",
-            Self::LiftOff => "lift-off: h cos θ θ′² = 1",
+            Self::LiftOff if slope == 0.0 => "lift-off: h cos θ θ′² = 1",
+            Self::LiftOff => "lift-off: h cos θ θ′² = cos α",
             Self::Level => "constant energy",
         }
+    }
+
+    /// What holds on it, as the label says.
+    #[must_use]
+    pub fn condition(self, slope: f64) -> &'static str {
+        let label = self.label(slope);
+        label.split_once(": ").map_or(label, |(_, condition)| condition)
     }
 
     /// Its pieces in a window of the plane of a hoop; none of the levels, each of which belongs to an energy.

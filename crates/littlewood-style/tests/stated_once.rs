@@ -187,7 +187,11 @@ fn tables() -> Vec<Table> {
         table("crates/littlewood/src/walk/sequence.rs", &[], &PhaseCode::ALL.map(PhaseCode::meaning)),
         table("crates/littlewood/src/motion/classify.rs", &StartRegion::NAMES, &[]),
         table("crates/littlewood/src/modes/rolling/recurrence.rs", &RecurrenceKind::NAMES, &[]),
-        table(CURVES, &Curve::ALL.map(Curve::name), &Curve::ALL.map(Curve::label)),
+        table(
+            CURVES,
+            &Curve::ALL.map(Curve::name),
+            &[0.0, 1.0].map(|slope| Curve::ALL.map(|curve| curve.label(slope))).concat(),
+        ),
     ]
 }
 

@@ -232,17 +232,18 @@ export interface LineRow {
 }
 
 export interface CurveRow extends LineRow {
+  labelOnSlope: string;
   /** The letter of the paper. */
   letter: string | null;
 }
 
 /** The table of curves. */
 export const CURVE_ROWS = {
-  slip_limit: { label: 'f: |F| = μₛ N in rolling', letter: 'f', dash: [5.0, 2.5], width: 2.4 },
-  normal_force_zero: { label: 'n: N = 0 in rolling', letter: 'n', dash: [], width: 2.4 },
-  separatrix: { label: 'separatrix', letter: null, dash: [], width: 1.6 },
-  lift_off: { label: 'lift-off: h cos θ θ′² = 1', letter: null, dash: [2.5, 1.8], width: 1.6 },
-  level: { label: 'constant energy', letter: null, dash: [], width: 0.8 },
+  slip_limit: { label: 'f: |F| = μₛ N in rolling', labelOnSlope: 'f: |F| = μₛ N in rolling', letter: 'f', dash: [5.0, 2.5], width: 2.4 },
+  normal_force_zero: { label: 'n: N = 0 in rolling', labelOnSlope: 'n: N = 0 in rolling', letter: 'n', dash: [], width: 2.4 },
+  separatrix: { label: 'separatrix', labelOnSlope: 'separatrix', letter: null, dash: [], width: 1.6 },
+  lift_off: { label: 'lift-off: h cos θ θ′² = 1', labelOnSlope: 'lift-off: h cos θ θ′² = cos α', letter: null, dash: [2.5, 1.8], width: 1.6 },
+  level: { label: 'constant energy', labelOnSlope: 'constant energy', letter: null, dash: [], width: 0.8 },
 } as const satisfies Record<Curve, CurveRow>;
 
 /** The table of lines of the plane of impulses. */

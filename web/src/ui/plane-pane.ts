@@ -50,7 +50,6 @@ export class PlanePane {
       failed,
     );
     this.listen();
-    this.showCurves();
     this.hoopChanged();
   }
 
@@ -124,6 +123,7 @@ export class PlanePane {
       },
     } = this.lab;
     this.curves = curvesOf(problem, rate);
+    this.showCurves();
     this.asked = null;
     this.askMap();
     this.stale = { base: true, top: true };
@@ -170,8 +170,8 @@ export class PlanePane {
 
   private showCurves(): void {
     const curves = CURVES.map((name) => {
-      const { label, dash, width } = CURVE_ROWS[name];
-      return make('li', { 'data-curve': name }, line(width, dash), label);
+      const { label, labelOnSlope, dash, width } = CURVE_ROWS[name];
+      return make('li', { 'data-curve': name }, line(width, dash), this.lab.plain.slope === 0 ? label : labelOnSlope);
     });
     const region = make('li', {}, make('span', { class: 'swatch region', 'aria-hidden': 'true' }), '𝓡: can roll');
     byId('curves', HTMLUListElement).replaceChildren(...curves, region);

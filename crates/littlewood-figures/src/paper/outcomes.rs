@@ -5,7 +5,8 @@ use core::f64::consts::PI;
 use littlewood::tables::{Class, Dimension, Quantity, Setup};
 use littlewood::{Engine, Limits, Start, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, key_of_curve, short,
+    BOUNDARY, Content, Figure, Mark, PAPER, SOFT, Series, Stroke, THEME, key_of_curve, lift_off_condition,
+    short,
 };
 use littlewood_style::{Curve, of_class};
 use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
@@ -177,7 +178,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let lines = boundaries.into_iter().map(|boundary| boundary.points).collect();
     layers.push(Series::new("boundary", &PLANE, rows_of(within(window), lines)).drawn(Mark::Line(BOUNDARY)));
     // A massless hoop does not leave the plane.
-    let mut remark = "";
+    let mut remark = String::new();
     if !input.is_massless() {
         let portrait = Portrait::new(hoop, window);
         for (curve, series) in [
@@ -188,10 +189,13 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
             let under = Stroke::solid(PAPER, stroke.width + 2.0 * MARGIN);
             layers.push(series.clone().drawn(Mark::Line(under)));
             layers.push(series.drawn(Mark::Line(stroke)));
-            legend.push(key_of_curve(curve));
+            legend.push(key_of_curve(curve, hoop.slope()));
         }
-        remark = " The body leaves the plane at once only beyond *h* cos *θ* *θ*′^{2} = 1; between *n* and this curve, \
-                  where the paper lets it leave, it slides first.";
+        remark = format!(
+            " The body leaves the plane at once only beyond {}; between *n* and this curve, where the paper lets it \
+             leave, it slides first.",
+            lift_off_condition(hoop.slope())
+        );
     }
     let finer = if amiss > UNSAID {
         format!(

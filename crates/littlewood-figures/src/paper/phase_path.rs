@@ -5,6 +5,7 @@ use core::f64::consts::{PI, TAU};
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
     Content, Figure, HATCH, IMPULSE, Label, Layer, Mark, REGION, SMALL, START, Series, Stroke, TRANSITION,
+    lift_off_condition,
 };
 
 use crate::axes::plane_window;
@@ -91,20 +92,20 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Keys)
         Some(portrait.slip_locus(input.hoop.mu_s())?)
     };
     let curves = [
-        (slip, Curve::SlipLimit, "*f*: |*F*| = *μ*_{s}*N*"),
+        (slip, Curve::SlipLimit, "*f*: |*F*| = *μ*_{s}*N*".to_owned()),
         (
             Some(portrait.lift_off_locus()).filter(|_| !input.is_massless()),
             Curve::LiftOff,
-            "*h* cos *θ* *θ*′^{2} = 1",
+            lift_off_condition(input.hoop.slope()),
         ),
-        (Some(portrait.unloading_locus()), Curve::NormalForceZero, "*n*: *N* = 0"),
+        (Some(portrait.unloading_locus()), Curve::NormalForceZero, "*n*: *N* = 0".to_owned()),
     ];
     for (series, curve, words) in curves {
         let Some(series) = series.filter(|series| !series.pieces.is_empty()) else { continue };
         // Less than in the portrait alone: what matters here is the motion.
         let mark = Mark::Line(Stroke::of_curve(curve).wide(CURVE));
         layers.push(series.drawn(mark));
-        keys.push((mark, words.to_owned()));
+        keys.push((mark, words));
     }
     layers.extend(portrait.equilibria());
     Ok((layers, keys))

@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use littlewood_draw::{
     Content, FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Mark, NORMAL_FORCE, REGION, SMALL, Stroke,
-    short,
+    lift_off_condition, short,
 };
 
 use crate::axes::plane_window;
@@ -46,7 +46,7 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
     let lift_off = portrait.lift_off_locus();
     labels.extend(nearest(&lift_off, [0.3 * PI, 0.93 * window.y[1]], window).map(|at| {
-        Label::new("*h* cos *θ* *θ*′^{2} = 1", &at)
+        Label::new(lift_off_condition(hoop.slope()), &at)
             .shifted(-8.0, 0.0)
             .right()
             .sized(SMALL)
@@ -64,11 +64,13 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
         NAME,
         "Figure 2(b): phase portrait of rolling",
         format!(
-            "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium, the \
-             particle on top, with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
+            "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium{}, \
+             with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
              gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
              where the hoop can roll. Hatched: *N* < 0. The paper lets the hoop lose contact there at once; but \
-             between *n* and the curve *h* cos *θ* *θ*′^{{2}} = 1 it slides.{} {}{}.",
+             between *n* and the curve {} it slides.{} {}{}.",
+            if hoop.slope() == 0.0 { ", the particle on top" } else { "" },
+            lift_off_condition(hoop.slope()),
             if is_beyond { BEYOND } else { "" },
             if hoop.mu_s() == 0.0 { "Without friction 𝓡 has no area. " } else { "" },
             say.rolling(hoop)

@@ -79,7 +79,9 @@ mod tests {
     fn each_curve_is_where_its_equation_holds() {
         let heavy = HoopParameters::thin(1.0).with_friction(0.5, 0.4);
         let massless = HoopParameters::thin(0.0).with_friction(0.5, 0.5);
-        for (parameters, theta_first) in [(heavy, true), (heavy, false), (massless, true)] {
+        let tilted = heavy.with_slope(0.4);
+        let cases = [(heavy, true), (heavy, false), (tilted, true), (massless, true)];
+        for (parameters, theta_first) in cases {
             let hoop = Hoop::new(parameters).expect("a hoop");
             let plane = PhasePlane::new(&hoop);
             let mut seen = [0; 3];
@@ -92,7 +94,9 @@ mod tests {
                         Curve::SlipLimit if forces.normal.abs() < 1e-9 => (forces.friction, 0),
                         Curve::SlipLimit => (forces.friction.abs() - 0.5 * forces.normal, 0),
                         Curve::NormalForceZero => (forces.normal, 1),
-                        Curve::LiftOff => (1.0 - hoop.h() * libm::cos(theta) * rate * rate, 2),
+                        Curve::LiftOff => {
+                            (libm::cos(hoop.slope()) - hoop.h() * libm::cos(theta) * rate * rate, 2)
+                        }
                         Curve::Separatrix | Curve::Level => (f64::NAN, 0),
                     };
                     // Far up the plane the forces are large, and so are their errors.

@@ -123,7 +123,8 @@ impl Picture {
 
         let curves = self.curves();
         let shown: Vec<Curve> = curves.iter().map(|(curve, _)| *curve).collect();
-        let entries = self.entries(scale.as_ref()).into_iter().chain(of_curves(&shown)).collect();
+        let slope = self.grid.base().hoop.slope;
+        let entries = self.entries(scale.as_ref()).into_iter().chain(of_curves(&shown, slope)).collect();
         let (keys, room) = sheet.keys(entries, top);
         let top = top + room + ABOVE;
         let height =

@@ -100,6 +100,7 @@ impl Picture {
 }
 
 /// The entries of curves, each once.
-pub(super) fn of_curves(curves: &[Curve]) -> impl Iterator<Item = Entry> + '_ {
-    Curve::ALL.into_iter().filter(|curve| curves.contains(curve)).map(key_of_curve)
+pub(super) fn of_curves(curves: &[Curve], slope: f64) -> impl Iterator<Item = Entry> + '_ {
+    let shown = Curve::ALL.into_iter().filter(|curve| curves.contains(curve));
+    shown.map(move |curve| key_of_curve(curve, slope))
 }

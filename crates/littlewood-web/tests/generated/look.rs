@@ -68,13 +68,15 @@ pub(crate) fn typescript() -> String {
     );
     source.lines(
         "export interface CurveRow extends LineRow {
+  labelOnSlope: string;
   /** The letter of the paper. */
   letter: string | null;
 }",
     );
     let curves = Curve::ALL.map(|curve| {
         let fields = [
-            ("label", quoted(curve.label())),
+            ("label", quoted(curve.label(0.0))),
+            ("labelOnSlope", quoted(curve.label(1.0))),
             ("letter", quoted_or_null(curve.letter())),
             ("dash", pattern(curve.dash())),
             ("width", curve.width().to_string()),

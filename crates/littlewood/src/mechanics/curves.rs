@@ -205,7 +205,7 @@ impl PhasePlane {
         self.graph(window, &|theta| self.normal_force_rate(theta))
     }
 
-    /// The curve h cos θ θ′² = 1 beyond which the body leaves the plane; a massless hoop never does.
+    /// The curve h cos θ θ′² = cos α beyond which the body leaves the plane; a massless hoop never does.
     #[must_use]
     pub fn lift_off_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         match self.hoop.body() {

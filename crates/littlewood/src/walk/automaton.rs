@@ -101,7 +101,7 @@ pub const EDGES: &[Edge] = {
         Heavy: Some(Sliding), Stick, Some(Rolling) => "eta' = 0 and |F_roll| <= mu_s N_roll", "eta' = 0", "2(c)";
         Heavy: Some(Sliding), Reversal, Some(Sliding) => "eta' = 0 and |F_roll| > mu_s N_roll", "sigma = -sigma", "2(c)";
         Heavy: Some(Sliding), Graze, Some(Sliding) => "eta' = 0 and eta'' = 0", "none", "2(c)";
-        Heavy: Some(Sliding), LiftOff, Some(Flight) => "h cos(theta) theta'^2 = 1 and sin(theta) theta' < 0", "none", "(2.18), 2(d)";
+        Heavy: Some(Sliding), LiftOff, Some(Flight) => "h cos(theta) theta'^2 = cos(alpha) and sin(theta) theta' < 0", "none", "(2.18), 2(d)";
         Heavy: Some(Flight), Landing, None => "gap = 0, falling, no e", "none", "2(e)";
         Heavy: Some(Flight), Landing, Some(Flight) => "gap = 0, falling", "theta', eta', gap' by the impact", "Routh, Keller";
         Heavy: Some(Flight), Landing, Some(Rolling) => "gap = 0, falling, e = 0", "theta', eta' = 0 by the impact", "Routh, Keller";
