@@ -1,7 +1,7 @@
 //! A figure on a sheet: frames, ticks, marks, labels, keys.
 
 use crate::clip;
-use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View};
+use crate::figure::{Anchor, Figure, Mark, Panel, PlotAxis, View, tilted};
 use crate::item::{Item, Paint, STEPS, Step, Words, steps};
 use crate::marks::{Canvas, MIDDLE, edge};
 use crate::markup::plain;
@@ -71,11 +71,11 @@ impl PlotAxis {
 impl Canvas {
     fn panel(&mut self, panel: &Panel) {
         match &panel.view {
-            View::Plane { x, y, axes } => self.plane(panel, [x, y], *axes),
+            View::Plane { x, y, axes, tilt } => self.plane(panel, [x, y], *axes, *tilt),
             View::Space { x, y, z, yaw, pitch } => {
                 let space = Space::new(panel.frame, [x, y, z], [*yaw, *pitch]);
                 space.axes(self);
-                self.layers(panel, &[x, y, z], |at| space.place(at), 1.0, None);
+                self.layers(panel, &[x, y, z], |at| space.place(at), (1.0, 0.0), None);
                 self.labels(panel, |at| space.place(at), None);
             }
         }
@@ -107,21 +107,23 @@ impl Canvas {
         }
     }
 
-    fn plane(&mut self, panel: &Panel, [x, y]: [&PlotAxis; 2], axes: bool) {
+    fn plane(&mut self, panel: &Panel, [x, y]: [&PlotAxis; 2], axes: bool, tilt: f64) {
         let corners = panel.axes_frame().map(|[right, down]| (steps(right), steps(down)));
         let [(left, top), (right, bottom)] = corners;
         let (wide, tall) = (f64::from(right - left), f64::from(bottom - top));
         let place = |at: &[f64]| {
+            let [right, up] = tilted(tilt, [at[0], at[1]]);
             (
-                left + libm::round(wide * x.share(at[0])) as i32,
-                bottom - libm::round(tall * y.share(at[1])) as i32,
+                left + libm::round(wide * x.share(right)) as i32,
+                bottom - libm::round(tall * y.share(up)) as i32,
             )
         };
         if let Some(image) = &panel.image {
             self.0.push(Item::Image { corners, image: image.clone() });
         }
         // Hoops are drawn only where both axes have one scale.
-        self.layers(panel, &[x, y], place, wide / (x.range[1] - x.range[0]), axes.then_some(corners));
+        let unit = wide / (x.range[1] - x.range[0]);
+        self.layers(panel, &[x, y], place, (unit, tilt), axes.then_some(corners));
         self.labels(panel, place, axes.then_some(corners));
         if !axes {
             return;
@@ -130,7 +132,7 @@ impl Canvas {
         self.rectangle(corners, edge(line));
         let (mark, apart) = (steps(TICK), 2.0 * TICK);
         for tick in &x.ticks {
-            let (at, _) = place(&[tick.value, y.range[0]]);
+            let at = left + libm::round(wide * x.share(tick.value)) as i32;
             self.line(&[(at, bottom), (at, bottom + mark)], line);
             self.text(
                 &tick.label,
@@ -141,7 +143,7 @@ impl Canvas {
             );
         }
         for tick in &y.ticks {
-            let (_, at) = place(&[x.range[0], tick.value]);
+            let at = bottom - libm::round(tall * y.share(tick.value)) as i32;
             self.line(&[(left - mark, at), (left, at)], line);
             self.text(&tick.label, (left - steps(apart), at), Anchor::Right, SMALL, INK);
         }
@@ -166,7 +168,7 @@ impl Canvas {
         panel: &Panel,
         axes: &[&PlotAxis],
         place: impl Fn(&[f64]) -> Step,
-        unit: f64,
+        (unit, tilt): (f64, f64),
         bounds: Option<[Step; 2]>,
     ) {
         let is_seen = |place: &Step| bounds.is_none_or(|bounds| clip::holds(bounds, *place));
@@ -177,7 +179,7 @@ impl Canvas {
             let at = |row: &Vec<f64>| place(&columns.iter().map(|column| row[*column]).collect::<Vec<_>>());
             if let Mark::Hoop { offset, h, radius, rim } = layer.mark {
                 for row in layer.series.pieces.iter().flatten().filter(|row| is_seen(&at(row))) {
-                    self.hoop(at(row), row[row.len() - 1], radius * unit, [offset, h], rim);
+                    self.hoop(at(row), row[row.len() - 1] + tilt, radius * unit, [offset, h], rim);
                 }
                 continue;
             }

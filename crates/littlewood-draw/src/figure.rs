@@ -67,6 +67,8 @@ pub enum View {
         y: PlotAxis,
         /// Whether axes are drawn.
         axes: bool,
+        /// Angle by which the coordinates of the data are turned against the axes, counterclockwise.
+        tilt: f64,
     },
     /// Three axes, seen from a direction.
     Space {
@@ -225,6 +227,16 @@ impl PlotAxis {
     }
 }
 
+/// A place of coordinates that are turned by an angle, counterclockwise, in those that are not.
+#[must_use]
+pub fn tilted(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
+    if angle == 0.0 {
+        return [x, y];
+    }
+    let (sin, cos) = libm::sincos(angle);
+    [x * cos - y * sin, x * sin + y * cos]
+}
+
 impl Panel {
     /// Where the axes of a plane stand: left upper and right lower corner in pixels.
     #[must_use]
@@ -238,8 +250,9 @@ impl Panel {
     /// Where a place of its plane is drawn, in pixels; none in space.
     #[must_use]
     pub fn place(&self, [right, up]: [f64; 2]) -> Option<[f64; 2]> {
-        let View::Plane { x, y, .. } = &self.view else { return None };
+        let View::Plane { x, y, tilt, .. } = &self.view else { return None };
         let [[left, top], [end, bottom]] = self.axes_frame();
+        let [right, up] = tilted(*tilt, [right, up]);
         Some([left + x.share(right) * (end - left), bottom - y.share(up) * (bottom - top)])
     }
 

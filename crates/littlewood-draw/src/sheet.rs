@@ -138,11 +138,17 @@ impl Sheet {
     /// A panel in a frame.
     #[must_use]
     pub fn panel(frame: [f64; 4], content: Content) -> Panel {
+        Self::tilted(frame, content, 0.0)
+    }
+
+    /// A panel in a frame, the coordinates of its data turned by an angle against its axes.
+    #[must_use]
+    pub fn tilted(frame: [f64; 4], content: Content, tilt: f64) -> Panel {
         let Content { name, x, y, layers, labels } = content;
         Panel {
             name,
             frame,
-            view: View::Plane { x, y, axes: true },
+            view: View::Plane { x, y, axes: true, tilt },
             layers,
             labels,
             image: None,

@@ -253,7 +253,7 @@ impl Page {
             image: None,
             name: "page",
             frame: [0.0, 0.0, width, height],
-            view: View::Plane { x, y, axes: false },
+            view: View::Plane { x, y, axes: false, tilt: 0.0 },
             layers: vec![rules],
             labels,
             keys: Vec::new(),

@@ -17,7 +17,7 @@ fn wanted(figure: &Figure) -> Vec<String> {
     for panel in &figure.panels {
         wanted.extend(panel.labels.iter().map(|label| label.text.clone()));
         wanted.extend(panel.keys.iter().map(|key| key.text.clone()));
-        if let View::Plane { x, y, axes: true } = &panel.view {
+        if let View::Plane { x, y, axes: true, .. } = &panel.view {
             wanted.extend([x.title.clone(), y.title.clone()]);
             wanted.extend(x.ticks.iter().chain(&y.ticks).map(|tick| tick.label.clone()));
         }

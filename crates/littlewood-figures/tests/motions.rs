@@ -215,3 +215,60 @@ fn the_names_of_transitions_stand_beside_or_above_each_other() {
     assert_eq!(named.count(), motion.transitions().len());
     assert!(!figure.caption.contains("where there is room"));
 }
+
+/// The hoops of a figure on a ramp: their circles touch the line of the plane, which rises by the slope, and the particle is drawn where
+/// a level camera sees it.
+#[test]
+fn on_a_ramp_the_hoop_is_drawn_on_the_ramp() {
+    let ramp = littlewood::cases::find_case("ramp-jump").expect("a case").setup;
+    for (slope, theta) in [(0.2, 0.5), (-0.7, -0.5), (1.4, 0.5)] {
+        let hoop = Hoop::new(ramp.hoop.with_slope(slope)).expect("a hoop");
+        let rise = libm::tan(slope);
+        let start = Start::at(theta, 0.0);
+        let input = FigureInput::new(hoop, start, Limits::default());
+        for (name, hoops) in [("figure-3b", "hoop"), ("stroboscope", "hoop, ")] {
+            let figure = find_figure(name).expect("a figure").figure(&input).expect("it can be drawn");
+            let panel = &figure.panels[0];
+            let place = |at: [f64; 2]| panel.place(at).expect("a plane");
+            let [origin, unit_x, unit_y] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(place);
+            let along = [unit_x[0] - origin[0], unit_x[1] - origin[1]];
+            let radius = libm::hypot(along[0], along[1]);
+            assert_near(-along[1] / along[0], rise, 1e-9 * (1.0 + rise.abs()), "the slope");
+            assert_near(libm::hypot(unit_y[0] - origin[0], unit_y[1] - origin[1]), radius, 1e-9, "one scale");
+            let [[left, top], [right, bottom]] = panel.axes_frame();
+            let svg = figure.svg();
+            let circles: Vec<[f64; 2]> = svg
+                .split("<circle ")
+                .skip(1)
+                .map(|circle| {
+                    let value = |name: &str| {
+                        let (_, rest) = circle.split_once(&format!("{name}=\"")).expect("it has one");
+                        rest.split_once('"').expect("an end").0.parse::<f64>().expect("a number")
+                    };
+                    [value("cx"), value("cy")]
+                })
+                .collect();
+            let series: Vec<&Series> = panel
+                .layers
+                .iter()
+                .map(|layer| &layer.series)
+                .filter(|series| series.name.starts_with(hoops))
+                .collect();
+            assert!(!series.is_empty(), "{name}");
+            for [x, y, theta] in series.into_iter().flat_map(|series| columns(series, ["x", "y", "theta"])) {
+                let [right_of, down] = place([x, y]);
+                assert!(right_of - radius > left && right_of + radius < right, "{name} at {slope}");
+                assert!(down - radius > top && down + radius < bottom, "{name} at {slope}");
+                let particle = [
+                    right_of - 0.8 * radius * libm::sin(theta + slope),
+                    down - 0.8 * radius * libm::cos(theta + slope),
+                ];
+                let nearest = circles
+                    .iter()
+                    .map(|[cx, cy]| libm::hypot(cx - particle[0], cy - particle[1]))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(nearest < 0.1, "{name} at {slope}: the particle is {nearest} pixels off");
+            }
+        }
+    }
+}

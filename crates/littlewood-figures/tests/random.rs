@@ -149,7 +149,7 @@ fn check(figure: &Figure, input: &FigureInput) {
             panel.name
         );
         for axes in [&panel.view] {
-            if let View::Plane { x, y, axes: true } = axes {
+            if let View::Plane { x, y, axes: true, .. } = axes {
                 let has_ticks = |axis: &PlotAxis| axis.scale == Scale::Nothing || !axis.ticks.is_empty();
                 assert!(has_ticks(x) && has_ticks(y), "{}: no ticks, {input:?}", figure.name);
             }

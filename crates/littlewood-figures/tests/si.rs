@@ -66,7 +66,7 @@ fn axes_and_labels_have_si_units_and_none_of_the_paper() {
         let figure = entry.figure(&input).expect("it can be drawn");
         for panel in &figure.panels {
             let axes = match &panel.view {
-                View::Plane { x, y, axes: true } => vec![x, y],
+                View::Plane { x, y, axes: true, .. } => vec![x, y],
                 View::Plane { .. } => vec![],
                 View::Space { x, y, z, .. } => vec![x, y, z],
             };

@@ -1,5 +1,5 @@
-//! The three films of the paper, and one of what comes after the landing, as the documentation shows them. Writes them into the folder that is named as the
-//! first argument.
+//! The three films of the paper, one of what comes after the landing and one on a ramp, as the documentation shows them. Writes them into the folder
+//! that is named as the first argument.
 
 use std::fs;
 use std::path::PathBuf;
@@ -13,11 +13,12 @@ use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 type Impacts = Option<(f64, f64)>;
 
 /// File, case, seconds of film for a unit of time, impacts.
-const FILMS: [(&str, &str, f64, Impacts); 4] = [
+const FILMS: [(&str, &str, f64, Impacts); 5] = [
     ("figure-3.gif", "figure-3", 3.0, None),
     ("figure-7.gif", "figure-7", 4.0, None),
     ("libration.gif", "figure-2-libration", 1.25, None),
     ("bounces.gif", "figure-3-bounces", 1.2, Some((6.0, 8.0))),
+    ("ramp-jump.gif", "ramp-jump", 0.8, None),
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -46,7 +46,7 @@ pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &
     let rim = (RIM * radius).max(1.5 * unit);
     canvas.ring(centre, radius - 0.5 * rim, rim, SOFT);
     canvas.ring(centre, radius - 0.5 * rim, (rim - 1.6 * unit).max(1.0), LINE);
-    let theta = scene.sample.state.theta;
+    let theta = scene.sample.state.theta + view.tilt.angle;
     for mark in 0..MARKS {
         let angle = theta + 2.0 * PI * f64::from(mark) / f64::from(MARKS);
         let is_long = mark % 6 == 0;
@@ -99,7 +99,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
     let lowered = 9.0 * unit;
     if let Some(slip) = visible(&scene.slip) {
         let (tail, head) = (view.place(slip.tail), view.place(slip.head));
-        let (tail, head) = ((tail.0, tail.1 + lowered), (head.0, head.1 + lowered));
+        let [tail, head] = [tail, head].map(|place| view.moved(place, 0.0, lowered));
         let side = if slip.is_cut {
             draw_arrow(canvas, tail, head, true, SLIP, unit)
         } else {
@@ -107,7 +107,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         };
         canvas.label(
             &marked(SampleColumn::Slip.sign()),
-            (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit),
+            (head.0 + 11.0 * unit * side.0, head.1 + 4.0 * unit + 11.0 * unit * side.1),
             style,
             SLIP,
         );
@@ -115,8 +115,8 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
     if let Some(friction) = visible(&scene.friction) {
         let (tail, head) = ends(view, friction);
         // From the edge of the point of contact, so that a short arrow is seen beside it.
-        let beside = (CONTACT + 1.2) * unit * if head.0 < tail.0 { -1.0 } else { 1.0 };
-        let (tail, head) = ((tail.0 + beside, tail.1), (head.0 + beside, head.1));
+        let beside = (CONTACT + 1.2) * unit * if friction.value < 0.0 { -1.0 } else { 1.0 };
+        let [tail, head] = [tail, head].map(|place| view.moved(place, beside, 0.0));
         let side = if friction.is_cut {
             draw_arrow(canvas, tail, head, true, FRICTION_FORCE, unit)
         } else {
@@ -125,7 +125,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
         canvas.label(
             &marked(SampleColumn::Friction.sign()),
-            (head.0 + 7.0 * unit * side.0, head.1 + 16.0 * unit),
+            view.moved((head.0 + 7.0 * unit * side.0, head.1 + 7.0 * unit * side.1), 0.0, 16.0 * unit),
             style,
             FRICTION_FORCE,
         );
@@ -137,7 +137,7 @@ pub(crate) fn draw_arrows(canvas: &mut Canvas, view: &View, scene: &Scene, unit:
         let side = if scene.particle.x > scene.centre.x { -11.0 } else { 11.0 };
         canvas.label(
             &marked(SampleColumn::Normal.sign()),
-            (head.0 + side * unit, head.1 + 6.0 * unit),
+            view.moved((head.0, head.1 + 6.0 * unit), side * unit, 0.0),
             style,
             NORMAL_FORCE,
         );

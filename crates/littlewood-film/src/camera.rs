@@ -1,7 +1,7 @@
-//! Where the plane and the body lie in the picture: one scale for both directions.
+//! Where the plane and the body lie in the picture: one scale for both directions. The camera is level, and sees the slope.
 
-use littlewood::Trajectory;
 use littlewood::modes::Position;
+use littlewood::{Hoop, Trajectory};
 
 use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;
@@ -43,14 +43,42 @@ pub(crate) struct Window {
     pub(crate) height: f64,
 }
 
+/// The slope of the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tilt {
+    pub(crate) angle: f64,
+    pub(crate) sin: f64,
+    pub(crate) cos: f64,
+}
+
+impl Tilt {
+    pub(crate) fn of(hoop: &Hoop) -> Self {
+        let angle = hoop.slope();
+        let (sin, cos) = libm::sincos(angle);
+        Self { angle, sin, cos }
+    }
+
+    /// How far a point lies to the right of the origin of the plane and above it.
+    pub(crate) fn level(self, Position { x, y }: Position) -> Position {
+        Position { x: x * self.cos - y * self.sin, y: x * self.sin + y * self.cos }
+    }
+
+    /// How high a hoop in contact reaches down.
+    fn base(self, centre: Position) -> f64 {
+        self.level(Position { y: 1.0, ..centre }).y - 1.0
+    }
+}
+
 /// How a motion is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Camera {
     window: Window,
+    tilt: Tilt,
     /// Pixels for a radius.
     scale: f64,
-    /// Middle of the path.
+    /// Middle and lowest height of the path.
     middle: f64,
+    lowest: f64,
     /// Whether the camera follows the body sideways, and upwards.
     follows: [bool; 2],
 }
@@ -60,8 +88,9 @@ pub(crate) struct Camera {
 pub(crate) struct View {
     /// Pixels for a radius.
     pub(crate) scale: f64,
+    pub(crate) tilt: Tilt,
     /// The place of the point (0, 0) in the picture.
-    origin: (f64, f64),
+    pub(crate) origin: (f64, f64),
 }
 
 impl Camera {
@@ -75,14 +104,18 @@ impl Camera {
         scale: ArrowScale,
     ) -> Self {
         window.height -= GROUND * unit;
-        let mut bounds = [f64::INFINITY, f64::NEG_INFINITY, 2.0];
+        let tilt = Tilt::of(trajectory.hoop());
+        let [mut left, mut right] = [f64::INFINITY, f64::NEG_INFINITY];
+        let [mut lowest, mut top, mut rise] = [f64::INFINITY, f64::NEG_INFINITY, 2.0_f64];
         for sample in trajectory.sample_evenly(EXAMINED, schedule.end()) {
-            let [left, right, top] = Scene::of(sample, scale).extent();
-            bounds = [bounds[0].min(left), bounds[1].max(right), bounds[2].max(top)];
+            let [from, to, low, high] = Scene::of(sample, scale).extent(tilt);
+            (left, right) = (left.min(from), right.max(to));
+            (lowest, top) = (lowest.min(low), top.max(high));
+            rise = rise.max(high - tilt.base(sample.centre));
         }
-        let [left, right, top] = bounds;
-        let upright = window.height / (top + ABOVE);
-        let whole = upright.min(window.width / (right - left + 2.0 * BESIDE));
+        let fits = |height: f64| window.height / (height + ABOVE);
+        let upright = fits(rise);
+        let whole = fits(top - lowest).min(window.width / (right - left + 2.0 * BESIDE));
         let middle = 0.5 * (left + right);
         let largest = window.height / (2.0 + ABOVE);
         let is_whole = match framing {
@@ -91,10 +124,10 @@ impl Camera {
             Framing::Follow => false,
         };
         if is_whole {
-            return Self { window, scale: whole.min(largest), middle, follows: [false; 2] };
+            return Self { window, tilt, scale: whole.min(largest), middle, lowest, follows: [false; 2] };
         }
         let scale = upright.min(window.width / 5.0).min(largest).max(SMALLEST_FOLLOWED * unit);
-        Self { window, scale, middle, follows: [true, scale > upright] }
+        Self { window, tilt, scale, middle, lowest, follows: [true, scale > upright] }
     }
 
     /// Whether the view is the same in all frames.
@@ -110,29 +143,116 @@ impl Camera {
     /// What the camera sees of a scene.
     pub(crate) fn view(&self, scene: &Scene) -> View {
         let Window { left, top, width, height } = self.window;
-        let across = if self.follows[0] { scene.mass_centre.x } else { self.middle };
+        let Scene { centre, mass_centre, .. } = *scene;
+        let [across, base] = if self.follows[0] {
+            [self.tilt.level(Position { y: centre.y, ..mass_centre }).x, self.tilt.base(centre)]
+        } else {
+            [self.middle, self.lowest]
+        };
         let floor = top + height;
         // The plane stays where it is as long as the hoop is in sight.
         let lift = if self.follows[1] {
             let highest = (height / self.scale - ABOVE - 2.0).max(0.0);
-            (scene.sample.gap - highest).max(0.0)
+            (self.tilt.cos * scene.sample.gap - highest).max(0.0)
         } else {
             0.0
         };
         // Whole pixels, so that what stands still does not flicker.
-        let origin_y = libm::round(floor) + lift * self.scale;
-        View { scale: self.scale, origin: (left + 0.5 * width - across * self.scale, origin_y) }
+        let origin_y = libm::round(floor) + (lift + base) * self.scale;
+        View {
+            scale: self.scale,
+            tilt: self.tilt,
+            origin: (left + 0.5 * width - across * self.scale, origin_y),
+        }
     }
 }
 
 impl View {
     /// Place of a point in the picture.
     pub(crate) fn place(&self, point: Position) -> (f64, f64) {
+        let point = self.tilt.level(point);
         (self.origin.0 + self.scale * point.x, self.origin.1 - self.scale * point.y)
     }
 
-    /// The horizontal coordinate that is seen at a place.
-    pub(crate) fn x_at(&self, place: f64) -> f64 {
-        (place - self.origin.0) / self.scale
+    /// A place so many pixels further along the plane and into it.
+    pub(crate) fn moved(&self, (x, y): (f64, f64), along: f64, into: f64) -> (f64, f64) {
+        let Tilt { sin, cos, .. } = self.tilt;
+        (x + along * cos + into * sin, y - along * sin + into * cos)
+    }
+
+    /// Between which x the plane is seen in a window.
+    pub(crate) fn seen(&self, window: Window) -> [f64; 2] {
+        let Window { left, top, width, height } = window;
+        let Tilt { sin, cos, .. } = self.tilt;
+        let sides = [
+            (self.origin.0, self.scale * cos, [left, left + width]),
+            (self.origin.1, -self.scale * sin, [top, top + height]),
+        ];
+        let crossings = sides.into_iter().filter(|(_, step, _)| *step != 0.0).map(|(origin, step, sides)| {
+            let [a, b] = sides.map(|side| (side - origin) / step);
+            [a.min(b), a.max(b)]
+        });
+        crossings
+            .fold([f64::NEG_INFINITY, f64::INFINITY], |seen, at| [seen[0].max(at[0]), seen[1].min(at[1])])
+    }
+
+    /// The corners of what lies under the plane in a window.
+    pub(crate) fn under(&self, window: Window) -> Vec<(f64, f64)> {
+        let Window { left, top, width, height } = window;
+        let corners = [(left, top), (left + width, top), (left + width, top + height), (left, top + height)];
+        let depth =
+            |(x, y): (f64, f64)| (x - self.origin.0) * self.tilt.sin + (y - self.origin.1) * self.tilt.cos;
+        let mut under = Vec::new();
+        for (i, corner) in corners.into_iter().enumerate() {
+            let next = corners[(i + 1) % corners.len()];
+            let [here, there] = [corner, next].map(depth);
+            if here > 0.0 {
+                under.push(corner);
+            }
+            if (here > 0.0) != (there > 0.0) {
+                let share = here / (here - there);
+                under.push((corner.0 + share * (next.0 - corner.0), corner.1 + share * (next.1 - corner.1)));
+            }
+        }
+        under
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is drawn of a force on a slope: the weight points downwards, the reaction of the plane of a hoop at rest upwards.
+    #[test]
+    fn the_weight_is_vertical_in_the_picture() {
+        for slope in [0.0, 0.4, -0.4, 1.5] {
+            let parameters =
+                littlewood::HoopParameters::thin(1.0).with_friction(20.0, 20.0).with_slope(slope);
+            let hoop = Hoop::new(parameters).expect("a hoop");
+            let plane = littlewood::theory::PhasePlane::new(&hoop);
+            // Where there is no equilibrium only the weight is looked at.
+            let rest = plane.equilibria().first().map(|equilibrium| equilibrium.theta);
+            let start = littlewood::Start::at(rest.unwrap_or(1.0), 0.0);
+            let limits = littlewood::Limits::default().with_until(Some(1e-3));
+            let motion = hoop.simulate(start, limits).expect("a motion");
+            let sample = motion.at(0.0).expect("an instant");
+            let scale = ArrowScale::fitting(&hoop, core::iter::once(sample), &[]);
+            let scene = Scene::of(sample, scale);
+            let view = View { scale: 100.0, tilt: Tilt::of(&hoop), origin: (320.0, 300.0) };
+            let weight = scene.weight.expect("an arrow");
+            let [tail, head] = [weight.tail, weight.head].map(|end| view.place(end));
+            assert!((head.0 - tail.0).abs() < 1e-11 && head.1 > tail.1 + 10.0, "{slope}: {tail:?} {head:?}");
+            if rest.is_some() {
+                let ends = |arrow: Option<crate::scene::DrawnArrow>| {
+                    arrow.map_or((0.0, 0.0), |arrow| {
+                        let [tail, head] = [arrow.tail, arrow.head].map(|end| view.place(end));
+                        (head.0 - tail.0, head.1 - tail.1)
+                    })
+                };
+                let (normal, friction) = (ends(scene.normal), ends(scene.friction));
+                let sum = (normal.0 + friction.0, normal.1 + friction.1);
+                assert!(sum.0.abs() < 1e-9 && (sum.1 + (head.1 - tail.1)).abs() < 1e-9, "{slope}: {sum:?}");
+            }
+        }
     }
 }

@@ -1,7 +1,6 @@
 //! A film: a motion, and how it is shown.
 
 use littlewood::Trajectory;
-use littlewood::modes::Position;
 use littlewood::si::Units;
 use littlewood_style::{EnergyParts, Ledger};
 
@@ -252,7 +251,7 @@ impl<'a> Reel<'a> {
         panel.draw_still(&mut canvas, trajectory, schedule, &film.note);
         if film.camera.is_still() {
             let view = film.camera.view(&film.scene(0)?);
-            draw_plane(&mut canvas, &view, film.window().width, unit, film.units.as_ref());
+            draw_plane(&mut canvas, &view, film.window(), unit, film.units.as_ref());
         }
         let pane =
             film.with.map(|with| Pane::new(with, trajectory, schedule, pane_of(size), unit, film.units));
@@ -276,7 +275,7 @@ impl<'a> Reel<'a> {
         trail.extend(film.trajectory, &film.schedule, film.scale, scene.time());
         canvas.copy(ground);
         if !film.camera.is_still() {
-            draw_plane(canvas, &view, film.window().width, unit, film.units.as_ref());
+            draw_plane(canvas, &view, film.window(), unit, film.units.as_ref());
         }
         draw_trail(canvas, &view, trail, &scene, unit);
         draw_body(canvas, &view, &scene, film.trajectory.hoop(), unit);
@@ -294,8 +293,8 @@ impl<'a> Reel<'a> {
         if let (Some(parts), Some(energies)) = (film.energy(index)?, &film.energies) {
             let Window { left, top, width, .. } = film.window();
             let top = if film.camera.is_still() { top } else { beside_inset(film.size) };
-            let floor = view.place(Position { x: 0.0, y: 0.0 }).1.min(film.camera.floor());
-            draw_bar(canvas, Column { left: left + width, top, bottom: floor }, &parts, energies.most, unit);
+            let bottom = film.camera.floor();
+            draw_bar(canvas, Column { left: left + width, top, bottom }, &parts, energies.most, unit);
         }
         let is_last = index + 1 == film.schedule.frames() && !film.schedule.closes();
         let outcome = is_last.then(|| film.trajectory.outcome());
@@ -316,6 +315,7 @@ fn cover(canvas: &mut Canvas, film: &Film<'_>, ground: &[u8]) {
     if !film.camera.is_still() {
         canvas.restore_box(ground, inset_of(film.size));
     }
+    canvas.restore_box(ground, [0.0, 0.0, f64::from(film.size.width()), HEAD * film.size.unit()]);
     let foot = f64::from(film.size.height()) - FOOT * film.size.unit();
     canvas.restore(ground, [0, libm::round(foot) as usize]);
 }

@@ -5,8 +5,8 @@ use littlewood::si::Units;
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood_draw::marked;
 
-use crate::camera::{GROUND, View};
-use crate::canvas::Canvas;
+use crate::camera::{GROUND, View, Window};
+use crate::canvas::{Canvas, Place};
 use crate::colour::{self, INK, PAPER, SOFT};
 use crate::letters::Style;
 use crate::pane::{unit_sign, with_unit};
@@ -19,37 +19,63 @@ pub(crate) const CONTACT: f64 = 2.6;
 const CLOSEST: f64 = 2.0;
 
 /// The plane with a mark at every radius or metre, or at as many of them or such parts that marks can be told apart.
-/// `width` is that of the window, which begins at the left of the picture.
-pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, width: f64, unit: f64, units: Option<&Units>) {
-    let (_, y) = view.place(Position { x: 0.0, y: 0.0 });
-    canvas.rectangle((0.0, y), width, GROUND * unit, colour::GROUND);
-    canvas.rectangle((0.0, y), width, (1.4 * unit).max(1.0), INK);
+/// The window begins at the left of the picture.
+pub(crate) fn draw_plane(canvas: &mut Canvas, view: &View, window: Window, unit: f64, units: Option<&Units>) {
+    let seen = view.seen(window);
+    if seen[0] > seen[1] {
+        // From far above a slope the camera sees one side of it.
+        canvas.polygon(&view.under(window), colour::GROUND);
+        return;
+    }
+    let at = |x: f64| view.place(Position { x, y: 0.0 });
+    let (thickness, is_level) = ((1.4 * unit).max(1.0), view.tilt.sin == 0.0);
+    if is_level {
+        let (_, y) = at(0.0);
+        canvas.rectangle((0.0, y), window.width, GROUND * unit, colour::GROUND);
+        canvas.rectangle((0.0, y), window.width, thickness, INK);
+    } else {
+        canvas.polygon(&view.under(window), colour::GROUND);
+        canvas.line(&seen.map(|x| view.moved(at(x), 0.0, 0.5 * thickness)), thickness, INK);
+    }
     let style = Style { size: 9.5 * unit, is_bold: false, anchor: 0.5 };
     // One of what is printed, in radii.
     let one = units.map_or(1.0, |units| 1.0 / units.unit(Dimension::Length));
     let (each, between, digits) = steps(view.scale * one, unit);
-    let [first, last] = [view.x_at(0.0), view.x_at(width)].map(|x| x / (one * between));
-    let marks = (libm::floor(last) - libm::ceil(first)).min(width / (CLOSEST * unit));
+    let [first, last] = seen.map(|x| x / (one * between));
+    let marks =
+        (libm::floor(last) - libm::ceil(first)).min(view.scale * (seen[1] - seen[0]) / (CLOSEST * unit));
+    // The name of the axis stands at the upper end, the numbers keep away from it.
+    let is_named_first = view.tilt.sin < 0.0;
+    let margins =
+        if is_named_first { [46.0, 8.0] } else { [8.0, 46.0] }.map(|pixels| pixels * unit / view.scale);
+    let deep = (GROUND - 3.5) * unit;
+    let is_inside = |(_, y): Place| is_level || y < window.top + window.height - 2.0 * unit;
     let per_label = libm::round(each / between);
     let mut mark = 0.0;
     while mark <= marks {
         let number = libm::ceil(first) + mark;
-        let (place, _) = view.place(Position { x: number * between * one, y: 0.0 });
+        let x = number * between * one;
+        let place = at(x);
         let is_labelled = libm::fmod(number, per_label) == 0.0;
         let length = if is_labelled { 5.0 } else { 3.0 } * unit;
-        canvas.line(&[(place, y), (place, y + length)], unit, INK);
-        if is_labelled && place > 8.0 * unit && place < width - 46.0 * unit {
+        canvas.line(&[place, view.moved(place, 0.0, length)], unit, INK);
+        let words_at = view.moved(place, 0.0, deep);
+        let has_room = x > seen[0] + margins[0] && x < seen[1] - margins[1] && is_inside(words_at);
+        if is_labelled && has_room {
             // Adding zero makes -0 a 0.
             let words = format!("{:.digits$}", number * between + 0.0).replace('-', "−");
-            canvas.words(&words, (place, y + (GROUND - 3.5) * unit), style, SOFT);
+            canvas.words(&words, words_at, style, SOFT);
         }
         mark += 1.0;
     }
-    let end = Style { anchor: 1.0, ..style };
-    let place = (width - 4.0 * unit, y + (GROUND - 3.5) * unit);
-    let length = Dimension::Length;
-    let sign = marked(SampleColumn::X.sign());
-    canvas.words(&with_unit(&sign, &unit_sign(units, length)), place, end, SOFT);
+    let name = with_unit(&marked(SampleColumn::X.sign()), &unit_sign(units, Dimension::Length));
+    if is_level {
+        let end = Style { anchor: 1.0, ..style };
+        canvas.words(&name, (window.width - 4.0 * unit, at(0.0).1 + deep), end, SOFT);
+    } else {
+        let (end, back) = if is_named_first { (seen[0], 24.0) } else { (seen[1], -24.0) };
+        canvas.words(&name, view.moved(at(end), back * unit, deep), style, SOFT);
+    }
 }
 
 /// Every how many units there is room for a number, and for a mark, and with how many decimals the numbers are written,
@@ -81,16 +107,16 @@ pub(crate) fn draw_contact(canvas: &mut Canvas, view: &View, scene: &Scene, gap:
         return;
     }
     let below = view.place(Position { y: 0.0, ..scene.lowest });
-    let height = below.1 - lowest.1;
+    let height = libm::hypot(below.0 - lowest.0, below.1 - lowest.1);
     if height > 3.0 * unit {
         canvas.dashes(&[lowest, below], 1.2 * unit, 2.5 * unit, INK);
     }
-    canvas.line(&[(below.0 - 5.0 * unit, below.1), (below.0 + 5.0 * unit, below.1)], 2.4 * unit, INK);
+    canvas.line(&[-5.0, 5.0].map(|along| view.moved(below, along * unit, 0.0)), 2.4 * unit, INK);
     canvas.disc(lowest, 3.0 * unit, INK);
     canvas.disc(lowest, 1.8 * unit, PAPER);
     let style = Style { size: 10.5 * unit, is_bold: false, anchor: 0.0 };
     if height > 12.0 * unit {
-        let place = (lowest.0 + 7.0 * unit, 0.5 * (lowest.1 + below.1) + 4.0 * unit);
+        let place = (0.5 * (lowest.0 + below.0) + 7.0 * unit, 0.5 * (lowest.1 + below.1) + 4.0 * unit);
         canvas.label(gap, place, style, INK);
     }
 }

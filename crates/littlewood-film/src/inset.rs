@@ -3,7 +3,7 @@
 use littlewood::modes::Position;
 use littlewood::{Mode, Trajectory};
 
-use crate::camera::EXAMINED;
+use crate::camera::{EXAMINED, Tilt, View, Window};
 use crate::canvas::{Canvas, Place};
 use crate::colour::{INK, LINE, PAPER, SOFT, of_mode};
 use crate::letters::Style;
@@ -15,13 +15,9 @@ pub(crate) const HEIGHT: f64 = 52.0;
 
 /// The path of the mass centre, and where it is drawn.
 pub(crate) struct Inset {
-    left: f64,
-    top: f64,
-    width: f64,
-    height: f64,
+    window: Window,
     unit: f64,
-    scale: f64,
-    origin: (f64, f64),
+    view: View,
     steps: Vec<(f64, Mode, Position)>,
 }
 
@@ -32,36 +28,44 @@ impl Inset {
         [left, top, width, height]: [f64; 4],
         unit: f64,
     ) -> Self {
-        let mut bounds = [f64::INFINITY, f64::NEG_INFINITY, 2.0];
+        let tilt = Tilt::of(trajectory.hoop());
+        let [mut from, mut to] = [f64::INFINITY, f64::NEG_INFINITY];
+        let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
         let mut steps = Vec::with_capacity(EXAMINED);
         for sample in trajectory.sample_evenly(EXAMINED, schedule.end()) {
-            bounds = [
-                bounds[0].min(sample.centre.x - 1.0),
-                bounds[1].max(sample.centre.x + 1.0),
-                bounds[2].max(sample.centre.y + 1.0),
-            ];
+            let centre = tilt.level(sample.centre);
+            let foot = tilt.level(Position { y: 0.0, ..sample.centre });
+            (from, to) = (from.min(centre.x - 1.0), to.max(centre.x + 1.0));
+            (low, high) = (low.min(foot.y.min(centre.y - 1.0)), high.max(centre.y + 1.0));
             steps.push((sample.state.time, sample.mode, sample.mass_centre));
         }
-        let [from, to, high] = bounds;
         let (wide, tall) = (width - 12.0 * unit, height - 14.0 * unit);
-        let scale = (wide / (to - from)).min(tall / high);
-        let origin = (left + 0.5 * width - 0.5 * (from + to) * scale, top + height - 6.0 * unit);
-        Self { left, top, width, height, unit, scale, origin, steps }
-    }
-
-    fn place(&self, point: Position) -> Place {
-        (self.origin.0 + self.scale * point.x, self.origin.1 - self.scale * point.y)
+        let scale = (wide / (to - from)).min(tall / (high - low));
+        let origin =
+            (left + 0.5 * width - 0.5 * (from + to) * scale, top + height - 6.0 * unit + scale * low);
+        Self { window: Window { left, top, width, height }, unit, view: View { scale, tilt, origin }, steps }
     }
 
     pub(crate) fn draw_still(&self, canvas: &mut Canvas) {
         let u = self.unit;
+        let Window { left, top, width, height } = self.window;
         let line = 0.8 * u;
-        canvas.rectangle((self.left, self.top), self.width, self.height, LINE);
-        let inner = (self.left + line, self.top + line);
-        canvas.rectangle(inner, self.width - 2.0 * line, self.height - 2.0 * line, PAPER);
-        let plane = (self.left + 3.0 * u, self.origin.1);
-        canvas.rectangle(plane, self.width - 6.0 * u, (0.8 * u).max(1.0), SOFT);
-        let points: Vec<Place> = self.steps.iter().map(|(_, _, point)| self.place(*point)).collect();
+        canvas.rectangle((left, top), width, height, LINE);
+        canvas.rectangle((left + line, top + line), width - 2.0 * line, height - 2.0 * line, PAPER);
+        let thickness = (0.8 * u).max(1.0);
+        if self.view.tilt.sin == 0.0 {
+            canvas.rectangle((left + 3.0 * u, self.view.origin.1), width - 6.0 * u, thickness, SOFT);
+        } else {
+            let within = Window {
+                left: left + 3.0 * u,
+                top: top + 3.0 * u,
+                width: width - 6.0 * u,
+                height: height - 6.0 * u,
+            };
+            let ends = self.view.seen(within).map(|x| self.view.place(Position { x, y: 0.0 }));
+            canvas.line(&ends.map(|end| self.view.moved(end, 0.0, 0.5 * thickness)), thickness, SOFT);
+        }
+        let points: Vec<Place> = self.steps.iter().map(|(_, _, point)| self.view.place(*point)).collect();
         canvas.line(&points, 1.2 * u, LINE);
     }
 
@@ -83,15 +87,16 @@ impl Inset {
                 piece.extend(last);
             }
             mode = Some(*now);
-            piece.push(self.place(*point));
+            piece.push(self.view.place(*point));
         }
-        piece.push(self.place(mass_centre));
+        piece.push(self.view.place(mass_centre));
         self.flush(canvas, &mut piece, mode);
-        let radius = self.scale.max(2.0 * u);
-        let (x, y) = self.place(centre);
-        canvas.ring((x, y.min(self.origin.1 - radius)), radius - 0.5 * u, 1.2 * u, INK);
+        let radius = self.view.scale.max(2.0 * u);
+        let foot = self.view.place(Position { y: 0.0, ..centre });
+        let above = (self.view.scale * centre.y).max(radius);
+        canvas.ring(self.view.moved(foot, 0.0, -above), radius - 0.5 * u, 1.2 * u, INK);
         let style = Style { size: 8.5 * u, is_bold: false, anchor: 0.0 };
-        canvas.label("whole path", (self.left + 5.0 * u, self.top + 10.5 * u), style, SOFT);
+        canvas.label("whole path", (self.window.left + 5.0 * u, self.window.top + 10.5 * u), style, SOFT);
     }
 
     fn flush(&self, canvas: &mut Canvas, piece: &mut Vec<Place>, mode: Option<Mode>) {

@@ -4,6 +4,7 @@ use littlewood::impact::{ImpactCase, Impulse};
 use littlewood::modes::Position;
 use littlewood::{Hoop, Mode, Sample};
 
+use crate::camera::Tilt;
 use crate::impacts::ShownImpact;
 
 /// Longest arrow, in radii. A longer one is cut there and drawn with two heads.
@@ -191,13 +192,14 @@ impl Scene {
         self.sample.mode.with_arrow(self.sample.direction)
     }
 
-    /// Left, right and upper end of what is drawn.
-    pub(crate) fn extent(&self) -> [f64; 3] {
-        let mut extent = [self.centre.x - 1.0, self.centre.x + 1.0, self.centre.y + 1.0];
+    /// Left, right, lower and upper end of what is drawn and of the plane beneath, as a level camera sees them.
+    pub(crate) fn extent(&self, tilt: Tilt) -> [f64; 4] {
+        let [centre, foot] = [self.centre, Position { y: 0.0, ..self.centre }].map(|point| tilt.level(point));
+        let mut extent = [centre.x - 1.0, centre.x + 1.0, foot.y.min(centre.y - 1.0), centre.y + 1.0];
         for arrow in [self.normal, self.friction, self.slip].into_iter().flatten() {
-            extent[0] = extent[0].min(arrow.head.x);
-            extent[1] = extent[1].max(arrow.head.x);
-            extent[2] = extent[2].max(arrow.head.y);
+            let head = tilt.level(arrow.head);
+            extent =
+                [extent[0].min(head.x), extent[1].max(head.x), extent[2].min(head.y), extent[3].max(head.y)];
         }
         extent
     }

@@ -111,6 +111,7 @@ fn the_committed_films_are_what_is_drawn() {
         ("figure-7", "figure-7", 4.0, None),
         ("libration", "figure-2-libration", 1.25, None),
         ("bounces", "figure-3-bounces", 1.2, Some((6.0, 8.0))),
+        ("ramp-jump", "ramp-jump", 0.8, None),
     ] {
         let Setup { hoop, start, .. } = find_case(case).unwrap().setup;
         let limits = Limits::default().with_until(impacts.map(|(_, until)| until));

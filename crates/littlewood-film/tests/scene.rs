@@ -1,8 +1,9 @@
 //! Scenes against the geometry of the body and the forces of the motion.
 
 use littlewood::cases::{CASES, find_case};
-use littlewood::{Mode, Trajectory};
+use littlewood::{Hoop, Limits, Mode, Start, Trajectory};
 use littlewood_film::{DrawnArrow, Film, FrameSize, Framing, Pace, Part, Scene, With};
+use littlewood_style::{Ink, Theme};
 
 fn motion(name: &str) -> Trajectory {
     find_case(name).expect("a named case").simulate().expect("it can be simulated")
@@ -191,6 +192,45 @@ fn every_case_has_every_pane() {
             for index in [0, film.schedule().frames() / 2, film.schedule().frames() - 1] {
                 assert!(!film.still(index).unwrap().is_empty(), "{} {with:?}", case.name);
             }
+        }
+    }
+}
+
+#[test]
+fn a_plane_with_a_slope_is_tilted_under_a_level_camera() {
+    let ground = Ink::Ground.colour(Theme::Light).0;
+    let ramp = find_case("ramp-jump").expect("a named case").setup;
+    for (slope, theta, framing) in [
+        (0.3, 0.5, Framing::Whole),
+        (0.3, 0.5, Framing::Follow),
+        (-0.7, -0.5, Framing::Follow),
+        (1.4, 0.5, Framing::Follow),
+        (-1.4, 0.5, Framing::Whole),
+    ] {
+        let hoop = Hoop::new(ramp.hoop.with_slope(slope)).expect("a hoop");
+        let motion = hoop.simulate(Start::at(theta, 0.0), Limits::default()).expect("a motion");
+        let pace = Pace { fps: 20, slow: 3.0, units: None, hold_s: None, slow_impacts: None };
+        let film = Film::new(&motion, &pace, FrameSize::default(), framing).expect("it can be made");
+        for index in [0, film.schedule().frames() / 2] {
+            let pixels = film.still(index).expect("it can be drawn");
+            let width = FrameSize::default().width() as usize;
+            let is_ground = |row: usize, column: usize| pixels[4 * (row * width + column)..][..3] == ground;
+            // The side of the ground in each row, where it is not that of the picture; under the inset nothing is seen.
+            let side = |row: usize| {
+                let mut columns = (0..width).filter(|column| is_ground(row, *column));
+                let side = if slope > 0.0 { columns.next() } else { columns.next_back() };
+                side.filter(|column| (1..width - 1).contains(column))
+            };
+            let sides: Vec<(usize, usize)> =
+                (95..300).filter_map(|row| side(row).map(|column| (row, column))).collect();
+            let [(top, first), .., (bottom, last)] = sides[..] else {
+                panic!("the plane is not seen at {slope}")
+            };
+            // A pixel at either end, and the edge of the line beside a mark of the axis.
+            let (down, left) = ((bottom - top) as f64, first as f64 - last as f64);
+            let (sin, cos) = libm::sincos(slope);
+            assert!((down * cos - left * sin).abs() < 6.0, "{slope}, {framing:?}: {down} {left}");
+            assert!(down > 60.0, "{slope}, {framing:?}: {down}");
         }
     }
 }

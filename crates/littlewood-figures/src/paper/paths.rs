@@ -4,7 +4,7 @@ use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, Trajectory};
 use littlewood_draw::{
     Content, Figure, HATCH, INK, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT, Scale, Series,
-    Sheet, Stroke, short,
+    Sheet, Stroke, short, tilted,
 };
 
 use crate::columns::{THETA, TIME, X, Y};
@@ -60,9 +60,15 @@ fn transitions(motion: &Trajectory, apart: f64) -> Vec<(String, Sample)> {
     found
 }
 
-/// The plane from side to side of a sheet of this width.
-pub(super) fn ground(x: [f64; 2], width: f64) -> Vec<Layer> {
+/// The plane from side to side of a picture of this width; on a slope from end to end.
+pub(super) fn ground(x: [f64; 2], y: [f64; 2], width: f64, slope: f64) -> Vec<Layer> {
     let depth = 8.0 * (x[1] - x[0]) / width;
+    let x = if slope == 0.0 {
+        x
+    } else {
+        let corners = x.into_iter().flat_map(|x| y.map(|y| tilted(-slope, [x, y])[0]));
+        bounds(corners, 0.0)
+    };
     let below = [[x[0], 0.0], [x[1], 0.0], [x[1], -depth], [x[0], -depth]];
     vec![
         Series::of_rows("ground", &[X, Y], below.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
@@ -71,15 +77,47 @@ pub(super) fn ground(x: [f64; 2], width: f64) -> Vec<Layer> {
     ]
 }
 
-/// The axis of heights above the plane.
-pub(super) fn upright(say: Wording, y: [f64; 2]) -> PlotAxis {
-    PlotAxis { scale: Scale::NotNegative, ..say.axis(Y, "*y*", y) }
+/// The axes: on a level plane its coordinates, on a slope those of a level camera.
+pub(super) fn axes(say: Wording, x: [f64; 2], y: [f64; 2], slope: f64) -> [PlotAxis; 2] {
+    if slope != 0.0 {
+        return [say.axis(X, "horizontal", x), say.axis(Y, "height", y)];
+    }
+    [say.axis(X, "*x*", x), PlotAxis { scale: Scale::NotNegative, ..say.axis(Y, "*y*", y) }]
+}
+
+/// What a caption says of the axes of a picture on a slope.
+pub(super) fn camera(slope: f64) -> &'static str {
+    if slope == 0.0 { "" } else { " The camera is level, the plane rises by *α*." }
+}
+
+/// A text so far below a place of the plane; on a slope at the side where the plane rises.
+pub(super) fn beneath(text: String, x: f64, down: f64, slope: f64) -> Label {
+    let label = Label::new(text, &[x, 0.0]).sized(SMALL);
+    match slope {
+        0.0 => label.shifted(0.0, down),
+        _ if slope > 0.0 => label.left().shifted(8.0, down - 8.0),
+        _ => label.right().shifted(-8.0, down - 8.0),
+    }
+}
+
+/// Left, right, lower and upper end of a motion and of the plane beneath it, as a level camera sees the centre of the hoop.
+pub(super) fn extent(samples: &[Sample], slope: f64) -> [f64; 4] {
+    let seen = |height: fn(&Sample) -> f64| {
+        samples.iter().map(move |sample| tilted(slope, [sample.centre.x, height(sample)]))
+    };
+    let centres = || seen(|sample| sample.centre.y);
+    let [left, right] = bounds(centres().map(|[x, _]| x), 0.0);
+    let [_, top] = bounds(centres().map(|[_, y]| y), 0.0);
+    let low =
+        centres().map(|[_, y]| y - 1.0).chain(seen(|_| 0.0).map(|[_, y]| y)).fold(f64::INFINITY, f64::min);
+    [left, right, low, top]
 }
 
 /// What a picture shows: the hoops, their labels, the ground.
 struct Picture {
     sheet: Sheet,
     say: Wording,
+    slope: f64,
     x: [f64; 2],
     y: [f64; 2],
     layers: Vec<Layer>,
@@ -92,14 +130,17 @@ impl Picture {
         let [_, inner] = sheet.span();
         let until = horizon(motion);
         let samples: Vec<Sample> = motion.sample_evenly(400, until).collect();
-        let [left, right] = bounds(samples.iter().map(|sample| sample.centre.x), 0.0);
-        let [_, top] = bounds(samples.iter().map(|sample| sample.centre.y), 0.0);
+        let slope = motion.hoop().slope();
+        let [left, right, low, top] = extent(&samples, slope);
         // A long motion is small: the names of the hoops at its ends need more than a hoop of room.
         let goes_on = motion.hoop().restitution().is_some();
-        let beside = if goes_on { f64::max(1.2, 0.06 * (right - left)) } else { 1.2 };
+        let mut beside = if goes_on { f64::max(1.2, 0.06 * (right - left)) } else { 1.2 };
+        if slope != 0.0 {
+            // Names stand beside the plane, and the picture is not much higher than wide.
+            beside = beside.max(0.15 * (right - left)).max(0.5 * (0.9 * (top + 2.3 - low) - (right - left)));
+        }
         let x = [left - beside, right + beside];
-        let mut y = [0.0, top + 1.15];
-        let mut layers = ground(x, sheet.width);
+        let mut layers = Vec::new();
         let instants = instants(motion);
         let hoop = motion.hoop();
         let rows = instants
@@ -115,23 +156,25 @@ impl Picture {
             radius: 1.0,
             rim: Stroke::solid(SOFT, 1.2),
         }));
-        // Names under the hoops; one that is close to another stands further down.
+        // Names under the hoops, on a slope where the plane rises; one that is close to another stands further down.
         let unit = (inner - ROOM[0]) / (x[1] - x[0]);
         let mut labels: Vec<Label> = Vec::new();
         let mut taken: Vec<(f64, usize)> = Vec::new();
         for (name, sample) in &instants {
             let at = sample.centre.x;
-            let is_free = |row: &usize| taken.iter().all(|(x, r)| r != row || (x - at).abs() * unit > 60.0);
+            let apart = |x: f64| (x - at).abs() * unit * libm::cos(slope).max(1.7 * libm::sin(slope).abs());
+            let is_free = |row: &usize| taken.iter().all(|(x, r)| r != row || apart(*x) > 60.0);
             let row = (0..ROWS).find(is_free).unwrap_or(ROWS - 1);
             taken.push((at, row));
             let down = 21.0 + 34.0 * row as f64;
-            labels.push(Label::new(name.clone(), &[at, 0.0]).shifted(0.0, down).sized(SMALL));
+            labels.push(beneath(name.clone(), at, down, slope));
             let time = format!("{} = {}", say.time(), say.value(sample.state.time, Dimension::Time));
-            labels.push(Label::new(time, &[at, 0.0]).shifted(0.0, down + 15.0).sized(SMALL));
+            labels.push(beneath(time, at, down + 15.0, slope));
         }
         let rows = 1 + taken.iter().map(|(_, row)| *row).max().unwrap_or(0);
-        y[0] = -(14.0 + 34.0 * rows as f64) / unit;
-        Ok(Self { sheet, say, x, y, layers, labels })
+        let y = [low - (14.0 + 34.0 * rows as f64) / unit, top + 1.15];
+        layers.splice(0..0, ground(x, y, sheet.width, slope));
+        Ok(Self { sheet, say, slope, x, y, layers, labels })
     }
 
     fn figure(
@@ -141,15 +184,15 @@ impl Picture {
         caption: String,
         entries: Vec<(Mark, String)>,
     ) -> Figure {
-        let Self { sheet, say, x, y, layers, labels } = self;
+        let Self { sheet, say, slope, x, y, layers, labels } = self;
         let [left, inner] = sheet.span();
         // One scale for both axes.
         let height = (inner - ROOM[0]) * (y[1] - y[0]) / (x[1] - x[0]) + ROOM[1];
-        let x = say.axis(X, "*x*", x);
-        let content = Content { name: "plane of motion", x, y: upright(say, y), layers, labels };
+        let [x, y] = axes(say, x, y, slope);
+        let content = Content { name: "plane of motion", x, y, layers, labels };
         let (keys, room) = sheet.keys(entries, 6.0);
         let top = 14.0 + room;
-        let panel = Panel { keys, ..Sheet::panel([left, top, inner, height], content) };
+        let panel = Panel { keys, ..Sheet::tilted([left, top, inner, height], content, slope) };
         sheet.figure(name, title, caption, top + height + 6.0, vec![panel])
     }
 }
@@ -195,8 +238,9 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
     let flight = motion.phases().iter().any(|phase| !phase.mode().touches_plane());
     let caption = format!(
         "Paths of the geometric centre *C* and of the mass centre *X̄*, with the hoop at the start and at each \
-         transition. Black dot: particle; ring: mass centre; arrows: time.{} {}; {}.{}",
+         transition. Black dot: particle; ring: mass centre; arrows: time.{}{} {}; {}.{}",
         if flight { " In flight the mass centre follows a parabola." } else { "" },
+        camera(hoop.slope()),
         say.hoop(hoop),
         say.start(hoop, &input.start),
         if input.units.is_some() { "" } else { " *m*_{2} = *R* = *g* = 1." }
@@ -228,8 +272,9 @@ pub(crate) fn particle(input: &FigureInput) -> Result<Figure, FigureError> {
     let reaches = motion.transitions().iter().any(|transition| transition.cause == Cause::ParticleAtPlane);
     let caption = format!(
         "Path of the particle *m*_{{2}}: on a cycloid while the massless hoop rolls, on a parabola while it glides, \
-         *N* = 0.{} *μ*_{{s}} = {}; {}.",
+         *N* = 0.{}{} *μ*_{{s}} = {}; {}.",
         if reaches { " At the end the particle reaches the plane, *θ* = ±π." } else { "" },
+        camera(hoop.slope()),
         short(hoop.mu_s()),
         say.start(hoop, &input.start)
     );

@@ -5,7 +5,10 @@ use core::f64::consts::PI;
 use crate::columns::{X as X_COLUMN, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use littlewood_draw::{Figure, HATCH, INK, Label, Mark, Panel, PlotAxis, SOFT, Scale, Series, Stroke, View};
+use crate::motion::bounds;
+use littlewood_draw::{
+    Figure, HATCH, INK, Label, Mark, Panel, PlotAxis, SOFT, Scale, Series, Stroke, View, tilted,
+};
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 
@@ -19,6 +22,10 @@ const ARC: u32 = 180;
 const THETA: f64 = 0.8;
 /// Where its centre stands.
 const X: f64 = 2.1;
+/// Where the arrow of gravity begins.
+const GRAVITY: [f64; 2] = [3.45, 2.1];
+/// Length of the horizontal at a slope.
+const SLOPE: f64 = 1.3;
 
 fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64) -> Vec<Vec<f64>> {
     (0..=ARC)
@@ -43,16 +50,25 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let axis = Mark::Arrow(Stroke::solid(INK, CURVE));
     let dotted = Mark::Line(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed));
 
-    let (x_range, y_range) = ([-0.45, 3.75], [-0.62, 2.5]);
+    let slope = hoop.slope();
+    let (mut x_range, y_range) = ([-0.45, 3.75], [-0.62, 2.5]);
+    // Room for the angle, at the lower end of the plane.
+    if slope != 0.0 {
+        x_range[usize::from(slope < 0.0)] -= libm::copysign(1.2, slope);
+    }
     let centre = [X, 1.0];
     let particle = along(hoop.offset());
     let mass_centre = along(hoop.h());
     let ground = [[x_range[0], 0.0], [x_range[1], 0.0], [x_range[1], -0.09], [x_range[0], -0.09]];
     let tip = along(1.55);
+    let beside_gravity = |length: f64| {
+        let [right, up] = tilted(-slope, [0.0, -length]);
+        [GRAVITY[0] + right, GRAVITY[1] + up]
+    };
     let mut layers = vec![
         Series::of_rows("ground", &COLUMNS, ground.map(Vec::from).to_vec()).drawn(Mark::Hatch(HATCH)),
         segment("ground", [x_range[0], 0.0], [x_range[1], 0.0]).drawn(Mark::Line(Stroke::solid(INK, 1.4))),
-        segment("vertical", [X, 0.0], [X, 2.38]).drawn(dotted),
+        segment("normal", [X, 0.0], [X, 2.38]).drawn(dotted),
         segment("radius", centre, particle).drawn(Mark::Line(Stroke::solid(INK, CURVE))),
         segment("e2", centre, tip).drawn(axis),
         segment("e1", centre, across(centre, 0.62)).drawn(axis),
@@ -60,7 +76,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         segment("E2", [0.0, 0.0], [0.0, 0.62]).drawn(axis),
         Series::of_rows("theta", &COLUMNS, arc(centre, 0.62, 0.0, THETA - 0.04))
             .drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
-        segment("gravity", [3.45, 2.1], [3.45, 1.5]).drawn(axis),
+        segment("gravity", GRAVITY, beside_gravity(0.6)).drawn(axis),
         segment("x", [0.0, -0.36], [X, -0.36]).drawn(Mark::Arrow(Stroke::solid(INK, 1.0))),
         segment("x foot", [X, 0.0], [X, -0.46]).drawn(thin),
         segment("x origin", [0.0, 0.0], [0.0, -0.46]).drawn(thin),
@@ -110,7 +126,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new("`E`_{1}", &[0.62, 0.0]).shifted(4.0, -13.0),
         Label::new("`E`_{2}", &[0.0, 0.62]).shifted(0.0, -12.0),
         Label::new("*O*", &[0.0, 0.0]).shifted(-12.0, 12.0),
-        Label::new("`g`", &[3.45, 1.8]).shifted(11.0, 0.0),
+        Label::new("`g`", &beside_gravity(0.3)).shifted(11.0, 0.0),
         Label::new("*x*", &[0.5 * X, -0.36]),
         Label::new("*ℓ*", &middle(hoop.offset(), 0.4)).shifted(-9.0, 7.0),
         Label::new("*R*", &[X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)]).shifted(6.0, -10.0),
@@ -119,6 +135,21 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         labels.push(Label::new("*X̄*", &mass_centre).shifted(14.0, 2.0));
         labels.push(Label::new("*h*", &middle(hoop.h(), 0.18)).shifted(-7.0, 7.0));
     }
+    if slope != 0.0 {
+        let apex = x_range[usize::from(slope < 0.0)];
+        let reach = f64::min(SLOPE, -y_range[0] / libm::sin(slope).abs());
+        let at = |share: f64, angle: f64| {
+            let [right, up] = tilted(-angle, [libm::copysign(share * reach, slope), 0.0]);
+            [apex + right, up]
+        };
+        let arc = (0..=ARC).map(|i| at(0.7, slope * f64::from(i) / f64::from(ARC)).to_vec()).collect();
+        layers.push(segment("horizontal", [apex, 0.0], at(1.0, slope)).drawn(dotted));
+        layers.push(Series::of_rows("slope", &COLUMNS, arc).drawn(Mark::Line(Stroke::solid(INK, 1.0))));
+        labels.push(Label::new("*α*", &at(0.82, 0.5 * slope)));
+    }
+    // The coordinates of the plane, turned.
+    let corners = || x_range.into_iter().flat_map(|x| y_range.map(|y| tilted(slope, [x, y])));
+    let (x_range, y_range) = (bounds(corners().map(|[x, _]| x), 0.0), bounds(corners().map(|[_, y]| y), 0.0));
     let sheet = input.sheet(SCALE * (x_range[1] - x_range[0]))?;
     let (width, height) = (sheet.width, sheet.width * (y_range[1] - y_range[0]) / (x_range[1] - x_range[0]));
     let bare = |column: &'static str, range: [f64; 2]| PlotAxis {
@@ -129,7 +160,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         image: None,
         name: "body",
         frame: [0.0, 0.0, width, height],
-        view: View::Plane { x: bare(X_COLUMN, x_range), y: bare(Y, y_range), axes: false },
+        view: View::Plane { x: bare(X_COLUMN, x_range), y: bare(Y, y_range), axes: false, tilt: slope },
         layers,
         labels,
         keys: Vec::new(),
@@ -140,9 +171,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         format!(
             "A hoop or disc of mass *m*_{{1}}, radius *R* and moment of inertia *I*_{{zz}} about its centre *C* carries a \
              particle of mass *m*_{{2}} at the distance *ℓ*. The mass centre *X̄* of the whole lies at *h* = \
-             *m*_{{2}}*ℓ*/(*m*_{{1}} + *m*_{{2}}) from *C* (2.4). *θ* is the angle of the particle from the upward \
-             vertical, counterclockwise; *X*_{{P}} is the point of contact, whose velocity is *η*′ `E`_{{1}} with *η* = \
+             *m*_{{2}}*ℓ*/(*m*_{{1}} + *m*_{{2}}) from *C* (2.4). *θ* is the angle of the particle from the {}, \
+             counterclockwise; *X*_{{P}} is the point of contact, whose velocity is *η*′ `E`_{{1}} with *η* = \
              *x* + *Rθ* (2.6, 2.7). Drawn to scale for {}.",
+            if slope == 0.0 { "upward vertical" } else { "normal of the plane, which rises by *α*" },
             input.wording().body(hoop)
         ),
         height,

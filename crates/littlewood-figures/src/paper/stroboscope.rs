@@ -3,11 +3,10 @@
 use littlewood::tables::Dimension;
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, FAINT, FRICTION_FORCE, Figure, Label, Layer, Mark, NORMAL_FORCE, Panel, ROOM, SMALL, Series,
-    Sheet, Stroke,
+    Content, FAINT, FRICTION_FORCE, Figure, Layer, Mark, NORMAL_FORCE, Panel, ROOM, Series, Sheet, Stroke,
 };
 
-use super::paths::{ground, upright};
+use super::paths::{axes, beneath, camera, extent, ground};
 use crate::columns::{FRICTION, NORMAL, THETA, TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
@@ -98,9 +97,10 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let hoop = motion.hoop();
     let (from, until) = (motion.start().time, end_of(&motion));
     let path: Vec<Sample> = motion.sample_evenly(INSTANTS, until).collect();
-    let [left, right] = bounds(path.iter().map(|sample| sample.centre.x), 0.0);
-    let [_, top] = bounds(path.iter().map(|sample| sample.centre.y), 0.0);
-    let count = libm::round((right - left) / APART + 1.0).clamp(HOOPS[0], HOOPS[1]) as usize;
+    let slope = hoop.slope();
+    let [left, right, low, top] = extent(&path, slope);
+    let [first, last] = bounds(path.iter().map(|sample| sample.centre.x), 0.0);
+    let count = libm::round((last - first) / APART + 1.0).clamp(HOOPS[0], HOOPS[1]) as usize;
     let step = (until - from) / (count - 1) as f64;
     let times = (0..count).map(|i| if i + 1 == count { until } else { from + step * i as f64 });
     let samples: Vec<Sample> = motion.sample(times).flatten().collect();
@@ -108,11 +108,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let sheet = input.sheet(WIDTH)?;
     let [edge, inner] = sheet.span();
     // As wide as the arrows need, and not much higher than wide.
-    let beside = f64::max(1.0 + LONGEST * 0.6, 0.5 * (0.9 * (top + 1.6) - (right - left)));
+    let beside = f64::max(1.0 + LONGEST * 0.6, 0.5 * (0.9 * (top - low + 1.6) - (right - left)));
     let x = [left - beside, right + beside];
     let unit = (inner - ROOM[0]) / (x[1] - x[0]);
-    let y = [-34.0 / unit, top + 1.15];
-    let mut layers = ground(x, sheet.width);
+    let y = [low - 34.0 / unit, top + 1.15];
+    let mut layers = ground(x, y, sheet.width, slope);
     let particle = path.iter().map(|sample| vec![sample.state.time, sample.particle.x, sample.particle.y]);
     let particle: Vec<Vec<f64>> = particle.filter(|row| row.iter().all(|value| value.is_finite())).collect();
     let trace = Mark::Line(Stroke::solid(FAINT, FINE));
@@ -161,21 +161,22 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     let labels = [samples.first(), samples.last()].into_iter().flatten().map(|sample| {
         let time = format!("{} = {}", say.time(), say.value(sample.state.time, Dimension::Time));
-        Label::new(time, &[sample.centre.x, 0.0]).shifted(0.0, 22.0).sized(SMALL)
+        beneath(time, sample.centre.x, 22.0, slope)
     });
     let labels = labels.collect();
     let caption = format!(
-        "The hoop at {count} instants, {} apart.{}{scale} Grey: path of the particle. {}; {}.",
+        "The hoop at {count} instants, {} apart.{}{scale}{} Grey: path of the particle. {}; {}.",
         say.quantity(step, Dimension::Time),
         if until < horizon(&motion) { " Shown is the beginning of the motion." } else { "" },
+        camera(slope),
         say.hoop(hoop),
         say.start(hoop, &input.start)
     );
     let height = (inner - ROOM[0]) * (y[1] - y[0]) / (x[1] - x[0]) + ROOM[1];
-    let content =
-        Content { name: "plane of motion", x: say.axis(X, "*x*", x), y: upright(say, y), layers, labels };
+    let [x, y] = axes(say, x, y, slope);
+    let content = Content { name: "plane of motion", x, y, layers, labels };
     let (keys, room) = sheet.keys(keys, 6.0);
     let top = 14.0 + room;
-    let panel = Panel { keys, ..Sheet::panel([edge, top, inner, height], content) };
+    let panel = Panel { keys, ..Sheet::tilted([edge, top, inner, height], content, slope) };
     Ok(sheet.figure(NAME, "The hoop in equal times", caption, top + height + 6.0, vec![panel]))
 }

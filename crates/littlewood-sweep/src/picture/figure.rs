@@ -67,7 +67,7 @@ fn axis(column: &'static str, title: &str, ticks: Option<Vec<Tick>>) -> PlotAxis
 /// A panel without axes.
 fn bare(name: &'static str, frame: [f64; 4], labels: Vec<Label>, image: Option<Image>) -> Panel {
     let [x, y] = COLUMNS.map(|column| axis(column, "", None));
-    let view = View::Plane { x, y, axes: false };
+    let view = View::Plane { x, y, axes: false, tilt: 0.0 };
     Panel { name, frame, view, image, layers: Vec::new(), labels, keys: Vec::new() }
 }
 
